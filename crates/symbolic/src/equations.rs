@@ -1,0 +1,197 @@
+//! The hand-over between mechanics and numerics: equations of motion as expressions.
+//!
+//! With coordinates q (n of them), multipliers and auxiliary states s:
+//!
+//! ```text
+//! M(q, t) q'' = h(q, q', s, t)        equations of motion
+//! s' = r(q, q', s, t)                 auxiliary states (turn angle of a shaft with prescribed speed, ...)
+//! ```
+//!
+//! Every symbol that occurs is time, a coordinate or its derivatives, an auxiliary state, a parameter (a number), or a definition
+//! (a formula over the others, listed so that each uses earlier ones only).
+
+use crate::{Expr, Graph, Matrix, SymbolId, Text};
+
+/// Equations of motion and everything that is asked of them.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    /// Owner of all expressions below.
+    pub graph: Graph,
+    /// Title of the model.
+    pub title: Text,
+    /// The symbol `t`.
+    pub time: SymbolId,
+    /// Generalized coordinates, in the user's order; n = length.
+    pub coordinates: Vec<Coordinate>,
+    /// Auxiliary first-order states.
+    pub auxiliaries: Vec<Auxiliary>,
+    /// Symbols with a number.
+    pub parameters: Vec<Parameter>,
+    /// Symbols that stand for a formula; each uses parameters, time, coordinates and earlier definitions only.
+    pub definitions: Vec<Definition>,
+    /// Mass matrix M, n x n, symmetric.
+    pub mass: Matrix,
+    /// Right-hand side h, length n: everything that does not contain accelerations.
+    pub force: Vec<Expr>,
+    /// Textbook form of each equation of motion, or the reason why it is not shown.
+    pub textbook: Result<Vec<Equality>, Text>,
+    /// Step-by-step derivation.
+    pub steps: Vec<Step>,
+    /// Second derivation (projected Newton-Euler): n residuals over q, q', q'', which vanish exactly where M q'' = h.
+    pub second: Vec<Expr>,
+    /// Energies and powers.
+    pub energy: Energy,
+    /// What the user wants to see, and every coordinate and rate before it.
+    pub outputs: Vec<Output>,
+}
+
+/// A generalized coordinate with its initial data.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// q, q', q''.
+    pub symbols: [SymbolId; 3],
+    /// SI unit of q (`m`, `rad`, `1`).
+    pub unit: String,
+    /// What it is.
+    pub label: Text,
+    /// Value at the start, over parameters only.
+    pub start: Expr,
+    /// Rate at the start, over parameters only.
+    pub rate: Expr,
+}
+
+/// An auxiliary state s with s' = rate.
+#[derive(Clone, Debug)]
+pub struct Auxiliary {
+    /// The state.
+    pub symbol: SymbolId,
+    /// SI unit.
+    pub unit: String,
+    /// What it is.
+    pub label: Text,
+    /// Its time derivative.
+    pub rate: Expr,
+    /// Value at the start, over parameters only.
+    pub start: Expr,
+}
+
+/// A symbol with a number, SI.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// The symbol.
+    pub symbol: SymbolId,
+    /// The number, SI.
+    pub value: f64,
+    /// As the user wrote it (`20 g`).
+    pub written: String,
+    /// SI unit.
+    pub unit: String,
+    /// What it is.
+    pub label: Text,
+}
+
+/// A symbol that stands for a formula.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The symbol.
+    pub symbol: SymbolId,
+    /// The formula.
+    pub formula: Expr,
+    /// SI unit.
+    pub unit: String,
+    /// What it is.
+    pub label: Text,
+    /// Whether to list it to the user (time derivatives of a definition are not).
+    pub shown: bool,
+}
+
+/// left = right.
+#[derive(Clone, Copy, Debug)]
+pub struct Equality {
+    /// Left side.
+    pub left: Expr,
+    /// Right side.
+    pub right: Expr,
+}
+
+/// One step of the written derivation.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Heading.
+    pub title: Text,
+    /// A sentence before the formulas; may be empty.
+    pub words: Text,
+    /// Formulas of the step.
+    pub formulas: Vec<StepFormula>,
+}
+
+/// A formula of a step: the name of the quantity and its value, `T_1 = ...`.
+#[derive(Clone, Debug)]
+pub struct StepFormula {
+    /// Left side.
+    pub left: StepName,
+    /// Right side.
+    pub right: Expr,
+}
+
+/// The left side of a step formula.
+#[derive(Clone, Debug)]
+pub enum StepName {
+    /// A plain symbol with an optional lower index: T_housing, Π, Φ, Q_x.
+    Quantity {
+        /// Letter: `T`, `Π`, `Φ`, `Q`, `v^2`.
+        letter: String,
+        /// Index, a name; empty when none.
+        index: String,
+    },
+    /// ∂of/∂by.
+    Partial {
+        /// Numerator letter, `T`.
+        of: String,
+        /// Denominator.
+        by: Expr,
+    },
+    /// d/dt ∂of/∂by.
+    TimeDerivativeOfPartial {
+        /// Numerator letter, `T`.
+        of: String,
+        /// Denominator.
+        by: Expr,
+    },
+    /// Any expression.
+    Formula(Expr),
+}
+
+/// Energies and powers as expressions over q, q', s, t (and q'' in `rate` and `drive`).
+#[derive(Clone, Copy, Debug)]
+pub struct Energy {
+    /// Kinetic energy T.
+    pub kinetic: Expr,
+    /// Potential energy Π.
+    pub potential: Expr,
+    /// Rayleigh's dissipation function Φ.
+    pub dissipation: Expr,
+    /// Power taken by all dissipative elements (2 Φ for viscous ones).
+    pub dissipated: Expr,
+    /// dE/dt by differentiation of E = T + Π, over q, q', q''.
+    pub rate: Expr,
+    /// Power of applied loads that have no potential and are not in `dissipated`.
+    pub loads: Expr,
+    /// Power of the drives that realise prescribed motions, from Newton-Euler; over q, q', q''.
+    pub drives: Expr,
+}
+
+/// A named formula for the user.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Name in files and on the command line: `omega_p`, `phi'`.
+    pub name: String,
+    /// For pretty printing.
+    pub symbol: SymbolId,
+    /// SI unit.
+    pub unit: String,
+    /// What it is.
+    pub label: Text,
+    /// The formula over q, q', q'', s, t and parameters.
+    pub formula: Expr,
+}
