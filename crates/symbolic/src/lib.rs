@@ -7,9 +7,12 @@ pub mod equations;
 mod evaluate;
 mod graph;
 mod matrix;
+mod polynomial;
 mod rational;
 mod substitute;
 mod text;
+mod textbook;
+mod trigonometry;
 mod walk;
 
 pub use derivative::Derivation;
@@ -19,4 +22,5 @@ pub use matrix::Matrix;
 pub use rational::Rational;
 pub use substitute::Substitution;
 pub use text::Text;
+pub use textbook::Textbook;
 pub use walk::Occurrence;
