@@ -4,6 +4,7 @@
 //! on motion, groups their constant coefficients with common factors in front, `(m1 + m2) l^2`, and recognises groups to which the
 //! user has given a name, `M = M_h + M_r + m`.
 
+use crate::build::rational_gcd;
 use crate::polynomial::{Monomial, Polynomial, expand};
 use crate::trigonometry::{contract, has_wave};
 use crate::{Expr, Graph, Node, Rational, SymbolId};
@@ -96,6 +97,30 @@ impl Textbook {
         (constant.into(), varying.into())
     }
 
+    /// `e` with the constants common to all its terms in front: m/2 (x'^2 + y'^2).
+    pub fn factored(&mut self, graph: &mut Graph, e: Expr) -> Expr {
+        let Some(sum) = expand(graph, e, LARGEST_SUM, &|_, _| false) else { return e };
+        let terms: Vec<(Monomial, Rational)> = sum.terms().map(|(m, c)| (m.clone(), c.clone())).collect();
+        if terms.len() < 2 {
+            return e;
+        }
+        let constants: Vec<Monomial> = terms.iter().map(|(m, _)| self.split(graph, m).0).collect();
+        let mut common: Vec<(Expr, Rational)> = constants[0].to_vec();
+        common.retain(|(base, exponent)| constants.iter().all(|m| m.iter().any(|(b, x)| b == base && x == exponent)));
+        let content = terms.iter().fold(Rational::ZERO, |g, (_, c)| rational_gcd(&g, c));
+        let inverse = common.iter().map(|(b, x)| (*b, -x));
+        let rest: Vec<(Expr, Rational)> = terms
+            .iter()
+            .map(|(m, c)| {
+                let items: Vec<_> = m.iter().cloned().chain(inverse.clone()).collect();
+                (graph.monomial(Rational::ONE, &items), c / &content)
+            })
+            .collect();
+        let rest = graph.linear(Rational::ZERO, &rest);
+        common.push((rest, Rational::ONE));
+        graph.monomial(content, &common)
+    }
+
     /// Whether only constant symbols occur in `e`.
     pub fn is_constant(&mut self, graph: &Graph, e: Expr) -> bool {
         for e in graph.pending(&[e], &self.constant_memo) {
@@ -109,7 +134,10 @@ impl Textbook {
     /// Σ of constant monomials: common factors in front of a sum, or the user's name for it.
     fn coefficient(&mut self, graph: &mut Graph, terms: &[(Monomial, Rational)]) -> Expr {
         if let [(monomial, coefficient)] = terms {
-            return graph.monomial(coefficient.clone(), monomial);
+            let has_sum = !self.names.is_empty() && monomial.iter().any(|(b, _)| matches!(graph.node(*b), Node::Sum { .. }));
+            if !has_sum {
+                return graph.monomial(coefficient.clone(), monomial);
+            }
         }
         let plain = self.plain_terms(graph, terms);
         let (front, shape) = common_front(graph, &plain);
