@@ -1,0 +1,3 @@
+//! Small numerical tools.
+
+pub mod sum;
