@@ -356,7 +356,7 @@ def spherical_pendulum():
         q = path.to(t)
         s, c = gmpy2.sin_cos(q[0])
         sp, cp = gmpy2.sin_cos(q[1])
-        table.add(t, theta=q[0], psi=q[1], **{"theta'": q[2], "psi'": h / s**2}, x_A=-l * s * -sp, y_A=-l * s * cp * -1, z_A=-l * c)
+        table.add(t, theta=q[0], psi=q[1], **{"theta'": q[2], "psi'": h / s**2}, x_A=-l * s * sp, y_A=l * s * cp, z_A=-l * c)
     path = Path(f, 0, [th1, num(0), num(0)], "0.02")
     path.advance(num("0.01"))
     path.until(lambda t, q: q[2], "10")
