@@ -1,0 +1,30 @@
+//! Printing of symbolic expressions and equations the way a textbook sets them.
+//!
+//! ```text
+//! Expr --compose--> Layout --text / latex / mathml--> String
+//!         ^ names (`phi1` -> φ₁), order of factors and terms, signs, fractions, numbers
+//! ```
+//!
+//! One layout serves the three writers, so the forms never disagree about order or signs. All choices of taste live in two files:
+//! `order.rs` (what stands before what) and `product.rs` (signs, fractions, functions). Start with [`Printer::of`].
+
+mod classes;
+mod compose;
+mod latex;
+mod layout;
+mod lines;
+mod mathml;
+mod names;
+mod numeral;
+mod order;
+mod printer;
+mod product;
+mod steps;
+mod switch;
+#[cfg(test)]
+mod tests;
+mod text;
+
+pub use classes::SymbolClass;
+pub use layout::{Bracket, Identifier, Index, Layout, Relation, Row, Shape, Sign};
+pub use printer::{Form, Language, Placement, Printer};

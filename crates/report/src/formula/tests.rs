@@ -1,0 +1,4 @@
+//! Golden formulas.
+
+mod book;
+mod reading;
