@@ -1,1 +1,18 @@
-//! mechanics
+//! Mechanics: the model file, units, diagnostics, and the derivation of equations of motion. It does not evaluate states and draws
+//! nothing.
+
+pub mod derive;
+pub mod diagnostic;
+pub mod model;
+
+pub use diagnostic::{Diagnostic, Severity, Source};
+pub use model::Model;
+
+/// What reading a model file gives.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The model.
+    pub model: Model,
+    /// Findings that do not prevent its use.
+    pub warnings: Vec<Diagnostic>,
+}

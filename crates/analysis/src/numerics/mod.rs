@@ -1,0 +1,4 @@
+//! Small numerical tools.
+
+pub mod random;
+pub mod sum;

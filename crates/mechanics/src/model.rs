@@ -1,0 +1,512 @@
+//! The model: a machine as its file describes it, with every name resolved, every quantity in SI and every formula an expression.
+//!
+//! Nothing here is derived: kinematics and equations are the business of `derive`. Everything was checked by the reader: dimensions,
+//! cycles, dependence (positions depend on coordinates and time only, prescribed rates on time only, starts on constants only).
+
+use std::ops::Range;
+use symbolic::{Expr, Graph, SymbolId, Text};
+
+/// A machine.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Title; empty when the file gives none.
+    pub title: Text,
+    /// Description; may be empty.
+    pub description: Text,
+    /// Owner of all expressions below.
+    pub graph: Graph,
+    /// The symbol `t`.
+    pub time: SymbolId,
+    /// Acceleration of gravity in ground axes; `None` when switched off or when no body feels it.
+    pub gravity: Option<[Expr; 3]>,
+    /// Parameters. The user's order, except that a formula comes after everything it uses. The predefined `g` is among them only
+    /// when something uses it.
+    pub parameters: Vec<ParameterDecl>,
+    /// Generalized coordinates, in the user's order.
+    pub coordinates: Vec<CoordinateDecl>,
+    /// Frames and bodies. Index 0 is the ground; a parent, and the frame of a point used as origin, come before the child.
+    pub frames: Vec<Frame>,
+    /// Points, in the user's order.
+    pub points: Vec<Point>,
+    /// Springs.
+    pub springs: Vec<Spring>,
+    /// Dampers.
+    pub dampers: Vec<Damper>,
+    /// Forces.
+    pub forces: Vec<Force>,
+    /// Torques.
+    pub torques: Vec<Torque>,
+    /// Free-form potential energies.
+    pub potentials: Vec<Potential>,
+    /// Free-form Rayleigh functions.
+    pub dissipations: Vec<Dissipation>,
+    /// Named formulas for the user, in the user's order. An output used in another one is already expanded there.
+    pub outputs: Vec<OutputDecl>,
+    /// What `derive` must find: placeholder symbols that occur in formulas and what they stand for. In order of first use, so that the
+    /// argument of a time derivative contains earlier requests only.
+    pub requests: Vec<Request>,
+    /// Printed symbols the user asked for: name as in formulas, symbol.
+    pub notation: Vec<(String, String)>,
+    /// Studies, in the user's order.
+    pub studies: Vec<Study>,
+}
+
+/// Index of a frame or body in [`Model::frames`].
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct FrameId(pub usize);
+
+impl FrameId {
+    /// The ground.
+    pub const GROUND: FrameId = FrameId(0);
+    /// Position in [`Model::frames`].
+    pub fn index(self) -> usize {
+        self.0
+    }
+}
+
+/// Index of a point in [`Model::points`].
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct PointId(pub usize);
+
+impl PointId {
+    /// Position in [`Model::points`].
+    pub fn index(self) -> usize {
+        self.0
+    }
+}
+
+/// What a value depends on; the order is meant: each class may use the ones before it.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Class {
+    /// A number.
+    Constant,
+    /// Changes with time in a prescribed way.
+    Time,
+    /// Changes with coordinates or rates.
+    State,
+}
+
+/// A named value.
+#[derive(Clone, Debug)]
+pub struct ParameterDecl {
+    /// Name in formulas.
+    pub name: String,
+    /// Its symbol; formulas contain the symbol, never the value.
+    pub symbol: SymbolId,
+    /// Number or formula.
+    pub value: ParameterValue,
+    /// What it depends on.
+    pub class: Class,
+    /// The value in SI when `class` is [`Class::Constant`], also for formulas; always finite.
+    pub number: Option<f64>,
+    /// SI unit label: `kg`, `N m`, `1`.
+    pub unit: String,
+    /// As the user wrote it: `20 g`.
+    pub written: String,
+    /// What it is; may be empty.
+    pub label: Text,
+    /// Place in the file; `None` when predefined or set on the command line.
+    pub span: Option<Range<usize>>,
+}
+
+/// Number or formula.
+#[derive(Clone, Copy, Debug)]
+pub enum ParameterValue {
+    /// Free of symbols, SI, exact; may contain π, roots and functions of numbers.
+    Number {
+        /// The number.
+        si: Expr,
+    },
+    /// Over other parameters, time, coordinates, rates and requests.
+    Formula(Expr),
+}
+
+impl ParameterValue {
+    /// The value as an expression.
+    pub fn expr(self) -> Expr {
+        match self {
+            ParameterValue::Number { si } => si,
+            ParameterValue::Formula(e) => e,
+        }
+    }
+}
+
+/// A generalized coordinate.
+#[derive(Clone, Debug)]
+pub struct CoordinateDecl {
+    /// Name in formulas.
+    pub name: String,
+    /// q, q', q''.
+    pub symbols: [SymbolId; 3],
+    /// SI unit labels of q, q', q'': `rad`, `rad/s`, `rad/s^2`.
+    pub units: [String; 3],
+    /// Value at the start, over constant parameters.
+    pub start: Expr,
+    /// Rate at the start, over constant parameters.
+    pub rate: Expr,
+    /// What it is; may be empty.
+    pub label: Text,
+    /// Place in the file.
+    pub span: Range<usize>,
+}
+
+/// An axis of a frame.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+#[allow(missing_docs)]
+pub enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+impl Axis {
+    /// 0, 1, 2.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// A frame or a body.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Name; `ground` for index 0.
+    pub name: String,
+    /// Whether it stands under `[bodies]`.
+    pub is_body: bool,
+    /// The frame it is placed on; the ground names itself.
+    pub on: FrameId,
+    /// Where its origin is.
+    pub origin: Origin,
+    /// Successive rotations from the axes of `on`, each about an own, already turned axis.
+    pub rotations: Vec<(Axis, Expr)>,
+    /// Prescribed rate of turning about an own axis after `rotations`; over constants and time only. At t = 0 the angle is 0.
+    pub spin: Option<(Axis, Expr)>,
+    /// Mass properties; `None` for frames and massless bodies.
+    pub mass: Option<Mass>,
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// Where the origin of a frame is.
+#[derive(Clone, Debug)]
+pub enum Origin {
+    /// In the axes of [`Frame::on`], from its origin.
+    Vector([Expr; 3]),
+    /// At a point; the axes are still those of [`Frame::on`].
+    Point(PointId),
+}
+
+/// Mass properties of a body.
+#[derive(Clone, Debug)]
+pub struct Mass {
+    /// Mass; the number 0 for a body with an inertia only.
+    pub mass: Expr,
+    /// Mass centre in body axes.
+    pub center: [Expr; 3],
+    /// Inertia about the mass centre, body axes.
+    pub inertia: Inertia,
+    /// Whether gravity acts on it.
+    pub gravity: bool,
+}
+
+/// Inertia about the mass centre.
+#[derive(Clone, Copy, Debug)]
+pub enum Inertia {
+    /// Nothing given: a point mass.
+    None,
+    /// About an axis through the centre along z only: enough in the plane.
+    Planar(Expr),
+    /// All of it, body axes. The products are the sums Σ m x y, so that the tensor has them with a minus sign.
+    #[allow(missing_docs)]
+    Tensor { xx: Expr, yy: Expr, zz: Expr, xy: Expr, yz: Expr, xz: Expr },
+}
+
+/// A named point of a frame.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Name.
+    pub name: String,
+    /// The frame it belongs to.
+    pub on: FrameId,
+    /// Coordinates in that frame; may depend on coordinates and time.
+    pub at: [Expr; 3],
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// Something that has a position.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum PointRef {
+    /// A named point.
+    Point(PointId),
+    /// The origin of a frame or body.
+    Origin(FrameId),
+    /// The mass centre of a body.
+    Center(FrameId),
+}
+
+/// One scalar through which an element acts.
+#[derive(Clone, Copy, Debug)]
+pub enum Pathway {
+    /// A formula over coordinates, time and position requests.
+    Along(Expr),
+    /// Distance between two points.
+    Distance(PointRef, PointRef),
+    /// Plane angle of the second frame minus that of the first.
+    RelativeAngle(FrameId, FrameId),
+}
+
+/// The value of the pathway at which a spring carries its preload.
+#[derive(Clone, Copy, Debug)]
+pub enum Rest {
+    /// A formula.
+    Value(Expr),
+    /// The value of the pathway at the start of the motion.
+    Start,
+}
+
+/// Spring: force = preload + stiffness (pathway - rest), pulling the pathway shorter.
+#[derive(Clone, Debug)]
+pub struct Spring {
+    /// Name.
+    pub name: String,
+    /// Pathway.
+    pub pathway: Pathway,
+    /// Stiffness.
+    pub stiffness: Expr,
+    /// Rest value of the pathway.
+    pub rest: Rest,
+    /// Force at rest; tension positive.
+    pub preload: Expr,
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// Damper: force = damping · rate of the pathway, against it.
+#[derive(Clone, Debug)]
+pub struct Damper {
+    /// Name.
+    pub name: String,
+    /// Pathway.
+    pub pathway: Pathway,
+    /// Damping.
+    pub damping: Expr,
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// An applied force.
+#[derive(Clone, Debug)]
+pub struct Force {
+    /// Name.
+    pub name: String,
+    /// How it acts.
+    pub action: Action,
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// How a force acts.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// A vector at a point.
+    AtPoint {
+        /// Where.
+        at: PointRef,
+        /// Components.
+        value: [Expr; 3],
+        /// Axes of the components.
+        axes: FrameId,
+    },
+    /// Along a pathway; positive increases the pathway.
+    OnPathway {
+        /// Pathway.
+        pathway: Pathway,
+        /// Force, or torque when the pathway is an angle.
+        value: Expr,
+    },
+}
+
+/// An applied torque.
+#[derive(Clone, Debug)]
+pub struct Torque {
+    /// Name.
+    pub name: String,
+    /// Where it acts.
+    pub on: FrameId,
+    /// Components.
+    pub value: [Expr; 3],
+    /// Axes of the components.
+    pub axes: FrameId,
+    /// Where minus the torque acts.
+    pub reaction: Option<FrameId>,
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// A free-form potential energy.
+#[derive(Clone, Debug)]
+pub struct Potential {
+    /// Name.
+    pub name: String,
+    /// Energy over coordinates, time and position requests.
+    pub energy: Expr,
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// A free-form Rayleigh dissipation function; its force on q is -∂Φ/∂q'.
+#[derive(Clone, Debug)]
+pub struct Dissipation {
+    /// Name.
+    pub name: String,
+    /// Function over coordinates, rates, time and requests.
+    pub function: Expr,
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// A named formula for the user.
+#[derive(Clone, Debug)]
+pub struct OutputDecl {
+    /// Name.
+    pub name: String,
+    /// Its symbol, for printing.
+    pub symbol: SymbolId,
+    /// The formula, over coordinates, rates, accelerations, time, parameters and requests.
+    pub formula: Expr,
+    /// SI unit label.
+    pub unit: String,
+    /// Unit to show it in, when the user names one.
+    pub display: Option<DisplayUnit>,
+    /// What it is; may be empty.
+    pub label: Text,
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// A unit for showing values: shown = SI / factor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DisplayUnit {
+    /// As the user wrote it: `rpm`, `об/мин`.
+    pub label: String,
+    /// SI value of one such unit.
+    pub factor: f64,
+}
+
+/// A placeholder symbol and what it stands for.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// The placeholder: named like `vx(A)`, or a name with primes.
+    pub symbol: SymbolId,
+    /// What it stands for.
+    pub kind: RequestKind,
+    /// SI unit label.
+    pub unit: String,
+}
+
+/// What a placeholder stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum RequestKind {
+    /// Ground coordinate of a point: `x(A)`.
+    Position(PointRef, Axis),
+    /// Component of velocity in ground axes: `vx(A)`.
+    Velocity(PointRef, Axis),
+    /// Component of acceleration in ground axes: `ax(A)`. Outputs only.
+    Acceleration(PointRef, Axis),
+    /// Magnitude of velocity: `speed(A)`.
+    Speed(PointRef),
+    /// Plane angle from the ground: `angle(B)`.
+    Angle(FrameId),
+    /// Angular velocity about z of the ground: `omega(B)`.
+    AngularVelocity(FrameId),
+    /// Kinetic energy of everything, or of one body.
+    KineticEnergy(Option<FrameId>),
+    /// Potential energy of everything.
+    PotentialEnergy,
+    /// Rayleigh function of everything.
+    Dissipation,
+    /// Force of an element, tension positive: `force(S)`.
+    ElementForce(Element),
+    /// Pathway minus rest of a spring; the pathway itself for a damper: `extension(S)`.
+    Extension(Element),
+    /// Time derivative of an expression along the motion.
+    TimeDerivative {
+        /// What is differentiated: a parameter's symbol, or the formula of an output.
+        of: Expr,
+        /// How many times.
+        order: u8,
+    },
+}
+
+/// A spring or damper, by its index.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Element {
+    /// Index in [`Model::springs`].
+    Spring(usize),
+    /// Index in [`Model::dampers`].
+    Damper(usize),
+}
+
+/// A study.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// What to do.
+    pub kind: StudyKind,
+    /// Place in the file.
+    pub span: Range<usize>,
+}
+
+/// What a study does.
+#[derive(Clone, Debug)]
+pub enum StudyKind {
+    /// Show the equations of motion.
+    Equations,
+    /// Find the equilibrium.
+    Equilibrium {
+        /// Initial guess of coordinates, SI; the start value for those not named.
+        guess: Vec<(SymbolId, f64)>,
+    },
+    /// Compute a motion.
+    Simulate(Simulate),
+}
+
+/// A motion to compute; SI.
+#[derive(Clone, Debug)]
+pub struct Simulate {
+    /// End of the motion.
+    pub until: f64,
+    /// Times at which results are wanted.
+    pub times: Times,
+    /// Relative tolerance.
+    pub tolerance: f64,
+    /// Outputs wanted, by name (also coordinates and rates); empty means all.
+    pub outputs: Vec<String>,
+    /// Plots wanted.
+    pub plots: Vec<Plot>,
+}
+
+/// Times at which results are wanted.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Times {
+    /// Not said.
+    Automatic,
+    /// 0, step, 2 step, ... and the end.
+    Every(f64),
+    /// Exactly these, ascending.
+    At(Vec<f64>),
+}
+
+/// A plot.
+#[derive(Clone, Debug)]
+pub struct Plot {
+    /// Title; may be empty.
+    pub title: Text,
+    /// Name on the horizontal axis; `None` is time.
+    pub x: Option<String>,
+    /// Names on the vertical axis.
+    pub y: Vec<String>,
+}
+
+/// The default tolerance of a simulation.
+pub const DEFAULT_TOLERANCE: f64 = 1e-12;
