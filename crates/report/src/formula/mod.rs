@@ -27,7 +27,6 @@ mod tests;
 mod text;
 
 pub use classes::SymbolClass;
-pub use language::Language;
 pub use layout::{Bracket, Identifier, Index, Layout, Relation, Row, Shape, Sign};
 pub use printer::{Form, Placement, Printer};
 

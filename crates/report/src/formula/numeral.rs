@@ -1,6 +1,7 @@
 //! Exact numbers as a reader expects them: `1/2`, `9.81`, `2·10¹¹`.
 
-use super::{Language, Layout};
+use super::Layout;
+use crate::Language;
 use symbolic::Rational;
 
 /// How a positive number is written.

@@ -4,7 +4,8 @@ use super::classes::Classes;
 use super::compose::Composer;
 use super::layout::{Identifier, Layout, Relation, Shape};
 use super::order::Side;
-use super::{Language, SymbolClass, latex, lines, mathml, names, text};
+use super::{SymbolClass, latex, lines, mathml, names, text};
+use crate::Language;
 use symbolic::equations::{Equality, StepFormula};
 use symbolic::{Equations, Expr, Graph, Symbol, SymbolId};
 
@@ -45,12 +46,12 @@ impl Printer {
         Printer { language, classes: Classes::default(), e_is_taken: false, notation: vec![], width: None }
     }
 
-    /// A printer that knows what the symbols of `equations` are.
+    /// A printer that knows what the symbols of `equations` are and how the user wants to see them.
     pub fn of(equations: &Equations, language: Language) -> Printer {
         let graph = &equations.graph;
         let listed = equations.parameters.iter().map(|p| p.symbol).chain(equations.definitions.iter().map(|d| d.symbol));
         let e_is_taken = listed.chain(equations.coordinates.iter().map(|c| c.symbols[0])).any(|s| graph.symbol_info(s).name == "e");
-        Printer { classes: Classes::of(equations), e_is_taken, ..Printer::new(language) }
+        Printer { classes: Classes::of(equations), e_is_taken, notation: equations.notation.clone(), ..Printer::new(language) }
     }
 
     /// The same printer in another language.

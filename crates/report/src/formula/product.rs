@@ -2,6 +2,7 @@
 
 use super::classes::SymbolClass;
 use super::compose::Composer;
+use super::language;
 use super::layout::{Bare, Bracket, Layout, Sign};
 use super::numeral::{Numeral, numeral};
 use super::order::Side;
@@ -151,7 +152,7 @@ impl Composer<'_> {
     }
 
     fn named_call(&mut self, function: Function, arguments: &[Expr], flipped: bool, power: Option<String>) -> Layout {
-        let name = self.printer.language.function(function);
+        let name = language::function(self.printer.language, function);
         let (argument, bare) = match arguments {
             [x] => {
                 let argument = self.compose(*x, flipped, argument_side(function));
@@ -161,7 +162,7 @@ impl Composer<'_> {
             }
             _ => {
                 let items = arguments.iter().map(|x| self.compose(*x, false, Side::Plain)).collect();
-                (Layout::List(items, self.printer.language.list_mark()), Bare::Never)
+                (Layout::List(items, language::list_mark(self.printer.language)), Bare::Never)
             }
         };
         Layout::Call { name, power, argument: Box::new(argument), bare }

@@ -1,7 +1,8 @@
 //! Formulas as the cards and textbooks print them.
 
 use super::reading::read;
-use crate::formula::{Form, Language, Printer, SymbolClass};
+use crate::Language;
+use crate::formula::{Form, Printer, SymbolClass};
 use symbolic::Graph;
 use symbolic::equations::Equality;
 

@@ -2,7 +2,8 @@
 
 use super::book::shaft;
 use super::reading::read;
-use crate::formula::{Form, Language};
+use crate::Language;
+use crate::formula::Form;
 
 /// Formula, text, LaTeX, both English.
 const FORMULAS: [(&str, &str, &str); 26] = [

@@ -1,6 +1,7 @@
 //! Names to symbols.
 
-use crate::formula::{Form, Language, Printer};
+use crate::Language;
+use crate::formula::{Form, Printer};
 use symbolic::Graph;
 
 #[test]

@@ -1,7 +1,8 @@
 //! Random expressions: no panic, balanced brackets and tags, same input same bytes.
 
 use super::book::shaft;
-use crate::formula::{Form, Language, Printer};
+use crate::Language;
+use crate::formula::{Form, Printer};
 use symbolic::{Expr, Function, Graph, Rational};
 
 /// xorshift64*: the seed is fixed, so a failure repeats.
