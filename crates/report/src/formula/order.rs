@@ -20,6 +20,8 @@ use symbolic::{Expr, Function, Graph, Node, Rational};
 pub(super) enum Side {
     /// Any sum.
     Plain,
+    /// The argument of a sine: constants last.
+    Angle,
     /// Left side of the equation of motion of this coordinate.
     Left(usize),
     /// Right side of an equation of motion.
@@ -217,6 +219,7 @@ impl Survey<'_> {
         };
         let category = match side {
             Side::Right => traits.load(),
+            Side::Angle if traits.class == SymbolClass::Constant => u8::MAX,
             _ => traits.class as u8,
         };
         let (state, constants) = self.plain_factors(term);

@@ -1,4 +1,7 @@
 //! Golden formulas.
 
 mod book;
+mod golden;
+mod names;
+mod random;
 mod reading;
