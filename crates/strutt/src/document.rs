@@ -62,12 +62,7 @@ pub fn compose(calculation: &Calculation, extent: Extent, language: Language) ->
 
 /// A printer of formulas in the user's symbols.
 pub fn printer(equations: &Equations, language: Language, width: usize) -> Printer {
-    Printer::of(equations, formula_language(language)).with_notation(equations.notation.clone()).with_width(width)
-}
-
-/// The same language as the formula printer calls it.
-pub fn formula_language(language: Language) -> report::formula::Language {
-    language.pick(report::formula::Language::En, report::formula::Language::Ru)
+    Printer::of(equations, language).with_width(width)
 }
 
 /// Figures of a simulation: those the file asks for, otherwise one per coordinate.

@@ -31,7 +31,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
     }
     calculation.files = shelf.names.clone();
     let document = pipeline::document(calculation, Extent::Page, language);
-    shelf.put("index.html", Word::Page, page::write(&document, page::Options::default()).as_bytes())?;
+    shelf.put("index.html", Word::Page, page::write(&document, page::Options { math_font: Some(report::formula::MATH_FONT) }).as_bytes())?;
     Ok(shelf.paths)
 }
 
