@@ -84,7 +84,7 @@ pub struct Check {
     #[command(flatten)]
     pub model: Model,
     /// How findings are shown: with the line of the file, or one line each for editors
-    #[arg(long, value_enum, default_value_t = Format::Full)]
+    #[arg(long, value_enum, value_name = "FORMAT", default_value_t = Format::Full)]
     pub format: Format,
 }
 
@@ -99,7 +99,7 @@ pub struct Equations {
     #[command(flatten)]
     pub model: Model,
     /// How formulas are written
-    #[arg(long, value_enum, default_value_t = Form::Text)]
+    #[arg(long, value_enum, value_name = "FORM", default_value_t = Form::Text)]
     pub form: Form,
     /// Show the derivation step by step
     #[arg(long)]
@@ -146,12 +146,14 @@ pub struct Equilibrium {
 #[derive(Args, Debug)]
 pub struct Examples {
     /// The example to print
+    #[arg(value_name = "NAME")]
     pub name: Option<String>,
 }
 
 #[derive(Args, Debug)]
 pub struct New {
     /// Name of the file, with or without .toml; the name of an example copies that example
+    #[arg(value_name = "NAME")]
     pub name: String,
     /// The example to copy
     #[arg(long, value_name = "EXAMPLE")]
@@ -164,11 +166,13 @@ pub struct New {
 #[derive(Args, Debug)]
 pub struct Explain {
     /// The code, as in error[M012]; without one, all codes are listed
+    #[arg(value_name = "CODE")]
     pub code: Option<String>,
 }
 
 #[derive(Args, Debug)]
 pub struct Completions {
     /// The shell
+    #[arg(value_name = "SHELL")]
     pub shell: clap_complete::Shell,
 }

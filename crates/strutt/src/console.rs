@@ -1,6 +1,9 @@
 //! Where words go: data to stdout in one piece, talk to stderr; colours only on terminals.
 
 use crate::args::Global;
+use mechanics::Diagnostic;
+use report::Language;
+use serde_json::json;
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -8,9 +11,6 @@ use std::time::{Duration, Instant};
 use strutt::diagnostics::{self, Style};
 use strutt::words::{Word, say};
 use strutt::{Failure, Source, Trouble, Watch};
-use mechanics::Diagnostic;
-use report::Language;
-use serde_json::json;
 
 /// Set by Ctrl+C.
 pub static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -68,7 +68,8 @@ impl Console {
             Ok(()) => Ok(()),
             Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Err(Failure::ClosedPipe),
             Err(error) => {
-                let (en, ru) = (format!("cannot write to standard output: {error}"), format!("не удаётся писать в стандартный вывод: {error}"));
+                let (en, ru) =
+                    (format!("cannot write to standard output: {error}"), format!("не удаётся писать в стандартный вывод: {error}"));
                 Err(Trouble::new("C005", en, ru).into())
             }
         }
@@ -118,7 +119,9 @@ impl Console {
             Failure::Findings { source, diagnostics } if as_json => {
                 json!({"ok": false, "file": source.path, "findings": diagnostics::to_json(diagnostics, source, language)})
             }
-            Failure::Trouble(t) | Failure::Misuse(t) if as_json => json!({"ok": false, "findings": [diagnostics::trouble_to_json(t, language)]}),
+            Failure::Trouble(t) | Failure::Misuse(t) if as_json => {
+                json!({"ok": false, "findings": [diagnostics::trouble_to_json(t, language)]})
+            }
             Failure::Findings { source, diagnostics } => {
                 complain(&diagnostics::render(diagnostics, source, self.style()));
                 return failure.exit_code();
@@ -138,7 +141,9 @@ impl Console {
     pub fn watched<T>(&mut self, calculate: impl FnOnce(&mut Watch) -> T) -> T {
         let mut bar = Bar { started: Instant::now(), shown: None, enabled: !self.quiet && std::io::stderr().is_terminal() };
         let mut tell = |share: f64| bar.tell(share);
-        let mut watch = Watch { interrupt: Some(&INTERRUPTED), progress: Some(&mut tell), ..Watch::default() };
+        let mut watch = Watch::default();
+        watch.interrupt = Some(&INTERRUPTED);
+        watch.progress = Some(&mut tell);
         let result = calculate(&mut watch);
         if let Some(laps) = &mut self.laps {
             laps.extend(watch.laps());

@@ -187,7 +187,6 @@ fn within(text: &str, span: &Range<usize>) -> Range<usize> {
     start..floor(span.end).max(start)
 }
 
-
 /// Where lines start.
 struct Lines {
     starts: Vec<usize>,

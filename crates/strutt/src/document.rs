@@ -298,11 +298,7 @@ pub fn steps(equations: &Equations, printer: &Printer, language: Language) -> Ve
 /// Energies of the machine, named.
 pub fn energies(equations: &Equations) -> [(Say, &'static str, Expr); 3] {
     let e = &equations.energy;
-    [
-        (Say::KineticEnergy, "T", e.kinetic),
-        (Say::PotentialEnergy, "Π", e.potential),
-        (Say::DissipationFunction, "Φ", e.dissipation),
-    ]
+    [(Say::KineticEnergy, "T", e.kinetic), (Say::PotentialEnergy, "Π", e.potential), (Say::DissipationFunction, "Φ", e.dissipation)]
 }
 
 /// What became of each quantity: at the start, least, largest, at the end.

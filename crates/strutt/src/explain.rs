@@ -98,13 +98,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
              результаты с тем же именем не испорчены.",
         ),
     ),
-    (
-        "C006",
-        ("File exists", "Файл уже есть"),
-        (
-            "`strutt new` never overwrites a file.", "`strutt new` никогда не перезаписывает файл."
-        ),
-    ),
+    ("C006", ("File exists", "Файл уже есть"), ("`strutt new` never overwrites a file.", "`strutt new` никогда не перезаписывает файл.")),
     (
         "C007",
         ("No end of the motion", "Не задан конец движения"),

@@ -31,6 +31,8 @@ impl Failure {
                 // a model that only the command line spoils is wrong use
                 if errors.all(|d| matches!(d.source, Place::Override { .. })) { 2 } else { 1 }
             }
+            // a path that leads nowhere is a slip on the command line
+            Failure::Trouble(t) if t.code == "C001" => 2,
             Failure::Trouble(_) => 1,
             Failure::Misuse(_) => 2,
             Failure::ClosedPipe => 0,

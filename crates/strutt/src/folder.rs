@@ -1,12 +1,13 @@
 //! The folder of results: tables, plots and the page.
 
+use crate::diagnostics;
 use crate::document::{self, Extent};
 use crate::failure::Trouble;
 use crate::files;
 use crate::pipeline::{self, Calculation, Finding};
 use crate::words::Word;
 use report::{Figure, Language, csv, json, page};
-use serde_json::Map;
+use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 
 /// Writes everything about a calculation into a folder; returns the paths, the page last.
@@ -31,7 +32,11 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
     }
     calculation.files = shelf.names.clone();
     let document = pipeline::document(calculation, Extent::Page, language);
-    shelf.put("index.html", Word::Page, page::write(&document, page::Options { math_font: Some(report::formula::MATH_FONT) }).as_bytes())?;
+    shelf.put(
+        "index.html",
+        Word::Page,
+        page::write(&document, page::Options { math_font: Some(report::formula::MATH_FONT) }).as_bytes(),
+    )?;
     Ok(shelf.paths)
 }
 
@@ -70,7 +75,38 @@ fn plot(shelf: &mut Shelf, figure: &Figure, number: &str, language: Language) ->
 }
 
 /// The fields of a study that are not common to all.
-pub fn own_fields(finding: &Finding) -> Map<String, serde_json::Value> {
-    let _ = finding;
-    Map::new()
+pub fn own_fields(finding: &Finding) -> Map<String, Value> {
+    let mut own = Map::new();
+    match finding {
+        Finding::Motion(study, ..) => {
+            own.insert("study".into(), json!("simulate"));
+            own.insert("until".into(), json!(study.until));
+            own.insert("tolerance".into(), json!(study.tolerance));
+        }
+        Finding::Equilibrium(..) => {
+            own.insert("study".into(), json!("equilibrium"));
+        }
+    }
+    if let Some(trouble) = finding.trouble() {
+        own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));
+    }
+    own
+}
+
+/// All studies as one JSON object: the common fields, then each study as it would be written alone.
+pub fn calculation_to_json(calculation: &Calculation, language: Language) -> Vec<u8> {
+    let machine = &calculation.machine;
+    let head = json!({"title": language.text(&machine.model.title), "version": crate::VERSION, "model_hash": machine.model_hash,
+        "degrees_of_freedom": machine.equations.coordinates.len()});
+    let mut out = head.to_string().into_bytes();
+    out.pop();
+    out.extend_from_slice(b",\"studies\":[\n");
+    for (i, finding) in calculation.findings.iter().enumerate() {
+        if i > 0 {
+            out.extend_from_slice(b",\n");
+        }
+        out.extend_from_slice(&json::write(finding.data(), &own_fields(finding), language));
+    }
+    out.extend_from_slice(b"]}\n");
+    out
 }

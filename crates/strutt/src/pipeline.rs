@@ -126,3 +126,8 @@ impl Calculation {
         self.findings.iter().flat_map(|f| &f.data().audits)
     }
 }
+
+/// The result of a study that computes no numbers: provenance and checks only.
+pub fn no_numbers(machine: &Machine) -> Dataset {
+    provenance::stamp(Dataset::default(), &machine.equations, &machine.model_hash)
+}

@@ -138,7 +138,8 @@ fn not_utf8(path: &str, bytes: &[u8], valid: usize) -> Trouble {
     let line = 1 + bytes[..valid].iter().filter(|b| **b == b'\n').count();
     let wide = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
     let cyrillic = bytes[valid..].iter().take(64).filter(|b| **b >= 0xc0).count() > 3;
-    let trouble = Trouble::new("C004", format!("`{path}`, line {line}: not UTF-8 text"), format!("`{path}`, строка {line}: текст не в UTF-8"));
+    let trouble =
+        Trouble::new("C004", format!("`{path}`, line {line}: not UTF-8 text"), format!("`{path}`, строка {line}: текст не в UTF-8"));
     let trouble = match (wide, cyrillic) {
         (true, _) => trouble.why("the file is saved as UTF-16", "файл сохранён в UTF-16"),
         (_, true) => trouble.why("probably saved in the encoding Windows-1251", "вероятно, файл сохранён в кодировке Windows-1251"),

@@ -6,10 +6,10 @@ use crate::console::{Console, Shape};
 use report::formula::{self, Printer};
 use report::{Language, Word as Title};
 use serde_json::{Value, json};
+use strutt::Failure;
 use strutt::document;
 use strutt::pipeline::Machine;
 use strutt::words::{Word, say};
-use strutt::Failure;
 use symbolic::Equations;
 
 pub fn run(args: &args::Equations, console: &mut Console) -> Result<Exit, Failure> {
@@ -154,9 +154,7 @@ pub fn to_json(machine: &Machine, language: Language) -> Value {
     let equations = &machine.equations;
     let printer = Printer::of(equations, language);
     let graph = &equations.graph;
-    let three = |write: &dyn Fn(formula::Form) -> String| {
-        json!({"text": write(formula::Form::Text), "latex": write(formula::Form::Latex), "mathml": write(formula::Form::MathMl)})
-    };
+    let three = |write: &dyn Fn(formula::Form) -> String| json!({"text": write(formula::Form::Text), "latex": write(formula::Form::Latex), "mathml": write(formula::Form::MathMl)});
     let written: Vec<Value> = match &equations.textbook {
         Ok(list) => list.iter().enumerate().map(|(i, e)| three(&|form| printer.equality(graph, *e, Some(i), form))).collect(),
         Err(_) => Vec::new(),

@@ -45,7 +45,8 @@ fn links(from: &str, count: usize) -> Result<String, Failure> {
         return Err(trouble.help("strutt new n-pendulum --count 10", "strutt new n-pendulum --count 10").misuse());
     }
     if !(1..=limit).contains(&count) {
-        let (en, ru) = (format!("--count {count}: 1 ... {limit} pendulums"), format!("--count {count}: маятников может быть 1 ... {limit}"));
+        let (en, ru) =
+            (format!("--count {count}: 1 ... {limit} pendulums"), format!("--count {count}: маятников может быть 1 ... {limit}"));
         return Err(Trouble::new("C009", en, ru).misuse());
     }
     Ok(chain::model(count))

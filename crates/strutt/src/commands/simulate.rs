@@ -32,7 +32,8 @@ fn wishes(args: &args::Simulate) -> Result<Wishes, Failure> {
         (None, Some(every)) => Some(Times::Every(quantities::seconds("--every", every)?)),
         (None, None) => None,
     };
-    let outputs = args.outputs.as_ref().map(|list| list.iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect());
+    let outputs =
+        args.outputs.as_ref().map(|list| list.iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect());
     Ok(Wishes { until, tolerance, times, outputs })
 }
 
