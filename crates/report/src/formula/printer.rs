@@ -103,7 +103,8 @@ impl Printer {
     /// A formula of the written derivation: `∂T/∂φ' = ...`.
     pub fn step(&self, graph: &Graph, formula: &StepFormula, form: Form) -> String {
         let left = self.step_name(graph, &formula.left);
-        self.write(&equation(left, self.layout(graph, formula.right)), form, Placement::Block)
+        let right = Composer::new(graph, self).compose(formula.right, false, self.step_side(graph, &formula.left));
+        self.write(&equation(left, right), form, Placement::Block)
     }
 
     /// A symbol alone.

@@ -2,6 +2,7 @@
 
 mod book;
 mod golden;
+mod machine;
 mod names;
 mod random;
 mod reading;
