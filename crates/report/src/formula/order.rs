@@ -208,12 +208,21 @@ pub(super) struct TermKey {
     varying: bool,
     time_primes: u8,
     degree: u32,
-    /// Symbols that are not constant: (class, rank, index), higher powers first.
+    /// Symbols that are not constant, higher powers first.
     state: Vec<(Standing, i64)>,
     /// Sum of the exponents of constants: `J + m l²`.
     weight: u64,
     constants: Vec<Standing>,
     tie: Expr,
+}
+
+/// The symbols among the factors of a term.
+#[derive(Default)]
+struct Letters {
+    /// Those that are not constant, with minus their exponent.
+    state: Vec<(Standing, i64)>,
+    /// Constants (and sums of constants, by their first), with the size of the exponent.
+    constants: Vec<(Standing, u64)>,
 }
 
 impl Survey<'_> {
@@ -226,7 +235,7 @@ impl Survey<'_> {
     /// The key of a term of a sum.
     pub fn term_key(&mut self, term: Expr, side: Side) -> TermKey {
         let traits = self.traits(term);
-        let (state, constants) = self.plain_factors(term);
+        let Letters { state, constants } = self.letters(term);
         let leader = match side {
             Side::Momentum(_) => state.iter().find(|s| s.0.class == SymbolClass::Rate).map(|s| s.0.rank),
             _ => traits.acceleration,
@@ -257,14 +266,14 @@ impl Survey<'_> {
     }
 
     /// The symbols among the factors of a term.
-    fn plain_factors(&mut self, term: Expr) -> (Vec<(Standing, i64)>, Vec<(Standing, u64)>) {
+    fn letters(&mut self, term: Expr) -> Letters {
         let graph = self.graph;
         let one = [(term, Rational::ONE)];
         let factors: &[(Expr, Rational)] = match graph.node(term) {
             Node::Product { factors, .. } => factors,
             _ => &one,
         };
-        let (mut state, mut constants) = (vec![], vec![]);
+        let Letters { mut state, mut constants } = Letters::default();
         for (base, exponent) in factors {
             let traits = self.traits(*base);
             let Some(first) = traits.first else { continue };
@@ -276,7 +285,7 @@ impl Survey<'_> {
         }
         state.sort_by(|a, b| b.0.class.cmp(&a.0.class).then(a.cmp(b)));
         constants.sort();
-        (state, constants)
+        Letters { state, constants }
     }
 
     /// The key of a factor of a product.

@@ -147,8 +147,10 @@ impl Printer {
     /// A symbol as letter, dots and subscript.
     pub fn identifier(&self, symbol: &Symbol) -> Identifier {
         let name = self.notation_of(&symbol.name).unwrap_or(&symbol.name);
-        let mut identifier = names::identifier(name, self.language);
-        identifier.primes = symbol.primes;
+        let bare = name.trim_end_matches('\'');
+        let mut identifier = names::identifier(bare, self.language);
+        let written = u8::try_from(name.len() - bare.len()).unwrap_or(u8::MAX);
+        identifier.primes = symbol.primes.saturating_add(written);
         identifier
     }
 
