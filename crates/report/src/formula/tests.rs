@@ -3,6 +3,7 @@
 mod book;
 mod golden;
 mod machine;
+mod meaning;
 mod names;
 mod random;
 mod reading;
