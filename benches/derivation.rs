@@ -49,5 +49,5 @@ fn measure(text: &str) -> Sample {
     let start = Instant::now();
     let program = program::lower::equations(&equations).expect("a chain can be lowered");
     let lower = start.elapsed();
-    Sample { read, derive, lower, nodes: equations.graph.len(), tape: program.dynamics.instructions.len() }
+    Sample { read, derive, lower, nodes: equations.graph.len(), tape: program.dynamics.instructions().count() }
 }
