@@ -61,7 +61,7 @@ pub struct Guard {
     pub right: Option<Expr>,
 }
 
-/// Marks what the roots of a tape need in given modes: registers and guards. `modes` of `None` means by value, on both sides.
+/// Marks what the roots of a tape need in given modes: registers and guards.
 pub(crate) fn needed(dynamics: &Evaluator, modes: &[Mode]) -> (Vec<bool>, Vec<bool>) {
     let tape = dynamics.tape();
     let mut wanted = vec![false; tape.registers()];
@@ -82,6 +82,9 @@ pub(crate) fn needed(dynamics: &Evaluator, modes: &[Mode]) -> (Vec<bool>, Vec<bo
                 if let Some(r) = tape.guards[g] {
                     wanted[r.index()] = true;
                 }
+            }
+            Operation::Choose { by: By::Value(r), sides } if r.index() < tape.constants() => {
+                wanted[sides[Mode::of(dynamics.value(*r)).side()].index()] = true;
             }
             operation => operation.operands(&mut |r| wanted[r.index()] = true),
         }

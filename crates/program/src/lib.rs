@@ -8,6 +8,7 @@ mod fault;
 mod guard;
 mod interpret;
 mod jets;
+pub mod lower;
 mod program;
 mod solve;
 mod tape;

@@ -79,6 +79,7 @@ impl<'a> Composer<'a> {
     }
 
     fn ordered(&mut self, terms: &[(Expr, Rational)], side: Side) -> Vec<(Expr, Rational)> {
+        let side = self.survey.settle_side(terms, side);
         let mut ordered = terms.to_vec();
         ordered.sort_by_cached_key(|(term, _)| self.survey.term_key(*term, side));
         ordered

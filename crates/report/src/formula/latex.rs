@@ -164,17 +164,9 @@ fn sum(terms: &[(Sign, Layout)], out: &mut String) {
 fn product(factors: &[Layout], out: &mut String) {
     for (i, factor) in factors.iter().enumerate() {
         if i > 0 {
-            out.push_str(if starts_with_digit(factor) { " \\cdot " } else { " " });
+            out.push_str(if factor.starts_with_digit() { " \\cdot " } else { " " });
         }
         write(factor, out);
-    }
-}
-
-fn starts_with_digit(layout: &Layout) -> bool {
-    match layout {
-        Layout::Number { .. } => true,
-        Layout::Power(base, _) => starts_with_digit(base),
-        _ => false,
     }
 }
 

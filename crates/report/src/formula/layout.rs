@@ -207,6 +207,14 @@ impl Layout {
             _ => Layout::Product(factors),
         }
     }
+    /// Whether a factor before it needs a dot between: `2·3ˣ`.
+    pub(super) fn starts_with_digit(&self) -> bool {
+        match self {
+            Layout::Number { .. } => true,
+            Layout::Power(base, _) => base.starts_with_digit(),
+            _ => false,
+        }
+    }
     /// Whether a sum occurs that a reader has to take in.
     pub(super) fn has_sum(&self) -> bool {
         match self {

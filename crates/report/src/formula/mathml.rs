@@ -181,7 +181,7 @@ fn sum(terms: &[(Sign, Layout)], out: &mut String) {
 fn product(factors: &[Layout], out: &mut String) {
     for (i, factor) in factors.iter().enumerate() {
         if i > 0 {
-            if starts_with_digit(factor) {
+            if factor.starts_with_digit() {
                 out.push_str("<mo>·</mo>");
             } else {
                 out.push_str("<mo>\u{2062}</mo>");
@@ -194,14 +194,6 @@ fn product(factors: &[Layout], out: &mut String) {
             }
         }
         write(factor, out);
-    }
-}
-
-fn starts_with_digit(layout: &Layout) -> bool {
-    match layout {
-        Layout::Number { .. } => true,
-        Layout::Power(base, _) => starts_with_digit(base),
-        _ => false,
     }
 }
 

@@ -26,6 +26,7 @@ mod switch;
 mod tests;
 mod text;
 
+pub use crate::Language;
 pub use classes::SymbolClass;
 pub use layout::{Bracket, Identifier, Index, Layout, Relation, Row, Shape, Sign};
 pub use printer::{Form, Placement, Printer};

@@ -103,7 +103,8 @@ impl Printer {
     /// A formula of the written derivation: `∂T/∂φ' = ...`.
     pub fn step(&self, graph: &Graph, formula: &StepFormula, form: Form) -> String {
         let left = self.step_name(graph, &formula.left);
-        self.write(&equation(left, self.layout(graph, formula.right)), form, Placement::Block)
+        let right = Composer::new(graph, self).compose(formula.right, false, self.step_side(graph, &formula.left));
+        self.write(&equation(left, right), form, Placement::Block)
     }
 
     /// A symbol alone.
@@ -146,8 +147,10 @@ impl Printer {
     /// A symbol as letter, dots and subscript.
     pub fn identifier(&self, symbol: &Symbol) -> Identifier {
         let name = self.notation_of(&symbol.name).unwrap_or(&symbol.name);
-        let mut identifier = names::identifier(name, self.language);
-        identifier.primes = symbol.primes;
+        let bare = name.trim_end_matches('\'');
+        let mut identifier = names::identifier(bare, self.language);
+        let written = u8::try_from(name.len() - bare.len()).unwrap_or(u8::MAX);
+        identifier.primes = symbol.primes.saturating_add(written);
         identifier
     }
 

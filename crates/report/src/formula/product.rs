@@ -28,7 +28,7 @@ impl Composer<'_> {
         let mut factors: Vec<Factor> =
             factors.iter().map(|(base, exponent)| Factor { base: *base, exponent: exponent.clone(), flipped: false }).collect();
         let mut negative = coefficient.is_negative();
-        factors.sort_by_cached_key(|f| self.survey.factor_key(f.base, &f.exponent));
+        factors.sort_by_cached_key(|f| self.survey.factor_key(f.base));
         for factor in &mut factors {
             negative ^= self.settle_sign(factor);
         }

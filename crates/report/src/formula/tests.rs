@@ -2,6 +2,8 @@
 
 mod book;
 mod golden;
+mod machine;
+mod meaning;
 mod names;
 mod random;
 mod reading;

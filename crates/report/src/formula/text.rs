@@ -159,17 +159,9 @@ fn sum(terms: &[(Sign, Layout)], out: &mut String) {
 fn product(factors: &[Layout], space: &str, out: &mut String) {
     for (i, factor) in factors.iter().enumerate() {
         if i > 0 {
-            out.push_str(if starts_with_digit(factor) { "·" } else { space });
+            out.push_str(if factor.starts_with_digit() { "·" } else { space });
         }
         part(factor, matches!(factor, Layout::Fraction(..) | Layout::Sum(_)), out);
-    }
-}
-
-fn starts_with_digit(layout: &Layout) -> bool {
-    match layout {
-        Layout::Number { .. } => true,
-        Layout::Power(base, _) => starts_with_digit(base),
-        _ => false,
     }
 }
 

@@ -78,11 +78,8 @@ impl Reader<'_> {
     }
 
     fn expectation(&mut self, start: usize, body: &str) {
-        let mut lines = body
-            .lines()
-            .enumerate()
-            .map(|(i, l)| (start + i, l.trim().to_owned()))
-            .filter(|(_, l)| !l.is_empty() && !l.starts_with('#'));
+        let mut lines =
+            body.lines().enumerate().map(|(i, l)| (start + i, l.trim().to_owned())).filter(|(_, l)| !l.is_empty() && !l.starts_with('#'));
         let place = format!("{}:{start}", self.file.display());
         let (line, command) = lines.next().unwrap_or_else(|| panic!("{place}: an empty expectation"));
         self.trials.push(Trial {

@@ -32,6 +32,7 @@ fn names_become_symbols() {
         ("potential_energy()", 0, "Π", r"\Pi", "Π"),
         ("force(AB)", 0, "F_AB", r"F_{\mathrm{AB}}", "F_AB"),
         ("x", 4, "x''''", r"x^{\prime\prime\prime\prime}", "x′′′′"),
+        ("l_1'", 1, "l₁''", r"\ddot{l}_1", "l̈₁"),
         ("12", 0, "12", "12", "12"),
         ("_", 0, "_", r"\text{\_}", "_"),
     ] {

@@ -6,7 +6,7 @@ use crate::formula::{Form, Printer};
 use symbolic::{Expr, Function, Graph, Rational};
 
 /// xorshift64*: the seed is fixed, so a failure repeats.
-struct Dice(u64);
+pub struct Dice(pub u64);
 
 impl Dice {
     fn roll(&mut self, sides: usize) -> usize {
@@ -21,9 +21,9 @@ impl Dice {
     }
 }
 
-const NAMES: [&str; 14] = ["m", "l", "g", "omega", "t", "psi", "x", "phi", "M_r", "c_x", "phi1", "vx(A)", "масса", "a<b&\"c_%"];
+pub const NAMES: [&str; 14] = ["m", "l", "g", "omega", "t", "psi", "x", "phi", "M_r", "c_x", "phi1", "vx(A)", "масса", "a<b&\"c_%"];
 
-fn grow(graph: &mut Graph, dice: &mut Dice, pool: &[Expr]) -> Expr {
+pub fn grow(graph: &mut Graph, dice: &mut Dice, pool: &[Expr]) -> Expr {
     let a = pool[dice.roll(pool.len())];
     let b = pool[dice.roll(pool.len())];
     match dice.roll(11) {
