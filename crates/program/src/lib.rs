@@ -59,7 +59,7 @@ mod tape;
 pub mod text;
 mod verify;
 
-pub use fault::{EXPLANATIONS, Fault};
+pub use fault::{Details, EXPLANATIONS, Fault};
 pub use guard::{Guard, GuardKind, Mode};
 pub use interpret::{Evaluator, Point};
 pub use jets::Jets;

@@ -134,7 +134,7 @@ roots
     fn broken(from: &str, to: &str) -> String {
         assert!(SOUND.contains(from));
         let tape: Tape = text::parse_unchecked(&SOUND.replace(from, to)).unwrap();
-        verify(&tape).unwrap_err().what.en
+        verify(&tape).unwrap_err().what.en.clone()
     }
 
     #[test]

@@ -146,7 +146,7 @@ fn inputs(symbols: &[SymbolId]) -> lower::Inputs {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1500, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// The tape reassociates sums and gathers factors, so values agree to rounding, amplified by cancellation: the spread of the direct
     /// value under relative changes of the inputs by 1e-13 measures it.
