@@ -210,4 +210,44 @@ impl Fault {
             help,
         })
     }
+
+    /// The system offers no statics.
+    pub fn no_statics() -> Fault {
+        Fault::option(
+            Text::new("this system has no equations of rest", "у этой системы нет уравнений покоя"),
+            Text::new("run `simulate` instead", "используйте расчёт движения `simulate`"),
+        )
+    }
+
+    /// An output that does not exist.
+    pub fn unknown_output(name: &str, known: &[String]) -> Fault {
+        let list = known.join(", ");
+        Fault::new(Message {
+            code: "S009",
+            what: Text::new(format!("there is no output `{name}`"), format!("нет выходной величины `{name}`")),
+            why: Text::new(format!("the model offers: {list}"), format!("в модели есть: {list}")),
+            help: Text::new("correct the name, or define it in [outputs]", "исправьте имя или определите величину в [outputs]"),
+        })
+    }
+
+    /// A table larger than the limit; sizes in bytes.
+    pub fn memory(rows: f64, columns: usize, limit: f64) -> Fault {
+        let need = number((rows * columns as f64 * 8.0 / 1e9 * 10.0).round() / 10.0);
+        let limit = number((limit / 1e9 * 10.0).round() / 10.0);
+        Fault::new(Message {
+            code: "S005",
+            what: Text::new(
+                format!("the result would take {} GB, the limit is {} GB", need.en, limit.en),
+                format!("результат занял бы {} ГБ, предел {} ГБ", need.ru, limit.ru),
+            ),
+            why: Text::new(
+                format!("{rows:.0} times x {columns} columns x 8 bytes"),
+                format!("{rows:.0} моментов x {columns} столбцов x 8 байт"),
+            ),
+            help: Text::new(
+                "ask for fewer times (a larger `every`) or fewer outputs",
+                "запросите меньше моментов (больший шаг `every`) или меньше величин",
+            ),
+        })
+    }
 }

@@ -41,7 +41,7 @@ impl Mode {
 }
 
 /// A named quantity: a state or an output.
-#[derive(Clone, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Debug, PartialEq, Default)]
 pub struct Quantity {
     /// Name in files: `phi'`.
     pub name: String,
@@ -51,12 +51,14 @@ pub struct Quantity {
     pub unit: String,
     /// What it is.
     pub label: Text,
+    /// Unit to show it in, with the SI value of one such unit, when the user names one. Values are SI everywhere.
+    pub display: Option<(String, f64)>,
 }
 
 impl Quantity {
     /// A quantity whose symbol is its name, without a label.
     pub fn new(name: &str, unit: &str) -> Quantity {
-        Quantity { name: name.into(), symbol: name.into(), unit: unit.into(), label: Text::default() }
+        Quantity { name: name.into(), symbol: name.into(), unit: unit.into(), label: Text::default(), display: None }
     }
 }
 
@@ -67,6 +69,19 @@ pub struct Guard {
     pub name: Text,
     /// Instant at which a guard that is affine in time vanishes; such an instant is hit exactly instead of being searched.
     pub scheduled: Option<f64>,
+}
+
+/// Powers at a state, W.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Powers {
+    /// dE/dt by differentiation of the energy, linear in q''.
+    pub rate: f64,
+    /// Power of applied loads without potential.
+    pub loads: f64,
+    /// Power of the drives that realise prescribed motions.
+    pub drives: f64,
+    /// Power taken by dissipative elements.
+    pub dissipated: f64,
 }
 
 /// A machine as studies see it.
@@ -96,4 +111,24 @@ pub trait System {
 
     /// Values of all outputs at (t, x) in the given modes. Does not disturb the last expansion.
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault>;
+
+    /// Powers at (t, x) with given accelerations q''; none when the system has no energies.
+    fn powers(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Powers> {
+        let _ = (t, x, accelerations, modes);
+        None
+    }
+
+    /// Residuals of the second derivation at (t, x) with given accelerations, linear in these; false when there is no second derivation.
+    fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode], residuals: &mut [f64]) -> bool {
+        let _ = (t, x, accelerations, modes, residuals);
+        false
+    }
+
+    /// Generalized forces h(q, 0, s, 0) of rest at t = 0, length n, and their derivatives by the coordinates, row i = force i.
+    ///
+    /// *Errors*: undefined there, or the system has no statics.
+    fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {
+        let _ = (x, forces, derivatives);
+        Err(Fault::no_statics())
+    }
 }

@@ -8,6 +8,7 @@ pub mod csv;
 pub mod document;
 pub mod escape;
 pub mod figure;
+pub mod formula;
 pub mod json;
 pub mod language;
 pub mod number;

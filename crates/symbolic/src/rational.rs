@@ -148,6 +148,13 @@ impl Rational {
             Big(b) => (b.numer().to_string(), b.denom().to_string()),
         }
     }
+    /// The larger number of binary digits of numerator and denominator: how much memory and time arithmetic with it takes.
+    pub fn bits(&self) -> u64 {
+        match &self.0 {
+            Small(n, d) => u64::from(64 - n.unsigned_abs().max(d.unsigned_abs()).leading_zeros()),
+            Big(b) => b.numer().bits().max(b.denom().bits()),
+        }
+    }
     /// The reciprocal; `None` for zero.
     pub fn recip(&self) -> Option<Rational> {
         if self.is_zero() { None } else { Some(&Rational::ONE / self) }

@@ -13,11 +13,9 @@ use super::Switch;
 
 /// Share of a guard's own scale below which it counts as standing still on its surface.
 pub(crate) const STILL: f64 = 1e-11;
-/// Share of the guard's change within a step below which a Taylor coefficient does not decide its side: should the neglected term have the other
-/// sign, it would lose at the latest this share of a step later.
-const SIGNIFICANT: f64 = 1e-13;
-/// A value below this share of the guard's change within a step lies on the surface.
-const ON_SURFACE: f64 = 8.0 * f64::EPSILON;
+/// Share of the guard's change within a step below which a Taylor coefficient is rounding. Were it taken for more, the mode would be corrected by a
+/// second switch that share of a step later.
+const SIGNIFICANT: f64 = 1e-15;
 /// Most guards on their surfaces at once for which all combinations are tried (3^5 expansions).
 const COMBINED: usize = 5;
 
@@ -135,7 +133,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             return if self.now.until(t) > 0.0 { opposite(slope) } else { slope };
         }
         if !self.touched[i] {
-            if value.abs() > ON_SURFACE * size(g, self.natural) {
+            if value.abs() > self.guard_noise[i] {
                 return Mode::of(value);
             }
             self.touched[i] = true;

@@ -9,13 +9,15 @@
 
 /// Deepest halving: intervals below this share of the step are one instant.
 const DEPTH: u32 = 50;
+/// Rounding of a coefficient relative to the terms that met in it.
+const NOISE: f64 = 4.0 * f64::EPSILON;
 
 /// Workspace of the root search; reused so that a search allocates nothing.
 #[derive(Clone, Debug, Default)]
 pub struct RootFinder {
     /// c_k h^k.
     scaled: Vec<f64>,
-    /// Bernstein coefficients of the intervals still to be searched, one row each, first interval last.
+    /// Bernstein coefficients of the intervals still to be searched, then the sizes of the terms in them: one row each, first interval last.
     rows: Vec<f64>,
     /// (left end, depth) of the rows.
     intervals: Vec<(f64, u32)>,
@@ -39,13 +41,13 @@ impl RootFinder {
         }
         self.load(c, h, sign);
         let n = self.scaled.len();
-        let noise = 4.0 * f64::EPSILON * self.scaled.iter().map(|c| c.abs()).sum::<f64>();
         while let Some((left, depth)) = self.intervals.pop() {
             let width = (0.5_f64).powi(depth as i32);
-            let start = self.rows.len() - n;
-            let (changes, first, last) = signs(&self.rows[start..], noise);
+            let start = self.rows.len() - 2 * n;
+            let (row, sizes) = self.rows[start..].split_at(n);
+            let (changes, first, last) = signs(row, sizes);
             // only the first coefficient is a value of the polynomial: when it is noise, the next one says nothing about the left end
-            if self.rows[start] < -noise || (changes == 0 && first < 0.0) {
+            if row[0] < -NOISE * sizes[0] || (changes == 0 && first < 0.0) {
                 return Some(left * h);
             }
             let isolated = changes == 1 && first > 0.0;
@@ -64,46 +66,36 @@ impl RootFinder {
         None
     }
 
-    /// Bernstein coefficients b_j = sum_{k<=j} C(j,k)/C(n,k) c_k h^k of sign * polynomial.
+    /// One row for [0, 1]: the Bernstein coefficients b_j = sum_{k<=j} C(j,k)/C(n,k) c_k h^k of sign * polynomial, then the same of |c_k| h^k: how
+    /// large the terms were that met in each b_j.
     fn load(&mut self, c: &[f64], h: f64, sign: f64) {
-        let n = c.len() - 1;
         self.scaled.clear();
         let mut power = sign;
         for c_k in c {
             self.scaled.push(c_k * power);
             power *= h;
         }
-        // differences: with d_k = c_k / C(n,k), the values of the triangle d_j + d_{j-1} built n times are the b_j
         self.rows.clear();
-        let mut binomial = 1.0;
-        for (k, c_k) in self.scaled.iter().enumerate() {
-            self.rows.push(c_k / binomial);
-            binomial *= (n - k) as f64 / (k + 1) as f64;
-        }
-        for level in 1..=n {
-            for j in (level..=n).rev() {
-                self.rows[j] += self.rows[j - 1];
-            }
-        }
+        self.rows.extend_from_slice(&self.scaled);
+        self.rows.extend(self.scaled.iter().map(|c_k| c_k.abs()));
+        let (row, sizes) = self.rows.split_at_mut(c.len());
+        to_bernstein(row);
+        to_bernstein(sizes);
         self.intervals.clear();
         self.intervals.push((0.0, 0));
     }
 
     /// Replaces the last row by its right half and pushes its left half.
     fn halve(&mut self, start: usize, left: f64, depth: u32) {
-        let n = self.rows.len() - start;
+        let n = self.scaled.len();
         self.left.clear();
-        let row = &mut self.rows[start..];
-        for level in 0..n {
-            self.left.push(row[0]);
-            for j in 0..n - 1 - level {
-                row[j] = 0.5 * (row[j] + row[j + 1]);
-            }
-        }
+        let (row, sizes) = self.rows[start..].split_at_mut(n);
+        halve_row(row, &mut self.left);
+        halve_row(sizes, &mut self.left);
+        self.rows.extend_from_slice(&self.left);
         let width = (0.5_f64).powi(depth as i32 + 1);
         self.intervals.push((left + width, depth + 1));
         self.intervals.push((left, depth + 1));
-        self.rows.extend_from_slice(&self.left);
     }
 
     /// The only root in [a, b] (in units of the step), from positive to negative: Newton's method kept inside the bracket.
@@ -130,6 +122,32 @@ impl RootFinder {
     }
 }
 
+/// Powers to Bernstein coefficients on [0, 1]: the triangle of sums of c_k / C(n,k).
+fn to_bernstein(c: &mut [f64]) {
+    let n = c.len() - 1;
+    let mut binomial = 1.0;
+    for (k, c_k) in c.iter_mut().enumerate() {
+        *c_k /= binomial;
+        binomial *= (n - k) as f64 / (k + 1) as f64;
+    }
+    for level in 1..=n {
+        for j in (level..=n).rev() {
+            c[j] += c[j - 1];
+        }
+    }
+}
+
+/// De Casteljau at the middle: the row becomes its right half, the left half is appended to `left`.
+fn halve_row(row: &mut [f64], left: &mut Vec<f64>) {
+    let n = row.len();
+    for level in 0..n {
+        left.push(row[0]);
+        for j in 0..n - 1 - level {
+            row[j] = 0.5 * (row[j] + row[j + 1]);
+        }
+    }
+}
+
 fn value_and_slope(c: &[f64], u: f64) -> (f64, f64) {
     let (mut value, mut slope) = (0.0, 0.0);
     for c_k in c.iter().rev() {
@@ -139,11 +157,11 @@ fn value_and_slope(c: &[f64], u: f64) -> (f64, f64) {
     (value, slope)
 }
 
-/// Number of sign changes, zeros skipped; first and last non-zero coefficient (0 when all vanish). What is below `noise` counts as zero.
-fn signs(row: &[f64], noise: f64) -> (usize, f64, f64) {
+/// Number of sign changes, zeros skipped; first and last non-zero coefficient (0 when all vanish). What rounding can make counts as zero.
+fn signs(row: &[f64], sizes: &[f64]) -> (usize, f64, f64) {
     let (mut changes, mut first, mut last) = (0, 0.0, 0.0);
-    for &b in row {
-        if b.abs() > noise {
+    for (&b, size) in row.iter().zip(sizes) {
+        if b.abs() > NOISE * size {
             if first == 0.0 {
                 first = b;
             } else if (b > 0.0) != (last > 0.0) {

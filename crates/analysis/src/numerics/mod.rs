@@ -1,3 +1,4 @@
 //! Small numerical tools.
 
+pub mod random;
 pub mod sum;

@@ -78,6 +78,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) touched: Vec<bool>,
     /// sum |g_k| h^k of each guard when it was last expanded: what counts as small.
     pub(crate) guard_scale: Vec<f64>,
+    /// Rounding of each guard's value at the end of the last step; zero at the start.
+    pub(crate) guard_noise: Vec<f64>,
     /// Expansion at the current point is in the system.
     expanded: bool,
     step: Step,
@@ -130,13 +132,14 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             deflation: vec![0; n_g],
             touched: vec![false; n_g],
             guard_scale: vec![0.0; n_g],
+            guard_noise: vec![0.0; n_g],
             expanded: false,
             step: Step { low: vec![0.0; n_x], modes: vec![Mode::Zero; n_g], ..Step::default() },
             next_x: vec![0.0; n_x],
             next_low: vec![0.0; n_x],
             trial: Step::default(),
             guess: f64::INFINITY,
-            span: options.span,
+            span: if options.span > 0.0 { options.span } else { 1.0 },
             natural: 0.0,
             switches: Vec::new(),
             crowd: Crowd::default(),
@@ -216,6 +219,11 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         self.system
     }
 
+    /// The last accepted step and the system, to evaluate outputs along the step.
+    pub fn step_and_system(&mut self) -> (&Step, &mut S) {
+        (&self.step, self.system)
+    }
+
     pub(crate) fn expand_here(&mut self) -> Result<(), Fault> {
         self.work.expansions += 1;
         self.system.expand(self.now.high, &self.x, &self.modes, self.rule.order)
@@ -223,6 +231,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
 
     fn take_expansion(&mut self) {
         self.step.start = self.now;
+        self.step.length = 0.0;
         self.step.modes.copy_from_slice(&self.modes);
         self.step.low.copy_from_slice(&self.low);
         self.step.take(&*self.system, self.x.len(), self.modes.len(), self.rule.order);
@@ -382,10 +391,13 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         any
     }
 
-    /// What counts as small for a guard: its terms in the last step.
+    /// What counts as small for a guard: its terms in the last step. A guard that stands still keeps its scale.
     fn remember_guard_scales(&mut self) {
-        for (i, scale) in self.guard_scale.iter_mut().enumerate() {
-            *scale = scale.max(crate::events::size(self.step.guards.row(i), self.step.length));
+        for i in 0..self.modes.len() {
+            let size = crate::events::size(self.step.guards.row(i), self.step.length);
+            let kept = if self.modes[i] == Mode::Zero { self.guard_scale[i] } else { 0.0 };
+            self.guard_scale[i] = size.max(kept);
+            self.guard_noise[i] = 8.0 * f64::EPSILON * size;
         }
     }
 

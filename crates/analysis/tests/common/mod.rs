@@ -182,3 +182,30 @@ pub fn run(system: &mut Hand, x: &[f64], end: f64, tolerance: f64) -> Result<(Ve
     }
     Ok((flow.state().to_vec(), switches))
 }
+
+/// A clock c' = 1 and counters y_i' = sign(g_i(c)) for polynomials g_i given by their roots and a factor.
+pub fn clocked(polynomials: &[(f64, &[f64])]) -> Hand {
+    let n = polynomials.len();
+    let units: Vec<&str> = std::iter::once("s").chain((0..n).map(|_| "1")).collect();
+    let owned: Vec<(f64, Vec<f64>)> = polynomials.iter().map(|(f, r)| (*f, r.to_vec())).collect();
+    Hand::new(&units, 0, move |s, k| {
+        let mut rates = vec![constant(1.0, k)];
+        rates.extend(s.modes.iter().map(|m| constant(*m, k)));
+        rates
+    })
+    .guarded(n, move |s, k| {
+        owned
+            .iter()
+            .map(|(factor, roots)| {
+                let mut c = vec![*factor];
+                for r in roots {
+                    c.push(0.0);
+                    for j in (0..c.len()).rev() {
+                        c[j] = if j > 0 { c[j - 1] } else { 0.0 } + (s.x[0][0] - r) * c[j];
+                    }
+                }
+                c.get(k).copied().unwrap_or(0.0)
+            })
+            .collect()
+    })
+}

@@ -1,0 +1,3 @@
+//! Studies, one file each.
+
+pub mod simulate;
