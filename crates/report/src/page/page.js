@@ -32,7 +32,7 @@
   }
   function decade(v) {
     const power = v > 0 ? Math.log10(v) : NaN;
-    if (Math.abs(power - Math.round(power)) > 1e-9) return "";
+    if (!(Math.abs(power - Math.round(power)) < 1e-9)) return "";
     return Math.abs(power) <= 2 ? local(String(+v.toPrecision(1))) : "10" + raised(Math.round(power));
   }
   const format = { number, tick };
@@ -130,7 +130,7 @@
           { ...axis, size: 64, ...(log ? {} : { incrs }), values: (u, s) => s.map((v) => (log ? decade(v) : tick(v, gaps(u, s)))) },
         ],
         series: [{}, ...figure.series.map((s, i) => ({
-          stroke: s.colour[theme.dark ? 1 : 0], width: 1.6, dash: s.dash, points: { show: false }, show: visible[i], spanGaps: !same,
+          stroke: s.colour[theme.dark ? 1 : 0], width: 1.6, dash: s.dash, points: { show: false }, pxAlign: 0, show: visible[i], spanGaps: !same,
         }))],
         cursor: {
           drag: { x: true, y: true, uni: 24 }, points: { size: 8, width: 2, fill: theme.ground },
@@ -220,7 +220,7 @@
     const out = [];
     figure.series.forEach((s) => {
       if (s.x) out.push([figure.x.html, figure.x.text, s.x]);
-      out.push([s.html + (figure.y.unit ? ", " + figure.y.unit : ""), s.name + (figure.y.unit ? `, ${figure.y.unit}` : ""), s.y]);
+      out.push([s.html + (s.unit ? ", " + s.unit : ""), s.name + (s.unit ? `, ${s.unit}` : ""), s.y]);
     });
     return out;
   }
@@ -280,12 +280,12 @@
     const chart = figure.plane
       ? Plane(stage, figure, look, format, (i, k) => {
           const s = figure.series[i];
-          where.innerHTML = s ? `(${number(s.x[k], 6)}${unit(figure.x)}; ${number(s.y[k], 6)}${unit(figure.y)})` : "";
+          where.innerHTML = s ? `(${number(s.x[k], 6)}${unit(figure.x)}; ${number(s.y[k], 6)}${unit(s)})` : "";
           outputs.forEach((o, j) => { o.textContent = ""; buttons[j].style.fontWeight = s && j === i ? "bold" : ""; });
         })
       : Curves(stage, figure, (x, ys) => {
           where.innerHTML = x == null ? "" : `${figure.x.html.split(",")[0]} = ${number(x, 6)}${unit(figure.x)}`;
-          outputs.forEach((o, i) => { o.textContent = ys[i] == null ? "" : "= " + number(ys[i], 6) + unit(figure.y); });
+          outputs.forEach((o, i) => { o.textContent = ys[i] == null ? "" : "= " + number(ys[i], 6) + unit(figure.series[i]); });
         }, tip);
 
     const tool = (name, action) => {
