@@ -65,20 +65,32 @@ pub fn printer(equations: &Equations, language: Language, width: usize) -> Print
     Printer::of(equations, language).with_width(width)
 }
 
-/// Figures of a simulation: those the file asks for, otherwise one per coordinate.
+/// Figures of a simulation: those the file asks for, otherwise one per coordinate. Their names differ.
 pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, language: Language) -> Vec<Figure> {
-    if study.plots.is_empty() {
+    let mut figures: Vec<Figure> = if study.plots.is_empty() {
         let coordinates = calculation.machine.equations.outputs.iter().filter(|o| o.role == Role::Coordinate);
-        return coordinates.filter_map(|o| Figure::over_axis(data, &[&o.name], language)).collect();
+        coordinates.filter_map(|o| Figure::over_axis(data, &[&o.name], language)).collect()
+    } else {
+        study.plots.iter().filter_map(|plot| figure(plot, data, language)).collect()
+    };
+    for i in 1..figures.len() {
+        let (before, rest) = figures.split_at_mut(i);
+        if before.iter().any(|f| f.name == rest[0].name) {
+            rest[0].name = format!("{}-{}", rest[0].name, i + 1);
+        }
     }
-    study.plots.iter().filter_map(|plot| figure(plot, data, language)).collect()
+    figures
 }
 
 fn figure(plot: &Plot, data: &Dataset, language: Language) -> Option<Figure> {
     let names: Vec<&str> = plot.y.iter().map(String::as_str).collect();
-    let mut figure = match &plot.x {
-        Some(x) => Figure::in_plane(data, x, &names, language)?,
-        None => Figure::over_axis(data, &names, language)?,
+    let mut figure = match plot.x.as_deref() {
+        None | Some("t") => Figure::over_axis(data, &names, language)?,
+        Some(x) => {
+            let mut figure = Figure::in_plane(data, x, &names, language)?;
+            figure.name = format!("{}-{}", report::escape::file_name(&x.replace('\'', "_rate")), figure.name);
+            figure
+        }
     };
     let title = language.text(&plot.title);
     if !title.is_empty() {
@@ -97,6 +109,11 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn word(&self, word: Word) -> &'static str {
         self.language.word(word)
+    }
+
+    /// A table; in the terminal its heading is enough of a caption.
+    fn table(&self, table: Table, caption: Word) -> Block {
+        Block::Table(if self.extent == Extent::Page { table.with_caption(self.word(caption)) } else { table })
     }
 
     fn heading(&self, word: Word) -> Block {
@@ -178,7 +195,7 @@ impl Writer<'_> {
             return Vec::new();
         }
         let heads = [Word::Symbol, Word::Written, Word::ValueSi, Word::Unit, Word::Description];
-        let mut table = Table::new(heads.map(|w| Column::new(self.word(w))).into()).with_caption(self.word(Word::Parameters));
+        let mut table = Table::new(heads.map(|w| Column::new(self.word(w))).into());
         let printer = self.printer();
         for p in &self.equations.parameters {
             table.row(vec![
@@ -189,7 +206,7 @@ impl Writer<'_> {
                 Cell::words(language.text(&p.label)),
             ]);
         }
-        vec![self.heading(Word::Parameters), Block::Table(table)]
+        vec![self.heading(Word::Parameters), self.table(table, Word::Parameters)]
     }
 
     fn checks(&self) -> Vec<Block> {
@@ -197,30 +214,36 @@ impl Writer<'_> {
         if audits.is_empty() {
             return Vec::new();
         }
+        // a narrow terminal may cut the last column, which must not be the verdict
+        let mut order = [0, 1, 2, 3];
+        if self.extent != Extent::Page {
+            order.rotate_left(1);
+        }
         let heads = [Word::Check, Word::Value, Word::Limit, Word::Verdict];
-        let mut table = Table::new(heads.map(|w| Column::new(self.word(w))).into()).with_caption(self.word(Word::Checks));
+        let mut table = Table::new(order.map(|i| Column::new(self.word(heads[i]))).into());
         for audit in audits {
-            table.row(vec![
+            let cells = [
                 Cell::words(self.language.text(&audit.name)),
                 Cell::number(audit.value, 2, self.language),
                 Cell::number(audit.limit, 2, self.language),
                 Cell::Verdict(audit.ok),
-            ]);
+            ];
+            table.row(order.map(|i| cells[i].clone()).into());
         }
-        vec![self.heading(Word::Checks), Block::Table(table)]
+        vec![self.heading(Word::Checks), self.table(table, Word::Checks)]
     }
 
     fn finding(&self, finding: &Finding) -> Vec<Block> {
         match finding {
             Finding::Equilibrium(data, _) => {
                 let mut blocks = vec![self.heading(Word::Equilibrium)];
-                blocks.push(Block::Table(equilibria(data, self.language).with_caption(self.word(Word::Equilibrium))));
+                blocks.push(self.table(equilibria(data, self.language), Word::Equilibrium));
                 blocks.extend(self.notes(data));
                 blocks
             }
             Finding::Motion(study, data, _) => {
                 let mut blocks = vec![self.heading(Word::Simulation)];
-                blocks.push(Block::Table(results(data, self.language).with_caption(self.word(Word::Results))));
+                blocks.push(self.table(results(data, self.language), Word::Results));
                 blocks.extend(self.notes(data));
                 blocks.extend(self.events(data));
                 if self.extent == Extent::Page {
@@ -242,13 +265,13 @@ impl Writer<'_> {
         }
         let language = self.language;
         let columns = vec![Column::with_unit(self.word(Word::Time), "s", language), Column::new(self.word(Word::Event))];
-        let mut table = Table::new(columns).with_caption(self.word(Word::Events));
+        let mut table = Table::new(columns);
         let listed = &data.events[..data.events.len().min(EVENTS)];
         let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
         for (time, event) in Cell::column(&times, 6, language).into_iter().zip(listed) {
             table.row(vec![time, Cell::words(language.text(&event.what))]);
         }
-        let mut blocks = vec![Block::Table(table)];
+        let mut blocks = vec![self.table(table, Word::Events)];
         let more = data.events.len() - listed.len();
         if more > 0 {
             let (en, ru) = (format!("and {more} more events: see the JSON file"), format!("и ещё событий: {more}, см. файл JSON"));

@@ -79,7 +79,15 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
-        StudyKind::Simulate(study) => Some(simulate(machine, &plan::with_plots(study, &machine.equations), watch)),
+        StudyKind::Simulate(study) => {
+            let study = plan::with_plots(study, &machine.equations);
+            let finding = simulate(machine, &study, watch);
+            // plots need several points on every swing; how many swings there are shows in the steps
+            Some(match plan::finer(&study, finding.data()) {
+                Some(finer) => simulate(machine, &finer, watch),
+                None => finding,
+            })
+        }
     }
 }
 

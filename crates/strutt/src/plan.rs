@@ -3,10 +3,14 @@
 use crate::failure::{Failure, Trouble};
 use crate::near::nearest;
 use crate::watch::Watch;
+use analysis::Dataset;
 use mechanics::Model;
 use mechanics::model::{DEFAULT_TOLERANCE, Simulate, StudyKind, Times};
 use symbolic::Equations;
 use symbolic::equations::Role;
+
+/// A step of the integrator spans about a radian of the quickest oscillation.
+const POINTS_A_STEP: f64 = 4.0;
 
 /// What the command line asks; absent means as the file says.
 #[derive(Clone, Debug, Default)]
@@ -85,6 +89,16 @@ pub fn with_plots(study: &Simulate, equations: &Equations) -> Simulate {
         }
     }
     study
+}
+
+/// The same study with more times, when the file leaves the times open and the motion is too quick for the usual 1001.
+pub fn finer(study: &Simulate, data: &Dataset) -> Option<Simulate> {
+    let rows = POINTS_A_STEP * data.counter("steps")?;
+    if study.times != Times::Automatic || data.partial || rows <= 1000.0 {
+        return None;
+    }
+    let parts = [2000.0, 5000.0, 10_000.0].into_iter().find(|parts| *parts >= rows).unwrap_or(20_000.0);
+    Some(Simulate { times: Times::Every(study.until / parts), ..study.clone() })
 }
 
 fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
