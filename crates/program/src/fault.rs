@@ -2,10 +2,14 @@
 
 use symbolic::{Expr, Text};
 
-/// A clear refusal: what happened, the likely cause, the cure.
+/// A clear refusal; its fields are those of [`Details`], behind one pointer because results carry it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("error[{code}]: {}\nwhy: {}\nhelp: {}", what.en, why.en, help.en)]
-pub struct Fault {
+#[error("error[{}]: {}\nwhy: {}\nhelp: {}", .0.code, .0.what.en, .0.why.en, .0.help.en)]
+pub struct Fault(Box<Details>);
+
+/// What happened, the likely cause, the cure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Details {
     /// Entry of [`EXPLANATIONS`].
     pub code: &'static str,
     /// What happened and where.
@@ -18,18 +22,25 @@ pub struct Fault {
     pub expression: Option<Expr>,
 }
 
+impl std::ops::Deref for Fault {
+    type Target = Details;
+    fn deref(&self) -> &Details {
+        &self.0
+    }
+}
+
 impl Fault {
     /// A fault of that code about `subject`; cause and cure come from the table.
     pub(crate) fn new(code: &'static str, subject: &Text) -> Fault {
         let row = CAUSES.iter().find(|row| row.0 == code).unwrap_or(&CAUSES[0]);
         let fill = |en: &str, ru: &str| Text::new(en.replace("{}", &subject.en), ru.replace("{}", &subject.ru));
-        Fault {
+        Fault(Box::new(Details {
             code: row.0,
             what: fill(row.1[0].0, row.1[0].1),
             why: fill(row.1[1].0, row.1[1].1),
             help: fill(row.1[2].0, row.1[2].1),
             expression: None,
-        }
+        }))
     }
 
     pub(crate) fn about(code: &'static str, subject: impl Into<String>) -> Fault {
@@ -37,7 +48,7 @@ impl Fault {
     }
 
     pub(crate) fn at(mut self, expression: Option<Expr>) -> Fault {
-        self.expression = expression;
+        self.0.expression = expression;
         self
     }
 }

@@ -100,8 +100,8 @@ pub(crate) fn active(dynamics: &Evaluator, modes: &[Mode]) -> Vec<bool> {
 pub(crate) fn scheduled(dynamics: &Evaluator) -> Vec<(usize, f64)> {
     let tape = dynamics.tape();
     let mut affine: Vec<Option<(f64, f64)>> = vec![None; tape.registers()];
-    for r in 0..tape.constants() {
-        affine[r] = Some((dynamics.value(Register(r as u32)), 0.0));
+    for (r, line) in (0..).zip(affine.iter_mut().take(tape.constants())) {
+        *line = Some((dynamics.value(Register(r)), 0.0));
     }
     for instruction in &tape.body {
         affine[instruction.into.index()] = match &instruction.operation {

@@ -13,7 +13,8 @@ pub struct Point<'a> {
     pub states: &'a [f64],
     /// q''.
     pub accelerations: &'a [f64],
-    /// Modes of the guards; `None` decides every switch by the value of its guard.
+    /// Modes of the guards; `None` decides every switch by the value of its guard. A guard that is not a number makes its switch not a
+    /// number, so that nothing is decided silently.
     pub modes: Option<&'a [Mode]>,
 }
 
@@ -118,8 +119,8 @@ impl Evaluator {
                 continue;
             }
             if let Operation::Choose { by, sides } = &instruction.operation {
-                let mode = decide(*by, &self.registers, point, &self.tape);
-                wanted[sides[mode.side()].index()] = true;
+                let next = decide(*by, &self.registers, point, &self.tape).map_or_else(|undecided| undecided, |mode| sides[mode.side()]);
+                wanted[next.index()] = true;
                 continue;
             }
             let mut sound = true;
@@ -164,13 +165,18 @@ pub(crate) fn resolve(c: Coefficient, registers: &[f64]) -> f64 {
     }
 }
 
-/// Which side a choice takes.
-fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Mode {
-    match (by, point.modes) {
-        (By::Value(r), _) => Mode::of(registers[r.index()]),
-        (By::Mode(g), Some(modes)) => modes[g as usize],
-        (By::Mode(g), None) => tape.guards[g as usize].map_or(Mode::Positive, |r| Mode::of(registers[r.index()])),
-    }
+/// Which side a choice takes, or the register that cannot decide because it holds no number.
+fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Result<Mode, Register> {
+    let register = match (by, point.modes) {
+        (By::Value(r), _) => r,
+        (By::Mode(g), Some(modes)) => return Ok(modes[g as usize]),
+        (By::Mode(g), None) => match tape.guards[g as usize] {
+            Some(r) => r,
+            None => return Ok(Mode::Positive),
+        },
+    };
+    let value = registers[register.index()];
+    if value.is_nan() { Err(register) } else { Ok(Mode::of(value)) }
 }
 
 fn execute(
@@ -208,7 +214,7 @@ fn execute(
             registers[into + 1] = x.cosh();
             x.sinh()
         }
-        Operation::Choose { by, sides } => at(&sides[decide(*by, registers, point, tape).side()]),
+        Operation::Choose { by, sides } => decide(*by, registers, point, tape).map_or(f64::NAN, |mode| at(&sides[mode.side()])),
         Operation::Solve { matrix, right } => {
             let entry = |r: &Option<Register>| r.map_or(0.0, |r| registers[r.index()]);
             scratch.load(right.len(), matrix.iter().map(entry));

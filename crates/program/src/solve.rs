@@ -65,7 +65,7 @@ impl Factor {
                 pivot -= l * row[j];
                 row[j] = l;
             }
-            if !(pivot > SINGULAR * diagonal) {
+            if pivot.is_nan() || pivot <= SINGULAR * diagonal {
                 return false;
             }
             row[i] = pivot;
@@ -95,7 +95,8 @@ impl Factor {
                     best = i;
                 }
             }
-            if !(merit(best, &self.square) > SINGULAR) {
+            let found = merit(best, &self.square);
+            if found.is_nan() || found <= SINGULAR {
                 return Err(column);
             }
             self.exchanges.push(best);
@@ -116,7 +117,7 @@ impl Factor {
         Ok(())
     }
 
-    /// Replaces h by M⁻¹ h.
+    /// Replaces h, of the size of M, by M⁻¹ h.
     pub(crate) fn solve(&self, h: &mut [f64]) {
         if self.general { self.solve_general(h) } else { self.solve_symmetric(h) }
     }
@@ -131,8 +132,8 @@ impl Factor {
             }
             h[i] = value;
         }
-        for i in 0..n {
-            h[i] /= self.square[i * n + i];
+        for (i, value) in h.iter_mut().enumerate() {
+            *value /= self.square[i * n + i];
         }
         for i in (0..n).rev() {
             let value = h[i];
@@ -156,8 +157,8 @@ impl Factor {
         }
         for i in (0..n).rev() {
             let mut value = h[i];
-            for j in i + 1..n {
-                value -= self.square[i * n + j] * h[j];
+            for (u, x) in self.square[i * n + i + 1..(i + 1) * n].iter().zip(&h[i + 1..]) {
+                value -= u * x;
             }
             h[i] = value / self.square[i * n + i];
         }

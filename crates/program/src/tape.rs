@@ -161,6 +161,28 @@ impl Operation {
         }
     }
 
+    /// The verb of the text form.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Operation::Number(_) => "number",
+            Operation::Parameter(_) => "parameter",
+            Operation::Time => "time",
+            Operation::State(_) => "state",
+            Operation::Acceleration(_) => "acceleration",
+            Operation::Linear { .. } => "linear",
+            Operation::Multiply(..) => "multiply",
+            Operation::Square(_) => "square",
+            Operation::Divide(..) => "divide",
+            Operation::Power(..) => "power",
+            Operation::Unary(f, _) => Unary::ALL.iter().find(|row| row.0 == *f).map_or("?", |row| row.1),
+            Operation::Atan2(..) => "atan2",
+            Operation::SinCos(_) => "sincos",
+            Operation::SinhCosh(_) => "sinhcosh",
+            Operation::Choose { .. } => "choose",
+            Operation::Solve { .. } => "solve",
+        }
+    }
+
     /// Calls `visit` with every register read, those of coefficients included.
     pub fn operands(&self, visit: &mut dyn FnMut(Register)) {
         match self {
@@ -290,6 +312,14 @@ impl Tape {
     /// Number of registers of the prologue: the constants are those below.
     pub fn constants(&self) -> usize {
         self.prologue.last().map_or(0, |i| i.into.index() + i.operation.width())
+    }
+    /// Number of body instructions of each kind that occurs, by name.
+    pub fn census(&self) -> Vec<(&'static str, usize)> {
+        let mut counts = std::collections::BTreeMap::new();
+        for instruction in &self.body {
+            *counts.entry(instruction.operation.kind()).or_insert(0) += 1;
+        }
+        counts.into_iter().collect()
     }
     /// All instructions, prologue first.
     pub fn instructions(&self) -> impl DoubleEndedIterator<Item = &Instruction> {

@@ -67,10 +67,12 @@ fn elementary_series_at_zero_have_their_textbook_coefficients() {
     }
 }
 
+type Formula = Box<dyn Fn(&mut Graph, Expr) -> Expr>;
+
 /// The polynomial must reproduce f at t0 ± h; h^24 is below rounding only at the very end, so a wrong coefficient shows.
 #[test]
 fn compound_series_sum_to_the_direct_value() {
-    let cases: Vec<(&str, Box<dyn Fn(&mut Graph, Expr) -> Expr>)> = vec![
+    let cases: Vec<(&str, Formula)> = vec![
         (
             "sin of a quadratic",
             Box::new(|g, t| {

@@ -97,11 +97,13 @@ impl Plan {
         let row = self.fresh();
         self.rows[into.index()] = Some(row);
         let sides = sources.map(|source| Step::Copy { row, a: source });
-        self.planned.push(match by {
+        let planned = match by {
             By::Mode(guard) => Planned::Choice { into, guard: guard as usize, sides },
             // in the dynamics only guards over parameters go by value
+            By::Value(r) if evaluator.value(r).is_nan() => Planned::Step(into, Step::Copy { row, a: self.row(evaluator, r) }),
             By::Value(r) => Planned::Step(into, sides[Mode::of(evaluator.value(r)).side()]),
-        });
+        };
+        self.planned.push(planned);
     }
 
     fn step(&mut self, evaluator: &Evaluator, row: Row, operation: &Operation) -> Step {

@@ -105,7 +105,7 @@ fn dynamics(equations: &Equations, names: &Names) -> Result<(Tape, GuardTable), 
         rates.push(lowering.register(auxiliary.rate)?);
     }
     let roots = rates.into_iter().enumerate().map(|(i, register)| Root { name: names.rate(i), register }).collect();
-    Ok(lowering.finish("dynamics", roots))
+    lowering.finish("dynamics", roots)
 }
 
 /// A tape over t, x, q'' that takes the modes of the dynamics where it meets their guards.
@@ -137,7 +137,7 @@ fn second(equations: &Equations) -> Result<Tape, Fault> {
         items.push((-1.0, lowering.register(equations.force[i])?));
         roots.push(Root { name: format!("first {}", i + 1), register: lowering.total(&items) });
     }
-    Ok(lowering.finish("second", roots).0)
+    Ok(lowering.finish("second", roots)?.0)
 }
 
 /// h(q, 0, s, t) and ∂h/∂q.

@@ -2,6 +2,7 @@
 
 use super::builder::Builder;
 use super::forms::Value;
+use crate::verify::verified;
 use crate::{By, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Tape};
 use rustc_hash::FxHashMap;
 use symbolic::{Expr, Function, Graph, Node, Rational, SymbolId};
@@ -63,21 +64,8 @@ pub(super) struct GuardTable {
 #[derive(PartialEq, Eq, Hash)]
 struct GuardKey(Rational, Vec<(Atom, Rational)>);
 
-#[derive(PartialEq, Eq, Hash, Clone)]
-enum Atom {
-    Expr(Expr),
-    Factors(Box<[(Expr, Rational)]>),
-}
-
-impl Atom {
-    /// An order in which equal forms look equal.
-    fn rank(&self) -> (usize, usize) {
-        match self {
-            Atom::Expr(e) => (0, e.index()),
-            Atom::Factors(f) => (f.len(), f[0].0.index()),
-        }
-    }
-}
+/// A term as powers of bases; a lone expression is its own first power.
+type Atom = Box<[(Expr, Rational)]>;
 
 pub(super) struct Lowering<'g, 't> {
     graph: &'g Graph,
@@ -129,7 +117,7 @@ impl<'g, 't> Lowering<'g, 't> {
         for (name, e) in roots {
             named.push(Root { name: name.clone(), register: self.register(*e)? });
         }
-        Ok(self.finish(name, named).0)
+        Ok(self.finish(name, named)?.0)
     }
 
     /// The register of an expression.
@@ -173,7 +161,7 @@ impl<'g, 't> Lowering<'g, 't> {
     }
 
     /// The tape with these roots, and the guards met.
-    pub(super) fn finish(self, name: &str, roots: Vec<Root>) -> (Tape, GuardTable) {
+    pub(super) fn finish(self, name: &str, roots: Vec<Root>) -> Result<(Tape, GuardTable), Fault> {
         let mut shape = self.shape;
         let mut guards: Vec<Option<Register>> = vec![None; shape.modes];
         if matches!(self.switches, Switches::Collect) {
@@ -181,7 +169,7 @@ impl<'g, 't> Lowering<'g, 't> {
             shape.modes = guards.len();
         }
         let tape = Tape { name: name.to_owned(), shape, guards, roots, ..Tape::default() };
-        (self.builder.finish(tape), self.table)
+        Ok((verified(self.builder.finish(tape))?, self.table))
     }
 
     /// Values of everything below `e`, operands first.
@@ -335,6 +323,14 @@ fn symbol_name(graph: &Graph, s: SymbolId) -> String {
     format!("{}{}", symbol.name, "'".repeat(usize::from(symbol.primes)))
 }
 
+/// The powers of a term and its number times `factor`.
+fn atom(graph: &Graph, e: Expr, factor: &Rational) -> (Atom, Rational) {
+    match graph.node(e) {
+        Node::Product { coefficient, factors } => (factors.clone(), coefficient * factor),
+        _ => (Box::from([(e, Rational::ONE)]), factor.clone()),
+    }
+}
+
 /// left - right divided by the absolute factor of its first term and made positive there; the flag tells whether it was positive.
 fn guard_key(graph: &Graph, guard: &Guard) -> (GuardKey, bool) {
     let mut constant = Rational::ZERO;
@@ -345,21 +341,12 @@ fn guard_key(graph: &Graph, guard: &Guard) -> (GuardKey, bool) {
             Node::Number(r) => constant = &constant + &(r * &sign),
             Node::Sum { constant: c, terms: inner } => {
                 constant = &constant + &(c * &sign);
-                terms.extend(inner.iter().map(|(t, f)| (Atom::Expr(*t), f * &sign)));
+                terms.extend(inner.iter().map(|(t, f)| atom(graph, *t, &(f * &sign))));
             }
-            Node::Product { coefficient, factors } => terms.push((Atom::Factors(factors.clone()), coefficient * &sign)),
-            _ => terms.push((Atom::Expr(e), sign)),
+            _ => terms.push(atom(graph, e, &sign)),
         }
     }
-    // a bare product inside a sum is an expression of its own: both spellings become factors
-    for (atom, _) in &mut terms {
-        if let Atom::Expr(e) = atom
-            && let Node::Product { factors, .. } = graph.node(*e)
-        {
-            *atom = Atom::Factors(factors.clone());
-        }
-    }
-    terms.sort_by_key(|t| t.0.rank());
+    terms.sort();
     terms.dedup_by(|later, earlier| {
         let same = later.0 == earlier.0;
         if same {
