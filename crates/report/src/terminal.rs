@@ -209,7 +209,7 @@ fn wrap(text: &str, width: usize) -> String {
 /// What a figure shows, in words and numbers: one line per series.
 pub fn figure_summary(figure: &Figure, language: Language) -> String {
     let mut out = String::new();
-    for series in &figure.series {
+    for (i, series) in figure.series.iter().enumerate() {
         let finite = || series.y.iter().copied().filter(|y| y.is_finite()).map(|y| y / figure.y.scale.size);
         let (low, high) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
         let name = symbol::plain(&series.name);
@@ -218,7 +218,7 @@ pub fn figure_summary(figure: &Figure, language: Language) -> String {
             continue;
         }
         let last = finite().next_back().unwrap_or(low);
-        let number = |x| crate::number::with_unit(&short(x, 4, language), &figure.y.scale.print(language));
+        let number = |x| crate::number::with_unit(&short(x, 4, language), &figure.y.unit(i, language));
         out.push_str(&format!(
             "  {name}: {} {}, {} {}, {} {}\n",
             language.word(Word::Minimum),

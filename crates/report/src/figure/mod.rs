@@ -54,6 +54,8 @@ pub enum Kind {
 pub struct Axis {
     /// Names of the model shown as symbols, with commas between.
     pub symbols: Vec<String>,
+    /// Unit of each symbol (ASCII label) when they are unlike; empty when `scale` holds for all.
+    pub units: Vec<String>,
     /// Unit in which values are shown.
     pub scale: Scale,
     /// Logarithmic.
@@ -130,10 +132,11 @@ impl Axis {
         let symbols = columns.iter().map(|c| c.quantity.symbol.clone()).collect();
         let unit = columns.first().map_or("1", |c| c.quantity.unit.as_str());
         if columns.iter().any(|c| c.quantity.unit != unit) {
-            return Axis { symbols, scale: Scale::plain(""), log: false };
+            let units = columns.iter().map(|c| c.quantity.unit.clone()).collect();
+            return Axis { symbols, units, scale: Scale::plain(""), log: false };
         }
         let largest = columns.iter().flat_map(|c| &c.values).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
-        Axis { symbols, scale: Scale::of_column(unit, largest), log: false }
+        Axis { symbols, units: Vec::new(), scale: Scale::of_column(unit, largest), log: false }
     }
 
     /// The axis as plain text: `φ′, рад/с`.
@@ -146,13 +149,20 @@ impl Axis {
         self.join(language, symbol::html)
     }
 
+    /// Unit in print of the i-th symbol.
+    pub fn unit(&self, i: usize, language: Language) -> String {
+        self.units.get(i).map_or_else(|| self.scale.print(language), |label| crate::unit::print(label, language))
+    }
+
     fn join(&self, language: Language, print: impl Fn(&str) -> String) -> String {
-        let mut parts: Vec<String> = self.symbols.iter().map(|s| print(s)).collect();
-        let unit = self.scale.print(language);
-        if !unit.is_empty() {
-            parts.push(crate::escape::markup(&unit));
+        let with_unit =
+            |symbol: String, unit: String| if unit.is_empty() { symbol } else { format!("{symbol}, {}", crate::escape::markup(&unit)) };
+        if self.units.is_empty() {
+            let symbols: Vec<String> = self.symbols.iter().map(|s| print(s)).collect();
+            return with_unit(symbols.join(", "), self.scale.print(language));
         }
-        parts.join(", ")
+        let parts: Vec<String> = self.symbols.iter().enumerate().map(|(i, s)| with_unit(print(s), self.unit(i, language))).collect();
+        parts.join("; ")
     }
 }
 
@@ -170,7 +180,9 @@ impl Figure {
     /// Columns of a dataset over another column: phase portraits, trajectories. Scales are equal when the units are.
     /// None if a name is not a column.
     pub fn in_plane(data: &Dataset, x: &str, names: &[&str], language: Language) -> Option<Figure> {
-        let mut figure = Figure::of(data.column(x)?, names, data, language)?;
+        let abscissa = data.column(x)?;
+        let mut figure = Figure::of(abscissa, names, data, language)?;
+        figure.title = against(&figure.y.symbols, &abscissa.quantity.symbol, language);
         let lengths = |axis: &Axis| axis.scale.label == "m" || axis.scale.label.ends_with("mm") || axis.scale.label == "um";
         figure.kind = Kind::Plane { equal: lengths(&figure.x) && lengths(&figure.y) };
         if figure.kind == (Kind::Plane { equal: true }) {
@@ -193,23 +205,29 @@ impl Figure {
                 y: c.values.clone(),
             })
             .collect();
-        let symbols: Vec<String> = columns.iter().map(|c| symbol::plain(&c.quantity.symbol)).collect();
-        let title = format!("{} {} {}", symbols.join(", "), language.word(Word::Against), symbol::plain(&x.quantity.symbol));
+        let y = Axis::of_columns(&columns);
+        let title = match columns.as_slice() {
+            [only] if !language.text(&only.quantity.label).is_empty() => capital(language.text(&only.quantity.label)),
+            _ => against(&y.symbols, &x.quantity.symbol, language),
+        };
         Some(Figure {
             name: crate::escape::file_name(&names.join("-").replace('\'', "_rate")),
-            title: columns
-                .first()
-                .map(|c| language.text(&c.quantity.label))
-                .filter(|l| !l.is_empty() && columns.len() == 1)
-                .map_or(title, capital),
+            title,
             kind: Kind::Curves,
             x: Axis::of_columns(&[x]),
-            y: Axis::of_columns(&columns),
+            y,
             series,
             marks: Vec::new(),
             strip: Vec::new(),
         })
     }
+}
+
+/// `φ, φ′ against t`.
+fn against(symbols: &[String], x: &str, language: Language) -> String {
+    let names: Vec<String> = symbols.iter().map(|s| symbol::plain(s)).collect();
+    let words = format!("{} {} {}", names.join(", "), language.word(Word::Against), symbol::plain(x));
+    language.pick(words.clone(), format!("Зависимость {words}"))
 }
 
 /// The text with a capital first letter.

@@ -8,7 +8,7 @@ use std::sync::{Arc, LazyLock};
 /// Pixels per unit of the SVG.
 pub const PIXELS: f32 = 2.0;
 
-/// DejaVu Sans with Latin, Greek, Cyrillic and mathematical signs; slanted with Latin letters and digits.
+/// DejaVu Sans, upright and slanted, with Latin, Greek, Cyrillic and mathematical signs.
 static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
     let mut fonts = usvg::fontdb::Database::new();
     fonts.load_font_data(include_bytes!("../../assets/fonts/DejaVuSans-subset.ttf").to_vec());

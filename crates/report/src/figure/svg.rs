@@ -124,7 +124,7 @@ impl Draw<'_> {
         for (i, series) in self.figure.series.iter().enumerate() {
             let kept = match self.figure.kind {
                 Kind::Curves => decimate::buckets(&series.x, &[&series.y], (a.right - a.left) as usize),
-                Kind::Plane { .. } => decimate::plane(&series.x, &series.y, 1200, 20_000),
+                Kind::Plane { .. } => decimate::plane(&series.x, &series.y, 600, 6000),
             };
             let path = self.path(kept.into_iter().map(|i| (series.x[i], series.y[i])));
             let _ = writeln!(self.out, "<path d=\"{path}\" {}/>", stroke(i));
@@ -228,15 +228,15 @@ impl Draw<'_> {
     }
 
     fn axis(&mut self, axis: &Axis) {
-        let unit = axis.scale.print(self.language);
         for (i, name) in axis.symbols.iter().enumerate() {
             if i > 0 {
-                self.out.push_str(", ");
+                self.out.push_str(if axis.units.is_empty() { ", " } else { "; " });
             }
             self.symbol(name);
-        }
-        if !unit.is_empty() {
-            let _ = write!(self.out, "{}{}", if axis.symbols.is_empty() { "" } else { ", " }, markup(&unit));
+            let unit = axis.unit(i, self.language);
+            if !unit.is_empty() && (!axis.units.is_empty() || i + 1 == axis.symbols.len()) {
+                let _ = write!(self.out, ", {}", markup(&unit));
+            }
         }
     }
 

@@ -33,10 +33,10 @@ pub(super) struct Standing {
 }
 
 /// Textbooks write `μ m g l`: ratios, then what carries mass or force, then g, then geometry.
-pub(super) const RATIO: u32 = 0;
+const RATIO: u32 = 0;
 const MASS: u32 = 1;
 const GRAVITY: u32 = 2;
-pub(super) const OTHER: u32 = 3;
+const OTHER: u32 = 3;
 
 /// The class and rank of every symbol of one graph.
 #[derive(Clone, Debug, Default)]

@@ -59,7 +59,6 @@ impl<'a> Composer<'a> {
     fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], negated: bool, side: Side) -> Layout {
         let mut items = Vec::with_capacity(terms.len() + 1);
         let ordered = self.ordered(terms, side);
-        let constant_first = side == Side::Plain;
         for (term, factor) in ordered {
             let factor = if negated { -&factor } else { factor };
             let factors = match self.graph.node(term) {
@@ -70,7 +69,7 @@ impl<'a> Composer<'a> {
         }
         if !constant.is_zero() {
             let item = (if constant.is_negative() != negated { Sign::Minus } else { Sign::Plus }, self.number(constant));
-            items.insert(if constant_first { 0 } else { items.len() }, item);
+            items.insert(if side == Side::Plain { 0 } else { items.len() }, item);
         }
         // a sum starts with a positive term when it has one
         if let Some(i) = items.iter().position(|t| t.0 == Sign::Plus) {
@@ -80,19 +79,19 @@ impl<'a> Composer<'a> {
     }
 
     fn ordered(&mut self, terms: &[(Expr, Rational)], side: Side) -> Vec<(Expr, Rational)> {
+        let side = self.survey.settle_side(terms, side);
         let mut ordered = terms.to_vec();
         ordered.sort_by_cached_key(|(term, _)| self.survey.term_key(*term, side));
         ordered
     }
 
-    /// Whether the first term in print order has a minus, and whether the terms have different signs.
-    pub fn signs(&mut self, e: Expr) -> Option<(bool, bool)> {
-        let graph = self.graph;
-        let Node::Sum { constant, terms } = graph.node(e) else { return None };
-        let ordered = self.ordered(terms, Side::Plain);
-        let leading = if constant.is_zero() { ordered[0].1.is_negative() } else { constant.is_negative() };
-        let mixed = ordered.iter().any(|t| t.1.is_negative() != leading);
-        Some((leading, mixed))
+    /// Whether the first term in print order has a minus.
+    pub fn leads_negative(&mut self, e: Expr, side: Side) -> bool {
+        match self.graph.node(e) {
+            Node::Sum { constant, .. } if side == Side::Plain && !constant.is_zero() => constant.is_negative(),
+            Node::Sum { terms, .. } => self.ordered(terms, side).first().is_some_and(|t| t.1.is_negative()),
+            _ => false,
+        }
     }
 
     /// |r|.

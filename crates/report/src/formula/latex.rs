@@ -164,17 +164,9 @@ fn sum(terms: &[(Sign, Layout)], out: &mut String) {
 fn product(factors: &[Layout], out: &mut String) {
     for (i, factor) in factors.iter().enumerate() {
         if i > 0 {
-            out.push_str(if starts_with_digit(factor) { " \\cdot " } else { " " });
+            out.push_str(if factor.starts_with_digit() { " \\cdot " } else { " " });
         }
         write(factor, out);
-    }
-}
-
-fn starts_with_digit(layout: &Layout) -> bool {
-    match layout {
-        Layout::Number { .. } => true,
-        Layout::Power(base, _) => starts_with_digit(base),
-        _ => false,
     }
 }
 
@@ -250,19 +242,18 @@ fn cases(rows: &[Row], out: &mut String) {
 
 fn symbol(identifier: &Identifier, exponent: Option<&Layout>, out: &mut String) {
     let letter = letters(&identifier.base, identifier.shape);
-    match identifier.primes {
+    match identifier.dots() {
         0 => out.push_str(&letter),
         1 => out.push_str(&format!("\\dot{{{letter}}}")),
         2 => out.push_str(&format!("\\ddot{{{letter}}}")),
-        3 => out.push_str(&format!("\\dddot{{{letter}}}")),
-        _ => out.push_str(&letter),
+        _ => out.push_str(&format!("\\dddot{{{letter}}}")),
     }
     if !identifier.subscript.is_empty() {
         let index: Vec<String> = identifier.subscript.iter().map(|i| letters(&i.text, i.shape)).collect();
         out.push('_');
         push_script(&index.concat(), out);
     }
-    let primes = if identifier.primes > 3 { "\\prime".repeat(identifier.primes.into()) } else { String::new() };
+    let primes = "\\prime".repeat(identifier.raised_primes());
     match exponent {
         None if primes.is_empty() => {}
         None => out.push_str(&format!("^{{{primes}}}")),

@@ -207,6 +207,24 @@ impl Layout {
             _ => Layout::Product(factors),
         }
     }
+    /// Whether a factor before it needs a dot between: `2·3ˣ`.
+    pub(super) fn starts_with_digit(&self) -> bool {
+        match self {
+            Layout::Number { .. } => true,
+            Layout::Power(base, _) => base.starts_with_digit(),
+            _ => false,
+        }
+    }
+    /// Whether a sum occurs that a reader has to take in.
+    pub(super) fn has_sum(&self) -> bool {
+        match self {
+            Layout::Sum(_) => true,
+            Layout::Product(items) => items.iter().any(Layout::has_sum),
+            Layout::Power(inner, _) | Layout::Fence(_, inner) | Layout::Root { radicand: inner, .. } => inner.has_sum(),
+            Layout::Fraction(above, below) => above.has_sum() || below.has_sum(),
+            _ => false,
+        }
+    }
     /// Whether brackets around it must grow.
     pub(super) fn is_tall(&self) -> bool {
         match self {
@@ -219,5 +237,20 @@ impl Layout {
             Layout::Exponential(_) => false,
             Layout::Related(left, _, right) => left.is_tall() || right.is_tall(),
         }
+    }
+}
+
+impl Identifier {
+    /// No subscript, or digits only.
+    pub(super) fn has_plain_index(&self) -> bool {
+        self.subscript.iter().all(|i| i.text.chars().all(|c| c.is_ascii_digit()))
+    }
+    /// Dots above the letter; words and high derivatives take primes instead.
+    pub(super) fn dots(&self) -> u8 {
+        if self.primes <= 3 && self.base.chars().count() == 1 { self.primes } else { 0 }
+    }
+    /// Prime marks that two-dimensional forms write after the letter.
+    pub(super) fn raised_primes(&self) -> usize {
+        usize::from(self.primes - self.dots())
     }
 }

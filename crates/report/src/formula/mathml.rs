@@ -10,6 +10,8 @@ use super::printer::Placement;
 /// Space around a named function, as TeX sets it.
 const THIN: &str = "<mspace width=\"0.167em\"/>";
 
+const HAIR: &str = "<mspace width=\"0.1em\"/>";
+
 /// The whole formula as a `<math>` element; several lines become a table.
 pub(super) fn lines(lines: &Lines, placement: Placement) -> String {
     let mut out = String::from(match placement {
@@ -40,9 +42,6 @@ fn table(rows: &[Vec<Piece>], relation: Option<usize>, out: &mut String) {
         element(out, LEFT, "mtd", |out| {
             if i > 0 {
                 out.push_str("<mspace width=\"2em\"/>");
-            } else if relation.is_some() {
-                // the operator at the start of the cell takes no space by itself
-                out.push_str("<mspace width=\"0.278em\"/>");
             }
             row_pieces(tail, out);
             if let Some(next) = rows.get(i + 1).and_then(|r| r.first()) {
@@ -177,17 +176,20 @@ fn sum(terms: &[(Sign, Layout)], out: &mut String) {
     });
 }
 
-/// Factors side by side, a dot between numbers, thin space beside named functions.
+/// Factors side by side, a dot between numbers, thin space beside named functions, a hair after a subscript: without it `M_r e`
+/// looks like a subscript of two letters.
 fn product(factors: &[Layout], out: &mut String) {
     for (i, factor) in factors.iter().enumerate() {
         if i > 0 {
-            if starts_with_digit(factor) {
+            if factor.starts_with_digit() {
                 out.push_str("<mo>·</mo>");
             } else {
                 out.push_str("<mo>\u{2062}</mo>");
                 let after_call = matches!(&factors[i - 1], Layout::Call { bare, .. } if *bare != Bare::Never);
                 if matches!(factor, Layout::Call { .. } | Layout::Cases(_)) || after_call {
                     out.push_str(THIN);
+                } else if matches!(&factors[i - 1], Layout::Symbol(s) if !s.subscript.is_empty()) {
+                    out.push_str(HAIR);
                 }
             }
         }
@@ -195,17 +197,13 @@ fn product(factors: &[Layout], out: &mut String) {
     }
 }
 
-fn starts_with_digit(layout: &Layout) -> bool {
-    match layout {
-        Layout::Number { .. } => true,
-        Layout::Power(base, _) => starts_with_digit(base),
-        _ => false,
-    }
-}
-
 /// Brackets grow only around what is tall: `(l₀ − λ x)²` keeps them at the size of the line.
 fn fence(open: &str, inner: &Layout, close: &str, out: &mut String) {
-    let stretchy = if inner.is_tall() { "" } else { " stretchy=\"false\"" };
+    let stretchy = match (open, inner.is_tall()) {
+        ("|", _) => " minsize=\"1.1em\"",
+        (_, true) => "",
+        (_, false) => " stretchy=\"false\"",
+    };
     element(out, "<mrow>", "mrow", |out| {
         out.push_str(&format!("<mo form=\"prefix\"{stretchy}>{open}</mo>"));
         write(inner, out);
@@ -253,7 +251,7 @@ fn cases(rows: &[Row], out: &mut String) {
 }
 
 fn symbol(identifier: &Identifier, exponent: Option<&Layout>, out: &mut String) {
-    let scripted = (!identifier.subscript.is_empty(), exponent.is_some() || identifier.primes > 3);
+    let scripted = (!identifier.subscript.is_empty(), exponent.is_some() || identifier.raised_primes() > 0);
     let tag = match scripted {
         (false, false) => None,
         (true, false) => Some("msub"),
@@ -269,8 +267,8 @@ fn symbol(identifier: &Identifier, exponent: Option<&Layout>, out: &mut String) 
     }
     if scripted.1 {
         element(out, "<mrow>", "mrow", |out| {
-            if identifier.primes > 3 {
-                out.push_str(&format!("<mo>{}</mo>", "′".repeat(identifier.primes.into())));
+            if identifier.raised_primes() > 0 {
+                out.push_str(&format!("<mo>{}</mo>", "′".repeat(identifier.raised_primes())));
             }
             if let Some(exponent) = exponent {
                 write(exponent, out);
@@ -284,12 +282,13 @@ fn symbol(identifier: &Identifier, exponent: Option<&Layout>, out: &mut String) 
 
 /// The letter with up to three dots above.
 fn dotted(identifier: &Identifier, out: &mut String) {
-    let dots = match identifier.primes {
+    let dots = match identifier.dots() {
         1 => "˙",
         2 => "¨",
-        3 => "⃛",
+        3 => "…",
         _ => return letter(&identifier.base, identifier.shape, out),
     };
+    // three dots are an ellipsis: the combining character sits beside the letter in several fonts
     element(out, "<mover accent=\"true\">", "mover", |out| {
         letter(&identifier.base, identifier.shape, out);
         out.push_str(&format!("<mo stretchy=\"false\">{dots}</mo>"));

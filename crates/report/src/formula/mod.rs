@@ -10,6 +10,7 @@
 
 mod classes;
 mod compose;
+mod language;
 mod latex;
 mod layout;
 mod lines;
@@ -25,6 +26,12 @@ mod switch;
 mod tests;
 mod text;
 
+pub use crate::Language;
 pub use classes::SymbolClass;
 pub use layout::{Bracket, Identifier, Index, Layout, Relation, Row, Shape, Sign};
-pub use printer::{Form, Language, Placement, Printer};
+pub use printer::{Form, Placement, Printer};
+
+/// A math font for pages (WOFF2, 32 kB): without one, browsers lose the dots over letters and the growing brackets of MathML.
+/// Name it `Strutt Math` in `@font-face` and use it as `math { font-family: "Strutt Math", math }`. Licence: SIL OFL 1.1, text in
+/// `assets/math-font/LICENSE.txt`.
+pub const MATH_FONT: &[u8] = include_bytes!("../../assets/math-font/strutt-math.woff2");

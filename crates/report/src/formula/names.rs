@@ -1,6 +1,7 @@
 //! Names of the model file to symbols: `omega_p` is ω with the subscript p, `phi1` is φ₁, `vx(A)` is v with the subscript x, A.
 
-use super::{Identifier, Index, Language, Shape};
+use super::{Identifier, Index, Shape};
+use crate::Language;
 
 /// Spelled Greek letters with their character.
 const GREEK: [(&str, char); 53] = [

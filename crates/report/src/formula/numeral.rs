@@ -1,6 +1,7 @@
 //! Exact numbers as a reader expects them: `1/2`, `9.81`, `2·10¹¹`.
 
-use super::{Language, Layout};
+use super::Layout;
+use crate::Language;
 use symbolic::Rational;
 
 /// How a positive number is written.
@@ -11,35 +12,40 @@ pub(super) enum Numeral {
     Ratio(Layout, Layout),
 }
 
-/// More significant digits than this are not shown as a decimal.
+/// Fractions become decimals of at most so many significant digits.
 const DECIMAL_DIGITS: usize = 6;
-/// Longer numerators and denominators are shown as a rounded decimal.
+/// Numbers that can only have been typed as decimals keep so many.
+const TYPED_DIGITS: usize = 15;
+/// Longer numerators and denominators are cut.
 const RATIO_DIGITS: usize = 9;
+/// Digits left of a number that is cut.
+const CUT_DIGITS: usize = 6;
 
 /// The written form of |value|.
 ///
 /// Denominators up to 12 stay fractions (1/2, 2/5, π/12), except 10, which only decimals produce; other numbers are decimals when
-/// six digits give them exactly, else fractions; fractions of more than nine digits are rounded to six.
+/// six digits give them exactly (15 with a denominator over 10 000), else fractions. What is still too long is cut to six digits and
+/// an ellipsis.
 pub(super) fn numeral(value: &Rational, language: Language) -> Numeral {
-    let value = value.abs();
-    let (n, d) = value.digits();
-    if d == "1" {
+    let (n, d) = value.abs().digits();
+    if d == "1" && n.trim_end_matches('0').len() <= TYPED_DIGITS {
         return Numeral::Plain(decimal(&n, 0, language));
     }
     let small = d.parse::<u32>().is_ok_and(|d| d <= 12 && d != 10) && n.len() <= 2;
     if !small && let Some(shown) = exact_decimal(&n, &d, language) {
         return Numeral::Plain(shown);
     }
-    if n.len() <= RATIO_DIGITS && d.len() <= RATIO_DIGITS {
+    if d != "1" && n.len() <= RATIO_DIGITS && d.len() <= RATIO_DIGITS {
         return Numeral::Ratio(Layout::digits(n), Layout::digits(d));
     }
-    Numeral::Plain(rounded(value.to_f64(), language))
+    Numeral::Plain(cut(&n, &d, language))
 }
 
-/// n/d as digits when d divides a power of ten and at most [`DECIMAL_DIGITS`] are needed.
+/// n/d as digits when d divides a power of ten and few enough are needed.
 fn exact_decimal(n: &str, d: &str, language: Language) -> Option<Layout> {
     let mut numerator: u128 = n.parse().ok()?;
     let mut denominator: u128 = d.parse().ok()?;
+    let limit = if denominator > 10_000 { TYPED_DIGITS } else { DECIMAL_DIGITS };
     let mut shift = 0;
     while denominator > 1 {
         let missing = if denominator.is_multiple_of(10) {
@@ -56,7 +62,7 @@ fn exact_decimal(n: &str, d: &str, language: Language) -> Option<Layout> {
         shift += 1;
     }
     let digits = numerator.to_string();
-    (digits.trim_end_matches('0').len() <= DECIMAL_DIGITS).then(|| decimal(&digits, shift, language))
+    (digits.trim_end_matches('0').len() <= limit).then(|| decimal(&digits, shift, language))
 }
 
 /// digits·10^-shift; powers of ten are split off beyond five leading or trailing zeros.
@@ -84,16 +90,26 @@ fn decimal(digits: &str, shift: usize, language: Language) -> Layout {
     Layout::digits(mantissa)
 }
 
-fn rounded(value: f64, language: Language) -> Layout {
-    let text = format!("{value:.5e}");
-    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let exponent: i64 = exponent.parse().unwrap_or(0);
-    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
-    // mantissa has five decimals: value = digits · 10^(exponent - 5)
-    let shift = 5 - exponent;
-    if shift >= 0 {
-        decimal(&digits, shift as usize, language)
-    } else {
-        decimal(&format!("{digits}{}", "0".repeat((-shift) as usize)), 0, language)
+/// The first digits of n/d with an ellipsis.
+fn cut(n: &str, d: &str, language: Language) -> Layout {
+    let (above, below) = (leading(n), leading(d));
+    // 0 < quotient, at least 20 digits
+    let quotient = (above.0 * 10u128.pow(20) / below.0.max(1)).to_string();
+    let shown = &quotient[..CUT_DIGITS.min(quotient.len())];
+    let shift = 20 + below.1 - above.1 - (quotient.len() - shown.len()) as i64;
+    let scaled = match usize::try_from(shift) {
+        Ok(shift) => decimal(shown, shift, language),
+        Err(_) => decimal(&format!("{shown}{}", "0".repeat(shift.unsigned_abs().min(20_000) as usize)), 0, language),
+    };
+    match scaled {
+        Layout::Number { mantissa, exponent } => Layout::Number { mantissa: mantissa + "…", exponent },
+        other => other,
     }
+}
+
+/// Eighteen leading digits as a number, and how many digits follow (negative when zeros were appended).
+fn leading(digits: &str) -> (u128, i64) {
+    let kept = digits.len().min(18);
+    let padded = format!("{:0<18}", &digits[..kept]);
+    (padded.parse().unwrap_or(0), digits.len() as i64 - 18)
 }

@@ -8,10 +8,12 @@
 //! Terms of the right side: driving by time, products of rates (inertia forces), constant and affine loads, nonlinear functions of
 //! position (gravity), springs (polynomials of position), dampers and friction.
 //!
-//! Terms of any other sum: accelerations first, then from constants to rates, simple coefficients before varying ones
-//! (`l₀ − λ x`, `ω − φ'`, `m_x x'²/2 + m₁ (l₀ − λ x)² φ'²/2`).
+//! Terms of a derivative ∂T/∂q': the own rate first.
+//!
+//! Terms of any other sum: accelerations first, then from constants to rates (the other way round when rates are squared, as in an
+//! energy), simple coefficients before varying ones (`l₀ − λ x`, `ω − φ'`, `m_x x'²/2 + m₁ (l₀ − λ x)² φ'²/2`).
 
-use super::classes::{Classes, OTHER, RATIO, Standing, SymbolClass};
+use super::classes::{Classes, Standing, SymbolClass};
 use std::collections::HashMap;
 use symbolic::{Expr, Function, Graph, Node, Rational};
 
@@ -20,6 +22,12 @@ use symbolic::{Expr, Function, Graph, Node, Rational};
 pub(super) enum Side {
     /// Any sum.
     Plain,
+    /// The argument of a sine: constants last.
+    Angle,
+    /// A sum with squares of rates.
+    Quadratic,
+    /// A derivative of an energy by the rate of this coordinate.
+    Momentum(usize),
     /// Left side of the equation of motion of this coordinate.
     Left(usize),
     /// Right side of an equation of motion.
@@ -194,70 +202,94 @@ impl Traits {
 /// Sort key of a term; the fields are compared in turn.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct TermKey {
-    acceleration: u32,
+    leader: u32,
     category: u8,
     functions: bool,
     varying: bool,
     time_primes: u8,
     degree: u32,
-    /// Symbols that are not constant: (class, rank, index), higher powers first.
+    /// Symbols that are not constant, higher powers first.
     state: Vec<(Standing, i64)>,
+    /// Sum of the exponents of constants: `J + m l²`.
+    weight: u64,
     constants: Vec<Standing>,
     tie: Expr,
 }
 
+/// The symbols among the factors of a term.
+#[derive(Default)]
+struct Letters {
+    /// Those that are not constant, with minus their exponent.
+    state: Vec<(Standing, i64)>,
+    /// Constants (and sums of constants, by their first), with the size of the exponent.
+    constants: Vec<(Standing, u64)>,
+}
+
 impl Survey<'_> {
+    /// The order for a plain sum of these terms.
+    pub fn settle_side(&mut self, terms: &[(Expr, Rational)], side: Side) -> Side {
+        let squares = side == Side::Plain && terms.iter().any(|t| self.traits(t.0).rates.1 >= 2);
+        if squares { Side::Quadratic } else { side }
+    }
+
     /// The key of a term of a sum.
     pub fn term_key(&mut self, term: Expr, side: Side) -> TermKey {
         let traits = self.traits(term);
-        let acceleration = match (side, traits.acceleration) {
-            (Side::Left(own), Some(i)) if i as usize == own => 0,
+        let Letters { state, constants } = self.letters(term);
+        let leader = match side {
+            Side::Momentum(_) => state.iter().find(|s| s.0.class == SymbolClass::Rate).map(|s| s.0.rank),
+            _ => traits.acceleration,
+        };
+        let leader = match (side, leader) {
+            (Side::Left(own) | Side::Momentum(own), Some(i)) if i as usize == own => 0,
             (_, Some(i)) => i.saturating_add(1),
             (_, None) => u32::MAX,
         };
         let category = match side {
             Side::Right => traits.load(),
+            Side::Angle if traits.class == SymbolClass::Constant => u8::MAX,
+            Side::Quadratic => u8::MAX - u8::try_from(traits.rates.1).unwrap_or(u8::MAX),
             _ => traits.class as u8,
         };
-        let (state, constants) = self.plain_factors(term);
         TermKey {
-            acceleration,
+            leader,
             category,
             functions: traits.functions,
             varying: traits.class >= SymbolClass::Rate && (traits.coordinates > 0 || traits.nonlinear),
             time_primes: traits.time_primes,
             degree: if traits.rates.1 > 0 { traits.rates.1 } else { traits.coordinates },
             state,
-            constants,
+            weight: constants.iter().map(|c| c.1).sum(),
+            constants: constants.into_iter().map(|c| c.0).collect(),
             tie: term,
         }
     }
 
     /// The symbols among the factors of a term.
-    fn plain_factors(&mut self, term: Expr) -> (Vec<(Standing, i64)>, Vec<Standing>) {
+    fn letters(&mut self, term: Expr) -> Letters {
         let graph = self.graph;
         let one = [(term, Rational::ONE)];
         let factors: &[(Expr, Rational)] = match graph.node(term) {
             Node::Product { factors, .. } => factors,
             _ => &one,
         };
-        let (mut state, mut constants) = (vec![], vec![]);
+        let Letters { mut state, mut constants } = Letters::default();
         for (base, exponent) in factors {
             let traits = self.traits(*base);
             let Some(first) = traits.first else { continue };
             if traits.class == SymbolClass::Constant {
-                constants.push(first);
+                constants.push((first, exponent.to_i64().map_or(1, |n| n.unsigned_abs().min(1000))));
             } else if let Node::Symbol(_) = graph.node(*base) {
                 state.push((first, -exponent.to_i64().unwrap_or(0)));
             }
         }
         state.sort_by(|a, b| b.0.class.cmp(&a.0.class).then(a.cmp(b)));
         constants.sort();
-        (state, constants)
+        Letters { state, constants }
     }
 
     /// The key of a factor of a product.
-    pub fn factor_key(&mut self, base: Expr, exponent: &Rational) -> FactorKey {
+    pub fn factor_key(&mut self, base: Expr) -> FactorKey {
         let traits = self.traits(base);
         let (group, function) = match self.graph.node(base) {
             Node::Number(_) => (0, 0),
@@ -269,15 +301,7 @@ impl Survey<'_> {
             _ => (2, 0),
         };
         let composite = !matches!(self.graph.node(base), Node::Symbol(_)) && traits.class != SymbolClass::Constant;
-        let mut first = traits.first;
-        if let Some(standing) = &mut first
-            && standing.class == SymbolClass::Constant
-            && standing.rank == RATIO
-            && !exponent.is_one()
-        {
-            standing.rank = OTHER;
-        }
-        FactorKey { group, class: traits.class, composite, first, argument: self.argument(base), function, tie: base }
+        FactorKey { group, class: traits.class, composite, first: traits.first, argument: self.argument(base), function, tie: base }
     }
 
     fn argument(&self, base: Expr) -> Expr {

@@ -5,17 +5,9 @@ use super::compose::Composer;
 use super::layout::{Identifier, Layout, Relation, Shape};
 use super::order::Side;
 use super::{SymbolClass, latex, lines, mathml, names, text};
+use crate::Language;
 use symbolic::equations::{Equality, StepFormula};
-use symbolic::{Equations, Expr, Function, Graph, Symbol, SymbolId};
-
-/// Language of function names, of the decimal mark and of the slope of Greek letters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-#[allow(missing_docs)]
-pub enum Language {
-    #[default]
-    En,
-    Ru,
-}
+use symbolic::{Equations, Expr, Graph, Symbol, SymbolId};
 
 /// A written form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,12 +46,18 @@ impl Printer {
         Printer { language, classes: Classes::default(), e_is_taken: false, notation: vec![], width: None }
     }
 
-    /// A printer that knows what the symbols of `equations` are.
+    /// A printer that knows what the symbols of `equations` are and how the user wants to see them.
     pub fn of(equations: &Equations, language: Language) -> Printer {
         let graph = &equations.graph;
         let listed = equations.parameters.iter().map(|p| p.symbol).chain(equations.definitions.iter().map(|d| d.symbol));
         let e_is_taken = listed.chain(equations.coordinates.iter().map(|c| c.symbols[0])).any(|s| graph.symbol_info(s).name == "e");
-        Printer { classes: Classes::of(equations), e_is_taken, ..Printer::new(language) }
+        Printer { classes: Classes::of(equations), e_is_taken, notation: equations.notation.clone(), ..Printer::new(language) }
+    }
+
+    /// The same printer in another language.
+    pub fn with_language(mut self, language: Language) -> Printer {
+        self.language = language;
+        self
     }
 
     /// Symbols to print instead of names, as (name, symbol): `("mass", "m")`, `("shaft_speed", "ω_в")`.
@@ -105,7 +103,8 @@ impl Printer {
     /// A formula of the written derivation: `∂T/∂φ' = ...`.
     pub fn step(&self, graph: &Graph, formula: &StepFormula, form: Form) -> String {
         let left = self.step_name(graph, &formula.left);
-        self.write(&equation(left, self.layout(graph, formula.right)), form, Placement::Block)
+        let right = Composer::new(graph, self).compose(formula.right, false, self.step_side(graph, &formula.left));
+        self.write(&equation(left, right), form, Placement::Block)
     }
 
     /// A symbol alone.
@@ -148,8 +147,10 @@ impl Printer {
     /// A symbol as letter, dots and subscript.
     pub fn identifier(&self, symbol: &Symbol) -> Identifier {
         let name = self.notation_of(&symbol.name).unwrap_or(&symbol.name);
-        let mut identifier = names::identifier(name, self.language);
-        identifier.primes = symbol.primes;
+        let bare = name.trim_end_matches('\'');
+        let mut identifier = names::identifier(bare, self.language);
+        let written = u8::try_from(name.len() - bare.len()).unwrap_or(u8::MAX);
+        identifier.primes = symbol.primes.saturating_add(written);
         identifier
     }
 
@@ -164,44 +165,4 @@ impl Printer {
 
 pub(super) fn equation(left: Layout, right: Layout) -> Layout {
     Layout::Related(Box::new(left), Relation::Equal, Box::new(right))
-}
-
-impl Language {
-    /// The decimal mark.
-    pub fn decimal_mark(self) -> char {
-        match self {
-            Language::En => '.',
-            Language::Ru => ',',
-        }
-    }
-    /// Between arguments; not a comma where the comma is decimal.
-    pub(super) fn list_mark(self) -> &'static str {
-        match self {
-            Language::En => ",",
-            Language::Ru => ";",
-        }
-    }
-    /// The last case.
-    pub(super) fn otherwise(self) -> &'static str {
-        match self {
-            Language::En => "otherwise",
-            Language::Ru => "в остальных случаях",
-        }
-    }
-    /// The name of a function in print.
-    pub(super) fn function(self, function: Function) -> &'static str {
-        use Function::{Acos, Asin, Atan, Cosh, Log, Sinh, Tan, Tanh};
-        match (self, function) {
-            (_, Asin) => "arcsin",
-            (_, Acos) => "arccos",
-            (_, Log) => "ln",
-            (Language::En, Atan) => "arctan",
-            (Language::Ru, Tan) => "tg",
-            (Language::Ru, Atan) => "arctg",
-            (Language::Ru, Sinh) => "sh",
-            (Language::Ru, Cosh) => "ch",
-            (Language::Ru, Tanh) => "th",
-            (_, other) => other.name(),
-        }
-    }
 }

@@ -1,6 +1,8 @@
 //! Products: signs, fractions, powers, functions.
 
+use super::classes::SymbolClass;
 use super::compose::Composer;
+use super::language;
 use super::layout::{Bare, Bracket, Layout, Sign};
 use super::numeral::{Numeral, numeral};
 use super::order::Side;
@@ -26,40 +28,31 @@ impl Composer<'_> {
         let mut factors: Vec<Factor> =
             factors.iter().map(|(base, exponent)| Factor { base: *base, exponent: exponent.clone(), flipped: false }).collect();
         let mut negative = coefficient.is_negative();
-        factors.sort_by_cached_key(|f| self.survey.factor_key(f.base, &f.exponent));
+        factors.sort_by_cached_key(|f| self.survey.factor_key(f.base));
         for factor in &mut factors {
             negative ^= self.settle_sign(factor);
-        }
-        if negative && let Some(sum) = factors.iter_mut().rev().find(|f| self.can_flip(f)) {
-            sum.flipped = !sum.flipped;
-            negative = false;
         }
         let body = self.assemble(coefficient, &factors);
         (if negative { Sign::Minus } else { Sign::Plus }, body)
     }
 
-    /// Turns a sum (as a factor or as the argument of an odd or even function) so that its first term is positive. Returns whether
-    /// the product changes sign by that.
+    /// Turns a sum (as a factor or as the argument of an odd or even function) so that its first term in print order is positive:
+    /// −k (φ' − ω) becomes k (ω − φ'), and a length stays a length in −m (l₀ − λ x). Returns whether the product changes sign by that.
     fn settle_sign(&mut self, factor: &mut Factor) -> bool {
-        let (sum, odd) = match self.graph.node(factor.base) {
-            Node::Sum { .. } if factor.exponent.is_integer() => (factor.base, !factor.is_even()),
+        let (sum, odd, side) = match self.graph.node(factor.base) {
+            Node::Sum { .. } if factor.exponent.is_integer() => (factor.base, !factor.is_even(), Side::Plain),
             Node::Call { function, arguments } => match parity(*function) {
-                Some(odd) => (arguments[0], odd && !factor.is_even()),
+                Some(odd) => (arguments[0], odd && !factor.is_even(), argument_side(*function)),
                 None => return false,
             },
             _ => return false,
         };
-        let free = !matches!(self.graph.node(factor.base), Node::Call { .. }) || factor.exponent.is_integer() || !odd;
-        if !free || !self.signs(sum).is_some_and(|(leading, _)| leading) {
+        let free = factor.exponent.is_integer() || !odd;
+        if !free || !self.leads_negative(sum, side) {
             return false;
         }
         factor.flipped = true;
         odd
-    }
-
-    /// k (φ' − ω) may become −k (ω − φ').
-    fn can_flip(&mut self, factor: &Factor) -> bool {
-        factor.exponent.is_integer() && !factor.is_even() && self.signs(factor.base).is_some_and(|(_, mixed)| mixed)
     }
 
     fn assemble(&mut self, coefficient: &Rational, factors: &[Factor]) -> Layout {
@@ -74,7 +67,7 @@ impl Composer<'_> {
                 below.push(d);
             }
         }
-        // functions follow the fraction: on one line `m g l cos φ/2` would read as the cosine of φ/2
+        // functions follow a simple fraction, (m g l/2) cos φ, and stand above the bar of a fraction over a sum
         let mut functions = vec![];
         for factor in factors {
             if factor.exponent.is_negative() {
@@ -92,7 +85,7 @@ impl Composer<'_> {
             above.append(&mut functions);
             return if above.is_empty() { Layout::digits("1") } else { Layout::product(above) };
         }
-        if above.is_empty() {
+        if above.is_empty() || below.iter().any(Layout::has_sum) {
             above.append(&mut functions);
         }
         if above.is_empty() {
@@ -159,16 +152,17 @@ impl Composer<'_> {
     }
 
     fn named_call(&mut self, function: Function, arguments: &[Expr], flipped: bool, power: Option<String>) -> Layout {
-        let name = self.printer.language.function(function);
+        let name = language::function(self.printer.language, function);
         let (argument, bare) = match arguments {
             [x] => {
-                let argument = self.compose(*x, flipped, Side::Plain);
-                let bare = bareness(&argument);
+                let argument = self.compose(*x, flipped, argument_side(function));
+                let phase = self.survey.traits(*x).class == SymbolClass::Time && is_plain_product(&argument);
+                let bare = if phase { Bare::Always } else { bareness(&argument) };
                 (argument, bare)
             }
             _ => {
                 let items = arguments.iter().map(|x| self.compose(*x, false, Side::Plain)).collect();
-                (Layout::List(items, self.printer.language.list_mark()), Bare::Never)
+                (Layout::List(items, language::list_mark(self.printer.language)), Bare::Never)
             }
         };
         Layout::Call { name, power, argument: Box::new(argument), bare }
@@ -183,6 +177,25 @@ fn parity(function: Function) -> Option<bool> {
         Cos | Cosh | Abs => Some(false),
         _ => None,
     }
+}
+
+/// Angles end with their constants: `sin(ω t + α)`, `cos(φ − π/6)`.
+fn argument_side(function: Function) -> Side {
+    match function {
+        Function::Sin | Function::Cos | Function::Tan => Side::Angle,
+        _ => Side::Plain,
+    }
+}
+
+/// Numbers and letters that may stand close together without being read as one name: `cos 2ωt`.
+fn is_plain_product(layout: &Layout) -> bool {
+    let Layout::Product(factors) = layout else { return false };
+    factors.len() <= 3
+        && factors.iter().enumerate().all(|(i, f)| match f {
+            Layout::Number { exponent: None, .. } => i == 0,
+            Layout::Symbol(s) => s.primes == 0 && s.base.chars().count() == 1 && s.has_plain_index(),
+            _ => false,
+        })
 }
 
 /// `cos φ`, `cos 2φ`; a fraction is bare only under its bar.

@@ -1,7 +1,9 @@
 //! Left sides of the written derivation: T₁, ∂T/∂φ', d/dt ∂T/∂φ'.
 
+use super::classes::SymbolClass;
 use super::layout::{Layout, Shape};
 use super::names;
+use super::order::Side;
 use super::printer::Printer;
 use symbolic::equations::StepName;
 use symbolic::{Expr, Graph};
@@ -17,6 +19,19 @@ impl Printer {
                 Layout::Row(vec![by_time, Layout::Words(" ".into()), self.partial(graph, of, *by)])
             }
             StepName::Formula(e) => self.layout(graph, *e),
+        }
+    }
+
+    /// The order of the terms on the right of this left side.
+    pub(super) fn step_side(&self, graph: &Graph, name: &StepName) -> Side {
+        let own = |by: Expr| {
+            let standing = self.classes.standing(graph, graph.as_symbol(by)?);
+            (standing.class == SymbolClass::Rate).then_some(standing.rank as usize)
+        };
+        match name {
+            StepName::Partial { by, .. } => own(*by).map_or(Side::Plain, Side::Momentum),
+            StepName::TimeDerivativeOfPartial { by, .. } => own(*by).map_or(Side::Plain, Side::Left),
+            _ => Side::Plain,
         }
     }
 

@@ -1,6 +1,7 @@
 //! Switches as cases with readable conditions.
 
 use super::compose::Composer;
+use super::language;
 use super::layout::{Layout, Relation, Row};
 use super::order::Side;
 use symbolic::{Expr, Node, Rational};
@@ -29,7 +30,7 @@ impl Composer<'_> {
         }
         let condition = match only {
             Some((guard, relation)) if rows.len() == 1 => self.condition(guard, relation.opposite()),
-            _ => Layout::Words(self.printer.language.otherwise().into()),
+            _ => Layout::Words(language::otherwise(self.printer.language).into()),
         };
         rows.push(Row { value: self.compose(last, false, Side::Plain), condition });
         Layout::Cases(rows)

@@ -159,25 +159,19 @@ fn sum(terms: &[(Sign, Layout)], out: &mut String) {
 fn product(factors: &[Layout], space: &str, out: &mut String) {
     for (i, factor) in factors.iter().enumerate() {
         if i > 0 {
-            out.push_str(if starts_with_digit(factor) { "·" } else { space });
+            out.push_str(if factor.starts_with_digit() { "·" } else { space });
         }
         part(factor, matches!(factor, Layout::Fraction(..) | Layout::Sum(_)), out);
-    }
-}
-
-fn starts_with_digit(layout: &Layout) -> bool {
-    match layout {
-        Layout::Number { .. } => true,
-        Layout::Power(base, _) => starts_with_digit(base),
-        _ => false,
     }
 }
 
 /// `cos φ/2` would read as the cosine of φ/2.
 fn needs_brackets_above(layout: &Layout) -> bool {
     match layout {
-        Layout::Sum(_) | Layout::Fraction(..) | Layout::Call { .. } | Layout::Root { .. } | Layout::Related(..) => true,
-        Layout::Product(factors) => factors.iter().any(|f| matches!(f, Layout::Call { .. })),
+        Layout::Sum(_) | Layout::Fraction(..) | Layout::Related(..) => true,
+        Layout::Call { bare, .. } => *bare == Bare::Always,
+        Layout::Root { radicand, .. } => matches!(**radicand, Layout::Symbol(_)),
+        Layout::Product(factors) => factors.last().is_some_and(needs_brackets_above),
         _ => false,
     }
 }
@@ -225,13 +219,15 @@ fn root(degree: u32, radicand: &Layout, out: &mut String) {
             return;
         }
     }
-    let bare = match radicand {
+    part(radicand, !is_bare_radicand(radicand), out);
+}
+
+fn is_bare_radicand(radicand: &Layout) -> bool {
+    match radicand {
         Layout::Symbol(identifier) => identifier.primes == 0,
         Layout::Number { exponent, .. } => exponent.is_none(),
-        Layout::Fence(..) => true,
         _ => false,
-    };
-    part(radicand, !bare, out);
+    }
 }
 
 fn cases(rows: &[Row], out: &mut String) {
@@ -272,18 +268,19 @@ fn subscript(identifier: &Identifier) -> String {
 /// For plots: dots above the letter and, where Unicode has the letters, a lowered subscript.
 pub(super) fn label(identifier: &Identifier) -> String {
     let mut out = identifier.base.clone();
-    match identifier.primes {
+    match identifier.dots() {
         0 => {}
         1 => out.push('\u{307}'),
         2 => out.push('\u{308}'),
-        3 => out.push('\u{20db}'),
-        n => out.extend(std::iter::repeat_n('′', n.into())),
+        _ => out.push('\u{20db}'),
     }
     let index: String = identifier.subscript.iter().map(|i| i.text.as_str()).collect();
     match index.chars().map(lowered).collect::<Option<String>>() {
-        Some(low) => out + &low,
-        None => out + &subscript(identifier),
+        Some(low) => out.push_str(&low),
+        None => out.push_str(&subscript(identifier)),
     }
+    out.extend(std::iter::repeat_n('′', identifier.raised_primes()));
+    out
 }
 
 fn raised(digits: &str) -> Option<String> {

@@ -40,12 +40,12 @@ fn figure(figure: &Figure, language: Language) -> Value {
         .map(|(i, s)| {
             let kept = match (shared, curves) {
                 (true, _) => joint.clone(),
-                (_, true) => decimate::buckets(&s.x, &[&s.y], MOST_POINTS / 5),
+                (_, true) => decimate::buckets(&s.x, &[&s.y], MOST_POINTS / 3),
                 _ => decimate::plane(&s.x, &s.y, 2000, MOST_POINTS),
             };
             let (colour, dash) = style(i);
             json!({
-                "html": symbol::html(&s.name), "name": symbol::plain(&s.name), "label": s.label,
+                "html": symbol::html(&s.name), "name": symbol::plain(&s.name), "label": s.label, "unit": figure.y.unit(i, language),
                 "colour": [colour, DARK[i % DARK.len()]], "dash": dash,
                 "x": if shared && i > 0 { Value::Null } else { rounded(&s.x, &kept, size_x) },
                 "y": rounded(&s.y, &kept, size_y),
@@ -66,7 +66,7 @@ fn figure(figure: &Figure, language: Language) -> Value {
 fn joint_points(figure: &Figure) -> Vec<usize> {
     let Some(first) = figure.series.first() else { return Vec::new() };
     let ys: Vec<&[f64]> = figure.series.iter().map(|s| s.y.as_slice()).collect();
-    decimate::buckets(&first.x, &ys, (MOST_POINTS / (2 + 2 * ys.len())).max(300))
+    decimate::buckets(&first.x, &ys, (MOST_POINTS / (1 + 2 * ys.len())).max(300))
 }
 
 fn axis(axis: &Axis, language: Language) -> Value {

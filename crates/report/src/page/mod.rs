@@ -24,10 +24,17 @@ const UPLOT_LICENSE: &str = include_str!("../../assets/uplot/LICENSE");
 use crate::document::Formula;
 
 /// What a page may carry besides the document.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Options<'a> {
-    /// A WOFF2 font with a table for mathematics, so that brackets stretch on machines without one.
+    /// A WOFF2 font with a table for mathematics, so that brackets stretch and dots stand on machines without one; the
+    /// default is [`crate::formula::MATH_FONT`].
     pub math_font: Option<&'a [u8]>,
+}
+
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Options { math_font: Some(crate::formula::MATH_FONT) }
+    }
 }
 
 /// The page as text in UTF-8.

@@ -1,12 +1,13 @@
 //! Formulas as the cards and textbooks print them.
 
 use super::reading::read;
-use crate::formula::{Form, Language, Printer, SymbolClass};
+use crate::Language;
+use crate::formula::{Form, Printer, SymbolClass};
 use symbolic::Graph;
 use symbolic::equations::Equality;
 
 /// A graph whose symbols are created in the given order, and a printer that knows them.
-fn machine(parameters: &str, times: &str, coordinates: &str) -> (Graph, Printer) {
+pub fn machine(parameters: &str, times: &str, coordinates: &str) -> (Graph, Printer) {
     let mut graph = Graph::new();
     let mut printer = Printer::new(Language::En);
     for name in parameters.split_whitespace() {
@@ -37,7 +38,7 @@ fn machine(parameters: &str, times: &str, coordinates: &str) -> (Graph, Printer)
     (graph, printer)
 }
 
-fn shaft() -> (Graph, Printer) {
+pub fn shaft() -> (Graph, Printer) {
     machine("g M! M_h! M_r! m! l e c_x! c_y! b_x! b_y! k!", "t omega psi", "x y phi")
 }
 
