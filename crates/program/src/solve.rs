@@ -17,7 +17,7 @@ pub(crate) struct Factor {
     general: bool,
 }
 
-/// A pivot below this part of the largest entry of its row has lost all digits to cancellation.
+/// A pivot below this part, times n, of the largest entry of its row has lost all digits to cancellation.
 const SINGULAR: f64 = 4.0 * f64::EPSILON;
 
 impl Factor {
@@ -65,7 +65,7 @@ impl Factor {
                 pivot -= l * row[j];
                 row[j] = l;
             }
-            if pivot.is_nan() || pivot <= SINGULAR * diagonal {
+            if pivot.is_nan() || pivot <= SINGULAR * n as f64 * diagonal {
                 return false;
             }
             row[i] = pivot;
@@ -96,7 +96,7 @@ impl Factor {
                 }
             }
             let found = merit(best, &self.square);
-            if found.is_nan() || found <= SINGULAR {
+            if found.is_nan() || found <= SINGULAR * n as f64 {
                 return Err(column);
             }
             self.exchanges.push(best);

@@ -225,3 +225,37 @@ fn read_entry(word: &str) -> Option<Option<Register>> {
 fn read_coefficient(word: &str) -> Option<Coefficient> {
     read_register(word).map(Coefficient::Register).or_else(|| word.parse().ok().map(Coefficient::number))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::parse;
+
+    #[test]
+    fn unreadable_lines_are_named() {
+        let head = "tape a\ninputs parameters=0 states=0 accelerations=0 modes=0\nprologue\n";
+        for line in [
+            "  %0 = nothing 1",
+            "  %0 = number",
+            "  %0 = number x",
+            "  %0",
+            "  %0 %1 = number 1",
+            "  %0 %2 = sincos %0",
+            "prologues",
+            "\u{444}",
+        ] {
+            let fault = parse(&format!("{head}{line}\n")).unwrap_err();
+            assert_eq!(fault.code, "P021", "{line}");
+            assert!(fault.what.en.contains('4'), "{}", fault.what.en);
+        }
+    }
+
+    #[test]
+    fn every_bit_of_a_literal_survives() {
+        for value in [0.1, 1e300, 5e-324, -2.5e-17, 1.0 / 3.0, f64::MAX] {
+            let text = format!(
+                "tape a\ninputs parameters=0 states=0 accelerations=0 modes=0\nprologue\n  %0 = number {value:?}\nbody\nguards\nroots\n  %0 r\n"
+            );
+            assert_eq!(parse(&text).unwrap().to_string(), text);
+        }
+    }
+}

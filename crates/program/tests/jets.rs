@@ -269,3 +269,52 @@ fn singular_mass_names_the_acceleration() {
     assert_eq!(fault.code, "P005");
     assert!(fault.what.en.contains("phi_1''"), "{}", fault.what.en);
 }
+
+/// s' = sign(s) + |s| + max(s, t): each mode selects its smooth piece, zero included.
+#[test]
+fn modes_select_pieces_and_guards_follow_the_state() {
+    let mut e = empty(Graph::new());
+    let t = e.graph.symbol(e.time);
+    let id = e.graph.symbol_id("s", 0);
+    let s = e.graph.symbol(id);
+    let sign = e.graph.call(Function::Sign, &[s]);
+    let abs = e.graph.call(Function::Abs, &[s]);
+    let max = e.graph.call(Function::Max, &[s, t]);
+    let rate = e.graph.sum(&[sign, abs, max]);
+    auxiliary(&mut e, "s", rate);
+    let bound = bind(&e);
+    let guards = &bound.program().guards;
+    let (own, other) = if guards[0].right.is_none() { (0, 1) } else { (1, 0) };
+    let mut jets = bound.jets(3);
+    let mut modes = [Mode::Positive; 2];
+    let mut expand = |own_mode: Mode, other_mode: Mode, x: f64| {
+        modes[own] = own_mode;
+        modes[other] = other_mode;
+        jets.expand(0.0, &[x], &modes, 3).unwrap();
+        (jets.state(0).to_vec(), jets.guard(own).to_vec(), jets.guard(other).to_vec())
+    };
+    // the second guard is t - s: arguments of max have one order
+    assert_eq!(bound.program().guards[other].right, Some(s));
+    // s' = 1 + s + s, s = (e^{2t}(2 s0 + 1) - 1)/2
+    let (state, guard, difference) = expand(Mode::Positive, Mode::Negative, 0.5);
+    assert_eq!(state, [0.5, 2.0, 2.0, 4.0 / 3.0]);
+    assert_eq!(guard, state);
+    assert_eq!(difference, [-0.5, -1.0, -2.0, -4.0 / 3.0]);
+    // s' = -1 - s + t
+    assert_eq!(expand(Mode::Negative, Mode::Positive, -1.0).0, [-1.0, 0.0, 0.5, -0.5 / 3.0]);
+    // held at zero: s' = 0 + 0 + t
+    assert_eq!(expand(Mode::Zero, Mode::Positive, 0.0).0, [0.0, 0.0, 0.5, 0.0]);
+}
+
+/// A stiff scale of coefficients overflows: a fault, not a number.
+#[test]
+fn overflow_is_a_fault() {
+    let mut e = empty(Graph::new());
+    let id = e.graph.symbol_id("s", 0);
+    let s = e.graph.symbol(id);
+    let rate = e.graph.square(s);
+    auxiliary(&mut e, "s", rate);
+    let bound = bind(&e);
+    assert_eq!(bound.jets(20).expand(0.0, &[1e100], &[], 20).unwrap_err().code, "P006");
+    assert_eq!(bound.jets(20).expand(0.0, &[1.0, 2.0], &[], 20).unwrap_err().code, "P008");
+}

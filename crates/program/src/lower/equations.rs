@@ -2,8 +2,9 @@
 
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
 use crate::{ENERGY, Fault, Program, Register, Root, Tape};
+use std::collections::HashSet;
 use std::sync::Arc;
-use symbolic::{Derivation, Equations, Expr, SymbolId};
+use symbolic::{Derivation, Equations, Expr, Graph, Substitution, SymbolId};
 
 /// Lowers equations of motion.
 ///
@@ -128,46 +129,60 @@ fn second(equations: &Equations) -> Result<Tape, Fault> {
         roots.push(Root { name: format!("second {}", i + 1), register: lowering.register(*e)? });
     }
     for i in 0..n {
-        let mut items = Vec::with_capacity(n + 1);
-        for j in 0..n {
-            let entry = lowering.register(equations.mass.get(i.max(j), i.min(j)))?;
-            let acceleration = lowering.acceleration(j);
-            items.push((1.0, lowering.times(entry, acceleration)));
-        }
-        items.push((-1.0, lowering.register(equations.force[i])?));
-        roots.push(Root { name: format!("first {}", i + 1), register: lowering.total(&items) });
+        let entries: Vec<Expr> = (0..n).map(|j| equations.mass.get(i.max(j), i.min(j))).collect();
+        let register = lowering.residual(&entries, equations.force[i])?;
+        roots.push(Root { name: format!("first {}", i + 1), register });
     }
     Ok(lowering.finish("second", roots)?.0)
 }
 
-/// h(q, 0, s, t) and ∂h/∂q.
+/// h(q, 0, s, t) and ∂h/∂q. Rates are replaced by zero before differentiation, which leaves little of most systems.
 fn statics(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
     let mut graph = equations.graph.clone();
-    let rates: Vec<SymbolId> = equations.coordinates.iter().map(|c| c.symbols[1]).collect();
-    let mut roots: Vec<(String, Expr)> = Vec::new();
-    for (i, h) in equations.force.iter().enumerate() {
-        roots.push((format!("h {}", names.states[i]), *h));
-    }
-    let mut columns = Vec::new();
+    let zero = graph.zero();
+    let mut rest = Substitution::new(equations.coordinates.iter().map(|c| (c.symbols[1], zero)));
+    let force: Vec<Expr> = equations.force.iter().map(|h| rest.apply(&mut graph, *h)).collect();
+    let definitions: Vec<(SymbolId, Expr)> = equations.definitions.iter().map(|d| (d.symbol, rest.apply(&mut graph, d.formula))).collect();
+    let moving = over_coordinates(equations, &graph, &definitions);
+
+    let mut roots: Vec<(String, Expr)> = names.states.iter().map(|s| format!("h {s}")).zip(force.iter().copied()).collect();
+    let mut columns = Vec::with_capacity(force.len());
     for coordinate in &equations.coordinates {
-        // a definition is a function of q as well: its derivative seeds the chain rule, earlier definitions first
-        let mut seeds = vec![(coordinate.symbols[0], graph.one())];
-        for d in &equations.definitions {
-            let inner = Derivation::new(seeds.iter().copied()).apply(&mut graph, d.formula);
-            if !graph.is_zero(inner) {
-                seeds.push((d.symbol, inner));
-            }
-        }
-        let mut derivation = Derivation::new(seeds);
-        columns.push(equations.force.iter().map(|h| derivation.apply(&mut graph, *h)).collect::<Vec<_>>());
+        let mut derivation = chain_rule(&mut graph, coordinate.symbols[0], &moving);
+        columns.push(force.iter().map(|h| derivation.apply(&mut graph, *h)).collect::<Vec<_>>());
     }
-    for i in 0..equations.force.len() {
+    for i in 0..force.len() {
         for (j, column) in columns.iter().enumerate() {
             roots.push((format!("dh {}/d {}", names.states[i], names.states[j]), column[i]));
         }
     }
-    let inputs = Inputs { zeros: rates, ..over_states(equations) };
+    let inputs = Inputs { definitions, ..over_states(equations) };
     Lowering::new(&graph, &inputs, Switches::Value).tape("statics", &roots)
+}
+
+/// The definitions that depend on a coordinate, directly or through earlier ones.
+fn over_coordinates(equations: &Equations, graph: &Graph, definitions: &[(SymbolId, Expr)]) -> Vec<(SymbolId, Expr)> {
+    let mut varying: HashSet<SymbolId> = equations.coordinates.iter().map(|c| c.symbols[0]).collect();
+    let mut moving = Vec::new();
+    for (symbol, formula) in definitions {
+        if graph.contains(*formula, |s| varying.contains(&s)) {
+            varying.insert(*symbol);
+            moving.push((*symbol, *formula));
+        }
+    }
+    moving
+}
+
+/// ∂/∂symbol where definitions are functions of it: D d is the derivative of its formula, earlier definitions first.
+fn chain_rule(graph: &mut Graph, symbol: SymbolId, definitions: &[(SymbolId, Expr)]) -> Derivation {
+    let mut seeds = vec![(symbol, graph.one())];
+    for (definition, formula) in definitions {
+        let inner = Derivation::new(seeds.iter().copied()).apply(graph, *formula);
+        if !graph.is_zero(inner) {
+            seeds.push((*definition, inner));
+        }
+    }
+    Derivation::new(seeds)
 }
 
 /// x at the start, over parameters.

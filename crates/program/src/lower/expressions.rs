@@ -136,28 +136,22 @@ impl<'g, 't> Lowering<'g, 't> {
         self.builder.literal(r) == Some(0.0)
     }
 
-    /// Σ items.
-    pub(super) fn total(&mut self, items: &[(f64, Register)]) -> Register {
-        let items: Vec<(f64, Value)> = items.iter().map(|(f, r)| (*f, self.builder.classify(*r))).collect();
+    /// Σ entry·acceleration - force.
+    pub(super) fn residual(&mut self, entries: &[Expr], force: Expr) -> Result<Register, Fault> {
+        let mut items = Vec::with_capacity(entries.len() + 1);
+        for (slot, entry) in (0..).zip(entries) {
+            let entry = self.value(*entry)?;
+            let acceleration = Value::Plain(self.builder.push(Operation::Acceleration(slot)));
+            items.push((1.0, self.builder.times(entry, acceleration)));
+        }
+        items.push((-1.0, self.value(force)?));
         let sum = self.builder.sum(0.0, &items);
-        self.builder.whole(sum)
-    }
-
-    /// a·b.
-    pub(super) fn times(&mut self, a: Register, b: Register) -> Register {
-        let (a, b) = (self.builder.classify(a), self.builder.classify(b));
-        let product = self.builder.product(1.0, &[(a, &Rational::ONE), (b, &Rational::ONE)]);
-        self.builder.whole(product)
+        Ok(self.builder.whole(sum))
     }
 
     /// The state of that slot.
     pub(super) fn state(&mut self, slot: usize) -> Register {
         self.builder.push(Operation::State(slot as u32))
-    }
-
-    /// The given acceleration of that slot.
-    pub(super) fn acceleration(&mut self, slot: usize) -> Register {
-        self.builder.push(Operation::Acceleration(slot as u32))
     }
 
     /// The tape with these roots, and the guards met.

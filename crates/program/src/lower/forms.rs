@@ -10,6 +10,9 @@ use crate::{By, Coefficient, Operation, Register, Unary};
 use rustc_hash::FxHashMap;
 use symbolic::{Function, Rational};
 
+/// Up to so many terms a scan is faster than a table.
+const FEW: usize = 16;
+
 /// The value of an expression.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Value {
@@ -47,6 +50,11 @@ impl Builder {
         }
     }
 
+    /// a·b.
+    pub(super) fn times(&mut self, a: Value, b: Value) -> Value {
+        self.product(1.0, &[(a, &Rational::ONE), (b, &Rational::ONE)])
+    }
+
     /// constant + Σ factor·value. Terms with the same rest are collected, their factors added in the prologue.
     pub(super) fn sum(&mut self, constant: f64, items: &[(f64, Value)]) -> Value {
         let mut constants: Vec<(f64, Register)> = Vec::new();
@@ -62,11 +70,16 @@ impl Builder {
                 Value::Plain(r) => (one, r),
                 Value::Scaled(p, r) => (p, r),
             };
-            let i = *place.entry(rest).or_insert_with(|| {
-                groups.push((rest, Vec::new()));
-                groups.len() - 1
-            });
-            groups[i].1.push((*factor, inner));
+            let known = if items.len() > FEW { place.get(&rest).copied() } else { groups.iter().position(|g| g.0 == rest) };
+            match known {
+                Some(i) => groups[i].1.push((*factor, inner)),
+                None => {
+                    if items.len() > FEW {
+                        place.insert(rest, groups.len());
+                    }
+                    groups.push((rest, vec![(*factor, inner)]));
+                }
+            }
         }
         let constant = self.constant_sum(constant, &constants);
         let mut terms: Vec<(Register, Register)> = Vec::with_capacity(groups.len());
@@ -125,9 +138,9 @@ impl Builder {
 
     /// Sorts base^exponent into numerator and denominator.
     fn factor(&mut self, value: Value, exponent: &Rational, top: &mut Vec<Register>, bottom: &mut Vec<Register>) {
-        let doubled = exponent + exponent;
-        let whole = exponent.to_i64().filter(|n| n.unsigned_abs() <= 64);
-        let half = doubled.to_i64().filter(|n| n.unsigned_abs() <= 64);
+        let small = |r: &Rational| r.to_i64().filter(|n| n.unsigned_abs() <= 64);
+        let whole = small(exponent);
+        let half = if whole.is_none() { small(&(exponent + exponent)) } else { None };
         let list = if exponent.is_negative() { bottom } else { top };
         match (whole, half, value) {
             (Some(n), _, Value::Scaled(factor, rest)) => {
@@ -162,7 +175,7 @@ impl Builder {
         let base = self.whole(base);
         let log = self.unary(Unary::Log, base);
         let log = self.classify(log);
-        let argument = self.product(1.0, &[(exponent, &Rational::ONE), (log, &Rational::ONE)]);
+        let argument = self.times(exponent, log);
         let argument = self.whole(argument);
         let power = self.unary(Unary::Exp, argument);
         self.classify(power)
