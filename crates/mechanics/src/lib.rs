@@ -2,9 +2,13 @@
 //! nothing.
 
 pub mod diagnostic;
+mod fault;
+pub mod formula;
 pub mod model;
+pub mod units;
 
 pub use diagnostic::{Diagnostic, Severity, Source};
+pub use fault::Fault;
 pub use model::Model;
 
 /// What reading a model file gives.
