@@ -20,6 +20,8 @@ pub(crate) struct Builder {
     pub graph: Graph,
     pub time: SymbolId,
     pub requests: Vec<Request>,
+    /// Symbols of parameters that occur in some formula.
+    pub used: HashSet<SymbolId>,
     requested: HashSet<SymbolId>,
     work: usize,
 }
@@ -28,7 +30,7 @@ impl Builder {
     pub(crate) fn new() -> Builder {
         let mut graph = Graph::new();
         let time = graph.symbol_id("t", 0);
-        Builder { graph, time, requests: Vec::new(), requested: HashSet::new(), work: 0 }
+        Builder { graph, time, requests: Vec::new(), used: HashSet::new(), requested: HashSet::new(), work: 0 }
     }
 
     fn request(&mut self, name: &str, primes: u8, kind: RequestKind, dimension: &Dimension) -> Expr {
@@ -147,7 +149,10 @@ fn name_value(name: &str, primes: u8, scope: &Scope, builder: &mut Builder) -> R
     let Some(entry) = scope.get(name) else { return Ok(fallback(builder)) };
     let of = match entry.kind {
         EntryKind::Coordinate(symbols) => return Ok(builder.graph.symbol(symbols[usize::from(primes.min(2))])),
-        EntryKind::Parameter(symbol) => builder.graph.symbol(symbol),
+        EntryKind::Parameter(symbol) => {
+            builder.used.insert(symbol);
+            builder.graph.symbol(symbol)
+        }
         EntryKind::Output(Some(formula)) => formula,
         EntryKind::Output(None) => fallback(builder),
     };

@@ -7,9 +7,9 @@ mod lower;
 mod parse;
 mod scope;
 
-pub(crate) use check::{Checked, Context, Depends, Kind, check, mismatch};
+pub(crate) use check::{Context, Depends, Kind, check, mismatch};
 pub use kinematic::FUNCTIONS as KINEMATIC_FUNCTIONS;
 pub(crate) use lex::is_identifier;
 pub(crate) use lower::{Builder, lower};
-pub(crate) use parse::{Ast, Formula, parse};
+pub(crate) use parse::{Formula, parse};
 pub(crate) use scope::{Entry, EntryKind, Place, Scope};

@@ -82,7 +82,30 @@ impl Formula {
             _ => None,
         })
     }
-    /// The number it is, when it is written as one number or quantity with an optional sign.
+    /// The number it is, when it is one number without a unit and not zero.
+    pub(crate) fn bare_number(&self) -> Option<&Rational> {
+        match &self.nodes[..] {
+            [(Ast::Number(n), _)] => Some(n),
+            _ => None,
+        }
+    }
+    /// Whether it is one number other than zero, without a unit.
+    pub(crate) fn is_bare_number(&self) -> bool {
+        self.bare_number().is_some_and(|n| !n.is_zero())
+    }
+    /// Whether it contains nothing but numbers.
+    pub(crate) fn is_symbol_free(&self) -> bool {
+        self.nodes.iter().all(|(node, _)| match node {
+            Ast::Name { name, .. } => name == "pi" || name == "π",
+            Ast::Kinematic { .. } => false,
+            _ => true,
+        })
+    }
+    /// Whether it is one quantity in Hz.
+    pub(crate) fn counts_periods(&self) -> bool {
+        matches!(&self.nodes[..], [(Ast::Quantity(q), _)] if q.unit.counts_periods)
+    }
+    /// Whether it is written as one number or quantity with an optional sign.
     pub(crate) fn is_literal(&self) -> bool {
         self.nodes.iter().all(|(node, _)| match node {
             Ast::Number(_) | Ast::Quantity(_) => true,

@@ -11,6 +11,7 @@ mod outputs;
 mod overrides;
 mod parameters;
 mod reader;
+mod shapes;
 mod studies;
 mod syntax;
 

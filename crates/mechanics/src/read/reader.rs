@@ -17,7 +17,9 @@ use toml::de::DeValue;
 pub(super) struct Reader<'a> {
     text: &'a str,
     pub overrides: Vec<(String, Snippet<'static>)>,
-    pub override_index: HashMap<String, usize>,
+    override_index: HashMap<String, usize>,
+    /// Names of formulas and where they were declared.
+    pub claimed: HashMap<String, Range<usize>>,
     diagnostics: Vec<Diagnostic>,
     pub builder: Builder,
     pub scope: Scope,
@@ -54,6 +56,7 @@ impl<'a> Reader<'a> {
             text,
             overrides,
             override_index,
+            claimed: HashMap::new(),
             diagnostics: Vec::new(),
             builder: Builder::new(),
             scope: Scope::default(),

@@ -170,9 +170,7 @@ const LABELS: [(Dimension, &str); 17] = [
 /// The label of the SI unit of a dimension: `m`, `rad/s`, `N m`, `kg m^2`, `1`. Latin, ASCII, readable by [`super::parse_unit`].
 pub fn si_label(dimension: &Dimension) -> String {
     if dimension.is_angular() && dimension.powers.iter().enumerate().all(|(i, p)| i == 2 || *p == Exponent::ZERO) {
-        let mut powers = dimension.powers;
-        let time = powers[2];
-        powers[2] = Exponent::ZERO;
+        let time = dimension.powers[2];
         return match (time.n, time.d) {
             (0, _) => "rad".to_owned(),
             (n, 1) if n < 0 => format!("rad/{}", power("s", Exponent::whole(-n))),
