@@ -140,3 +140,6 @@ fn name_of(file: &str) -> String {
         _ => stem.to_owned(),
     }
 }
+
+#[cfg(test)]
+mod tests;
