@@ -214,23 +214,29 @@ impl Writer<'_> {
         if audits.is_empty() {
             return Vec::new();
         }
-        // a narrow terminal may cut the last column, which must not be the verdict
-        let mut order = [0, 1, 2, 3];
         if self.extent != Extent::Page {
-            order.rotate_left(1);
+            // whole lines, since a table would be cut at the width of the terminal
+            let lines = audits.iter().map(|a| Block::paragraph(self.check(a)));
+            return std::iter::once(self.heading(Word::Checks)).chain(lines).collect();
         }
         let heads = [Word::Check, Word::Value, Word::Limit, Word::Verdict];
-        let mut table = Table::new(order.map(|i| Column::new(self.word(heads[i]))).into());
+        let mut table = Table::new(heads.map(|w| Column::new(self.word(w))).into());
         for audit in audits {
-            let cells = [
+            table.row(vec![
                 Cell::words(self.language.text(&audit.name)),
                 Cell::number(audit.value, 2, self.language),
                 Cell::number(audit.limit, 2, self.language),
                 Cell::Verdict(audit.ok),
-            ];
-            table.row(order.map(|i| cells[i].clone()).into());
+            ]);
         }
         vec![self.heading(Word::Checks), self.table(table, Word::Checks)]
+    }
+
+    fn check(&self, audit: &Audit) -> String {
+        let number = |x| report::number::short(x, 2, self.language);
+        let verdict = report::terminal::verdict(audit.ok, self.language);
+        let (value, limit) = (number(audit.value), number(audit.limit));
+        format!("{verdict}: {}: {value} ({} {limit})", self.language.text(&audit.name), self.word(Word::Limit).to_lowercase())
     }
 
     fn finding(&self, finding: &Finding) -> Vec<Block> {

@@ -65,7 +65,7 @@ pub fn run(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -
 /// Findings about the model.
 pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -> Result<Machine, Failure> {
     let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
-    let reading = mechanics::read::read(&source.text, &source.path, overrides).map_err(findings)?;
+    let reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
     watch.lap(Word::TimeRead);
     let equations = mechanics::derive::derive(&reading.model).map_err(findings)?;
     watch.lap(Word::TimeDerive);

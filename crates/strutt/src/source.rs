@@ -8,7 +8,7 @@ use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 /// Largest model file, bytes; the reader of the model has the same limit.
-const LARGEST: u64 = mechanics::read::MAX_FILE as u64;
+const LARGEST: u64 = mechanics::MAX_FILE as u64;
 
 /// A model file.
 #[derive(Clone, Debug, PartialEq, Eq)]

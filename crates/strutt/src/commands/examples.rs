@@ -43,6 +43,6 @@ fn list(console: &Console) -> Result<(), Failure> {
 
 fn title(example: &gallery::Example, console: &Console) -> String {
     let source = Source::new(example.name, example.text);
-    let reading = mechanics::read::read(&source.text, &source.path, &[]);
+    let reading = mechanics::read(&source.text, &source.path, &[]);
     reading.map_or_else(|_| String::new(), |r| console.language.text(&r.model.title).to_owned())
 }
