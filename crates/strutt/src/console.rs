@@ -91,7 +91,7 @@ impl Console {
     pub fn width(&self) -> usize {
         let columns = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok());
         let asked = || ::console::Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
-        columns.or_else(|| if self.terminal { asked() } else { None }).unwrap_or(100).clamp(60, 200)
+        columns.or_else(|| if self.terminal { asked() } else { None }).unwrap_or(120).clamp(60, 200)
     }
 
     fn style(&self) -> Style {

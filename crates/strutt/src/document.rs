@@ -210,14 +210,14 @@ impl Writer<'_> {
     }
 
     fn checks(&self) -> Vec<Block> {
-        let audits: Vec<&Audit> = self.calculation.audits().collect();
+        let audits = self.calculation.audits();
         if audits.is_empty() {
             return Vec::new();
         }
         if self.extent != Extent::Page {
             // whole lines, since a table would be cut at the width of the terminal
-            let lines = audits.iter().map(|a| Block::paragraph(self.check(a)));
-            return std::iter::once(self.heading(Word::Checks)).chain(lines).collect();
+            let lines: Vec<String> = audits.iter().map(|a| self.check(a)).collect();
+            return vec![self.heading(Word::Checks), Block::paragraph(lines.join("\n"))];
         }
         let heads = [Word::Check, Word::Value, Word::Limit, Word::Verdict];
         let mut table = Table::new(heads.map(|w| Column::new(self.word(w))).into());

@@ -129,9 +129,15 @@ impl Finding {
 }
 
 impl Calculation {
-    /// All checks of all studies.
-    pub fn audits(&self) -> impl Iterator<Item = &Audit> {
-        self.findings.iter().flat_map(|f| &f.data().audits)
+    /// All checks of all studies, equal ones once.
+    pub fn audits(&self) -> Vec<&Audit> {
+        let mut out: Vec<&Audit> = Vec::new();
+        for audit in self.findings.iter().flat_map(|f| &f.data().audits) {
+            if !out.contains(&audit) {
+                out.push(audit);
+            }
+        }
+        out
     }
 }
 
