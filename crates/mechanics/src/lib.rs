@@ -3,10 +3,17 @@
 
 pub mod derive;
 pub mod diagnostic;
+mod fault;
+pub mod fields;
+pub mod formula;
 pub mod model;
+mod read;
+pub mod units;
 
 pub use diagnostic::{Diagnostic, Severity, Source};
+pub use fault::Fault;
 pub use model::Model;
+pub use read::{MAX_FILE, MAX_FINDINGS, read, split_override};
 
 /// What reading a model file gives.
 #[derive(Clone, Debug)]

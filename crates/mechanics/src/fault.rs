@@ -1,0 +1,140 @@
+//! A finding about a piece of text, before it is known where that text stands; and the piece of text with its place.
+
+use crate::diagnostic::{Diagnostic, Severity, Source};
+use std::borrow::Cow;
+use std::ops::Range;
+use symbolic::Text;
+
+/// A finding inside a piece of text; the range counts bytes from its start.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Fault {
+    /// Code of the explanation.
+    pub code: &'static str,
+    /// How bad it is.
+    pub severity: Severity,
+    /// Where, in bytes of the piece.
+    pub span: Range<usize>,
+    /// What is wrong.
+    pub what: Text,
+    /// The likely cause; may be empty.
+    pub why: Text,
+    /// The cure; may be empty.
+    pub help: Text,
+}
+
+impl Fault {
+    pub(crate) fn new(code: &'static str, span: Range<usize>, en: impl Into<String>, ru: impl Into<String>) -> Fault {
+        Fault { code, severity: Severity::Error, span, what: Text::new(en, ru), why: Text::default(), help: Text::default() }
+    }
+    pub(crate) fn why(mut self, en: impl Into<String>, ru: impl Into<String>) -> Fault {
+        self.why = Text::new(en, ru);
+        self
+    }
+    pub(crate) fn help(mut self, en: impl Into<String>, ru: impl Into<String>) -> Fault {
+        self.help = Text::new(en, ru);
+        self
+    }
+    pub(crate) fn warning(mut self) -> Fault {
+        self.severity = Severity::Warning;
+        self
+    }
+    /// The same finding in a text in which this one begins at byte `by`.
+    pub(crate) fn shifted(mut self, by: usize) -> Fault {
+        self.span = self.span.start + by..self.span.end + by;
+        self
+    }
+}
+
+/// Where a piece of text stands.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum Site {
+    /// In the file from this byte on, literally.
+    Literal(usize),
+    /// Somewhere inside this range of the file (a string with escapes, a number).
+    Inside(Range<usize>),
+    /// In an override from this byte on.
+    Override { index: usize, text: String, from: usize },
+}
+
+impl Site {
+    pub(crate) fn source(&self, span: Range<usize>) -> Source {
+        match self {
+            Site::Literal(from) => Source::File(from + span.start..from + span.end),
+            Site::Inside(range) => Source::File(range.clone()),
+            Site::Override { index, text, from } => {
+                Source::Override { index: *index, text: text.clone(), span: from + span.start..from + span.end }
+            }
+        }
+    }
+    pub(crate) fn diagnose(&self, fault: Fault) -> Diagnostic {
+        Diagnostic {
+            code: fault.code,
+            severity: fault.severity,
+            source: self.source(fault.span),
+            what: fault.what,
+            why: fault.why,
+            help: fault.help,
+            related: Vec::new(),
+        }
+    }
+}
+
+/// A piece of text and where it stands.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Snippet<'a> {
+    pub text: Cow<'a, str>,
+    pub site: Site,
+}
+
+impl<'a> Snippet<'a> {
+    /// A part of it, by bytes.
+    pub(crate) fn part(&self, span: Range<usize>) -> Snippet<'a> {
+        let site = match &self.site {
+            Site::Literal(from) => Site::Literal(from + span.start),
+            Site::Inside(range) => Site::Inside(range.clone()),
+            Site::Override { index, text, from } => Site::Override { index: *index, text: text.clone(), from: from + span.start },
+        };
+        let text = match &self.text {
+            Cow::Borrowed(s) => Cow::Borrowed(&s[span]),
+            Cow::Owned(s) => Cow::Owned(s[span].to_owned()),
+        };
+        Snippet { text, site }
+    }
+    /// Without white space at both ends.
+    pub(crate) fn trimmed(&self) -> Snippet<'a> {
+        let start = self.text.len() - self.text.trim_start().len();
+        let end = start + self.text.trim().len();
+        self.part(start..end)
+    }
+    /// All of it.
+    pub(crate) fn all(&self) -> Range<usize> {
+        0..self.text.len()
+    }
+    pub(crate) fn diagnose(&self, fault: Fault) -> Diagnostic {
+        self.site.diagnose(fault)
+    }
+}
+
+/// The nearest of the candidates to a misspelt word, when it is near enough to be meant.
+pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let length = word.chars().count();
+    if length > 60 {
+        return None;
+    }
+    let limit = 1 + length / 4;
+    let mut best: Option<(usize, &str)> = None;
+    // a bounded search: a file of a hundred thousand names must not cost their square
+    for candidate in candidates.into_iter().take(5000) {
+        if candidate.chars().count().abs_diff(length) > limit {
+            continue;
+        }
+        let mut distance = strsim::damerau_levenshtein(word, candidate);
+        if word.to_lowercase() == candidate.to_lowercase() {
+            distance = 0;
+        }
+        if distance <= limit && distance < length.max(2) && best.is_none_or(|(d, _)| distance < d) {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, c)| c)
+}

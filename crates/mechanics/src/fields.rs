@@ -1,0 +1,498 @@
+//! Every key of the model file: what it is, what it defaults to, an example. The reader takes its list of known and required keys from
+//! here, and the reference (`docs/model-file.md`) is generated from here.
+
+/// A pair of wordings, English and Russian.
+pub type Words = (&'static str, &'static str);
+
+/// What a value is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Type {
+    /// A string, or `{ en = "...", ru = "..." }`.
+    Text,
+    /// A plain string.
+    String,
+    /// A formula, a quantity or a number.
+    Formula,
+    /// Two or three formulas.
+    Vector,
+    /// A formula or two or three of them.
+    FormulaOrVector,
+    /// A unit.
+    Unit,
+    /// A name from the file.
+    Name,
+    /// Two names.
+    TwoNames,
+    /// A vector or the name of a point.
+    VectorOrPoint,
+    /// true or false.
+    Bool,
+    /// `["z: psi", "x: alpha"]`.
+    Rotations,
+    /// `disc(R)` and so on.
+    Shape,
+    /// A formula or a table of six.
+    Inertia,
+    /// false, a formula or a vector.
+    Gravity,
+    /// A list of names.
+    Names,
+    /// A list of quantities.
+    Quantities,
+    /// A list of plots.
+    Plots,
+    /// A table of quantities by name.
+    Guess,
+    /// A table of tables or values by name.
+    Table,
+    /// An array of tables.
+    Array,
+}
+
+impl Type {
+    /// In words.
+    pub fn words(self) -> Words {
+        match self {
+            Type::Text => ("text or { en, ru }", "текст или { en, ru }"),
+            Type::String => ("string", "строка"),
+            Type::Formula => ("formula, quantity or number", "формула, величина или число"),
+            Type::Vector => ("array of 2 or 3 formulas", "массив из 2 или 3 формул"),
+            Type::FormulaOrVector => ("formula, or array of 2 or 3 formulas", "формула или массив из 2 или 3 формул"),
+            Type::Unit => ("unit", "единица"),
+            Type::Name => ("name", "имя"),
+            Type::TwoNames => ("array of 2 names", "массив из 2 имён"),
+            Type::VectorOrPoint => ("array of 2 or 3 formulas, or the name of a point", "массив из 2 или 3 формул или имя точки"),
+            Type::Bool => ("true or false", "true или false"),
+            Type::Rotations => ("array of \"axis: angle\"", "массив строк \"ось: угол\""),
+            Type::Shape => ("shape", "форма"),
+            Type::Inertia => ("formula, or table { xx, yy, zz, xy, yz, xz }", "формула или таблица { xx, yy, zz, xy, yz, xz }"),
+            Type::Gravity => ("false, formula, or array of 2 or 3 formulas", "false, формула или массив из 2 или 3 формул"),
+            Type::Names => ("array of names", "массив имён"),
+            Type::Quantities => ("array of quantities", "массив величин"),
+            Type::Plots => ("array of names, arrays of names or { x, y, title }", "массив имён, массивов имён или { x, y, title }"),
+            Type::Guess => ("table of quantities by coordinate", "таблица величин по координатам"),
+            Type::Table => ("table", "таблица"),
+            Type::Array => ("array of tables", "массив таблиц"),
+        }
+    }
+}
+
+/// A key.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    /// Key.
+    pub key: &'static str,
+    /// What its value is.
+    pub ty: Type,
+    /// SI label of the dimension; empty when there is none to speak of.
+    pub dimension: &'static str,
+    /// Whether it must be there.
+    pub required: bool,
+    /// What holds without it; empty when nothing.
+    pub default: &'static str,
+    /// Meaning.
+    pub about: Words,
+    /// An example, as written after `=`.
+    pub example: &'static str,
+}
+
+/// A table of the file.
+#[derive(Clone, Copy, Debug)]
+pub struct TableSpec {
+    /// Name as in headers: `bodies`; entries are `[bodies.NAME]`.
+    pub name: &'static str,
+    /// Meaning.
+    pub about: Words,
+    /// Keys.
+    pub fields: &'static [Field],
+    /// A short form, when there is one.
+    pub short: Option<Words>,
+    /// A running example.
+    pub example: &'static str,
+}
+
+impl TableSpec {
+    /// The key of that name.
+    pub fn field(&self, key: &str) -> Option<&'static Field> {
+        self.fields.iter().find(|f| f.key == key)
+    }
+}
+
+const fn must(key: &'static str, ty: Type, dimension: &'static str, about: Words, example: &'static str) -> Field {
+    Field { key, ty, dimension, required: true, default: "", about, example }
+}
+const fn may(key: &'static str, ty: Type, dimension: &'static str, default: &'static str, about: Words, example: &'static str) -> Field {
+    Field { key, ty, dimension, required: false, default, about, example }
+}
+
+const SYMBOL: Field = may("symbol", Type::String, "", "", ("printed symbol", "обозначение для печати"), "\"\\\\omega_p\"");
+const LABEL: Field = may("label", Type::Text, "", "", ("what it is", "что это"), "{ en = \"mass\", ru = \"масса\" }");
+const ALONG: Field = may(
+    "along",
+    Type::Formula,
+    "",
+    "",
+    ("pathway: a formula of coordinates", "координата элемента: формула от обобщённых координат"),
+    "\"x\"",
+);
+const BETWEEN: Field = may(
+    "between",
+    Type::TwoNames,
+    "",
+    "",
+    (
+        "pathway: distance of two points, or angle of the second body minus that of the first",
+        "координата элемента: расстояние между двумя точками или угол второго тела минус угол первого",
+    ),
+    "[\"A\", \"B\"]",
+);
+const ON: Field = may("on", Type::Name, "", "\"ground\"", ("frame or body it stands on", "система отсчёта или тело, на котором стоит"), "\"crank\"");
+const ORIGIN: Field = may(
+    "origin",
+    Type::VectorOrPoint,
+    "m",
+    "[0, 0]",
+    ("origin in the axes of `on`, or a point", "начало в осях `on` или точка"),
+    "[\"x\", \"y\"]",
+);
+const ANGLE: Field = may("angle", Type::Formula, "rad", "0", ("turn about z from `on`", "поворот вокруг z относительно `on`"), "\"phi\"");
+const ROTATE: Field = may(
+    "rotate",
+    Type::Rotations,
+    "rad",
+    "",
+    ("successive turns, each about an own, already turned axis", "последовательные повороты, каждый вокруг собственной, уже повёрнутой оси"),
+    "[\"z: psi\", \"x: theta\"]",
+);
+const SPIN: Field = may(
+    "spin",
+    Type::Formula,
+    "rad/s",
+    "0",
+    (
+        "prescribed rate of turning about the own z (or \"x: rate\") after all other turns; constant or a formula of time",
+        "заданная угловая скорость вокруг собственной z (или \"x: скорость\") после всех поворотов; постоянная или функция времени",
+    ),
+    "\"1450 rpm\"",
+);
+
+/// Top level.
+pub const TOP: TableSpec = TableSpec {
+    name: "",
+    about: ("top level", "верхний уровень"),
+    short: None,
+    example: "",
+    fields: &[
+        may("title", Type::Text, "", "", ("title", "название"), "\"Pendulum\""),
+        may("description", Type::Text, "", "", ("description", "описание"), "\"A weight on a rod\""),
+        may(
+            "gravity",
+            Type::Gravity,
+            "m/s^2",
+            "\"g\"",
+            ("gravity: false for none; a formula acts along -y of the ground; or a vector", "тяжесть: false — нет; формула действует вдоль -y; или вектор"),
+            "[\"0\", \"0\", \"-g\"]",
+        ),
+        may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
+        must("coordinates", Type::Table, "", ("generalized coordinates", "обобщённые координаты"), ""),
+        may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
+        may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
+        may("points", Type::Table, "", "", ("named points", "именованные точки"), ""),
+        may("springs", Type::Table, "", "", ("springs", "пружины"), ""),
+        may("dampers", Type::Table, "", "", ("dampers", "демпферы"), ""),
+        may("forces", Type::Table, "", "", ("applied forces", "приложенные силы"), ""),
+        may("torques", Type::Table, "", "", ("applied torques", "приложенные моменты"), ""),
+        may("potentials", Type::Table, "", "", ("free-form potential energies", "потенциальные энергии общего вида"), ""),
+        may("dissipations", Type::Table, "", "", ("free-form Rayleigh functions", "диссипативные функции общего вида"), ""),
+        may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
+        may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
+    ],
+};
+
+/// `[parameters]`.
+pub const PARAMETER: TableSpec = TableSpec {
+    name: "parameters",
+    about: (
+        "Named values. A formula may use other parameters, `t`, coordinates and rates; `g` is 9.81 m/s^2 unless declared.",
+        "Именованные величины. Формула может содержать другие параметры, `t`, координаты и скорости; `g` равно 9,81 м/с², если не объявлено.",
+    ),
+    short: Some(("name = value", "имя = значение")),
+    fields: &[
+        must("value", Type::Formula, "", ("value", "значение"), "\"20 g\""),
+        may("unit", Type::Unit, "", "", ("unit of a bare number; otherwise a check", "единица числа без единицы; иначе проверка"), "\"kg\""),
+        SYMBOL,
+        LABEL,
+    ],
+    example: "[parameters]\nm = { value = \"20 g\", symbol = \"m\", label = { en = \"mass\", ru = \"масса\" } }\nl = \"50 mm\"\nJ = \"m*l^2\"\nomega = \"min(30 [rad/s^2]*t, 300 [rad/s])\"\n",
+};
+
+/// `[coordinates]`.
+pub const COORDINATE: TableSpec = TableSpec {
+    name: "coordinates",
+    about: (
+        "Generalized coordinates; `phi'` and `phi''` are the derivatives.",
+        "Обобщённые координаты; `phi'` и `phi''` — производные.",
+    ),
+    short: Some(("name = \"unit\"", "имя = \"единица\"")),
+    fields: &[
+        must("unit", Type::Unit, "", ("unit", "единица"), "\"rad\""),
+        may("start", Type::Formula, "", "0", ("value at t = 0, a constant", "значение при t = 0, постоянная"), "\"15 deg\""),
+        may("rate", Type::Formula, "", "0", ("rate at t = 0, a constant", "скорость при t = 0, постоянная"), "\"2 rad/s\""),
+        SYMBOL,
+        LABEL,
+    ],
+    example: "[coordinates]\nphi = { unit = \"rad\", start = \"15 deg\" }\nx = \"m\"\n",
+};
+
+/// `[frames.NAME]`.
+pub const FRAME: TableSpec = TableSpec {
+    name: "frames",
+    about: ("Frames without mass. `ground` exists always.", "Системы отсчёта без массы. `ground` (неподвижная) есть всегда."),
+    short: None,
+    fields: &[ON, ORIGIN, ANGLE, ROTATE, SPIN],
+    example: "[frames.blade]\norigin = [\"0\", \"0\"]\nspin = \"omega\"\n",
+};
+
+/// `[bodies.NAME]`.
+pub const BODY: TableSpec = TableSpec {
+    name: "bodies",
+    about: (
+        "Bodies: frames with mass. Without `mass` and `inertia` a body is massless.",
+        "Тела: системы отсчёта с массой. Без `mass` и `inertia` тело невесомо.",
+    ),
+    short: None,
+    fields: &[
+        ON,
+        ORIGIN,
+        ANGLE,
+        ROTATE,
+        SPIN,
+        may("mass", Type::Formula, "kg", "0", ("mass", "масса"), "\"m\""),
+        may("center", Type::Vector, "m", "[0, 0]", ("mass centre in body axes", "центр масс в осях тела"), "[\"0\", \"-l\"]"),
+        may(
+            "inertia",
+            Type::Inertia,
+            "kg m^2",
+            "0",
+            (
+                "inertia about the mass centre: about z, or the tensor; products are sums of m x y (minus signs stand in the tensor)",
+                "момент инерции относительно центра масс: вокруг z или тензор; центробежные моменты — суммы m x y (в тензоре они со знаком минус)",
+            ),
+            "\"m*l^2/12\"",
+        ),
+        may(
+            "shape",
+            Type::Shape,
+            "",
+            "",
+            (
+                "homogeneous body of the given mass: disc(R), ring(R), ring(R1, R2), rod(L), rod(L, y), box(a, b), box(a, b, c), sphere(R), cylinder(R, H), point; axes of revolution along z, rod along x",
+                "однородное тело заданной массы: disc(R), ring(R), ring(R1, R2), rod(L), rod(L, y), box(a, b), box(a, b, c), sphere(R), cylinder(R, H), point; ось вращения — z, стержень — вдоль x",
+            ),
+            "\"disc(R)\"",
+        ),
+        may("gyration", Type::Formula, "m", "", ("radius of gyration about z: inertia = mass*gyration^2", "радиус инерции относительно z: inertia = mass*gyration^2"), "\"rho\""),
+        may("gravity", Type::Bool, "", "true", ("whether gravity acts on it", "действует ли тяжесть"), "false"),
+    ],
+    example: "[bodies.pendulum]\nangle = \"phi\"\nmass = \"m\"\ncenter = [\"0\", \"-l\"]\n",
+};
+
+/// `inertia = { ... }`.
+pub const TENSOR: TableSpec = TableSpec {
+    name: "inertia",
+    about: ("inertia tensor about the mass centre, body axes", "тензор инерции относительно центра масс, оси тела"),
+    short: None,
+    fields: &[
+        must("xx", Type::Formula, "kg m^2", ("moment about x", "момент относительно x"), "\"J_x\""),
+        must("yy", Type::Formula, "kg m^2", ("moment about y", "момент относительно y"), "\"J_y\""),
+        must("zz", Type::Formula, "kg m^2", ("moment about z", "момент относительно z"), "\"J_z\""),
+        may("xy", Type::Formula, "kg m^2", "0", ("sum of m x y", "сумма m x y"), "\"J_xy\""),
+        may("yz", Type::Formula, "kg m^2", "0", ("sum of m y z", "сумма m y z"), "0"),
+        may("xz", Type::Formula, "kg m^2", "0", ("sum of m x z", "сумма m x z"), "0"),
+    ],
+    example: "",
+};
+
+/// `[points]`.
+pub const POINT: TableSpec = TableSpec {
+    name: "points",
+    about: ("Named points of frames and bodies.", "Именованные точки тел и систем отсчёта."),
+    short: None,
+    fields: &[ON, must("at", Type::Vector, "m", ("coordinates in that frame", "координаты в этой системе"), "[\"r\", \"0\"]")],
+    example: "[points]\nA = { on = \"crank\", at = [\"r\", \"0\"] }\n",
+};
+
+/// `[springs.NAME]`.
+pub const SPRING: TableSpec = TableSpec {
+    name: "springs",
+    about: (
+        "Springs: force = preload + stiffness*(pathway - rest), pulling the pathway shorter. Torsion when the pathway is an angle.",
+        "Пружины: усилие = preload + stiffness*(координата - rest), укорачивает координату. Если координата — угол, пружина крутильная.",
+    ),
+    short: None,
+    fields: &[
+        ALONG,
+        BETWEEN,
+        must("stiffness", Type::Formula, "N/m", ("stiffness; N m per radian for an angle", "жёсткость; Н м на радиан для угла"), "\"400 kN/m\""),
+        may(
+            "rest",
+            Type::Formula,
+            "m",
+            "0",
+            (
+                "pathway at rest; required between two points; \"start\" for its value at the start",
+                "координата в свободном состоянии; обязательна между двумя точками; \"start\" — значение в начале движения",
+            ),
+            "\"l0\"",
+        ),
+        may("preload", Type::Formula, "N", "0", ("force at rest, tension positive", "усилие при rest, растяжение положительно"), "\"10 N\""),
+    ],
+    example: "[springs.horizontal]\nalong = \"x\"\nstiffness = \"c_x\"\n",
+};
+
+/// `[dampers.NAME]`.
+pub const DAMPER: TableSpec = TableSpec {
+    name: "dampers",
+    about: ("Viscous dampers: force = damping*rate of the pathway.", "Вязкие демпферы: усилие = damping*скорость координаты."),
+    short: None,
+    fields: &[
+        ALONG,
+        BETWEEN,
+        must("damping", Type::Formula, "N s/m", ("damping; N m s per radian for an angle", "коэффициент вязкости; Н м с на радиан для угла"), "\"25 N s/m\""),
+    ],
+    example: "[dampers.shaft]\nbetween = [\"rotor\", \"pendulum\"]\ndamping = \"k\"\n",
+};
+
+/// `[forces.NAME]`.
+pub const FORCE: TableSpec = TableSpec {
+    name: "forces",
+    about: (
+        "Applied forces: a vector at a point (or at the mass centre of a body), or a force along a pathway, positive when it makes the pathway longer.",
+        "Приложенные силы: вектор в точке (или в центре масс тела) либо сила вдоль координаты, положительная, если увеличивает её.",
+    ),
+    short: None,
+    fields: &[
+        may("at", Type::Name, "", "", ("point, or body for its mass centre", "точка или тело (тогда центр масс)"), "\"A\""),
+        ALONG,
+        BETWEEN,
+        must("value", Type::FormulaOrVector, "N", ("components with `at`, one formula with a pathway", "компоненты при `at`, одна формула при координате"), "[\"F0*sin(Omega*t)\", \"0\"]"),
+        may("axes", Type::Name, "", "\"ground\"", ("axes of the components", "оси компонент"), "\"blade\""),
+    ],
+    example: "[forces.drag]\nat = \"A\"\nvalue = [\"-c*vx(A)\", \"-c*vy(A)\"]\n",
+};
+
+/// `[torques.NAME]`.
+pub const TORQUE: TableSpec = TableSpec {
+    name: "torques",
+    about: ("Applied torques.", "Приложенные моменты."),
+    short: None,
+    fields: &[
+        must("on", Type::Name, "", ("body it acts on", "тело, на которое действует"), "\"crank\""),
+        must("value", Type::FormulaOrVector, "N m", ("torque about z, or its components", "момент вокруг z или компоненты"), "\"M0 - k*phi'\""),
+        may("axes", Type::Name, "", "\"ground\"", ("axes of the components", "оси компонент"), "\"crank\""),
+        may("reaction", Type::Name, "", "", ("body on which minus the torque acts", "тело, на которое действует противоположный момент"), "\"frame\""),
+    ],
+    example: "[torques.motor]\non = \"crank\"\nvalue = \"M0 - k*phi'\"\n",
+};
+
+/// `[potentials.NAME]`.
+pub const POTENTIAL: TableSpec = TableSpec {
+    name: "potentials",
+    about: ("Potential energy of any form.", "Потенциальная энергия произвольного вида."),
+    short: None,
+    fields: &[must("energy", Type::Formula, "N m", ("energy over coordinates and time", "энергия как функция координат и времени"), "\"c*x^4/4\"")],
+    example: "[potentials.hardening]\nenergy = \"c3*x^4/4\"\n",
+};
+
+/// `[dissipations.NAME]`.
+pub const DISSIPATION: TableSpec = TableSpec {
+    name: "dissipations",
+    about: ("Rayleigh's dissipation function of any form; its force on q is -dF/dq'.", "Диссипативная функция Рэлея произвольного вида; сила по q равна -dF/dq'."),
+    short: None,
+    fields: &[must("function", Type::Formula, "W", ("function over coordinates and rates", "функция координат и скоростей"), "\"b*x'^2/2\"")],
+    example: "[dissipations.oil]\nfunction = \"b*x'^2/2\"\n",
+};
+
+/// `[outputs]`.
+pub const OUTPUT: TableSpec = TableSpec {
+    name: "outputs",
+    about: (
+        "Named results. Formulas may use everything, `phi''`, kinematic functions and other outputs. Coordinates and rates are results without being listed.",
+        "Именованные результаты. Формулы могут использовать всё, `phi''`, кинематические функции и другие выходные величины. Координаты и скорости выводятся и так.",
+    ),
+    short: Some(("name = formula", "имя = формула")),
+    fields: &[
+        must("value", Type::Formula, "", ("formula", "формула"), "\"phi'\""),
+        may("unit", Type::Unit, "", "SI", ("unit for showing; files stay in SI", "единица для показа; файлы остаются в СИ"), "\"rpm\""),
+        SYMBOL,
+        LABEL,
+    ],
+    example: "[outputs]\nomega_p = { value = \"phi'\", unit = \"rpm\" }\n",
+};
+
+/// `[[study]]`.
+pub const STUDY: TableSpec = TableSpec {
+    name: "study",
+    about: (
+        "Studies, carried out in order: `equations`, `equilibrium` (key `guess`), `simulate` (the other keys).",
+        "Расчёты, выполняются по порядку: `equations`, `equilibrium` (ключ `guess`), `simulate` (остальные ключи).",
+    ),
+    short: None,
+    fields: &[
+        must("kind", Type::String, "", ("equations, equilibrium or simulate", "equations, equilibrium или simulate"), "\"simulate\""),
+        may("until", Type::Formula, "s", "", ("end of the motion; required to simulate", "конец движения; обязателен для simulate"), "\"30 s\""),
+        may("every", Type::Formula, "s", "", ("step of the results", "шаг вывода результатов"), "\"10 ms\""),
+        may("at", Type::Quantities, "s", "", ("times of the results, ascending, instead of `every`", "моменты вывода по возрастанию, вместо `every`"), "[\"1 s\", \"2 s\"]"),
+        may("tolerance", Type::Formula, "1", "1e-12", ("relative tolerance of a step", "относительная точность шага"), "1e-9"),
+        may("outputs", Type::Names, "", "", ("results wanted; all without it", "нужные результаты; без ключа — все"), "[\"phi\", \"omega_p\"]"),
+        may("plot", Type::Plots, "", "", ("plots: a name, several names in one, or an x-y plot", "графики: имя, несколько имён вместе или график x-y"), "[\"phi'\", { x = \"x\", y = [\"y\"] }]"),
+        may("guess", Type::Guess, "", "start", ("where to look for the equilibrium", "откуда искать положение равновесия"), "{ phi = \"0.1 rad\" }"),
+    ],
+    example: "[[study]]\nkind = \"simulate\"\nuntil = \"30 s\"\nplot = [\"phi'\"]\n",
+};
+
+/// `plot = [{ ... }]`.
+pub const PLOT: TableSpec = TableSpec {
+    name: "plot",
+    about: ("one plot", "один график"),
+    short: None,
+    fields: &[
+        may("x", Type::Name, "", "\"t\"", ("horizontal axis", "горизонтальная ось"), "\"x\""),
+        must("y", Type::Names, "", ("vertical axis", "вертикальная ось"), "[\"y\"]"),
+        may("title", Type::Text, "", "", ("title", "заголовок"), "\"path\""),
+    ],
+    example: "",
+};
+
+/// `{ en = ..., ru = ... }`.
+pub const TEXT: TableSpec = TableSpec {
+    name: "text",
+    about: ("text in two languages", "текст на двух языках"),
+    short: None,
+    fields: &[
+        may("en", Type::String, "", "the other", ("English", "по-английски"), "\"mass\""),
+        may("ru", Type::String, "", "the other", ("Russian", "по-русски"), "\"масса\""),
+    ],
+    example: "",
+};
+
+/// Every table, in the order of the reference.
+pub const ALL: [&TableSpec; 17] = [
+    &TOP,
+    &PARAMETER,
+    &COORDINATE,
+    &FRAME,
+    &BODY,
+    &TENSOR,
+    &POINT,
+    &SPRING,
+    &DAMPER,
+    &FORCE,
+    &TORQUE,
+    &POTENTIAL,
+    &DISSIPATION,
+    &OUTPUT,
+    &STUDY,
+    &PLOT,
+    &TEXT,
+];

@@ -1,0 +1,515 @@
+//! Dimensions and dependence of a formula, node by node.
+//!
+//! A literal 0 fits every dimension. A name that is faulty itself has an unknown dimension, which fits everything: one slip gives one
+//! message.
+
+use super::kinematic::{FUNCTIONS, Where};
+use super::parse::{Ast, Formula, NodeId};
+use super::scope::{Entry, EntryKind, Scope};
+use crate::fault::{Fault, nearest};
+use crate::units::{Dimension, si_label};
+use std::ops::{BitOr, Range};
+use symbolic::{Function, Rational};
+
+/// What is known of a dimension.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) enum Kind {
+    Known(Dimension),
+    /// Zero: fits every dimension.
+    Any,
+    /// Faulty elsewhere.
+    Unknown,
+}
+
+impl Kind {
+    /// The dimension, where zero and faults count as none.
+    pub(crate) fn or_none(self) -> Dimension {
+        match self {
+            Kind::Known(d) => d,
+            _ => Dimension::NONE,
+        }
+    }
+}
+
+/// What a value depends on: time 1, coordinates 2, rates 4, accelerations 8.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Depends(u8);
+
+impl Depends {
+    pub(crate) const NOTHING: Depends = Depends(0);
+    pub(crate) const TIME: Depends = Depends(1);
+    pub(crate) const POSITION: Depends = Depends(3);
+    pub(crate) const MOTION: Depends = Depends(7);
+    pub(crate) const ALL: Depends = Depends(15);
+
+    /// Coordinates, rates or accelerations by the number of primes.
+    pub(crate) fn coordinate(primes: u8) -> Depends {
+        Depends(2 << primes.min(2))
+    }
+    pub(crate) fn within(self, limit: Depends) -> bool {
+        self.0 & !limit.0 == 0
+    }
+    pub(crate) fn is_constant(self) -> bool {
+        self.0 == 0
+    }
+    pub(crate) fn is_state(self) -> bool {
+        self.0 > 1
+    }
+    /// Of the time derivative; `None` when a third derivative of a coordinate would appear.
+    pub(crate) fn derivative(self) -> Option<Depends> {
+        (self.0 & 8 == 0).then_some(Depends(self.0 | (self.0 & 6) << 1))
+    }
+}
+
+impl BitOr for Depends {
+    type Output = Depends;
+    fn bitor(self, other: Depends) -> Depends {
+        Depends(self.0 | other.0)
+    }
+}
+
+/// What may stand in a formula.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Context {
+    pub depends: Depends,
+    /// Kinematic functions up to this level; `None` for none.
+    pub kinematic: Option<Where>,
+    pub outputs: bool,
+    /// What the field is, for messages: "a start value must be a constant".
+    pub en: &'static str,
+    pub ru: &'static str,
+}
+
+impl Context {
+    const fn new(depends: Depends, kinematic: Option<Where>, en: &'static str, ru: &'static str) -> Context {
+        Context { depends, kinematic, outputs: false, en, ru }
+    }
+    pub(crate) const CONSTANT: Context = Context::new(
+        Depends::NOTHING,
+        None,
+        "this value must be a constant: only numbers and constant parameters",
+        "эта величина должна быть постоянной: только числа и постоянные параметры",
+    );
+    pub(crate) const TIME: Context = Context::new(
+        Depends::TIME,
+        None,
+        "this value may depend on time only: it is prescribed",
+        "эта величина может зависеть только от времени: она задана",
+    );
+    pub(crate) const GEOMETRY: Context = Context::new(
+        Depends::POSITION,
+        None,
+        "a position may depend on coordinates and time, not on rates",
+        "положение может зависеть от координат и времени, но не от скоростей",
+    );
+    pub(crate) const PATHWAY: Context = Context::new(
+        Depends::POSITION,
+        Some(Where::Pathways),
+        "this value may depend on coordinates and time, not on rates",
+        "эта величина может зависеть от координат и времени, но не от скоростей",
+    );
+    pub(crate) const PARAMETER: Context = Context::new(
+        Depends::MOTION,
+        None,
+        "a parameter may depend on time, coordinates and rates",
+        "параметр может зависеть от времени, координат и скоростей",
+    );
+    pub(crate) const FORCE: Context = Context::new(
+        Depends::MOTION,
+        Some(Where::Forces),
+        "a force may depend on time, coordinates and rates, not on accelerations",
+        "сила может зависеть от времени, координат и скоростей, но не от ускорений",
+    );
+    pub(crate) const OUTPUT: Context = Context {
+        depends: Depends::ALL,
+        kinematic: Some(Where::Outputs),
+        outputs: true,
+        en: "an output may depend on everything",
+        ru: "выходная величина может зависеть от всего",
+    };
+}
+
+/// The result of a check.
+pub(crate) struct Checked {
+    pub kind: Kind,
+    pub depends: Depends,
+    pub faults: Vec<Fault>,
+}
+
+/// Checks a formula.
+pub(crate) fn check(formula: &Formula, scope: &Scope, context: &Context) -> Checked {
+    let mut pass = Pass { formula, scope, context, faults: Vec::new(), kinds: Vec::new(), rationals: Vec::new(), depends: Depends(0) };
+    for (node, span) in &formula.nodes {
+        let kind = pass.node(node, span);
+        pass.kinds.push(kind);
+        let rational = pass.rational(node);
+        pass.rationals.push(rational);
+    }
+    let kind = if pass.faults.iter().any(|f| f.severity == crate::Severity::Error) { Kind::Unknown } else { pass.kinds[formula.root()] };
+    Checked { kind, depends: pass.depends, faults: pass.faults }
+}
+
+struct Pass<'a> {
+    formula: &'a Formula,
+    scope: &'a Scope,
+    context: &'a Context,
+    faults: Vec<Fault>,
+    kinds: Vec<Kind>,
+    /// exact values of nodes that are small numbers, for exponents
+    rationals: Vec<Option<Rational>>,
+    depends: Depends,
+}
+
+impl Pass<'_> {
+    fn span(&self, id: NodeId) -> Range<usize> {
+        self.formula.nodes[id].1.clone()
+    }
+    fn fail(&mut self, fault: Fault) -> Kind {
+        self.faults.push(fault);
+        Kind::Unknown
+    }
+
+    fn node(&mut self, node: &Ast, span: &Range<usize>) -> Kind {
+        match node {
+            Ast::Number(n) if n.is_zero() => Kind::Any,
+            Ast::Number(_) => Kind::Known(Dimension::NONE),
+            Ast::Quantity(q) => Kind::Known(q.unit.dimension),
+            Ast::Name { name, primes } => self.name(name, *primes, span),
+            Ast::Sum(terms) => self.alike(terms.iter().map(|t| t.1), "terms of a sum", "слагаемые"),
+            Ast::Product(factors) => self.product(factors, span),
+            Ast::Power(base, exponent) => self.power(*base, *exponent, span),
+            Ast::Sqrt(x) => self.raise(self.kinds[*x], &Rational::HALF, span),
+            Ast::Call(function, arguments) => self.call(*function, arguments),
+            Ast::Kinematic { row, arguments } => self.kinematic(*row, arguments, span),
+            Ast::If { left, right, then, otherwise, .. } => {
+                self.alike([*left, *right].into_iter(), "sides of a condition", "части условия");
+                self.alike([*then, *otherwise].into_iter(), "branches of if", "ветви if")
+            }
+        }
+    }
+
+    fn name(&mut self, name: &str, primes: u8, span: &Range<usize>) -> Kind {
+        match (name, primes) {
+            ("pi" | "π", 0) => return Kind::Known(Dimension::NONE),
+            ("t", 0) => {
+                self.use_of(Depends::TIME, "t", span);
+                return Kind::Known(Dimension::TIME);
+            }
+            ("pi" | "π" | "t", _) => {
+                let what = (format!("`{name}` has no derivative to speak of"), format!("у `{name}` нет смысла брать производную"));
+                return self.fail(Fault::new("M038", span.clone(), what.0, what.1));
+            }
+            _ => {}
+        }
+        let Some(entry) = self.scope.get(name) else {
+            let fault = unknown_name(name, span.clone(), self.scope);
+            return self.fail(fault);
+        };
+        let entry = entry.clone();
+        if primes > 2 {
+            return self.fail(
+                Fault::new(
+                    "M038",
+                    span.clone(),
+                    format!("`{name}` has {primes} primes; two derivatives are the most"),
+                    format!("у `{name}` штрихов: {primes}; допустимо не больше двух"),
+                )
+                .why("equations of motion are of second order", "уравнения движения второго порядка"),
+            );
+        }
+        if matches!(entry.kind, EntryKind::Output(_)) && !self.context.outputs {
+            return self.fail(
+                Fault::new(
+                    "M037",
+                    span.clone(),
+                    format!("`{name}` is an output; outputs can be used in outputs only"),
+                    format!("`{name}` — выходная величина; её можно использовать только в [outputs]"),
+                )
+                .help(format!("move `{name}` to [parameters]"), format!("перенесите `{name}` в [parameters]")),
+            );
+        }
+        self.derived(name, &entry, primes, span)
+    }
+
+    fn derived(&mut self, name: &str, entry: &Entry, primes: u8, span: &Range<usize>) -> Kind {
+        let mut depends = entry.depends;
+        for _ in 0..primes {
+            match depends.derivative() {
+                Some(d) => depends = d,
+                None => {
+                    return self.fail(Fault::new(
+                        "M038",
+                        span.clone(),
+                        format!("the derivative of `{name}` contains third derivatives of coordinates"),
+                        format!("производная `{name}` содержит третьи производные координат"),
+                    ));
+                }
+            }
+        }
+        if let EntryKind::Coordinate(_) = entry.kind {
+            depends = Depends::coordinate(primes);
+        } else if primes > 0 && depends.is_constant() && entry.dimension != Kind::Unknown {
+            self.faults.push(
+                Fault::new(
+                    "M039",
+                    span.clone(),
+                    format!("`{name}` is constant: its time derivative is zero"),
+                    format!("`{name}` постоянна: её производная по времени равна нулю"),
+                )
+                .warning(),
+            );
+        }
+        self.use_of(depends, name, span);
+        match entry.dimension {
+            Kind::Known(d) => Kind::Known(d.per_time(primes)),
+            other => other,
+        }
+    }
+
+    /// Notes a dependence and complains when the context forbids it.
+    fn use_of(&mut self, depends: Depends, name: &str, span: &Range<usize>) {
+        self.depends = self.depends | depends;
+        if depends.within(self.context.depends) {
+            return;
+        }
+        let (en, ru) = match depends.0 {
+            8.. => ("accelerations", "ускорений"),
+            4.. => ("rates", "скоростей"),
+            2.. => ("coordinates", "координат"),
+            _ => ("time", "времени"),
+        };
+        let written = &self.formula.nodes.iter().find(|n| n.1 == *span).map_or(name, |_| name);
+        self.faults.push(
+            Fault::new("M036", span.clone(), format!("`{written}` depends on {en}"), format!("`{written}` зависит от {ru}"))
+                .why(self.context.en, self.context.ru),
+        );
+    }
+
+    /// All of the nodes must have one dimension.
+    fn alike(&mut self, ids: impl Iterator<Item = NodeId>, en: &str, ru: &str) -> Kind {
+        let mut result: Option<(Dimension, NodeId)> = None;
+        let mut unknown = false;
+        for id in ids {
+            match (self.kinds[id], &mut result) {
+                (Kind::Unknown, _) => unknown = true,
+                (Kind::Any, _) => {}
+                (Kind::Known(d), None) => result = Some((d, id)),
+                (Kind::Known(d), Some((first, from))) if !first.same(&d) => {
+                    let (from, first) = (*from, *first);
+                    let fault = mismatch_inside(self, from, &first, id, &d, en, ru);
+                    return self.fail(fault);
+                }
+                (Kind::Known(d), Some((first, _))) => *first = first.with_angle_of(&d),
+            }
+        }
+        match result {
+            _ if unknown => Kind::Unknown,
+            Some((d, _)) => Kind::Known(d),
+            None => Kind::Any,
+        }
+    }
+
+    fn product(&mut self, factors: &[(bool, NodeId)], span: &Range<usize>) -> Kind {
+        let mut result = Dimension::NONE;
+        let (mut any, mut unknown) = (false, false);
+        for (inverse, id) in factors {
+            if *inverse && self.rationals[*id].as_ref().is_some_and(Rational::is_zero) {
+                let at = self.span(*id);
+                return self.fail(
+                    Fault::new("M042", at, "division by zero", "деление на нуль")
+                        .why("no number comes out of it", "результат не является числом"),
+                );
+            }
+            match self.kinds[*id] {
+                Kind::Unknown => unknown = true,
+                Kind::Any => any = true,
+                Kind::Known(d) => match if *inverse { result.div(&d) } else { result.mul(&d) } {
+                    Some(d) => result = d,
+                    None => return self.fail(wild_exponent(span.clone())),
+                },
+            }
+        }
+        match (unknown, any) {
+            (true, _) => Kind::Unknown,
+            (_, true) => Kind::Any,
+            _ => Kind::Known(result),
+        }
+    }
+
+    fn raise(&mut self, base: Kind, exponent: &Rational, span: &Range<usize>) -> Kind {
+        match base {
+            Kind::Known(d) => match d.pow(exponent) {
+                Some(d) => Kind::Known(d),
+                None if d.is_none() => Kind::Known(Dimension::NONE),
+                None => self.fail(wild_exponent(span.clone())),
+            },
+            other => other,
+        }
+    }
+
+    fn power(&mut self, base: NodeId, exponent: NodeId, span: &Range<usize>) -> Kind {
+        if let Kind::Known(d) = self.kinds[exponent]
+            && !d.is_none()
+        {
+            let fault = Fault::new(
+                "M026",
+                self.span(exponent),
+                format!("an exponent must be a pure number, this is {}", si_label(&d)),
+                format!("показатель степени должен быть числом, а это {}", si_label(&d)),
+            );
+            return self.fail(fault);
+        }
+        let value = self.rationals[exponent].clone();
+        match (value, self.kinds[base]) {
+            (Some(e), Kind::Any) if e.is_negative() => self.fail(Fault::new(
+                "M042",
+                span.clone(),
+                "a negative power of zero",
+                "отрицательная степень нуля",
+            )),
+            (Some(e), Kind::Any) if e.is_zero() => Kind::Known(Dimension::NONE),
+            (Some(e), base) => self.raise(base, &e, span),
+            (None, Kind::Known(d)) if !d.is_none() => {
+                let fault = Fault::new(
+                    "M026",
+                    self.span(exponent),
+                    format!("the base is {}: its exponent must be a plain number, not a formula", si_label(&d)),
+                    format!("основание имеет размерность {}: показатель должен быть числом, а не формулой", si_label(&d)),
+                )
+                .help("divide the base by a quantity of its own dimension first", "сначала разделите основание на величину той же размерности");
+                self.fail(fault)
+            }
+            (None, Kind::Unknown) => Kind::Unknown,
+            (None, _) => Kind::Known(Dimension::NONE),
+        }
+    }
+
+    fn call(&mut self, function: Function, arguments: &[NodeId]) -> Kind {
+        use Function::{Abs, Acos, Asin, Atan, Atan2, Max, Min, Sign};
+        let first = self.kinds[arguments[0]];
+        match function {
+            Abs => first,
+            Sign => Kind::Known(Dimension::NONE),
+            Min | Max => self.alike(arguments.iter().copied(), "arguments", "аргументы"),
+            Atan2 => {
+                self.alike(arguments.iter().copied(), "arguments", "аргументы");
+                Kind::Known(Dimension::ANGLE)
+            }
+            _ => {
+                if let Kind::Known(d) = first
+                    && !d.is_none()
+                {
+                    let (name, got) = (function.name(), si_label(&d));
+                    let fault = Fault::new(
+                        "M026",
+                        self.span(arguments[0]),
+                        format!("{name} takes an angle or a pure number, this is {got}"),
+                        format!("аргумент {name} — угол или число, а здесь {got}"),
+                    )
+                    .why("a factor or a divisor is missing", "вероятно, пропущен множитель или делитель");
+                    return self.fail(fault);
+                }
+                Kind::Known(if matches!(function, Asin | Acos | Atan) { Dimension::ANGLE } else { Dimension::NONE })
+            }
+        }
+    }
+
+    fn kinematic(&mut self, row: usize, arguments: &[(Option<String>, String, Range<usize>)], span: &Range<usize>) -> Kind {
+        let function = &FUNCTIONS[row];
+        if self.context.kinematic.is_none_or(|level| function.allowed > level) {
+            let fault = Fault::new(
+                "M037",
+                span.clone(),
+                format!("{}(...) cannot be used here", function.name),
+                format!("функцию {}(...) здесь использовать нельзя", function.name),
+            )
+            .why(self.context.en, self.context.ru)
+            .help(
+                "kinematic functions stand in outputs, forces, torques, pathways and potentials; energies and accelerations in outputs only",
+                "кинематические функции допустимы в outputs, forces, torques, координатах элементов и potentials; энергии и ускорения — только в outputs",
+            );
+            return self.fail(fault);
+        }
+        match self.scope.request(row, arguments, span) {
+            Ok((_, kind)) => {
+                self.use_of(function.depends, function.name, span);
+                kind
+            }
+            Err(fault) => self.fail(fault),
+        }
+    }
+
+    /// The exact value of a node made of small numbers.
+    fn rational(&self, node: &Ast) -> Option<Rational> {
+        let small = |r: Rational| {
+            let (n, d) = r.digits();
+            (n.len() + d.len() <= 30).then_some(r)
+        };
+        match node {
+            Ast::Number(n) => small(n.clone()),
+            Ast::Sum(terms) => terms.iter().try_fold(Rational::ZERO, |sum, (negative, id)| {
+                let term = self.rationals[*id].as_ref()?;
+                small(if *negative { &sum - term } else { &sum + term })
+            }),
+            Ast::Product(factors) => factors.iter().try_fold(Rational::ONE, |product, (inverse, id)| {
+                let factor = self.rationals[*id].as_ref()?;
+                small(if *inverse { &product / &factor.recip().map(|_| factor.clone())? } else { &product * factor })
+            }),
+            _ => None,
+        }
+    }
+}
+
+fn mismatch_inside(pass: &Pass, from: NodeId, first: &Dimension, id: NodeId, second: &Dimension, en: &str, ru: &str) -> Fault {
+    let (left, right) = (si_label(first), si_label(second));
+    let (a, b) = (pass.span(from), pass.span(id));
+    Fault::new(
+        "M025",
+        a.start.min(b.start)..b.end.max(a.end),
+        format!("{en} differ in dimension: left is {left}, right is {right}"),
+        format!("{ru} разной размерности: слева {left}, справа {right}"),
+    )
+    .why(
+        "a factor (a length, a time, a mass) is missing or one too many",
+        "пропущен или лишний множитель (длина, время, масса)",
+    )
+}
+
+fn wild_exponent(span: Range<usize>) -> Fault {
+    Fault::new("M026", span, "the dimension of this power is out of bounds", "размерность этой степени недопустима")
+}
+
+/// The fault of a formula whose dimension is not the wanted one.
+pub(crate) fn mismatch(span: Range<usize>, got: &Dimension, wanted: &Dimension, number: bool) -> Fault {
+    let (g, w) = (si_label(got), si_label(wanted));
+    if number && got.is_none() {
+        return Fault::new("M023", span, format!("the unit is missing: {w} is needed"), format!("нет единицы: нужна {w}")).help(
+            format!("write the number with its unit, for example \"5 {w}\""),
+            format!("напишите число с единицей, например \"5 {w}\""),
+        );
+    }
+    Fault::new("M024", span, format!("this is {g}, but {w} is needed"), format!("размерность {g}, а нужна {w}"))
+}
+
+fn unknown_name(name: &str, span: Range<usize>, scope: &Scope) -> Fault {
+    let fault = Fault::new("M013", span, format!("unknown name `{name}`"), format!("неизвестное имя `{name}`"));
+    if scope.place(name).is_some() {
+        return fault.help(
+            format!("`{name}` is a point or a body; its coordinates are x({name}), y({name})"),
+            format!("`{name}` — точка или тело; её координаты: x({name}), y({name})"),
+        );
+    }
+    if let Some(near) = nearest(name, scope.names()) {
+        return fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?"));
+    }
+    if name == "e" {
+        return fault.help("the exponential is written exp(x)", "экспонента записывается exp(x)");
+    }
+    if crate::units::parse_unit(name).is_ok() {
+        return fault.help(
+            format!("a unit stands in square brackets after a number: `1 [{name}]`; or declare {name} in [parameters]"),
+            format!("единица стоит в квадратных скобках после числа: `1 [{name}]`; или объявите {name} в [parameters]"),
+        );
+    }
+    fault.help(format!("declare {name} in [parameters]"), format!("объявите {name} в [parameters]"))
+}

@@ -1,0 +1,157 @@
+//! The kinematic functions of formulas: what they take, mean and where they may stand.
+
+use super::check::Depends;
+use crate::units::Dimension;
+use std::ops::RangeInclusive;
+
+/// What a kinematic function takes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Takes {
+    /// A point, or a frame or body for its origin.
+    Point,
+    /// A frame or body.
+    Frame,
+    /// A body, or nothing for the whole machine.
+    BodyOrNothing,
+    /// Nothing.
+    Nothing,
+    /// A spring or damper.
+    Element,
+}
+
+/// Where it may stand, from everywhere to outputs only; each level includes the ones after it.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Where {
+    /// Pathways, potentials, forces, outputs.
+    Pathways,
+    /// Forces, torques, dissipation functions, outputs.
+    Forces,
+    /// Outputs.
+    Outputs,
+}
+
+/// A kinematic function.
+#[derive(Clone, Copy, Debug)]
+pub struct KinematicFunction {
+    /// Name.
+    pub name: &'static str,
+    /// What it takes.
+    pub takes: Takes,
+    /// Dimension of its value; `None` for that of an element's force or pathway.
+    pub dimension: Option<Dimension>,
+    /// What its value depends on.
+    pub(crate) depends: Depends,
+    /// Where it may stand.
+    pub allowed: Where,
+    /// Meaning in English.
+    pub en: &'static str,
+    /// Meaning in Russian.
+    pub ru: &'static str,
+}
+
+impl KinematicFunction {
+    /// Number of arguments.
+    pub fn arity(&self) -> RangeInclusive<usize> {
+        match self.takes {
+            Takes::Nothing => 0..=0,
+            Takes::BodyOrNothing => 0..=1,
+            _ => 1..=1,
+        }
+    }
+}
+
+const fn row(
+    name: &'static str,
+    takes: Takes,
+    dimension: Option<Dimension>,
+    depends: Depends,
+    allowed: Where,
+    en: &'static str,
+    ru: &'static str,
+) -> KinematicFunction {
+    KinematicFunction { name, takes, dimension, depends, allowed, en, ru }
+}
+
+const LENGTH: Option<Dimension> = Some(Dimension::LENGTH);
+const VELOCITY: Option<Dimension> = Some(Dimension::VELOCITY);
+const ACCELERATION: Option<Dimension> = Some(Dimension::ACCELERATION);
+const ENERGY: Option<Dimension> = Some(Dimension::ENERGY);
+
+/// Every kinematic function.
+pub const FUNCTIONS: [KinematicFunction; 17] = {
+    use Depends as D;
+    use Takes::{BodyOrNothing, Element, Frame, Nothing, Point};
+    use Where::{Forces, Outputs, Pathways};
+    [
+        row("x", Point, LENGTH, D::POSITION, Pathways, "ground coordinate x of a point", "координата x точки в неподвижных осях"),
+        row("y", Point, LENGTH, D::POSITION, Pathways, "ground coordinate y of a point", "координата y точки в неподвижных осях"),
+        row("z", Point, LENGTH, D::POSITION, Pathways, "ground coordinate z of a point", "координата z точки в неподвижных осях"),
+        row("vx", Point, VELOCITY, D::MOTION, Forces, "velocity of a point along x", "проекция скорости точки на x"),
+        row("vy", Point, VELOCITY, D::MOTION, Forces, "velocity of a point along y", "проекция скорости точки на y"),
+        row("vz", Point, VELOCITY, D::MOTION, Forces, "velocity of a point along z", "проекция скорости точки на z"),
+        row("ax", Point, ACCELERATION, D::ALL, Outputs, "acceleration of a point along x", "проекция ускорения точки на x"),
+        row("ay", Point, ACCELERATION, D::ALL, Outputs, "acceleration of a point along y", "проекция ускорения точки на y"),
+        row("az", Point, ACCELERATION, D::ALL, Outputs, "acceleration of a point along z", "проекция ускорения точки на z"),
+        row("speed", Point, VELOCITY, D::MOTION, Forces, "magnitude of the velocity of a point", "модуль скорости точки"),
+        row(
+            "angle",
+            Frame,
+            Some(Dimension::ANGLE),
+            D::POSITION,
+            Pathways,
+            "plane angle of a body from the ground",
+            "угол поворота тела в плоскости",
+        ),
+        row(
+            "omega",
+            Frame,
+            Some(Dimension::ANGULAR_RATE),
+            D::MOTION,
+            Forces,
+            "angular velocity of a body about z of the ground",
+            "угловая скорость тела относительно оси z неподвижных осей",
+        ),
+        row(
+            "kinetic_energy",
+            BodyOrNothing,
+            ENERGY,
+            D::MOTION,
+            Outputs,
+            "kinetic energy of the machine or of one body",
+            "кинетическая энергия машины или одного тела",
+        ),
+        row("potential_energy", Nothing, ENERGY, D::POSITION, Outputs, "potential energy", "потенциальная энергия"),
+        row(
+            "dissipation",
+            Nothing,
+            Some(Dimension::POWER),
+            D::MOTION,
+            Outputs,
+            "Rayleigh's dissipation function",
+            "диссипативная функция Рэлея",
+        ),
+        row(
+            "force",
+            Element,
+            None,
+            D::MOTION,
+            Forces,
+            "force (or torque) of a spring or damper, tension positive",
+            "усилие (или момент) пружины или демпфера, растяжение положительно",
+        ),
+        row(
+            "extension",
+            Element,
+            None,
+            D::POSITION,
+            Forces,
+            "pathway of a spring minus its rest value; pathway of a damper",
+            "удлинение пружины (без начальной длины); координата демпфера",
+        ),
+    ]
+};
+
+/// The row of that name.
+pub(super) fn find(name: &str) -> Option<usize> {
+    FUNCTIONS.iter().position(|f| f.name == name)
+}

@@ -1,0 +1,145 @@
+//! Model file to [`Model`]: every table in turn, all findings collected.
+//!
+//! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads, outputs
+//! by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
+
+mod elements;
+mod evaluate;
+mod frames;
+mod order;
+mod outputs;
+mod overrides;
+mod parameters;
+mod reader;
+mod shapes;
+mod studies;
+mod syntax;
+
+pub use overrides::split as split_override;
+
+use crate::diagnostic::{self, Diagnostic, Severity};
+use crate::fields;
+use crate::model::Model;
+use crate::{Reading, fault::Fault};
+use reader::{Fields, Reader};
+use symbolic::Text;
+
+/// Largest model file, bytes.
+pub const MAX_FILE: usize = 4 << 20;
+/// More findings than this are not listed.
+pub const MAX_FINDINGS: usize = 200;
+
+/// Reads a model file. `file` is its path, used only to name a model without a title. `overrides` are (name, quantity) pairs as given
+/// by `--set name=quantity`: a parameter (also one with a formula), the start of a coordinate (`phi`), or its rate (`phi'`).
+///
+/// # Errors
+/// All findings, sorted by place in the file; at least one of them is an error.
+pub fn read(text: &str, file: &str, overrides: &[(String, String)]) -> Result<Reading, Vec<Diagnostic>> {
+    if text.len() > MAX_FILE {
+        let size = text.len() / 1024;
+        let fault = Fault::new(
+            "M001",
+            0..0,
+            format!("the file has {size} KiB; the limit is {} KiB", MAX_FILE / 1024),
+            format!("размер файла {size} КиБ; предел {} КиБ", MAX_FILE / 1024),
+        );
+        return Err(vec![crate::fault::Site::Literal(0).diagnose(fault)]);
+    }
+    let (root, syntax) = syntax::parse(text);
+    let Some(root) = root else { return Err(finish(syntax)) };
+    let broken = !syntax.is_empty();
+    let mut reader = Reader::new(text, overrides);
+    let model = model(&mut reader, &root, file);
+    let mut findings = reader.into_diagnostics();
+    if broken {
+        findings.retain(|d| !syntax::FOLLOW_UPS.contains(&d.code));
+    }
+    findings.extend(syntax);
+    if findings.iter().any(|d| d.severity == Severity::Error) {
+        return Err(finish(findings));
+    }
+    Ok(Reading { model, warnings: finish(findings) })
+}
+
+fn finish(mut findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    diagnostic::sort(&mut findings);
+    if findings.len() > MAX_FINDINGS {
+        let more = findings.len() - MAX_FINDINGS;
+        let errors = findings[MAX_FINDINGS..].iter().any(|d| d.severity == Severity::Error);
+        findings.truncate(MAX_FINDINGS);
+        let place = findings.last().and_then(Diagnostic::span).unwrap_or(0..0);
+        let mut last = Diagnostic::warning(
+            "M016",
+            place,
+            Text::new(format!("{more} more findings are not listed"), format!("ещё замечаний, не вошедших в список: {more}")),
+        );
+        if errors {
+            last.severity = Severity::Error;
+        }
+        findings.push(last);
+    }
+    findings
+}
+
+fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -> Model {
+    let top = Fields::open(reader, &fields::TOP, root, 0..0, String::new());
+    let title = top.text(reader, "title").unwrap_or_else(|| Text::same(name_of(file)));
+    let description = top.text(reader, "description").unwrap_or_default();
+    let mut notation = Vec::new();
+
+    let raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
+    let raw_parameters = parameters::collect(reader, &top, &mut notation);
+    let raw_outputs = outputs::collect(reader, &top, &mut notation);
+    overrides::check_names(reader, &raw_coordinates, &raw_parameters);
+    parameters::declare_coordinates(reader, &raw_coordinates);
+    let mut parameters = parameters::resolve(reader, raw_parameters);
+    let coordinates = parameters::starts(reader, raw_coordinates);
+    let (frames, points) = frames::read(reader, &top);
+    let gravity = frames::gravity(reader, &top, &frames);
+    let springs = elements::springs(reader, &top);
+    let dampers = elements::dampers(reader, &top);
+    let forces = elements::forces(reader, &top);
+    let torques = elements::torques(reader, &top);
+    let potentials = elements::potentials(reader, &top);
+    let dissipations = elements::dissipations(reader, &top);
+    let outputs = outputs::resolve(reader, raw_outputs);
+    let studies = studies::read(reader, &top);
+
+    let builder = reader.take_builder();
+    parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
+    Model {
+        title,
+        description,
+        time: builder.time,
+        graph: builder.graph,
+        requests: builder.requests,
+        gravity,
+        parameters,
+        coordinates,
+        frames,
+        points,
+        springs,
+        dampers,
+        forces,
+        torques,
+        potentials,
+        dissipations,
+        outputs,
+        notation,
+        studies,
+    }
+}
+
+/// `gallery/pendulum/model.toml` is called pendulum, `top.toml` top.
+fn name_of(file: &str) -> String {
+    let mut parts = file.rsplit(['/', '\\']);
+    let stem = parts.next().unwrap_or_default();
+    let stem = stem.rsplit_once('.').map_or(stem, |(s, _)| s);
+    match parts.next() {
+        Some(folder) if stem == "model" && !folder.is_empty() => folder.to_owned(),
+        _ => stem.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,99 @@
+//! `[outputs]`.
+
+use super::order::topological;
+use super::parameters::{claim, cycle_fault};
+use super::reader::{Fields, Raw, Reader, short};
+use crate::fields;
+use crate::formula::{Context, Depends, Entry, EntryKind, Kind, mismatch};
+use crate::model::{DisplayUnit, OutputDecl};
+use crate::units::{Unit, si_label};
+use std::collections::{HashMap, HashSet};
+use std::ops::Range;
+use symbolic::Text;
+use toml::de::DeValue;
+
+/// An output before its formula is checked.
+pub(super) struct RawOutput<'a> {
+    name: String,
+    span: Range<usize>,
+    raw: Raw<'a>,
+    unit: Option<(Unit, String, Range<usize>)>,
+    label: Text,
+}
+
+/// The outputs as written; their names are taken from here on.
+pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut Vec<(String, String)>) -> Vec<RawOutput<'a>> {
+    let mut found = Vec::new();
+    for (name, span, value) in top.rows(reader, "outputs") {
+        if !claim(reader, name, &span) {
+            continue;
+        }
+        let (mut unit, mut label) = (None, Text::default());
+        let raw = match value.get_ref() {
+            DeValue::Table(table) => {
+                let fields = Fields::open(reader, &fields::OUTPUT, table, span.clone(), format!("outputs.{}", short(name)));
+                fields.symbol(reader, name, notation);
+                label = fields.text(reader, "label").unwrap_or_default();
+                unit = fields.get("unit").and_then(|v| reader.unit(v).map(|(u, written)| (u, written, v.span())));
+                fields.raw(reader, "value")
+            }
+            _ => reader.raw(value),
+        };
+        reader.scope.declare(name, Entry { kind: EntryKind::Output(None), dimension: Kind::Unknown, depends: Depends::NOTHING });
+        if let Some(raw) = raw {
+            found.push(RawOutput { name: name.to_owned(), span, raw, unit, label });
+        }
+    }
+    found
+}
+
+/// Checks the outputs by dependence and gives them back in the user's order.
+pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawOutput<'a>>) -> Vec<OutputDecl> {
+    let index: HashMap<&str, usize> = raw.iter().enumerate().map(|(i, o)| (o.name.as_str(), i)).collect();
+    let dependencies: Vec<Vec<usize>> = raw
+        .iter()
+        .map(|o| o.raw.formula.iter().flat_map(|f| f.names()).filter_map(|(n, _)| index.get(n).copied()).collect())
+        .collect();
+    let (order, cycles) = topological(&dependencies);
+    for cycle in &cycles {
+        let names: Vec<&str> = cycle.iter().chain(cycle.first()).map(|i| raw[*i].name.as_str()).collect();
+        let o = &raw[cycle[0]];
+        let finding = o.raw.snippet.diagnose(cycle_fault(o.raw.snippet.all(), &names));
+        reader.report(finding);
+    }
+    let cyclic: HashSet<usize> = cycles.into_iter().flatten().collect();
+    let mut done: Vec<Option<OutputDecl>> = (0..raw.len()).map(|_| None).collect();
+    let mut raw: Vec<Option<RawOutput>> = raw.into_iter().map(Some).collect();
+    for i in order {
+        if let Some(o) = raw[i].take()
+            && !cyclic.contains(&i)
+        {
+            done[i] = Some(declare(reader, o));
+        }
+    }
+    done.into_iter().flatten().collect()
+}
+
+fn declare<'a>(reader: &mut Reader<'a>, o: RawOutput<'a>) -> OutputDecl {
+    let mut value = reader.value(&o.raw, &Context::OUTPUT, None);
+    let display = o.unit.map(|(unit, label, span)| {
+        match value.kind {
+            Kind::Known(d) if !d.same(&unit.dimension) => reader.fault(mismatch(span, &unit.dimension, &d, false)),
+            Kind::Known(d) => value.kind = Kind::Known(d.with_angle_of(&unit.dimension)),
+            _ => value.kind = Kind::Known(unit.dimension),
+        }
+        DisplayUnit { label, factor: unit.factor.to_f64() }
+    });
+    let formula = value.good.then_some(value.expr);
+    let dimension = if value.good { value.kind } else { Kind::Unknown };
+    reader.scope.declare(&o.name, Entry { kind: EntryKind::Output(formula), dimension, depends: value.depends });
+    OutputDecl {
+        symbol: reader.builder.graph.symbol_id(&o.name, 0),
+        name: o.name,
+        formula: value.expr,
+        unit: si_label(&value.kind.or_none()),
+        display,
+        label: o.label,
+        span: o.span,
+    }
+}

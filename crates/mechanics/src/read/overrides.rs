@@ -1,0 +1,68 @@
+//! Values set on the command line: `--set name=quantity`.
+//!
+//! A name is a parameter (its value is replaced, also when it was a formula), a coordinate (its start), or a coordinate with a prime
+//! (its rate). Bare numbers are SI.
+
+use super::parameters::{RawCoordinate, RawParameter};
+use super::reader::Reader;
+use crate::diagnostic::{Diagnostic, Severity, Source};
+use crate::fault::{Fault, nearest};
+use std::collections::HashSet;
+use symbolic::Text;
+
+/// Splits `name=quantity`; `index` is its number on the command line.
+///
+/// # Errors
+/// When there is no `=` or no name.
+pub fn split(text: &str, index: usize) -> Result<(String, String), Box<Diagnostic>> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() => Ok((name.trim().to_owned(), value.to_owned())),
+        _ => Err(Box::new(Diagnostic {
+            code: "M068",
+            severity: Severity::Error,
+            source: Source::Override { index, text: text.to_owned(), span: 0..text.len() },
+            what: Text::new("expected name=quantity", "ожидается имя=величина"),
+            why: Text::default(),
+            help: Text::new("for example --set m=30g", "например --set m=30г"),
+            related: Vec::new(),
+        })),
+    }
+}
+
+/// Reports overrides of names that are no parameter, coordinate or rate.
+pub(super) fn check_names(reader: &mut Reader, coordinates: &[RawCoordinate], parameters: &[RawParameter]) {
+    if reader.overrides.is_empty() {
+        return;
+    }
+    let mut known: Vec<String> = parameters.iter().map(|p| p.name.clone()).collect();
+    known.extend(coordinates.iter().flat_map(|c| [c.name.clone(), format!("{}'", c.name)]));
+    let set: HashSet<&str> = known.iter().map(String::as_str).collect();
+    let mut findings = Vec::new();
+    for (name, snippet) in &reader.overrides {
+        if set.contains(name.trim()) {
+            continue;
+        }
+        let span = 0..name.len();
+        let fault = Fault::new(
+            "M068",
+            span.clone(),
+            format!("the model has no parameter or coordinate `{}`", name.trim()),
+            format!("в модели нет параметра или координаты `{}`", name.trim()),
+        );
+        let fault = match nearest(name.trim(), known.iter().map(String::as_str)) {
+            Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+            None => fault.help(
+                "a name is a parameter, a coordinate for its start, or phi' for a rate",
+                "имя — это параметр, координата (её начальное значение) или phi' (начальная скорость)",
+            ),
+        };
+        let mut diagnostic = snippet.diagnose(fault);
+        if let Source::Override { span: place, .. } = &mut diagnostic.source {
+            *place = span;
+        }
+        findings.push(diagnostic);
+    }
+    for finding in findings {
+        reader.report(finding);
+    }
+}

@@ -1,0 +1,333 @@
+//! `[parameters]` and `[coordinates]`.
+
+use super::order::topological;
+use super::reader::{Checked, Fields, Raw, Reader, short, string};
+use crate::diagnostic::Diagnostic;
+use crate::fault::{Fault, Site, Snippet};
+use crate::fields;
+use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind, mismatch};
+use crate::model::{Class, CoordinateDecl, ParameterDecl, ParameterValue};
+use crate::units::{Dimension, Unit, si_label};
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::ops::Range;
+use symbolic::Text;
+use toml::de::DeValue;
+
+const RESERVED: [&str; 3] = ["pi", "π", "t"];
+
+/// A coordinate before its start values are read.
+pub(super) struct RawCoordinate<'a> {
+    pub name: String,
+    span: Range<usize>,
+    dimension: Kind,
+    /// whether numbers without a unit would be taken for another unit than the one named
+    scaled: Option<String>,
+    start: Option<Raw<'a>>,
+    rate: Option<Raw<'a>>,
+    label: Text,
+}
+
+/// A parameter before its formula is checked.
+pub(super) struct RawParameter<'a> {
+    pub name: String,
+    span: Option<Range<usize>>,
+    raw: Raw<'a>,
+    unit: Option<(Unit, Range<usize>)>,
+    label: Text,
+}
+
+/// Claims a name of formulas; reports a second claim.
+pub(super) fn claim(reader: &mut Reader, name: &str, span: &Range<usize>) -> bool {
+    if !reader.name_is_fine(name, span.clone(), &RESERVED) {
+        return false;
+    }
+    if let Some(first) = reader.claimed.get(name).cloned() {
+        let d = Diagnostic::error(
+            "M011",
+            span.clone(),
+            Text::new(format!("the name `{name}` is used twice"), format!("имя `{name}` использовано дважды")),
+        )
+        .why(Text::new(
+            "parameters, coordinates and outputs share one set of names",
+            "у параметров, координат и выходных величин общий список имён",
+        ))
+        .related(first, Text::new("first here", "впервые здесь"));
+        reader.report(d);
+        return false;
+    }
+    reader.claimed.insert(name.to_owned(), span.clone());
+    true
+}
+
+/// The coordinates with their units.
+pub(super) fn collect_coordinates<'a>(
+    reader: &mut Reader<'a>,
+    top: &Fields<'a>,
+    notation: &mut Vec<(String, String)>,
+) -> Vec<RawCoordinate<'a>> {
+    let rows = top.rows(reader, "coordinates");
+    if rows.is_empty() {
+        let fault = Fault::new("M015", top.span_of("coordinates"), "the model has no coordinates", "в модели нет координат")
+            .why("a machine without a degree of freedom does not move", "у машины без степеней свободы нет движения")
+            .help("add [coordinates] with for example phi = { unit = \"rad\" }", "добавьте [coordinates], например phi = { unit = \"rad\" }");
+        reader.fault(fault);
+    }
+    let mut found = Vec::new();
+    for (name, span, value) in rows {
+        if !claim(reader, name, &span) {
+            continue;
+        }
+        let mut coordinate = RawCoordinate {
+            name: name.to_owned(),
+            span: span.clone(),
+            dimension: Kind::Unknown,
+            scaled: None,
+            start: None,
+            rate: None,
+            label: Text::default(),
+        };
+        let unit = match value.get_ref() {
+            DeValue::Table(table) => {
+                let fields = Fields::open(reader, &fields::COORDINATE, table, span, format!("coordinates.{}", short(name)));
+                fields.symbol(reader, name, notation);
+                coordinate.label = fields.text(reader, "label").unwrap_or_default();
+                coordinate.start = fields.raw(reader, "start");
+                coordinate.rate = fields.raw(reader, "rate");
+                fields.get("unit").and_then(|v| reader.unit(v))
+            }
+            _ => reader.unit(value),
+        };
+        if let Some((unit, written)) = unit {
+            coordinate.dimension = Kind::Known(unit.dimension);
+            coordinate.scaled = (unit.factor != crate::units::Factor::ONE).then_some(written);
+        }
+        found.push(coordinate);
+    }
+    found
+}
+
+/// Makes the coordinates known to formulas.
+pub(super) fn declare_coordinates(reader: &mut Reader, coordinates: &[RawCoordinate]) {
+    for c in coordinates {
+        let symbols = [0, 1, 2].map(|primes| reader.builder.graph.symbol_id(&c.name, primes));
+        reader.scope.declare(&c.name, Entry { kind: EntryKind::Coordinate(symbols), dimension: c.dimension, depends: Depends::POSITION });
+    }
+}
+
+/// The start values.
+pub(super) fn starts<'a>(reader: &mut Reader<'a>, raw: Vec<RawCoordinate<'a>>) -> Vec<CoordinateDecl> {
+    raw.into_iter().map(|c| start_of(reader, c)).collect()
+}
+
+fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl {
+    let dimension = match c.dimension {
+        Kind::Known(d) => Some(d),
+        _ => None,
+    };
+    let rate_dimension = dimension.map(|d| d.per_time(1));
+    let mut read = |raw: Option<Raw<'a>>, name: String, wanted: Option<&Dimension>| {
+        let wanted_by_hand = reader.override_of(&name).map(|snippet| by_hand(reader, snippet, wanted));
+        if let Some(value) = wanted_by_hand {
+            return value.expr;
+        }
+        let Some(raw) = raw else { return reader.builder.graph.zero() };
+        if let (Some(unit), Some(formula)) = (&c.scaled, &raw.formula)
+            && formula.is_bare_number()
+        {
+            let fault = Fault::new("M023", raw.snippet.all(), format!("a number without a unit, while the coordinate is in {unit}"), format!("число без единицы, хотя координата задана в {unit}"))
+                .help(format!("write the unit: \"{} {unit}\"", raw.snippet.text), format!("напишите единицу: \"{} {unit}\"", raw.snippet.text));
+            reader.report(raw.snippet.diagnose(fault));
+        }
+        warn_of_hertz(reader, &raw, wanted);
+        reader.value(&raw, &Context::CONSTANT, wanted).expr
+    };
+    let start = read(c.start, c.name.clone(), dimension.as_ref());
+    let rate = read(c.rate, format!("{}'", c.name), rate_dimension.as_ref());
+    let symbols = [0, 1, 2].map(|primes| reader.builder.graph.symbol_id(&c.name, primes));
+    let base = dimension.unwrap_or(Dimension::NONE);
+    let units = [0, 1, 2].map(|order| si_label(&base.per_time(order)));
+    CoordinateDecl { name: c.name, symbols, units, start, rate, label: c.label, span: c.span }
+}
+
+/// Hz where a turning rate is meant loses a factor of 2π.
+pub(super) fn warn_of_hertz(reader: &mut Reader, raw: &Raw, wanted: Option<&Dimension>) {
+    let hertz = raw.formula.as_ref().is_some_and(Formula::counts_periods);
+    if hertz && wanted.is_some_and(Dimension::is_angular) {
+        let fault = Fault::new("M027", raw.snippet.all(), "Hz where an angular rate in rad/s is meant", "Гц там, где нужна угловая скорость в рад/с")
+            .why("50 Hz counts 50 periods a second, which is 100 pi rad/s; the value is taken as 50 rad/s", "50 Гц — это 50 периодов в секунду, то есть 100 пи рад/с; значение принято равным 50 рад/с")
+            .help("write \"50 rev/s\", \"3000 rpm\" or 2*pi*f", "напишите \"50 об/с\", \"3000 об/мин\" или 2*pi*f")
+            .warning();
+        reader.report(raw.snippet.diagnose(fault));
+    }
+}
+
+/// A value from the command line: a bare number is SI.
+fn by_hand<'a>(reader: &mut Reader<'a>, snippet: Snippet<'a>, wanted: Option<&Dimension>) -> Checked {
+    let raw = reader.raw_text(snippet);
+    let bare = raw.formula.as_ref().is_some_and(Formula::is_bare_number);
+    reader.value(&raw, &Context::CONSTANT, wanted.filter(|_| !bare))
+}
+
+/// The parameters as written, and the predefined g.
+pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut Vec<(String, String)>) -> Vec<RawParameter<'a>> {
+    let mut found = Vec::new();
+    for (name, span, value) in top.rows(reader, "parameters") {
+        if !claim(reader, name, &span) {
+            continue;
+        }
+        let (mut unit, mut label) = (None, Text::default());
+        let raw = match value.get_ref() {
+            DeValue::Table(table) => {
+                let fields = Fields::open(reader, &fields::PARAMETER, table, span.clone(), format!("parameters.{}", short(name)));
+                fields.symbol(reader, name, notation);
+                label = fields.text(reader, "label").unwrap_or_default();
+                unit = fields.get("unit").and_then(|v| reader.unit(v).map(|u| (u.0, v.span())));
+                fields.raw(reader, "value")
+            }
+            _ => reader.raw(value),
+        };
+        let raw = raw.unwrap_or(Raw { snippet: nowhere(span.clone()), formula: None });
+        found.push(RawParameter { name: name.to_owned(), span: Some(span), raw, unit, label });
+    }
+    if !reader.claimed.contains_key("g") && !reader.is_output("g", top) {
+        let snippet = Snippet { text: Cow::Borrowed("9.81 m/s^2"), site: Site::Inside(0..0) };
+        let raw = reader.raw_text(snippet);
+        let label = Text::new("acceleration of gravity", "ускорение свободного падения");
+        found.push(RawParameter { name: "g".to_owned(), span: None, raw, unit: None, label });
+    }
+    found
+}
+
+fn nowhere<'a>(span: Range<usize>) -> Snippet<'a> {
+    Snippet { text: Cow::Borrowed(""), site: Site::Inside(span) }
+}
+
+/// Checks the parameters in the order of their dependence.
+pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawParameter<'a>>) -> Vec<ParameterDecl> {
+    let index: HashMap<&str, usize> = raw.iter().enumerate().map(|(i, p)| (p.name.as_str(), i)).collect();
+    let uses = |p: &RawParameter| match &p.raw.formula {
+        Some(f) if reader.override_of(&p.name).is_none() => f.names().filter_map(|(n, _)| index.get(n).copied()).collect(),
+        _ => Vec::new(),
+    };
+    let dependencies: Vec<Vec<usize>> = raw.iter().map(uses).collect();
+    let (order, cycles) = topological(&dependencies);
+    for cycle in &cycles {
+        let names: Vec<&str> = cycle.iter().chain(cycle.first()).map(|i| raw[*i].name.as_str()).collect();
+        let p = &raw[cycle[0]];
+        let finding = p.raw.snippet.diagnose(cycle_fault(p.raw.snippet.all(), &names));
+        reader.report(finding);
+        for i in cycle {
+            let symbol = reader.builder.graph.symbol_id(&raw[*i].name, 0);
+            let entry = Entry { kind: EntryKind::Parameter(symbol), dimension: Kind::Unknown, depends: Depends::NOTHING };
+            reader.scope.declare(&raw[*i].name, entry);
+        }
+    }
+    let cyclic: std::collections::HashSet<usize> = cycles.into_iter().flatten().collect();
+    let mut raw: Vec<Option<RawParameter>> = raw.into_iter().map(Some).collect();
+    let mut declared = Vec::with_capacity(raw.len());
+    for i in order {
+        if let Some(p) = raw[i].take()
+            && !cyclic.contains(&i)
+        {
+            declared.push(declare(reader, p));
+        }
+    }
+    declared
+}
+
+/// The fault of definitions that need each other.
+pub(super) fn cycle_fault(span: Range<usize>, names: &[&str]) -> Fault {
+    let chain = if names.len() > 12 { format!("{} -> ...", names[..12].join(" -> ")) } else { names.join(" -> ") };
+    Fault::new("M040", span, format!("cyclic definition: {chain}"), format!("циклическое определение: {chain}"))
+        .why("each of these values needs the next one first", "каждая из этих величин требует сначала следующую")
+        .help("give one of them as a number, or solve the relation by hand", "задайте одну из них числом или разрешите зависимость вручную")
+}
+
+fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>) -> ParameterDecl {
+    apply_unit(reader, &mut p);
+    let by_hand_snippet = reader.override_of(&p.name);
+    let mut written = p.raw.snippet.text.trim().to_owned();
+    let mut value = reader.value(&p.raw, &Context::PARAMETER, None);
+    let mut symbol_free = p.raw.formula.as_ref().is_some_and(Formula::is_symbol_free);
+    if let Some((unit, span)) = &p.unit {
+        match value.kind {
+            Kind::Known(d) if !d.same(&unit.dimension) => reader.fault(mismatch(span.clone(), &unit.dimension, &d, false)),
+            Kind::Known(d) => value.kind = Kind::Known(d.with_angle_of(&unit.dimension)),
+            Kind::Any => value.kind = Kind::Known(unit.dimension),
+            Kind::Unknown => {}
+        }
+    }
+    if let Some(snippet) = by_hand_snippet {
+        let wanted = match value.kind {
+            Kind::Known(d) => Some(d),
+            _ => None,
+        };
+        snippet.text.trim().clone_into(&mut written);
+        let set = by_hand(reader, snippet, wanted.as_ref());
+        let kind = if wanted.is_some() { value.kind } else { set.kind };
+        value = Checked { kind, ..set };
+        symbol_free = true;
+    }
+    finish(reader, p, value, written, symbol_free)
+}
+
+/// `{ value = 5, unit = "kg" }` is 5 kg.
+fn apply_unit(reader: &mut Reader, p: &mut RawParameter) {
+    let (Some((unit, _)), Some(formula)) = (&p.unit, &p.raw.formula) else { return };
+    if let Some(number) = formula.bare_number() {
+        let quantity = crate::units::Quantity { number: number.clone(), unit: unit.clone(), has_unit: true };
+        if !quantity.to_f64().is_finite() {
+            let finding = p.raw.snippet.diagnose(crate::units::out_of_range(p.raw.snippet.all()));
+            reader.report(finding);
+        }
+        p.raw.formula = Some(Formula::quantity(quantity, p.raw.snippet.all()));
+    }
+}
+
+fn finish(reader: &mut Reader, p: RawParameter, value: Checked, written: String, symbol_free: bool) -> ParameterDecl {
+    let symbol = reader.builder.graph.symbol_id(&p.name, 0);
+    let number = reader.number(&value);
+    if let Some(n) = number {
+        reader.values.set(&mut reader.builder.graph, symbol, n);
+    }
+    let class = if value.depends.is_state() {
+        Class::State
+    } else if value.depends.is_constant() {
+        Class::Constant
+    } else {
+        Class::Time
+    };
+    let dimension = if value.good { value.kind } else { Kind::Unknown };
+    reader.scope.declare(&p.name, Entry { kind: EntryKind::Parameter(symbol), dimension, depends: value.depends });
+    let shown = if symbol_free { ParameterValue::Number { si: value.expr } } else { ParameterValue::Formula(value.expr) };
+    ParameterDecl {
+        name: p.name,
+        symbol,
+        value: shown,
+        class,
+        number,
+        unit: si_label(&value.kind.or_none()),
+        written,
+        label: p.label,
+        span: p.span,
+    }
+}
+
+impl Reader<'_> {
+    /// Whether the file has an output of that name.
+    fn is_output(&self, name: &str, top: &Fields) -> bool {
+        top.get("outputs").and_then(|v| v.get_ref().as_table()).is_some_and(|t| t.contains_key(name))
+    }
+}
+
+/// A string list; findings for anything else in it.
+pub(super) fn names<'a>(reader: &mut Reader<'a>, value: &'a super::syntax::Value<'a>) -> Vec<(String, Range<usize>)> {
+    match value.get_ref() {
+        DeValue::Array(items) => items.iter().filter_map(|v| string(reader, v, "a name in quotes", "имя в кавычках")).collect(),
+        other => {
+            reader.fault(super::reader::wrong_type(value.span(), "an array of names", "массив имён", other.type_str()));
+            Vec::new()
+        }
+    }
+}

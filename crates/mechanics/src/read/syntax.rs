@@ -1,0 +1,173 @@
+//! TOML: parsing with recovery, and its errors in our words.
+
+use crate::diagnostic::Diagnostic;
+use std::ops::Range;
+use symbolic::Text;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+pub(super) type Table<'a> = DeTable<'a>;
+pub(super) type Value<'a> = Spanned<DeValue<'a>>;
+
+/// Findings that a lost line of the file would cause: not reported when the file has syntax errors.
+pub(super) const FOLLOW_UPS: [&str; 10] = ["M006", "M013", "M014", "M015", "M025", "M041", "M057", "M059", "M062", "M066"];
+
+/// Most parts of a dotted key.
+const MAX_KEY_PARTS: usize = 32;
+
+/// The table of a file as far as it can be read, and the syntax errors. No table when reading on would be unsafe.
+pub(super) fn parse(text: &str) -> (Option<DeTable<'_>>, Vec<Diagnostic>) {
+    if let Some(at) = deep_key(text) {
+        let d = Diagnostic::error(
+            "M009",
+            boundaries(text, at..at + 1),
+            Text::new(
+                format!("a key has more than {MAX_KEY_PARTS} parts"),
+                format!("в ключе больше {MAX_KEY_PARTS} частей"),
+            ),
+        );
+        return (None, vec![d]);
+    }
+    let (root, errors) = DeTable::parse_recoverable(text);
+    let mut findings: Vec<Diagnostic> = Vec::new();
+    let mut lines: Vec<usize> = Vec::new();
+    for error in errors.iter().take(1000) {
+        let span = boundaries(text, error.span().unwrap_or(text.len()..text.len()));
+        let start = text[..span.start].rfind('\n').map_or(0, |i| i + 1);
+        let first_of_line = lines.last() != Some(&start);
+        lines.push(start);
+        if let Some(key) = bare_key(text, start) {
+            if first_of_line {
+                findings.push(unquoted(text, key));
+            }
+        } else if first_of_line || error.message().contains("duplicate") {
+            findings.push(translate(text, span, error.message()));
+        }
+    }
+    (Some(root.into_inner()), findings)
+}
+
+/// The place of a key with too many parts: nested tables that deep would exhaust the stack when dropped.
+fn deep_key(text: &str) -> Option<usize> {
+    let mut parts = 0;
+    let mut quote: Option<u8> = None;
+    for (i, b) in text.bytes().enumerate() {
+        match (quote, b) {
+            (Some(q), b) if b == q || b == b'\n' => quote = None,
+            (Some(_), _) => {}
+            (None, b'"' | b'\'') => quote = Some(b),
+            (None, b'.') => parts += 1,
+            (None, b'=' | b',' | b'\n' | b'[' | b']' | b'{' | b'}' | b'#') => parts = 0,
+            _ => {}
+        }
+        // a text over several lines may look like a key; nobody writes this many points in one either
+        if parts > MAX_KEY_PARTS {
+            return Some(i);
+        }
+    }
+    None
+}
+
+/// The key at the start of a line when it is written with letters that TOML wants quoted.
+fn bare_key(text: &str, start: usize) -> Option<Range<usize>> {
+    let line = text[start..].lines().next().unwrap_or_default();
+    let head = match line.trim_start().strip_prefix('[') {
+        Some(header) => header.trim_start_matches('[').split(']').next()?,
+        None => line.split_once('=')?.0,
+    };
+    if head.contains(['"', '\'', '#', '{']) {
+        return None;
+    }
+    for part in head.split('.') {
+        let part = part.trim();
+        if !part.is_ascii() && part.chars().all(|c| c.is_alphanumeric() || "_-'".contains(c)) {
+            let from = part.as_ptr() as usize - text.as_ptr() as usize;
+            return Some(from..from + part.len());
+        }
+    }
+    None
+}
+
+fn unquoted(text: &str, key: Range<usize>) -> Diagnostic {
+    let name = &text[key.clone()];
+    Diagnostic::error(
+        "M003",
+        key.clone(),
+        Text::new(format!("the key `{name}` needs quotes"), format!("ключ `{name}` нужно взять в кавычки")),
+    )
+    .why(Text::new(
+        "TOML allows only Latin letters, digits, - and _ in keys without quotes",
+        "без кавычек TOML допускает в ключах только латинские буквы, цифры, - и _",
+    ))
+    .help(Text::new(format!("write \"{name}\""), format!("напишите \"{name}\"")))
+}
+
+fn translate(text: &str, span: Range<usize>, message: &str) -> Diagnostic {
+    if message.contains("duplicate key") {
+        let key = text.get(span.clone()).unwrap_or_default().to_owned();
+        return Diagnostic::error(
+            "M004",
+            span,
+            Text::new(format!("`{key}` is given twice"), format!("`{key}` задано дважды")),
+        )
+        .help(Text::new("remove or rename one of them", "удалите или переименуйте одно из двух"));
+    }
+    let span = if span.is_empty() { visible(text, span.start) } else { span };
+    let ru = russian(message);
+    let found = Diagnostic::error("M002", span, Text::new(format!("TOML: {message}"), format!("TOML: {ru}")));
+    if message.contains("recursion") {
+        return found;
+    }
+    if message.contains("string values must be quoted") || message.contains("invalid") {
+        return found.help(Text::new(
+            "quantities and formulas are strings in quotes: mass = \"20 g\"",
+            "величины и формулы — строки в кавычках: mass = \"20 g\"",
+        ));
+    }
+    found
+}
+
+/// The commonest messages of the parser; others stay English, with the technical term they carry.
+fn russian(message: &str) -> String {
+    const WORDS: [(&str, &str); 14] = [
+        ("string values must be quoted", "строки берут в кавычки"),
+        ("key with no value", "ключ без значения"),
+        ("missing value for key", "нет значения ключа"),
+        ("missing assignment between key-value pairs", "нет знака = или перевода строки между парами"),
+        ("missing comma between array elements", "нет запятой между элементами массива"),
+        ("missing comma between key-value pairs", "нет запятой между парами"),
+        ("unclosed table", "таблица не закрыта"),
+        ("unclosed array", "массив не закрыт"),
+        ("invalid basic string", "неверная строка"),
+        ("invalid unquoted key", "недопустимый ключ без кавычек"),
+        ("unquoted keys cannot be empty", "ключ пуст"),
+        ("unexpected content between key and value", "лишнее между ключом и значением"),
+        ("cannot extend value", "нельзя дополнить уже заданное значение"),
+        (", expected ", ", ожидается "),
+    ];
+    WORDS.iter().fold(message.to_owned(), |text, (en, ru)| text.replace(en, ru))
+}
+
+/// The range widened to whole characters and cut to the text.
+pub(super) fn boundaries(text: &str, span: Range<usize>) -> Range<usize> {
+    let mut start = span.start.min(text.len());
+    let mut end = span.end.clamp(start, text.len());
+    while !text.is_char_boundary(start) {
+        start -= 1;
+    }
+    while !text.is_char_boundary(end) {
+        end += 1;
+    }
+    start..end
+}
+
+/// The character at or before a place, so that there is something to point at.
+fn visible(text: &str, at: usize) -> Range<usize> {
+    match text[at..].chars().next().filter(|c| *c != '\n' && *c != '\r') {
+        Some(c) => at..at + c.len_utf8(),
+        None => {
+            let start = text[..at].char_indices().next_back().map_or(at, |(i, _)| i);
+            if text[start..].starts_with(['\n', '\r']) { at..at } else { start..at }
+        }
+    }
+}

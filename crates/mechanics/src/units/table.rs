@@ -1,0 +1,219 @@
+//! The table of units: names in both alphabets, exact factors, which take prefixes.
+
+use super::Dimension;
+use symbolic::{Expr, Graph, Rational};
+
+/// An exact conversion factor: number · π^pi.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Factor {
+    /// The rational part.
+    pub number: Rational,
+    /// The power of π (degrees, revolutions).
+    pub pi: i32,
+}
+
+impl Factor {
+    /// One.
+    pub const ONE: Factor = Factor { number: Rational::ONE, pi: 0 };
+
+    /// The factor as an expression.
+    pub fn expr(&self, graph: &mut Graph) -> Expr {
+        let pi = graph.pi();
+        graph.monomial(self.number.clone(), &[(pi, i64::from(self.pi).into())])
+    }
+    /// The nearest machine number.
+    pub fn to_f64(&self) -> f64 {
+        self.number.to_f64() * std::f64::consts::PI.powi(self.pi)
+    }
+}
+
+/// A unit: one of it is `factor` SI units of `dimension`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Unit {
+    /// SI value of one such unit.
+    pub factor: Factor,
+    /// Dimension.
+    pub dimension: Dimension,
+    /// Whether it counts periods (Hz, Гц), so that 2π may be missing where an angular rate is meant.
+    pub counts_periods: bool,
+}
+
+impl Unit {
+    /// The unit of pure numbers.
+    pub const ONE: Unit = Unit { factor: Factor::ONE, dimension: Dimension::NONE, counts_periods: false };
+}
+
+/// A row of the table.
+struct Row {
+    /// Latin names, the first is the usual one.
+    latin: &'static [&'static str],
+    /// Cyrillic names, the first is the usual one.
+    cyrillic: &'static [&'static str],
+    /// SI value as a decimal literal or a fraction of two.
+    factor: &'static str,
+    /// Power of π in the factor.
+    pi: i32,
+    dimension: Dimension,
+    /// Whether SI prefixes apply.
+    prefixed: bool,
+}
+
+const fn row(
+    latin: &'static [&'static str],
+    cyrillic: &'static [&'static str],
+    factor: &'static str,
+    dimension: Dimension,
+    prefixed: bool,
+) -> Row {
+    Row { latin, cyrillic, factor, pi: 0, dimension, prefixed }
+}
+const fn angle(latin: &'static [&'static str], cyrillic: &'static [&'static str], factor: &'static str, dimension: Dimension) -> Row {
+    Row { latin, cyrillic, factor, pi: 1, dimension, prefixed: false }
+}
+
+/// A word that is not decided by the table alone is decided by order: whole names win over prefix and name (`min` is a minute).
+const ROWS: &[Row] = &[
+    row(&["m"], &["м"], "1", Dimension::LENGTH, true),
+    row(&["g"], &["г"], "0.001", Dimension::MASS, true),
+    row(&["s", "sec"], &["с", "сек"], "1", Dimension::TIME, true),
+    row(&["A"], &["А"], "1", Dimension::base(3), true),
+    row(&["K"], &["К"], "1", Dimension::base(4), true),
+    row(&["mol"], &["моль"], "1", Dimension::base(5), true),
+    row(&["cd"], &["кд"], "1", Dimension::base(6), true),
+    row(&["rad"], &["рад"], "1", Dimension::ANGLE, true),
+    angle(&["deg", "°"], &["град"], "1/180", Dimension::ANGLE),
+    angle(&["rev", "turn"], &["об"], "2", Dimension::ANGLE),
+    angle(&["rpm"], &[], "1/30", Dimension::ANGULAR_RATE),
+    row(&["N"], &["Н"], "1", Dimension::FORCE, true),
+    row(&["J"], &["Дж"], "1", Dimension::ENERGY, true),
+    row(&["W"], &["Вт"], "1", Dimension::POWER, true),
+    row(&["Pa"], &["Па"], "1", Dimension::of(-1, 1, -2), true),
+    row(&["Hz"], &["Гц"], "1", Dimension::of(0, 0, -1), true),
+    row(&["t"], &["т"], "1000", Dimension::MASS, false),
+    row(&["min"], &["мин"], "60", Dimension::TIME, false),
+    row(&["h"], &["ч"], "3600", Dimension::TIME, false),
+    row(&["day", "d"], &["сут"], "86400", Dimension::TIME, false),
+    row(&["l", "L"], &["л"], "0.001", Dimension::of(3, 0, 0), true),
+    row(&["bar"], &["бар"], "100000", Dimension::of(-1, 1, -2), true),
+    row(&["atm"], &["атм"], "101325", Dimension::of(-1, 1, -2), false),
+    row(&["kgf"], &["кгс"], "9.80665", Dimension::FORCE, false),
+    row(&["gf"], &["гс"], "0.00980665", Dimension::FORCE, false),
+    row(&["tf"], &["тс"], "9806.65", Dimension::FORCE, false),
+    // 550 foot-pounds per second, and 75 kgf m/s
+    row(&["hp"], &[], "745.69987158227022", Dimension::POWER, false),
+    row(&["PS"], &["л.с.", "лс"], "735.49875", Dimension::POWER, false),
+    row(&["in"], &["дюйм"], "0.0254", Dimension::LENGTH, false),
+    row(&["ft"], &["фут"], "0.3048", Dimension::LENGTH, false),
+    row(&["lb"], &["фунт"], "0.45359237", Dimension::MASS, false),
+    row(&["lbf"], &[], "4.4482216152605", Dimension::FORCE, false),
+    row(&["%"], &[], "0.01", Dimension::NONE, false),
+    row(&["V"], &["В"], "1", Dimension::electric(2, 1, -3, -1), true),
+    row(&["C"], &["Кл"], "1", Dimension::electric(0, 0, 1, 1), true),
+    row(&["Ohm", "Ω"], &["Ом"], "1", Dimension::electric(2, 1, -3, -2), true),
+    row(&["F"], &["Ф"], "1", Dimension::electric(-2, -1, 4, 2), true),
+    row(&["H"], &["Гн"], "1", Dimension::electric(2, 1, -2, -2), true),
+    row(&["Wb"], &["Вб"], "1", Dimension::electric(2, 1, -2, -1), true),
+    row(&["T"], &["Тл"], "1", Dimension::electric(0, 1, -2, -1), true),
+];
+
+const LATIN_PREFIXES: &[(&str, i64)] = &[
+    ("da", 1),
+    ("T", 12),
+    ("G", 9),
+    ("M", 6),
+    ("k", 3),
+    ("h", 2),
+    ("d", -1),
+    ("c", -2),
+    ("m", -3),
+    ("u", -6),
+    ("µ", -6),
+    ("μ", -6),
+    ("n", -9),
+    ("p", -12),
+    ("f", -15),
+];
+const CYRILLIC_PREFIXES: &[(&str, i64)] = &[
+    ("да", 1),
+    ("мк", -6),
+    ("Т", 12),
+    ("Г", 9),
+    ("М", 6),
+    ("к", 3),
+    ("г", 2),
+    ("д", -1),
+    ("с", -2),
+    ("м", -3),
+    ("н", -9),
+    ("п", -12),
+    ("ф", -15),
+];
+
+/// The unit of that name.
+pub(super) fn find(name: &str) -> Option<Unit> {
+    let exact = |r: &&Row| r.latin.contains(&name) || r.cyrillic.contains(&name);
+    if let Some(row) = ROWS.iter().find(exact) {
+        return Some(unit(row, 0));
+    }
+    let split = |prefixes: &[(&str, i64)], names: fn(&Row) -> &'static [&'static str]| {
+        prefixes.iter().find_map(|(prefix, power)| {
+            let rest = name.strip_prefix(prefix)?;
+            ROWS.iter().find(|r| r.prefixed && names(r).contains(&rest)).map(|r| unit(r, *power))
+        })
+    };
+    split(LATIN_PREFIXES, |r| r.latin).or_else(|| split(CYRILLIC_PREFIXES, |r| r.cyrillic))
+}
+
+fn unit(row: &Row, power: i64) -> Unit {
+    let part = |text: &str| Rational::parse_decimal(text).unwrap_or_default();
+    let number = match row.factor.split_once('/') {
+        Some((above, below)) => &part(above) / &part(below),
+        None => part(row.factor),
+    };
+    let scale = Rational::from(10).pow(power).unwrap_or(Rational::ONE);
+    Unit {
+        factor: Factor { number: &number * &scale, pi: row.pi },
+        dimension: row.dimension,
+        counts_periods: row.latin.first() == Some(&"Hz"),
+    }
+}
+
+/// The known unit name nearest to a misspelt one, in the same alphabet where possible. Letters of one alphabet that look like those
+/// of the other are tried first: `кg`, `H` for Н.
+pub(super) fn nearest(name: &str) -> Option<String> {
+    if name.chars().count() > 12 {
+        return None;
+    }
+    for (from, to) in [(LOOKALIKE_LATIN, LOOKALIKE_CYRILLIC), (LOOKALIKE_CYRILLIC, LOOKALIKE_LATIN)] {
+        let swapped: String =
+            name.chars().map(|c| from.chars().position(|f| f == c).and_then(|i| to.chars().nth(i)).unwrap_or(c)).collect();
+        if swapped != name && find(&swapped).is_some() {
+            return Some(swapped);
+        }
+    }
+    let lower = name.to_lowercase();
+    let mut best: Option<(usize, String)> = None;
+    let mut offer = |candidate: String| {
+        // a wrong case is half a slip
+        let distance =
+            (2 * strsim::damerau_levenshtein(name, &candidate)).min(1 + 2 * strsim::damerau_levenshtein(&lower, &candidate.to_lowercase()));
+        if best.as_ref().is_none_or(|(d, _)| distance < *d) {
+            best = Some((distance, candidate));
+        }
+    };
+    for row in ROWS {
+        for (names, prefixes) in [(row.latin, LATIN_PREFIXES), (row.cyrillic, CYRILLIC_PREFIXES)] {
+            for n in names {
+                offer((*n).to_owned());
+                for (prefix, _) in prefixes.iter().filter(|_| row.prefixed) {
+                    offer(format!("{prefix}{n}"));
+                }
+            }
+        }
+    }
+    let limit = if name.chars().count() <= 2 { 2 } else { 4 };
+    best.filter(|(d, n)| *d <= limit && *d < 2 * n.chars().count()).map(|(_, n)| n)
+}
+
+const LOOKALIKE_LATIN: &str = "acekmopxyABCEHKMOPTX";
+const LOOKALIKE_CYRILLIC: &str = "асекморхуАВСЕНКМОРТХ";
