@@ -5,6 +5,7 @@ pub mod audits;
 pub mod dataset;
 pub mod events;
 pub mod fault;
+pub mod machine;
 pub mod numerics;
 pub mod studies;
 pub mod system;
@@ -12,4 +13,5 @@ pub mod taylor;
 
 pub use dataset::Dataset;
 pub use fault::Fault;
+pub use machine::Machine;
 pub use system::{Guard, Mode, Powers, Quantity, System};

@@ -106,11 +106,17 @@ pub trait System {
     /// Coefficients of state `i` from the last [`System::expand`]; length order + 1.
     fn state(&self, i: usize) -> &[f64];
 
-    /// Coefficients of guard `i` from the last [`System::expand`]; length order + 1 (or order, when the guard needs a derivative).
+    /// Coefficients of guard `i` from the last [`System::expand`]; length order + 1. Empty when the guard decides nothing in these modes.
     fn guard(&self, i: usize) -> &[f64];
 
     /// Values of all outputs at (t, x) in the given modes. Does not disturb the last expansion.
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault>;
+
+    /// Modes that the values of the guards have at a state; none when undefined there. The second derivation is taken in these.
+    fn modes_by_value(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
+        let _ = (t, x);
+        Some(vec![Mode::Positive; self.guards().len()])
+    }
 
     /// Powers at (t, x) with given accelerations q''; none when the system has no energies.
     fn powers(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Powers> {

@@ -24,7 +24,7 @@ pub fn two_derivations<S: System + ?Sized>(system: &mut S, end: f64, seed: u64) 
     let mut worst: f64 = 0.0;
     let mut done = 0;
     for _ in 0..TRIES {
-        let sample = Sample::draw(system, end, &mut random);
+        let mut sample = Sample::draw(system, end, &mut random);
         if let Some(value) = sample.difference(system) {
             worst = worst.max(value);
             done += 1;
@@ -55,12 +55,12 @@ impl Sample {
             if q.unit == "rad" { unit * std::f64::consts::PI } else { unit * (10.0_f64).powf(random.between(-2.0, 0.0)) }
         });
         let x = x.collect();
-        let modes = system.guards().iter().map(|_| if random.bits() & 1 == 0 { Mode::Negative } else { Mode::Positive }).collect();
-        Sample { t, x, modes }
+        Sample { t, x, modes: Vec::new() }
     }
 
     /// None at a singular or undefined state.
-    fn difference<S: System + ?Sized>(&self, system: &mut S) -> Option<f64> {
+    fn difference<S: System + ?Sized>(&mut self, system: &mut S) -> Option<f64> {
+        self.modes = system.modes_by_value(self.t, &self.x)?;
         let n = system.n_coordinates();
         system.expand(self.t, &self.x, &self.modes, 1).ok()?;
         let accelerations: Vec<f64> = (n..2 * n).map(|i| system.state(i)[1]).collect();

@@ -37,7 +37,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let before = self.modes.clone();
         for i in 0..self.modes.len() {
             let scheduled = self.system.guards()[i].scheduled.is_some();
-            if self.modes[i] == Mode::Zero && !scheduled {
+            if self.modes[i] == Mode::Zero && !scheduled && !self.system.guard(i).is_empty() {
                 self.touched[i] = true;
             } else if self.touched[i] {
                 self.modes[i] = opposite(self.modes[i]);
@@ -127,7 +127,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// The side on which the flow of the last expansion keeps a guard.
     fn wanted(&mut self, i: usize) -> Mode {
         let g = self.system.guard(i);
-        let value = g.first().copied().unwrap_or(0.0);
+        let Some(&value) = g.first() else { return self.modes[i] };
         if let Some(t) = self.system.guards()[i].scheduled {
             let slope = Mode::of(g.get(1).copied().unwrap_or(0.0));
             return if self.now.until(t) > 0.0 { opposite(slope) } else { slope };

@@ -24,8 +24,10 @@
 
 use super::step::Series;
 
-/// Lowest and highest order.
-const ORDERS: (usize, usize) = (4, 40);
+/// Lowest order.
+const LOWEST_ORDER: usize = 4;
+/// Highest order that is asked of a system.
+pub const HIGHEST_ORDER: usize = 40;
 /// Share of the largest component of a unit below which a smaller one of that unit is not resolved relatively.
 const UNIT_SHARE: f64 = 1e-8;
 /// Half a unit in the last place, halved again.
@@ -47,7 +49,7 @@ pub(super) struct Rule {
 
 impl Rule {
     pub(super) fn new(tolerance: f64, order: Option<usize>, units: &[&str]) -> Rule {
-        let order = order.unwrap_or_else(|| order_for(tolerance)).clamp(ORDERS.0, ORDERS.1);
+        let order = order.unwrap_or_else(|| order_for(tolerance)).clamp(LOWEST_ORDER, HIGHEST_ORDER);
         let mut names: Vec<&str> = Vec::new();
         let group: Vec<usize> = units
             .iter()

@@ -21,6 +21,7 @@ use crate::events::roots::{RootFinder, surely_no_root};
 use crate::fault::number;
 use crate::numerics::sum::{Instant, two_sum};
 use crate::{Fault, Mode, System};
+pub use length::HIGHEST_ORDER;
 use length::Rule;
 
 /// Smallest and largest tolerance accepted.
@@ -277,7 +278,8 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             return None;
         }
         let c = &self.step.guards.row(i)[self.deflation[i]..];
-        if surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
+        let decides_nothing = c.iter().all(|c_k| *c_k == 0.0);
+        if decides_nothing || surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
     }
 
     /// Next state.
