@@ -2,6 +2,7 @@
 //! nothing.
 
 pub mod diagnostic;
+pub mod explain;
 mod fault;
 pub mod fields;
 pub mod formula;
