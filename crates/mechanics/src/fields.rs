@@ -146,7 +146,8 @@ const BETWEEN: Field = may(
     ),
     "[\"A\", \"B\"]",
 );
-const ON: Field = may("on", Type::Name, "", "\"ground\"", ("frame or body it stands on", "система отсчёта или тело, на котором стоит"), "\"crank\"");
+const ON: Field =
+    may("on", Type::Name, "", "\"ground\"", ("frame or body it stands on", "система отсчёта или тело, на котором стоит"), "\"crank\"");
 const ORIGIN: Field = may(
     "origin",
     Type::VectorOrPoint,
@@ -161,7 +162,10 @@ const ROTATE: Field = may(
     Type::Rotations,
     "rad",
     "",
-    ("successive turns, each about an own, already turned axis", "последовательные повороты, каждый вокруг собственной, уже повёрнутой оси"),
+    (
+        "successive turns, each about an own, already turned axis",
+        "последовательные повороты, каждый вокруг собственной, уже повёрнутой оси",
+    ),
     "[\"z: psi\", \"x: theta\"]",
 );
 const SPIN: Field = may(
@@ -190,7 +194,10 @@ pub const TOP: TableSpec = TableSpec {
             Type::Gravity,
             "m/s^2",
             "\"g\"",
-            ("gravity: false for none; a formula acts along -y of the ground; or a vector", "тяжесть: false — нет; формула действует вдоль -y; или вектор"),
+            (
+                "gravity: false for none; a formula acts along -y of the ground; or a vector",
+                "тяжесть: false — нет; формула действует вдоль -y; или вектор",
+            ),
             "[\"0\", \"0\", \"-g\"]",
         ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
@@ -219,7 +226,14 @@ pub const PARAMETER: TableSpec = TableSpec {
     short: Some(("name = value", "имя = значение")),
     fields: &[
         must("value", Type::Formula, "", ("value", "значение"), "\"20 g\""),
-        may("unit", Type::Unit, "", "", ("unit of a bare number; otherwise a check", "единица числа без единицы; иначе проверка"), "\"kg\""),
+        may(
+            "unit",
+            Type::Unit,
+            "",
+            "",
+            ("unit of a bare number; otherwise a check", "единица числа без единицы; иначе проверка"),
+            "\"kg\"",
+        ),
         SYMBOL,
         LABEL,
     ],
@@ -229,10 +243,7 @@ pub const PARAMETER: TableSpec = TableSpec {
 /// `[coordinates]`.
 pub const COORDINATE: TableSpec = TableSpec {
     name: "coordinates",
-    about: (
-        "Generalized coordinates; `phi'` and `phi''` are the derivatives.",
-        "Обобщённые координаты; `phi'` и `phi''` — производные.",
-    ),
+    about: ("Generalized coordinates; `phi'` and `phi''` are the derivatives.", "Обобщённые координаты; `phi'` и `phi''` — производные."),
     short: Some(("name = \"unit\"", "имя = \"единица\"")),
     fields: &[
         must("unit", Type::Unit, "", ("unit", "единица"), "\"rad\""),
@@ -291,7 +302,14 @@ pub const BODY: TableSpec = TableSpec {
             ),
             "\"disc(R)\"",
         ),
-        may("gyration", Type::Formula, "m", "", ("radius of gyration about z: inertia = mass*gyration^2", "радиус инерции относительно z: inertia = mass*gyration^2"), "\"rho\""),
+        may(
+            "gyration",
+            Type::Formula,
+            "m",
+            "",
+            ("radius of gyration about z: inertia = mass*gyration^2", "радиус инерции относительно z: inertia = mass*gyration^2"),
+            "\"rho\"",
+        ),
         may("gravity", Type::Bool, "", "true", ("whether gravity acts on it", "действует ли тяжесть"), "false"),
     ],
     example: "[bodies.pendulum]\nangle = \"phi\"\nmass = \"m\"\ncenter = [\"0\", \"-l\"]\n",
@@ -333,7 +351,13 @@ pub const SPRING: TableSpec = TableSpec {
     fields: &[
         ALONG,
         BETWEEN,
-        must("stiffness", Type::Formula, "N/m", ("stiffness; N m per radian for an angle", "жёсткость; Н м на радиан для угла"), "\"400 kN/m\""),
+        must(
+            "stiffness",
+            Type::Formula,
+            "N/m",
+            ("stiffness; N m per radian for an angle", "жёсткость; Н м на радиан для угла"),
+            "\"400 kN/m\"",
+        ),
         may(
             "rest",
             Type::Formula,
@@ -345,7 +369,14 @@ pub const SPRING: TableSpec = TableSpec {
             ),
             "\"l0\"",
         ),
-        may("preload", Type::Formula, "N", "0", ("force at rest, tension positive", "усилие при rest, растяжение положительно"), "\"10 N\""),
+        may(
+            "preload",
+            Type::Formula,
+            "N",
+            "0",
+            ("force at rest, tension positive", "усилие при rest, растяжение положительно"),
+            "\"10 N\"",
+        ),
     ],
     example: "[springs.horizontal]\nalong = \"x\"\nstiffness = \"c_x\"\n",
 };
@@ -358,7 +389,13 @@ pub const DAMPER: TableSpec = TableSpec {
     fields: &[
         ALONG,
         BETWEEN,
-        must("damping", Type::Formula, "N s/m", ("damping; N m s per radian for an angle", "коэффициент вязкости; Н м с на радиан для угла"), "\"25 N s/m\""),
+        must(
+            "damping",
+            Type::Formula,
+            "N s/m",
+            ("damping; N m s per radian for an angle", "коэффициент вязкости; Н м с на радиан для угла"),
+            "\"25 N s/m\"",
+        ),
     ],
     example: "[dampers.shaft]\nbetween = [\"rotor\", \"pendulum\"]\ndamping = \"k\"\n",
 };
@@ -375,7 +412,13 @@ pub const FORCE: TableSpec = TableSpec {
         may("at", Type::Name, "", "", ("point, or body for its mass centre", "точка или тело (тогда центр масс)"), "\"A\""),
         ALONG,
         BETWEEN,
-        must("value", Type::FormulaOrVector, "N", ("components with `at`, one formula with a pathway", "компоненты при `at`, одна формула при координате"), "[\"F0*sin(Omega*t)\", \"0\"]"),
+        must(
+            "value",
+            Type::FormulaOrVector,
+            "N",
+            ("components with `at`, one formula with a pathway", "компоненты при `at`, одна формула при координате"),
+            "[\"F0*sin(Omega*t)\", \"0\"]",
+        ),
         may("axes", Type::Name, "", "\"ground\"", ("axes of the components", "оси компонент"), "\"blade\""),
     ],
     example: "[forces.drag]\nat = \"A\"\nvalue = [\"-c*vx(A)\", \"-c*vy(A)\"]\n",
@@ -388,9 +431,22 @@ pub const TORQUE: TableSpec = TableSpec {
     short: None,
     fields: &[
         must("on", Type::Name, "", ("body it acts on", "тело, на которое действует"), "\"crank\""),
-        must("value", Type::FormulaOrVector, "N m", ("torque about z, or its components", "момент вокруг z или компоненты"), "\"M0 - k*phi'\""),
+        must(
+            "value",
+            Type::FormulaOrVector,
+            "N m",
+            ("torque about z, or its components", "момент вокруг z или компоненты"),
+            "\"M0 - k*phi'\"",
+        ),
         may("axes", Type::Name, "", "\"ground\"", ("axes of the components", "оси компонент"), "\"crank\""),
-        may("reaction", Type::Name, "", "", ("body on which minus the torque acts", "тело, на которое действует противоположный момент"), "\"frame\""),
+        may(
+            "reaction",
+            Type::Name,
+            "",
+            "",
+            ("body on which minus the torque acts", "тело, на которое действует противоположный момент"),
+            "\"frame\"",
+        ),
     ],
     example: "[torques.motor]\non = \"crank\"\nvalue = \"M0 - k*phi'\"\n",
 };
@@ -400,16 +456,31 @@ pub const POTENTIAL: TableSpec = TableSpec {
     name: "potentials",
     about: ("Potential energy of any form.", "Потенциальная энергия произвольного вида."),
     short: None,
-    fields: &[must("energy", Type::Formula, "N m", ("energy over coordinates and time", "энергия как функция координат и времени"), "\"c*x^4/4\"")],
+    fields: &[must(
+        "energy",
+        Type::Formula,
+        "N m",
+        ("energy over coordinates and time", "энергия как функция координат и времени"),
+        "\"c*x^4/4\"",
+    )],
     example: "[potentials.hardening]\nenergy = \"c3*x^4/4\"\n",
 };
 
 /// `[dissipations.NAME]`.
 pub const DISSIPATION: TableSpec = TableSpec {
     name: "dissipations",
-    about: ("Rayleigh's dissipation function of any form; its force on q is -dF/dq'.", "Диссипативная функция Рэлея произвольного вида; сила по q равна -dF/dq'."),
+    about: (
+        "Rayleigh's dissipation function of any form; its force on q is -dF/dq'.",
+        "Диссипативная функция Рэлея произвольного вида; сила по q равна -dF/dq'.",
+    ),
     short: None,
-    fields: &[must("function", Type::Formula, "W", ("function over coordinates and rates", "функция координат и скоростей"), "\"b*x'^2/2\"")],
+    fields: &[must(
+        "function",
+        Type::Formula,
+        "W",
+        ("function over coordinates and rates", "функция координат и скоростей"),
+        "\"b*x'^2/2\"",
+    )],
     example: "[dissipations.oil]\nfunction = \"b*x'^2/2\"\n",
 };
 
@@ -440,13 +511,48 @@ pub const STUDY: TableSpec = TableSpec {
     short: None,
     fields: &[
         must("kind", Type::String, "", ("equations, equilibrium or simulate", "equations, equilibrium или simulate"), "\"simulate\""),
-        may("until", Type::Formula, "s", "", ("end of the motion; required to simulate", "конец движения; обязателен для simulate"), "\"30 s\""),
+        may(
+            "until",
+            Type::Formula,
+            "s",
+            "",
+            ("end of the motion; required to simulate", "конец движения; обязателен для simulate"),
+            "\"30 s\"",
+        ),
         may("every", Type::Formula, "s", "", ("step of the results", "шаг вывода результатов"), "\"10 ms\""),
-        may("at", Type::Quantities, "s", "", ("times of the results, ascending, instead of `every`", "моменты вывода по возрастанию, вместо `every`"), "[\"1 s\", \"2 s\"]"),
+        may(
+            "at",
+            Type::Quantities,
+            "s",
+            "",
+            ("times of the results, ascending, instead of `every`", "моменты вывода по возрастанию, вместо `every`"),
+            "[\"1 s\", \"2 s\"]",
+        ),
         may("tolerance", Type::Formula, "1", "1e-12", ("relative tolerance of a step", "относительная точность шага"), "1e-9"),
-        may("outputs", Type::Names, "", "", ("results wanted; all without it", "нужные результаты; без ключа — все"), "[\"phi\", \"omega_p\"]"),
-        may("plot", Type::Plots, "", "", ("plots: a name, several names in one, or an x-y plot", "графики: имя, несколько имён вместе или график x-y"), "[\"phi'\", { x = \"x\", y = [\"y\"] }]"),
-        may("guess", Type::Guess, "", "start", ("where to look for the equilibrium", "откуда искать положение равновесия"), "{ phi = \"0.1 rad\" }"),
+        may(
+            "outputs",
+            Type::Names,
+            "",
+            "",
+            ("results wanted; all without it", "нужные результаты; без ключа — все"),
+            "[\"phi\", \"omega_p\"]",
+        ),
+        may(
+            "plot",
+            Type::Plots,
+            "",
+            "",
+            ("plots: a name, several names in one, or an x-y plot", "графики: имя, несколько имён вместе или график x-y"),
+            "[\"phi'\", { x = \"x\", y = [\"y\"] }]",
+        ),
+        may(
+            "guess",
+            Type::Guess,
+            "",
+            "start",
+            ("where to look for the equilibrium", "откуда искать положение равновесия"),
+            "{ phi = \"0.1 rad\" }",
+        ),
     ],
     example: "[[study]]\nkind = \"simulate\"\nuntil = \"30 s\"\nplot = [\"phi'\"]\n",
 };

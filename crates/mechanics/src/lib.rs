@@ -3,6 +3,7 @@
 
 pub mod derive;
 pub mod diagnostic;
+pub mod explain;
 mod fault;
 pub mod fields;
 pub mod formula;

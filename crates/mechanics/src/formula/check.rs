@@ -361,12 +361,9 @@ impl Pass<'_> {
         }
         let value = self.rationals[exponent].clone();
         match (value, self.kinds[base]) {
-            (Some(e), Kind::Any) if e.is_negative() => self.fail(Fault::new(
-                "M042",
-                span.clone(),
-                "a negative power of zero",
-                "отрицательная степень нуля",
-            )),
+            (Some(e), Kind::Any) if e.is_negative() => {
+                self.fail(Fault::new("M042", span.clone(), "a negative power of zero", "отрицательная степень нуля"))
+            }
             (Some(e), Kind::Any) if e.is_zero() => Kind::Known(Dimension::NONE),
             (Some(e), base) => self.raise(base, &e, span),
             (None, Kind::Known(d)) if !d.is_none() => {
@@ -376,7 +373,10 @@ impl Pass<'_> {
                     format!("the base is {}: its exponent must be a plain number, not a formula", si_label(&d)),
                     format!("основание имеет размерность {}: показатель должен быть числом, а не формулой", si_label(&d)),
                 )
-                .help("divide the base by a quantity of its own dimension first", "сначала разделите основание на величину той же размерности");
+                .help(
+                    "divide the base by a quantity of its own dimension first",
+                    "сначала разделите основание на величину той же размерности",
+                );
                 self.fail(fault)
             }
             (None, Kind::Unknown) => Kind::Unknown,
@@ -469,10 +469,7 @@ fn mismatch_inside(pass: &Pass, from: NodeId, first: &Dimension, id: NodeId, sec
         format!("{en} differ in dimension: left is {left}, right is {right}"),
         format!("{ru} разной размерности: слева {left}, справа {right}"),
     )
-    .why(
-        "a factor (a length, a time, a mass) is missing or one too many",
-        "пропущен или лишний множитель (длина, время, масса)",
-    )
+    .why("a factor (a length, a time, a mass) is missing or one too many", "пропущен или лишний множитель (длина, время, масса)")
 }
 
 fn wild_exponent(span: Range<usize>) -> Fault {

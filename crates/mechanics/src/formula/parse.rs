@@ -320,12 +320,10 @@ impl Parser<'_> {
                 format!("между `{left}` и `{right}` нет знака действия"),
             )
             .help(format!("write a product as `{left}*{right}`"), format!("запишите произведение: `{left}*{right}`"))),
-            Token::Unit(_) => {
-                Err(Fault::new("M030", next, "a unit stands after a name", "единица стоит после имени").help(
-                    "names already carry their units; brackets follow numbers only",
-                    "имена уже несут свои единицы; скобки ставят только после чисел",
-                ))
-            }
+            Token::Unit(_) => Err(Fault::new("M030", next, "a unit stands after a name", "единица стоит после имени").help(
+                "names already carry their units; brackets follow numbers only",
+                "имена уже несут свои единицы; скобки ставят только после чисел",
+            )),
             _ => Ok(()),
         }
     }
@@ -385,12 +383,17 @@ impl Parser<'_> {
         let span = before.1.start..after.1.end;
         let (left, right) = (&self.text[before.1.clone()], &self.text[after.1.clone()]);
         Some(
-            Fault::new("M031", span, format!("decimal comma in a formula: `{left},{right}`"), format!("запятая в числе внутри формулы: `{left},{right}`"))
-                .why(
-                    "in formulas a comma separates arguments; decimal commas are for quantity strings such as \"12,5 kg\"",
-                    "в формулах запятая разделяет аргументы; дробная запятая допустима в строках-величинах, например \"12,5 кг\"",
-                )
-                .help(format!("write `{left}.{right}`"), format!("напишите `{left}.{right}`")),
+            Fault::new(
+                "M031",
+                span,
+                format!("decimal comma in a formula: `{left},{right}`"),
+                format!("запятая в числе внутри формулы: `{left},{right}`"),
+            )
+            .why(
+                "in formulas a comma separates arguments; decimal commas are for quantity strings such as \"12,5 kg\"",
+                "в формулах запятая разделяет аргументы; дробная запятая допустима в строках-величинах, например \"12,5 кг\"",
+            )
+            .help(format!("write `{left}.{right}`"), format!("напишите `{left}.{right}`")),
         )
     }
 
@@ -528,9 +531,6 @@ fn unknown_function(name: &str, span: Range<usize>) -> Fault {
     };
     match other {
         Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
-        None => fault.help(
-            format!("to multiply write `{name}*(...)`"),
-            format!("произведение запишите так: `{name}*(...)`"),
-        ),
+        None => fault.help(format!("to multiply write `{name}*(...)`"), format!("произведение запишите так: `{name}*(...)`")),
     }
 }

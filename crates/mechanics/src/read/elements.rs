@@ -42,9 +42,20 @@ fn rest<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, path: Option<Pathway>,
         None => {
             if let Some(Pathway::Distance(..)) = path {
                 reader.fault(
-                    Fault::new("M059", fields.span.clone(), format!("{} lacks `rest`, its length without force", fields.path), format!("в {} нет `rest` — длины без нагрузки", fields.path))
-                        .why("between two points a free length of zero is hardly ever meant", "нулевая длина свободной пружины между точками почти никогда не имеется в виду")
-                        .help("add rest = \"0.1 m\", or rest = \"start\" for the distance at the start", "добавьте rest = \"0,1 м\" или rest = \"start\" — расстояние в начале движения"),
+                    Fault::new(
+                        "M059",
+                        fields.span.clone(),
+                        format!("{} lacks `rest`, its length without force", fields.path),
+                        format!("в {} нет `rest` — длины без нагрузки", fields.path),
+                    )
+                    .why(
+                        "between two points a free length of zero is hardly ever meant",
+                        "нулевая длина свободной пружины между точками почти никогда не имеется в виду",
+                    )
+                    .help(
+                        "add rest = \"0.1 m\", or rest = \"start\" for the distance at the start",
+                        "добавьте rest = \"0,1 м\" или rest = \"start\" — расстояние в начале движения",
+                    ),
                 );
             }
             Rest::Value(reader.builder.graph.zero())
@@ -59,10 +70,23 @@ fn useful(reader: &mut Reader, fields: &Fields, key: &'static str, value: &Check
         return;
     }
     let fault = if v == 0.0 {
-        Fault::new("M056", fields.span_of(key), format!("the {key} of {} is zero: this {} does nothing", fields.path, kind.0), format!("{key} в {} равно нулю: {} не действует", fields.path, kind.1))
+        Fault::new(
+            "M056",
+            fields.span_of(key),
+            format!("the {key} of {} is zero: this {} does nothing", fields.path, kind.0),
+            format!("{key} в {} равно нулю: {} не действует", fields.path, kind.1),
+        )
     } else {
-        Fault::new("M056", fields.span_of(key), format!("the {key} of {} is negative ({v})", fields.path), format!("{key} в {} отрицательно ({v})", fields.path))
-            .why("it feeds energy into the motion instead of restoring or damping it", "такой элемент не возвращает и не гасит движение, а раскачивает его")
+        Fault::new(
+            "M056",
+            fields.span_of(key),
+            format!("the {key} of {} is negative ({v})", fields.path),
+            format!("{key} в {} отрицательно ({v})", fields.path),
+        )
+        .why(
+            "it feeds energy into the motion instead of restoring or damping it",
+            "такой элемент не возвращает и не гасит движение, а раскачивает его",
+        )
     };
     reader.fault(fault.warning());
 }
@@ -102,7 +126,11 @@ fn pathway<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Pathway,
         }
         (false, true) => between(reader, fields),
         (both, _) => {
-            let (en, ru) = if both { ("both `along` and `between`", "и `along`, и `between`") } else { ("neither `along` nor `between`", "ни `along`, ни `between`") };
+            let (en, ru) = if both {
+                ("both `along` and `between`", "и `along`, и `between`")
+            } else {
+                ("neither `along` nor `between`", "ни `along`, ни `between`")
+            };
             reader.fault(
                 Fault::new("M057", fields.span.clone(), format!("{} has {en}", fields.path), format!("в {} есть {ru}", fields.path))
                     .why("an element acts through one scalar: its pathway", "элемент действует через одну скалярную координату")
@@ -149,7 +177,10 @@ fn between<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Pathway,
                     format!("`{}` и `{}` — точка и тело", first.0, second.0),
                 )
                 .why("two points give a distance, two bodies give an angle", "две точки дают расстояние, два тела — угол")
-                .help("add a point on the body: A = { on = \"body\", at = [0, 0] }", "добавьте точку на теле: A = { on = \"body\", at = [0, 0] }"),
+                .help(
+                    "add a point on the body: A = { on = \"body\", at = [0, 0] }",
+                    "добавьте точку на теле: A = { on = \"body\", at = [0, 0] }",
+                ),
             );
             None
         }
@@ -173,11 +204,16 @@ fn action<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Action> {
     let on_path = fields.has("along") || fields.has("between");
     if fields.has("at") == on_path {
         reader.fault(
-            Fault::new("M062", fields.span.clone(), format!("{} needs either `at` or a pathway", fields.path), format!("в {} нужно либо `at`, либо координата", fields.path))
-                .help(
-                    "at = \"A\" with value = [\"Fx\", \"Fy\"]; or along = \"x\" (or between) with value = \"F\"",
-                    "at = \"A\" и value = [\"Fx\", \"Fy\"]; либо along = \"x\" (или between) и value = \"F\"",
-                ),
+            Fault::new(
+                "M062",
+                fields.span.clone(),
+                format!("{} needs either `at` or a pathway", fields.path),
+                format!("в {} нужно либо `at`, либо координата", fields.path),
+            )
+            .help(
+                "at = \"A\" with value = [\"Fx\", \"Fy\"]; or along = \"x\" (or between) with value = \"F\"",
+                "at = \"A\" и value = [\"Fx\", \"Fy\"]; либо along = \"x\" (или between) и value = \"F\"",
+            ),
         );
         return None;
     }
@@ -213,7 +249,12 @@ pub(super) fn torques<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Torq
         let reaction = fields.name(reader, "reaction").and_then(|(name, span)| frame_by_name(reader, &name, span));
         let value = torque_value(reader, &fields);
         if reaction == Some(on) && on != FrameId::GROUND {
-            reader.fault(Fault::new("M063", fields.span_of("reaction"), "the torque and its reaction act on the same body", "момент и противоположный ему действуют на одно тело"));
+            reader.fault(Fault::new(
+                "M063",
+                fields.span_of("reaction"),
+                "the torque and its reaction act on the same body",
+                "момент и противоположный ему действуют на одно тело",
+            ));
         }
         found.push(Torque { name, on, value, axes, reaction, span: fields.span.clone() });
     }
@@ -224,9 +265,12 @@ fn torque_value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> [Expr; 3] {
     let zero = reader.builder.graph.zero();
     match fields.get("value").map(|v| (v, v.get_ref())) {
         Some((value, DeValue::Array(items))) if items.len() != 3 => {
-            reader.fault(
-                Fault::new("M008", value.span(), format!("a torque has 3 components or is one formula about z, {} given", items.len()), format!("у момента 3 компоненты либо одна формула вокруг z, дано: {}", items.len())),
-            );
+            reader.fault(Fault::new(
+                "M008",
+                value.span(),
+                format!("a torque has 3 components or is one formula about z, {} given", items.len()),
+                format!("у момента 3 компоненты либо одна формула вокруг z, дано: {}", items.len()),
+            ));
             [zero; 3]
         }
         Some((value, DeValue::Array(_))) => components(reader, value, &Context::FORCE, &Dimension::ENERGY),

@@ -176,8 +176,13 @@ fn origin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Origin {
     match reader.scope.place(name) {
         Some(Place::Point(p)) => return Origin::Point(p),
         Some(Place::Frame(_)) => reader.fault(
-            Fault::new("M014", value.span(), format!("`{name}` is a frame; an origin is a vector or a point"), format!("`{name}` — система отсчёта; начало задают вектором или точкой"))
-                .help(format!("write on = \"{name}\""), format!("напишите on = \"{name}\"")),
+            Fault::new(
+                "M014",
+                value.span(),
+                format!("`{name}` is a frame; an origin is a vector or a point"),
+                format!("`{name}` — система отсчёта; начало задают вектором или точкой"),
+            )
+            .help(format!("write on = \"{name}\""), format!("напишите on = \"{name}\"")),
         ),
         None => {
             let fault = reader.scope.unknown_place(name, value.span());
@@ -190,8 +195,10 @@ fn origin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Origin {
 fn rotations<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<(Axis, Expr)> {
     if fields.has("angle") && fields.has("rotate") {
         reader.fault(
-            Fault::new("M061", fields.span_of("rotate"), "both `angle` and `rotate` are given", "заданы и `angle`, и `rotate`")
-                .help("angle = \"phi\" is short for rotate = [\"z: phi\"]; keep one", "angle = \"phi\" — то же, что rotate = [\"z: phi\"]; оставьте одно"),
+            Fault::new("M061", fields.span_of("rotate"), "both `angle` and `rotate` are given", "заданы и `angle`, и `rotate`").help(
+                "angle = \"phi\" is short for rotate = [\"z: phi\"]; keep one",
+                "angle = \"phi\" — то же, что rotate = [\"z: phi\"]; оставьте одно",
+            ),
         );
     }
     if let Some(angle) = fields.formula(reader, "angle", &Context::GEOMETRY, Some(&Dimension::ANGLE)) {
@@ -199,7 +206,12 @@ fn rotations<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<(Axis, Exp
     }
     let Some(value) = fields.get("rotate") else { return Vec::new() };
     let Some(items) = value.get_ref().as_array() else {
-        reader.fault(wrong_type(value.span(), "an array such as [\"z: psi\", \"x: theta\"]", "массив вида [\"z: psi\", \"x: theta\"]", value.get_ref().type_str()));
+        reader.fault(wrong_type(
+            value.span(),
+            "an array such as [\"z: psi\", \"x: theta\"]",
+            "массив вида [\"z: psi\", \"x: theta\"]",
+            value.get_ref().type_str(),
+        ));
         return Vec::new();
     };
     items.iter().filter_map(|item| turn(reader, item)).collect()
@@ -252,9 +264,17 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Mass> {
         && (m < 0.0 || m == 0.0 && !literal_zero)
     {
         reader.fault(
-            Fault::new("M050", fields.span_of("mass"), format!("the mass of {} is {m} kg", fields.path), format!("масса {} равна {m} кг", fields.path))
-                .why("a body has a positive mass; the value of a parameter is probably wrong", "масса тела положительна; вероятно, неверно значение параметра")
-                .help("for a massless body leave `mass` out", "для невесомого тела не задавайте `mass`"),
+            Fault::new(
+                "M050",
+                fields.span_of("mass"),
+                format!("the mass of {} is {m} kg", fields.path),
+                format!("масса {} равна {m} кг", fields.path),
+            )
+            .why(
+                "a body has a positive mass; the value of a parameter is probably wrong",
+                "масса тела положительна; вероятно, неверно значение параметра",
+            )
+            .help("for a massless body leave `mass` out", "для невесомого тела не задавайте `mass`"),
         );
     }
     let inertia = shapes::inertia(reader, fields, mass.expr, mass.good && literal_zero);
@@ -312,8 +332,16 @@ fn default_gravity<'a>(reader: &mut Reader<'a>) -> Expr {
     {
         let got = crate::units::si_label(&d);
         reader.fault(
-            Fault::new("M024", span, format!("`g` is {got}, but gravity needs an acceleration"), format!("`g` имеет размерность {got}, а тяжести нужно ускорение"))
-                .help("rename this parameter, or set gravity = false or another formula", "переименуйте параметр или задайте gravity = false либо другую формулу"),
+            Fault::new(
+                "M024",
+                span,
+                format!("`g` is {got}, but gravity needs an acceleration"),
+                format!("`g` имеет размерность {got}, а тяжести нужно ускорение"),
+            )
+            .help(
+                "rename this parameter, or set gravity = false or another formula",
+                "переименуйте параметр или задайте gravity = false либо другую формулу",
+            ),
         );
         return reader.builder.graph.zero();
     }
@@ -330,7 +358,12 @@ pub(super) fn two_names<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &
         Ok(pair) => Some(pair),
         Err(_) => {
             if value.get_ref().as_array().is_some_and(|a| a.len() == count) {
-                reader.fault(Fault::new("M008", value.span(), format!("two names are needed, {count} given"), format!("нужны два имени, дано: {count}")));
+                reader.fault(Fault::new(
+                    "M008",
+                    value.span(),
+                    format!("two names are needed, {count} given"),
+                    format!("нужны два имени, дано: {count}"),
+                ));
             }
             None
         }

@@ -50,10 +50,8 @@ pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &
 /// Checks the outputs by dependence and gives them back in the user's order.
 pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawOutput<'a>>) -> Vec<OutputDecl> {
     let index: HashMap<&str, usize> = raw.iter().enumerate().map(|(i, o)| (o.name.as_str(), i)).collect();
-    let dependencies: Vec<Vec<usize>> = raw
-        .iter()
-        .map(|o| o.raw.formula.iter().flat_map(|f| f.names()).filter_map(|(n, _)| index.get(n).copied()).collect())
-        .collect();
+    let dependencies: Vec<Vec<usize>> =
+        raw.iter().map(|o| o.raw.formula.iter().flat_map(|f| f.names()).filter_map(|(n, _)| index.get(n).copied()).collect()).collect();
     let (order, cycles) = topological(&dependencies);
     for cycle in &cycles {
         let names: Vec<&str> = cycle.iter().chain(cycle.first()).map(|i| raw[*i].name.as_str()).collect();

@@ -70,7 +70,10 @@ pub(super) fn collect_coordinates<'a>(
     if rows.is_empty() {
         let fault = Fault::new("M015", top.span_of("coordinates"), "the model has no coordinates", "в модели нет координат")
             .why("a machine without a degree of freedom does not move", "у машины без степеней свободы нет движения")
-            .help("add [coordinates] with for example phi = { unit = \"rad\" }", "добавьте [coordinates], например phi = { unit = \"rad\" }");
+            .help(
+                "add [coordinates] with for example phi = { unit = \"rad\" }",
+                "добавьте [coordinates], например phi = { unit = \"rad\" }",
+            );
         reader.fault(fault);
     }
     let mut found = Vec::new();
@@ -135,8 +138,13 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
         if let (Some(unit), Some(formula)) = (&c.scaled, &raw.formula)
             && formula.is_bare_number()
         {
-            let fault = Fault::new("M023", raw.snippet.all(), format!("a number without a unit, while the coordinate is in {unit}"), format!("число без единицы, хотя координата задана в {unit}"))
-                .help(format!("write the unit: \"{} {unit}\"", raw.snippet.text), format!("напишите единицу: \"{} {unit}\"", raw.snippet.text));
+            let fault = Fault::new(
+                "M023",
+                raw.snippet.all(),
+                format!("a number without a unit, while the coordinate is in {unit}"),
+                format!("число без единицы, хотя координата задана в {unit}"),
+            )
+            .help(format!("write the unit: \"{} {unit}\"", raw.snippet.text), format!("напишите единицу: \"{} {unit}\"", raw.snippet.text));
             reader.report(raw.snippet.diagnose(fault));
         }
         warn_of_hertz(reader, &raw, wanted);
@@ -154,10 +162,18 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
 pub(super) fn warn_of_hertz(reader: &mut Reader, raw: &Raw, wanted: Option<&Dimension>) {
     let hertz = raw.formula.as_ref().is_some_and(Formula::counts_periods);
     if hertz && wanted.is_some_and(Dimension::is_angular) {
-        let fault = Fault::new("M027", raw.snippet.all(), "Hz where an angular rate in rad/s is meant", "Гц там, где нужна угловая скорость в рад/с")
-            .why("50 Hz counts 50 periods a second, which is 100 pi rad/s; the value is taken as 50 rad/s", "50 Гц — это 50 периодов в секунду, то есть 100 пи рад/с; значение принято равным 50 рад/с")
-            .help("write \"50 rev/s\", \"3000 rpm\" or 2*pi*f", "напишите \"50 об/с\", \"3000 об/мин\" или 2*pi*f")
-            .warning();
+        let fault = Fault::new(
+            "M027",
+            raw.snippet.all(),
+            "Hz where an angular rate in rad/s is meant",
+            "Гц там, где нужна угловая скорость в рад/с",
+        )
+        .why(
+            "50 Hz counts 50 periods a second, which is 100 pi rad/s; the value is taken as 50 rad/s",
+            "50 Гц — это 50 периодов в секунду, то есть 100 пи рад/с; значение принято равным 50 рад/с",
+        )
+        .help("write \"50 rev/s\", \"3000 rpm\" or 2*pi*f", "напишите \"50 об/с\", \"3000 об/мин\" или 2*pi*f")
+        .warning();
         reader.report(raw.snippet.diagnose(fault));
     }
 }
@@ -206,10 +222,7 @@ fn nowhere<'a>(span: Range<usize>) -> Snippet<'a> {
 /// Checks the parameters in the order of their dependence.
 pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawParameter<'a>>) -> Vec<ParameterDecl> {
     let index: HashMap<&str, usize> = raw.iter().enumerate().map(|(i, p)| (p.name.as_str(), i)).collect();
-    let uses = |p: &RawParameter| match &p.raw.formula {
-        Some(f) if reader.override_of(&p.name).is_none() => f.names().filter_map(|(n, _)| index.get(n).copied()).collect(),
-        _ => Vec::new(),
-    };
+    let uses = |p: &RawParameter| p.raw.formula.iter().flat_map(Formula::names).filter_map(|(n, _)| index.get(n).copied()).collect();
     let dependencies: Vec<Vec<usize>> = raw.iter().map(uses).collect();
     let (order, cycles) = topological(&dependencies);
     for cycle in &cycles {

@@ -190,11 +190,16 @@ impl<'a> Reader<'a> {
         } else {
             ("it is infinite", "результат бесконечен")
         };
-        let fault = Fault::new("M042", raw.snippet.all(), format!("this constant has no finite value: {en}"), format!("у этой постоянной нет конечного значения: {ru}"))
-            .why(
-                "a division by zero, the root or logarithm of a negative number, or numbers of absurd size",
-                "деление на нуль, корень или логарифм отрицательного числа либо числа нелепой величины",
-            );
+        let fault = Fault::new(
+            "M042",
+            raw.snippet.all(),
+            format!("this constant has no finite value: {en}"),
+            format!("у этой постоянной нет конечного значения: {ru}"),
+        )
+        .why(
+            "a division by zero, the root or logarithm of a negative number, or numbers of absurd size",
+            "деление на нуль, корень или логарифм отрицательного числа либо числа нелепой величины",
+        );
         self.report(raw.snippet.diagnose(fault));
         false
     }
@@ -222,11 +227,12 @@ impl<'a> Reader<'a> {
     /// Whether a name may be used; reports when not.
     pub(super) fn name_is_fine(&mut self, name: &str, span: Range<usize>, reserved: &[&str]) -> bool {
         if !formula::is_identifier(name) {
-            let fault = Fault::new("M010", span, format!("`{}` cannot be a name", short(name)), format!("`{}` не может быть именем", short(name)))
-                .why(
-                    "names are made of letters (Latin, Greek, Cyrillic), digits and _, and begin with a letter",
-                    "имя состоит из букв (латинских, греческих, русских), цифр и _ и начинается с буквы",
-                );
+            let fault =
+                Fault::new("M010", span, format!("`{}` cannot be a name", short(name)), format!("`{}` не может быть именем", short(name)))
+                    .why(
+                        "names are made of letters (Latin, Greek, Cyrillic), digits and _, and begin with a letter",
+                        "имя состоит из букв (латинских, греческих, русских), цифр и _ и начинается с буквы",
+                    );
             let fault = if name.contains('\'') {
                 fault.help("derivatives exist by themselves: phi' needs no declaration", "производные есть и так: phi' объявлять не нужно")
             } else {
@@ -238,8 +244,16 @@ impl<'a> Reader<'a> {
         let function = symbolic::Function::from_name(name).is_some() || ["sqrt", "if"].contains(&name);
         if reserved.contains(&name) || function && !reserved.contains(&"ground") {
             self.fault(
-                Fault::new("M010", span, format!("the name `{name}` is taken by the language"), format!("имя `{name}` занято языком формул"))
-                    .help("choose another name; a printed symbol can be set by symbol = \"...\"", "выберите другое имя; обозначение для печати задаётся symbol = \"...\""),
+                Fault::new(
+                    "M010",
+                    span,
+                    format!("the name `{name}` is taken by the language"),
+                    format!("имя `{name}` занято языком формул"),
+                )
+                .help(
+                    "choose another name; a printed symbol can be set by symbol = \"...\"",
+                    "выберите другое имя; обозначение для печати задаётся symbol = \"...\"",
+                ),
             );
             return false;
         }
@@ -281,7 +295,13 @@ pub(super) struct Fields<'a> {
 
 impl<'a> Fields<'a> {
     /// Takes a table, reporting unknown and missing keys.
-    pub(super) fn open(reader: &mut Reader<'a>, spec: &'static TableSpec, table: &'a Table<'a>, span: Range<usize>, path: String) -> Fields<'a> {
+    pub(super) fn open(
+        reader: &mut Reader<'a>,
+        spec: &'static TableSpec,
+        table: &'a Table<'a>,
+        span: Range<usize>,
+        path: String,
+    ) -> Fields<'a> {
         for (key, _) in table {
             if spec.field(key.get_ref()).is_none() {
                 let fault = unknown_key(spec, key.get_ref(), key.span(), &path);
@@ -319,13 +339,25 @@ impl<'a> Fields<'a> {
     }
 
     /// A formula under a key, checked.
-    pub(super) fn formula(&self, reader: &mut Reader<'a>, key: &'static str, context: &Context, wanted: Option<&Dimension>) -> Option<Checked> {
+    pub(super) fn formula(
+        &self,
+        reader: &mut Reader<'a>,
+        key: &'static str,
+        context: &Context,
+        wanted: Option<&Dimension>,
+    ) -> Option<Checked> {
         let raw = self.raw(reader, key)?;
         Some(reader.value(&raw, context, wanted))
     }
 
     /// A formula under a key; zero without it.
-    pub(super) fn formula_or_zero(&self, reader: &mut Reader<'a>, key: &'static str, context: &Context, wanted: Option<&Dimension>) -> Checked {
+    pub(super) fn formula_or_zero(
+        &self,
+        reader: &mut Reader<'a>,
+        key: &'static str,
+        context: &Context,
+        wanted: Option<&Dimension>,
+    ) -> Checked {
         match self.formula(reader, key, context, wanted) {
             Some(value) => value,
             None => Checked { kind: Kind::Any, good: true, ..reader.nothing() },
@@ -359,7 +391,12 @@ impl<'a> Fields<'a> {
                 Some(Text::new(en_text, ru.or(en).unwrap_or_default()))
             }
             other => {
-                reader.fault(wrong_type(value.span(), "a string or { en = \"...\", ru = \"...\" }", "строка или { en = \"...\", ru = \"...\" }", other.type_str()));
+                reader.fault(wrong_type(
+                    value.span(),
+                    "a string or { en = \"...\", ru = \"...\" }",
+                    "строка или { en = \"...\", ru = \"...\" }",
+                    other.type_str(),
+                ));
                 None
             }
         }
@@ -383,8 +420,10 @@ impl<'a> Fields<'a> {
                     entries.push((name.to_owned(), fields));
                 }
                 other => {
-                    let fault = wrong_type(value.span(), "a table", "таблица", other.type_str())
-                        .help(format!("write [{key}.{}] and its keys below", short(name)), format!("напишите [{key}.{}] и ключи под ним", short(name)));
+                    let fault = wrong_type(value.span(), "a table", "таблица", other.type_str()).help(
+                        format!("write [{key}.{}] and its keys below", short(name)),
+                        format!("напишите [{key}.{}] и ключи под ним", short(name)),
+                    );
                     reader.fault(fault);
                 }
             }
@@ -398,8 +437,10 @@ impl<'a> Fields<'a> {
             None => Vec::new(),
             Some((_, DeValue::Table(table))) => table.iter().map(|(k, v)| (k.get_ref().as_ref(), k.span(), v)).collect(),
             Some((value, other)) => {
-                let fault = wrong_type(value.span(), "a table", "таблица", other.type_str())
-                    .help(format!("write [{key}] and entries below, or [{key}.NAME]"), format!("напишите [{key}] и строки под ним или [{key}.ИМЯ]"));
+                let fault = wrong_type(value.span(), "a table", "таблица", other.type_str()).help(
+                    format!("write [{key}] and entries below, or [{key}.NAME]"),
+                    format!("напишите [{key}] и строки под ним или [{key}.ИМЯ]"),
+                );
                 reader.fault(fault);
                 Vec::new()
             }
@@ -454,7 +495,11 @@ pub(super) fn components<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, cont
 }
 
 fn unknown_key(spec: &'static TableSpec, key: &str, span: Range<usize>, path: &str) -> Fault {
-    let place = if path.is_empty() { ("at top level".to_owned(), "на верхнем уровне".to_owned()) } else { (format!("in {path}"), format!("в {path}")) };
+    let place = if path.is_empty() {
+        ("at top level".to_owned(), "на верхнем уровне".to_owned())
+    } else {
+        (format!("in {path}"), format!("в {path}"))
+    };
     let fault = Fault::new(
         "M005",
         span,
@@ -471,15 +516,9 @@ fn unknown_key(spec: &'static TableSpec, key: &str, span: Range<usize>, path: &s
 }
 
 fn missing_keys(spec: &'static TableSpec, missing: &[&str], span: Range<usize>, path: &str) -> Fault {
-    let examples: Vec<String> =
-        missing.iter().filter_map(|k| spec.field(k)).map(|f| format!("{} = {}", f.key, f.example)).collect();
-    Fault::new(
-        "M006",
-        span,
-        format!("{path} lacks {}", missing.join(", ")),
-        format!("в {path} не хватает: {}", missing.join(", ")),
-    )
-    .help(format!("add for example {}", examples.join(", ")), format!("добавьте, например: {}", examples.join(", ")))
+    let examples: Vec<String> = missing.iter().filter_map(|k| spec.field(k)).map(|f| format!("{} = {}", f.key, f.example)).collect();
+    Fault::new("M006", span, format!("{path} lacks {}", missing.join(", ")), format!("в {path} не хватает: {}", missing.join(", ")))
+        .help(format!("add for example {}", examples.join(", ")), format!("добавьте, например: {}", examples.join(", ")))
 }
 
 #[cfg(test)]

@@ -20,16 +20,26 @@ pub(super) fn inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Ex
     let given: Vec<&str> = ["inertia", "shape", "gyration"].into_iter().filter(|k| fields.has(k)).collect();
     if given.len() > 1 {
         reader.fault(
-            Fault::new("M053", fields.span_of(given[1]), format!("{} are given together", given.join(" and ")), format!("заданы одновременно: {}", given.join(", ")))
-                .why("each of them alone says what the inertia is", "каждое из них само задаёт момент инерции")
-                .help("keep one", "оставьте одно"),
+            Fault::new(
+                "M053",
+                fields.span_of(given[1]),
+                format!("{} are given together", given.join(" and ")),
+                format!("заданы одновременно: {}", given.join(", ")),
+            )
+            .why("each of them alone says what the inertia is", "каждое из них само задаёт момент инерции")
+            .help("keep one", "оставьте одно"),
         );
     }
     if massless && (fields.has("shape") || fields.has("gyration")) {
         let key = if fields.has("shape") { "shape" } else { "gyration" };
         reader.fault(
-            Fault::new("M052", fields.span_of(key), format!("{} has a {key} but no mass", fields.path), format!("у {} задано {key}, но нет массы", fields.path))
-                .help("add mass = \"...\"", "добавьте mass = \"...\""),
+            Fault::new(
+                "M052",
+                fields.span_of(key),
+                format!("{} has a {key} but no mass", fields.path),
+                format!("у {} задано {key}, но нет массы", fields.path),
+            )
+            .help("add mass = \"...\"", "добавьте mass = \"...\""),
         );
     }
     if fields.has("inertia") {
@@ -81,7 +91,10 @@ fn possible(reader: &mut Reader, tensor: &Fields, [xx, yy, zz]: [f64; 3], [xy, y
                     "no moment may be negative or larger than the sum of the other two, and the products are bounded by the moments",
                     "момент инерции не бывает отрицательным или больше суммы двух других, а центробежные моменты ограничены осевыми",
                 )
-                .help("check the units and the axes; a thin plate in xy has zz = xx + yy", "проверьте единицы и оси; у тонкой пластины в плоскости xy zz = xx + yy"),
+                .help(
+                    "check the units and the axes; a thin plate in xy has zz = xx + yy",
+                    "проверьте единицы и оси; у тонкой пластины в плоскости xy zz = xx + yy",
+                ),
         );
     }
 }
@@ -91,8 +104,13 @@ fn negative(reader: &mut Reader, fields: &Fields, key: &'static str, value: &sup
         && v < 0.0
     {
         reader.fault(
-            Fault::new("M055", fields.span_of(key), format!("the moment of inertia is {v} kg m^2"), format!("момент инерции равен {v} кг м²"))
-                .why("a moment of inertia is a sum of m r^2", "момент инерции — это сумма m r²"),
+            Fault::new(
+                "M055",
+                fields.span_of(key),
+                format!("the moment of inertia is {v} kg m^2"),
+                format!("момент инерции равен {v} кг м²"),
+            )
+            .why("a moment of inertia is a sum of m r^2", "момент инерции — это сумма m r²"),
         );
     }
 }
@@ -103,8 +121,13 @@ fn positive(reader: &mut Reader, fields: &Fields, key: &'static str, value: &sup
         && v <= 0.0
     {
         reader.fault(
-            Fault::new("M051", fields.span_of(key), format!("a length of {key} in {} is {v} m", fields.path), format!("длина в {key} ({}) равна {v} м", fields.path))
-                .why("sizes are positive", "размеры положительны"),
+            Fault::new(
+                "M051",
+                fields.span_of(key),
+                format!("a length of {key} in {} is {v} m", fields.path),
+                format!("длина в {key} ({}) равна {v} м", fields.path),
+            )
+            .why("sizes are positive", "размеры положительны"),
         );
     }
 }
@@ -112,7 +135,12 @@ fn positive(reader: &mut Reader, fields: &Fields, key: &'static str, value: &sup
 fn shape<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr) -> Option<Inertia> {
     let value = fields.get("shape")?;
     let Some(snippet) = reader.snippet(value) else {
-        reader.fault(super::reader::wrong_type(value.span(), "a shape such as \"disc(R)\"", "форма, например \"disc(R)\"", value.get_ref().type_str()));
+        reader.fault(super::reader::wrong_type(
+            value.span(),
+            "a shape such as \"disc(R)\"",
+            "форма, например \"disc(R)\"",
+            value.get_ref().type_str(),
+        ));
         return None;
     };
     let snippet = snippet.trimmed();
@@ -154,15 +182,20 @@ fn split<'a>(snippet: &Snippet<'a>) -> Result<(&'static str, Vec<Snippet<'a>>), 
     let name = text[..open].trim();
     let Some((name, least, most)) = SHAPES.iter().find(|s| s.0 == name) else {
         let known = SHAPES.map(|s| s.0);
-        let fault = Fault::new("M054", 0..open, format!("unknown shape `{}`", super::reader::short(name)), format!("неизвестная форма `{}`", super::reader::short(name)));
+        let fault = Fault::new(
+            "M054",
+            0..open,
+            format!("unknown shape `{}`", super::reader::short(name)),
+            format!("неизвестная форма `{}`", super::reader::short(name)),
+        );
         let near = nearest(name, known).map_or_else(|| known.join(", "), str::to_owned);
         return Err(fault.help(format!("did you mean {near}?"), format!("может быть, {near}?")));
     };
     let mut arguments = Vec::new();
     if open < text.len() {
-        let inner = text[open + 1..].strip_suffix(')').ok_or_else(|| {
-            Fault::new("M030", snippet.all(), "`)` is missing at the end of the shape", "в конце формы нет `)`")
-        })?;
+        let inner = text[open + 1..]
+            .strip_suffix(')')
+            .ok_or_else(|| Fault::new("M030", snippet.all(), "`)` is missing at the end of the shape", "в конце формы нет `)`"))?;
         let (mut depth, mut from) = (0, 0);
         for (i, c) in inner.char_indices().chain([(inner.len(), ',')]) {
             match c {
@@ -181,8 +214,16 @@ fn split<'a>(snippet: &Snippet<'a>) -> Result<(&'static str, Vec<Snippet<'a>>), 
     }
     if !(*least..=*most).contains(&arguments.len()) {
         let count = arguments.len();
-        return Err(Fault::new("M034", snippet.all(), format!("{name} takes {least} to {most} lengths, {count} given"), format!("форме {name} нужно размеров от {least} до {most}, дано: {count}"))
-            .help("sizes are separated by commas; the decimal mark inside is a point", "размеры разделяют запятыми; дробная часть отделяется точкой"));
+        return Err(Fault::new(
+            "M034",
+            snippet.all(),
+            format!("{name} takes {least} to {most} lengths, {count} given"),
+            format!("форме {name} нужно размеров от {least} до {most}, дано: {count}"),
+        )
+        .help(
+            "sizes are separated by commas; the decimal mark inside is a point",
+            "размеры разделяют запятыми; дробная часть отделяется точкой",
+        ));
     }
     Ok((name, arguments))
 }

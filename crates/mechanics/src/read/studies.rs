@@ -21,7 +21,8 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Study> 
     let Some(value) = top.get("study") else { return Vec::new() };
     let DeValue::Array(items) = value.get_ref() else {
         reader.fault(
-            wrong_type(value.span(), "an array of tables", "массив таблиц", value.get_ref().type_str()).help("write [[study]] with double brackets", "напишите [[study]] в двойных скобках"),
+            wrong_type(value.span(), "an array of tables", "массив таблиц", value.get_ref().type_str())
+                .help("write [[study]] with double brackets", "напишите [[study]] в двойных скобках"),
         );
         return Vec::new();
     };
@@ -55,7 +56,12 @@ fn study<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> 
             simulate(reader, fields).map(StudyKind::Simulate)
         }
         _ => {
-            let fault = Fault::new("M064", span, format!("unknown study `{}`", super::reader::short(&kind)), format!("неизвестный расчёт `{}`", super::reader::short(&kind)));
+            let fault = Fault::new(
+                "M064",
+                span,
+                format!("unknown study `{}`", super::reader::short(&kind)),
+                format!("неизвестный расчёт `{}`", super::reader::short(&kind)),
+            );
             let fault = match nearest(&kind, KINDS) {
                 Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
                 None => fault.help(format!("known studies: {}", KINDS.join(", ")), format!("известные расчёты: {}", KINDS.join(", "))),
@@ -70,7 +76,12 @@ fn study<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> 
 fn misplaced<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &str, own: &[&str]) {
     for key in ["until", "every", "at", "tolerance", "outputs", "plot", "guess"] {
         if !own.contains(&key) && fields.has(key) {
-            reader.fault(Fault::new("M005", fields.span_of(key), format!("`{key}` does not belong to the study `{kind}`"), format!("ключ `{key}` не относится к расчёту `{kind}`")));
+            reader.fault(Fault::new(
+                "M005",
+                fields.span_of(key),
+                format!("`{key}` does not belong to the study `{kind}`"),
+                format!("ключ `{key}` не относится к расчёту `{kind}`"),
+            ));
         }
     }
 }
@@ -80,7 +91,12 @@ fn guess<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<(SymbolId, f64
     for (name, span, value) in fields.rows(reader, "guess") {
         let entry = reader.scope.get(name).map(|e| (e.kind, e.dimension));
         let Some((EntryKind::Coordinate(symbols), kind)) = entry else {
-            let fault = Fault::new("M013", span, format!("`{}` is not a coordinate", super::reader::short(name)), format!("`{}` — не координата", super::reader::short(name)));
+            let fault = Fault::new(
+                "M013",
+                span,
+                format!("`{}` is not a coordinate", super::reader::short(name)),
+                format!("`{}` — не координата", super::reader::short(name)),
+            );
             reader.fault(fault);
             continue;
         };
@@ -100,20 +116,29 @@ fn simulate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Simulate
     let until = duration(reader, fields, "until");
     if !fields.has("until") {
         reader.fault(
-            Fault::new("M006", fields.span.clone(), "the study simulate lacks `until`", "в расчёте simulate не хватает `until`").help("add until = \"30 s\"", "добавьте until = \"30 с\""),
+            Fault::new("M006", fields.span.clone(), "the study simulate lacks `until`", "в расчёте simulate не хватает `until`")
+                .help("add until = \"30 s\"", "добавьте until = \"30 с\""),
         );
     }
     if fields.has("every") && fields.has("at") {
-        reader.fault(Fault::new("M065", fields.span_of("at"), "both `every` and `at` are given", "заданы и `every`, и `at`").help("keep one", "оставьте одно"));
+        reader.fault(
+            Fault::new("M065", fields.span_of("at"), "both `every` and `at` are given", "заданы и `every`, и `at`")
+                .help("keep one", "оставьте одно"),
+        );
     }
     let every = duration(reader, fields, "every");
     if let (Some(until), Some(every)) = (until, every)
         && until / every > MAX_ROWS
     {
         reader.fault(
-            Fault::new("M067", fields.span_of("every"), format!("{:.0} rows of results; the limit is {MAX_ROWS:.0}", until / every), format!("строк результата: {:.0}; предел {MAX_ROWS:.0}", until / every))
-                .why("the table would not fit in memory", "таблица не поместится в память")
-                .help("take a larger step", "возьмите больший шаг"),
+            Fault::new(
+                "M067",
+                fields.span_of("every"),
+                format!("{:.0} rows of results; the limit is {MAX_ROWS:.0}", until / every),
+                format!("строк результата: {:.0}; предел {MAX_ROWS:.0}", until / every),
+            )
+            .why("the table would not fit in memory", "таблица не поместится в память")
+            .help("take a larger step", "возьмите больший шаг"),
         );
     }
     let times = match (fields.get("at"), every) {
@@ -133,7 +158,12 @@ fn duration<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str)
     let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::TIME))?;
     let number = reader.number(&value)?;
     if number <= 0.0 {
-        reader.fault(Fault::new("M065", fields.span_of(key), format!("`{key}` is {number} s; it must be positive"), format!("`{key}` равно {number} с; должно быть положительным")));
+        reader.fault(Fault::new(
+            "M065",
+            fields.span_of(key),
+            format!("`{key}` is {number} s; it must be positive"),
+            format!("`{key}` равно {number} с; должно быть положительным"),
+        ));
         return None;
     }
     Some(number)
@@ -144,8 +174,13 @@ fn tolerance<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> f64 {
     let Some(number) = reader.number(&value) else { return DEFAULT_TOLERANCE };
     if !(1e-16..=1e-2).contains(&number) {
         reader.fault(
-            Fault::new("M065", fields.span_of("tolerance"), format!("the tolerance is {number:e}; it must lie between 1e-16 and 1e-2"), format!("точность {number:e}; допустимо от 1e-16 до 1e-2"))
-                .why("machine numbers carry 16 digits", "машинные числа несут 16 знаков"),
+            Fault::new(
+                "M065",
+                fields.span_of("tolerance"),
+                format!("the tolerance is {number:e}; it must lie between 1e-16 and 1e-2"),
+                format!("точность {number:e}; допустимо от 1e-16 до 1e-2"),
+            )
+            .why("machine numbers carry 16 digits", "машинные числа несут 16 знаков"),
         );
     }
     number
@@ -162,11 +197,19 @@ fn moments<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, until: Option<f64>
         let time = reader.value(&raw, &Context::CONSTANT, Some(&Dimension::TIME));
         let Some(t) = reader.number(&time) else { continue };
         if found.last().is_some_and(|last| t <= *last) || t < 0.0 {
-            reader.fault(Fault::new("M065", item.span(), "times must ascend and not be negative", "моменты времени должны возрастать и быть неотрицательными"));
+            reader.fault(Fault::new(
+                "M065",
+                item.span(),
+                "times must ascend and not be negative",
+                "моменты времени должны возрастать и быть неотрицательными",
+            ));
             return found;
         }
         if until.is_some_and(|end| t > end) {
-            reader.fault(Fault::new("M065", item.span(), format!("{t} s lies after the end of the motion"), format!("{t} с — позже конца движения")).help("enlarge `until`", "увеличьте `until`"));
+            reader.fault(
+                Fault::new("M065", item.span(), format!("{t} s lies after the end of the motion"), format!("{t} с — позже конца движения"))
+                    .help("enlarge `until`", "увеличьте `until`"),
+            );
             return found;
         }
         found.push(t);
@@ -186,8 +229,16 @@ fn known(reader: &mut Reader, name: String, span: Range<usize>) -> Option<String
     if fits {
         return Some(name);
     }
-    let fault = Fault::new("M066", span, format!("there is no result `{}`", super::reader::short(&name)), format!("нет результата `{}`", super::reader::short(&name)))
-        .why("results are coordinates, their rates (phi') and the names in [outputs]", "результаты — это координаты, их скорости (phi') и имена из [outputs]");
+    let fault = Fault::new(
+        "M066",
+        span,
+        format!("there is no result `{}`", super::reader::short(&name)),
+        format!("нет результата `{}`", super::reader::short(&name)),
+    )
+    .why(
+        "results are coordinates, their rates (phi') and the names in [outputs]",
+        "результаты — это координаты, их скорости (phi') и имена из [outputs]",
+    );
     let fault = match nearest(base, reader.scope.names()) {
         Some(near) if near != base => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         _ => fault.help("add it to [outputs]", "добавьте её в [outputs]"),
@@ -198,7 +249,10 @@ fn known(reader: &mut Reader, name: String, span: Range<usize>) -> Option<String
 
 fn plots<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Vec<Plot> {
     let Some(items) = value.get_ref().as_array() else {
-        reader.fault(wrong_type(value.span(), "an array of plots", "массив графиков", value.get_ref().type_str()).help("write plot = [\"phi'\"]", "напишите plot = [\"phi'\"]"));
+        reader.fault(
+            wrong_type(value.span(), "an array of plots", "массив графиков", value.get_ref().type_str())
+                .help("write plot = [\"phi'\"]", "напишите plot = [\"phi'\"]"),
+        );
         return Vec::new();
     };
     items.iter().filter_map(|item| plot(reader, item)).collect()
@@ -222,7 +276,12 @@ fn plot<'a>(reader: &mut Reader<'a>, item: &'a Value<'a>) -> Option<Plot> {
             };
         }
         other => {
-            reader.fault(wrong_type(item.span(), "a name, an array of names or { x, y, title }", "имя, массив имён или { x, y, title }", other.type_str()));
+            reader.fault(wrong_type(
+                item.span(),
+                "a name, an array of names or { x, y, title }",
+                "имя, массив имён или { x, y, title }",
+                other.type_str(),
+            ));
             return None;
         }
     }

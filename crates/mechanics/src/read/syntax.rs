@@ -21,10 +21,7 @@ pub(super) fn parse(text: &str) -> (Option<DeTable<'_>>, Vec<Diagnostic>) {
         let d = Diagnostic::error(
             "M009",
             boundaries(text, at..at + 1),
-            Text::new(
-                format!("a key has more than {MAX_KEY_PARTS} parts"),
-                format!("в ключе больше {MAX_KEY_PARTS} частей"),
-            ),
+            Text::new(format!("a key has more than {MAX_KEY_PARTS} parts"), format!("в ключе больше {MAX_KEY_PARTS} частей")),
         );
         return (None, vec![d]);
     }
@@ -105,12 +102,8 @@ fn unquoted(text: &str, key: Range<usize>) -> Diagnostic {
 fn translate(text: &str, span: Range<usize>, message: &str) -> Diagnostic {
     if message.contains("duplicate key") {
         let key = text.get(span.clone()).unwrap_or_default().to_owned();
-        return Diagnostic::error(
-            "M004",
-            span,
-            Text::new(format!("`{key}` is given twice"), format!("`{key}` задано дважды")),
-        )
-        .help(Text::new("remove or rename one of them", "удалите или переименуйте одно из двух"));
+        return Diagnostic::error("M004", span, Text::new(format!("`{key}` is given twice"), format!("`{key}` задано дважды")))
+            .help(Text::new("remove or rename one of them", "удалите или переименуйте одно из двух"));
     }
     let span = if span.is_empty() { visible(text, span.start) } else { span };
     let ru = russian(message);

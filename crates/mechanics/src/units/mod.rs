@@ -7,6 +7,6 @@ mod parse;
 mod table;
 
 pub use dimension::{Dimension, si_label};
-pub(crate) use parse::{bounded_decimal, is_quantity, out_of_range, superscript};
 pub use parse::{Quantity, parse_number_or_quantity, parse_quantity, parse_unit};
+pub(crate) use parse::{bounded_decimal, is_quantity, out_of_range, superscript};
 pub use table::{Factor, Unit};

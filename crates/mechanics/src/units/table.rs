@@ -211,6 +211,13 @@ pub(super) fn nearest(name: &str) -> Option<String> {
             }
         }
     }
+    // `Nm` is two units run together
+    let joined = name.char_indices().skip(1).map(|(i, _)| name.split_at(i)).find(|(a, b)| find(a).is_some() && find(b).is_some());
+    if let Some((a, b)) = joined
+        && best.as_ref().is_none_or(|(d, _)| *d > 1)
+    {
+        return Some(format!("{a} {b}"));
+    }
     let limit = if name.chars().count() <= 2 { 2 } else { 4 };
     best.filter(|(d, n)| *d <= limit && *d < 2 * n.chars().count()).map(|(_, n)| n)
 }
