@@ -25,3 +25,24 @@ fn pendulum_on_shaft_reaches_the_true_angle() {
         assert_eq!(outcome.dataset.events[0].t, 10.0);
     }
 }
+
+#[test]
+fn relay_machine_switches_and_passes_its_audits() {
+    // from x = 1/2 at rest: crossings at 1, 3, 5, ...
+    let mut machine = shaft::relay();
+    let options = Simulate { grid: Grid::At(vec![0.5, 2.0, 4.5]), ..Simulate::until(10.0) };
+    let outcome = simulate(&mut machine, &[0.5, 0.0], options);
+    assert!(outcome.fault.is_none(), "{:?}", outcome.fault);
+    let data = outcome.dataset;
+    let times: Vec<f64> = data.events.iter().map(|e| e.t).collect();
+    assert_eq!(times.len(), 5);
+    for (i, t) in times.iter().enumerate() {
+        assert!((t - (2 * i + 1) as f64).abs() < 1e-14 * t);
+    }
+    assert_eq!(data.column("a").unwrap().values, vec![-1.0, 1.0, -1.0]);
+    assert_eq!(data.events[0].outputs, [vec![-1.0], vec![1.0]]);
+    assert_eq!(data.events[0].what.en, "sign(x) changes from plus to minus");
+    for key in ["two_derivations", "power_balance"] {
+        assert!(data.audit(key).unwrap().ok, "{:?}", data.audit(key));
+    }
+}

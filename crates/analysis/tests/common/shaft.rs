@@ -89,3 +89,32 @@ pub fn shaft(m: f64) -> Machine {
     let values = program.values.clone();
     Machine::new(&e, &program, &values, &[]).unwrap()
 }
+
+/// x'' = -sign(x) with E = x'^2/2 + |x| and the second derivation x'' + sign(x).
+pub fn relay() -> Machine {
+    let mut e = blank(Graph::new());
+    let zero = e.graph.zero();
+    let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id("x", primes));
+    e.coordinates.push(Coordinate { symbols, unit: "m".into(), label: Text::default(), start: zero, rate: zero });
+    let [x, v, a] = symbols.map(|s| e.graph.symbol(s));
+    let graph = &mut e.graph;
+    let one = graph.one();
+    e.mass = Matrix::zeros(graph, 1, 1);
+    e.mass.set(0, 0, one);
+    let sign = graph.call(Function::Sign, &[x]);
+    e.force = vec![graph.neg(sign)];
+    e.second = vec![graph.add(a, sign)];
+    let (kinetic, restoring) = (graph.mul(v, a), graph.mul(sign, v));
+    e.energy.rate = graph.add(kinetic, restoring);
+    e.outputs.push(Output {
+        name: "a".into(),
+        symbol: symbols[2],
+        unit: "m/s^2".into(),
+        display: None,
+        label: Text::default(),
+        role: Role::Acceleration,
+        formula: a,
+    });
+    let program = Arc::new(program::lower::equations(&e).unwrap());
+    Machine::new(&e, &program, &[], &[Text::same("sign(x)")]).unwrap()
+}
