@@ -1,6 +1,6 @@
 //! Adaptive Taylor integrator with dense output and exact events.
 //!
-//! One expansion per step gives the polynomials of the states, hence the step length ([`length`]), the dense output ([`Step`]) and
+//! One expansion per step gives the polynomials of the states, hence the step length (`length.rs`), the dense output ([`Step`]) and
 //! polynomial event functions ([`crate::events::roots`]). The order follows from the tolerance. A step goes so:
 //!
 //! 1. length from the last two coefficients; never across a scheduled instant, which is hit exactly;
