@@ -8,6 +8,7 @@ pub mod fields;
 pub mod formula;
 pub mod model;
 mod read;
+pub mod reference;
 pub mod units;
 
 pub use diagnostic::{Diagnostic, Severity, Source};
