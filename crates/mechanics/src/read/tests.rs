@@ -125,7 +125,6 @@ fn one_slip_gives_one_finding_at_its_place() {
         ("[parameters]", "[parameters]\nphi = 1", "M011", "phi"),
         ("[parameters]", "[parameters]\npi = 1", "M010", "pi"),
         ("{ unit = \"rad\", start = \"15 deg\" }", "{ start = \"15 deg\" }", "M006", "phi"),
-        ("phi = { unit = \"rad\", start = \"15 deg\" }", "", "M015", ""),
         ("{ unit = \"rad\", start = \"15 deg\" }", "{ unit = \"deg\", start = 15 }", "M023", "15"),
         ("[bodies.bob]", "[springs.s]\nalong = \"phi\"\nstiffness = \"1 N/m\"\n[bodies.bob]", "M024", "1 N/m"),
         ("[bodies.bob]", "[springs.s]\nstiffness = \"1 N/m\"\n[bodies.bob]", "M057", "s"),
