@@ -1,1 +1,17 @@
-//! analysis
+//! Analysis: what a study may see of a machine ([`System`]), what it returns ([`Dataset`]), the Taylor integrator with events, and one
+//! file per study. Nothing here prints, writes files or knows mechanics.
+
+pub mod audits;
+pub mod dataset;
+pub mod events;
+pub mod fault;
+pub mod machine;
+pub mod numerics;
+pub mod studies;
+pub mod system;
+pub mod taylor;
+
+pub use dataset::Dataset;
+pub use fault::Fault;
+pub use machine::Machine;
+pub use system::{Guard, Mode, Powers, Quantity, System};

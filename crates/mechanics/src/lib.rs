@@ -1,6 +1,7 @@
 //! Mechanics: the model file, units, diagnostics, and the derivation of equations of motion. It does not evaluate states and draws
 //! nothing.
 
+pub mod derive;
 pub mod diagnostic;
 pub mod explain;
 mod fault;

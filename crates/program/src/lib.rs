@@ -1,1 +1,68 @@
-//! program
+//! From equations to numbers: a flat tape, an interpreter, and Taylor coefficients.
+//!
+//! ```text
+//! Equations --lower::equations--> Program (tapes) --Bound::new--> Bound (parameters in) --> Evaluator (a value), Jets (a series)
+//! ```
+//!
+//! A [`Program`] holds one [`Tape`] for each question (dynamics, outputs, energy, second derivation, statics, start). The [`Evaluator`]
+//! interprets any of them and is the oracle; [`Jets`] expands the motion in a Taylor series. Switches are [`Guard`]s with [`Mode`]s.
+//! Everything that can go wrong is a [`Fault`] with code, cause and cure.
+//!
+//! ```
+//! use program::{Evaluator, Point, lower, text};
+//! use std::sync::Arc;
+//! use symbolic::Graph;
+//!
+//! // m x + sin(x)²
+//! let mut graph = Graph::new();
+//! let (m, x) = (graph.symbol_id("m", 0), graph.symbol_id("x", 0));
+//! let (mass, place) = (graph.symbol(m), graph.symbol(x));
+//! let sine = graph.call(symbolic::Function::Sin, &[place]);
+//! let square = graph.square(sine);
+//! let product = graph.mul(mass, place);
+//! let formula = graph.add(product, square);
+//!
+//! let inputs = lower::Inputs { parameters: vec![m], states: vec![x], ..Default::default() };
+//! let tape = lower::expressions(&graph, "example", &inputs, &[("f".to_owned(), formula)]).unwrap();
+//! assert_eq!(text::parse(&tape.to_string()).unwrap().to_string(), tape.to_string());
+//!
+//! let mut evaluator = Evaluator::new(&Arc::new(tape), &[2.0]).unwrap();
+//! let value = evaluator.evaluate(&Point { states: &[0.5], ..Point::default() }).unwrap()[0];
+//! assert_eq!(value, 2.0 * 0.5 + 0.5_f64.sin().powi(2));
+//! ```
+//!
+//! The motion of a machine, once its equations are known (`Equations` come from `mechanics`):
+//!
+//! ```no_run
+//! # fn equations() -> symbolic::Equations { unimplemented!() }
+//! use program::{Bound, lower};
+//! use std::sync::Arc;
+//!
+//! let program = Arc::new(lower::equations(&equations())?);
+//! let mut bound = Bound::new(&program, &program.values)?;
+//! let x = bound.start()?;
+//! let modes = bound.modes(0.0, &x)?;
+//! let mut jets = bound.jets(20);
+//! jets.expand(0.0, &x, &modes, 20)?;
+//! let later: f64 = jets.state(0).iter().rev().fold(0.0, |sum, c| sum * 0.01 + c); // x_0(0.01)
+//! # Ok::<(), program::Fault>(())
+//! ```
+
+mod fault;
+mod guard;
+mod interpret;
+mod jets;
+pub mod lower;
+mod program;
+mod solve;
+mod tape;
+pub mod text;
+mod verify;
+
+pub use fault::{Details, EXPLANATIONS, Fault};
+pub use guard::{Guard, GuardKind, Mode};
+pub use interpret::{Evaluator, Point};
+pub use jets::Jets;
+pub use program::{Bound, ENERGY, Program};
+pub use tape::{By, Coefficient, Instruction, Operation, Real, Register, Root, Shape, Tape, Unary};
+pub use verify::verify;

@@ -1,1 +1,34 @@
-//! strutt
+//! The library behind the command `strutt`: the street from a model file to a written calculation ([`pipeline`]), and what a command
+//! line needs around it. Tests, benches and bindings call this.
+//!
+//! ```
+//! use strutt::{Source, Watch, pipeline};
+//! let source = Source::new("top.toml", strutt::gallery::find("top").ok_or("no example")?.text);
+//! let machine = pipeline::build(&source, &[], &mut Watch::default()).map_err(|_| "not a model")?;
+//! assert_eq!(machine.equations.coordinates.len(), 3);
+//! # Ok::<(), &str>(())
+//! ```
+
+pub mod chain;
+pub mod diagnostics;
+pub mod document;
+pub mod explain;
+pub mod failure;
+pub mod files;
+pub mod folder;
+pub mod gallery;
+mod near;
+pub mod pipeline;
+pub mod plan;
+mod provenance;
+pub mod source;
+pub mod watch;
+pub mod words;
+
+pub use failure::{Failure, Trouble};
+pub use near::nearest;
+pub use source::Source;
+pub use watch::Watch;
+
+/// Version of strutt.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -1,1 +1,48 @@
-fn main() {}
+//! The command `strutt`.
+
+mod args;
+mod commands;
+mod console;
+mod localize;
+mod quantities;
+
+use clap::FromArgMatches;
+use clap::error::ErrorKind;
+use console::Console;
+use report::Language;
+use std::io::Write;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let language = console::language_of(std::env::args_os().skip(1));
+    let matches = match localize::command(language).try_get_matches() {
+        Ok(matches) => matches,
+        Err(error) => return wrong_use(&error, language),
+    };
+    if let Some(help) = localize::help_asked(&matches, language) {
+        let _ = std::io::stdout().write_all(help.as_bytes());
+        return ExitCode::SUCCESS;
+    }
+    let cli = match args::Cli::from_arg_matches(&matches) {
+        Ok(cli) => cli,
+        Err(error) => return wrong_use(&error, language),
+    };
+    let mut console = Console::new(&cli.global, language);
+    let code = match commands::run(cli.command, &mut console) {
+        Ok(exit) => exit as u8,
+        Err(failure) => console.fail(&failure),
+    };
+    console.timings();
+    ExitCode::from(code)
+}
+
+/// Help and version go to stdout with code 0, complaints to stderr with code 2.
+fn wrong_use(error: &clap::Error, language: Language) -> ExitCode {
+    let asked = matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion);
+    // a reader that has gone away is no reason to fail
+    let _ = match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => error.print(),
+        _ => std::io::stderr().write_all(localize::complaint(error, language).as_bytes()),
+    };
+    ExitCode::from(if asked { 0 } else { 2 })
+}

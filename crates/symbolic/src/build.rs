@@ -473,7 +473,7 @@ fn sum_content(constant: &Rational, terms: &[(Expr, Rational)]) -> Rational {
 }
 
 /// Greatest common divisor of two rationals, gcd(a/b, c/d) = gcd(ad, cb)/(bd).
-fn rational_gcd(a: &Rational, b: &Rational) -> Rational {
+pub(crate) fn rational_gcd(a: &Rational, b: &Rational) -> Rational {
     let (mut a, mut b) = (a.abs(), b.abs());
     while !b.is_zero() {
         let quotient = (&a / &b).floor();

@@ -41,8 +41,10 @@ pub struct Equations {
     pub second: Vec<Expr>,
     /// Energies and powers.
     pub energy: Energy,
-    /// What the user wants to see, and every coordinate and rate before it.
+    /// Every coordinate, rate, acceleration and auxiliary, then what the user wants to see.
     pub outputs: Vec<Output>,
+    /// Printed symbols the user asked for: name as in formulas, symbol.
+    pub notation: Vec<(String, String)>,
 }
 
 /// A generalized coordinate with its initial data.
@@ -190,8 +192,27 @@ pub struct Output {
     pub symbol: SymbolId,
     /// SI unit.
     pub unit: String,
+    /// Unit to show it in, with the SI value of one such unit, when the user names one.
+    pub display: Option<(String, f64)>,
     /// What it is.
     pub label: Text,
+    /// Where it comes from.
+    pub role: Role,
     /// The formula over q, q', q'', s, t and parameters.
     pub formula: Expr,
+}
+
+/// Where an output comes from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Role {
+    /// A generalized coordinate.
+    Coordinate,
+    /// Its rate.
+    Rate,
+    /// Its second derivative.
+    Acceleration,
+    /// An auxiliary state.
+    Auxiliary,
+    /// A formula of the user's.
+    Named,
 }

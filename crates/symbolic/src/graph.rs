@@ -4,7 +4,7 @@
 //! shared parts are stored and evaluated once. Nodes are immutable and only refer to older nodes: index order is a topological order.
 
 use crate::Rational;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::fmt;
 
 /// Handle of an expression; meaningful with the graph that made it.
@@ -159,9 +159,9 @@ pub enum Node {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: HashMap<Node, Expr>,
+    index: FxHashMap<Node, Expr>,
     symbols: Vec<Symbol>,
-    symbol_index: HashMap<Symbol, SymbolId>,
+    symbol_index: FxHashMap<Symbol, SymbolId>,
 }
 
 impl Graph {
@@ -224,12 +224,8 @@ impl Graph {
 
     /// The direct operands of `e`.
     pub fn children(&self, e: Expr) -> Vec<Expr> {
-        match self.node(e) {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => vec![],
-            Node::Sum { terms: pairs, .. } | Node::Product { factors: pairs, .. } => pairs.iter().map(|p| p.0).collect(),
-            Node::Power { base, exponent } => vec![*base, *exponent],
-            Node::Call { arguments, .. } => arguments.to_vec(),
-            Node::Switch { guard, then, otherwise, .. } => vec![*guard, *then, *otherwise],
-        }
+        let mut found = Vec::new();
+        self.for_each_child(e, |c| found.push(c));
+        found
     }
 }

@@ -2,14 +2,25 @@
 //! hand-over from mechanics to numerics. It knows no bodies, no files, no output format.
 
 mod build;
+mod derivative;
 pub mod equations;
+mod evaluate;
 mod graph;
 mod matrix;
+mod polynomial;
 mod rational;
+mod substitute;
 mod text;
+mod textbook;
+mod trigonometry;
+mod walk;
 
+pub use derivative::Derivation;
 pub use equations::Equations;
 pub use graph::{Expr, Function, Graph, Node, Symbol, SymbolId};
 pub use matrix::Matrix;
 pub use rational::Rational;
+pub use substitute::Substitution;
 pub use text::Text;
+pub use textbook::Textbook;
+pub use walk::Occurrence;

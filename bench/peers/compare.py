@@ -1,0 +1,108 @@
+"""Runs strutt and a peer in turn (pairs), takes medians, prints ratios and versions. See run.sh."""
+import argparse
+import json
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def peer(job, value, limit):
+    try:
+        out = subprocess.run([sys.executable, os.path.join(HERE, "peers.py"), job, str(value)], capture_output=True, text=True, timeout=limit)
+    except subprocess.TimeoutExpired:
+        return None
+    if out.returncode:
+        print(out.stderr, file=sys.stderr)
+        return None
+    return json.loads(out.stdout)
+
+
+def strutt(arguments):
+    began = time.perf_counter()
+    out = subprocess.run(arguments, capture_output=True, text=True)
+    took = time.perf_counter() - began
+    if out.returncode:
+        sys.exit(f"{' '.join(arguments)} failed:\n{out.stderr}")
+    return took, out.stdout
+
+
+def last_value(csv, name):
+    rows = [line.split(",") for line in csv.strip().splitlines()]
+    column = next(i for i, cell in enumerate(rows[0]) if cell.split(" ")[0] == name)
+    return float(rows[-1][column])
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument("--strutt", required=True)
+    options.add_argument("--root", required=True)
+    options.add_argument("--pairs", type=int, default=5)
+    options.add_argument("--max-n", type=int, default=7, help="largest chain for the peers (sympy takes long beyond 8)")
+    options.add_argument("--limit", type=float, default=120, help="seconds for one peer's job")
+    o = options.parse_args()
+    median = statistics.median
+    import heyoka, numpy, scipy, sympy
+    version = subprocess.run([o.strutt, "--version"], capture_output=True, text=True).stdout.strip()
+    print(f"{version}; heyoka {heyoka.__version__}, numpy {numpy.__version__}, scipy {scipy.__version__}, sympy {sympy.__version__}, "
+          f"python {platform.python_version()}, {platform.machine()}, {os.cpu_count()} cores; medians of {o.pairs} pairs\n")
+
+    model = os.path.join(o.root, "gallery/pendulum-on-shaft/model.toml")
+    command = [o.strutt, "simulate", model, "--until", "30s", "--tolerance", "1e-9", "--at", "30", "--outputs", "phi", "--csv"]
+    print("pendulum on a shaft, 30 s, tolerance 1e-9 (whole process of strutt: file to CSV)")
+    print(f"{'peer':<10}{'strutt s':>12}{'set-up s':>12}{'run s':>12}{'ratio set-up+run':>18}{'ratio run':>12}{'difference of phi(30)':>24}")
+    for name, job, pairs in (("heyoka", "shaft_heyoka", o.pairs), ("scipy", "shaft_scipy", min(o.pairs, 3))):
+        own, setup, run, difference = [], [], [], 0.0
+        for _ in range(pairs):
+            took, csv = strutt(command)
+            other = peer(job, 1e-9, o.limit)
+            if other is None:
+                break
+            own.append(took)
+            setup.append(other.get("set-up", 0.0))
+            run.append(other["run"])
+            difference = last_value(csv, "phi") - other["phi(30)"]
+        if not run:
+            print(f"{name:<10}{'over the limit':>40}")
+            continue
+        s, u, r = median(own), median(setup), median(run)
+        print(f"{name:<10}{s:12.4f}{u:12.4f}{r:12.4f}{(u + r) / s:18.2f}{r / s:12.3f}{difference:24.2e}")
+
+    print("\nchain of n pendulums, separate m_i and l_i, derivation (strutt: whole process of `check`, which derives; peers: derivation only, no import)")
+    print(f"{'n':>4}{'strutt s':>12}{'sympy s':>12}{'ratio':>10}{'heyoka s':>12}{'ratio':>10}")
+    sys.path.insert(0, os.path.join(o.root, "gallery/n-pendulum"))
+    from generate import model as chain
+    beyond = set()
+    for n in range(2, 11):
+        with tempfile.NamedTemporaryFile("w", suffix=".toml", delete=False) as file:
+            file.write(chain(n))
+        own, cells = [], {}
+        pairs = o.pairs if n <= 4 else 1
+        for _ in range(pairs):
+            own.append(strutt([o.strutt, "check", file.name])[0])
+            for job in ("chain_sympy", "chain_heyoka"):
+                if job in beyond or n > o.max_n:
+                    continue
+                other = peer(job, n, o.limit)
+                if other is None:
+                    beyond.add(job)
+                else:
+                    cells.setdefault(job, []).append(other["derive"])
+        os.unlink(file.name)
+        s = median(own)
+        line = f"{n:>4}{s:12.4f}"
+        for job in ("chain_sympy", "chain_heyoka"):
+            line += f"{median(cells[job]):12.4f}{median(cells[job]) / s:10.1f}" if job in cells else f"{'-':>12}{'-':>10}"
+        print(line, flush=True)
+
+    print("\nderivation and lowering alone, without the process:", flush=True)
+    subprocess.run(["cargo", "bench", "--quiet", "--manifest-path", os.path.join(o.root, "Cargo.toml"), "-p", "strutt", "--bench", "derivation"], check=False)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,105 @@
+"""One job of one peer in a fresh process, so that set-up is paid as a user pays it. Prints one JSON line: seconds of each stage and a result."""
+import json
+import sys
+import time
+
+
+def shaft_heyoka(tolerance):
+    """Card P3, 30 s, m = 20 g. The compact set of equations solved for the accelerations by hand; heyoka compiles it."""
+    began = time.perf_counter()
+    import heyoka as hy
+    imported = time.perf_counter()
+    x, y, p, vx, vy, w = hy.make_vars("x", "y", "p", "vx", "vy", "w")
+    m, l, k, b, cx, cy, g = 0.02, 0.05, 1e-4, 25.0, 4e5, 1e5, 9.81
+    M = 10.0 + m
+    def system(omega):
+        fx = m * l * w**2 * hy.sin(p) - cx * x - b * vx
+        fy = -m * l * w**2 * hy.cos(p) - cy * y - b * vy
+        fp = k * (omega - w) - m * g * l * hy.sin(p)
+        a = (fp - m * l / M * (hy.cos(p) * fx + hy.sin(p) * fy)) / (m * l * l * (1 - m / M))
+        return [(x, vx), (y, vy), (p, w), (vx, (fx - m * l * hy.cos(p) * a) / M), (vy, (fy - m * l * hy.sin(p) * a) / M), (w, a)]
+    # one compiled system: the speed is 30 t, then a parameter holds it
+    omega = hy.par[0] * hy.time + hy.par[1]
+    ta = hy.taylor_adaptive(system(omega), [0.0] * 6, tol=tolerance, pars=[30.0, 0.0])
+    ready = time.perf_counter()
+    ta.propagate_until(10.0)
+    ta.pars[0], ta.pars[1] = 0.0, 300.0
+    ta.propagate_until(30.0)
+    done = time.perf_counter()
+    return {"import": imported - began, "set-up": ready - imported, "run": done - ready, "phi(30)": float(ta.state[2])}
+
+
+def shaft_scipy(tolerance):
+    """The same by DOP853 with a plain Python right-hand side."""
+    began = time.perf_counter()
+    from math import cos, sin
+    from scipy.integrate import solve_ivp
+    imported = time.perf_counter()
+    m, l, k, b, cx, cy, g = 0.02, 0.05, 1e-4, 25.0, 4e5, 1e5, 9.81
+    M = 10.0 + m
+    def f(t, s, rate, base):
+        x, y, p, vx, vy, w = s
+        sp, cp = sin(p), cos(p)
+        fx = m * l * w * w * sp - cx * x - b * vx
+        fy = -m * l * w * w * cp - cy * y - b * vy
+        a = (k * (rate * t + base - w) - m * g * l * sp - m * l / M * (cp * fx + sp * fy)) / (m * l * l * (1 - m / M))
+        return [vx, vy, w, (fx - m * l * cp * a) / M, (fy - m * l * sp * a) / M, a]
+    one = solve_ivp(f, (0, 10), [0.0] * 6, "DOP853", rtol=tolerance, atol=tolerance, args=(30.0, 0.0))
+    two = solve_ivp(f, (10, 30), one.y[:, -1], "DOP853", rtol=tolerance, atol=tolerance, args=(0.0, 300.0))
+    return {"import": imported - began, "run": time.perf_counter() - imported, "phi(30)": float(two.y[2, -1])}
+
+
+def chain_sympy(n):
+    """Lagrange's equations of n pendulums with separate m_i, l_i by sympy.physics.mechanics, to mass matrix and forcing."""
+    began = time.perf_counter()
+    import sympy
+    from sympy.physics.mechanics import LagrangesMethod, Particle, Point, ReferenceFrame, Lagrangian, dynamicsymbols
+    imported = time.perf_counter()
+    q = dynamicsymbols(f"phi1:{n + 1}")
+    q = list(q)
+    u = [a.diff() for a in q]
+    m, l, g = sympy.symbols(f"m1:{n + 1}"), sympy.symbols(f"l1:{n + 1}"), sympy.symbols("g")
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    particles, at, velocity = [], 0 * N.x, 0 * N.x
+    for i in range(n):
+        at = at + l[i] * (sympy.sin(q[i]) * N.x - sympy.cos(q[i]) * N.y)
+        velocity = velocity + l[i] * u[i] * (sympy.cos(q[i]) * N.x + sympy.sin(q[i]) * N.y)
+        P = O.locatenew(f"P{i}", at)
+        P.set_vel(N, velocity)
+        body = Particle(f"B{i}", P, m[i])
+        body.potential_energy = m[i] * g * at.dot(N.y)
+        particles.append(body)
+    method = LagrangesMethod(Lagrangian(N, *particles), q, frame=N)
+    method.form_lagranges_equations()
+    method.mass_matrix, method.forcing
+    return {"import": imported - began, "derive": time.perf_counter() - imported}
+
+
+def chain_heyoka(n):
+    """The same by heyoka's own Lagrangian routine, expressions only (nothing compiled). It solves for the accelerations, so it is asked for small n only."""
+    began = time.perf_counter()
+    import heyoka as hy
+    imported = time.perf_counter()
+    q = [hy.expression(f"p{i}") for i in range(n)]
+    u = [hy.expression(f"w{i}") for i in range(n)]
+    par = hy.par
+    T = U = hy.expression(0.0)
+    vx = vy = y = hy.expression(0.0)
+    for i in range(n):
+        l, m = par[n + i], par[i]
+        vx = vx + l * u[i] * hy.cos(q[i])
+        vy = vy + l * u[i] * hy.sin(q[i])
+        y = y - l * hy.cos(q[i])
+        T = T + 0.5 * m * (vx**2 + vy**2)
+        U = U + 9.81 * m * y
+    hy.lagrangian(T - U, q, u)
+    return {"import": imported - began, "derive": time.perf_counter() - imported}
+
+
+if __name__ == "__main__":
+    job, value = sys.argv[1], sys.argv[2]
+    whole = time.perf_counter()
+    out = globals()[job](float(value) if job.startswith("shaft") else int(value))
+    out["all"] = time.perf_counter() - whole
+    print(json.dumps(out))

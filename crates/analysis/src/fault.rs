@@ -1,0 +1,253 @@
+//! What can go wrong in a study: each fault says what, why and how to cure it, in both languages.
+
+use std::fmt;
+
+use symbolic::Text;
+
+/// A study cannot go on. Results found before the fault are kept beside it. Boxed, so that results stay small.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault(Box<Message>);
+
+impl std::ops::Deref for Fault {
+    type Target = Message;
+    fn deref(&self) -> &Message {
+        &self.0
+    }
+}
+
+/// The words of a fault.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Message {
+    /// Code for `strutt explain`, `S001`.
+    pub code: &'static str,
+    /// What is wrong and where.
+    pub what: Text,
+    /// The likely physical cause.
+    pub why: Text,
+    /// The cure.
+    pub help: Text,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "error[{}]: {}\n  why: {}\n  help: {}", self.code, self.what.en, self.why.en, self.help.en)
+    }
+}
+
+impl std::error::Error for Fault {}
+
+/// Code, title and explanation of every fault of this crate, for `strutt explain`.
+pub const EXPLANATIONS: &[Explanation] = &[
+    Explanation {
+        code: "S001",
+        en: ("switch without a direction (chattering)", CHATTERING_EN),
+        ru: ("переключение без направления (дребезг)", CHATTERING_RU),
+    },
+    Explanation {
+        code: "S002", en: ("switches accumulate", ACCUMULATION_EN), ru: ("переключения сгущаются", ACCUMULATION_RU)
+    },
+    Explanation { code: "S003", en: ("step underflow", UNDERFLOW_EN), ru: ("шаг стал исчезающе малым", UNDERFLOW_RU) },
+    Explanation { code: "S004", en: ("not a finite number", FINITE_EN), ru: ("не конечное число", FINITE_RU) },
+    Explanation {
+        code: "S005", en: ("result larger than memory", MEMORY_EN), ru: ("результат не помещается в память", MEMORY_RU)
+    },
+    Explanation {
+        code: "S006", en: ("unusable option of a study", OPTION_EN), ru: ("недопустимый параметр расчёта", OPTION_RU)
+    },
+    Explanation {
+        code: "S007", en: ("Newton's method found no equilibrium", NEWTON_EN), ru: ("равновесие не найдено", NEWTON_RU)
+    },
+    Explanation {
+        code: "S008",
+        en: ("neutral equilibrium or free motion", NEUTRAL_EN),
+        ru: ("безразличное равновесие или свободное движение", NEUTRAL_RU),
+    },
+    Explanation {
+        code: "S009", en: ("unknown output", OUTPUT_EN), ru: ("неизвестная выходная величина", OUTPUT_RU)
+    },
+];
+
+/// One row of [`EXPLANATIONS`]: (title, body) in both languages.
+#[derive(Clone, Copy, Debug)]
+pub struct Explanation {
+    /// Code, `S001`.
+    pub code: &'static str,
+    /// English title and body.
+    pub en: (&'static str, &'static str),
+    /// Russian title and body.
+    pub ru: (&'static str, &'static str),
+}
+
+const CHATTERING_EN: &str = "A formula with sign, if, abs, min or max reached its switching surface, and on both sides of it the motion is driven back: the \
+    machine would switch infinitely often. Physically this is sticking (a body held by dry friction) or an ideal relay without hysteresis; sign(v) alone \
+    cannot describe it. Use the dry friction element, which has a sticking state with a bounded reaction, or give the relay hysteresis or a delay.";
+const CHATTERING_RU: &str = "Формула с sign, if, abs, min или max вышла на поверхность переключения, и с обеих сторон движение направлено обратно к ней: машина \
+    переключалась бы бесконечно часто. Физически это залипание (тело удерживается сухим трением) или идеальное реле без гистерезиса; одна функция sign(v) \
+    этого не описывает. Примените элемент сухого трения, у которого есть состояние залипания с ограниченной реакцией, либо задайте реле гистерезис или \
+    запаздывание.";
+const ACCUMULATION_EN: &str = "Switches follow one another at intervals that shrink to nothing (a bouncing ball coming to rest, a relay spiralling into its \
+    centre). After the accumulation point the model gives no motion. Stop the run before it, or describe the contact by a spring with damping or by an \
+    element with a resting state.";
+const ACCUMULATION_RU: &str = "Переключения следуют через промежутки, стремящиеся к нулю (подскакивающий шар, реле, входящее по спирали в центр). После точки \
+    сгущения модель не определяет движения. Остановите расчёт раньше или опишите контакт пружиной с демпфером либо элементом, имеющим состояние покоя.";
+const UNDERFLOW_EN: &str = "The step needed for the tolerance is below the resolution of time: the motion runs into a singularity (a force that grows without \
+    bound, a distance that becomes zero, a mass matrix that loses rank, a square root at zero).";
+const UNDERFLOW_RU: &str = "Шаг, нужный для заданной точности, меньше разрешения времени: движение приходит в особую точку (неограниченно растущая сила, расстояние, \
+    обращающееся в нуль, вырождение матрицы масс, корень в нуле).";
+const FINITE_EN: &str = "A value of the motion became infinite or undefined.";
+const FINITE_RU: &str = "Одна из величин стала бесконечной или неопределённой.";
+const MEMORY_EN: &str = "Times asked for x columns x 8 bytes is more than the limit. Ask for fewer times or outputs.";
+const MEMORY_RU: &str = "Число моментов времени x число столбцов x 8 байт превышает предел. Запросите меньше моментов времени или величин.";
+const OPTION_EN: &str = "An option of the study has a value that means nothing: a tolerance outside 1e-15 ... 1e-3, an end before the start, a grid step that is not positive.";
+const OPTION_RU: &str =
+    "Параметр расчёта имеет бессмысленное значение: точность вне 1e-15 ... 1e-3, конец раньше начала, неположительный шаг сетки.";
+const NEWTON_EN: &str = "From no guess did Newton's method reach a state in which all generalized forces vanish. There may be no equilibrium, or the guesses are far from it.";
+const NEWTON_RU: &str = "Ни из одного начального приближения метод Ньютона не пришёл к состоянию, где все обобщённые силы равны нулю. Равновесия может не быть, или приближения далеки от него.";
+const NEUTRAL_EN: &str = "The stiffness matrix is singular: along some direction the machine moves freely, so equilibria are not isolated.";
+const NEUTRAL_RU: &str =
+    "Матрица жёсткости вырождена: вдоль некоторого направления машина движется свободно, и положения равновесия не изолированы.";
+const OUTPUT_EN: &str = "The study asks for an output that the model does not define. Coordinates and rates are always available by name.";
+const OUTPUT_RU: &str = "Расчёт запрашивает величину, которой нет в модели. Координаты и скорости всегда доступны по имени.";
+
+/// A number in both languages: decimal point and decimal comma.
+pub(crate) fn number(value: f64) -> Text {
+    let en = if value == 0.0 || (1e-4..1e6).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") };
+    Text { ru: en.replace('.', ","), en }
+}
+
+impl Fault {
+    /// From its words.
+    pub fn new(message: Message) -> Fault {
+        Fault(Box::new(message))
+    }
+
+    /// The flow on both sides of a switch points back to it.
+    pub fn chattering(guard: &Text, t: f64) -> Fault {
+        let n = number(t);
+        Fault::new(Message {
+            code: "S001",
+            what: Text::new(
+                format!("the switch `{}` chatters at t = {} s", guard.en, n.en),
+                format!("переключатель `{}` дребезжит при t = {} с", guard.ru, n.ru),
+            ),
+            why: Text::new(
+                "on both sides of the switch the motion is driven back to it: a body held by dry friction, or a relay without hysteresis",
+                "с обеих сторон от переключения движение направлено обратно к нему: тело удерживается сухим трением или реле без гистерезиса",
+            ),
+            help: Text::new(
+                "describe friction by a dry friction element, which can stick, instead of sign(velocity); give a relay hysteresis",
+                "опишите трение элементом сухого трения (он умеет залипать) вместо sign(скорость); задайте реле гистерезис",
+            ),
+        })
+    }
+
+    /// Switches at intervals that shrink to nothing.
+    pub fn accumulation(guard: &Text, t: f64) -> Fault {
+        let n = number(t);
+        Fault::new(Message {
+            code: "S002",
+            what: Text::new(
+                format!("switches of `{}` accumulate at t = {} s", guard.en, n.en),
+                format!("переключения `{}` сгущаются при t = {} с", guard.ru, n.ru),
+            ),
+            why: Text::new(
+                "the intervals between switches shrink to nothing, and the model says nothing about the motion after that instant",
+                "промежутки между переключениями стремятся к нулю, и модель не определяет движения после этого момента",
+            ),
+            help: Text::new(
+                "end the run before this instant, or use an element with a resting state (dry friction, contact spring with damping)",
+                "закончите расчёт раньше или примените элемент с состоянием покоя (сухое трение, контактная пружина с демпфером)",
+            ),
+        })
+    }
+
+    /// The step fell below the resolution of time.
+    pub fn underflow(state: &Text, t: f64) -> Fault {
+        let n = number(t);
+        Fault::new(Message {
+            code: "S003",
+            what: Text::new(
+                format!("the step vanishes at t = {} s; `{}` changes fastest", n.en, state.en),
+                format!("шаг стал исчезающе малым при t = {} с; быстрее всего меняется `{}`", n.ru, state.ru),
+            ),
+            why: Text::new(
+                "the motion runs into a singularity: a force grows without bound, a distance or the mass matrix degenerates",
+                "движение приходит в особую точку: сила растёт неограниченно, расстояние обращается в нуль или матрица масс вырождается",
+            ),
+            help: Text::new(
+                "check the formulas near this state (division, sqrt, log, a zero length); end the run earlier if the motion really ends here",
+                "проверьте формулы вблизи этого состояния (деление, sqrt, log, нулевая длина); если движение здесь действительно кончается, завершите расчёт раньше",
+            ),
+        })
+    }
+
+    /// A value is infinite or undefined.
+    pub fn not_finite(name: &Text, t: f64) -> Fault {
+        let n = number(t);
+        Fault::new(Message {
+            code: "S004",
+            what: Text::new(
+                format!("`{}` is not a finite number at t = {} s", name.en, n.en),
+                format!("`{}` не является конечным числом при t = {} с", name.ru, n.ru),
+            ),
+            why: Text::new(
+                "a formula was taken outside its domain, or a value overflowed",
+                "формула вышла за область определения, или величина переполнилась",
+            ),
+            help: Text::new(
+                "check start values and formulas (division by zero, sqrt or log of a negative number)",
+                "проверьте начальные значения и формулы (деление на нуль, sqrt или log отрицательного числа)",
+            ),
+        })
+    }
+
+    /// An option without meaning.
+    pub fn option(what: Text, help: Text) -> Fault {
+        Fault::new(Message {
+            code: "S006",
+            what,
+            why: Text::new("the study cannot be run with this value", "расчёт с таким значением невозможен"),
+            help,
+        })
+    }
+
+    /// The system offers no statics.
+    pub fn no_statics() -> Fault {
+        Fault::option(
+            Text::new("this system has no equations of rest", "у этой системы нет уравнений покоя"),
+            Text::new("run `simulate` instead", "используйте расчёт движения `simulate`"),
+        )
+    }
+
+    /// An output that does not exist.
+    pub fn unknown_output(name: &str, known: &[String]) -> Fault {
+        let list = known.join(", ");
+        Fault::new(Message {
+            code: "S009",
+            what: Text::new(format!("there is no output `{name}`"), format!("нет выходной величины `{name}`")),
+            why: Text::new(format!("the model offers: {list}"), format!("в модели есть: {list}")),
+            help: Text::new("correct the name, or define it in [outputs]", "исправьте имя или определите величину в [outputs]"),
+        })
+    }
+
+    /// A table larger than the limit; sizes in bytes.
+    pub fn memory(rows: f64, columns: usize, limit: f64) -> Fault {
+        let need = number((rows * columns as f64 * 8.0 / 1e9 * 10.0).round() / 10.0);
+        let limit = number((limit / 1e9 * 10.0).round() / 10.0);
+        Fault::new(Message {
+            code: "S005",
+            what: Text::new(
+                format!("the result would take {} GB, the limit is {} GB", need.en, limit.en),
+                format!("результат занял бы {} ГБ, предел {} ГБ", need.ru, limit.ru),
+            ),
+            why: Text::new(
+                format!("{rows:.0} times x {columns} columns x 8 bytes"),
+                format!("{rows:.0} моментов x {columns} столбцов x 8 байт"),
+            ),
+            help: Text::new(
+                "ask for fewer times (a larger `every`) or fewer outputs",
+                "запросите меньше моментов (больший шаг `every`) или меньше величин",
+            ),
+        })
+    }
+}

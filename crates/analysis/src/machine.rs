@@ -1,0 +1,185 @@
+//! A machine's program as a [`System`].
+
+use std::sync::Arc;
+
+use program::{Bound, Evaluator, Jets, Point, Program};
+use symbolic::{Equations, Text};
+
+use crate::fault::Message;
+use crate::taylor::HIGHEST_ORDER;
+use crate::{Fault, Guard, Mode, Powers, Quantity, System};
+
+/// A program with parameters, seen by studies.
+#[derive(Clone, Debug)]
+pub struct Machine {
+    states: Vec<Quantity>,
+    outputs: Vec<Quantity>,
+    guards: Vec<Guard>,
+    bound: Bound,
+    jets: Jets,
+    observed: Evaluator,
+    energy: Evaluator,
+    second: Evaluator,
+    statics: Evaluator,
+    modes: Vec<program::Mode>,
+    /// Guards that decide something in these modes; others have no meaning.
+    active: Vec<bool>,
+    accelerations: Vec<f64>,
+}
+
+impl From<program::Fault> for Fault {
+    fn from(fault: program::Fault) -> Fault {
+        Fault::new(Message { code: fault.code, what: fault.what.clone(), why: fault.why.clone(), help: fault.help.clone() })
+    }
+}
+
+impl Machine {
+    /// `parameters` in the order of the program; `guard_names` say what each guard of the program is, as the user wrote it.
+    ///
+    /// *Errors*: parameters outside the domain of a formula.
+    pub fn new(equations: &Equations, program: &Arc<Program>, parameters: &[f64], guard_names: &[Text]) -> Result<Machine, Fault> {
+        let bound = Bound::new(program, parameters)?;
+        let mut guards: Vec<Guard> = (0..program.guards.len())
+            .map(|i| {
+                let unnamed = || Text::new(format!("switch {}", i + 1), format!("переключатель {}", i + 1));
+                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), scheduled: None }
+            })
+            .collect();
+        for (guard, t) in bound.scheduled() {
+            guards[guard].scheduled = Some(t);
+        }
+        Ok(Machine {
+            states: states(equations, program),
+            outputs: outputs(equations),
+            jets: bound.jets(HIGHEST_ORDER),
+            observed: bound.evaluator(&program.outputs)?,
+            energy: bound.evaluator(&program.energy)?,
+            second: bound.evaluator(&program.second)?,
+            statics: bound.evaluator(&program.statics)?,
+            modes: Vec::new(),
+            active: vec![false; guards.len()],
+            accelerations: vec![0.0; program.coordinates],
+            guards,
+            bound,
+        })
+    }
+
+    /// The state at the start as the model gives it.
+    pub fn start(&self) -> Result<Vec<f64>, Fault> {
+        Ok(self.bound.start()?)
+    }
+
+    fn set_modes(&mut self, modes: &[Mode]) {
+        let same = self.modes.len() == modes.len() && self.modes.iter().zip(modes).all(|(a, b)| *a == translated(*b));
+        if same {
+            return;
+        }
+        self.modes.clear();
+        self.modes.extend(modes.iter().map(|m| translated(*m)));
+        self.active = self.bound.active(&self.modes);
+    }
+}
+
+fn translated(mode: Mode) -> program::Mode {
+    match mode {
+        Mode::Negative => program::Mode::Negative,
+        Mode::Zero => program::Mode::Zero,
+        Mode::Positive => program::Mode::Positive,
+    }
+}
+
+/// Names as the program has them; units and labels from the equations.
+fn states(equations: &Equations, program: &Program) -> Vec<Quantity> {
+    let rate = |unit: &str| if unit == "1" { "1/s".to_owned() } else { format!("{unit}/s") };
+    let coordinates = equations.coordinates.iter();
+    let described = coordinates
+        .clone()
+        .map(|c| (c.unit.clone(), c.label.clone()))
+        .chain(coordinates.map(|c| (rate(&c.unit), Text::default())))
+        .chain(equations.auxiliaries.iter().map(|a| (a.unit.clone(), a.label.clone())));
+    let quantity = |(name, (unit, label)): (&String, (String, Text))| Quantity { label, ..Quantity::new(name, &unit) };
+    program.states.iter().zip(described).map(quantity).collect()
+}
+
+fn outputs(equations: &Equations) -> Vec<Quantity> {
+    let quantity = |o: &symbolic::equations::Output| {
+        let info = equations.graph.symbol_info(o.symbol);
+        let symbol = format!("{}{}", info.name, "'".repeat(usize::from(info.primes)));
+        Quantity { name: o.name.clone(), symbol, unit: o.unit.clone(), label: o.label.clone(), display: o.display.clone() }
+    };
+    equations.outputs.iter().map(quantity).collect()
+}
+
+impl System for Machine {
+    fn states(&self) -> &[Quantity] {
+        &self.states
+    }
+    fn n_coordinates(&self) -> usize {
+        self.accelerations.len()
+    }
+    fn guards(&self) -> &[Guard] {
+        &self.guards
+    }
+    fn outputs(&self) -> &[Quantity] {
+        &self.outputs
+    }
+
+    fn expand(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault> {
+        self.set_modes(modes);
+        Ok(self.jets.expand(t, x, &self.modes, order)?)
+    }
+
+    fn state(&self, i: usize) -> &[f64] {
+        self.jets.state(i)
+    }
+
+    fn guard(&self, i: usize) -> &[f64] {
+        if self.active[i] { self.jets.guard(i) } else { &[] }
+    }
+
+    fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault> {
+        let n = self.accelerations.len();
+        let modes: Vec<program::Mode> = modes.iter().map(|m| translated(*m)).collect();
+        let rates = self.bound.rates(t, x, &modes)?;
+        self.accelerations.copy_from_slice(&rates[n..2 * n]);
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(&modes) };
+        values.copy_from_slice(self.observed.evaluate(&point)?);
+        Ok(())
+    }
+
+    fn modes_by_value(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
+        let modes = self.bound.modes(t, x).ok()?;
+        let back = |m: program::Mode| match m {
+            program::Mode::Negative => Mode::Negative,
+            program::Mode::Zero => Mode::Zero,
+            program::Mode::Positive => Mode::Positive,
+        };
+        Some(modes.into_iter().map(back).collect())
+    }
+
+    fn powers(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Powers> {
+        let modes: Vec<program::Mode> = modes.iter().map(|m| translated(*m)).collect();
+        let point = Point { time: t, states: x, accelerations, modes: Some(&modes) };
+        // the order is that of program::ENERGY
+        let [_, _, _, dissipated, rate, loads, drives] = *self.energy.evaluate(&point).ok()? else { return None };
+        Some(Powers { rate, loads, drives, dissipated })
+    }
+
+    fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], _modes: &[Mode], residuals: &mut [f64]) -> bool {
+        let point = Point { time: t, states: x, accelerations, modes: None };
+        let Ok(values) = self.second.evaluate(&point) else { return false };
+        if residuals.is_empty() || values.len() < residuals.len() {
+            return false;
+        }
+        residuals.copy_from_slice(&values[..residuals.len()]);
+        true
+    }
+
+    fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {
+        let values = self.statics.evaluate(&Point { states: x, ..Point::default() })?;
+        let (h, jacobian) = values.split_at(forces.len());
+        forces.copy_from_slice(h);
+        derivatives.copy_from_slice(&jacobian[..derivatives.len()]);
+        Ok(())
+    }
+}

@@ -1,0 +1,5 @@
+//! Small numerical tools.
+
+pub mod lu;
+pub mod random;
+pub mod sum;

@@ -1,0 +1,222 @@
+//! Equilibria: h(q, 0, s, 0) = 0 by damped Newton from guesses.
+//!
+//! Rates are zero and prescribed motions and loads are taken at t = 0. An equilibrium of a conservative system is stable when its stiffness
+//! K = -dh/dq is positive definite (Lagrange, Dirichlet) and unstable when K has a negative direction; when K is not symmetric the loads do
+//! work over closed ways (follower forces), and definiteness of the symmetric part is only a hint.
+
+use symbolic::Text;
+
+use crate::dataset::{Audit, Column, Counter, Dataset};
+use crate::fault::Message;
+use crate::numerics::lu::{Lu, positive_definite};
+use crate::{Fault, Quantity, System};
+
+use super::simulate::Outcome;
+
+/// Options of the study.
+#[derive(Clone, Debug, Default)]
+pub struct Equilibrium {
+    /// Coordinates to begin from, besides the start values; n each.
+    pub guesses: Vec<Vec<f64>>,
+}
+
+/// Steps of Newton's method from one guess.
+const STEPS: usize = 200;
+/// Forces relative to the terms that balance in them, estimated by the stiffness times the coordinates.
+const RESIDUAL: f64 = 1e-10;
+
+/// Equilibria from the state `start` and further guesses, one row of the result each.
+///
+/// Columns: the coordinates, `residual` (largest force relative to its terms), `stable` (1 yes, 0 no, NaN undecided).
+///
+/// *Errors* beside what was found: S007 when no guess leads to an equilibrium, S008 when an equilibrium is not isolated.
+pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Equilibrium) -> Outcome {
+    let n = system.n_coordinates();
+    let mut search = Search { system, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0 };
+    let mut found: Vec<Rest> = Vec::new();
+    let mut faults = Vec::new();
+    let own = start[..n].to_vec();
+    for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)) {
+        let mut x = start.to_vec();
+        x[n..2 * n].fill(0.0);
+        x[..n].copy_from_slice(guess);
+        match search.from(x) {
+            Ok(rest) if found.iter().all(|other| !other.is(&rest)) => found.push(rest),
+            Ok(_) => {}
+            Err(fault) => faults.push(fault),
+        }
+    }
+    let steps = search.steps;
+    let dataset = dataset(system, &found, steps);
+    // a guess that failed matters only when nothing was found, a free motion always
+    let neutral = faults.iter().position(|f| f.code == "S008");
+    let fault = match neutral {
+        Some(i) => Some(faults.swap_remove(i)),
+        None if found.is_empty() => faults.into_iter().next(),
+        None => None,
+    };
+    Outcome { dataset, fault }
+}
+
+/// An equilibrium.
+struct Rest {
+    q: Vec<f64>,
+    residual: f64,
+    stable: Option<bool>,
+    symmetric: bool,
+}
+
+impl Rest {
+    fn is(&self, other: &Rest) -> bool {
+        self.q.iter().zip(&other.q).all(|(a, b)| (a - b).abs() <= 1e-7 * (1.0 + a.abs().max(b.abs())))
+    }
+}
+
+struct Search<'s, S: ?Sized> {
+    system: &'s mut S,
+    n: usize,
+    forces: Vec<f64>,
+    jacobian: Vec<f64>,
+    steps: usize,
+}
+
+impl<S: System + ?Sized> Search<'_, S> {
+    /// Newton's method with step halving on the residual measured in Newton's own metric (the length of the simplified correction), which does
+    /// not depend on the units of the forces. *Source*: P. Deuflhard, Newton Methods for Nonlinear Problems, 3.3.
+    fn from(&mut self, mut x: Vec<f64>) -> Result<Rest, Fault> {
+        self.evaluate(&x)?;
+        for _ in 0..STEPS {
+            self.steps += 1;
+            let lu = Lu::new(&self.jacobian, self.n);
+            let balanced = self.residual(&x) <= RESIDUAL;
+            let Some(correction) = lu.solve(&self.forces) else {
+                return Err(if balanced { self.neutral(&lu) } else { self.failed() });
+            };
+            let length = norm(&correction);
+            // otherwise the search ends when rounding lets no correction shrink any more
+            if length <= 4.0 * f64::EPSILON * norm(&x[..self.n]) {
+                return Ok(self.rest(x));
+            }
+            let before = self.forces.clone();
+            let mut share = 1.0_f64.min(LONGEST / length);
+            loop {
+                let mut next = x.clone();
+                next.iter_mut().zip(&correction).for_each(|(q, c)| *q -= share * c);
+                let accepted =
+                    self.evaluate(&next).is_ok() && lu.solve(&self.forces).is_some_and(|c| norm(&c) <= (1.0 - 0.25 * share) * length);
+                if accepted {
+                    x = next;
+                    break;
+                }
+                share *= 0.5;
+                if share < 1e-8 {
+                    self.forces = before;
+                    self.evaluate(&x)?;
+                    return if balanced { Ok(self.rest(x)) } else { Err(self.failed()) };
+                }
+            }
+        }
+        Err(self.failed())
+    }
+
+    fn evaluate(&mut self, x: &[f64]) -> Result<(), Fault> {
+        self.system.statics(x, &mut self.forces, &mut self.jacobian)?;
+        let finite = self.forces.iter().chain(&self.jacobian).all(|v| v.is_finite());
+        if finite { Ok(()) } else { Err(Fault::not_finite(&Text::new("force of rest", "сила в покое"), 0.0)) }
+    }
+
+    /// max |h_i| / sum_j |K_ij| max(|q_j|, 1).
+    fn residual(&self, x: &[f64]) -> f64 {
+        let n = self.n;
+        (0..n).fold(0.0, |worst: f64, i| {
+            let size: f64 = (0..n).map(|j| self.jacobian[i * n + j].abs() * x[j].abs().max(1.0)).sum();
+            let h = self.forces[i].abs();
+            worst.max(if h == 0.0 { 0.0 } else { h / size })
+        })
+    }
+
+    fn rest(&self, x: Vec<f64>) -> Rest {
+        let n = self.n;
+        let k = |i: usize, j: usize| -self.jacobian[i * n + j];
+        let symmetric = (0..n).all(|i| (0..i).all(|j| (k(i, j) - k(j, i)).abs() <= 1e-9 * (k(i, j).abs() + k(j, i).abs())));
+        let even: Vec<f64> = (0..n * n).map(|p| 0.5 * (k(p / n, p % n) + k(p % n, p / n))).collect();
+        Rest { residual: self.residual(&x), stable: positive_definite(&even, n), symmetric, q: x[..n].to_vec() }
+    }
+
+    fn neutral(&self, lu: &Lu) -> Fault {
+        let direction = lu.null_direction().unwrap_or_default();
+        let largest = direction.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let names: Vec<&str> =
+            (0..self.n).filter(|&i| direction[i].abs() > 1e-9 * largest).map(|i| self.system.states()[i].name.as_str()).collect();
+        let names = names.join(", ");
+        Fault::new(Message {
+            code: "S008",
+            what: Text::new(
+                format!("neutral equilibrium: free motion along {names}"),
+                format!("безразличное равновесие: свободное движение по {names}"),
+            ),
+            why: Text::new(
+                "no force resists a small motion along these coordinates (a mechanism, or a machine that turns freely)",
+                "малому движению по этим координатам ничто не сопротивляется (механизм или свободно вращающаяся машина)",
+            ),
+            help: Text::new(
+                "add a spring or gravity that holds them, or fix the coordinate as a parameter",
+                "добавьте пружину или силу тяжести, удерживающую их, либо задайте координату параметром",
+            ),
+        })
+    }
+
+    fn failed(&self) -> Fault {
+        Fault::new(Message {
+            code: "S007",
+            what: Text::new("no equilibrium found from this guess", "из этого приближения равновесие не найдено"),
+            why: Text::new(
+                "the forces do not vanish together near here, or the guess is far from the equilibrium",
+                "силы здесь не обращаются в нуль одновременно, или приближение далеко от равновесия",
+            ),
+            help: Text::new(
+                "give a `guess` nearer to the equilibrium; check that loads can be balanced",
+                "задайте `guess` ближе к равновесию; проверьте, могут ли нагрузки уравновеситься",
+            ),
+        })
+    }
+}
+
+/// Longest step of Newton's method, SI: a radian or a metre.
+const LONGEST: f64 = 1.0;
+
+fn norm(v: &[f64]) -> f64 {
+    v.iter().map(|a| a * a).sum::<f64>().sqrt()
+}
+
+fn dataset<S: System + ?Sized>(system: &S, found: &[Rest], steps: usize) -> Dataset {
+    let n = system.n_coordinates();
+    let mut columns: Vec<Column> =
+        (0..n).map(|i| Column { quantity: system.states()[i].clone(), values: found.iter().map(|r| r.q[i]).collect() }).collect();
+    let labelled = |name: &str, label: Text| Quantity { label, ..Quantity::new(name, "1") };
+    columns.push(Column {
+        quantity: labelled("residual", Text::new("largest relative force", "наибольшая относительная сила")),
+        values: found.iter().map(|r| r.residual).collect(),
+    });
+    columns.push(Column {
+        quantity: labelled("stable", Text::new("1 stable, 0 unstable", "1 устойчиво, 0 неустойчиво")),
+        values: found.iter().map(|r| r.stable.map_or(f64::NAN, |s| f64::from(u8::from(s)))).collect(),
+    });
+    let mut notes = vec![Text::new(
+        "rates are zero; prescribed motions and loads are taken at t = 0",
+        "скорости равны нулю; заданные движения и нагрузки взяты при t = 0",
+    )];
+    if found.iter().any(|r| !r.symmetric) {
+        notes.push(Text::new(
+            "the stiffness is not symmetric: the loads are not conservative, and the verdict on stability is only a hint",
+            "матрица жёсткости несимметрична: нагрузки неконсервативны, и заключение об устойчивости лишь ориентировочное",
+        ));
+    }
+    let worst = found.iter().map(|r| r.residual).fold(0.0, f64::max);
+    let name = Text::new("equilibrium: largest relative force", "равновесие: наибольшая относительная сила");
+    let audits = if found.is_empty() { vec![] } else { vec![Audit::at_most("equilibrium", name, worst, RESIDUAL)] };
+    let counters = vec![Counter {
+        key: "newton_steps", name: Text::new("Newton steps", "шагов метода Ньютона"), value: steps as f64
+    }];
+    Dataset { columns, notes, audits, counters, ..Dataset::default() }
+}

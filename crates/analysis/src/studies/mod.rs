@@ -1,0 +1,4 @@
+//! Studies, one file each.
+
+pub mod equilibrium;
+pub mod simulate;

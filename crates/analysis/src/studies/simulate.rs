@@ -1,0 +1,379 @@
+//! Motion from given initial values.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use symbolic::Text;
+
+use crate::audits::{halving::tolerance_halving, power::PowerBalance, second::two_derivations};
+use crate::dataset::{Column, Counter, Dataset, Event};
+use crate::events::Switch;
+use crate::fault::number;
+use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance};
+use crate::{Fault, Mode, Quantity, System};
+
+/// Times at which results are wanted.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub enum Grid {
+    /// 0, dt, 2 dt, ... up to the end.
+    Every(f64),
+    /// Exactly these, in this order.
+    At(Vec<f64>),
+    /// 1001 equidistant times.
+    #[default]
+    Auto,
+}
+
+/// Options of the study.
+pub struct Simulate<'a> {
+    /// End of the run, s; it begins at 0.
+    pub until: f64,
+    /// Times of the result.
+    pub grid: Grid,
+    /// Relative tolerance of a step; see [`crate::taylor`]. Default 1e-12.
+    pub tolerance: f64,
+    /// Outputs by name; all when absent.
+    pub outputs: Option<Vec<String>>,
+    /// Run again with half the tolerance and compare.
+    pub tolerance_halving: bool,
+    /// Set from outside to stop early; what is done is returned.
+    pub interrupt: Option<&'a AtomicBool>,
+    /// Told the finished share of the run, 0..1, now and then.
+    pub progress: Option<&'a mut dyn FnMut(f64)>,
+    /// Largest table, bytes. Default 2e9.
+    pub memory: f64,
+    /// Seed of the audits' random states.
+    pub seed: u64,
+}
+
+impl Simulate<'_> {
+    /// Defaults for a run of this length.
+    pub fn until(until: f64) -> Self {
+        Simulate {
+            until,
+            grid: Grid::Auto,
+            tolerance: 1e-12,
+            outputs: None,
+            tolerance_halving: false,
+            interrupt: None,
+            progress: None,
+            memory: 2e9,
+            seed: 1,
+        }
+    }
+}
+
+/// A result, and what ended the study early, if anything did.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outcome {
+    /// What was found.
+    pub dataset: Dataset,
+    /// Why there is not more.
+    pub fault: Option<Fault>,
+}
+
+/// Most events that are kept one by one.
+const EVENTS: usize = 100_000;
+const AUTO: usize = 1000;
+
+/// Runs the machine from the state `start` at t = 0.
+///
+/// A requested time that is the instant of an event shows the values after it; the event itself records both sides.
+///
+/// *Errors* come beside the results so far: options without meaning, a table larger than the limit, and every fault of [`Flow`].
+pub fn simulate<S: System + ?Sized>(system: &mut S, start: &[f64], mut options: Simulate<'_>) -> Outcome {
+    let mut run = match Run::prepare(system, &options) {
+        Ok(run) => run,
+        Err(fault) => return Outcome { dataset: Dataset { partial: true, ..Dataset::default() }, fault: Some(fault) },
+    };
+    let fault = run.integrate(system, start, &mut options).err();
+    let mut dataset = run.dataset(system, options.tolerance);
+    dataset.partial |= fault.is_some();
+    dataset.audits.splice(0..0, two_derivations(system, options.until, options.seed));
+    if options.tolerance_halving && !dataset.partial {
+        match halved(system, start, &options) {
+            Some(finer) if !finer.dataset.partial => {
+                dataset.audits.push(tolerance_halving(&dataset.columns, &finer.dataset.columns, options.tolerance));
+            }
+            _ => dataset
+                .notes
+                .push(Text::new("the run with half the tolerance was not finished", "расчёт с половинной точностью не закончен")),
+        }
+    }
+    Outcome { dataset, fault }
+}
+
+/// The same run with half the tolerance (twice at the lower end).
+fn halved<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simulate<'_>) -> Option<Outcome> {
+    let half = 0.5 * options.tolerance;
+    let tolerance = if half < TOLERANCES.0 { 2.0 * options.tolerance } else { half };
+    let again = Simulate {
+        grid: options.grid.clone(),
+        outputs: options.outputs.clone(),
+        tolerance,
+        interrupt: options.interrupt,
+        memory: options.memory,
+        ..Simulate::until(options.until)
+    };
+    let mut run = Run::prepare(system, &again).ok()?;
+    let mut again = again;
+    let fault = run.integrate(system, start, &mut again).err();
+    let mut dataset = run.dataset(system, tolerance);
+    dataset.partial |= fault.is_some();
+    Some(Outcome { dataset, fault })
+}
+
+/// Times in ascending order with the row each belongs to.
+fn requested(options: &Simulate<'_>, columns: usize) -> Result<Vec<(f64, usize)>, Fault> {
+    let rows = match &options.grid {
+        Grid::Every(dt) => (options.until / dt).floor() + 1.0,
+        Grid::At(times) => times.len() as f64,
+        Grid::Auto => AUTO as f64 + 1.0,
+    };
+    if rows * columns as f64 * 8.0 > options.memory {
+        return Err(Fault::memory(rows, columns, options.memory));
+    }
+    let mut times: Vec<(f64, usize)> = match &options.grid {
+        Grid::At(times) => times.iter().copied().enumerate().map(|(row, t)| (t, row)).collect(),
+        Grid::Every(dt) => equidistant(options.until, *dt).into_iter().enumerate().map(|(row, t)| (t, row)).collect(),
+        Grid::Auto => (0..=AUTO).map(|k| (options.until * k as f64 / AUTO as f64, k)).collect(),
+    };
+    times.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(times)
+}
+
+/// 0, dt, 2 dt, ... rounded once: 3 * 0.1 is 0.3, not 0.30000000000000004.
+fn equidistant(until: f64, dt: f64) -> Vec<f64> {
+    let whole = |ratio: f64| ((ratio - ratio.round()).abs() <= 1e-12 * ratio).then(|| ratio.round());
+    let steps = until / dt;
+    let n = whole(steps).unwrap_or(steps.floor()) as u64;
+    let per_second = whole(1.0 / dt);
+    (0..=n)
+        .map(|k| match (whole(steps), per_second) {
+            (Some(steps), _) => until * k as f64 / steps,
+            (None, Some(per_second)) => k as f64 / per_second,
+            (None, None) => k as f64 * dt,
+        })
+        .collect()
+}
+
+fn check(options: &Simulate<'_>) -> Result<(), Fault> {
+    check_tolerance(options.tolerance)?;
+    if !(options.until.is_finite() && options.until >= 0.0) {
+        let n = number(options.until);
+        let what = Text::new(format!("the run cannot end at t = {} s", n.en), format!("расчёт не может кончиться при t = {} с", n.ru));
+        return Err(Fault::option(what, Text::new("give a positive `until`", "задайте положительное `until`")));
+    }
+    let step = match options.grid {
+        Grid::Every(dt) if !(dt.is_finite() && dt > 0.0) => Some(dt),
+        _ => None,
+    };
+    if let Some(dt) = step {
+        let n = number(dt);
+        let what = Text::new(format!("results every {} s make no grid", n.en), format!("шаг вывода {} с не образует сетки", n.ru));
+        return Err(Fault::option(what, Text::new("give a positive `every`", "задайте положительный шаг `every`")));
+    }
+    let Grid::At(times) = &options.grid else { return Ok(()) };
+    let Some(t) = times.iter().find(|t| !(**t >= 0.0 && **t <= options.until)) else { return Ok(()) };
+    let (n, end) = (number(*t), number(options.until));
+    Err(Fault::option(
+        Text::new(
+            format!("t = {} s is outside the run, 0 ... {} s", n.en, end.en),
+            format!("момент t = {} с вне расчёта, 0 ... {} с", n.ru, end.ru),
+        ),
+        Text::new("change `at` or `until`", "измените `at` или `until`"),
+    ))
+}
+
+/// A run under way.
+struct Run {
+    times: Vec<(f64, usize)>,
+    /// Index of the first time not yet reached.
+    next: usize,
+    outputs: Vec<Quantity>,
+    /// Which of the system's outputs they are.
+    chosen: Vec<usize>,
+    /// Values, row by row in the order of the request.
+    table: Vec<f64>,
+    x: Vec<f64>,
+    all: Vec<f64>,
+    events: Vec<Event>,
+    power: PowerBalance,
+    work: Work,
+    interrupted: bool,
+}
+
+impl Run {
+    fn prepare<S: System + ?Sized>(system: &S, options: &Simulate<'_>) -> Result<Run, Fault> {
+        check(options)?;
+        let chosen = choose(system.outputs(), options.outputs.as_deref())?;
+        let outputs: Vec<Quantity> = chosen.iter().map(|&i| system.outputs()[i].clone()).collect();
+        let times = requested(options, outputs.len() + 1)?;
+        let n_x = system.states().len();
+        Ok(Run {
+            table: vec![f64::NAN; times.len() * outputs.len()],
+            times,
+            next: 0,
+            outputs,
+            chosen,
+            x: vec![0.0; n_x],
+            all: vec![0.0; system.outputs().len()],
+            events: Vec::new(),
+            power: PowerBalance::new(n_x),
+            work: Work::default(),
+            interrupted: false,
+        })
+    }
+
+    fn integrate<S: System + ?Sized>(&mut self, system: &mut S, start: &[f64], options: &mut Simulate<'_>) -> Result<(), Fault> {
+        let end = options.until;
+        let flow_options = Options { tolerance: options.tolerance, span: end, ..Options::default() };
+        let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
+        let result = self.follow(&mut flow, end, options);
+        self.work = flow.work().clone();
+        result
+    }
+
+    fn follow<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, end: f64, options: &mut Simulate<'_>) -> Result<(), Fault> {
+        while !flow.reached(end) {
+            if options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+                self.interrupted = true;
+                return Ok(());
+            }
+            let outcome = flow.advance(end);
+            if outcome.is_err() && flow.step().length == 0.0 {
+                return outcome;
+            }
+            self.sample(flow)?;
+            self.record(flow)?;
+            let (step, system) = flow.step_and_system();
+            self.power.look(step, system);
+            outcome?;
+            if let Some(progress) = &mut options.progress
+                && flow.work().steps.is_multiple_of(64)
+            {
+                progress(flow.time() / end);
+            }
+        }
+        self.x.copy_from_slice(flow.state());
+        let modes = flow.modes().to_vec();
+        while let Some(&(t, row)) = self.times.get(self.next) {
+            self.fill(flow.system(), t, row, &modes)?;
+            self.next += 1;
+        }
+        Ok(())
+    }
+
+    /// Values at the requested times inside the last step; its end belongs to the next step.
+    fn sample<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Result<(), Fault> {
+        let (step, system) = flow.step_and_system();
+        let end = step.end();
+        while let Some(&(t, row)) = self.times.get(self.next) {
+            if end.until(t) >= 0.0 {
+                break;
+            }
+            step.state_at(t, &mut self.x);
+            self.fill(system, t, row, &step.modes)?;
+            self.next += 1;
+        }
+        Ok(())
+    }
+
+    fn fill<S: System + ?Sized>(&mut self, system: &mut S, t: f64, row: usize, modes: &[Mode]) -> Result<(), Fault> {
+        system.observe(t, &self.x, modes, &mut self.all)?;
+        let n = self.chosen.len();
+        for (cell, &i) in self.table[row * n..(row + 1) * n].iter_mut().zip(&self.chosen) {
+            *cell = self.all[i];
+        }
+        Ok(())
+    }
+
+    fn record<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Result<(), Fault> {
+        if flow.switches().is_empty() || self.events.len() >= EVENTS {
+            return Ok(());
+        }
+        let switches = flow.switches().to_vec();
+        let state = flow.state().to_vec();
+        let (before, after) = (flow.step().modes.clone(), flow.modes().to_vec());
+        let t = flow.time();
+        let mut side = |run: &mut Run, modes: &[Mode]| -> Result<Vec<f64>, Fault> {
+            flow.system().observe(t, &state, modes, &mut run.all)?;
+            Ok(run.chosen.iter().map(|&i| run.all[i]).collect())
+        };
+        let outputs = [side(self, &before)?, side(self, &after)?];
+        for switch in &switches {
+            let what = describe(switch, &flow.system().guards()[switch.guard].name);
+            let sides = [switch.before.sign(), switch.after.sign()];
+            self.events.push(Event { t: switch.t, what, guard: switch.guard, sides, state: state.clone(), outputs: outputs.clone() });
+        }
+        Ok(())
+    }
+
+    fn dataset<S: System + ?Sized>(self, _system: &S, tolerance: f64) -> Dataset {
+        let mut done: Vec<(usize, f64)> = self.times[..self.next].iter().map(|&(t, row)| (row, t)).collect();
+        done.sort_by_key(|&(row, _)| row);
+        let n = self.outputs.len();
+        let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
+        let mut columns = vec![Column { quantity: time, values: done.iter().map(|&(_, t)| t).collect() }];
+        for (j, quantity) in self.outputs.into_iter().enumerate() {
+            columns.push(Column { quantity, values: done.iter().map(|&(row, _)| self.table[row * n + j]).collect() });
+        }
+        let mut notes = Vec::new();
+        if self.interrupted {
+            notes.push(Text::new("interrupted: the result ends early", "прервано: результат неполон"));
+        }
+        if self.events.len() >= EVENTS {
+            notes.push(Text::new(
+                format!("only the first {EVENTS} events are listed"),
+                format!("перечислены только первые {EVENTS} событий"),
+            ));
+        }
+        Dataset {
+            axis: Some(0),
+            columns,
+            audits: self.power.audit(tolerance).into_iter().collect(),
+            events: self.events,
+            counters: counters(&self.work),
+            notes,
+            partial: self.interrupted,
+            ..Dataset::default()
+        }
+    }
+}
+
+/// Indices of the wanted outputs.
+fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<Vec<usize>, Fault> {
+    let Some(wanted) = wanted else { return Ok((0..outputs.len()).collect()) };
+    let find = |name: &String| {
+        outputs.iter().position(|q| &q.name == name).ok_or_else(|| {
+            let known: Vec<String> = outputs.iter().map(|q| q.name.clone()).collect();
+            Fault::unknown_output(name, &known)
+        })
+    };
+    wanted.iter().map(find).collect()
+}
+
+fn describe(switch: &Switch, guard: &Text) -> Text {
+    let word = |mode: Mode| match mode {
+        Mode::Negative => ("minus", "минуса", "минус"),
+        Mode::Zero => ("zero", "нуля", "нуль"),
+        Mode::Positive => ("plus", "плюса", "плюс"),
+    };
+    let (before, after) = (word(switch.before), word(switch.after));
+    Text::new(
+        format!("{} changes from {} to {}", guard.en, before.0, after.0),
+        format!("{} переходит с {} на {}", guard.ru, before.1, after.2),
+    )
+}
+
+fn counters(work: &Work) -> Vec<Counter> {
+    let mean = if work.steps > 0 { work.orders as f64 / work.steps as f64 } else { 0.0 };
+    let row = |key, en: &str, ru: &str, value: f64| Counter { key, name: Text::new(en, ru), value };
+    vec![
+        row("steps", "steps", "шагов", work.steps as f64),
+        row("rejected", "steps taken back", "шагов отвергнуто", work.rejected as f64),
+        row("mean_order", "mean order", "средний порядок", mean),
+        row("highest_order", "highest order", "наибольший порядок", work.highest_order as f64),
+        row("evaluations", "Taylor expansions", "тейлоровских разложений", (work.expansions + work.probes) as f64),
+        row("events", "switches", "переключений", work.switches as f64),
+    ]
+}

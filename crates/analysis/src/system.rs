@@ -1,0 +1,140 @@
+//! What a study may see of a machine.
+//!
+//! The state is x = (q, q', s): n coordinates, their n rates, auxiliary states. In a given combination of switch positions (modes) the
+//! motion x(t) is analytic, and [`System::expand`] returns its Taylor coefficients, together with those of every guard: the formulas whose
+//! sign decides the modes.
+
+use symbolic::Text;
+
+use crate::Fault;
+
+/// The side of its switching surface on which a guard is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Mode {
+    /// guard < 0.
+    Negative,
+    /// The guard vanishes identically along the motion.
+    Zero,
+    /// guard > 0.
+    Positive,
+}
+
+impl Mode {
+    /// Side of a number.
+    pub fn of(value: f64) -> Mode {
+        if value > 0.0 {
+            Mode::Positive
+        } else if value < 0.0 {
+            Mode::Negative
+        } else {
+            Mode::Zero
+        }
+    }
+    /// -1, 0, 1.
+    pub fn sign(self) -> f64 {
+        match self {
+            Mode::Negative => -1.0,
+            Mode::Zero => 0.0,
+            Mode::Positive => 1.0,
+        }
+    }
+}
+
+/// A named quantity: a state or an output.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Quantity {
+    /// Name in files: `phi'`.
+    pub name: String,
+    /// Symbol in notation: `phi`, `omega_p`.
+    pub symbol: String,
+    /// SI label: `rad/s`.
+    pub unit: String,
+    /// What it is.
+    pub label: Text,
+    /// Unit to show it in, with the SI value of one such unit, when the user names one. Values are SI everywhere.
+    pub display: Option<(String, f64)>,
+}
+
+impl Quantity {
+    /// A quantity whose symbol is its name, without a label.
+    pub fn new(name: &str, unit: &str) -> Quantity {
+        Quantity { name: name.into(), symbol: name.into(), unit: unit.into(), label: Text::default(), display: None }
+    }
+}
+
+/// A formula whose sign switches the equations.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Guard {
+    /// What is switched, for messages: `sign(v)`.
+    pub name: Text,
+    /// Instant at which a guard that is affine in time vanishes; such an instant is hit exactly instead of being searched.
+    pub scheduled: Option<f64>,
+}
+
+/// Powers at a state, W.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Powers {
+    /// dE/dt by differentiation of the energy, linear in q''.
+    pub rate: f64,
+    /// Power of applied loads without potential.
+    pub loads: f64,
+    /// Power of the drives that realise prescribed motions.
+    pub drives: f64,
+    /// Power taken by dissipative elements.
+    pub dissipated: f64,
+}
+
+/// A machine as studies see it.
+pub trait System {
+    /// States in the order (q, q', s).
+    fn states(&self) -> &[Quantity];
+
+    /// Number n of coordinates; states n..2n are their rates.
+    fn n_coordinates(&self) -> usize;
+
+    /// Guards.
+    fn guards(&self) -> &[Guard];
+
+    /// Outputs.
+    fn outputs(&self) -> &[Quantity];
+
+    /// Taylor coefficients 0..=order of all states and guards about (t, x) in the given modes, kept until the next call.
+    ///
+    /// *Errors*: the equations are singular or undefined there.
+    fn expand(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault>;
+
+    /// Coefficients of state `i` from the last [`System::expand`]; length order + 1.
+    fn state(&self, i: usize) -> &[f64];
+
+    /// Coefficients of guard `i` from the last [`System::expand`]; length order + 1. Empty when the guard decides nothing in these modes.
+    fn guard(&self, i: usize) -> &[f64];
+
+    /// Values of all outputs at (t, x) in the given modes. Does not disturb the last expansion.
+    fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault>;
+
+    /// Modes that the values of the guards have at a state; none when undefined there. The second derivation is taken in these.
+    fn modes_by_value(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
+        let _ = (t, x);
+        Some(vec![Mode::Positive; self.guards().len()])
+    }
+
+    /// Powers at (t, x) with given accelerations q''; none when the system has no energies.
+    fn powers(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Powers> {
+        let _ = (t, x, accelerations, modes);
+        None
+    }
+
+    /// Residuals of the second derivation at (t, x) with given accelerations, linear in these; false when there is no second derivation.
+    fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode], residuals: &mut [f64]) -> bool {
+        let _ = (t, x, accelerations, modes, residuals);
+        false
+    }
+
+    /// Generalized forces h(q, 0, s, 0) of rest at t = 0, length n, and their derivatives by the coordinates, row i = force i.
+    ///
+    /// *Errors*: undefined there, or the system has no statics.
+    fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {
+        let _ = (x, forces, derivatives);
+        Err(Fault::no_statics())
+    }
+}

@@ -1,0 +1,499 @@
+//! Adaptive Taylor integrator with dense output and exact events.
+//!
+//! One expansion per step gives the polynomials of the states, hence the step length ([`length`]), the dense output ([`Step`]) and
+//! polynomial event functions ([`crate::events::roots`]). The order follows from the tolerance. A step goes so:
+//!
+//! 1. length from the last two coefficients; never across a scheduled instant, which is hit exactly;
+//! 2. first sign change of a guard on the step shortens it;
+//! 3. new state; the expansion there is the next step's, and its first coefficients, compared with the derivative of the old polynomials, measure the
+//!    defect of the step: a step that relied on accidental zeros among the last coefficients is taken back;
+//! 4. at an event the modes are decided anew ([`crate::events`]).
+
+mod length;
+mod step;
+
+use symbolic::Text;
+
+pub use step::Step;
+
+use crate::events::Switch;
+use crate::events::roots::{RootFinder, surely_no_root};
+use crate::fault::number;
+use crate::numerics::sum::{Instant, two_sum};
+use crate::{Fault, Mode, System};
+pub use length::HIGHEST_ORDER;
+use length::Rule;
+
+/// Smallest and largest tolerance accepted.
+pub const TOLERANCES: (f64, f64) = (1e-15, 1e-3);
+
+/// Options of a flow.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Error of a component within a step, relative to its change within the step. Default 1e-12.
+    pub tolerance: f64,
+    /// Order of the Taylor polynomials; chosen from the tolerance when absent.
+    pub order: Option<usize>,
+    /// Length of the run, s: a time scale for motions that have none of their own (polynomials of time), used only to judge what is small.
+    /// Default 1.
+    pub span: f64,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options { tolerance: 1e-12, order: None, span: 1.0 }
+    }
+}
+
+/// Work done by a flow.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Steps taken back.
+    pub rejected: u64,
+    /// Expansions of the full order.
+    pub expansions: u64,
+    /// Expansions of order 1, for the defect of steps that end at an event.
+    pub probes: u64,
+    /// Changes of mode.
+    pub switches: u64,
+    /// Sum of the orders of the accepted steps.
+    pub orders: u64,
+    /// Highest order.
+    pub highest_order: usize,
+}
+
+/// A motion under way.
+pub struct Flow<'s, S: System + ?Sized> {
+    pub(crate) system: &'s mut S,
+    rule: Rule,
+    pub(crate) now: Instant,
+    pub(crate) x: Vec<f64>,
+    /// x + low is the state; low is what rounding would cut.
+    low: Vec<f64>,
+    pub(crate) modes: Vec<Mode>,
+    /// For a guard that has just been crossed: number of leading coefficients that vanish (multiplicity of its root at the step's start).
+    pub(crate) deflation: Vec<usize>,
+    /// Guards on their surface now.
+    pub(crate) touched: Vec<bool>,
+    /// sum |g_k| h^k of each guard when it was last expanded: what counts as small.
+    pub(crate) guard_scale: Vec<f64>,
+    /// Rounding of each guard's value at the end of the last step; zero at the start.
+    pub(crate) guard_noise: Vec<f64>,
+    /// Expansion at the current point is in the system.
+    expanded: bool,
+    step: Step,
+    next_x: Vec<f64>,
+    next_low: Vec<f64>,
+    /// Scratch for trials of modes.
+    trial: Step,
+    guess: f64,
+    span: f64,
+    /// Length of an undisturbed step where modes were decided last.
+    pub(crate) natural: f64,
+    pub(crate) switches: Vec<Switch>,
+    crowd: Crowd,
+    pub(crate) roots: RootFinder,
+    pub(crate) work: Work,
+}
+
+/// Watches for switches that accumulate.
+#[derive(Clone, Debug, Default)]
+struct Crowd {
+    last: Instant,
+    close: u32,
+}
+
+/// Switches in a row closer than [`CLOSE`] of the undisturbed step before they count as an accumulation.
+const CROWD: u32 = 64;
+const CLOSE: f64 = 1e-9;
+
+impl<'s, S: System + ?Sized> Flow<'s, S> {
+    /// Prepares the motion from a state; modes are decided from the flow itself.
+    ///
+    /// *Errors*: tolerance out of range, a start that is not finite or singular, a start on a switch from which no mode leads away.
+    pub fn start(system: &'s mut S, t: f64, x: &[f64], options: &Options) -> Result<Flow<'s, S>, Fault> {
+        check_tolerance(options.tolerance)?;
+        let units: Vec<&str> = system.states().iter().map(|q| q.unit.as_str()).collect();
+        let rule = Rule::new(options.tolerance, options.order, &units);
+        for (value, state) in x.iter().zip(system.states()) {
+            if !value.is_finite() {
+                return Err(Fault::not_finite(&Text::same(&state.name), t));
+            }
+        }
+        let (n_x, n_g) = (x.len(), system.guards().len());
+        let mut flow = Flow {
+            system,
+            rule,
+            now: Instant::at(t),
+            x: x.to_vec(),
+            low: vec![0.0; n_x],
+            modes: vec![Mode::Zero; n_g],
+            deflation: vec![0; n_g],
+            touched: vec![false; n_g],
+            guard_scale: vec![0.0; n_g],
+            guard_noise: vec![0.0; n_g],
+            expanded: false,
+            step: Step { low: vec![0.0; n_x], modes: vec![Mode::Zero; n_g], ..Step::default() },
+            next_x: vec![0.0; n_x],
+            next_low: vec![0.0; n_x],
+            trial: Step::default(),
+            guess: f64::INFINITY,
+            span: if options.span > 0.0 { options.span } else { 1.0 },
+            natural: 0.0,
+            switches: Vec::new(),
+            crowd: Crowd::default(),
+            roots: RootFinder::default(),
+            work: Work::default(),
+        };
+        flow.decide_at_start()?;
+        flow.expanded = true;
+        flow.crowd.last = flow.now;
+        Ok(flow)
+    }
+
+    /// One step towards `end`, at most to it. Afterwards [`Flow::step`] is the dense output and [`Flow::switches`] what happened at its end.
+    pub fn advance(&mut self, end: f64) -> Result<(), Fault> {
+        self.switches.clear();
+        if !self.expanded {
+            self.expand_here()?;
+        }
+        self.take_expansion();
+        let (target, limit) = self.target(end);
+        let mut h = self.rule.length(&self.step.states, self.guess, limit);
+        self.guess = h;
+        let mut defect = Defect::default();
+        loop {
+            self.check_length(h)?;
+            let full = h >= limit;
+            let (length, event) = self.shorten_to_event(h);
+            self.evaluate(length);
+            let finite = self.next_x.iter().all(|x| x.is_finite());
+            let lands = if full && !event { Instant::at(target) } else { self.now.after(length) };
+            let probe = if !finite { Err(self.not_finite()) } else { self.probe(lands, event) };
+            if let Err(fault) = probe {
+                h = self.take_back(h, 0.25, Some(fault))?;
+            } else if !defect.accept(self.defect(length), length) {
+                h = self.take_back(h, 0.5, None)?;
+            } else {
+                self.step.length = length;
+                return self.arrive(lands, event);
+            }
+        }
+    }
+
+    /// Whether `t` has been reached.
+    pub fn reached(&self, t: f64) -> bool {
+        self.now.until(t) <= 0.0
+    }
+    /// Current instant.
+    pub fn time(&self) -> f64 {
+        self.now.high
+    }
+    /// Current state.
+    pub fn state(&self) -> &[f64] {
+        &self.x
+    }
+    /// Current modes.
+    pub fn modes(&self) -> &[Mode] {
+        &self.modes
+    }
+    /// The last accepted step.
+    pub fn step(&self) -> &Step {
+        &self.step
+    }
+    /// Changes of mode at the end of the last step (or at the start, before the first step).
+    pub fn switches(&self) -> &[Switch] {
+        &self.switches
+    }
+    /// Work done.
+    pub fn work(&self) -> &Work {
+        &self.work
+    }
+    /// Order of the polynomials.
+    pub fn order(&self) -> usize {
+        self.rule.order
+    }
+    /// The system, for outputs. Its last expansion belongs to the flow.
+    pub fn system(&mut self) -> &mut S {
+        self.system
+    }
+
+    /// The last accepted step and the system, to evaluate outputs along the step.
+    pub fn step_and_system(&mut self) -> (&Step, &mut S) {
+        (&self.step, self.system)
+    }
+
+    pub(crate) fn expand_here(&mut self) -> Result<(), Fault> {
+        self.work.expansions += 1;
+        self.system.expand(self.now.high, &self.x, &self.modes, self.rule.order)
+    }
+
+    fn take_expansion(&mut self) {
+        self.step.start = self.now;
+        self.step.length = 0.0;
+        self.step.modes.copy_from_slice(&self.modes);
+        self.step.low.copy_from_slice(&self.low);
+        self.step.take(&*self.system, self.x.len(), self.modes.len(), self.rule.order);
+    }
+
+    /// Next instant that must be hit, and the way to it.
+    fn target(&self, end: f64) -> (f64, f64) {
+        let mut target = end;
+        for guard in self.system.guards() {
+            if let Some(t) = guard.scheduled
+                && self.now.until(t) > 0.0
+                && t < target
+            {
+                target = t;
+            }
+        }
+        (target, self.now.until(target).max(0.0))
+    }
+
+    /// The step up to the first sign change of a guard; marks the guards that change there.
+    fn shorten_to_event(&mut self, h: f64) -> (f64, bool) {
+        self.touched.fill(false);
+        let mut first = f64::INFINITY;
+        for i in 0..self.modes.len() {
+            if let Some(tau) = self.crossing(i, h) {
+                first = first.min(tau);
+            }
+        }
+        if first > h {
+            return (h, false);
+        }
+        // what lies within rounding of the first root happens together with it
+        let together = first + 4.0 * f64::EPSILON * self.now.high.abs() + 1e-14 * h;
+        for i in 0..self.modes.len() {
+            self.touched[i] = self.crossing(i, together.min(h)).is_some();
+        }
+        (first, true)
+    }
+
+    fn crossing(&mut self, i: usize, h: f64) -> Option<f64> {
+        let mode = self.modes[i];
+        if mode == Mode::Zero || self.system.guards()[i].scheduled.is_some() {
+            return None;
+        }
+        let c = &self.step.guards.row(i)[self.deflation[i]..];
+        let decides_nothing = c.iter().all(|c_k| *c_k == 0.0);
+        if decides_nothing || surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
+    }
+
+    /// Next state.
+    fn evaluate(&mut self, h: f64) {
+        for i in 0..self.x.len() {
+            let change = step::increment(self.step.states.row(i), h) + self.low[i];
+            (self.next_x[i], self.next_low[i]) = two_sum(self.x[i], change);
+        }
+    }
+
+    /// Expansion at the next state in the old modes; of order 1 when the modes are about to change.
+    fn probe(&mut self, at: Instant, event: bool) -> Result<(), Fault> {
+        let order = if event {
+            self.work.probes += 1;
+            1
+        } else {
+            self.work.expansions += 1;
+            self.rule.order
+        };
+        self.system.expand(at.high, &self.next_x, &self.modes, order)?;
+        match (0..self.x.len()).find(|&i| !self.system.state(i).iter().all(|c| c.is_finite())) {
+            Some(i) => Err(Fault::not_finite(&Text::same(&self.system.states()[i].name), at.high)),
+            None => Ok(()),
+        }
+    }
+
+    /// Largest h |x'_polynomial - x'_system| at the end, relative to what the step may err.
+    fn defect(&self, h: f64) -> f64 {
+        let mut worst: f64 = 0.0;
+        for i in 0..self.x.len() {
+            let c = self.step.states.row(i);
+            let (mut slope, mut size) = (0.0, 0.0_f64);
+            for k in (1..c.len()).rev() {
+                let term = k as f64 * c[k];
+                slope = slope * h + term;
+                size = size * h + term.abs();
+            }
+            let rate = self.system.state(i)[1];
+            let allowed = self.rule.tolerance * self.rule.scale[i] + 8.0 * f64::EPSILON * h * (size + rate.abs());
+            let off = h * (slope - rate).abs();
+            if off > allowed * worst {
+                worst = off / allowed;
+            }
+        }
+        worst
+    }
+
+    fn take_back(&mut self, h: f64, factor: f64, fault: Option<Fault>) -> Result<f64, Fault> {
+        self.work.rejected += 1;
+        let h = factor * h;
+        self.guess = h;
+        match fault {
+            Some(fault) if self.vanishes(h) => Err(fault),
+            _ => Ok(h),
+        }
+    }
+
+    fn vanishes(&self, h: f64) -> bool {
+        !h.is_finite() || h <= 4.0 * f64::EPSILON * self.now.high.abs() || h < f64::MIN_POSITIVE
+    }
+
+    fn check_length(&self, h: f64) -> Result<(), Fault> {
+        let limit_reached = h > 0.0 && h.is_finite() && !self.vanishes(h);
+        if limit_reached || self.now.after(h).high > self.now.high {
+            return Ok(());
+        }
+        let fastest = (0..self.x.len()).max_by(|&a, &b| {
+            let size = |i: usize| self.step.states.row(i).last().map_or(0.0, |c| c.abs()) / self.rule.scale[i].max(f64::MIN_POSITIVE);
+            size(a).total_cmp(&size(b))
+        });
+        let name = fastest.map_or(Text::default(), |i| Text::same(&self.system.states()[i].name));
+        Err(Fault::underflow(&name, self.now.high))
+    }
+
+    fn not_finite(&self) -> Fault {
+        let i = self.next_x.iter().position(|x| !x.is_finite()).unwrap_or(0);
+        Fault::not_finite(&Text::same(&self.system.states()[i].name), self.now.high)
+    }
+
+    /// Moves to the end of the step and decides the modes there.
+    fn arrive(&mut self, at: Instant, event: bool) -> Result<(), Fault> {
+        self.now = at;
+        std::mem::swap(&mut self.x, &mut self.next_x);
+        std::mem::swap(&mut self.low, &mut self.next_low);
+        self.deflation.fill(0);
+        self.work.steps += 1;
+        self.work.orders += self.rule.order as u64;
+        self.work.highest_order = self.work.highest_order.max(self.rule.order);
+        self.expanded = !event;
+        let scheduled = self.mark_scheduled();
+        let wrong = !event && self.mark_wrong_sides();
+        if !(event || scheduled || wrong) {
+            return Ok(());
+        }
+        self.remember_guard_scales();
+        self.expanded = false;
+        self.decide()?;
+        self.expanded = true;
+        self.watch_crowd()
+    }
+
+    /// Marks guards whose scheduled instant is now.
+    fn mark_scheduled(&mut self) -> bool {
+        let mut any = false;
+        for (i, guard) in self.system.guards().iter().enumerate() {
+            if guard.scheduled == Some(self.now.high) && self.now.low == 0.0 {
+                self.touched[i] = true;
+                any = true;
+            }
+        }
+        any
+    }
+
+    /// What counts as small for a guard: its terms in the last step. A guard that stands still keeps its scale.
+    fn remember_guard_scales(&mut self) {
+        for i in 0..self.modes.len() {
+            let size = crate::events::size(self.step.guards.row(i), self.step.length);
+            let kept = if self.modes[i] == Mode::Zero { self.guard_scale[i] } else { 0.0 };
+            self.guard_scale[i] = size.max(kept);
+            self.guard_noise[i] = 8.0 * f64::EPSILON * size;
+        }
+    }
+
+    /// Length of an undisturbed step from the last expansion and the scales of the guards in it.
+    pub(crate) fn measure(&mut self) -> Result<(), Fault> {
+        self.trial.take(&*self.system, self.x.len(), self.modes.len(), self.rule.order);
+        let limit = if self.natural > 0.0 { self.natural.max(self.span) } else { self.span };
+        self.natural = self.rule.length(&self.trial.states, self.guess, limit);
+        if self.natural.is_nan() || self.natural <= 0.0 {
+            let i = (0..self.x.len()).find(|&i| !self.trial.coefficients(i).iter().all(|c| c.is_finite())).unwrap_or(0);
+            return Err(Fault::not_finite(&Text::same(&self.system.states()[i].name), self.now.high));
+        }
+        for (i, scale) in self.guard_scale.iter_mut().enumerate() {
+            *scale = scale.max(crate::events::size(self.trial.guards.row(i), self.natural));
+        }
+        Ok(())
+    }
+
+    /// Marks guards whose sign contradicts their mode: they have been crossed within rounding of the step's end.
+    fn mark_wrong_sides(&mut self) -> bool {
+        let mut wrong = false;
+        for i in 0..self.modes.len() {
+            let is_wrong = self.is_on_wrong_side(i);
+            self.touched[i] |= is_wrong;
+            wrong |= is_wrong;
+        }
+        wrong
+    }
+
+    fn is_on_wrong_side(&self, i: usize) -> bool {
+        let g = self.system.guard(i);
+        let Some(&value) = g.first() else { return false };
+        if self.system.guards()[i].scheduled.is_some() {
+            return false;
+        }
+        match self.modes[i] {
+            Mode::Zero => crate::events::size(g, self.guess) > crate::events::STILL * self.guard_scale[i],
+            mode => value * mode.sign() < 0.0,
+        }
+    }
+
+    fn watch_crowd(&mut self) -> Result<(), Fault> {
+        let gap = self.crowd.last.until(self.now.high);
+        self.crowd.last = self.now;
+        if gap > CLOSE * self.natural {
+            self.crowd.close = 0;
+            return Ok(());
+        }
+        self.crowd.close += 1;
+        if self.crowd.close < CROWD {
+            return Ok(());
+        }
+        let guard = self.switches.last().map(|s| s.guard).or_else(|| self.touched.iter().position(|&t| t)).unwrap_or(0);
+        Err(Fault::accumulation(&self.system.guards()[guard].name, self.now.high))
+    }
+}
+
+/// Decides whether the defect of a step is due to truncation, and then too large.
+#[derive(Default)]
+struct Defect {
+    /// Defect per length of the step that was taken back, and how many were.
+    before: Option<f64>,
+    tries: u32,
+}
+
+/// Defects above this multiple of the tolerance mean that the last coefficients misled the choice of the step. In a regular step the defect
+/// is about p tol e^-2, p the order.
+const DEFECT: f64 = 60.0;
+
+impl Defect {
+    /// Truncation falls at least like h^4 when the step is halved; what does not fall is rounding of the system itself and has to be accepted.
+    fn accept(&mut self, defect: f64, h: f64) -> bool {
+        if defect.is_nan() {
+            return false;
+        }
+        if defect <= DEFECT {
+            return true;
+        }
+        let per_length = defect / h;
+        let is_rounding = self.tries >= 2 && self.before.is_some_and(|before| per_length > 0.25 * before);
+        self.before = Some(per_length);
+        self.tries += 1;
+        is_rounding
+    }
+}
+
+/// Refuses a tolerance that cannot be kept.
+pub fn check_tolerance(tolerance: f64) -> Result<(), Fault> {
+    if tolerance >= TOLERANCES.0 && tolerance <= TOLERANCES.1 {
+        return Ok(());
+    }
+    let n = number(tolerance);
+    Err(Fault::option(
+        Text::new(format!("tolerance = {} is not between 1e-15 and 1e-3", n.en), format!("точность {} не лежит между 1e-15 и 1e-3", n.ru)),
+        Text::new("use 1e-12, or 1e-9 when speed matters", "используйте 1e-12 или, если важна скорость, 1e-9"),
+    ))
+}

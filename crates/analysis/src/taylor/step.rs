@@ -1,0 +1,107 @@
+//! One accepted step: the Taylor polynomials of all states, which are the dense output.
+
+use crate::numerics::sum::Instant;
+use crate::{Mode, System};
+
+/// Taylor polynomials of a step, x_i(start + tau) = sum_k c_ik tau^k for 0 <= tau <= length.
+#[derive(Clone, Debug, Default)]
+pub struct Step {
+    /// Where it begins.
+    pub start: Instant,
+    /// Length.
+    pub length: f64,
+    /// Order of the polynomials.
+    pub order: usize,
+    /// Modes of the guards, constant inside the step.
+    pub modes: Vec<Mode>,
+    /// Coefficients, row i = state i, order + 1 each.
+    pub(super) states: Series,
+    /// Coefficients of the guards.
+    pub(super) guards: Series,
+    /// What rounding cut from the state at the start; added to every value.
+    pub(super) low: Vec<f64>,
+}
+
+/// Rows of Taylor coefficients of one length.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Series {
+    values: Vec<f64>,
+    stride: usize,
+}
+
+impl Series {
+    pub(super) fn row(&self, i: usize) -> &[f64] {
+        &self.values[i * self.stride..(i + 1) * self.stride]
+    }
+    pub(super) fn n_rows(&self) -> usize {
+        self.values.len().checked_div(self.stride).unwrap_or(0)
+    }
+    fn reset(&mut self, stride: usize) {
+        self.values.clear();
+        self.stride = stride;
+    }
+    /// Adds a row; a shorter one is continued by zeros.
+    fn push(&mut self, row: &[f64]) {
+        let n = row.len().min(self.stride);
+        self.values.extend_from_slice(&row[..n]);
+        self.values.resize(self.values.len() + self.stride - n, 0.0);
+    }
+}
+
+impl Step {
+    /// Copies the last expansion of `system`.
+    pub(super) fn take<S: System + ?Sized>(&mut self, system: &S, n_states: usize, n_guards: usize, order: usize) {
+        self.order = order;
+        self.states.reset(order + 1);
+        self.guards.reset(order + 1);
+        for i in 0..n_states {
+            self.states.push(system.state(i));
+        }
+        for i in 0..n_guards {
+            self.guards.push(system.guard(i));
+        }
+    }
+
+    /// End of the step.
+    pub fn end(&self) -> Instant {
+        self.start.after(self.length)
+    }
+
+    /// Coefficients of a state.
+    pub fn coefficients(&self, state: usize) -> &[f64] {
+        self.states.row(state)
+    }
+
+    /// State at an instant of the step.
+    pub fn state_at(&self, t: f64, x: &mut [f64]) {
+        let tau = self.start.until(t);
+        for (i, x_i) in x.iter_mut().enumerate() {
+            let c = self.states.row(i);
+            *x_i = c[0] + (increment(c, tau) + self.low[i]);
+        }
+    }
+
+    /// Time derivative of the state at an instant of the step, from the polynomials.
+    pub fn rate_at(&self, t: f64, rate: &mut [f64]) {
+        let tau = self.start.until(t);
+        for (i, r) in rate.iter_mut().enumerate() {
+            *r = slope(self.states.row(i), tau);
+        }
+    }
+}
+
+/// x(tau) - x(0), Horner from the highest coefficient; the large constant term is kept out so that it cannot swallow digits.
+#[inline]
+pub(super) fn increment(c: &[f64], tau: f64) -> f64 {
+    c[1..].iter().rev().fold(0.0, |sum, &c_k| sum * tau + c_k) * tau
+}
+
+/// x'(tau).
+#[inline]
+pub(super) fn slope(c: &[f64], tau: f64) -> f64 {
+    let mut sum = 0.0;
+    for k in (1..c.len()).rev() {
+        sum = sum * tau + k as f64 * c[k];
+    }
+    sum
+}

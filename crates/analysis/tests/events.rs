@@ -1,0 +1,202 @@
+//! Events: nothing missed, nothing invented, located to rounding.
+
+mod common;
+
+use analysis::Mode;
+use common::*;
+
+/// Switch instants of guard 0 of a clocked polynomial, and the final counters.
+fn clock(polynomials: &[(f64, &[f64])], end: f64) -> (Vec<(usize, f64)>, Vec<f64>) {
+    let mut x = vec![0.0; polynomials.len() + 1];
+    x[0] = 0.0;
+    let (x, switches) = run(&mut clocked(polynomials), &x, end, 1e-12).unwrap();
+    (switches.iter().map(|s| (s.guard, s.t)).collect(), x[1..].to_vec())
+}
+
+#[test]
+fn pair_of_roots_in_one_step_is_not_missed() {
+    for gap in [1e-2, 1e-4, 1e-6] {
+        let (switches, y) = clock(&[(1.0, &[0.5, 0.5 + gap])], 1.0);
+        assert_eq!(switches.len(), 2, "{gap}");
+        // each root of a close pair moves by rounding / gap
+        assert!((switches[0].1 - 0.5).abs() < 1e-15 / gap && (switches[1].1 - 0.5 - gap).abs() < 1e-15 / gap);
+        assert!((y[0] - (1.0 - 2.0 * gap)).abs() < 1e-14 / gap);
+    }
+}
+
+#[test]
+fn grazing_does_not_switch() {
+    let (switches, y) = clock(&[(1.0, &[0.5, 0.5])], 1.0);
+    assert_eq!(switches, vec![]);
+    assert_eq!(y, vec![1.0]);
+    let (switches, _) = clock(&[(-1.0, &[0.3, 0.3, 2.0])], 1.0);
+    assert_eq!(switches, vec![]);
+}
+
+#[test]
+fn simultaneous_guards_switch_together() {
+    // 0.1 + 0.2 and 0.3 differ by rounding
+    let (switches, y) = clock(&[(1.0, &[0.1 + 0.2]), (-7.0, &[0.3]), (1.0, &[0.3, 0.9])], 0.6);
+    let guards: Vec<usize> = switches.iter().map(|s| s.0).collect();
+    assert_eq!(guards, vec![0, 1, 2]);
+    assert!(switches.iter().all(|s| (s.1 - 0.3).abs() < 1e-15));
+    assert!(y[0].abs() < 1e-15 && y[1].abs() < 1e-15 && y[2].abs() < 1e-15);
+}
+
+#[test]
+fn start_on_a_switch_follows_the_flow() {
+    for (factor, roots, sign) in [
+        (1.0, &[0.0][..], 1.0),
+        (-2.0, &[0.0][..], -1.0),
+        (1.0, &[0.0, 0.0][..], 1.0),
+        (-1.0, &[0.0, 0.0, 0.0][..], -1.0),
+        (1.0, &[0.0, 5.0][..], -1.0),
+    ] {
+        let (switches, y) = clock(&[(factor, roots)], 1.0);
+        assert_eq!((switches.len(), y[0]), (0, sign));
+    }
+}
+
+#[test]
+fn first_switch_microseconds_after_the_start_is_found() {
+    let (switches, y) = clock(&[(1.0, &[3e-5])], 30.0);
+    assert!((switches[0].1 - 3e-5).abs() < 1e-17);
+    assert!((y[0] - (30.0 - 6e-5)).abs() < 1e-13);
+    // leaves its surface at 0 and comes back at once
+    let (switches, _) = clock(&[(1.0, &[0.0, 3e-5])], 30.0);
+    assert_eq!(switches.len(), 1);
+    assert!((switches[0].1 - 3e-5).abs() < 1e-17);
+    // and right after a switch of its own
+    let (switches, _) = clock(&[(1.0, &[0.5, 0.501, 0.501001])], 30.0);
+    assert_eq!(switches.len(), 3);
+}
+
+#[test]
+fn relay_oscillator_makes_1e5_switches_on_time() {
+    let (a, amplitude) = (2.0_f64, 0.5_f64);
+    let quarter = (2.0 * amplitude / a).sqrt();
+    let n = 100_000;
+    let (_, switches) = run(&mut relay_oscillator(a), &[amplitude, 0.0], 2.0 * quarter * n as f64, 1e-12).unwrap();
+    assert_eq!(switches.len(), n);
+    let last = switches[n - 1].t;
+    let exact = quarter * (2 * n - 1) as f64;
+    println!("relay: off by {:e} of {exact}", last - exact);
+    // the speed at a switch is rounded each time: a random walk of 1e-16 sqrt(1e5) in speed, 1e5 times that in time at most
+    assert!((last - exact).abs() < 1e-8);
+    for (i, s) in switches.iter().enumerate().take(1000) {
+        assert!((s.t - quarter * (2 * i + 1) as f64).abs() < 1e-11);
+    }
+}
+
+#[test]
+fn dry_friction_by_sign_loses_its_amplitude_and_ends_in_a_named_fault() {
+    // amplitude falls by 2 mu / w^2 each half period pi / w; rest within mu / w^2
+    let (w, mu) = (3.0_f64, 0.9);
+    let mut system = dry_oscillator(w, mu);
+    let options = analysis::taylor::Options::default();
+    let mut flow = analysis::taylor::Flow::start(&mut system, 0.0, &[1.05, 0.0], &options).unwrap();
+    let mut turns = vec![];
+    let fault = loop {
+        if let Err(fault) = flow.advance(100.0) {
+            break fault;
+        }
+        for s in flow.switches() {
+            turns.push((s.t, flow.state()[0]));
+        }
+    };
+    assert_eq!(turns.len(), 4);
+    for (i, (t, x)) in turns.iter().enumerate() {
+        let n = (i + 1) as f64;
+        let sign = if i % 2 == 0 { -1.0 } else { 1.0 };
+        assert!((t - n * std::f64::consts::PI / w).abs() < 1e-13 * n, "{t}");
+        assert!((x - sign * (1.05 - 0.2 * n)).abs() < 1e-12, "{x}");
+    }
+    assert_eq!(fault.code, "S001");
+    assert!((flow.time() - 5.0 * std::f64::consts::PI / w).abs() < 1e-12);
+}
+
+/// x'' = f - a sign(x) - b sign(v): for f = 0 swings shrink by r = sqrt((a - b)/(a + b)), and their times with them.
+fn spiral(f: f64, a: f64, b: f64) -> Hand {
+    Hand::new(&["m", "m/s"], 1, move |s, k| {
+        let force = if k == 0 { f - a * s.modes[0] - b * s.modes[1] } else { 0.0 };
+        vec![s.x[1][k], force]
+    })
+    .guarded(2, |s, k| vec![s.x[0][k], s.x[1][k]])
+}
+
+#[test]
+fn infinitely_many_switches_that_lead_to_rest_are_followed_to_rest() {
+    let (a, b) = (2.0_f64, 1.0_f64);
+    let r = ((a - b) / (a + b)).sqrt();
+    let end = (1.0 / (a + b) + 1.0 / (a * a - b * b).sqrt()) / (1.0 - r);
+    let (x, switches) = run(&mut spiral(0.0, a, b), &[0.0, 1.0], 10.0, 1e-12).unwrap();
+    // sign(0) = 0: the centre is a state of rest of this model
+    assert!(x[0].abs() < 1e-20 && x[1] == 0.0, "{x:?}");
+    assert!((switches.last().unwrap().t - end).abs() < 1e-12);
+}
+
+#[test]
+fn accumulating_switches_are_a_named_fault() {
+    // with a constant force the centre is no state of rest, and there is no motion after the accumulation
+    let fault = run(&mut spiral(0.2, 2.0, 1.0), &[0.0, 1.0], 10.0, 1e-12).unwrap_err();
+    assert!(fault.code == "S002" || fault.code == "S001", "{fault}");
+}
+
+#[test]
+fn scheduled_instant_is_hit_exactly() {
+    let at = 0.1 + 0.2;
+    let mut system = Hand::new(&["1"], 0, |s, k| vec![if k == 0 { if s.modes[0] > 0.0 { -2.0 } else { 1.0 } } else { 0.0 }])
+        .guarded(1, move |s, k| vec![s.time(k) - if k == 0 { at } else { 0.0 }])
+        .scheduled(0, at);
+    let (x, switches) = run(&mut system, &[0.0], 1.0, 1e-9).unwrap();
+    assert_eq!(switches.len(), 1);
+    assert_eq!(switches[0].t, at);
+    assert_eq!((switches[0].before, switches[0].after), (Mode::Negative, Mode::Positive));
+    assert!((x[0] - (0.3 - 1.4)).abs() < 1e-15);
+}
+
+#[test]
+fn body_at_rest_stays_until_a_scheduled_push() {
+    // v' = F(t) - mu sign(v), F = 0 before t = 1 and 3 after
+    let mut system = Hand::new(&["m", "m/s"], 1, |s, k| {
+        let push = if s.modes[1] > 0.0 { 3.0 } else { 0.0 };
+        vec![s.x[1][k], if k == 0 { push - s.modes[0] } else { 0.0 }]
+    })
+    .guarded(2, |s, k| vec![s.x[1][k], s.time(k) - if k == 0 { 1.0 } else { 0.0 }])
+    .scheduled(1, 1.0);
+    let (x, switches) = run(&mut system, &[0.5, 0.0], 2.0, 1e-12).unwrap();
+    assert_eq!(x, vec![0.5 + 1.0, 2.0]);
+    assert_eq!(switches.len(), 2);
+    assert!(switches.iter().any(|s| s.guard == 0 && s.before == Mode::Zero && s.after == Mode::Positive));
+}
+
+#[test]
+fn guard_that_jumps_with_another_switch_is_followed() {
+    // g1 = sign(g0) - 0.5 changes sign because g0 does
+    let mut system = Hand::new(&["s", "1"], 0, |s, k| {
+        let one = if k == 0 { 1.0 } else { 0.0 };
+        vec![one, one * s.modes[1]]
+    })
+    .guarded(2, |s, k| {
+        let jump = if k == 0 { s.modes[0] - 0.5 } else { 0.0 };
+        vec![s.x[0][k] - if k == 0 { 0.25 } else { 0.0 }, jump]
+    });
+    let (x, switches) = run(&mut system, &[0.0, 0.0], 1.0, 1e-12).unwrap();
+    assert_eq!(switches.len(), 2);
+    assert!((x[1] - 0.5).abs() < 1e-15);
+}
+
+#[test]
+fn dither_faster_than_the_motion_is_no_accumulation() {
+    // z' = sign(u), u a tone of 100 kHz: z is a triangle wave of height pi / w
+    let w = 2.0e5 * std::f64::consts::PI;
+    let mut system =
+        Hand::new(&["V", "V/s", "m"], 1, move |s, k| vec![s.x[1][k], -w * w * s.x[0][k], if k == 0 { s.modes[0] } else { 0.0 }])
+            .guarded(1, |s, k| vec![s.x[0][k]]);
+    let (x, switches) = run(&mut system, &[0.0, 1.0, 0.0], 0.0100025, 1e-12).unwrap();
+    assert_eq!(switches.len(), 2000);
+    assert!((x[2] - 0.25e-5).abs() < 1e-13, "{x:?}");
+    for (i, s) in switches.iter().enumerate() {
+        assert!((s.t - 0.5e-5 * (i + 1) as f64).abs() < 1e-13);
+    }
+}

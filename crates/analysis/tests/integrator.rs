@@ -1,0 +1,80 @@
+//! The integrator against closed forms.
+
+mod common;
+
+use std::f64::consts::PI;
+
+use analysis::taylor::{Flow, Options};
+use common::*;
+
+#[test]
+fn decay_is_exponential_at_every_tolerance() {
+    for digits in 3..=15 {
+        let tolerance = (10.0_f64).powi(-digits);
+        let (x, _) = run(&mut decay(), &[1.0], 5.0, tolerance).unwrap();
+        let error = (x[0] / (-5.0_f64).exp() - 1.0).abs();
+        // local errors relative to the change of x; e^5 turns the first change into relative error
+        assert!(error < 20.0 * tolerance + 1e-15, "{tolerance}: {error}");
+    }
+}
+
+#[test]
+fn oscillator_keeps_phase_over_1e5_periods() {
+    let periods = 1e5;
+    let mut system = oscillator(1.0);
+    let options = Options { tolerance: 1e-15, ..Default::default() };
+    let end = 2.0 * PI * periods;
+    let mut flow = Flow::start(&mut system, 0.0, &[1.0, 0.0], &options).unwrap();
+    while !flow.reached(end) {
+        flow.advance(end).unwrap();
+    }
+    let (x, v) = (flow.state()[0], flow.state()[1]);
+    let energy = (x * x + v * v - 1.0).abs();
+    let phase = (v.atan2(x) + (end - 2.0 * PI * periods)).abs();
+    println!("energy {energy:e}, phase {phase:e}, {:?}", flow.work());
+    // rounding alone, as a random walk over N steps: energy eps sqrt(N), phase eps N^(3/2) / sqrt(3) at worst; 2 pi itself is rounded
+    assert!(energy < 1e-12, "{energy}");
+    assert!(phase < 1e-10, "{phase}");
+}
+
+#[test]
+fn kepler_with_eccentricity_0_9_returns() {
+    let e: f64 = 0.9;
+    for (tolerance, limit) in [(1e-6, 1e-3), (1e-9, 1e-6), (1e-12, 1e-9), (1e-15, 2e-11)] {
+        let start = [1.0 - e, 0.0, 0.0, ((1.0 + e) / (1.0 - e)).sqrt()];
+        let end = 2.0 * PI * 10.25;
+        let (x, _) = run(&mut kepler(), &start, end, tolerance).unwrap();
+        let exact = kepler_position(e, end % (2.0 * PI));
+        let error = (x[0] - exact.0).hypot(x[1] - exact.1);
+        println!("{tolerance:e} {error:e}");
+        assert!(error < limit, "{tolerance}: {error}");
+    }
+}
+
+#[test]
+fn relay_oscillator_switches_at_its_period() {
+    let (a, amplitude) = (2.0_f64, 0.5_f64);
+    let quarter = (2.0 * amplitude / a).sqrt();
+    let n = 1000.0;
+    let (_, switches) = run(&mut relay_oscillator(a), &[amplitude, 0.0], 2.0 * quarter * n, 1e-12).unwrap();
+    assert_eq!(switches.len(), 1000);
+    for (i, s) in switches.iter().enumerate() {
+        let exact = quarter * (2 * i + 1) as f64;
+        assert!((s.t - exact).abs() < 1e-11, "{i}: {} {exact}", s.t);
+    }
+}
+
+#[test]
+fn block_that_stops_under_a_small_force_chatters() {
+    let fault = run(&mut pushed_block(0.5, 1.0), &[0.0, -3.0], 10.0, 1e-12).unwrap_err();
+    assert_eq!(fault.code, "S001", "{fault}");
+    assert!(fault.what.en.contains("g0") && fault.help.en.contains("friction"), "{fault}");
+}
+
+#[test]
+fn block_without_force_stops_and_rests() {
+    let (x, switches) = run(&mut pushed_block(0.0, 1.0), &[0.0, -3.0], 10.0, 1e-12).unwrap();
+    assert!((x[0] + 4.5).abs() < 1e-13 && x[1].abs() < 1e-15, "{x:?}");
+    assert_eq!(switches.len(), 1);
+    assert!((switches[0].t - 3.0).abs() < 1e-15 * 3.0);
+}

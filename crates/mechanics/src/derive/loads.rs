@@ -1,0 +1,266 @@
+//! Generalized forces of gravity, springs, dampers, applied forces and torques.
+//!
+//! Lagrange's way: potentials Π, dissipation function Φ, virtual power of the rest. Newton-Euler's way: every element is a pair of forces
+//! (or torques) projected with the velocities of the points (or bodies) it acts on.
+
+use super::kinematics::Kinematics;
+use super::pathways::{Path, resolve};
+use super::requests::Resolver;
+use super::scene::{Columns, Scene, Vector};
+use crate::diagnostic::Diagnostic;
+use crate::model::{Action, Pathway, PointRef, Rest};
+use std::ops::Range;
+use symbolic::{Expr, Rational, Substitution, SymbolId};
+
+/// A named term of an energy.
+#[derive(Clone, Debug)]
+pub struct Term {
+    /// The element.
+    pub name: String,
+    /// The energy.
+    pub energy: Expr,
+}
+
+/// What acts on the machine.
+#[derive(Clone, Debug, Default)]
+pub struct Loads {
+    /// Terms of Π.
+    pub potentials: Vec<Term>,
+    /// Terms of Φ.
+    pub dissipations: Vec<Term>,
+    /// Generalized forces of all other loads, per direction.
+    pub applied: Vec<Columns<Expr>>,
+    /// Newton-Euler: generalized forces of gravity and elements with a potential, per direction.
+    pub conservative: Vec<Columns<Expr>>,
+    /// Newton-Euler: generalized forces of dissipative elements, per direction.
+    pub resisting: Vec<Columns<Expr>>,
+    /// Power taken by dissipative elements.
+    pub dissipated: Vec<Expr>,
+    /// Power in the time direction: what moving supports and parameters that change with time put into potentials.
+    pub potential_change: Vec<Expr>,
+    /// (force, extension) of each spring.
+    pub springs: Vec<(Expr, Expr)>,
+    /// (force, pathway) of each damper.
+    pub dampers: Vec<(Expr, Expr)>,
+}
+
+/// Collects everything that acts.
+pub fn collect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Loads, Vec<Diagnostic>> {
+    let mut loads = Loads::default();
+    let mut errors = Vec::new();
+    gravity(scene, kinematics, &mut loads);
+    let model = scene.model;
+    for i in 0..model.springs.len() {
+        errors.extend(spring(scene, kinematics, resolver, &mut loads, i).err());
+    }
+    for i in 0..model.dampers.len() {
+        errors.extend(damper(scene, kinematics, resolver, &mut loads, i).err());
+    }
+    errors.extend(free_forms(scene, kinematics, resolver, &mut loads).err());
+    errors.extend(applied(scene, kinematics, resolver, &mut loads).err());
+    if errors.is_empty() { Ok(loads) } else { Err(errors) }
+}
+
+/// Π = -m g·r_C; force m g at the centre.
+fn gravity(scene: &mut Scene, kinematics: &mut Kinematics, loads: &mut Loads) {
+    let model = scene.model;
+    let Some(g) = model.gravity else { return };
+    let g = scene.open_vector(g);
+    for (i, frame) in model.frames.iter().enumerate() {
+        let Some(mass) = frame.mass.as_ref().filter(|m| m.gravity) else { continue };
+        if scene.graph.is_zero(mass.mass) {
+            continue;
+        }
+        let center = PointRef::Center(crate::model::FrameId(i));
+        let position = kinematics.position(scene, center);
+        let height = scene.dot(&g, &position);
+        let energy = scene.graph.mul(mass.mass, height);
+        let energy = scene.graph.neg(energy);
+        loads.potentials.push(Term { name: frame.name.clone(), energy });
+        let weight = g.map(|g| scene.graph.mul(mass.mass, g));
+        let columns = kinematics.jacobian(scene, center);
+        let projected = project(scene, &weight, &columns);
+        loads.conservative.push(projected);
+        let change = scene.along(energy, scene.n());
+        loads.potential_change.push(change);
+    }
+}
+
+/// force·column for every direction.
+pub fn project(scene: &mut Scene, force: &Vector, columns: &Columns<Vector>) -> Columns<Expr> {
+    columns.iter().map(|(j, column)| (*j, scene.dot(force, column))).collect()
+}
+
+/// Π = c (δ - rest)²/2 + preload (δ - rest); force c (δ - rest) + preload against growing δ.
+fn spring(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    resolver: &mut Resolver,
+    loads: &mut Loads,
+    index: usize,
+) -> Result<(), Diagnostic> {
+    let model = scene.model;
+    let spring = &model.springs[index];
+    let path = resolve(scene, kinematics, resolver, (spring.pathway, &spring.span))?;
+    let [stiffness, preload] = [spring.stiffness, spring.preload].map(|e| resolver.resolve(scene, kinematics, e));
+    let (stiffness, preload) = (stiffness?, preload?);
+    let rest = match spring.rest {
+        Rest::Value(e) => resolver.resolve(scene, kinematics, e)?,
+        Rest::Start => at_start(scene, path.value),
+    };
+    let extension = scene.graph.sub(path.value, rest);
+    let square = scene.graph.square(extension);
+    let elastic = scene.graph.monomial(Rational::HALF, &[(stiffness, Rational::ONE), (square, Rational::ONE)]);
+    let constant = scene.graph.mul(preload, extension);
+    let energy = scene.graph.add(elastic, constant);
+    loads.potentials.push(Term { name: spring.name.clone(), energy });
+    let force = scene.graph.mul(stiffness, extension);
+    let force = scene.graph.add(force, preload);
+    loads.springs.push((force, extension));
+    let against = scene.graph.neg(force);
+    let projected = scaled(scene, against, &path.geometric);
+    loads.conservative.push(projected);
+    let change = scene.along(energy, scene.n());
+    loads.potential_change.push(change);
+    Ok(())
+}
+
+/// factor·gradient.
+fn scaled(scene: &mut Scene, factor: Expr, gradient: &Columns<Expr>) -> Columns<Expr> {
+    gradient.iter().map(|(j, d)| (*j, scene.graph.mul(factor, *d))).collect()
+}
+
+/// The value of an expression at the start of the motion.
+fn at_start(scene: &mut Scene, e: Expr) -> Expr {
+    let model = scene.model;
+    let zero = scene.graph.zero();
+    // formulas of time at t = 0, each over constants and earlier ones
+    let mut map: Vec<(SymbolId, Expr)> = vec![(model.time, zero)];
+    for parameter in model.parameters.iter().filter(|p| p.class == crate::model::Class::Time) {
+        let value = Substitution::new(map.iter().copied()).apply(&mut scene.graph, parameter.value.expr());
+        map.push((parameter.symbol, value));
+    }
+    map.extend(scene.turns.iter().map(|t| (t.symbol, zero)));
+    map.extend(model.coordinates.iter().map(|c| (c.symbols[0], c.start)));
+    Substitution::new(map).apply(&mut scene.graph, e)
+}
+
+/// Φ = b δ'²/2; force b δ' against growing δ.
+fn damper(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    resolver: &mut Resolver,
+    loads: &mut Loads,
+    index: usize,
+) -> Result<(), Diagnostic> {
+    let model = scene.model;
+    let damper = &model.dampers[index];
+    let path = resolve(scene, kinematics, resolver, (damper.pathway, &damper.span))?;
+    let damping = resolver.resolve(scene, kinematics, damper.damping)?;
+    let rate = scene.rate_of(&path.gradient);
+    let square = scene.graph.square(rate);
+    let energy = scene.graph.monomial(Rational::HALF, &[(damping, Rational::ONE), (square, Rational::ONE)]);
+    loads.dissipations.push(Term { name: damper.name.clone(), energy });
+    // the rate once more, from geometry
+    let rate = scene.rate_of(&path.geometric);
+    let force = scene.graph.mul(damping, rate);
+    loads.dampers.push((force, path.value));
+    let against = scene.graph.neg(force);
+    let projected = scaled(scene, against, &path.geometric);
+    loads.resisting.push(projected);
+    let power = scene.graph.mul(force, rate);
+    loads.dissipated.push(power);
+    Ok(())
+}
+
+/// Free-form potentials and Rayleigh functions: there is no geometry to find their forces in another way.
+fn free_forms(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads) -> Result<(), Diagnostic> {
+    let model = scene.model;
+    for potential in &model.potentials {
+        let energy = resolver.resolve(scene, kinematics, potential.energy)?;
+        loads.potentials.push(Term { name: potential.name.clone(), energy });
+        let mut gradient = scene.gradient(energy);
+        let change = gradient.remove(&scene.n()).unwrap_or(scene.graph.zero());
+        loads.potential_change.push(change);
+        let minus = scene.graph.int(-1);
+        let projected = scaled(scene, minus, &gradient);
+        loads.conservative.push(projected);
+    }
+    for dissipation in &model.dissipations {
+        let function = resolver.resolve(scene, kinematics, dissipation.function)?;
+        loads.dissipations.push(Term { name: dissipation.name.clone(), energy: function });
+        let (mut projected, mut power) = (Columns::new(), Vec::new());
+        for j in 0..scene.n() {
+            let force = scene.by_rate(function, j);
+            if scene.graph.is_zero(force) {
+                continue;
+            }
+            let rate = scene.rate(j);
+            power.push(scene.graph.mul(force, rate));
+            projected.insert(j, scene.graph.neg(force));
+        }
+        loads.resisting.push(projected);
+        loads.dissipated.extend(power);
+    }
+    Ok(())
+}
+
+/// Forces and torques that have no potential: virtual power.
+fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads) -> Result<(), Diagnostic> {
+    let model = scene.model;
+    for force in &model.forces {
+        let columns = match &force.action {
+            Action::AtPoint { at, value, axes } => {
+                let value = resolve_vector(scene, kinematics, resolver, *value)?;
+                let vector = kinematics.in_ground_axes(scene, *axes, &value);
+                let columns = kinematics.jacobian(scene, *at);
+                project(scene, &vector, &columns)
+            }
+            Action::OnPathway { pathway, value } => on_pathway(scene, kinematics, resolver, ((*pathway, &force.span), *value))?,
+        };
+        loads.applied.push(columns);
+    }
+    for torque in &model.torques {
+        let value = resolve_vector(scene, kinematics, resolver, torque.value)?;
+        let vector = kinematics.in_ground_axes(scene, torque.axes, &value);
+        let columns = kinematics.turning_in_ground_axes(scene, torque.on);
+        let action = project(scene, &vector, &columns);
+        loads.applied.push(action);
+        if let Some(body) = torque.reaction {
+            let columns = kinematics.turning_in_ground_axes(scene, body);
+            let opposite = vector.map(|e| scene.graph.neg(e));
+            let reaction = project(scene, &opposite, &columns);
+            loads.applied.push(reaction);
+        }
+    }
+    Ok(())
+}
+
+fn on_pathway(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    resolver: &mut Resolver,
+    ((pathway, span), value): ((Pathway, &Range<usize>), Expr),
+) -> Result<Columns<Expr>, Diagnostic> {
+    let Path { gradient, .. } = resolve(scene, kinematics, resolver, (pathway, span))?;
+    let value = resolver.resolve(scene, kinematics, value)?;
+    Ok(scaled(scene, value, &gradient))
+}
+
+fn resolve_vector(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, v: Vector) -> Result<Vector, Diagnostic> {
+    let [x, y, z] = v.map(|e| resolver.resolve(scene, kinematics, e));
+    Ok([x?, y?, z?])
+}
+
+impl Loads {
+    /// Σ of the terms of a list of columns in one direction.
+    pub fn in_direction(scene: &mut Scene, list: &[Columns<Expr>], direction: usize) -> Expr {
+        let terms: Vec<Expr> = list.iter().filter_map(|c| c.get(&direction).copied()).collect();
+        scene.graph.sum(&terms)
+    }
+    /// Σ of energies.
+    pub fn total(scene: &mut Scene, terms: &[Term]) -> Expr {
+        let terms: Vec<Expr> = terms.iter().map(|t| t.energy).collect();
+        scene.graph.sum(&terms)
+    }
+}

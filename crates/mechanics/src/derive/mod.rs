@@ -1,0 +1,337 @@
+//! From a machine to its equations of motion.
+//!
+//! ```text
+//! Model -> kinematics -> T, Π, Φ, Q -> Lagrange's equations -> Equations
+//!                     -> Newton-Euler, projected ----------------^ (second derivation)
+//! ```
+
+mod kinematics;
+mod lagrange;
+mod loads;
+mod newton_euler;
+mod pathways;
+mod requests;
+mod scene;
+mod steps;
+
+use crate::diagnostic::{Diagnostic, sort};
+use crate::model::{Class, Inertia, Model};
+use kinematics::Kinematics;
+use lagrange::{Kinetic, Quadratic};
+use loads::Loads;
+use requests::{EnergyTerms, Resolver};
+use scene::Scene;
+use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role};
+use symbolic::{Equations, Expr, Matrix, Text};
+
+/// Above this number of coordinates, formulas are not written out.
+const LARGEST_SHOWN: usize = 12;
+/// Above this number of nodes in one equation, formulas are not written out.
+const LONGEST_SHOWN: usize = 1500;
+
+/// Derives the equations of motion of a machine.
+///
+/// *Errors*: a coordinate without inertia (M100), a plane inertia on a body that tumbles in space (M101), an undefined relative angle
+/// (M102), a kinematic function that is not available (M103).
+pub fn derive(model: &Model) -> Result<Equations, Vec<Diagnostic>> {
+    let mut scene = Scene::new(model);
+    let mut kinematics = Kinematics::new(&mut scene);
+    let mut errors = plane_inertia_in_space(&mut scene, &kinematics);
+    let shown = scene.n() <= LARGEST_SHOWN;
+    let mut resolver = Resolver::default();
+    let loads = match loads::collect(&mut scene, &mut kinematics, &mut resolver) {
+        Ok(loads) => loads,
+        Err(more) => {
+            errors.extend(more);
+            sort(&mut errors);
+            return Err(errors);
+        }
+    };
+    let kinetic = lagrange::kinetic_energy(&mut scene, &mut kinematics, shown);
+    errors.extend(missing_inertia(&scene, &kinetic.total));
+    let motion = Motion::new(&mut scene, &kinetic, &loads);
+    let second = newton_euler::project(&mut scene, &mut kinematics, &loads);
+    let energy = energy(&mut scene, &kinetic.total, &loads, second.drives);
+    resolver.energies = Some(EnergyTerms { kinetic: energy.kinetic, potential: energy.potential, dissipation: energy.dissipation });
+    resolver.kinetic = kinetic.bodies.iter().map(|b| (!b.is_empty()).then(|| lagrange::energy_of(&mut scene, b))).collect();
+    let steps = if shown { steps::write(&mut scene, &kinetic, &loads, &motion) } else { Vec::new() };
+    let textbook = motion.textbook(&mut scene, shown);
+    resolver.loads = Some(loads);
+    let outputs = outputs(&mut scene, &mut kinematics, &mut resolver).map_err(|more| {
+        errors.extend(more);
+        errors.clone()
+    });
+    let outputs = match outputs {
+        Ok(outputs) if errors.is_empty() => outputs,
+        _ => {
+            sort(&mut errors);
+            return Err(errors);
+        }
+    };
+    let mass = motion.mass_matrix(&mut scene);
+    let force = motion.right_sides(&mut scene);
+    let mut roots: Vec<Expr> = mass.entries().to_vec();
+    roots.extend(force.iter().chain(&second.residuals).copied());
+    roots.extend([energy.kinetic, energy.potential, energy.dissipation, energy.dissipated, energy.rate, energy.loads, energy.drives]);
+    roots.extend(outputs.iter().map(|o| o.formula));
+    if let Ok(equalities) = &textbook {
+        roots.extend(equalities.iter().flat_map(|e| [e.left, e.right]));
+    }
+    roots.extend(scene.turns.iter().map(|t| t.rate));
+    let definitions = definitions(&mut scene, &roots);
+    let zero = scene.graph.zero();
+    Ok(Equations {
+        title: model.title.clone(),
+        time: model.time,
+        coordinates: coordinates(model),
+        auxiliaries: scene.turns.iter().map(|t| auxiliary(model, t, zero)).collect(),
+        parameters: parameters(model),
+        definitions,
+        mass,
+        force,
+        textbook,
+        steps,
+        second: second.residuals,
+        energy,
+        outputs,
+        notation: model.notation.clone(),
+        graph: scene.graph,
+    })
+}
+
+/// The parts of Lagrange's equations, Σ M_ij q''_j + gyroscopic = conservative + resisting + applied.
+struct Motion {
+    mass: Quadratic,
+    gyroscopic: Vec<Expr>,
+    forces: lagrange::Forces,
+}
+
+impl Motion {
+    fn new(scene: &mut Scene, kinetic: &Kinetic, loads: &Loads) -> Motion {
+        let gyroscopic = lagrange::gyroscopic_terms(scene, &kinetic.total);
+        Motion { mass: kinetic.total.clone(), gyroscopic, forces: lagrange::forces(scene, loads) }
+    }
+
+    fn entry(&self, i: usize, j: usize) -> Option<Expr> {
+        self.mass.get(&(i.min(j), i.max(j))).copied()
+    }
+
+    fn mass_matrix(&self, scene: &mut Scene) -> Matrix {
+        let n = scene.n();
+        let mut mass = Matrix::zeros(&mut scene.graph, n, n);
+        for ((a, b), e) in self.mass.range(..(n, 0)).filter(|((_, b), _)| *b < n) {
+            mass.set(*a, *b, *e);
+            mass.set(*b, *a, *e);
+        }
+        mass
+    }
+
+    fn right_side(&self, scene: &mut Scene, i: usize) -> Expr {
+        let inertial = scene.graph.neg(self.gyroscopic[i]);
+        scene.graph.sum(&[inertial, self.forces.conservative[i], self.forces.resisting[i], self.forces.applied[i]])
+    }
+
+    fn right_sides(&self, scene: &mut Scene) -> Vec<Expr> {
+        (0..scene.n()).map(|i| self.right_side(scene, i)).collect()
+    }
+
+    /// Σ M_ij q''_j = right side, for every coordinate, unless that is too long to read.
+    fn textbook(&self, scene: &mut Scene, shown: bool) -> Result<Vec<Equality>, Text> {
+        let n = scene.n();
+        if !shown {
+            return Err(Text::new(
+                format!("{n} equations are not written out: more than {LARGEST_SHOWN} coordinates"),
+                format!("уравнения не выписаны: координат {n}, больше {LARGEST_SHOWN}"),
+            ));
+        }
+        let mut equalities = Vec::with_capacity(n);
+        for i in 0..n {
+            let mut terms = Vec::new();
+            for j in 0..n {
+                if let Some(entry) = self.entry(i, j) {
+                    terms.push(scene.graph.mul(entry, scene.q[j][2]));
+                }
+            }
+            let left = scene.graph.sum(&terms);
+            let right = self.right_side(scene, i);
+            let size = scene.graph.reachable(&[left, right]).len();
+            if size > LONGEST_SHOWN {
+                return Err(Text::new(
+                    format!("equation {} is not written out: it has {size} parts", i + 1),
+                    format!("уравнение {} не выписано: в нём {size} частей", i + 1),
+                ));
+            }
+            equalities.push(Equality { left, right });
+        }
+        Ok(equalities)
+    }
+}
+
+/// A plane inertia says nothing about turning about other axes.
+fn plane_inertia_in_space(scene: &mut Scene, kinematics: &Kinematics) -> Vec<Diagnostic> {
+    let model = scene.model;
+    let mut found = Vec::new();
+    for (frame, motion) in model.frames.iter().zip(&kinematics.frames) {
+        let plane = frame.mass.as_ref().is_some_and(|m| matches!(m.inertia, Inertia::Planar(_)));
+        let tumbles = motion.turning.values().any(|w| !scene.graph.is_zero(w[0]) || !scene.graph.is_zero(w[1]));
+        if plane && tumbles {
+            let name = &frame.name;
+            found.push(
+                Diagnostic::error(
+                    "M101",
+                    frame.span.clone(),
+                    Text::new(
+                        format!("body `{name}` turns in space but has one moment of inertia"),
+                        format!("тело `{name}` вращается в пространстве, а момент инерции задан один"),
+                    ),
+                )
+                .why(Text::new(
+                    "it also turns about its x or y axis, where its inertia is not given",
+                    "оно поворачивается и вокруг своей оси x или y, для которой момент инерции не задан",
+                ))
+                .help(Text::new(
+                    "give inertia = { xx = \"...\", yy = \"...\", zz = \"...\" } or a shape",
+                    "задайте inertia = { xx = \"...\", yy = \"...\", zz = \"...\" } или форму shape",
+                )),
+            );
+        }
+    }
+    found
+}
+
+/// Every coordinate needs inertia; a zero row of M makes its acceleration undefined.
+fn missing_inertia(scene: &Scene, mass: &Quadratic) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for (i, coordinate) in scene.model.coordinates.iter().enumerate() {
+        if mass.contains_key(&(i, i)) {
+            continue;
+        }
+        let name = &coordinate.name;
+        found.push(
+            Diagnostic::error(
+                "M100",
+                coordinate.span.clone(),
+                Text::new(
+                    format!("nothing gives inertia to coordinate `{name}`"),
+                    format!("обобщённой координате `{name}` ничто не придаёт инерции"),
+                ),
+            )
+            .why(Text::new(
+                format!("no body with mass or inertia moves when `{name}` changes"),
+                format!("при изменении `{name}` не движется ни одно тело с массой или моментом инерции"),
+            ))
+            .help(Text::new(
+                format!("place a body with `mass` or `inertia` so that its origin or angle uses `{name}`, or remove the coordinate"),
+                format!("поставьте тело с `mass` или `inertia`, положение которого зависит от `{name}`, или уберите координату"),
+            )),
+        );
+    }
+    found
+}
+
+fn energy(scene: &mut Scene, mass: &Quadratic, loads: &Loads, drives: Expr) -> Energy {
+    let kinetic = lagrange::energy_of(scene, mass);
+    let potential = Loads::total(scene, &loads.potentials);
+    let potential = scene.tidy(potential);
+    let dissipation = Loads::total(scene, &loads.dissipations);
+    let dissipated = scene.graph.sum(&loads.dissipated);
+    let total = scene.graph.add(kinetic, potential);
+    let rate = scene.total(total);
+    let mut powers = Vec::new();
+    for j in 0..=scene.n() {
+        let force = Loads::in_direction(scene, &loads.applied, j);
+        let rate = scene.rate(j);
+        powers.push(scene.graph.mul(force, rate));
+    }
+    let loads = scene.graph.sum(&powers);
+    Energy { kinetic, potential, dissipation, dissipated, rate, loads, drives }
+}
+
+fn coordinates(model: &Model) -> Vec<Coordinate> {
+    let coordinate = |c: &crate::model::CoordinateDecl| Coordinate {
+        symbols: c.symbols,
+        unit: c.units[0].clone(),
+        label: c.label.clone(),
+        start: c.start,
+        rate: c.rate,
+    };
+    model.coordinates.iter().map(coordinate).collect()
+}
+
+fn auxiliary(model: &Model, turn: &scene::Turn, zero: Expr) -> Auxiliary {
+    let frame = &model.frames[turn.frame].name;
+    Auxiliary {
+        symbol: turn.symbol,
+        unit: "rad".to_owned(),
+        label: Text::new(format!("turn angle of {frame}"), format!("угол поворота {frame}")),
+        rate: turn.rate,
+        start: zero,
+    }
+}
+
+/// Symbols with a number. Constants given by a formula are definitions.
+fn parameters(model: &Model) -> Vec<Parameter> {
+    let numbers = model.parameters.iter().filter_map(|p| match (p.value, p.number) {
+        (crate::model::ParameterValue::Number { .. }, Some(value)) => Some((p, value)),
+        _ => None,
+    });
+    numbers
+        .map(|(p, value)| Parameter { symbol: p.symbol, value, written: p.written.clone(), unit: p.unit.clone(), label: p.label.clone() })
+        .collect()
+}
+
+/// Constants and functions of time given by formulas, and the time derivatives that occur.
+fn definitions(scene: &mut Scene, roots: &[Expr]) -> Vec<Definition> {
+    let model = scene.model;
+    let mut list = Vec::new();
+    for p in model.parameters.iter().filter(|p| p.class != Class::State) {
+        if let crate::model::ParameterValue::Formula(formula) = p.value {
+            list.push(Definition { symbol: p.symbol, formula, unit: p.unit.clone(), label: p.label.clone(), shown: true });
+        }
+    }
+    for (symbol, formula, _, _) in scene.time_formulas(roots) {
+        list.push(Definition { symbol, formula, unit: String::new(), label: Text::default(), shown: false });
+    }
+    list
+}
+
+/// Coordinates with rates and accelerations, auxiliary states, then the user's outputs.
+fn outputs(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Vec<Output>, Vec<Diagnostic>> {
+    let model = scene.model;
+    let mut list = Vec::new();
+    let roles = [Role::Coordinate, Role::Rate, Role::Acceleration];
+    for (c, q) in model.coordinates.iter().zip(scene.q.clone()) {
+        for (k, role) in roles.into_iter().enumerate() {
+            let name = format!("{}{}", c.name, "'".repeat(k));
+            let label = if k == 0 { c.label.clone() } else { Text::default() };
+            let unit = c.units[k].clone();
+            list.push(Output { name, symbol: c.symbols[k], unit, display: None, label, role, formula: q[k] });
+        }
+    }
+    for turn in scene.turns.clone() {
+        let name = scene.graph.symbol_info(turn.symbol).name.clone();
+        let formula = scene.graph.symbol(turn.symbol);
+        let unit = "rad".to_owned();
+        let label = auxiliary(model, &turn, formula).label;
+        list.push(Output { name, symbol: turn.symbol, unit, display: None, label, role: Role::Auxiliary, formula });
+    }
+    let mut errors = Vec::new();
+    for output in &model.outputs {
+        match resolver.resolve(scene, kinematics, output.formula) {
+            Ok(formula) => list.push(Output {
+                name: output.name.clone(),
+                symbol: output.symbol,
+                unit: output.unit.clone(),
+                display: output.display.as_ref().map(|d| (d.label.clone(), d.factor)),
+                label: output.label.clone(),
+                role: Role::Named,
+                formula,
+            }),
+            Err(mut diagnostic) => {
+                diagnostic.source = crate::diagnostic::Source::File(output.span.clone());
+                errors.push(diagnostic);
+            }
+        }
+    }
+    if errors.is_empty() { Ok(list) } else { Err(errors) }
+}

@@ -1,0 +1,91 @@
+//! The second derivation: Newton's and Euler's equations of every body, projected on the directions of motion.
+//!
+//! ```text
+//! R_i = Σ_bodies ( m a·J_i + (I ω' + ω × I ω)·W_i ) - Q_i
+//! ```
+//!
+//! Accelerations come from positions by differentiation twice, moments from angular momentum in body axes, forces of elements from
+//! geometry. The residual vanishes where Lagrange's equations hold; in the time direction it is the power of the drives that realise
+//! the prescribed motions.
+
+use super::kinematics::{Kinematics, combine};
+use super::lagrange::inertia_parts;
+use super::loads::Loads;
+use super::scene::{Columns, Scene, Vector};
+use crate::model::{FrameId, PointRef};
+use symbolic::Expr;
+
+/// The projected equations.
+#[derive(Clone, Debug)]
+pub struct Projected {
+    /// R_i for every coordinate.
+    pub residuals: Vec<Expr>,
+    /// Power of the drives.
+    pub drives: Expr,
+}
+
+/// Projects the equations of all bodies.
+pub fn project(scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads) -> Projected {
+    let n = scene.n();
+    let mut inertial: Vec<Vec<Expr>> = vec![Vec::new(); n + 1];
+    let model = scene.model;
+    for (i, frame) in model.frames.iter().enumerate() {
+        let Some(mass) = &frame.mass else { continue };
+        if !scene.graph.is_zero(mass.mass) {
+            let center = PointRef::Center(FrameId(i));
+            let position = kinematics.position(scene, center);
+            let velocity = scene.total_vector(position);
+            let acceleration = scene.total_vector(velocity);
+            let force = acceleration.map(|a| scene.graph.mul(mass.mass, a));
+            let columns = kinematics.jacobian(scene, center);
+            push_projection(scene, &force, &columns, &mut inertial);
+        }
+        let parts = inertia_parts(scene, mass);
+        if !parts.is_empty() {
+            let turning = kinematics.frames[i].turning.clone();
+            let moment = moment(scene, &turning, &parts);
+            push_projection(scene, &moment, &turning, &mut inertial);
+        }
+    }
+    let mut sums: Vec<Expr> = inertial.iter().map(|terms| scene.graph.sum(terms)).collect();
+    let time_part = sums.pop().unwrap_or_else(|| scene.graph.zero());
+    let residuals = sums
+        .into_iter()
+        .enumerate()
+        .map(|(j, inertial)| {
+            let forces = [&loads.conservative, &loads.resisting, &loads.applied].map(|l| Loads::in_direction(scene, l, j));
+            let force = scene.graph.sum(&forces);
+            scene.graph.sub(inertial, force)
+        })
+        .collect();
+    // drives supply what inertia needs in the time direction, less what other forces give there, plus the growth of potentials by time
+    let forces = [&loads.resisting, &loads.applied].map(|l| Loads::in_direction(scene, l, n));
+    let force = scene.graph.sum(&forces);
+    let change = scene.graph.sum(&loads.potential_change);
+    let drives = scene.graph.sub(time_part, force);
+    let drives = scene.graph.add(drives, change);
+    Projected { residuals, drives }
+}
+
+/// I ω' + ω × I ω in body axes.
+fn moment(scene: &mut Scene, turning: &Columns<Vector>, parts: &[(usize, usize, Expr)]) -> Vector {
+    let w = combine(scene, turning);
+    let mut momentum: [Vec<Expr>; 3] = Default::default();
+    for (k, l, component) in parts {
+        momentum[*k].push(scene.graph.mul(*component, w[*l]));
+        if k != l {
+            momentum[*l].push(scene.graph.mul(*component, w[*k]));
+        }
+    }
+    let momentum = momentum.map(|terms| scene.graph.sum(&terms));
+    let rate = scene.total_vector(momentum);
+    let carried = scene.cross(&w, &momentum);
+    scene.plus(&rate, &carried)
+}
+
+fn push_projection(scene: &mut Scene, force: &Vector, columns: &Columns<Vector>, out: &mut [Vec<Expr>]) {
+    for (j, column) in columns {
+        let e = scene.dot(force, column);
+        out[*j].push(e);
+    }
+}

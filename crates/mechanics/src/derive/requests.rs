@@ -1,0 +1,148 @@
+//! Kinematic functions in formulas: `x(A)`, `omega(B)`, `force(S)`, time derivatives of named formulas.
+//!
+//! The reader leaves a placeholder symbol for each; here it is replaced by the expression over coordinates, rates and accelerations.
+
+use super::kinematics::Kinematics;
+use super::loads::Loads;
+use super::scene::Scene;
+use crate::diagnostic::Diagnostic;
+use crate::model::{Axis, Element, FrameId, Request, RequestKind};
+use rustc_hash::FxHashMap;
+use symbolic::{Expr, Substitution, SymbolId, Text};
+
+/// How deep placeholders may refer to each other.
+const DEEPEST: usize = 200;
+
+/// Energies that formulas may ask for; known after the derivation, asked for in outputs.
+#[derive(Clone, Copy, Debug)]
+pub struct EnergyTerms {
+    /// Kinetic energy.
+    pub kinetic: Expr,
+    /// Potential energy.
+    pub potential: Expr,
+    /// Rayleigh's function.
+    pub dissipation: Expr,
+}
+
+/// Replaces placeholders; remembers what it has found.
+#[derive(Debug, Default)]
+pub struct Resolver {
+    known: FxHashMap<SymbolId, Expr>,
+    open: Vec<SymbolId>,
+    /// Available once loads and energies are derived.
+    pub energies: Option<EnergyTerms>,
+    /// Kinetic energy of each frame; available with `energies`.
+    pub kinetic: Vec<Option<Expr>>,
+    /// Forces and extensions of elements; available once loads are derived.
+    pub loads: Option<Loads>,
+}
+
+impl Resolver {
+    /// `e` without placeholders and without parameters that depend on the motion.
+    pub fn resolve(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, e: Expr) -> Result<Expr, Diagnostic> {
+        let mut e = e;
+        // opening a parameter may bring placeholders in, and a placeholder may stand for a formula over parameters
+        for _ in 0..DEEPEST {
+            let opened = scene.open(e);
+            let model = scene.model;
+            let wanted: Vec<&Request> = {
+                let symbols = scene.graph.symbols_in(&[opened]);
+                model.requests.iter().filter(|r| symbols.binary_search(&r.symbol).is_ok()).collect()
+            };
+            let mut map = Vec::new();
+            for request in wanted {
+                let value = self.request(scene, kinematics, request)?;
+                let itself = scene.graph.symbol(request.symbol);
+                if value != itself {
+                    map.push((request.symbol, value));
+                }
+            }
+            if map.is_empty() {
+                return Ok(opened);
+            }
+            e = Substitution::new(map).apply(&mut scene.graph, opened);
+        }
+        Ok(e)
+    }
+
+    fn request(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, request: &Request) -> Result<Expr, Diagnostic> {
+        if let Some(&known) = self.known.get(&request.symbol) {
+            return Ok(known);
+        }
+        if self.open.contains(&request.symbol) || self.open.len() >= DEEPEST {
+            return Err(not_available(scene, request));
+        }
+        self.open.push(request.symbol);
+        let value = self.find(scene, kinematics, request);
+        self.open.pop();
+        let value = value?;
+        self.known.insert(request.symbol, value);
+        Ok(value)
+    }
+
+    fn find(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, request: &Request) -> Result<Expr, Diagnostic> {
+        let missing = |scene: &Scene| not_available(scene, request);
+        match request.kind {
+            RequestKind::Position(p, axis) => Ok(kinematics.position(scene, p)[axis.index()]),
+            RequestKind::Velocity(p, axis) => Ok(velocity(scene, kinematics, p, axis)),
+            RequestKind::Acceleration(p, axis) => {
+                let v = velocity(scene, kinematics, p, axis);
+                Ok(scene.total(v))
+            }
+            RequestKind::Speed(p) => {
+                let v = [Axis::X, Axis::Y, Axis::Z].map(|axis| velocity(scene, kinematics, p, axis));
+                let square = scene.dot(&v, &v);
+                let square = scene.tidy(square);
+                Ok(scene.graph.sqrt(square))
+            }
+            RequestKind::Angle(f) => kinematics.frames[f.index()].plane_angle.ok_or_else(|| missing(scene)),
+            RequestKind::AngularVelocity(f) => Ok(turning_about_z(scene, kinematics, f)),
+            RequestKind::KineticEnergy(None) => self.energies.map(|e| e.kinetic).ok_or_else(|| missing(scene)),
+            RequestKind::KineticEnergy(Some(f)) => match self.kinetic.get(f.index()) {
+                Some(Some(e)) => Ok(*e),
+                Some(None) => Ok(scene.graph.zero()),
+                None => Err(missing(scene)),
+            },
+            RequestKind::PotentialEnergy => self.energies.map(|e| e.potential).ok_or_else(|| missing(scene)),
+            RequestKind::Dissipation => self.energies.map(|e| e.dissipation).ok_or_else(|| missing(scene)),
+            RequestKind::ElementForce(element) => self.element(element).map(|(force, _)| force).ok_or_else(|| missing(scene)),
+            RequestKind::Extension(element) => self.element(element).map(|(_, extension)| extension).ok_or_else(|| missing(scene)),
+            RequestKind::TimeDerivative { of, order } => {
+                let mut e = self.resolve(scene, kinematics, of)?;
+                for _ in 0..order {
+                    e = scene.total(e);
+                }
+                Ok(e)
+            }
+        }
+    }
+
+    fn element(&self, element: Element) -> Option<(Expr, Expr)> {
+        let loads = self.loads.as_ref()?;
+        match element {
+            Element::Spring(i) => loads.springs.get(i).copied(),
+            Element::Damper(i) => loads.dampers.get(i).copied(),
+        }
+    }
+}
+
+fn velocity(scene: &mut Scene, kinematics: &Kinematics, p: crate::model::PointRef, axis: Axis) -> Expr {
+    let position = kinematics.position(scene, p)[axis.index()];
+    scene.total(position)
+}
+
+fn turning_about_z(scene: &mut Scene, kinematics: &Kinematics, f: FrameId) -> Expr {
+    let w = kinematics.angular_velocity(scene, f);
+    let z = kinematics.in_ground_axes(scene, f, &w)[2];
+    scene.tidy(z)
+}
+
+fn not_available(scene: &Scene, request: &Request) -> Diagnostic {
+    let name = &scene.graph.symbol_info(request.symbol).name;
+    Diagnostic::error("M103", 0..0, Text::new(format!("`{name}` is not available here"), format!("величина `{name}` здесь недоступна")))
+        .why(Text::new(
+            "energies and element forces are known only after the equations are derived; `angle` exists only for plane rotation",
+            "энергии и силы в элементах известны только после вывода уравнений; `angle` определён только для плоского вращения",
+        ))
+        .help(Text::new("use it in [outputs], or write the formula out", "используйте её в [outputs] или запишите формулу полностью"))
+}

@@ -1,0 +1,133 @@
+//! The written derivation, step by step, as it stands in a student's notebook.
+
+use super::Motion;
+use super::lagrange::{Kinetic, energy_of};
+use super::loads::{Loads, Term};
+use super::scene::Scene;
+use symbolic::equations::{Step, StepFormula, StepName};
+use symbolic::{Expr, Text};
+
+/// Writes the steps.
+pub fn write(scene: &mut Scene, kinetic: &Kinetic, loads: &Loads, motion: &Motion) -> Vec<Step> {
+    let mut steps = vec![coordinates(scene), kinetic_energy(scene, kinetic)];
+    let letters = [("Π", &loads.potentials), ("Φ", &loads.dissipations)];
+    let titles = [
+        Text::new("Potential energy", "Потенциальная энергия"),
+        Text::new("Dissipation function (Rayleigh)", "Диссипативная функция Рэлея"),
+    ];
+    for ((letter, terms), title) in letters.into_iter().zip(titles) {
+        if !terms.is_empty() {
+            steps.push(energy_step(scene, letter, terms, title));
+        }
+    }
+    steps.extend(generalized_forces(scene, motion));
+    steps.push(derivatives(scene, kinetic, motion));
+    steps
+}
+
+fn quantity(letter: &str, index: &str) -> StepName {
+    StepName::Quantity { letter: letter.to_owned(), index: index.to_owned() }
+}
+
+fn step(title: Text, words: Text, formulas: Vec<StepFormula>) -> Step {
+    Step { title, words, formulas }
+}
+
+fn coordinates(scene: &Scene) -> Step {
+    let n = scene.n();
+    let names: Vec<&str> = scene.model.coordinates.iter().map(|c| c.name.as_str()).collect();
+    let names = names.join(", ");
+    step(
+        Text::new("Generalized coordinates", "Обобщённые координаты"),
+        Text::new(format!("Degrees of freedom: {n}. Coordinates: {names}."), format!("Число степеней свободы: {n}. Координаты: {names}.")),
+        Vec::new(),
+    )
+}
+
+/// T of each body and their sum.
+fn kinetic_energy(scene: &mut Scene, kinetic: &Kinetic) -> Step {
+    let model = scene.model;
+    let mut formulas = Vec::new();
+    for (frame, quadratic) in model.frames.iter().zip(&kinetic.bodies) {
+        if quadratic.is_empty() {
+            continue;
+        }
+        let energy = energy_of(scene, quadratic);
+        let energy = scene.tidy(energy);
+        let right = scene.textbook.factored(&mut scene.graph, energy);
+        formulas.push(StepFormula { left: quantity("T", &frame.name), right });
+    }
+    let bodies = formulas.len();
+    let total = energy_of(scene, &kinetic.total);
+    if bodies != 1 {
+        formulas.push(StepFormula { left: quantity("T", ""), right: total });
+    } else if let Some(only) = formulas.first_mut() {
+        only.left = quantity("T", "");
+    }
+    step(Text::new("Kinetic energy", "Кинетическая энергия"), Text::default(), formulas)
+}
+
+/// Each term, then the sum.
+fn energy_step(scene: &mut Scene, letter: &str, terms: &[Term], title: Text) -> Step {
+    let mut formulas = Vec::new();
+    for term in terms {
+        let energy = scene.tidy(term.energy);
+        formulas.push(StepFormula { left: quantity(letter, &term.name), right: energy });
+    }
+    if let [only] = &mut formulas[..] {
+        only.left = quantity(letter, "");
+    } else {
+        let sum: Vec<Expr> = formulas.iter().map(|f| f.right).collect();
+        let sum = scene.graph.sum(&sum);
+        let right = scene.tidy(sum);
+        formulas.push(StepFormula { left: quantity(letter, ""), right });
+    }
+    step(title, Text::default(), formulas)
+}
+
+/// Q_i of loads without a potential.
+fn generalized_forces(scene: &mut Scene, motion: &Motion) -> Option<Step> {
+    let mut formulas = Vec::new();
+    for (c, force) in scene.model.coordinates.iter().zip(&motion.forces.applied) {
+        if !scene.graph.is_zero(*force) {
+            formulas.push(StepFormula { left: quantity("Q", &c.name), right: *force });
+        }
+    }
+    let words = Text::new(
+        "From the virtual power of the applied forces and torques, δN = Σ Q q'.",
+        "Из возможной мощности приложенных сил и моментов, δN = Σ Q q'.",
+    );
+    (!formulas.is_empty()).then(|| step(Text::new("Generalized forces", "Обобщённые силы"), words, formulas))
+}
+
+/// ∂T/∂q', d/dt ∂T/∂q', ∂T/∂q, ∂Π/∂q, ∂Φ/∂q' for every coordinate.
+fn derivatives(scene: &mut Scene, kinetic: &Kinetic, motion: &Motion) -> Step {
+    let energy = energy_of(scene, &kinetic.total);
+    let mut formulas = Vec::new();
+    for i in 0..scene.n() {
+        let [q, qd, _] = scene.q[i];
+        let momentum = scene.by_rate(energy, i);
+        let momentum = scene.tidy(momentum);
+        formulas.push(StepFormula { left: StepName::Partial { of: "T".into(), by: qd }, right: momentum });
+        let rate = scene.total(momentum);
+        let rate = scene.tidy(rate);
+        formulas.push(StepFormula { left: StepName::TimeDerivativeOfPartial { of: "T".into(), by: qd }, right: rate });
+        let slope = scene.along(energy, i);
+        let slope = scene.tidy(slope);
+        formulas.push(StepFormula { left: StepName::Partial { of: "T".into(), by: q }, right: slope });
+        for (letter, force, by) in [("Π", motion.forces.conservative[i], q), ("Φ", motion.forces.resisting[i], qd)] {
+            if !scene.graph.is_zero(force) {
+                let right = scene.graph.neg(force);
+                formulas.push(StepFormula { left: StepName::Partial { of: letter.into(), by }, right });
+            }
+        }
+    }
+    step(
+        Text::new("Derivatives", "Производные"),
+        Text::new(
+            "They go into d/dt ∂T/∂q' − ∂T/∂q = −∂Π/∂q − ∂Φ/∂q' + Q.",
+            "Они подставляются в уравнения d/dt ∂T/∂q' − ∂T/∂q = −∂Π/∂q − ∂Φ/∂q' + Q.",
+        ),
+        formulas,
+    )
+}

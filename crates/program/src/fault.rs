@@ -1,0 +1,287 @@
+//! What can go wrong between equations and numbers, said in both languages.
+
+use symbolic::{Expr, Text};
+
+/// A clear refusal; its fields are those of [`Details`], behind one pointer because results carry it.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("error[{}]: {}\nwhy: {}\nhelp: {}", .0.code, .0.what.en, .0.why.en, .0.help.en)]
+pub struct Fault(Box<Details>);
+
+/// What happened, the likely cause, the cure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Details {
+    /// Entry of [`EXPLANATIONS`].
+    pub code: &'static str,
+    /// What happened and where.
+    pub what: Text,
+    /// The likely physical cause.
+    pub why: Text,
+    /// The cure.
+    pub help: Text,
+    /// The expression that failed, for printing in the user's symbols, when it is known.
+    pub expression: Option<Expr>,
+}
+
+impl std::ops::Deref for Fault {
+    type Target = Details;
+    fn deref(&self) -> &Details {
+        &self.0
+    }
+}
+
+impl Fault {
+    /// A fault of that code about `subject`; cause and cure come from the table.
+    pub(crate) fn new(code: &'static str, subject: &Text) -> Fault {
+        let row = CAUSES.iter().find(|row| row.0 == code).unwrap_or(&CAUSES[0]);
+        let fill = |en: &str, ru: &str| Text::new(en.replace("{}", &subject.en), ru.replace("{}", &subject.ru));
+        Fault(Box::new(Details {
+            code: row.0,
+            what: fill(row.1[0].0, row.1[0].1),
+            why: fill(row.1[1].0, row.1[1].1),
+            help: fill(row.1[2].0, row.1[2].1),
+            expression: None,
+        }))
+    }
+
+    pub(crate) fn about(code: &'static str, subject: impl Into<String>) -> Fault {
+        Fault::new(code, &Text::same(subject))
+    }
+
+    pub(crate) fn at(mut self, expression: Option<Expr>) -> Fault {
+        self.0.expression = expression;
+        self
+    }
+}
+
+type Wording = (&'static str, &'static str);
+
+/// Code; what, why, help as (en, ru) with `{}` for the subject.
+const CAUSES: &[(&str, [Wording; 3])] = &[
+    (
+        "P006",
+        [
+            ("{} is not a finite number", "{}: результат не является конечным числом"),
+            (
+                "a value overflowed: the data differ by too many orders of magnitude, or the motion runs away",
+                "произошло переполнение: данные различаются на слишком много порядков или движение неограниченно нарастает",
+            ),
+            ("check the units of the parameters and the initial data", "проверьте единицы параметров и начальные данные"),
+        ],
+    ),
+    (
+        "P001",
+        [
+            ("division by zero in {}", "деление на ноль: {}"),
+            ("a denominator vanishes at this state", "знаменатель обращается в ноль в этом состоянии"),
+            ("start elsewhere, or guard the formula with if(...)", "начните из другого состояния или защитите формулу условием if(...)"),
+        ],
+    ),
+    (
+        "P002",
+        [
+            ("root or fractional power of a negative number in {}", "корень или дробная степень отрицательного числа: {}"),
+            ("the radicand became negative at this state", "подкоренное выражение стало отрицательным в этом состоянии"),
+            ("check signs, or guard the formula with if(...)", "проверьте знаки или защитите формулу условием if(...)"),
+        ],
+    ),
+    (
+        "P003",
+        [
+            ("logarithm of a number that is not positive in {}", "логарифм неположительного числа: {}"),
+            ("the argument of log fell to zero or below", "аргумент log стал нулевым или отрицательным"),
+            ("check signs, or guard the formula with if(...)", "проверьте знаки или защитите формулу условием if(...)"),
+        ],
+    ),
+    (
+        "P004",
+        [
+            ("asin or acos of a number outside [-1, 1] in {}", "asin или acos числа вне отрезка [-1, 1]: {}"),
+            (
+                "the mechanism cannot be assembled at this state: a ratio of lengths exceeds one",
+                "механизм в этом состоянии не собирается: отношение длин превышает единицу",
+            ),
+            ("check the lengths and the range of motion", "проверьте длины и диапазон движения"),
+        ],
+    ),
+    (
+        "P005",
+        [
+            ("the mass matrix is singular: {}", "матрица масс вырождена: {}"),
+            (
+                "at this state some combination of accelerations moves no mass",
+                "в этом состоянии некоторая комбинация ускорений не приводит в движение никакой массы",
+            ),
+            (
+                "give inertia to the bodies concerned, or start away from the dead position",
+                "задайте инерцию этим телам или начните вне мёртвого положения",
+            ),
+        ],
+    ),
+    (
+        "P007",
+        [
+            ("{} has no Taylor series at this state", "{}: в этом состоянии нет разложения в ряд Тейлора"),
+            (
+                "a root, an absolute distance or an inverse sine is taken at the very edge of its domain, where its rate is infinite",
+                "корень, расстояние или арксинус берётся на самой границе области определения, где производная бесконечна",
+            ),
+            (
+                "start off the singular point, or write the formula so that it is smooth there",
+                "начните вне особой точки или запишите формулу так, чтобы она была там гладкой",
+            ),
+        ],
+    ),
+    (
+        "P008",
+        [
+            ("wrong number of values: {}", "неверное количество значений: {}"),
+            ("the caller and the program disagree about the model", "вызывающая сторона и программа не согласованы"),
+            ("pass one value per parameter, state and guard", "передайте по одному значению на параметр, состояние и переключатель"),
+        ],
+    ),
+    (
+        "P010",
+        [
+            ("nothing defines {}", "не определено: {}"),
+            (
+                "the formula uses a symbol that is neither time, a state, a parameter nor a definition here",
+                "в формуле есть символ, который здесь не является ни временем, ни состоянием, ни параметром, ни определением",
+            ),
+            (
+                "accelerations may only stand in outputs; declare other names in [parameters]",
+                "ускорения допустимы только в выходных величинах; остальные имена объявите в [parameters]",
+            ),
+        ],
+    ),
+    (
+        "P011",
+        [
+            ("{} is defined through itself", "{} определяется через себя"),
+            ("the definitions form a cycle", "определения образуют цикл"),
+            ("break the cycle", "разорвите цикл"),
+        ],
+    ),
+    (
+        "P012",
+        [
+            ("the equations have inconsistent sizes: {}", "размеры уравнений не согласованы: {}"),
+            ("the derivation handed over incomplete equations", "вывод передал неполные уравнения"),
+            ("please report the model", "сообщите об этой модели"),
+        ],
+    ),
+    (
+        "P020",
+        [
+            ("the tape breaks a rule: {}", "лента нарушает правило: {}"),
+            ("a tape was edited by hand, or a pass is faulty", "лента изменена вручную или ошибочен проход"),
+            ("lower the model again; if it stays, please report it", "понизьте модель заново; если не помогло, сообщите об ошибке"),
+        ],
+    ),
+    (
+        "P021",
+        [
+            ("the tape text cannot be read: {}", "текст ленты не читается: {}"),
+            ("the text was not written by this version", "текст записан не этой версией"),
+            ("print the tape again", "напечатайте ленту заново"),
+        ],
+    ),
+];
+
+/// Code, title and body of every fault, for `strutt explain`.
+pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
+    (
+        "P001",
+        ("Division by zero", "Деление на ноль"),
+        (
+            "A denominator is zero at the state that was evaluated. Typical: the length of a spring whose ends meet, a rate used as a divisor at rest. Start elsewhere or write if(...) around the formula.",
+            "Знаменатель равен нулю в вычисляемом состоянии. Обычно это длина пружины, концы которой совпали, или скорость в знаменателе в состоянии покоя. Начните из другого состояния или заключите формулу в if(...).",
+        ),
+    ),
+    (
+        "P002",
+        ("Root of a negative number", "Корень из отрицательного числа"),
+        (
+            "A square root or a fractional power was taken of a negative number.",
+            "Квадратный корень или дробная степень взяты от отрицательного числа.",
+        ),
+    ),
+    (
+        "P003",
+        ("Logarithm of a number that is not positive", "Логарифм неположительного числа"),
+        ("log(x) needs x > 0.", "log(x) требует x > 0."),
+    ),
+    (
+        "P004",
+        ("Inverse sine out of range", "Арксинус вне области определения"),
+        (
+            "asin and acos need an argument between -1 and 1. In a mechanism this means that the links are too short to reach.",
+            "asin и acos требуют аргумента от -1 до 1. Для механизма это значит, что звенья слишком коротки.",
+        ),
+    ),
+    (
+        "P005",
+        ("Singular mass matrix", "Вырожденная матрица масс"),
+        (
+            "M q'' = h has no unique solution: some motion carries no inertia at this state. A coordinate may move only massless bodies, or the mechanism stands in a dead position.",
+            "M q'' = h не имеет единственного решения: некоторое движение не обладает инерцией в этом состоянии. Координата двигает только невесомые тела или механизм находится в мёртвом положении.",
+        ),
+    ),
+    (
+        "P006",
+        ("Value that is not finite", "Бесконечное значение"),
+        (
+            "A result overflowed or is not a number although no single operation was out of its domain.",
+            "Результат переполнился или не является числом, хотя ни одна операция не вышла из области определения.",
+        ),
+    ),
+    (
+        "P007",
+        ("No Taylor series", "Нет ряда Тейлора"),
+        (
+            "The value exists but its rates do not: sqrt(0), asin(1), a distance of zero. The integrator needs a smooth right-hand side between switches.",
+            "Значение существует, а производные нет: sqrt(0), asin(1), нулевое расстояние. Интегратору нужна гладкая правая часть между переключениями.",
+        ),
+    ),
+    (
+        "P008",
+        ("Wrong number of values", "Неверное количество значений"),
+        (
+            "A program was called with too few or too many parameters, states, accelerations or modes.",
+            "Программа вызвана с неверным количеством параметров, состояний, ускорений или режимов.",
+        ),
+    ),
+    (
+        "P010",
+        ("Undefined symbol", "Неопределённый символ"),
+        (
+            "A formula that is to be evaluated contains a symbol without a value. Accelerations have values in outputs only.",
+            "Вычисляемая формула содержит символ без значения. Ускорения имеют значения только в выходных величинах.",
+        ),
+    ),
+    (
+        "P011",
+        ("Cyclic definition", "Циклическое определение"),
+        ("A definition uses itself, directly or through others.", "Определение использует само себя, прямо или через другие."),
+    ),
+    (
+        "P012",
+        ("Inconsistent equations", "Несогласованные уравнения"),
+        ("The mass matrix, the forces and the coordinates differ in number.", "Матрица масс, силы и координаты различаются по количеству."),
+    ),
+    (
+        "P020",
+        ("Invalid tape", "Недопустимая лента"),
+        (
+            "A tape must define every register before its use, keep parameter-only instructions in the prologue, and stay within its slots. The verifier names the first instruction that does not.",
+            "Лента должна определять каждый регистр до использования, держать инструкции, зависящие только от параметров, в прологе и не выходить за свои ячейки. Проверка называет первую нарушающую инструкцию.",
+        ),
+    ),
+    (
+        "P021",
+        ("Unreadable tape text", "Нечитаемый текст ленты"),
+        (
+            "The text of a tape follows the grammar in crates/program/src/text.rs.",
+            "Текст ленты следует грамматике в crates/program/src/text.rs.",
+        ),
+    ),
+];

@@ -1,0 +1,126 @@
+//! Guards: the functions whose signs decide branches.
+//!
+//! sign, abs, if, min and max are piecewise smooth; their pieces are chosen by the sign of a guard function. Each distinct guard
+//! function (up to a constant factor) has one number. In the dynamics the sign is not read off the value but given as a [`Mode`], so
+//! that a Taylor expansion stays on one smooth piece up to an event; the integrator watches the guard polynomial for its zero.
+//!
+//! A guard matters only when the branch in which it stands is taken: [`crate::Bound::active`] finds the ones that matter by a backward
+//! walk from the results through the branches taken.
+
+use crate::{By, Evaluator, Operation, Register};
+use symbolic::Expr;
+
+/// Sign of a guard function.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
+pub enum Mode {
+    /// Below zero.
+    Negative,
+    /// Zero for a while: sign and abs are 0, `>=` holds, `>` does not.
+    Zero,
+    /// Above zero.
+    #[default]
+    Positive,
+}
+
+impl Mode {
+    /// The mode of a value; not-a-number counts as positive.
+    pub fn of(value: f64) -> Mode {
+        if value < 0.0 {
+            Mode::Negative
+        } else if value == 0.0 {
+            Mode::Zero
+        } else {
+            Mode::Positive
+        }
+    }
+    /// Position among the sides of a choice.
+    pub fn side(self) -> usize {
+        self as usize
+    }
+}
+
+/// The construct that a guard came from first.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[allow(missing_docs)]
+pub enum GuardKind {
+    Sign,
+    Abs,
+    If,
+    Min,
+    Max,
+}
+
+/// A guard function, left - right; handles are of the graph of the equations.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Guard {
+    /// Where it first occurs.
+    pub kind: GuardKind,
+    /// The expression, or the first argument of min and max.
+    pub left: Expr,
+    /// The second argument of min and max; 0 when absent.
+    pub right: Option<Expr>,
+}
+
+/// Marks what the roots of a tape need in given modes: registers and guards.
+pub(crate) fn needed(dynamics: &Evaluator, modes: &[Mode]) -> (Vec<bool>, Vec<bool>) {
+    let tape = dynamics.tape();
+    let mut wanted = vec![false; tape.registers()];
+    let mut active = vec![false; tape.guards.len()];
+    for root in &tape.roots {
+        wanted[root.register.index()] = true;
+    }
+    for instruction in tape.body.iter().rev() {
+        let first = instruction.into.index();
+        if !wanted[first..first + instruction.operation.width()].iter().any(|w| *w) {
+            continue;
+        }
+        match &instruction.operation {
+            Operation::Choose { by: By::Mode(g), sides } => {
+                let g = *g as usize;
+                active[g] = true;
+                wanted[sides[modes[g].side()].index()] = true;
+                if let Some(r) = tape.guards[g] {
+                    wanted[r.index()] = true;
+                }
+            }
+            Operation::Choose { by: By::Value(r), sides } if r.index() < tape.constants() => {
+                wanted[sides[Mode::of(dynamics.value(*r)).side()].index()] = true;
+            }
+            operation => operation.operands(&mut |r| wanted[r.index()] = true),
+        }
+    }
+    (wanted, active)
+}
+
+pub(crate) fn active(dynamics: &Evaluator, modes: &[Mode]) -> Vec<bool> {
+    needed(dynamics, modes).1
+}
+
+/// (guard, time) of guards a + b t.
+pub(crate) fn scheduled(dynamics: &Evaluator) -> Vec<(usize, f64)> {
+    let tape = dynamics.tape();
+    let mut affine: Vec<Option<(f64, f64)>> = vec![None; tape.registers()];
+    for (r, line) in (0..).zip(affine.iter_mut().take(tape.constants())) {
+        *line = Some((dynamics.value(Register(r)), 0.0));
+    }
+    for instruction in &tape.body {
+        affine[instruction.into.index()] = match &instruction.operation {
+            Operation::Time => Some((0.0, 1.0)),
+            Operation::Linear { constant, terms } => terms.iter().try_fold((dynamics.coefficient(*constant), 0.0), |(a, b), (c, r)| {
+                let (c, (inner_a, inner_b)) = (dynamics.coefficient(*c), affine[r.index()]?);
+                Some((a + c * inner_a, b + c * inner_b))
+            }),
+            _ => None,
+        };
+    }
+    let mut times: Vec<(usize, f64)> = tape
+        .guards
+        .iter()
+        .enumerate()
+        .filter_map(|(g, r)| affine[(*r)?.index()].map(|line| (g, line)))
+        .filter(|(_, (a, b))| *b != 0.0 && (a / b).is_finite())
+        .map(|(g, (a, b))| (g, -a / b))
+        .collect();
+    times.sort_by(|x, y| x.1.total_cmp(&y.1).then(x.0.cmp(&y.0)));
+    times
+}

@@ -1,0 +1,240 @@
+//! The interpreter: one tape, one state, plain floating-point numbers. The oracle for every other back-end.
+
+use crate::{By, Coefficient, Fault, Instruction, Mode, Operation, Register, Tape, Unary, solve};
+use std::sync::Arc;
+use symbolic::Text;
+
+/// A point at which a tape is evaluated. Inputs that the tape does not read may be empty.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Point<'a> {
+    /// Time.
+    pub time: f64,
+    /// x = [q; q'; s].
+    pub states: &'a [f64],
+    /// q''.
+    pub accelerations: &'a [f64],
+    /// Modes of the guards; `None` decides every switch by the value of its guard. A guard that is not a number makes its switch not a
+    /// number, so that nothing is decided silently.
+    pub modes: Option<&'a [Mode]>,
+}
+
+/// A tape with its parameters and a register file.
+#[derive(Clone, Debug)]
+pub struct Evaluator {
+    tape: Arc<Tape>,
+    registers: Vec<f64>,
+    roots: Vec<f64>,
+    scratch: solve::Factor,
+}
+
+impl Evaluator {
+    /// Binds parameters: runs the prologue.
+    ///
+    /// *Errors*: P008 for a wrong number of parameters. Values that are not finite are reported when a result depends on them.
+    pub fn new(tape: &Arc<Tape>, parameters: &[f64]) -> Result<Evaluator, Fault> {
+        if parameters.len() != tape.shape.parameters {
+            let (have, want) = (parameters.len(), tape.shape.parameters);
+            return Err(Fault::new("P008", &count(have, want, "parameters", "параметров")));
+        }
+        let mut evaluator = Evaluator {
+            registers: vec![0.0; tape.registers()],
+            roots: vec![0.0; tape.roots.len()],
+            scratch: solve::Factor::default(),
+            tape: Arc::clone(tape),
+        };
+        let point = Point::default();
+        for instruction in &tape.prologue {
+            // a constant mass matrix has no place in a prologue, so nothing here can be singular
+            let _ = execute(instruction, &mut evaluator.registers, &mut evaluator.scratch, &point, parameters, tape);
+        }
+        Ok(evaluator)
+    }
+
+    /// The tape.
+    pub fn tape(&self) -> &Arc<Tape> {
+        &self.tape
+    }
+    /// Content of a register after the last evaluation; those of the prologue are always valid.
+    pub fn value(&self, register: Register) -> f64 {
+        self.registers[register.index()]
+    }
+    /// Value of a coefficient.
+    pub fn coefficient(&self, c: Coefficient) -> f64 {
+        resolve(c, &self.registers)
+    }
+
+    /// Values of the roots at a point, in order.
+    ///
+    /// *Errors*: P008 for missing inputs, P005 for a singular mass matrix, and for a root that is not finite the first operation that
+    /// spoiled it.
+    pub fn evaluate(&mut self, point: &Point) -> Result<&[f64], Fault> {
+        self.run(point)?;
+        for (value, root) in self.roots.iter_mut().zip(&self.tape.roots) {
+            *value = self.registers[root.register.index()];
+        }
+        match self.roots.iter().position(|v| !v.is_finite()) {
+            None => Ok(&self.roots),
+            Some(i) => Err(self.blame(point, i)),
+        }
+    }
+
+    /// The modes that guard values have at a point, outer guards deciding which branch feeds inner ones.
+    pub(crate) fn modes(&mut self, point: &Point) -> Result<Vec<Mode>, Fault> {
+        self.run(&Point { modes: None, ..*point })?;
+        Ok(self.tape.guards.iter().map(|r| r.map_or(Mode::Positive, |r| Mode::of(self.value(r)))).collect())
+    }
+
+    fn run(&mut self, point: &Point) -> Result<(), Fault> {
+        self.check(point)?;
+        for instruction in &self.tape.body {
+            execute(instruction, &mut self.registers, &mut self.scratch, point, &[], &self.tape)?;
+        }
+        Ok(())
+    }
+
+    fn check(&self, point: &Point) -> Result<(), Fault> {
+        let shape = &self.tape.shape;
+        let modes = point.modes.map_or(shape.modes, <[Mode]>::len);
+        for (have, want, en, ru) in [
+            (point.states.len(), shape.states, "states", "состояний"),
+            (point.accelerations.len(), shape.accelerations, "accelerations", "ускорений"),
+            (modes, shape.modes, "modes", "режимов"),
+        ] {
+            if have < want {
+                return Err(Fault::new("P008", &count(have, want, en, ru)));
+            }
+        }
+        Ok(())
+    }
+
+    /// The first operation with finite operands and a result that is not, among those that root `i` depends on.
+    fn blame(&self, point: &Point, i: usize) -> Fault {
+        let root = &self.tape.roots[i];
+        let mut wanted = vec![false; self.tape.registers()];
+        wanted[root.register.index()] = true;
+        let mut culprit = None;
+        for instruction in self.tape.instructions().rev() {
+            let outputs = instruction.into.index()..instruction.into.index() + instruction.operation.width();
+            if !outputs.clone().any(|r| wanted[r]) {
+                continue;
+            }
+            if let Operation::Choose { by, sides } = &instruction.operation {
+                let next = decide(*by, &self.registers, point, &self.tape).map_or_else(|undecided| undecided, |mode| sides[mode.side()]);
+                wanted[next.index()] = true;
+                continue;
+            }
+            let mut sound = true;
+            instruction.operation.operands(&mut |r| {
+                wanted[r.index()] = true;
+                sound &= self.registers[r.index()].is_finite();
+            });
+            if sound && outputs.clone().any(|r| !self.registers[r].is_finite()) {
+                culprit = Some(instruction);
+            }
+        }
+        let subject = Text::same(root.name.clone());
+        match culprit {
+            Some(instruction) => Fault::new(domain_code(&instruction.operation, &self.registers), &subject).at(instruction.origin),
+            None => Fault::new("P006", &subject),
+        }
+    }
+}
+
+fn count(have: usize, want: usize, en: &str, ru: &str) -> Text {
+    Text::new(format!("{have} {en} instead of {want}"), format!("{have} {ru} вместо {want}"))
+}
+
+/// Which rule an operation with finite operands and a result that is not broke.
+pub(crate) fn domain_code(operation: &Operation, registers: &[f64]) -> &'static str {
+    let at = |r: &Register| registers[r.index()];
+    match operation {
+        Operation::Divide(_, b) if at(b) == 0.0 => "P001",
+        Operation::Power(a, _) if at(a) == 0.0 => "P001",
+        Operation::Power(a, _) if at(a) < 0.0 => "P002",
+        Operation::Unary(Unary::SquareRoot, _) => "P002",
+        Operation::Unary(Unary::Log, _) => "P003",
+        Operation::Unary(Unary::Asin | Unary::Acos, _) => "P004",
+        _ => "P006",
+    }
+}
+
+pub(crate) fn resolve(c: Coefficient, registers: &[f64]) -> f64 {
+    match c {
+        Coefficient::Number(v) => v.0,
+        Coefficient::Register(r) => registers[r.index()],
+    }
+}
+
+/// Which side a choice takes, or the register that cannot decide because it holds no number.
+fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Result<Mode, Register> {
+    let register = match (by, point.modes) {
+        (By::Value(r), _) => r,
+        (By::Mode(g), Some(modes)) => return Ok(modes[g as usize]),
+        (By::Mode(g), None) => match tape.guards[g as usize] {
+            Some(r) => r,
+            None => return Ok(Mode::Positive),
+        },
+    };
+    let value = registers[register.index()];
+    if value.is_nan() { Err(register) } else { Ok(Mode::of(value)) }
+}
+
+fn execute(
+    instruction: &Instruction,
+    registers: &mut [f64],
+    scratch: &mut solve::Factor,
+    point: &Point,
+    parameters: &[f64],
+    tape: &Tape,
+) -> Result<(), Fault> {
+    let into = instruction.into.index();
+    let at = |r: &Register| registers[r.index()];
+    let value = match &instruction.operation {
+        Operation::Number(v) => v.0,
+        Operation::Parameter(slot) => parameters[*slot as usize],
+        Operation::Time => point.time,
+        Operation::State(slot) => point.states[*slot as usize],
+        Operation::Acceleration(slot) => point.accelerations[*slot as usize],
+        Operation::Linear { constant, terms } => {
+            terms.iter().fold(resolve(*constant, registers), |sum, (c, r)| sum + resolve(*c, registers) * at(r))
+        }
+        Operation::Multiply(a, b) => at(a) * at(b),
+        Operation::Square(a) => at(a) * at(a),
+        Operation::Divide(a, b) => at(a) / at(b),
+        Operation::Power(a, p) => at(a).powf(resolve(*p, registers)),
+        Operation::Unary(f, a) => f.apply(at(a)),
+        Operation::Atan2(a, b) => at(a).atan2(at(b)),
+        Operation::SinCos(a) => {
+            let (s, c) = at(a).sin_cos();
+            registers[into + 1] = c;
+            s
+        }
+        Operation::SinhCosh(a) => {
+            let x = at(a);
+            registers[into + 1] = x.cosh();
+            x.sinh()
+        }
+        Operation::Choose { by, sides } => decide(*by, registers, point, tape).map_or(f64::NAN, |mode| at(&sides[mode.side()])),
+        Operation::Solve { matrix, right } => {
+            let entry = |r: &Option<Register>| r.map_or(0.0, |r| registers[r.index()]);
+            scratch.load(right.len(), matrix.iter().map(entry));
+            scratch.factor().map_err(|pivot| singular(tape, pivot))?;
+            let mut solution: Vec<f64> = right.iter().map(at).collect();
+            scratch.solve(&mut solution);
+            registers[into..into + solution.len()].copy_from_slice(&solution);
+            return Ok(());
+        }
+    };
+    registers[into] = value;
+    Ok(())
+}
+
+/// P005 naming the coordinate without inertia. Root n + i of the dynamics is the acceleration of coordinate i.
+pub(crate) fn singular(tape: &Tape, pivot: usize) -> Fault {
+    let solve = tape.body.iter().find(|i| matches!(i.operation, Operation::Solve { .. }));
+    let name = solve.and_then(|s| {
+        let register = Register(s.into.0 + pivot as u32);
+        tape.roots.iter().find(|root| root.register == register)
+    });
+    Fault::about("P005", name.map_or_else(|| format!("#{pivot}"), |root| root.name.clone()))
+}

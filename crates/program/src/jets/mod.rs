@@ -1,0 +1,157 @@
+//! Jets: Taylor coefficients of the motion about a state.
+//!
+//! Every register r(t) of the dynamics is kept as a row of coefficients r_0, r_1, ... with r(t + h) = Σ r_k h^k. Order by order, each
+//! operation gives its k-th coefficient from coefficients already known (the recurrences stand in `recurrences.rs`), and x' = f gives
+//! x_{k+1} = f_k/(k+1). After N orders all states are polynomials of degree N (Jorba and Zou, A software package for the numerical
+//! integration of ODEs by means of high-order Taylor methods, Experimental Mathematics 14, 2005).
+//!
+//! Memory: one vector. A row is stored twice, forwards and backwards, so that the Cauchy product Σ a_j b_{k-j} is a plain scalar
+//! product of two contiguous runs. Runs are rounded up to whole groups of four; the backward copy is followed by zeros, which cancel
+//! what the forward copy holds beyond order k (finite leftovers of earlier expansions). Sums have a fixed order, so results are the
+//! same bits on every machine.
+
+mod plan;
+mod recurrences;
+
+use crate::guard::needed;
+use crate::interpret::singular;
+use crate::{Bound, Evaluator, Fault, Mode, Operation, Point};
+use plan::Plan;
+use recurrences::{Memory, Step};
+use symbolic::Text;
+
+/// Taylor expander of the dynamics, with its memory.
+#[derive(Clone, Debug)]
+pub struct Jets {
+    plan: Plan,
+    memory: Memory,
+    evaluator: Evaluator,
+    /// Steps on the branches that the present modes take.
+    live: Vec<Step>,
+    /// Those of them that guards need: one order more is wanted there.
+    tail: Vec<Step>,
+    modes: Option<Vec<Mode>>,
+    order: usize,
+    largest: usize,
+}
+
+impl Jets {
+    /// An expander with room for `order`.
+    pub fn new(bound: &Bound, order: usize) -> Jets {
+        let evaluator = bound.dynamics.clone();
+        let plan = Plan::new(&evaluator);
+        let memory = Memory::new(&plan, order);
+        Jets { plan, memory, evaluator, live: Vec::new(), tail: Vec::new(), modes: None, order: 0, largest: order }
+    }
+
+    /// Expands the solution through (t, x) to `order`, at most that of [`Jets::new`] (a larger one is cut to it).
+    ///
+    /// *Errors*: P008 for wrong lengths, a domain error (P001 to P004), P005 for a singular mass matrix, P007 where a value exists but
+    /// no Taylor series, P006 for overflow.
+    pub fn expand(&mut self, time: f64, states: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault> {
+        let shape = self.evaluator.tape().shape;
+        if states.len() != self.plan.states.len() || modes.len() != shape.modes {
+            let words = format!("{}, {} / {}, {}", states.len(), modes.len(), self.plan.states.len(), shape.modes);
+            return Err(Fault::about("P008", words));
+        }
+        self.choose_branches(modes);
+        self.order = order.min(self.largest);
+        if self.advance(time, states) {
+            return Ok(());
+        }
+        let fault = self.blame(time, states, modes);
+        self.modes = None;
+        Err(fault)
+    }
+
+    /// Coefficients x_i[0..=order] of state `i`.
+    pub fn state(&self, i: usize) -> &[f64] {
+        self.memory.row(self.plan.states[i], self.order)
+    }
+
+    /// Coefficients [0..=order] of guard `i`; meaningless while the guard is not active.
+    pub fn guard(&self, i: usize) -> &[f64] {
+        self.memory.row(self.plan.guards[i], self.order)
+    }
+
+    /// The order of the last expansion.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Multiplications that order k costs, and the number of steps, on the present branches.
+    pub fn work(&self, k: usize) -> (usize, usize) {
+        (self.live.iter().map(|s| s.multiplications(k, &self.plan)).sum(), self.live.len())
+    }
+
+    fn choose_branches(&mut self, modes: &[Mode]) {
+        if self.modes.as_deref() == Some(modes) {
+            return;
+        }
+        let (wanted, active) = needed(&self.evaluator, modes);
+        self.live = self.plan.steps(modes, &wanted);
+        self.tail = self.plan.guard_steps(&self.live, &active);
+        self.memory.clear(&self.plan);
+        self.modes = Some(modes.to_vec());
+    }
+
+    /// Fills all rows; false when something is not finite or the mass matrix is singular.
+    fn advance(&mut self, time: f64, states: &[f64]) -> bool {
+        let memory = &mut self.memory;
+        memory.singular = None;
+        memory.start(self.plan.time, time, 1.0);
+        for (row, x) in self.plan.states.iter().zip(states) {
+            memory.put(*row, 0, *x);
+        }
+        let mut sound = true;
+        for k in 0..self.order {
+            if k == 0 {
+                self.live.iter().for_each(|step| memory.begin(step, &self.plan));
+            } else {
+                self.live.iter().for_each(|step| memory.advance(step, k, &self.plan));
+            }
+            let divisor = (k + 1) as f64;
+            for (row, rate) in self.plan.states.iter().zip(&self.plan.rates) {
+                let next = memory.get(*rate, k) / divisor;
+                sound &= next.is_finite();
+                memory.put(*row, k + 1, next);
+            }
+        }
+        for step in &self.tail {
+            match self.order {
+                0 => memory.begin(step, &self.plan),
+                k => memory.advance(step, k, &self.plan),
+            }
+        }
+        sound && memory.singular.is_none() && self.guards_are_finite()
+    }
+
+    fn guards_are_finite(&self) -> bool {
+        self.plan.active_guards(&self.tail).all(|row| self.memory.row(row, self.order).iter().all(|v| v.is_finite()))
+    }
+
+    /// The cause of a failed expansion: at order 0 the interpreter knows it; above, the first step with sound operands and an unsound result.
+    fn blame(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> Fault {
+        if let Some(pivot) = self.memory.singular {
+            return singular(self.evaluator.tape(), pivot);
+        }
+        let point = Point { time, states, modes: Some(modes), ..Point::default() };
+        if let Err(fault) = self.evaluator.evaluate(&point) {
+            return fault;
+        }
+        let tape = self.evaluator.tape().clone();
+        let first = (1..=self.order).find_map(|k| {
+            let step = self.live.iter().find(|s| !self.memory.get(s.row(), k).is_finite())?;
+            tape.body.iter().find(|i| self.plan.row_of(i.into) == Some(step.row()))
+        });
+        let Some(instruction) = first else {
+            return Fault::about("P006", tape.name.clone());
+        };
+        let code = match &instruction.operation {
+            Operation::Unary(..) | Operation::Power(..) | Operation::Divide(..) | Operation::Atan2(..) => "P007",
+            _ => "P006",
+        };
+        let name = tape.roots.iter().find(|r| r.register >= instruction.into).map_or_else(String::new, |r| r.name.clone());
+        Fault::new(code, &Text::same(name)).at(instruction.origin)
+    }
+}

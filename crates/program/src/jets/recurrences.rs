@@ -1,0 +1,408 @@
+//! The recurrences, one order of one operation at a time.
+//!
+//! All follow from a differential equation that the function satisfies, with (f')_k = (k+1) f_{k+1} and the Cauchy product
+//! (f g)_k = Σ_{j=0}^{k} f_j g_{k-j}. Helper rows called *weighted* hold the coefficients of t-derivatives shifted down: w_{j-1} = j a_j,
+//! so that Σ_{j=1}^{k} j a_j b_{k-j} is again a product of runs.
+
+use super::plan::Plan;
+use crate::{Unary, solve::Factor};
+
+/// Number of a row.
+pub(super) type Row = u32;
+
+/// One operation on rows.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Step {
+    /// c_k = a_k
+    Copy { row: Row, a: Row },
+    /// c_k = factor a_k (+ constant at order 0)
+    Scale { row: Row, constant: f64, factor: f64, a: Row },
+    /// c_k = Σ factor a_k (+ constant at order 0)
+    Linear { row: Row, constant: f64, start: u32, end: u32 },
+    /// c_k = Σ a_j b_{k-j}
+    Multiply { row: Row, a: Row, b: Row },
+    /// c_k = Σ a_j a_{k-j}
+    Square { row: Row, a: Row },
+    /// a = c b gives c_k = (a_k - Σ_{j<k} c_j b_{k-j})/b_0
+    Divide { row: Row, a: Row, b: Row },
+    /// a = c c gives c_k = (a_k - Σ_{0<j<k} c_j c_{k-j})/(2 c_0)
+    SquareRoot { row: Row, a: Row },
+    /// c' a = p a' c gives k a_0 c_k = p Σ_{j=1}^{k} j a_j c_{k-j} - Σ_{j=1}^{k-1} j c_j a_{k-j}
+    Power { row: Row, a: Row, p: f64, weighted: Row },
+    /// c' = a' c gives k c_k = Σ_{j=1}^{k} j a_j c_{k-j}
+    Exp { row: Row, a: Row, weighted: Row },
+    /// s' = a' c, c' = sign a' s: sine and cosine with sign -1, the hyperbolic pair with sign 1
+    SinCos { row: Row, a: Row, weighted: Row, sign: f64 },
+    /// c' = a' u, u = 1 + sign c²: tangent with sign 1, hyperbolic tangent with sign -1
+    Tangent { row: Row, a: Row, helper: Row, sign: f64 },
+    /// c' u = ±a' gives k u_0 c_k = ±k a_k - Σ_{j=1}^{k-1} j c_j u_{k-j}, where u = a for log, 1 + a² for atan, √(1 - a²) for asin, acos
+    Inverse { row: Row, a: Row, f: Unary, helper: Row },
+    /// c' (x² + y²) = x y' - y x'
+    Atan2 { row: Row, y: Row, x: Row, helper: Row },
+    /// Σ_j (M_j a_{k-j}) = h_k gives M_0 a_k = h_k - Σ_{j=1}^{k} M_j a_{k-j}
+    Solve { row: Row, system: u32 },
+}
+
+impl Step {
+    /// First row written.
+    pub(super) fn row(&self) -> Row {
+        match self {
+            Step::Copy { row, .. }
+            | Step::Scale { row, .. }
+            | Step::Linear { row, .. }
+            | Step::Multiply { row, .. }
+            | Step::Square { row, .. }
+            | Step::Divide { row, .. }
+            | Step::SquareRoot { row, .. }
+            | Step::Power { row, .. }
+            | Step::Exp { row, .. }
+            | Step::SinCos { row, .. }
+            | Step::Tangent { row, .. }
+            | Step::Inverse { row, .. }
+            | Step::Atan2 { row, .. }
+            | Step::Solve { row, .. } => *row,
+        }
+    }
+
+    /// Calls `visit` with every row read.
+    pub(super) fn operands(&self, plan: &Plan, visit: &mut dyn FnMut(Row)) {
+        match self {
+            Step::Copy { a, .. }
+            | Step::Scale { a, .. }
+            | Step::Square { a, .. }
+            | Step::SquareRoot { a, .. }
+            | Step::Power { a, .. }
+            | Step::Exp { a, .. }
+            | Step::SinCos { a, .. }
+            | Step::Tangent { a, .. }
+            | Step::Inverse { a, .. } => visit(*a),
+            Step::Linear { start, end, .. } => plan.terms[*start as usize..*end as usize].iter().for_each(|t| visit(t.1)),
+            Step::Multiply { a, b, .. } | Step::Divide { a, b, .. } | Step::Atan2 { y: a, x: b, .. } => {
+                visit(*a);
+                visit(*b);
+            }
+            Step::Solve { system, .. } => {
+                let system = &plan.systems[*system as usize];
+                system.moving.iter().for_each(|m| visit(m.2));
+                system.right.iter().copied().for_each(visit);
+            }
+        }
+    }
+
+    /// Multiplications and divisions of order k, counted without the rounding up to groups.
+    pub(super) fn multiplications(&self, k: usize, plan: &Plan) -> usize {
+        match self {
+            Step::Copy { .. } => 0,
+            Step::Scale { .. } => 1,
+            Step::Linear { start, end, .. } => (end - start) as usize,
+            Step::Multiply { .. } | Step::Square { .. } | Step::Divide { .. } | Step::SquareRoot { .. } => k + 1,
+            Step::Exp { .. } => k + 2,
+            Step::Power { .. } | Step::SinCos { .. } | Step::Tangent { .. } => 2 * k + 4,
+            Step::Inverse { .. } => 3 * k + 4,
+            Step::Atan2 { .. } => 5 * k + 6,
+            Step::Solve { system, .. } => {
+                let s = &plan.systems[*system as usize];
+                s.moving.iter().map(|m| if m.0 == m.1 { k } else { 2 * k }).sum::<usize>() + s.size * s.size
+            }
+        }
+    }
+}
+
+/// The rows.
+#[derive(Clone, Debug)]
+pub(super) struct Memory {
+    cells: Vec<f64>,
+    /// Length of one copy of a row.
+    stride: usize,
+    /// Largest order.
+    order: usize,
+    factors: Vec<Factor>,
+    scratch: Vec<f64>,
+    /// The dependent row of a mass matrix that could not be factored.
+    pub(super) singular: Option<usize>,
+}
+
+/// Runs are multiplied in groups of this many.
+const LANES: usize = 4;
+
+/// Σ a_i b_i over whole groups, in a fixed order.
+#[inline(always)]
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0_f64; LANES];
+    for (x, y) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {
+        for lane in 0..LANES {
+            sums[lane] += x[lane] * y[lane];
+        }
+    }
+    (sums[0] + sums[2]) + (sums[1] + sums[3])
+}
+
+impl Memory {
+    pub(super) fn new(plan: &Plan, order: usize) -> Memory {
+        let stride = (order + 1).next_multiple_of(LANES) + LANES;
+        let largest = plan.systems.iter().map(|s| s.size).max().unwrap_or(0);
+        Memory {
+            cells: vec![0.0; plan.count as usize * 2 * stride],
+            stride,
+            order,
+            factors: vec![Factor::default(); plan.systems.len()],
+            scratch: vec![0.0; largest],
+            singular: None,
+        }
+    }
+
+    /// Forgets everything but constants.
+    pub(super) fn clear(&mut self, plan: &Plan) {
+        self.cells.fill(0.0);
+        for (row, value) in &plan.constants {
+            self.put(*row, 0, *value);
+        }
+    }
+
+    /// A row that is a straight line.
+    pub(super) fn start(&mut self, row: Row, value: f64, slope: f64) {
+        self.put(row, 0, value);
+        if self.order > 0 {
+            self.put(row, 1, slope);
+        }
+    }
+
+    /// Coefficients 0..=order.
+    pub(super) fn row(&self, row: Row, order: usize) -> &[f64] {
+        let start = self.forward(row);
+        &self.cells[start..=start + order]
+    }
+
+    #[inline(always)]
+    fn forward(&self, row: Row) -> usize {
+        row as usize * 2 * self.stride
+    }
+
+    #[inline(always)]
+    pub(super) fn get(&self, row: Row, k: usize) -> f64 {
+        self.cells[self.forward(row) + k]
+    }
+
+    #[inline(always)]
+    pub(super) fn put(&mut self, row: Row, k: usize, value: f64) {
+        let start = self.forward(row);
+        self.cells[start + k] = value;
+        self.cells[start + self.stride + self.order - k] = value;
+    }
+
+    /// Σ_{j=0}^{k} a_{from+j} b_{k-j}; what a holds after from+k must be finite.
+    #[inline(always)]
+    fn cauchy(&self, a: Row, from: usize, b: Row, k: usize) -> f64 {
+        let length = (k + LANES) / LANES * LANES;
+        let (a, b) = (self.forward(a) + from, self.forward(b) + self.stride + self.order - k);
+        dot(&self.cells[a..a + length], &self.cells[b..b + length])
+    }
+
+    /// Σ_{j=from}^{k-1} c_j b_{k-j} where c_k is not known yet: counted as zero.
+    #[inline(always)]
+    fn partial(&mut self, c: Row, from: usize, b: Row, k: usize) -> f64 {
+        let start = self.forward(c);
+        self.cells[start + k] = 0.0;
+        self.cauchy(c, from, b, k - from)
+    }
+
+    /// w_{k-1} = k a_k.
+    #[inline(always)]
+    fn weigh(&mut self, weighted: Row, a: Row, k: usize) {
+        let value = k as f64 * self.get(a, k);
+        let start = self.forward(weighted);
+        self.cells[start + k - 1] = value;
+    }
+
+    /// Order 0: the operation itself, as the interpreter does it.
+    pub(super) fn begin(&mut self, step: &Step, plan: &Plan) {
+        let value = match *step {
+            Step::Copy { a, .. } => self.get(a, 0),
+            Step::Scale { constant, factor, a, .. } => constant + factor * self.get(a, 0),
+            Step::Linear { constant, start, end, .. } => {
+                plan.terms[start as usize..end as usize].iter().fold(constant, |sum, (f, a)| sum + f * self.get(*a, 0))
+            }
+            Step::Multiply { a, b, .. } => self.get(a, 0) * self.get(b, 0),
+            Step::Square { a, .. } => self.get(a, 0) * self.get(a, 0),
+            Step::Divide { a, b, .. } => self.get(a, 0) / self.get(b, 0),
+            Step::SquareRoot { a, .. } => self.get(a, 0).sqrt(),
+            Step::Power { a, p, .. } => self.get(a, 0).powf(p),
+            Step::Exp { a, .. } => self.get(a, 0).exp(),
+            Step::SinCos { row, a, sign, .. } => {
+                let x = self.get(a, 0);
+                let (s, c) = if sign < 0.0 { x.sin_cos() } else { (x.sinh(), x.cosh()) };
+                self.put(row + 1, 0, c);
+                s
+            }
+            Step::Tangent { a, helper, sign, .. } => {
+                let x = self.get(a, 0);
+                let t = if sign > 0.0 { x.tan() } else { x.tanh() };
+                self.put(helper + 1, 0, 1.0 + sign * (t * t));
+                t
+            }
+            Step::Inverse { a, f, helper, .. } => self.begin_inverse(a, f, helper),
+            Step::Atan2 { y, x, helper, .. } => {
+                let (y, x) = (self.get(y, 0), self.get(x, 0));
+                self.put(helper, 0, x * x + y * y);
+                y.atan2(x)
+            }
+            Step::Solve { row, system } => {
+                self.begin_solve(row, system as usize, plan);
+                return;
+            }
+        };
+        self.put(step.row(), 0, value);
+    }
+
+    /// Helper rows: weighted c, u, and 1 - a² under the root.
+    fn begin_inverse(&mut self, a: Row, f: Unary, helper: Row) -> f64 {
+        let x = self.get(a, 0);
+        match f {
+            Unary::Log => {}
+            Unary::Atan => self.put(helper + 1, 0, 1.0 + x * x),
+            _ => {
+                let inner = (1.0 - x) * (1.0 + x);
+                self.put(helper + 2, 0, inner);
+                self.put(helper + 1, 0, inner.sqrt());
+            }
+        }
+        f.apply(x)
+    }
+
+    fn begin_solve(&mut self, first: Row, index: usize, plan: &Plan) {
+        let system = &plan.systems[index];
+        let mut factor = std::mem::take(&mut self.factors[index]);
+        factor.load(system.size, system.entries.iter().map(|e| e.map_or_else(|value| value, |row| self.get(row, 0))));
+        if let Err(pivot) = factor.factor() {
+            self.singular = Some(pivot);
+        }
+        self.factors[index] = factor;
+        let mut h = std::mem::take(&mut self.scratch);
+        for (value, row) in h.iter_mut().zip(&system.right) {
+            *value = self.get(*row, 0);
+        }
+        self.finish_solve(first, index, system.size, 0, h);
+    }
+
+    fn finish_solve(&mut self, first: Row, index: usize, size: usize, k: usize, mut h: Vec<f64>) {
+        self.factors[index].solve(&mut h[..size]);
+        for (i, value) in (0..).zip(&h[..size]) {
+            self.put(first + i, k, *value);
+        }
+        self.scratch = h;
+    }
+
+    /// Order k >= 1.
+    #[inline(always)]
+    pub(super) fn advance(&mut self, step: &Step, k: usize, plan: &Plan) {
+        let value = match *step {
+            Step::Copy { a, .. } => self.get(a, k),
+            Step::Scale { factor, a, .. } => factor * self.get(a, k),
+            Step::Linear { start, end, .. } => {
+                plan.terms[start as usize..end as usize].iter().fold(0.0, |sum, (f, a)| sum + f * self.get(*a, k))
+            }
+            Step::Multiply { a, b, .. } => self.cauchy(a, 0, b, k),
+            Step::Square { a, .. } => self.cauchy(a, 0, a, k),
+            Step::Divide { row, a, b } => (self.get(a, k) - self.partial(row, 0, b, k)) / self.get(b, 0),
+            Step::SquareRoot { row, a } => self.square_root(row, a, k),
+            Step::Power { row, a, p, weighted } => self.power(row, a, p, weighted, k),
+            Step::Exp { row, a, weighted } => {
+                self.weigh(weighted, a, k);
+                self.cauchy(weighted, 0, row, k - 1) / k as f64
+            }
+            Step::SinCos { row, a, weighted, sign } => {
+                self.weigh(weighted, a, k);
+                let s = self.cauchy(weighted, 0, row + 1, k - 1) / k as f64;
+                let c = sign * self.cauchy(weighted, 0, row, k - 1) / k as f64;
+                self.put(row + 1, k, c);
+                s
+            }
+            Step::Tangent { row, a, helper, sign } => {
+                self.weigh(helper, a, k);
+                let t = self.cauchy(helper, 0, helper + 1, k - 1) / k as f64;
+                self.put(row, k, t);
+                let square = self.cauchy(row, 0, row, k);
+                self.put(helper + 1, k, sign * square);
+                t
+            }
+            Step::Inverse { a, f, helper, .. } => self.inverse(a, f, helper, k),
+            Step::Atan2 { y, x, helper, .. } => self.atan2(y, x, helper, k),
+            Step::Solve { row, system } => {
+                self.solve(row, system as usize, k, plan);
+                return;
+            }
+        };
+        self.put(step.row(), k, value);
+    }
+
+    fn square_root(&mut self, row: Row, a: Row, k: usize) -> f64 {
+        let rest = if k < 2 { 0.0 } else { self.partial(row, 1, row, k) };
+        (self.get(a, k) - rest) / (2.0 * self.get(row, 0))
+    }
+
+    /// Both weighted rows: of a, then of c.
+    fn power(&mut self, row: Row, a: Row, p: f64, weighted: Row, k: usize) -> f64 {
+        self.weigh(weighted, a, k);
+        let first = p * self.cauchy(weighted, 0, row, k - 1);
+        let second = if k < 2 { 0.0 } else { self.partial(weighted + 1, 0, a, k - 1) };
+        let value = (first - second) / (k as f64 * self.get(a, 0));
+        self.put(row, k, value);
+        self.weigh(weighted + 1, row, k);
+        value
+    }
+
+    fn inverse(&mut self, a: Row, f: Unary, helper: Row, k: usize) -> f64 {
+        let (u, sign) = match f {
+            Unary::Log => (a, 1.0),
+            Unary::Atan => {
+                let square = self.cauchy(a, 0, a, k);
+                self.put(helper + 1, k, square);
+                (helper + 1, 1.0)
+            }
+            _ => {
+                let square = self.cauchy(a, 0, a, k);
+                self.put(helper + 2, k, -square);
+                let root = self.square_root(helper + 1, helper + 2, k);
+                self.put(helper + 1, k, root);
+                (helper + 1, if f == Unary::Acos { -1.0 } else { 1.0 })
+            }
+        };
+        let right = sign * (k as f64 * self.get(a, k));
+        self.quotient_integral(right, u, helper, k)
+    }
+
+    /// c' u = r: k u_0 c_k = r_{k-1} - Σ_{j=1}^{k-1} j c_j u_{k-j}; `weighted` keeps j c_j.
+    fn quotient_integral(&mut self, right: f64, u: Row, weighted: Row, k: usize) -> f64 {
+        let rest = if k < 2 { 0.0 } else { self.partial(weighted, 0, u, k - 1) };
+        let slope = (right - rest) / self.get(u, 0);
+        let start = self.forward(weighted);
+        self.cells[start + k - 1] = slope;
+        slope / k as f64
+    }
+
+    /// Helper rows: u = x² + y², weighted y, weighted x, weighted c.
+    fn atan2(&mut self, y: Row, x: Row, helper: Row, k: usize) -> f64 {
+        let u = self.cauchy(x, 0, x, k) + self.cauchy(y, 0, y, k);
+        self.put(helper, k, u);
+        self.weigh(helper + 1, y, k);
+        self.weigh(helper + 2, x, k);
+        let right = self.cauchy(helper + 1, 0, x, k - 1) - self.cauchy(helper + 2, 0, y, k - 1);
+        self.quotient_integral(right, helper, helper + 3, k)
+    }
+
+    fn solve(&mut self, first: Row, index: usize, k: usize, plan: &Plan) {
+        let system = &plan.systems[index];
+        let mut h = std::mem::take(&mut self.scratch);
+        for (value, row) in h.iter_mut().zip(&system.right) {
+            *value = self.get(*row, k);
+        }
+        // M_1 .. M_k meet a_{k-1} .. a_0
+        for (i, j, entry) in &system.moving {
+            h[*i as usize] -= self.cauchy(*entry, 1, first + j, k - 1);
+            if i != j {
+                h[*j as usize] -= self.cauchy(*entry, 1, first + i, k - 1);
+            }
+        }
+        self.finish_solve(first, index, system.size, k, h);
+    }
+}

@@ -1,0 +1,197 @@
+//! Value numbering: equal operations get one value; operations on literals are carried out at once.
+
+use crate::{By, Coefficient, Instruction, Operation, Real, Register, Tape, Unary};
+use rustc_hash::FxHashMap;
+use symbolic::Expr;
+
+/// A tape under construction. Values are registers in order of creation, both sections mixed; [`Builder::finish`] separates them.
+#[derive(Default)]
+pub(super) struct Builder {
+    instructions: Vec<Instruction>,
+    /// Whether a register depends on parameters only.
+    constant: Vec<bool>,
+    /// The number that a register is known to hold.
+    literal: Vec<Option<f64>>,
+    seen: FxHashMap<Operation, Register>,
+    /// The expression that is being lowered.
+    pub(super) origin: Option<Expr>,
+}
+
+impl Builder {
+    /// Whether the value depends on parameters only.
+    pub(super) fn is_constant(&self, r: Register) -> bool {
+        self.constant[r.index()]
+    }
+
+    /// The number that the value is known to be.
+    pub(super) fn literal(&self, r: Register) -> Option<f64> {
+        self.literal[r.index()]
+    }
+
+    pub(super) fn number(&mut self, value: f64) -> Register {
+        // -0 and 0 are one constant
+        self.push(Operation::Number(Real(value + 0.0)))
+    }
+
+    /// The register as a coefficient, as a literal when known.
+    pub(super) fn coefficient(&self, r: Register) -> Coefficient {
+        self.literal(r).map_or(Coefficient::Register(r), Coefficient::number)
+    }
+
+    pub(super) fn multiply(&mut self, a: Register, b: Register) -> Register {
+        match (self.literal(a), self.literal(b)) {
+            (Some(x), Some(y)) => self.number(x * y),
+            (Some(1.0), _) => b,
+            (_, Some(1.0)) => a,
+            (Some(0.0), _) | (_, Some(0.0)) => self.number(0.0),
+            _ if a == b => self.push(Operation::Square(a)),
+            _ => self.push(Operation::Multiply(a.min(b), a.max(b))),
+        }
+    }
+
+    pub(super) fn divide(&mut self, a: Register, b: Register) -> Register {
+        match (self.literal(a), self.literal(b)) {
+            (Some(x), Some(y)) if y != 0.0 => self.number(x / y),
+            (_, Some(1.0)) => a,
+            _ => self.push(Operation::Divide(a, b)),
+        }
+    }
+
+    pub(super) fn unary(&mut self, f: Unary, a: Register) -> Register {
+        match self.literal(a).map(|x| f.apply(x)) {
+            Some(value) if value.is_finite() => self.number(value),
+            _ => self.push(Operation::Unary(f, a)),
+        }
+    }
+
+    pub(super) fn power(&mut self, a: Register, p: Coefficient) -> Register {
+        match (self.literal(a), p) {
+            (Some(x), Coefficient::Number(p)) if x.powf(p.0).is_finite() => self.number(x.powf(p.0)),
+            _ => self.push(Operation::Power(a, p)),
+        }
+    }
+
+    /// a^n for n >= 1 by squarings: x^5 = x (x²)².
+    pub(super) fn whole_power(&mut self, a: Register, n: u64) -> Register {
+        let (mut result, mut square, mut rest) = (None, a, n);
+        loop {
+            if rest & 1 == 1 {
+                result = Some(result.map_or(square, |r| self.multiply(r, square)));
+            }
+            rest >>= 1;
+            if rest == 0 {
+                return result.unwrap_or(a);
+            }
+            square = self.multiply(square, square);
+        }
+    }
+
+    /// sin a, cos a.
+    pub(super) fn sin_cos(&mut self, a: Register) -> (Register, Register) {
+        if let Some(x) = self.literal(a) {
+            return (self.number(x.sin()), self.number(x.cos()));
+        }
+        self.pair(Operation::SinCos(a))
+    }
+
+    /// sinh a, cosh a.
+    pub(super) fn sinh_cosh(&mut self, a: Register) -> (Register, Register) {
+        self.pair(Operation::SinhCosh(a))
+    }
+
+    fn pair(&mut self, operation: Operation) -> (Register, Register) {
+        let first = self.push(operation);
+        (first, Register(first.0 + 1))
+    }
+
+    pub(super) fn choose(&mut self, by: By, sides: [Register; 3]) -> Register {
+        if sides[0] == sides[1] && sides[1] == sides[2] {
+            return sides[0];
+        }
+        self.push(Operation::Choose { by, sides })
+    }
+
+    /// constant + Σ factor·value of values that depend on parameters only.
+    pub(super) fn constant_sum(&mut self, constant: f64, items: &[(f64, Register)]) -> Register {
+        let mut known = constant;
+        let mut terms: Vec<(Coefficient, Register)> = Vec::with_capacity(items.len());
+        for (factor, r) in items {
+            match self.literal(*r) {
+                Some(value) => known += factor * value,
+                None => terms.push((Coefficient::number(*factor), *r)),
+            }
+        }
+        self.linear(Coefficient::number(known), terms)
+    }
+
+    /// constant + Σ coefficient·register; the registers of the terms are distinct.
+    pub(super) fn linear(&mut self, constant: Coefficient, mut terms: Vec<(Coefficient, Register)>) -> Register {
+        let number = |c: Coefficient| if let Coefficient::Number(v) = c { Some(v.0) } else { None };
+        terms.retain(|(c, _)| number(*c) != Some(0.0));
+        match (number(constant), &terms[..]) {
+            (Some(value), []) => return self.number(value),
+            (None, []) => {
+                if let Coefficient::Register(r) = constant {
+                    return r;
+                }
+            }
+            (Some(0.0), [(c, r)]) if number(*c) == Some(1.0) => return *r,
+            _ => {}
+        }
+        self.push(Operation::Linear { constant, terms: terms.into() })
+    }
+
+    /// The value of an operation, shared with an equal one.
+    pub(super) fn push(&mut self, operation: Operation) -> Register {
+        if let Some(&known) = self.seen.get(&operation) {
+            return known;
+        }
+        let into = Register(self.constant.len() as u32);
+        let mut constant =
+            !matches!(operation, Operation::Time | Operation::State(_) | Operation::Acceleration(_) | Operation::Solve { .. })
+                && !matches!(operation, Operation::Choose { by: By::Mode(_), .. });
+        operation.operands(&mut |r| constant &= self.constant[r.index()]);
+        let literal = if let Operation::Number(v) = operation { Some(v.0) } else { None };
+        for _ in 0..operation.width() {
+            self.constant.push(constant);
+            self.literal.push(literal);
+        }
+        self.seen.insert(operation.clone(), into);
+        self.instructions.push(Instruction { into, operation, origin: self.origin });
+        into
+    }
+
+    /// Separates the sections, drops what no root or guard needs, numbers the registers.
+    pub(super) fn finish(self, mut tape: Tape) -> Tape {
+        let mut wanted = vec![false; self.constant.len()];
+        for r in tape.roots.iter().map(|r| r.register).chain(tape.guards.iter().flatten().copied()) {
+            wanted[r.index()] = true;
+        }
+        for i in self.instructions.iter().rev() {
+            if (0..i.operation.width()).any(|k| wanted[i.into.index() + k]) {
+                i.operation.operands(&mut |r| wanted[r.index()] = true);
+            }
+        }
+        let mut names = vec![Register(0); self.constant.len()];
+        let mut next = 0;
+        for section in [true, false] {
+            for i in self.instructions.iter().filter(|i| self.constant[i.into.index()] == section) {
+                let width = i.operation.width();
+                if !(0..width).any(|k| wanted[i.into.index() + k]) {
+                    continue;
+                }
+                let into = Register(next);
+                for k in 0..width {
+                    names[i.into.index() + k] = Register(next);
+                    next += 1;
+                }
+                let operation = i.operation.rename(&|r| names[r.index()]);
+                let list = if section { &mut tape.prologue } else { &mut tape.body };
+                list.push(Instruction { into, operation, origin: i.origin });
+            }
+        }
+        tape.roots.iter_mut().for_each(|r| r.register = names[r.register.index()]);
+        tape.guards.iter_mut().flatten().for_each(|r| *r = names[r.index()]);
+        tape
+    }
+}

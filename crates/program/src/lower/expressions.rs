@@ -1,0 +1,357 @@
+//! Any expressions into a tape, by an iterative walk: the depth of the graph is bounded by memory, not by the stack.
+
+use super::builder::Builder;
+use super::forms::Value;
+use crate::verify::verified;
+use crate::{By, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Tape};
+use rustc_hash::FxHashMap;
+use symbolic::{Expr, Function, Graph, Node, Rational, SymbolId};
+
+/// What the symbols of the expressions are. A symbol may be in one list only.
+#[derive(Clone, Debug, Default)]
+pub struct Inputs {
+    /// Parameters, by slot.
+    pub parameters: Vec<SymbolId>,
+    /// Time.
+    pub time: Option<SymbolId>,
+    /// States, by slot.
+    pub states: Vec<SymbolId>,
+    /// Accelerations, by slot.
+    pub accelerations: Vec<SymbolId>,
+    /// Symbols that count as zero.
+    pub zeros: Vec<SymbolId>,
+    /// Symbols that stand for formulas.
+    pub definitions: Vec<(SymbolId, Expr)>,
+}
+
+/// Lowers named expressions to a tape in which every switch goes by value.
+///
+/// *Errors*: P010 for a symbol without a meaning, P011 for definitions that form a cycle.
+pub fn expressions(graph: &Graph, name: &str, inputs: &Inputs, roots: &[(String, Expr)]) -> Result<Tape, Fault> {
+    Lowering::new(graph, inputs, Switches::Value).tape(name, roots)
+}
+
+#[derive(Clone, Copy)]
+enum Source {
+    Parameter(u32),
+    Time,
+    State(u32),
+    Acceleration(u32),
+    Zero,
+    Definition(Expr),
+}
+
+/// How the switches of a tape are decided.
+#[derive(Clone, Copy)]
+pub(super) enum Switches<'t> {
+    /// By the values of their guards.
+    Value,
+    /// Each guard gets a number, its mode is an input.
+    Collect,
+    /// By mode where this table knows the guard, else by value.
+    Known(&'t GuardTable),
+}
+
+/// The guards met so far.
+#[derive(Default)]
+pub(super) struct GuardTable {
+    pub(super) guards: Vec<Guard>,
+    /// Guard and sign by the function divided by the absolute factor of its first term, taken positive.
+    index: FxHashMap<GuardKey, (u32, bool)>,
+}
+
+/// A linear form up to a factor: the constant, then terms with factors.
+#[derive(PartialEq, Eq, Hash)]
+struct GuardKey(Rational, Vec<(Atom, Rational)>);
+
+/// A term as powers of bases; a lone expression is its own first power.
+type Atom = Box<[(Expr, Rational)]>;
+
+pub(super) struct Lowering<'g, 't> {
+    graph: &'g Graph,
+    builder: Builder,
+    sources: Vec<Option<Source>>,
+    values: Vec<Option<Value>>,
+    open: Vec<bool>,
+    shape: Shape,
+    switches: Switches<'t>,
+    pub(super) table: GuardTable,
+    guard_registers: Vec<Register>,
+}
+
+impl<'g, 't> Lowering<'g, 't> {
+    pub(super) fn new(graph: &'g Graph, inputs: &Inputs, switches: Switches<'t>) -> Lowering<'g, 't> {
+        let mut sources = vec![None; graph.symbol_count()];
+        let mut set = |s: SymbolId, source: Source| sources[s.index()] = Some(source);
+        inputs.definitions.iter().for_each(|(s, e)| set(*s, Source::Definition(*e)));
+        (0..).zip(&inputs.parameters).for_each(|(i, s)| set(*s, Source::Parameter(i)));
+        (0..).zip(&inputs.states).for_each(|(i, s)| set(*s, Source::State(i)));
+        (0..).zip(&inputs.accelerations).for_each(|(i, s)| set(*s, Source::Acceleration(i)));
+        inputs.time.into_iter().for_each(|s| set(s, Source::Time));
+        inputs.zeros.iter().for_each(|s| set(*s, Source::Zero));
+        let shape = Shape {
+            parameters: inputs.parameters.len(),
+            states: inputs.states.len(),
+            accelerations: inputs.accelerations.len(),
+            modes: match switches {
+                Switches::Known(table) => table.guards.len(),
+                _ => 0,
+            },
+        };
+        Lowering {
+            graph,
+            builder: Builder::default(),
+            sources,
+            values: vec![None; graph.len()],
+            open: vec![false; graph.len()],
+            shape,
+            switches,
+            table: GuardTable::default(),
+            guard_registers: Vec::new(),
+        }
+    }
+
+    /// The tape of named expressions.
+    pub(super) fn tape(mut self, name: &str, roots: &[(String, Expr)]) -> Result<Tape, Fault> {
+        let mut named = Vec::with_capacity(roots.len());
+        for (name, e) in roots {
+            named.push(Root { name: name.clone(), register: self.register(*e)? });
+        }
+        Ok(self.finish(name, named)?.0)
+    }
+
+    /// The register of an expression.
+    pub(super) fn register(&mut self, e: Expr) -> Result<Register, Fault> {
+        let value = self.value(e)?;
+        Ok(self.builder.whole(value))
+    }
+
+    /// A = M⁻¹ h.
+    pub(super) fn solve(&mut self, matrix: Vec<Option<Register>>, right: Vec<Register>) -> Register {
+        self.builder.push(Operation::Solve { matrix: matrix.into(), right: right.into() })
+    }
+
+    /// Whether the register is known to hold zero.
+    pub(super) fn is_zero(&self, r: Register) -> bool {
+        self.builder.literal(r) == Some(0.0)
+    }
+
+    /// Σ entry·acceleration - force.
+    pub(super) fn residual(&mut self, entries: &[Expr], force: Expr) -> Result<Register, Fault> {
+        let mut items = Vec::with_capacity(entries.len() + 1);
+        for (slot, entry) in (0..).zip(entries) {
+            let entry = self.value(*entry)?;
+            let acceleration = Value::Plain(self.builder.push(Operation::Acceleration(slot)));
+            items.push((1.0, self.builder.times(entry, acceleration)));
+        }
+        items.push((-1.0, self.value(force)?));
+        let sum = self.builder.sum(0.0, &items);
+        Ok(self.builder.whole(sum))
+    }
+
+    /// The state of that slot.
+    pub(super) fn state(&mut self, slot: usize) -> Register {
+        self.builder.push(Operation::State(slot as u32))
+    }
+
+    /// The tape with these roots, and the guards met.
+    pub(super) fn finish(self, name: &str, roots: Vec<Root>) -> Result<(Tape, GuardTable), Fault> {
+        let mut shape = self.shape;
+        let mut guards: Vec<Option<Register>> = vec![None; shape.modes];
+        if matches!(self.switches, Switches::Collect) {
+            guards = self.guard_registers.into_iter().map(Some).collect();
+            shape.modes = guards.len();
+        }
+        let tape = Tape { name: name.to_owned(), shape, guards, roots, ..Tape::default() };
+        Ok((verified(self.builder.finish(tape))?, self.table))
+    }
+
+    /// Values of everything below `e`, operands first.
+    fn value(&mut self, root: Expr) -> Result<Value, Fault> {
+        let mut stack = vec![root];
+        while let Some(&e) = stack.last() {
+            if self.values[e.index()].is_some() {
+                stack.pop();
+            } else if self.open[e.index()] {
+                stack.pop();
+                let value = self.step(e);
+                self.values[e.index()] = Some(value);
+            } else {
+                self.open[e.index()] = true;
+                self.push_operands(e, &mut stack)?;
+            }
+        }
+        Ok(self.known(root))
+    }
+
+    fn known(&self, e: Expr) -> Value {
+        self.values[e.index()].unwrap_or(Value::Plain(Register(0)))
+    }
+
+    fn push_operands(&self, e: Expr, stack: &mut Vec<Expr>) -> Result<(), Fault> {
+        let graph = self.graph;
+        let mut cycle = false;
+        let mut push = |operand: Expr| {
+            if self.values[operand.index()].is_none() {
+                cycle |= self.open[operand.index()];
+                stack.push(operand);
+            }
+        };
+        match graph.node(e) {
+            Node::Number(_) | Node::Pi => {}
+            Node::Symbol(s) => match self.sources[s.index()] {
+                Some(Source::Definition(formula)) => push(formula),
+                Some(_) => {}
+                None => return Err(Fault::about("P010", symbol_name(graph, *s)).at(Some(e))),
+            },
+            Node::Sum { terms: pairs, .. } | Node::Product { factors: pairs, .. } => pairs.iter().rev().for_each(|p| push(p.0)),
+            Node::Power { base, exponent } => [*exponent, *base].into_iter().for_each(push),
+            Node::Call { arguments, .. } => arguments.iter().rev().for_each(|a| push(*a)),
+            Node::Switch { guard, then, otherwise, .. } => [*otherwise, *then, *guard].into_iter().for_each(push),
+        }
+        // an open operand is an ancestor: only definitions can lead back to one
+        if cycle {
+            let name = graph.as_symbol(e).map_or_else(|| format!("{e:?}"), |s| symbol_name(graph, s));
+            return Err(Fault::about("P011", name).at(Some(e)));
+        }
+        Ok(())
+    }
+
+    /// The value of a node whose operands are known.
+    fn step(&mut self, e: Expr) -> Value {
+        self.builder.origin = Some(e);
+        let graph = self.graph;
+        match graph.node(e) {
+            Node::Number(r) => Value::Constant(self.builder.number(r.to_f64())),
+            Node::Pi => Value::Constant(self.builder.number(std::f64::consts::PI)),
+            Node::Symbol(s) => self.symbol(*s),
+            Node::Sum { constant, terms } => {
+                let items: Vec<_> = terms.iter().map(|(t, f)| (f.to_f64(), self.known(*t))).collect();
+                self.builder.sum(constant.to_f64(), &items)
+            }
+            Node::Product { coefficient, factors } => {
+                let items: Vec<_> = factors.iter().map(|(b, p)| (self.known(*b), p)).collect();
+                self.builder.product(coefficient.to_f64(), &items)
+            }
+            Node::Power { base, exponent } => self.builder.general_power(self.known(*base), self.known(*exponent)),
+            Node::Call { function, arguments } => self.call(*function, arguments),
+            Node::Switch { guard, strict, then, otherwise } => {
+                let (then, otherwise) = (self.known(*then), self.known(*otherwise));
+                let middle = if *strict { otherwise } else { then };
+                self.switch(GuardKind::If, (*guard, None), [otherwise, middle, then])
+            }
+        }
+    }
+
+    fn symbol(&mut self, s: SymbolId) -> Value {
+        let register = match self.sources[s.index()] {
+            Some(Source::Parameter(i)) => self.builder.push(Operation::Parameter(i)),
+            Some(Source::Time) => self.builder.push(Operation::Time),
+            Some(Source::State(i)) => self.builder.push(Operation::State(i)),
+            Some(Source::Acceleration(i)) => self.builder.push(Operation::Acceleration(i)),
+            Some(Source::Definition(e)) => return self.known(e),
+            Some(Source::Zero) | None => self.builder.number(0.0),
+        };
+        self.builder.classify(register)
+    }
+
+    fn call(&mut self, function: Function, arguments: &[Expr]) -> Value {
+        let values: Vec<Value> = arguments.iter().map(|a| self.known(*a)).collect();
+        let mut literal = |x: f64| Value::Constant(self.builder.number(x));
+        match function {
+            Function::Sign => {
+                let sides = [literal(-1.0), literal(0.0), literal(1.0)];
+                self.switch(GuardKind::Sign, (arguments[0], None), sides)
+            }
+            Function::Abs => {
+                let zero = literal(0.0);
+                let minus = self.builder.sum(0.0, &[(-1.0, values[0])]);
+                self.switch(GuardKind::Abs, (arguments[0], None), [minus, zero, values[0]])
+            }
+            Function::Min => self.switch(GuardKind::Min, (arguments[0], Some(arguments[1])), [values[0], values[0], values[1]]),
+            Function::Max => self.switch(GuardKind::Max, (arguments[0], Some(arguments[1])), [values[1], values[0], values[0]]),
+            smooth => self.builder.function(smooth, &values),
+        }
+    }
+
+    /// sides[sign(left - right)].
+    fn switch(&mut self, kind: GuardKind, (left, right): (Expr, Option<Expr>), sides: [Value; 3]) -> Value {
+        let mut items = vec![(1.0, self.known(left))];
+        items.extend(right.map(|r| (-1.0, self.known(r))));
+        let difference = self.builder.sum(0.0, &items);
+        let guard = self.builder.whole(difference);
+        if self.builder.is_constant(guard) {
+            return self.builder.branch(By::Value(guard), sides);
+        }
+        let Some((index, same)) = self.guard_index(Guard { kind, left, right }, guard) else {
+            return self.builder.branch(By::Value(guard), sides);
+        };
+        let sides = if same { sides } else { [sides[2], sides[1], sides[0]] };
+        self.builder.branch(By::Mode(index), sides)
+    }
+
+    /// The number of a guard and whether the function has the sign of the numbered one.
+    fn guard_index(&mut self, guard: Guard, register: Register) -> Option<(u32, bool)> {
+        if matches!(self.switches, Switches::Value) {
+            return None;
+        }
+        let (key, positive) = guard_key(self.graph, &guard);
+        match self.switches {
+            Switches::Known(table) => table.index.get(&key).map(|(i, sign)| (*i, *sign == positive)),
+            _ => {
+                let table = &mut self.table;
+                let next = table.guards.len() as u32;
+                let (index, sign) = *table.index.entry(key).or_insert((next, positive));
+                if index == next {
+                    table.guards.push(guard);
+                    self.guard_registers.push(register);
+                }
+                Some((index, sign == positive))
+            }
+        }
+    }
+}
+
+fn symbol_name(graph: &Graph, s: SymbolId) -> String {
+    let symbol = graph.symbol_info(s);
+    format!("{}{}", symbol.name, "'".repeat(usize::from(symbol.primes)))
+}
+
+/// The powers of a term and its number times `factor`.
+fn atom(graph: &Graph, e: Expr, factor: &Rational) -> (Atom, Rational) {
+    match graph.node(e) {
+        Node::Product { coefficient, factors } => (factors.clone(), coefficient * factor),
+        _ => (Box::from([(e, Rational::ONE)]), factor.clone()),
+    }
+}
+
+/// left - right divided by the absolute factor of its first term and made positive there; the flag tells whether it was positive.
+fn guard_key(graph: &Graph, guard: &Guard) -> (GuardKey, bool) {
+    let mut constant = Rational::ZERO;
+    let mut terms: Vec<(Atom, Rational)> = Vec::new();
+    for (e, sign) in [(Some(guard.left), Rational::ONE), (guard.right, Rational::MINUS_ONE)] {
+        let Some(e) = e else { continue };
+        match graph.node(e) {
+            Node::Number(r) => constant = &constant + &(r * &sign),
+            Node::Sum { constant: c, terms: inner } => {
+                constant = &constant + &(c * &sign);
+                terms.extend(inner.iter().map(|(t, f)| atom(graph, *t, &(f * &sign))));
+            }
+            _ => terms.push(atom(graph, e, &sign)),
+        }
+    }
+    terms.sort();
+    terms.dedup_by(|later, earlier| {
+        let same = later.0 == earlier.0;
+        if same {
+            earlier.1 = &earlier.1 + &later.1;
+        }
+        same
+    });
+    terms.retain(|t| !t.1.is_zero());
+    let Some(first) = terms.first().map(|t| t.1.clone()) else {
+        return (GuardKey(constant, terms), true);
+    };
+    let scaled = terms.into_iter().map(|(a, f)| (a, &f / &first)).collect();
+    (GuardKey(&constant / &first, scaled), !first.is_negative())
+}

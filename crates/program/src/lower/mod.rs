@@ -1,0 +1,9 @@
+//! Lowering: from the expression graph to tapes.
+
+mod builder;
+mod equations;
+mod expressions;
+mod forms;
+
+pub use equations::equations;
+pub use expressions::{Inputs, expressions};

@@ -1,0 +1,204 @@
+//! Dense symmetric systems: M = L D Lᵀ, and P M = L U with row exchanges when a pivot is not safely positive.
+//!
+//! A mass matrix is positive definite on a sound model, where L D Lᵀ without exchanges is stable (Golub and Van Loan, Matrix
+//! Computations, section 4.1). An indefinite matrix (negative added masses, wrong data) still has a unique solution when it is not
+//! singular; the exchanges find it.
+
+/// A factored matrix; reused from call to call without allocation.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Factor {
+    size: usize,
+    /// Lower triangle as loaded, packed by rows.
+    packed: Vec<f64>,
+    /// L with D on the diagonal, or L and U.
+    square: Vec<f64>,
+    /// Row exchanges when L U is in use.
+    exchanges: Vec<usize>,
+    general: bool,
+}
+
+/// A pivot below this part, times n, of the largest entry of its row has lost all digits to cancellation.
+const SINGULAR: f64 = 4.0 * f64::EPSILON;
+
+impl Factor {
+    /// Takes the lower triangle of a matrix, by rows.
+    pub(crate) fn load(&mut self, size: usize, entries: impl Iterator<Item = f64>) {
+        self.size = size;
+        self.packed.clear();
+        self.packed.extend(entries);
+        self.square.resize(size * size, 0.0);
+    }
+
+    /// Factors; the error is the index of the row that depends on the rows before it. Entries that are not finite pass through and
+    /// spoil the solution, which is reported where it is used.
+    pub(crate) fn factor(&mut self) -> Result<(), usize> {
+        self.general = false;
+        if self.cholesky() {
+            return Ok(());
+        }
+        if self.packed.iter().any(|v| !v.is_finite()) {
+            return Ok(());
+        }
+        self.general = true;
+        self.eliminate()
+    }
+
+    /// d_j = m_jj - Σ_k l_jk² d_k,  l_ij = (m_ij - Σ_k l_ik l_jk d_k)/d_j. False when a pivot is not safely positive.
+    fn cholesky(&mut self) -> bool {
+        let n = self.size;
+        let mut start = 0;
+        for i in 0..n {
+            let (done, row) = self.square.split_at_mut(i * n);
+            let row = &mut row[..n];
+            row[..=i].copy_from_slice(&self.packed[start..=start + i]);
+            let diagonal = row[i];
+            start += i + 1;
+            // row holds c_ij = l_ij d_j until the end, then is divided
+            for j in 0..i {
+                let other = &done[j * n..j * n + j];
+                let sum: f64 = other.iter().zip(&row[..j]).map(|(l, c)| l * c).sum();
+                row[j] -= sum;
+            }
+            let mut pivot = diagonal;
+            for j in 0..i {
+                let l = row[j] / done[j * n + j];
+                pivot -= l * row[j];
+                row[j] = l;
+            }
+            if pivot.is_nan() || pivot <= SINGULAR * n as f64 * diagonal {
+                return false;
+            }
+            row[i] = pivot;
+        }
+        true
+    }
+
+    /// Gaussian elimination with row exchanges; rows are scaled by their largest entry for the choice of pivots.
+    fn eliminate(&mut self) -> Result<(), usize> {
+        let n = self.size;
+        let mut start = 0;
+        for i in 0..n {
+            for j in 0..=i {
+                self.square[i * n + j] = self.packed[start + j];
+                self.square[j * n + i] = self.packed[start + j];
+            }
+            start += i + 1;
+        }
+        let row_size = |i: usize, s: &[f64]| s[i * n..(i + 1) * n].iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let mut sizes: Vec<f64> = (0..n).map(|i| row_size(i, &self.square)).collect();
+        self.exchanges.clear();
+        for column in 0..n {
+            let merit = |i: usize, s: &[f64]| if sizes[i] > 0.0 { s[i * n + column].abs() / sizes[i] } else { 0.0 };
+            let mut best = column;
+            for i in column + 1..n {
+                if merit(i, &self.square) > merit(best, &self.square) {
+                    best = i;
+                }
+            }
+            let found = merit(best, &self.square);
+            if found.is_nan() || found <= SINGULAR * n as f64 {
+                return Err(column);
+            }
+            self.exchanges.push(best);
+            sizes.swap(column, best);
+            for j in 0..n {
+                self.square.swap(column * n + j, best * n + j);
+            }
+            let (done, rest) = self.square.split_at_mut((column + 1) * n);
+            let pivot_row = &done[column * n..];
+            for row in rest.chunks_exact_mut(n) {
+                row[column] /= pivot_row[column];
+                let factor = row[column];
+                for j in column + 1..n {
+                    row[j] -= factor * pivot_row[j];
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Replaces h, of the size of M, by M⁻¹ h.
+    pub(crate) fn solve(&self, h: &mut [f64]) {
+        if self.general { self.solve_general(h) } else { self.solve_symmetric(h) }
+    }
+
+    fn solve_symmetric(&self, h: &mut [f64]) {
+        let n = self.size;
+        for i in 0..n {
+            let row = &self.square[i * n..i * n + i];
+            let mut value = h[i];
+            for (l, x) in row.iter().zip(&h[..i]) {
+                value -= l * x;
+            }
+            h[i] = value;
+        }
+        for (i, value) in h.iter_mut().enumerate() {
+            *value /= self.square[i * n + i];
+        }
+        for i in (0..n).rev() {
+            let value = h[i];
+            let row = &self.square[i * n..i * n + i];
+            for (l, x) in row.iter().zip(&mut h[..i]) {
+                *x -= l * value;
+            }
+        }
+    }
+
+    fn solve_general(&self, h: &mut [f64]) {
+        let n = self.size;
+        for (i, other) in self.exchanges.iter().enumerate() {
+            h.swap(i, *other);
+        }
+        for i in 0..n {
+            let (done, rest) = h.split_at_mut(i);
+            for (l, x) in self.square[i * n..i * n + i].iter().zip(&*done) {
+                rest[0] -= l * x;
+            }
+        }
+        for i in (0..n).rev() {
+            let mut value = h[i];
+            for (u, x) in self.square[i * n + i + 1..(i + 1) * n].iter().zip(&h[i + 1..]) {
+                value -= u * x;
+            }
+            h[i] = value / self.square[i * n + i];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Factor;
+
+    fn solved(matrix: &[f64], h: &[f64]) -> Result<Vec<f64>, usize> {
+        let mut factor = Factor::default();
+        factor.load(h.len(), matrix.iter().copied());
+        factor.factor()?;
+        let mut x = h.to_vec();
+        factor.solve(&mut x);
+        Ok(x)
+    }
+
+    #[test]
+    fn positive_definite_system_is_solved() {
+        // [[4, 1], [1, 3]] x = [1, 2] has x = [1/11, 7/11]
+        let x = solved(&[4.0, 1.0, 3.0], &[1.0, 2.0]).unwrap();
+        assert!((x[0] - 1.0 / 11.0).abs() < 1e-16 && (x[1] - 7.0 / 11.0).abs() < 2e-16);
+    }
+
+    #[test]
+    fn indefinite_system_falls_back_to_exchanges() {
+        // [[0, 1], [1, 0]] x = [2, 5]
+        assert_eq!(solved(&[0.0, 1.0, 0.0], &[2.0, 5.0]), Ok(vec![5.0, 2.0]));
+    }
+
+    #[test]
+    fn singular_matrix_names_the_dependent_row() {
+        assert_eq!(solved(&[1.0, 1.0, 1.0], &[1.0, 1.0]), Err(1));
+        assert_eq!(solved(&[0.0], &[1.0]), Err(0));
+    }
+
+    #[test]
+    fn badly_scaled_diagonal_is_not_singular() {
+        assert_eq!(solved(&[1e20, 0.0, 1e-20], &[1e20, 1e-20]), Ok(vec![1.0, 1.0]));
+    }
+}

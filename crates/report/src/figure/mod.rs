@@ -1,0 +1,237 @@
+//! Figures: what to draw, apart from how. Values are SI; the scale of an axis turns them into what is shown.
+//!
+//! A figure is over time ([`Kind::Curves`]: x grows, all curves share the zoom of the other figures of a page) or in a plane
+//! ([`Kind::Plane`]: phase portraits, trajectories). [`svg::write`] draws it as a file, [`png::write`] rasterises that, and
+//! [`crate::page`] makes it interactive.
+
+pub mod decimate;
+mod layout;
+pub mod png;
+pub mod svg;
+pub mod ticks;
+
+use crate::language::{Language, Word};
+use crate::symbol;
+use crate::unit::Scale;
+use analysis::Dataset;
+use analysis::dataset::Column;
+
+/// A figure.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// Stem of file names and anchors.
+    pub name: String,
+    /// What is shown; the caption.
+    pub title: String,
+    /// Curves over a common axis, or a plane.
+    pub kind: Kind,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Curves.
+    pub series: Vec<Series>,
+    /// Lines and points with a word beside them.
+    pub marks: Vec<Mark>,
+    /// What happened along x: shown as a strip under the curves.
+    pub strip: Vec<Happening>,
+}
+
+/// How x is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// x grows along each curve.
+    Curves,
+    /// Curves in a plane; with equal scales a circle is round.
+    Plane {
+        /// One unit of x is as long as one unit of y.
+        equal: bool,
+    },
+}
+
+/// An axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Names of the model shown as symbols, with commas between.
+    pub symbols: Vec<String>,
+    /// Unit of each symbol (ASCII label) when they are unlike; empty when `scale` holds for all.
+    pub units: Vec<String>,
+    /// Unit in which values are shown.
+    pub scale: Scale,
+    /// Logarithmic.
+    pub log: bool,
+}
+
+/// A curve. NaN breaks the line.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Name of the model, shown as a symbol.
+    pub name: String,
+    /// What it is, in words; empty for none.
+    pub label: String,
+    /// Abscissas, SI.
+    pub x: Vec<f64>,
+    /// Ordinates, SI, as many.
+    pub y: Vec<f64>,
+}
+
+/// A line or point that is pointed out.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mark {
+    /// Vertical line.
+    Vertical {
+        /// Abscissa, SI.
+        x: f64,
+        /// Words beside it.
+        label: String,
+    },
+    /// Horizontal line.
+    Horizontal {
+        /// Ordinate, SI.
+        y: f64,
+        /// Words beside it.
+        label: String,
+    },
+    /// Point.
+    Point {
+        /// Abscissa, SI.
+        x: f64,
+        /// Ordinate, SI.
+        y: f64,
+        /// Words beside it.
+        label: String,
+    },
+}
+
+/// Something on the event strip: an instant (`to` equals `from`) or an interval, which is also shaded behind the curves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Happening {
+    /// Start, SI.
+    pub from: f64,
+    /// End, SI.
+    pub to: f64,
+    /// What.
+    pub what: String,
+}
+
+/// Colours of Okabe and Ito (Color Universal Design, 2008), black and the pale yellow left out, in an order in which neighbours differ
+/// in lightness too.
+pub const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+/// Dash patterns beside the colours, so that curves differ in black and white.
+pub const DASHES: [&[f64]; 6] = [&[], &[8.0, 4.0], &[2.0, 3.0], &[10.0, 3.0, 2.0, 3.0], &[14.0, 5.0], &[5.0, 2.0, 1.0, 2.0, 1.0, 2.0]];
+
+/// Colour and dash pattern of the i-th curve; after six the colours repeat with other dashes, 36 curves in all.
+pub fn style(i: usize) -> (&'static str, &'static [f64]) {
+    (COLOURS[i % 6], DASHES[(i + i / 6) % 6])
+}
+
+impl Axis {
+    /// An axis for these columns: symbols, common unit, SI prefix after the largest value. Columns of unlike units share an axis
+    /// without prefix, each unit then stands behind its symbol.
+    pub fn of_columns(columns: &[&Column]) -> Axis {
+        let symbols = columns.iter().map(|c| c.quantity.symbol.clone()).collect();
+        let unit = columns.first().map_or("1", |c| c.quantity.unit.as_str());
+        if columns.iter().any(|c| c.quantity.unit != unit) {
+            let units = columns.iter().map(|c| c.quantity.unit.clone()).collect();
+            return Axis { symbols, units, scale: Scale::plain(""), log: false };
+        }
+        let largest = columns.iter().flat_map(|c| &c.values).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
+        Axis { symbols, units: Vec::new(), scale: Scale::of_column(unit, largest), log: false }
+    }
+
+    /// The axis as plain text: `φ′, рад/с`.
+    pub fn plain(&self, language: Language) -> String {
+        self.join(language, symbol::plain)
+    }
+
+    /// The axis as HTML with slanted symbols.
+    pub fn html(&self, language: Language) -> String {
+        self.join(language, symbol::html)
+    }
+
+    /// Unit in print of the i-th symbol.
+    pub fn unit(&self, i: usize, language: Language) -> String {
+        self.units.get(i).map_or_else(|| self.scale.print(language), |label| crate::unit::print(label, language))
+    }
+
+    fn join(&self, language: Language, print: impl Fn(&str) -> String) -> String {
+        let with_unit =
+            |symbol: String, unit: String| if unit.is_empty() { symbol } else { format!("{symbol}, {}", crate::escape::markup(&unit)) };
+        if self.units.is_empty() {
+            let symbols: Vec<String> = self.symbols.iter().map(|s| print(s)).collect();
+            return with_unit(symbols.join(", "), self.scale.print(language));
+        }
+        let parts: Vec<String> = self.symbols.iter().enumerate().map(|(i, s)| with_unit(print(s), self.unit(i, language))).collect();
+        parts.join("; ")
+    }
+}
+
+impl Figure {
+    /// Columns of a dataset over its axis, with the events of the dataset as a strip.
+    /// None if the dataset has no axis or a name is not a column.
+    pub fn over_axis(data: &Dataset, names: &[&str], language: Language) -> Option<Figure> {
+        let axis = data.columns.get(data.axis?)?;
+        let strip = data.events.iter().map(|e| Happening { from: e.t, to: e.t, what: language.text(&e.what).into() }).collect();
+        let mut figure = Figure::of(axis, names, data, language)?;
+        figure.strip = strip;
+        Some(figure)
+    }
+
+    /// Columns of a dataset over another column: phase portraits, trajectories. Scales are equal when the units are.
+    /// None if a name is not a column.
+    pub fn in_plane(data: &Dataset, x: &str, names: &[&str], language: Language) -> Option<Figure> {
+        let abscissa = data.column(x)?;
+        let mut figure = Figure::of(abscissa, names, data, language)?;
+        figure.title = against(&figure.y.symbols, &abscissa.quantity.symbol, language);
+        let lengths = |axis: &Axis| axis.scale.label == "m" || axis.scale.label.ends_with("mm") || axis.scale.label == "um";
+        figure.kind = Kind::Plane { equal: lengths(&figure.x) && lengths(&figure.y) };
+        if figure.kind == (Kind::Plane { equal: true }) {
+            // one prefix for both, or the picture would lie about shape
+            let scale = if figure.x.scale.size > figure.y.scale.size { &figure.x.scale } else { &figure.y.scale }.clone();
+            figure.x.scale = scale.clone();
+            figure.y.scale = scale;
+        }
+        Some(figure)
+    }
+
+    fn of(x: &Column, names: &[&str], data: &Dataset, language: Language) -> Option<Figure> {
+        let columns: Vec<&Column> = names.iter().map(|n| data.column(n)).collect::<Option<_>>()?;
+        let series = columns
+            .iter()
+            .map(|c| Series {
+                name: c.quantity.symbol.clone(),
+                label: language.text(&c.quantity.label).into(),
+                x: x.values.clone(),
+                y: c.values.clone(),
+            })
+            .collect();
+        let y = Axis::of_columns(&columns);
+        let title = match columns.as_slice() {
+            [only] if !language.text(&only.quantity.label).is_empty() => capital(language.text(&only.quantity.label)),
+            _ => against(&y.symbols, &x.quantity.symbol, language),
+        };
+        Some(Figure {
+            name: crate::escape::file_name(&names.join("-").replace('\'', "_rate")),
+            title,
+            kind: Kind::Curves,
+            x: Axis::of_columns(&[x]),
+            y,
+            series,
+            marks: Vec::new(),
+            strip: Vec::new(),
+        })
+    }
+}
+
+/// `φ, φ′ against t`.
+fn against(symbols: &[String], x: &str, language: Language) -> String {
+    let names: Vec<String> = symbols.iter().map(|s| symbol::plain(s)).collect();
+    let words = format!("{} {} {}", names.join(", "), language.word(Word::Against), symbol::plain(x));
+    language.pick(words.clone(), format!("Зависимость {words}"))
+}
+
+/// The text with a capital first letter.
+fn capital(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
+}

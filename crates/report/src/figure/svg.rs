@@ -1,0 +1,280 @@
+//! A figure as a static SVG file: light, printable, readable without fonts of ours.
+//!
+//! Own writer instead of a plotting library: the library tried (kuva 0.6) has no event strip, no slanted symbols in axis labels, loses
+//! dash patterns in PNG and uses one clip name for all pictures, which breaks several pictures on one page.
+
+use super::layout::{LEGEND_ROW, Layout, STRIP, TEXT, lay, text_width};
+use super::{Axis, Figure, Kind, Mark, decimate, style};
+use crate::escape::markup;
+use crate::language::{Language, Word};
+use crate::symbol;
+use std::fmt::Write;
+
+/// Fonts by preference; the first is the one that PNG files carry.
+const FONTS: &str = "DejaVu Sans, Verdana, Segoe UI, Arial, sans-serif";
+const INK: &str = "#1a1a1a";
+const SOFT: &str = "#5a5a5a";
+const GRID: &str = "#e2e2e2";
+
+/// The figure as an SVG document. `titled` puts the title above; a figure with a caption beside it needs none.
+pub fn write(figure: &Figure, titled: bool, language: Language) -> String {
+    let layout = lay(figure, titled, language);
+    let mut out = String::with_capacity(32 * 1024);
+    let (w, h) = (layout.width, layout.height);
+    let _ = write!(
+        out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h:.0}\" viewBox=\"0 0 {w} {h:.0}\" role=\"img\" \
+         aria-label=\"{}\" font-family=\"{FONTS}\" font-size=\"{TEXT}\" fill=\"{INK}\">\n<rect width=\"{w}\" height=\"{h:.0}\" fill=\"#ffffff\"/>\n",
+        markup(&figure.title)
+    );
+    if titled {
+        let _ = writeln!(out, "<text x=\"{:.1}\" y=\"18\" font-size=\"14\">{}</text>", layout.area.left, markup(&figure.title));
+    }
+    let mut draw = Draw { out, layout: &layout, figure, language };
+    draw.legend();
+    draw.intervals();
+    draw.grid();
+    if layout.empty {
+        draw.nothing();
+    } else {
+        draw.curves();
+        draw.marks();
+    }
+    draw.strip();
+    draw.axis_labels();
+    draw.out.push_str("</svg>\n");
+    draw.out
+}
+
+struct Draw<'a> {
+    out: String,
+    layout: &'a Layout,
+    figure: &'a Figure,
+    language: Language,
+}
+
+// writing into a string cannot fail: results of `write!` are dropped throughout
+impl Draw<'_> {
+    fn legend(&mut self) {
+        let entries = self.layout.entries.clone();
+        for (i, ((row, x), series)) in entries.into_iter().zip(&self.figure.series).enumerate() {
+            let y = self.layout.legend + (row as f64 + 0.5) * LEGEND_ROW;
+            let _ = write!(self.out, "<path d=\"M{x:.1} {y:.1}h34\" {}/>", stroke(i));
+            let _ = write!(self.out, "<text x=\"{:.1}\" y=\"{:.1}\">", x + 42.0, y + 4.0);
+            self.symbol(&series.name);
+            if !series.label.is_empty() {
+                let _ = write!(self.out, " – {}", markup(&series.label));
+            }
+            self.out.push_str("</text>\n");
+        }
+    }
+
+    /// Intervals of the event strip, shaded behind the curves.
+    fn intervals(&mut self) {
+        let area = self.layout.area;
+        for happening in self.figure.strip.iter().filter(|h| h.to > h.from) {
+            let (Some(a), Some(b)) = (self.layout.x.pixel(happening.from), self.layout.x.pixel(happening.to)) else { continue };
+            let (a, b) = (a.max(area.left), b.min(area.right));
+            if b > a {
+                let _ = writeln!(
+                    self.out,
+                    "<rect x=\"{a:.2}\" y=\"{:.1}\" width=\"{:.2}\" height=\"{:.1}\" fill=\"#f3f0e6\"/>",
+                    area.top,
+                    b - a,
+                    area.bottom - area.top
+                );
+            }
+        }
+    }
+
+    fn grid(&mut self) {
+        let a = self.layout.area;
+        let mut lines = String::new();
+        let mut labels = String::new();
+        for tick in &self.layout.x.ticks {
+            let Some(x) = self.layout.x.pixel_of_shown(tick.at) else { continue };
+            let _ = write!(lines, "M{x:.1} {:.1}V{:.1}", a.top, a.bottom);
+            let _ = write!(labels, "<text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>", a.bottom + 17.0, markup(&tick.label));
+        }
+        for tick in &self.layout.y.ticks {
+            let Some(y) = self.layout.y.pixel_of_shown(tick.at) else { continue };
+            let _ = write!(lines, "M{:.1} {y:.1}H{:.1}", a.left, a.right);
+            let _ =
+                write!(labels, "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>", a.left - 8.0, y + 4.0, markup(&tick.label));
+        }
+        let _ = writeln!(self.out, "<path d=\"{lines}\" stroke=\"{GRID}\" fill=\"none\"/>\n{labels}");
+        if let Some(zero) = self.layout.y.pixel_of_shown(0.0).filter(|y| *y > a.top && *y < a.bottom) {
+            let _ = writeln!(self.out, "<path d=\"M{:.1} {zero:.1}H{:.1}\" stroke=\"#b0b0b0\" fill=\"none\"/>", a.left, a.right);
+        }
+        let _ =
+            writeln!(self.out, "<path d=\"M{:.1} {:.1}V{:.1}H{:.1}\" stroke=\"{INK}\" fill=\"none\"/>", a.left, a.top, a.bottom, a.right);
+    }
+
+    fn curves(&mut self) {
+        let a = self.layout.area;
+        // a nested svg cuts at its edges and needs no name, so that several pictures can stand on one page
+        let _ = writeln!(
+            self.out,
+            "<svg x=\"{0:.1}\" y=\"{1:.1}\" width=\"{2:.1}\" height=\"{3:.1}\" viewBox=\"{0:.1} {1:.1} {2:.1} {3:.1}\" overflow=\"hidden\">",
+            a.left,
+            a.top,
+            a.right - a.left,
+            a.bottom - a.top
+        );
+        for (i, series) in self.figure.series.iter().enumerate() {
+            let kept = match self.figure.kind {
+                Kind::Curves => decimate::buckets(&series.x, &[&series.y], (a.right - a.left) as usize),
+                Kind::Plane { .. } => decimate::plane(&series.x, &series.y, 600, 6000),
+            };
+            let path = self.path(kept.into_iter().map(|i| (series.x[i], series.y[i])));
+            let _ = writeln!(self.out, "<path d=\"{path}\" {}/>", stroke(i));
+        }
+        self.out.push_str("</svg>\n");
+    }
+
+    fn path(&self, points: impl Iterator<Item = (f64, f64)>) -> String {
+        let mut path = String::new();
+        let mut pen = 'M';
+        for (x, y) in points {
+            match (self.layout.x.pixel(x), self.layout.y.pixel(y)) {
+                (Some(px), Some(py)) => {
+                    let _ = write!(path, "{pen}{px:.2} {py:.2}");
+                    pen = 'L';
+                }
+                _ => pen = 'M',
+            }
+        }
+        path
+    }
+
+    fn marks(&mut self) {
+        let a = self.layout.area;
+        for mark in &self.figure.marks {
+            let (x, y, label) = match mark {
+                Mark::Vertical { x, label } => (Some(*x), None, label),
+                Mark::Horizontal { y, label } => (None, Some(*y), label),
+                Mark::Point { x, y, label } => (Some(*x), Some(*y), label),
+            };
+            let px = x.map_or(Some(a.right), |x| self.layout.x.pixel(x)).filter(|p| (a.left..=a.right).contains(p));
+            let py = y.map_or(Some(a.top), |y| self.layout.y.pixel(y)).filter(|p| (a.top..=a.bottom).contains(p));
+            let (Some(px), Some(py)) = (px, py) else { continue };
+            let _ = match mark {
+                Mark::Vertical { .. } => {
+                    write!(self.out, "<path d=\"M{px:.1} {:.1}V{:.1}\" stroke=\"{SOFT}\" stroke-dasharray=\"3 3\"/>", a.top, a.bottom)
+                }
+                Mark::Horizontal { .. } => {
+                    write!(self.out, "<path d=\"M{:.1} {py:.1}H{:.1}\" stroke=\"{SOFT}\" stroke-dasharray=\"3 3\"/>", a.left, a.right)
+                }
+                Mark::Point { .. } => write!(self.out, "<circle cx=\"{px:.1}\" cy=\"{py:.1}\" r=\"3.5\" fill=\"{INK}\"/>"),
+            };
+            // words stay inside: left of the point in the right half
+            let right_half = px > (a.left + a.right) / 2.0;
+            let (anchor, dx) = if right_half { ("end", -6.0) } else { ("start", 6.0) };
+            let dy = if py < a.top + 18.0 { 14.0 } else { -6.0 };
+            let _ = writeln!(
+                self.out,
+                "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" fill=\"{SOFT}\">{}</text>",
+                px + dx,
+                py + dy,
+                markup(label)
+            );
+        }
+    }
+
+    /// The event strip: a tick for an instant, a bar for an interval, words where they fit.
+    fn strip(&mut self) {
+        if self.figure.strip.is_empty() {
+            return;
+        }
+        let a = self.layout.area;
+        let top = a.bottom + 24.0;
+        let mut free = a.left;
+        for happening in &self.figure.strip {
+            let (Some(from), Some(to)) = (self.layout.x.pixel(happening.from), self.layout.x.pixel(happening.to)) else { continue };
+            if to < a.left - 0.5 || from > a.right + 0.5 {
+                continue;
+            }
+            let (from, to) = (from.max(a.left), to.min(a.right));
+            let _ = if to - from > 2.0 {
+                write!(self.out, "<rect x=\"{from:.2}\" y=\"{top:.1}\" width=\"{:.2}\" height=\"12\" fill=\"#d8cfb4\"/>", to - from)
+            } else {
+                write!(self.out, "<path d=\"M{from:.2} {top:.1}v12\" stroke=\"{SOFT}\" stroke-width=\"1.5\"/>")
+            };
+            let wide = text_width(&happening.what, 10.0);
+            if from + 4.0 >= free && from + 4.0 + wide <= a.right {
+                let _ = write!(
+                    self.out,
+                    "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"10\" fill=\"{SOFT}\">{}</text>",
+                    from + 4.0,
+                    top + 9.5,
+                    markup(&happening.what)
+                );
+                free = from + 4.0 + wide + 6.0;
+            } else {
+                free = free.max(from + 4.0);
+            }
+        }
+        self.out.push('\n');
+    }
+
+    fn axis_labels(&mut self) {
+        let a = self.layout.area;
+        let strip = if self.figure.strip.is_empty() { 0.0 } else { STRIP };
+        let _ = write!(self.out, "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">", a.right, a.bottom + strip + 34.0);
+        self.axis(&self.figure.x);
+        let _ = write!(self.out, "</text>\n<text x=\"{:.1}\" y=\"{:.1}\">", (a.left - 30.0).max(4.0), a.top - 10.0);
+        self.axis(&self.figure.y);
+        self.out.push_str("</text>\n");
+    }
+
+    fn axis(&mut self, axis: &Axis) {
+        for (i, name) in axis.symbols.iter().enumerate() {
+            if i > 0 {
+                self.out.push_str(if axis.units.is_empty() { ", " } else { "; " });
+            }
+            self.symbol(name);
+            let unit = axis.unit(i, self.language);
+            if !unit.is_empty() && (!axis.units.is_empty() || i + 1 == axis.symbols.len()) {
+                let _ = write!(self.out, ", {}", markup(&unit));
+            }
+        }
+    }
+
+    /// A symbol as spans: slanted Latin letters, index below the line.
+    fn symbol(&mut self, name: &str) {
+        let mut low = false;
+        for piece in symbol::pieces(name) {
+            let dy = match (low, piece.index) {
+                (false, true) => " dy=\"3\"",
+                (true, false) => " dy=\"-3\"",
+                _ => "",
+            };
+            low = piece.index;
+            let italic = if piece.italic { " font-style=\"italic\"" } else { "" };
+            let size = if piece.index { " font-size=\"9\"" } else { "" };
+            let _ = write!(self.out, "<tspan{dy}{italic}{size}>{}</tspan>", markup(&piece.text));
+        }
+        if low {
+            // back to the line for what follows; a zero-width space carries the shift
+            self.out.push_str("<tspan dy=\"-3\">\u{200b}</tspan>");
+        }
+    }
+
+    fn nothing(&mut self) {
+        let a = self.layout.area;
+        let (x, y) = ((a.left + a.right) / 2.0, (a.top + a.bottom) / 2.0);
+        let words = self.language.word(Word::NoData);
+        let _ = writeln!(self.out, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"middle\" fill=\"{SOFT}\">{words}</text>");
+    }
+}
+
+/// Stroke attributes of the i-th curve.
+fn stroke(i: usize) -> String {
+    let (colour, dash) = style(i);
+    let mut out = format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"");
+    if !dash.is_empty() {
+        let pattern: Vec<String> = dash.iter().map(f64::to_string).collect();
+        let _ = write!(out, " stroke-dasharray=\"{}\"", pattern.join(" "));
+    }
+    out
+}

@@ -1,0 +1,37 @@
+//! Printing of symbolic expressions and equations the way a textbook sets them.
+//!
+//! ```text
+//! Expr --compose--> Layout --text / latex / mathml--> String
+//!         ^ names (`phi1` -> φ₁), order of factors and terms, signs, fractions, numbers
+//! ```
+//!
+//! One layout serves the three writers, so the forms never disagree about order or signs. All choices of taste live in two files:
+//! `order.rs` (what stands before what) and `product.rs` (signs, fractions, functions). Start with [`Printer::of`].
+
+mod classes;
+mod compose;
+mod language;
+mod latex;
+mod layout;
+mod lines;
+mod mathml;
+mod names;
+mod numeral;
+mod order;
+mod printer;
+mod product;
+mod steps;
+mod switch;
+#[cfg(test)]
+mod tests;
+mod text;
+
+pub use crate::Language;
+pub use classes::SymbolClass;
+pub use layout::{Bracket, Identifier, Index, Layout, Relation, Row, Shape, Sign};
+pub use printer::{Form, Placement, Printer};
+
+/// A math font for pages (WOFF2, 32 kB): without one, browsers lose the dots over letters and the growing brackets of MathML.
+/// Name it `Strutt Math` in `@font-face` and use it as `math { font-family: "Strutt Math", math }`. Licence: SIL OFL 1.1, text in
+/// `assets/math-font/LICENSE.txt`.
+pub const MATH_FONT: &[u8] = include_bytes!("../../assets/math-font/strutt-math.woff2");

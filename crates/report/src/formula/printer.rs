@@ -1,0 +1,168 @@
+//! The printer: language, symbols, and the functions that callers use.
+
+use super::classes::Classes;
+use super::compose::Composer;
+use super::layout::{Identifier, Layout, Relation, Shape};
+use super::order::Side;
+use super::{SymbolClass, latex, lines, mathml, names, text};
+use crate::Language;
+use symbolic::equations::{Equality, StepFormula};
+use symbolic::{Equations, Expr, Graph, Symbol, SymbolId};
+
+/// A written form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Unicode on one line, or on several of limited width: `m l² φ''`.
+    Text,
+    /// LaTeX for math mode with amsmath, without delimiters.
+    Latex,
+    /// MathML Core, a complete `<math>` element.
+    MathMl,
+}
+
+/// Where a formula stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Placement {
+    /// On its own line.
+    Block,
+    /// Within a sentence or a table cell.
+    Inline,
+}
+
+/// Prints expressions of one graph.
+#[derive(Clone, Debug)]
+pub struct Printer {
+    pub(super) language: Language,
+    pub(super) classes: Classes,
+    /// The letter e is a variable here, so the exponential is written `exp`.
+    pub(super) e_is_taken: bool,
+    notation: Vec<(String, String)>,
+    width: Option<usize>,
+}
+
+impl Printer {
+    /// A printer that takes every symbol for a constant.
+    pub fn new(language: Language) -> Printer {
+        Printer { language, classes: Classes::default(), e_is_taken: false, notation: vec![], width: None }
+    }
+
+    /// A printer that knows what the symbols of `equations` are and how the user wants to see them.
+    pub fn of(equations: &Equations, language: Language) -> Printer {
+        let graph = &equations.graph;
+        let listed = equations.parameters.iter().map(|p| p.symbol).chain(equations.definitions.iter().map(|d| d.symbol));
+        let e_is_taken = listed.chain(equations.coordinates.iter().map(|c| c.symbols[0])).any(|s| graph.symbol_info(s).name == "e");
+        Printer { classes: Classes::of(equations), e_is_taken, notation: equations.notation.clone(), ..Printer::new(language) }
+    }
+
+    /// The same printer in another language.
+    pub fn with_language(mut self, language: Language) -> Printer {
+        self.language = language;
+        self
+    }
+
+    /// Symbols to print instead of names, as (name, symbol): `("mass", "m")`, `("shaft_speed", "ω_в")`.
+    pub fn with_notation(mut self, notation: Vec<(String, String)>) -> Printer {
+        self.notation = notation;
+        self
+    }
+
+    /// The greatest length of a line, in characters of the text form; longer formulas are broken at top-level signs, the sign
+    /// repeated on the next line.
+    pub fn with_width(mut self, width: usize) -> Printer {
+        self.width = Some(width);
+        self
+    }
+
+    /// Declares what a symbol is; `rank` orders the symbols of a class (the number of the coordinate).
+    pub fn with_class(mut self, symbol: SymbolId, class: SymbolClass, rank: u32) -> Printer {
+        self.classes.set(symbol, class, rank);
+        self
+    }
+
+    /// An expression.
+    pub fn expression(&self, graph: &Graph, e: Expr, form: Form) -> String {
+        self.write(&self.layout(graph, e), form, Placement::Block)
+    }
+
+    /// An expression within a sentence.
+    pub fn inline(&self, graph: &Graph, e: Expr, form: Form) -> String {
+        self.write(&self.layout(graph, e), form, Placement::Inline)
+    }
+
+    /// left = right in the order of an equation of motion. `own` is the number of its coordinate, whose acceleration comes first.
+    pub fn equality(&self, graph: &Graph, equality: Equality, own: Option<usize>, form: Form) -> String {
+        self.write(&self.equality_layout(graph, equality, own), form, Placement::Block)
+    }
+
+    /// symbol = formula.
+    pub fn definition(&self, graph: &Graph, symbol: SymbolId, formula: Expr, form: Form) -> String {
+        let left = Layout::Symbol(self.identifier(graph.symbol_info(symbol)));
+        self.write(&equation(left, self.layout(graph, formula)), form, Placement::Block)
+    }
+
+    /// A formula of the written derivation: `∂T/∂φ' = ...`.
+    pub fn step(&self, graph: &Graph, formula: &StepFormula, form: Form) -> String {
+        let left = self.step_name(graph, &formula.left);
+        let right = Composer::new(graph, self).compose(formula.right, false, self.step_side(graph, &formula.left));
+        self.write(&equation(left, right), form, Placement::Block)
+    }
+
+    /// A symbol alone.
+    pub fn symbol(&self, graph: &Graph, symbol: SymbolId, form: Form) -> String {
+        self.write(&Layout::Symbol(self.identifier(graph.symbol_info(symbol))), form, Placement::Inline)
+    }
+
+    /// A symbol for the axis of a plot: plain Unicode with dots above, `φ̇₁`.
+    pub fn label(&self, graph: &Graph, symbol: SymbolId) -> String {
+        text::label(&self.identifier(graph.symbol_info(symbol)))
+    }
+
+    /// The layout of an expression.
+    pub fn layout(&self, graph: &Graph, e: Expr) -> Layout {
+        Composer::new(graph, self).compose(e, false, Side::Plain)
+    }
+
+    /// The layout of an equality.
+    pub fn equality_layout(&self, graph: &Graph, equality: Equality, own: Option<usize>) -> Layout {
+        let mut composer = Composer::new(graph, self);
+        let (left_side, right_side) = match own {
+            Some(i) => (Side::Left(i), Side::Right),
+            None => (Side::Plain, Side::Plain),
+        };
+        let left = composer.compose(equality.left, false, left_side);
+        let right = composer.compose(equality.right, false, right_side);
+        equation(left, right)
+    }
+
+    /// Writes a layout.
+    pub fn write(&self, layout: &Layout, form: Form, placement: Placement) -> String {
+        let lines = lines::split(layout, if placement == Placement::Block { self.width } else { None });
+        match form {
+            Form::Text => text::lines(&lines),
+            Form::Latex => latex::lines(&lines),
+            Form::MathMl => mathml::lines(&lines, placement),
+        }
+    }
+
+    /// A symbol as letter, dots and subscript.
+    pub fn identifier(&self, symbol: &Symbol) -> Identifier {
+        let name = self.notation_of(&symbol.name).unwrap_or(&symbol.name);
+        let bare = name.trim_end_matches('\'');
+        let mut identifier = names::identifier(bare, self.language);
+        let written = u8::try_from(name.len() - bare.len()).unwrap_or(u8::MAX);
+        identifier.primes = symbol.primes.saturating_add(written);
+        identifier
+    }
+
+    pub(super) fn notation_of(&self, name: &str) -> Option<&str> {
+        self.notation.iter().find(|(n, _)| n == name).map(|(_, shown)| shown.as_str())
+    }
+
+    pub(super) fn pi(&self) -> Identifier {
+        Identifier { base: "π".into(), shape: Shape::Upright, primes: 0, subscript: vec![] }
+    }
+}
+
+pub(super) fn equation(left: Layout, right: Layout) -> Layout {
+    Layout::Related(Box::new(left), Relation::Equal, Box::new(right))
+}

@@ -1,0 +1,237 @@
+//! Products: signs, fractions, powers, functions.
+
+use super::classes::SymbolClass;
+use super::compose::Composer;
+use super::language;
+use super::layout::{Bare, Bracket, Layout, Sign};
+use super::numeral::{Numeral, numeral};
+use super::order::Side;
+use symbolic::{Expr, Function, Node, Rational};
+
+/// A factor on its way to print.
+struct Factor {
+    base: Expr,
+    exponent: Rational,
+    /// The base (or the argument of a function) is printed with the opposite sign; the sign of the product accounts for it.
+    flipped: bool,
+}
+
+impl Factor {
+    fn is_even(&self) -> bool {
+        self.exponent.to_i64().is_some_and(|n| n % 2 == 0)
+    }
+}
+
+impl Composer<'_> {
+    /// coefficient·Π base^exponent as a sign and a positive body.
+    pub fn product(&mut self, coefficient: &Rational, factors: &[(Expr, Rational)]) -> (Sign, Layout) {
+        let mut factors: Vec<Factor> =
+            factors.iter().map(|(base, exponent)| Factor { base: *base, exponent: exponent.clone(), flipped: false }).collect();
+        let mut negative = coefficient.is_negative();
+        factors.sort_by_cached_key(|f| self.survey.factor_key(f.base));
+        for factor in &mut factors {
+            negative ^= self.settle_sign(factor);
+        }
+        let body = self.assemble(coefficient, &factors);
+        (if negative { Sign::Minus } else { Sign::Plus }, body)
+    }
+
+    /// Turns a sum (as a factor or as the argument of an odd or even function) so that its first term in print order is positive:
+    /// −k (φ' − ω) becomes k (ω − φ'), and a length stays a length in −m (l₀ − λ x). Returns whether the product changes sign by that.
+    fn settle_sign(&mut self, factor: &mut Factor) -> bool {
+        let (sum, odd, side) = match self.graph.node(factor.base) {
+            Node::Sum { .. } if factor.exponent.is_integer() => (factor.base, !factor.is_even(), Side::Plain),
+            Node::Call { function, arguments } => match parity(*function) {
+                Some(odd) => (arguments[0], odd && !factor.is_even(), argument_side(*function)),
+                None => return false,
+            },
+            _ => return false,
+        };
+        let free = factor.exponent.is_integer() || !odd;
+        if !free || !self.leads_negative(sum, side) {
+            return false;
+        }
+        factor.flipped = true;
+        odd
+    }
+
+    fn assemble(&mut self, coefficient: &Rational, factors: &[Factor]) -> Layout {
+        let (mut above, mut below) = (vec![], vec![]);
+        match numeral(coefficient, self.printer.language) {
+            Numeral::Plain(number) if number != Layout::digits("1") => above.push(number),
+            Numeral::Plain(_) => {}
+            Numeral::Ratio(n, d) => {
+                if n != Layout::digits("1") {
+                    above.push(n);
+                }
+                below.push(d);
+            }
+        }
+        // functions follow a simple fraction, (m g l/2) cos φ, and stand above the bar of a fraction over a sum
+        let mut functions = vec![];
+        for factor in factors {
+            if factor.exponent.is_negative() {
+                below.push(self.factor(factor, &factor.exponent.abs()));
+                continue;
+            }
+            let layout = self.factor(factor, &factor.exponent);
+            if matches!(self.graph.node(factor.base), Node::Call { .. } | Node::Switch { .. }) {
+                functions.push(layout);
+            } else {
+                above.push(layout);
+            }
+        }
+        if below.is_empty() {
+            above.append(&mut functions);
+            return if above.is_empty() { Layout::digits("1") } else { Layout::product(above) };
+        }
+        if above.is_empty() || below.iter().any(Layout::has_sum) {
+            above.append(&mut functions);
+        }
+        if above.is_empty() {
+            above.push(Layout::digits("1"));
+        }
+        let fraction = Layout::Fraction(Box::new(unfenced(above)), Box::new(unfenced(below)));
+        functions.insert(0, fraction);
+        Layout::product(functions)
+    }
+
+    fn factor(&mut self, factor: &Factor, exponent: &Rational) -> Layout {
+        let graph = self.graph;
+        if let Node::Call { function, arguments } = graph.node(factor.base) {
+            return self.call(*function, arguments, factor.flipped, exponent);
+        }
+        if let Some(degree) = root_degree(exponent) {
+            let radicand = Box::new(self.compose(factor.base, factor.flipped, Side::Plain));
+            return Layout::Root { degree, radicand };
+        }
+        if !exponent.is_one() {
+            let base = self.base(factor.base, factor.flipped);
+            return Layout::Power(Box::new(base), Box::new(exponent_layout(exponent)));
+        }
+        match graph.node(factor.base) {
+            Node::Symbol(id) => self.symbol(*id),
+            Node::Pi => Layout::Symbol(self.printer.pi()),
+            Node::Number(r) => self.number(r),
+            Node::Power { base, exponent } => {
+                let base = self.base(*base, false);
+                let exponent = self.compose(*exponent, false, Side::Plain);
+                Layout::Power(Box::new(base), Box::new(exponent))
+            }
+            Node::Switch { .. } => self.switch(factor.base),
+            _ => self.compose(factor.base, factor.flipped, Side::Plain).fenced(),
+        }
+    }
+
+    fn call(&mut self, function: Function, arguments: &[Expr], flipped: bool, exponent: &Rational) -> Layout {
+        let power = exponent.to_i64().filter(|n| *n > 1).map(|n| n.to_string());
+        let simple = exponent.is_one();
+        let whole = match function {
+            Function::Abs => Layout::Fence(Bracket::Bar, Box::new(self.compose(arguments[0], flipped, Side::Plain))),
+            Function::Exp if !self.printer.e_is_taken => Layout::Exponential(Box::new(self.compose(arguments[0], false, Side::Plain))),
+            _ => {
+                let named_power = if simple { None } else { power };
+                let inner = self.named_call(function, arguments, flipped, named_power.clone());
+                if simple || named_power.is_some() {
+                    return inner;
+                }
+                inner.fenced()
+            }
+        };
+        if simple {
+            return whole;
+        }
+        if let Some(degree) = root_degree(exponent) {
+            let radicand = match whole {
+                Layout::Fence(Bracket::Round, inner) => inner,
+                other => Box::new(other),
+            };
+            return Layout::Root { degree, radicand };
+        }
+        Layout::Power(Box::new(whole), Box::new(exponent_layout(exponent)))
+    }
+
+    fn named_call(&mut self, function: Function, arguments: &[Expr], flipped: bool, power: Option<String>) -> Layout {
+        let name = language::function(self.printer.language, function);
+        let (argument, bare) = match arguments {
+            [x] => {
+                let argument = self.compose(*x, flipped, argument_side(function));
+                let phase = self.survey.traits(*x).class == SymbolClass::Time && is_plain_product(&argument);
+                let bare = if phase { Bare::Always } else { bareness(&argument) };
+                (argument, bare)
+            }
+            _ => {
+                let items = arguments.iter().map(|x| self.compose(*x, false, Side::Plain)).collect();
+                (Layout::List(items, language::list_mark(self.printer.language)), Bare::Never)
+            }
+        };
+        Layout::Call { name, power, argument: Box::new(argument), bare }
+    }
+}
+
+/// `Some(true)` for odd functions, `Some(false)` for even ones.
+fn parity(function: Function) -> Option<bool> {
+    use Function::{Abs, Asin, Atan, Cos, Cosh, Sign, Sin, Sinh, Tan, Tanh};
+    match function {
+        Sin | Tan | Asin | Atan | Sinh | Tanh | Sign => Some(true),
+        Cos | Cosh | Abs => Some(false),
+        _ => None,
+    }
+}
+
+/// Angles end with their constants: `sin(ω t + α)`, `cos(φ − π/6)`.
+fn argument_side(function: Function) -> Side {
+    match function {
+        Function::Sin | Function::Cos | Function::Tan => Side::Angle,
+        _ => Side::Plain,
+    }
+}
+
+/// Numbers and letters that may stand close together without being read as one name: `cos 2ωt`.
+fn is_plain_product(layout: &Layout) -> bool {
+    let Layout::Product(factors) = layout else { return false };
+    factors.len() <= 3
+        && factors.iter().enumerate().all(|(i, f)| match f {
+            Layout::Number { exponent: None, .. } => i == 0,
+            Layout::Symbol(s) => s.primes == 0 && s.base.chars().count() == 1 && s.has_plain_index(),
+            _ => false,
+        })
+}
+
+/// `cos φ`, `cos 2φ`; a fraction is bare only under its bar.
+fn bareness(argument: &Layout) -> Bare {
+    match argument {
+        Layout::Symbol(_) => Bare::Always,
+        Layout::Product(factors) => match &factors[..] {
+            [Layout::Number { exponent: None, .. }, Layout::Symbol(_)] => Bare::Always,
+            _ => Bare::Never,
+        },
+        Layout::Fraction(n, d) if is_short(n) && is_short(d) => Bare::Raised,
+        _ => Bare::Never,
+    }
+}
+
+fn is_short(layout: &Layout) -> bool {
+    !matches!(layout, Layout::Sum(_) | Layout::Call { .. } | Layout::Fraction(..))
+}
+
+/// n of the exponent 1/n.
+fn root_degree(exponent: &Rational) -> Option<u32> {
+    match exponent.digits() {
+        (n, d) if n == "1" && d != "1" => d.parse().ok().filter(|d| *d <= 9),
+        _ => None,
+    }
+}
+
+/// Exponents stay on one line: `x^{3/2}`.
+fn exponent_layout(exponent: &Rational) -> Layout {
+    Layout::digits(exponent.to_string())
+}
+
+/// The product of the factors; a lone sum sheds its brackets.
+fn unfenced(factors: Vec<Layout>) -> Layout {
+    match Layout::product(factors) {
+        Layout::Fence(Bracket::Round, inner) => *inner,
+        other => other,
+    }
+}

@@ -1,0 +1,132 @@
+//! JSON of a study: `title, version, model_hash, parameters, counters, audits, events, columns` and the study's own fields.
+//!
+//! ```json
+//! {"title": "...", "version": "0.1.0", "model_hash": "...",
+//!  "parameters": {"m": {"value": 0.02, "unit": "kg", "written": "20 g"}},
+//!  "counters": {"steps": 117},
+//!  "audits": [{"key": "power_balance", "name": "...", "value": 1e-13, "limit": 1e-9, "ok": true}],
+//!  "events": [{"t": 10.0, "what": "..."}],
+//!  "partial": false, "notes": [],
+//!  "columns": {"t": {"unit": "s", "values": [0.0, 0.1]}, "phi": {"unit": "rad", "values": [0.0, 1.5]}}}
+//! ```
+//!
+//! Numbers are SI, in the shortest form that reads back as the same `f64`. JSON has no form for infinities and not-a-number: they are
+//! `null`. Columns and parameters are objects in the order of the study; of two columns with one name a reader sees the later.
+
+use crate::language::Language;
+use analysis::Dataset;
+use serde_json::{Map, Value, json};
+
+/// The JSON of a dataset as bytes, closed by a line feed. `extra` are the study's own fields, written before the columns.
+pub fn write(data: &Dataset, extra: &Map<String, Value>, language: Language) -> Vec<u8> {
+    let mut head = head(data, language);
+    for (key, value) in extra {
+        // the fields of every study cannot be replaced by a study's own
+        head.entry(key.clone()).or_insert_with(|| value.clone());
+    }
+    let n_values: usize = data.columns.iter().map(|c| c.values.len()).sum();
+    let mut out = Vec::with_capacity(n_values * 20 + 4096);
+    push(&mut out, &head);
+    // open the object again: the columns are written without an intermediate tree
+    out.pop();
+    out.extend_from_slice(b",\"columns\":{");
+    for (i, column) in data.columns.iter().enumerate() {
+        out.extend_from_slice(if i > 0 { b",\n" } else { b"\n" });
+        push(&mut out, &column.quantity.name);
+        out.extend_from_slice(b":{\"unit\":");
+        push(&mut out, &column.quantity.unit);
+        out.extend_from_slice(b",\"values\":");
+        push(&mut out, &column.values);
+        out.push(b'}');
+    }
+    out.extend_from_slice(b"}}\n");
+    out
+}
+
+/// Everything but the columns.
+fn head(data: &Dataset, language: Language) -> Map<String, Value> {
+    let from = &data.provenance;
+    let parameters: Map<String, Value> = from
+        .parameters
+        .iter()
+        .map(|p| (p.quantity.name.clone(), json!({"value": p.value, "unit": p.quantity.unit, "written": p.written})))
+        .collect();
+    let counters: Map<String, Value> = data.counters.iter().map(|c| (c.key.into(), count(c.value))).collect();
+    let audits: Vec<Value> = data
+        .audits
+        .iter()
+        .map(|a| json!({"key": a.key, "name": language.text(&a.name), "value": a.value, "limit": a.limit, "ok": a.ok}))
+        .collect();
+    let events: Vec<Value> = data.events.iter().map(|e| json!({"t": e.t, "what": language.text(&e.what)})).collect();
+    let notes: Vec<&str> = data.notes.iter().map(|n| language.text(n)).collect();
+    let fields = [
+        ("title", json!(language.text(&from.title))),
+        ("version", json!(from.version)),
+        ("model_hash", json!(from.model_hash)),
+        ("parameters", Value::Object(parameters)),
+        ("counters", Value::Object(counters)),
+        ("audits", Value::Array(audits)),
+        ("events", Value::Array(events)),
+        ("partial", json!(data.partial)),
+        ("notes", json!(notes)),
+    ];
+    fields.into_iter().map(|(key, value)| (key.into(), value)).collect()
+}
+
+/// Whole counters read as integers.
+fn count(x: f64) -> Value {
+    if x.fract() == 0.0 && x.abs() < 9e15 { json!(x as i64) } else { json!(x) }
+}
+
+fn push<T: serde::Serialize + ?Sized>(out: &mut Vec<u8>, value: &T) {
+    // strings, numbers and maps with string keys always serialize, and memory always takes them
+    let written = serde_json::to_writer(&mut *out, value);
+    debug_assert!(written.is_ok());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use analysis::Quantity;
+    use analysis::dataset::{Audit, Column, Counter, Event, ParameterValue};
+    use symbolic::Text;
+
+    fn sample() -> Dataset {
+        let mut data = Dataset::default();
+        data.provenance.title = Text::new("A \"title\"", "Название");
+        data.provenance.parameters.push(ParameterValue { quantity: Quantity::new("m", "kg"), written: "20 g".into(), value: 0.02 });
+        data.counters.push(Counter { key: "steps", name: Text::default(), value: 117.0 });
+        data.audits.push(Audit::at_most("power_balance", Text::new("Power", "Мощность"), f64::NAN, 1e-9));
+        data.events.push(Event { t: 10.0, what: Text::new("switch", "переключение"), ..Event::default() });
+        data.columns.push(Column { quantity: Quantity::new("t", "s"), values: vec![0.0, 0.1] });
+        data.columns.push(Column { quantity: Quantity::new("phi'", "rad/s"), values: vec![f64::INFINITY, 1.0 / 3.0] });
+        data
+    }
+
+    #[test]
+    fn all_fields_are_there_in_order() {
+        let mut extra = Map::new();
+        extra.insert("stable".into(), json!(true));
+        extra.insert("title".into(), json!("taken"));
+        let value: Value = serde_json::from_slice(&write(&sample(), &extra, Language::Ru)).unwrap();
+        let keys: Vec<&str> = value.as_object().unwrap().keys().map(String::as_str).collect();
+        assert_eq!(
+            keys,
+            ["title", "version", "model_hash", "parameters", "counters", "audits", "events", "partial", "notes", "stable", "columns"]
+        );
+        assert_eq!(value["title"], "Название");
+        assert_eq!(value["counters"]["steps"], 117);
+        assert_eq!(value["audits"][0]["ok"], false);
+        assert_eq!(value["audits"][0]["value"], Value::Null);
+        assert_eq!(value["events"][0]["what"], "переключение");
+        assert_eq!(value["columns"]["phi'"]["unit"], "rad/s");
+        assert_eq!(value["columns"]["phi'"]["values"][0], Value::Null);
+        assert_eq!(value["columns"]["phi'"]["values"][1].as_f64().map(f64::to_bits), Some((1.0_f64 / 3.0).to_bits()));
+    }
+
+    #[test]
+    fn an_empty_dataset_is_valid_json() {
+        let value: Value = serde_json::from_slice(&write(&Dataset::default(), &Map::new(), Language::En)).unwrap();
+        assert!(value["columns"].as_object().unwrap().is_empty());
+    }
+}

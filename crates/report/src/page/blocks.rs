@@ -1,0 +1,168 @@
+//! The blocks of a document as HTML.
+
+use crate::document::{Block, Content, Download, Formula, Inline, Rich};
+use crate::escape::markup;
+use crate::figure::{Figure, svg};
+use crate::language::{Language, Word};
+use crate::symbol;
+use crate::table::{Cell, Table, split_number};
+use crate::terminal::figure_summary;
+use base64::Engine;
+
+/// Writes blocks one behind the other and numbers them.
+pub(super) struct Writer {
+    pub out: String,
+    language: Language,
+    figures: usize,
+    tables: usize,
+    equations: usize,
+}
+
+impl Writer {
+    pub fn new(language: Language) -> Writer {
+        Writer { out: String::new(), language, figures: 0, tables: 0, equations: 0 }
+    }
+
+    pub fn blocks(&mut self, blocks: &[Block]) {
+        for block in blocks {
+            self.block(block);
+        }
+    }
+
+    fn block(&mut self, block: &Block) {
+        match block {
+            Block::Heading { level, text } => {
+                let level = (*level).clamp(1, 3) + 1;
+                self.push(&format!("<h{level}>{}</h{level}>\n", markup(text)));
+            }
+            Block::Paragraph(content) => self.push(&format!("<p>{}</p>\n", rich(content))),
+            Block::Equation { formula, numbered } => self.equation(formula, *numbered),
+            Block::Table(table) => self.table(table),
+            Block::Figure(figure) => self.figure(figure),
+            Block::Details { summary, blocks } => {
+                self.push(&format!("<details>\n<summary>{}</summary>\n", markup(summary)));
+                self.blocks(blocks);
+                self.push("</details>\n");
+            }
+            Block::Downloads(files) => self.downloads(files),
+        }
+    }
+
+    fn push(&mut self, text: &str) {
+        self.out.push_str(text);
+    }
+
+    fn equation(&mut self, formula: &Formula, numbered: bool) {
+        let shown = if formula.mathml.is_empty() { format!("<pre>{}</pre>", markup(&formula.text)) } else { formula.mathml.clone() };
+        self.push(&format!("<div class=\"equation\"><div class=\"formula\">{shown}</div>"));
+        if numbered {
+            self.equations += 1;
+            let n = self.equations;
+            self.push(&format!("<span class=\"no\" id=\"equation-{n}\">({n})</span>"));
+        }
+        self.push("</div>\n");
+    }
+
+    fn table(&mut self, table: &Table) {
+        self.push("<div class=\"table\"><table>\n");
+        if let Some(caption) = &table.caption {
+            self.tables += 1;
+            let (n, word) = (self.tables, self.language.word(Word::Table));
+            self.push(&format!("<caption id=\"table-{n}\">{word}\u{a0}{n} – {}</caption>\n", markup(caption)));
+        }
+        let widths: Vec<(usize, usize)> = (0..table.columns.len()).map(|i| table.number_width(i)).collect();
+        self.push("<thead><tr>");
+        for (column, (whole, decimals)) in table.columns.iter().zip(&widths) {
+            let class = if whole + decimals > 0 { " class=\"n\"" } else { "" };
+            let unit = if column.unit.is_empty() { String::new() } else { format!(", {}", markup(&column.unit)) };
+            self.push(&format!("<th scope=\"col\"{class}>{}{unit}</th>", rich(&column.head)));
+        }
+        self.push("</tr></thead>\n<tbody>\n");
+        for row in &table.rows {
+            self.push("<tr>");
+            for (i, (_, decimals)) in widths.iter().enumerate() {
+                let html = self.cell(row.get(i).unwrap_or(&Cell::Empty), *decimals);
+                self.push(&html);
+            }
+            self.push("</tr>\n");
+        }
+        self.push("</tbody></table></div>\n");
+    }
+
+    /// A cell; the decimals of a number take the room of the longest of the column, so that the marks line up.
+    fn cell(&self, cell: &Cell, decimals: usize) -> String {
+        match cell {
+            Cell::Empty => "<td></td>".into(),
+            Cell::Rich(content) => format!("<td>{}</td>", rich(content)),
+            Cell::Number(number) if decimals == 0 => format!("<td class=\"n\">{}</td>", markup(number)),
+            Cell::Number(number) => {
+                let (whole, rest) = split_number(number);
+                let (whole, rest) = (markup(whole), markup(rest));
+                format!("<td class=\"n\">{whole}<span class=\"d\" style=\"min-width:{decimals}ch\">{rest}</span></td>")
+            }
+            Cell::Verdict(ok) => {
+                let class = if *ok { "ok" } else { "bad" };
+                format!("<td class=\"{class}\">{}</td>", crate::terminal::verdict(*ok, self.language))
+            }
+        }
+    }
+
+    /// The static picture, a place for the interactive one, caption, tools.
+    fn figure(&mut self, figure: &Figure) {
+        let i = self.figures;
+        self.figures += 1;
+        let n = self.figures;
+        let word = |w| self.language.word(w);
+        let summary = figure_summary(figure, self.language);
+        let summary: Vec<&str> = summary.lines().map(str::trim).collect();
+        let html = format!(
+            "<figure id=\"figure-{n}\" data-figure=\"{i}\">\n<div class=\"live\" hidden></div>\n<div class=\"still\">{}</div>\n\
+             <figcaption>{}\u{a0}{n} – {}</figcaption>\n<p class=\"summary\" id=\"summary-{n}\">{}</p>\n\
+             <div class=\"tools\" hidden></div>\n<details class=\"data\" hidden><summary>{}</summary></details>\n</figure>\n",
+            svg::write(figure, false, self.language),
+            word(Word::Figure),
+            markup(&figure.title),
+            markup(&summary.join("; ")),
+            word(Word::ShowData),
+        );
+        self.push(&html);
+    }
+
+    fn downloads(&mut self, files: &[Download]) {
+        self.push("<ul class=\"files\">\n");
+        for file in files {
+            let name = markup(&file.name);
+            let target = match &file.content {
+                Content::Beside => percent(&file.name),
+                Content::Inside { media, bytes } => {
+                    format!("data:{};base64,{}", markup(media), base64::engine::general_purpose::STANDARD.encode(bytes))
+                }
+            };
+            self.push(&format!("<li><a href=\"{target}\" download=\"{name}\">{name}</a> {}</li>\n", markup(&file.label)));
+        }
+        self.push("</ul>\n");
+    }
+}
+
+/// Words with formulas and symbols as HTML.
+fn rich(content: &Rich) -> String {
+    let pieces = content.0.iter().map(|piece| match piece {
+        Inline::Words(words) => markup(words),
+        Inline::Formula(formula) if formula.mathml.is_empty() => markup(&formula.text),
+        Inline::Formula(formula) => formula.mathml.clone(),
+        Inline::Symbol(name) => format!("<span class=\"s\">{}</span>", symbol::html(name)),
+    });
+    pieces.collect()
+}
+
+/// A file name as a relative address: it cannot become a scheme, a host or a script.
+fn percent(name: &str) -> String {
+    let mut out = String::from("./");
+    for byte in name.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'/' => out.push(byte as char),
+            other => out.push_str(&format!("%{other:02X}")),
+        }
+    }
+    out
+}

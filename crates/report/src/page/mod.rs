@@ -1,0 +1,110 @@
+//! A [`Document`] as one HTML file that needs nothing else: opened from a disk without a network it shows everything.
+//!
+//! Styles, script, plotting library (uPlot, MIT) and data are inside; a content security policy forbids requests. Without scripts the
+//! page still shows all text, tables and static pictures; print always takes these. User text is escaped; only [`Formula::mathml`]
+//! is trusted.
+
+mod blocks;
+mod data;
+
+use crate::document::{Block, Document};
+use crate::escape::{markup, script_json};
+use crate::figure::Figure;
+use crate::language::{Language, Word};
+use base64::Engine;
+
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+const PLANE_SCRIPT: &str = include_str!("plane.js");
+const UPLOT: &str = include_str!("../../assets/uplot/uPlot.iife.min.js");
+const UPLOT_STYLE: &str = include_str!("../../assets/uplot/uPlot.min.css");
+const UPLOT_LICENSE: &str = include_str!("../../assets/uplot/LICENSE");
+
+#[cfg(doc)]
+use crate::document::Formula;
+
+/// What a page may carry besides the document.
+#[derive(Clone, Copy, Debug)]
+pub struct Options<'a> {
+    /// A WOFF2 font with a table for mathematics, so that brackets stretch and dots stand on machines without one; the
+    /// default is [`crate::formula::MATH_FONT`].
+    pub math_font: Option<&'a [u8]>,
+}
+
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Options { math_font: Some(crate::formula::MATH_FONT) }
+    }
+}
+
+/// The page as text in UTF-8.
+pub fn write(document: &Document, options: Options) -> String {
+    let language = document.language;
+    let mut writer = blocks::Writer::new(language);
+    writer.blocks(&document.blocks);
+    let figures = figures_of(&document.blocks);
+    let title = markup(&document.title);
+    let mut out = String::with_capacity(writer.out.len() + 160 * 1024);
+    out.push_str(&head(&title, language, options, !figures.is_empty()));
+    out.push_str(&format!("<body>\n<main>\n<header>\n<h1>{title}</h1>\n"));
+    for paragraph in document.description.split('\n').filter(|p| !p.trim().is_empty()) {
+        out.push_str(&format!("<p class=\"lead\">{}</p>\n", markup(paragraph)));
+    }
+    out.push_str("</header>\n");
+    out.push_str(&writer.out);
+    out.push_str(&format!("</main>\n{}", footer(document)));
+    if !figures.is_empty() {
+        out.push_str(&scripts(&figures, language));
+    }
+    out.push_str("</body>\n</html>\n");
+    out
+}
+
+fn head(title: &str, language: Language, options: Options, plots: bool) -> String {
+    let font = options.math_font.map_or(String::new(), |bytes| {
+        let data = base64::engine::general_purpose::STANDARD.encode(bytes);
+        format!("@font-face{{font-family:\"Strutt Math\";src:url(data:font/woff2;base64,{data}) format(\"woff2\")}}\n")
+    });
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; \
+         img-src data: blob:; font-src data:\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n\
+         <title>{title}</title>\n<style>\n{font}{}{STYLE}</style>\n</head>\n",
+        language.code(),
+        if plots { UPLOT_STYLE } else { "" },
+    )
+}
+
+fn footer(document: &Document) -> String {
+    let word = |w| document.language.word(w);
+    let mut parts = vec![format!("strutt, {} {}", word(Word::Version), markup(&document.version))];
+    if !document.model_hash.is_empty() {
+        parts.push(format!("{} <code>{}</code>", word(Word::ModelHash), markup(&document.model_hash)));
+    }
+    format!("<footer>{}</footer>\n", parts.join(" · "))
+}
+
+fn scripts(figures: &[&Figure], language: Language) -> String {
+    // the address in the first comment of the library is replaced by its licence
+    let library = UPLOT.split_once("*/").map_or(UPLOT, |(_, code)| code);
+    let license = UPLOT_LICENSE.replace("*/", "* /");
+    let data = script_json(&data::write(figures, language));
+    format!(
+        "<script type=\"application/json\" id=\"strutt-data\">{data}</script>\n<script>\n/*! uPlot 1.6.32\n{license}*/\n{library}\n</script>\n\
+         <script>\n{PLANE_SCRIPT}\n{SCRIPT}\n</script>\n"
+    )
+}
+
+/// Figures in the order in which the writer meets them.
+fn figures_of(blocks: &[Block]) -> Vec<&Figure> {
+    let mut out = Vec::new();
+    for block in blocks {
+        match block {
+            Block::Figure(figure) => out.push(figure),
+            Block::Details { blocks, .. } => out.extend(figures_of(blocks)),
+            _ => {}
+        }
+    }
+    out
+}

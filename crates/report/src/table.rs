@@ -1,0 +1,106 @@
+//! Tables: columns with heads, cells, and the alignment on the decimal mark that both writers share.
+
+use crate::document::Rich;
+use crate::language::Language;
+use crate::number::Format;
+use crate::unit;
+
+/// A table. All rows have as many cells as there are columns; missing cells are empty.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    /// Words behind "Table N – "; none for a table without number.
+    pub caption: Option<String>,
+    /// Heads.
+    pub columns: Vec<Column>,
+    /// Rows of cells.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+/// Head of a column.
+#[derive(Clone, Debug, Default)]
+pub struct Column {
+    /// What stands in the column.
+    pub head: Rich,
+    /// Unit in print, shown behind a comma; empty for none.
+    pub unit: String,
+}
+
+impl Column {
+    /// A column without unit.
+    pub fn new(head: impl Into<Rich>) -> Column {
+        Column { head: head.into(), unit: String::new() }
+    }
+
+    /// A column of numbers in a unit given by its ASCII label.
+    pub fn with_unit(head: impl Into<Rich>, label: &str, language: Language) -> Column {
+        Column { head: head.into(), unit: unit::print(label, language) }
+    }
+}
+
+/// A cell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// Nothing.
+    Empty,
+    /// Words, symbols, formulas; set from the left.
+    Rich(Rich),
+    /// A number in print, aligned on its decimal mark.
+    Number(String),
+    /// Whether a check was passed.
+    Verdict(bool),
+}
+
+impl Cell {
+    /// Words.
+    pub fn words(words: impl Into<String>) -> Cell {
+        Cell::Rich(Rich::from(words.into()))
+    }
+
+    /// A name of the model, shown as a symbol.
+    pub fn symbol(name: impl Into<String>) -> Cell {
+        Cell::Rich(Rich::symbol(name))
+    }
+
+    /// A number by itself with this many significant digits.
+    pub fn number(x: f64, digits: usize, language: Language) -> Cell {
+        Cell::Number(Format::Significant(digits).show(x, language))
+    }
+
+    /// The cells of a whole column, with equal decimals.
+    pub fn column(values: &[f64], digits: usize, language: Language) -> Vec<Cell> {
+        let format = Format::of_column(values, digits);
+        values.iter().map(|&x| Cell::Number(format.show(x, language))).collect()
+    }
+}
+
+impl Table {
+    /// An empty table with these columns.
+    pub fn new(columns: Vec<Column>) -> Table {
+        Table { caption: None, columns, rows: Vec::new() }
+    }
+
+    /// The same table with a caption.
+    pub fn with_caption(mut self, caption: impl Into<String>) -> Table {
+        self.caption = Some(caption.into());
+        self
+    }
+
+    /// Adds a row.
+    pub fn row(&mut self, cells: Vec<Cell>) {
+        self.rows.push(cells);
+    }
+
+    /// Characters before and behind the decimal mark that the numbers of a column need; the mark counts as behind.
+    pub fn number_width(&self, i_column: usize) -> (usize, usize) {
+        let numbers = self.rows.iter().filter_map(|row| match row.get(i_column) {
+            Some(Cell::Number(number)) => Some(split_number(number)),
+            _ => None,
+        });
+        numbers.fold((0, 0), |(w, d), (whole, decimals)| (w.max(whole.chars().count()), d.max(decimals.chars().count())))
+    }
+}
+
+/// A printed number cut before its decimal mark, or before its power of ten when it has no mark.
+pub fn split_number(number: &str) -> (&str, &str) {
+    number.split_at(number.find([',', '.', '·']).unwrap_or(number.len()))
+}

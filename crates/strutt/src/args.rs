@@ -1,0 +1,178 @@
+//! The command line as types. Help texts here are English; `localize` puts the Russian ones in.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Dynamics and oscillations of machines: one text file becomes equations, motions and a written calculation.
+#[derive(Parser, Debug)]
+#[command(name = "strutt", version, max_term_width = 110, arg_required_else_help = true)]
+pub struct Cli {
+    #[command(flatten)]
+    pub global: Global,
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Args, Debug, Clone)]
+pub struct Global {
+    /// Language of all output; otherwise from LC_ALL, LC_MESSAGES, LANG
+    #[arg(long, global = true, value_enum, value_name = "LANG")]
+    pub lang: Option<Lang>,
+    /// Print data and errors only
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+    /// Data as JSON on standard output
+    #[arg(long, global = true, conflicts_with = "csv")]
+    pub json: bool,
+    /// Data as CSV on standard output
+    #[arg(long, global = true)]
+    pub csv: bool,
+    /// Show how long each phase took, on standard error
+    #[arg(long, global = true)]
+    pub timings: bool,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lang {
+    En,
+    Ru,
+}
+
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Make every study of a model file; tables, plots and a page go to out/<name>/
+    Run(Run),
+    /// Find all errors of a model file
+    Check(Check),
+    /// Derive the equations of motion
+    Equations(Equations),
+    /// Compute a motion
+    Simulate(Simulate),
+    /// Find positions of equilibrium
+    Equilibrium(Equilibrium),
+    /// List the example models, or print one
+    Examples(Examples),
+    /// Write a model file to start from
+    New(New),
+    /// Explain the code of a message
+    Explain(Explain),
+    /// Print the completion script of a shell
+    Completions(Completions),
+}
+
+#[derive(Args, Debug)]
+pub struct Model {
+    /// Model file, a folder with model.toml, or - for standard input
+    #[arg(value_name = "FILE")]
+    pub file: String,
+    /// Replace a parameter (m="10 g"), a start (phi=0.1) or a starting rate ("phi'=30")
+    #[arg(long = "set", value_name = "NAME=QUANTITY")]
+    pub overrides: Vec<String>,
+}
+
+#[derive(Args, Debug)]
+pub struct Run {
+    #[command(flatten)]
+    pub model: Model,
+    /// Folder for the results [default: out/<name of the model>]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct Check {
+    #[command(flatten)]
+    pub model: Model,
+    /// How findings are shown: with the line of the file, or one line each for editors
+    #[arg(long, value_enum, value_name = "FORMAT", default_value_t = Format::Full)]
+    pub format: Format,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    Full,
+    Short,
+}
+
+#[derive(Args, Debug)]
+pub struct Equations {
+    #[command(flatten)]
+    pub model: Model,
+    /// How formulas are written
+    #[arg(long, value_enum, value_name = "FORM", default_value_t = Form::Text)]
+    pub form: Form,
+    /// Show the derivation step by step
+    #[arg(long)]
+    pub steps: bool,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    Text,
+    Latex,
+    Mathml,
+}
+
+#[derive(Args, Debug)]
+pub struct Simulate {
+    #[command(flatten)]
+    pub model: Model,
+    /// End of the motion: 30, 30s, "2 min"
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub until: Option<String>,
+    /// Relative tolerance of a step, 1e-15 ... 1e-3 [default: 1e-12]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub tolerance: Option<String>,
+    /// Results exactly at these times: 0,0.5,10
+    #[arg(long, value_name = "T1,T2,...", conflicts_with = "every", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Results at equal intervals
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub every: Option<String>,
+    /// Columns by name, in this order: phi,phi',omega_p
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub outputs: Option<Vec<String>>,
+    /// Also write tables, plots and a page into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct Equilibrium {
+    #[command(flatten)]
+    pub model: Model,
+}
+
+#[derive(Args, Debug)]
+pub struct Examples {
+    /// The example to print
+    #[arg(value_name = "NAME")]
+    pub name: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub struct New {
+    /// Name of the file, with or without .toml; the name of an example copies that example
+    #[arg(value_name = "NAME")]
+    pub name: String,
+    /// The example to copy
+    #[arg(long, value_name = "EXAMPLE")]
+    pub from: Option<String>,
+    /// Number of pendulums of an n-pendulum
+    #[arg(long, value_name = "N")]
+    pub count: Option<usize>,
+}
+
+#[derive(Args, Debug)]
+pub struct Explain {
+    /// The code, as in error[M012]; without one, all codes are listed
+    #[arg(value_name = "CODE")]
+    pub code: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub struct Completions {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    pub shell: clap_complete::Shell,
+}

@@ -1,0 +1,58 @@
+//! `strutt check FILE`: all findings, or a summary.
+
+use super::Exit;
+use crate::args::{self, Format};
+use crate::console::{Console, Shape};
+use crate::quantities;
+use serde_json::json;
+use strutt::pipeline::{self, Machine};
+use strutt::words::Word;
+use strutt::{Failure, Source, diagnostics};
+
+pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {
+    let overrides = quantities::overrides(&args.model.overrides)?;
+    let source = Source::open(&args.model.file)?;
+    let machine = match console.watched(|watch| pipeline::build(&source, &overrides, watch)) {
+        Ok(machine) => machine,
+        Err(Failure::Findings { diagnostics, .. }) if args.format == Format::Short && console.shape != Shape::Json => {
+            console.out(diagnostics::short(&diagnostics, &source, console.language))?;
+            return Ok(Exit::Failed);
+        }
+        Err(failure) => return Err(failure),
+    };
+    if console.shape == Shape::Json {
+        let findings = diagnostics::to_json(&machine.warnings, &source, console.language);
+        let value = json!({"ok": true, "file": source.path, "title": console.language.text(&machine.model.title),
+            "model_hash": machine.model_hash, "findings": findings, "counts": counts(&machine)});
+        console.out(format!("{value}\n"))?;
+        return Ok(Exit::Done);
+    }
+    match args.format {
+        Format::Full => console.warn(&machine.warnings, &source),
+        Format::Short => console.out(diagnostics::short(&machine.warnings, &source, console.language))?,
+    }
+    console.out(format!("{}: {}: {}\n", source.path, console.say(Word::Ok), summary(&machine, console)))?;
+    console.talk(&format!("{} strutt run {}", console.say(Word::Next), args.model.file));
+    Ok(Exit::Done)
+}
+
+/// Word for people, key for machines, number.
+fn rows(machine: &Machine) -> [(Word, &'static str, usize); 5] {
+    let model = &machine.model;
+    [
+        (Word::Bodies, "bodies", model.frames.iter().filter(|f| f.is_body).count()),
+        (Word::Coordinates, "coordinates", model.coordinates.len()),
+        (Word::Parameters, "parameters", model.parameters.len()),
+        (Word::Outputs, "outputs", model.outputs.len()),
+        (Word::Studies, "studies", model.studies.len()),
+    ]
+}
+
+fn summary(machine: &Machine, console: &Console) -> String {
+    let words = rows(machine).map(|(word, _, n)| format!("{} {n}", console.say(word)));
+    words.join(", ")
+}
+
+fn counts(machine: &Machine) -> serde_json::Value {
+    rows(machine).iter().map(|(_, key, n)| ((*key).to_owned(), json!(n))).collect::<serde_json::Map<_, _>>().into()
+}

@@ -1,0 +1,180 @@
+//! `strutt equations FILE`: the equations of motion as formulas.
+
+use super::{Exit, open};
+use crate::args::{self, Form};
+use crate::console::{Console, Shape};
+use report::formula::{self, Printer};
+use report::{Language, Word as Title};
+use serde_json::{Value, json};
+use strutt::Failure;
+use strutt::document;
+use strutt::pipeline::Machine;
+use strutt::words::{Word, say};
+use symbolic::Equations;
+
+pub fn run(args: &args::Equations, console: &mut Console) -> Result<Exit, Failure> {
+    let (_, machine) = open(&args.model, console)?;
+    if console.shape == Shape::Json {
+        console.out(format!("{}\n", to_json(&machine, console.language)))?;
+        return Ok(Exit::Done);
+    }
+    let writer = Writer::new(&machine.equations, args.form, console);
+    let mut text = writer.head(console.language.text(&machine.model.title));
+    if args.steps {
+        text.push_str(&writer.steps());
+    } else {
+        text.push_str(&writer.energies());
+    }
+    text.push_str(&writer.equations());
+    text.push_str(&writer.definitions());
+    console.out(text)?;
+    if !args.steps && !machine.equations.steps.is_empty() {
+        console.talk(&format!("{} strutt equations {} --steps", console.say(Word::Next), args.model.file));
+    }
+    Ok(Exit::Done)
+}
+
+struct Writer<'a> {
+    equations: &'a Equations,
+    printer: Printer,
+    form: Form,
+    language: Language,
+}
+
+impl<'a> Writer<'a> {
+    fn new(equations: &'a Equations, form: Form, console: &Console) -> Writer<'a> {
+        // LaTeX and MathML break lines where the text form of this width would
+        let width = if form == Form::Text { console.width().saturating_sub(8) } else { 90 };
+        Writer { equations, printer: document::printer(equations, console.language, width), form, language: console.language }
+    }
+
+    fn form(&self) -> formula::Form {
+        match self.form {
+            Form::Text => formula::Form::Text,
+            Form::Latex => formula::Form::Latex,
+            Form::Mathml => formula::Form::MathMl,
+        }
+    }
+
+    /// A comment, a title or a paragraph, as the form has it.
+    fn words(&self, words: &str) -> String {
+        match self.form {
+            Form::Text => format!("{words}\n"),
+            Form::Latex => format!("% {words}\n"),
+            Form::Mathml => format!("<!-- {} -->\n", words.replace("--", "–")),
+        }
+    }
+
+    fn head(&self, title: &str) -> String {
+        match self.form {
+            Form::Text => format!("{title}\n{}\n\n", "=".repeat(title.chars().count())),
+            _ => self.words(title),
+        }
+    }
+
+    /// A formula on lines of its own, with its number behind it in text.
+    fn formula(&self, formula: &str, number: Option<usize>) -> String {
+        match self.form {
+            Form::Text => {
+                let body = formula.replace('\n', "\n  ");
+                let number = number.map_or_else(String::new, |n| format!("   ({n})"));
+                format!("  {body}{number}\n")
+            }
+            Form::Latex if number.is_some() => format!("\\begin{{equation}}\n{formula}\n\\end{{equation}}\n"),
+            Form::Latex => format!("\\[\n{formula}\n\\]\n"),
+            Form::Mathml => format!("{formula}\n"),
+        }
+    }
+
+    fn energies(&self) -> String {
+        let graph = &self.equations.graph;
+        let mut out = String::new();
+        if self.equations.textbook.is_err() {
+            return out;
+        }
+        for (word, letter, e) in document::energies(self.equations) {
+            if graph.is_zero(e) {
+                continue;
+            }
+            let left = symbolic::equations::StepName::Quantity { letter: letter.into(), index: String::new() };
+            let step = symbolic::equations::StepFormula { left, right: e };
+            out.push_str(&self.words(say(self.language, word)));
+            out.push_str(&self.formula(&self.printer.step(graph, &step, self.form()), None));
+        }
+        out.push('\n');
+        out
+    }
+
+    fn steps(&self) -> String {
+        let mut out = String::new();
+        for step in &self.equations.steps {
+            out.push_str(&self.words(self.language.text(&step.title)));
+            let words = self.language.text(&step.words);
+            if !words.is_empty() {
+                out.push_str(&self.words(words));
+            }
+            for formula in &step.formulas {
+                out.push_str(&self.formula(&self.printer.step(&self.equations.graph, formula, self.form()), None));
+            }
+            out.push('\n');
+        }
+        out
+    }
+
+    fn equations(&self) -> String {
+        let mut out = self.words(self.language.word(Title::Equations));
+        match &self.equations.textbook {
+            Err(reason) => out.push_str(&self.words(self.language.text(reason))),
+            Ok(equalities) => {
+                for (i, equality) in equalities.iter().enumerate() {
+                    let formula = self.printer.equality(&self.equations.graph, *equality, Some(i), self.form());
+                    out.push_str(&self.formula(&formula, Some(i + 1)));
+                }
+            }
+        }
+        out
+    }
+
+    fn definitions(&self) -> String {
+        let shown: Vec<_> = self.equations.definitions.iter().filter(|d| d.shown).collect();
+        if shown.is_empty() || self.equations.textbook.is_err() {
+            return String::new();
+        }
+        let mut out = self.words(say(self.language, Word::WhereText));
+        for d in shown {
+            let formula = self.printer.definition(&self.equations.graph, d.symbol, d.formula, self.form());
+            out.push_str(&self.formula(&formula, None));
+        }
+        out
+    }
+}
+
+/// Every formula in the three forms, with the fields that all studies share.
+pub fn to_json(machine: &Machine, language: Language) -> Value {
+    let equations = &machine.equations;
+    let printer = Printer::of(equations, language);
+    let graph = &equations.graph;
+    let three = |write: &dyn Fn(formula::Form) -> String| json!({"text": write(formula::Form::Text), "latex": write(formula::Form::Latex), "mathml": write(formula::Form::MathMl)});
+    let written: Vec<Value> = match &equations.textbook {
+        Ok(list) => list.iter().enumerate().map(|(i, e)| three(&|form| printer.equality(graph, *e, Some(i), form))).collect(),
+        Err(_) => Vec::new(),
+    };
+    let reason = equations.textbook.as_ref().err().map(|r| language.text(r));
+    let definitions: Vec<Value> = equations
+        .definitions
+        .iter()
+        .filter(|d| d.shown)
+        .map(|d| three(&|form| printer.definition(graph, d.symbol, d.formula, form)))
+        .collect();
+    let energy = |e| if equations.textbook.is_ok() { three(&|form| printer.expression(graph, e, form)) } else { Value::Null };
+    let mut own = serde_json::Map::new();
+    own.insert("degrees_of_freedom".into(), json!(equations.coordinates.len()));
+    own.insert("equations".into(), json!(written));
+    own.insert("not_shown".into(), json!(reason));
+    own.insert("definitions".into(), json!(definitions));
+    for (key, e) in ["kinetic", "potential", "dissipation"].into_iter().zip(document::energies(equations)) {
+        own.insert(key.into(), energy(e.2));
+    }
+    let data = strutt::pipeline::no_numbers(machine);
+    serde_json::from_slice(&report::json::write(&data, &own, language)).unwrap_or(Value::Null)
+}

@@ -1,0 +1,32 @@
+//! `strutt equilibrium FILE`: positions of equilibrium.
+
+use super::{Exit, judge, open};
+use crate::args;
+use crate::console::{Console, Shape};
+use mechanics::model::StudyKind;
+use strutt::words::Word;
+use strutt::{Failure, document, folder, pipeline};
+
+pub fn run(args: &args::Equilibrium, console: &mut Console) -> Result<Exit, Failure> {
+    let (_, mut machine) = open(&args.model, console)?;
+    let of_file = machine.model.studies.iter().find_map(|s| match &s.kind {
+        StudyKind::Equilibrium { guess } => Some(guess.clone()),
+        _ => None,
+    });
+    let guess = of_file.unwrap_or_default();
+    let finding = console.watched(|watch| pipeline::equilibrium(&mut machine, &guess, watch));
+    let (data, language) = (finding.data(), console.language);
+    match console.shape {
+        Shape::Json => console.out(report::json::write(data, &folder::own_fields(&finding), language))?,
+        Shape::Csv => console.out(report::csv::write(data, report::csv::Dialect::Plain))?,
+        Shape::Text if finding.trouble().is_none() => {
+            console.out(report::terminal::table(&document::equilibria(data, language), language, console.width()))?;
+            for note in &data.notes {
+                console.out(format!("{}\n", language.text(note)))?;
+            }
+            console.talk(&format!("{} strutt run {}", console.say(Word::Next), args.model.file));
+        }
+        Shape::Text => {}
+    }
+    Ok(judge(&finding, console))
+}

@@ -1,0 +1,78 @@
+//! `strutt explain CODE`.
+
+use super::Exit;
+use crate::args;
+use crate::console::{Console, Shape};
+use serde_json::json;
+use strutt::explain::{self, Explanation};
+use strutt::{Failure, Trouble};
+
+pub fn run(args: &args::Explain, console: &mut Console) -> Result<Exit, Failure> {
+    let Some(code) = &args.code else {
+        list(console)?;
+        return Ok(Exit::Done);
+    };
+    let explanation = explain::find(code).ok_or_else(|| unknown(code))?;
+    let text = match console.shape {
+        Shape::Json => format!("{}\n", to_json(&explanation, console)),
+        _ => write(&explanation, console),
+    };
+    console.out(text)?;
+    Ok(Exit::Done)
+}
+
+fn list(console: &Console) -> Result<(), Failure> {
+    let all = explain::all();
+    if console.shape == Shape::Json {
+        let list: Vec<_> = all.iter().map(|e| to_json(e, console)).collect();
+        return console.out(format!("{}\n", json!(list)));
+    }
+    let lines: String = all.iter().map(|e| format!("{}  {}\n", e.code, console.language.text(&e.title))).collect();
+    console.out(lines)
+}
+
+fn write(e: &Explanation, console: &Console) -> String {
+    let language = console.language;
+    let title = format!("{}: {}", e.code, language.text(&e.title));
+    let body = wrap(language.text(&e.body), console.width().min(100));
+    let mut out = format!("{title}\n{}\n{body}", "-".repeat(title.chars().count()));
+    if !e.example.is_empty() {
+        let heading = console.pick("An example that raises it:", "Пример, который её вызывает:");
+        let example: String = e.example.trim_end().lines().map(|l| format!("  {l}\n")).collect();
+        out.push_str(&format!("\n{heading}\n\n{example}"));
+    }
+    out
+}
+
+/// Paragraphs filled to the width.
+fn wrap(text: &str, width: usize) -> String {
+    let mut out = String::new();
+    for paragraph in text.lines() {
+        let mut used = 0;
+        for word in paragraph.split(' ').filter(|w| !w.is_empty()) {
+            let n = word.chars().count();
+            if used > 0 {
+                out.push(if used + 1 + n > width { '\n' } else { ' ' });
+                used = if used + 1 + n > width { 0 } else { used + 1 };
+            }
+            out.push_str(word);
+            used += n;
+        }
+        out.push('\n');
+    }
+    out
+}
+
+fn to_json(e: &Explanation, console: &Console) -> serde_json::Value {
+    let language = console.language;
+    json!({"code": e.code, "title": language.text(&e.title), "body": language.text(&e.body), "example": e.example})
+}
+
+fn unknown(code: &str) -> Failure {
+    let trouble = Trouble::new("C010", format!("there is no code `{code}`"), format!("нет кода `{code}`"));
+    match explain::near(code) {
+        Some(near) => trouble.help(format!("did you mean {near}?"), format!("может быть, {near}?")),
+        None => trouble.help("`strutt explain` lists all codes", "`strutt explain` показывает все коды"),
+    }
+    .misuse()
+}

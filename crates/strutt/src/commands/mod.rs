@@ -1,0 +1,85 @@
+//! The commands, one file each.
+
+mod check;
+mod completions;
+mod equations;
+mod equilibrium;
+mod examples;
+mod explain;
+mod new;
+mod run;
+mod simulate;
+
+use crate::args::Command;
+use crate::console::{Console, INTERRUPTED};
+use crate::quantities;
+use mechanics::model::StudyKind;
+use std::sync::atomic::Ordering;
+use strutt::pipeline::{self, Finding, Machine};
+use strutt::words::Word;
+use strutt::{Failure, Source};
+
+/// How a command ended that did not fail outright.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exit {
+    /// Done.
+    Done = 0,
+    /// The model, a check or the calculation failed; what was done is written.
+    Failed = 1,
+    /// Ctrl+C; what was done is written.
+    Interrupted = 130,
+}
+
+/// Runs a command.
+pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
+    match command {
+        Command::Run(args) => run::run(&args, console),
+        Command::Check(args) => check::run(&args, console),
+        Command::Equations(args) => equations::run(&args, console),
+        Command::Simulate(args) => simulate::run(&args, console),
+        Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Examples(args) => examples::run(&args, console),
+        Command::New(args) => new::run(&args, console),
+        Command::Explain(args) => explain::run(&args, console),
+        Command::Completions(args) => completions::run(&args, console),
+    }
+}
+
+/// The file and the machine in it, warnings shown.
+fn open(model: &crate::args::Model, console: &mut Console) -> Result<(Source, Machine), Failure> {
+    let overrides = quantities::overrides(&model.overrides)?;
+    let source = Source::open(&model.file)?;
+    let machine = console.watched(|watch| pipeline::build(&source, &overrides, watch))?;
+    console.warn(&machine.warnings, &source);
+    Ok((source, machine))
+}
+
+/// Whether the file has a study that computes numbers.
+fn has_numbers(machine: &Machine) -> bool {
+    machine.model.studies.iter().any(|s| !matches!(s.kind, StudyKind::Equations))
+}
+
+/// Says what ended a study early and which checks failed; decides the exit code.
+fn judge(finding: &Finding, console: &Console) -> Exit {
+    let data = finding.data();
+    for audit in data.audits.iter().filter(|a| !a.ok) {
+        let (name, number) = (console.language.text(&audit.name), |x| report::number::short(x, 2, console.language));
+        let failed = console.say(Word::AuditFailed);
+        console.complain(&format!("{failed} {name}: {} > {}\n", number(audit.value), number(audit.limit)));
+    }
+    if let Some(trouble) = finding.trouble() {
+        console.trouble(trouble);
+        return Exit::Failed;
+    }
+    if data.partial && INTERRUPTED.load(Ordering::Relaxed) {
+        console.complain(&format!("{}\n", console.say(Word::Interrupted)));
+        return Exit::Interrupted;
+    }
+    if data.audits.iter().all(|a| a.ok) { Exit::Done } else { Exit::Failed }
+}
+
+impl Exit {
+    fn worse(self, other: Exit) -> Exit {
+        if other as u8 > self as u8 { other } else { self }
+    }
+}

@@ -1,0 +1,53 @@
+//! `strutt new NAME`: a model file to start from. Nothing is ever overwritten.
+
+use super::{Exit, examples};
+use crate::args;
+use crate::console::Console;
+use std::path::{Path, PathBuf};
+use strutt::words::Word;
+use strutt::{Failure, Trouble, chain, files, gallery};
+
+/// What a name that is no example begins with.
+const STARTER: &str = include_str!("starter.toml");
+
+pub fn run(args: &args::New, console: &mut Console) -> Result<Exit, Failure> {
+    let path = path_of(&args.name);
+    let text = text(args, &path)?;
+    files::write_new(&path, text.as_bytes())?;
+    console.talk(&format!("{} {}", console.say(Word::Written), path.display()));
+    console.talk(&format!("{} strutt run {}", console.say(Word::Next), path.display()));
+    Ok(Exit::Done)
+}
+
+/// With .toml behind it.
+fn path_of(name: &str) -> PathBuf {
+    let path = PathBuf::from(name);
+    if path.extension().is_some_and(|e| e == "toml") { path } else { PathBuf::from(format!("{name}.toml")) }
+}
+
+fn text(args: &args::New, path: &Path) -> Result<String, Failure> {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let from = args.from.as_deref().unwrap_or(&stem);
+    if let Some(count) = args.count {
+        return links(from, count);
+    }
+    match (&args.from, gallery::find(from)) {
+        (_, Some(example)) => Ok(example.text.to_owned()),
+        (Some(from), None) => examples::find(from).map(|e| e.text.to_owned()),
+        (None, None) => Ok(STARTER.to_owned()),
+    }
+}
+
+fn links(from: &str, count: usize) -> Result<String, Failure> {
+    let limit = chain::LONGEST;
+    if from != "n-pendulum" {
+        let trouble = Trouble::new("C009", "--count belongs to n-pendulum only", "ключ --count относится только к n-pendulum");
+        return Err(trouble.help("strutt new n-pendulum --count 10", "strutt new n-pendulum --count 10").misuse());
+    }
+    if !(1..=limit).contains(&count) {
+        let (en, ru) =
+            (format!("--count {count}: 1 ... {limit} pendulums"), format!("--count {count}: маятников может быть 1 ... {limit}"));
+        return Err(Trouble::new("C009", en, ru).misuse());
+    }
+    Ok(chain::model(count))
+}

@@ -1,0 +1,53 @@
+//! `strutt run FILE`: every study of the file, on the terminal and in a folder.
+
+use super::{Exit, has_numbers, judge};
+use crate::args;
+use crate::console::{Console, Shape, listen_to_interrupts};
+use crate::quantities;
+use std::path::{Path, PathBuf};
+use strutt::document::Extent;
+use strutt::pipeline::{self, Calculation};
+use strutt::words::Word;
+use strutt::{Failure, Source, folder};
+
+pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
+    listen_to_interrupts();
+    let overrides = quantities::overrides(&args.model.overrides)?;
+    let source = Source::open(&args.model.file)?;
+    let mut calculation = console.watched(|watch| pipeline::run(&source, &overrides, watch))?;
+    console.warn(&calculation.machine.warnings, &source);
+    let out = args.out.clone().unwrap_or_else(|| Path::new("out").join(source.name()));
+    let language = console.language;
+    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, &out, language))?;
+    show(&calculation, console)?;
+    tell(&calculation, &paths, &args.model.file, console);
+    Ok(calculation.findings.iter().fold(Exit::Done, |exit, finding| exit.worse(judge(finding, console))))
+}
+
+fn show(calculation: &Calculation, console: &Console) -> Result<(), Failure> {
+    let language = console.language;
+    match console.shape {
+        Shape::Json => console.out(folder::calculation_to_json(calculation, language)),
+        Shape::Csv => match calculation.findings.first() {
+            Some(finding) => console.out(report::csv::write(finding.data(), report::csv::Dialect::Plain)),
+            None => Ok(()),
+        },
+        Shape::Text => {
+            let width = console.width();
+            let document = pipeline::document(calculation, Extent::Terminal { width }, language);
+            console.out(report::terminal::write(&document, width))
+        }
+    }
+}
+
+fn tell(calculation: &Calculation, paths: &[PathBuf], file: &str, console: &Console) {
+    let partial = calculation.findings.iter().any(|f| f.data().partial);
+    let heading = console.say(if partial { Word::WrittenPartly } else { Word::Written });
+    let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
+    console.talk(&format!("\n{heading}{list}"));
+    let next = match has_numbers(&calculation.machine) {
+        true => format!("strutt equations {file} --steps"),
+        false => format!("strutt simulate {file} --until 10"),
+    };
+    console.talk(&format!("{} {next}", console.say(Word::Next)));
+}

@@ -1,0 +1,66 @@
+//! `strutt simulate FILE`: one motion, as a table.
+
+use super::{Exit, judge, open};
+use crate::args;
+use crate::console::{Console, Shape, listen_to_interrupts};
+use crate::quantities;
+use mechanics::model::Times;
+use strutt::pipeline::{self, Calculation, Finding, Machine};
+use strutt::plan::{self, Wishes};
+use strutt::words::Word;
+use strutt::{Failure, document, folder};
+
+pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure> {
+    let wishes = wishes(args)?;
+    let (_, mut machine) = open(&args.model, console)?;
+    let study = plan::simulation(&machine.model, &machine.equations, wishes)?;
+    listen_to_interrupts();
+    let finding = console.watched(|watch| pipeline::simulate(&mut machine, &study, watch));
+    console.timed(Word::TimeWrite, |console| show(&finding, args, console))?;
+    let exit = judge(&finding, console);
+    if let Some(out) = &args.out {
+        write(machine, finding, out, console)?;
+    }
+    Ok(exit)
+}
+
+fn wishes(args: &args::Simulate) -> Result<Wishes, Failure> {
+    let until = args.until.as_deref().map(|text| quantities::seconds("--until", text)).transpose()?;
+    let tolerance = args.tolerance.as_deref().map(|text| quantities::number("--tolerance", text)).transpose()?;
+    let times = match (&args.at, &args.every) {
+        (Some(at), _) => Some(Times::At(quantities::times("--at", at)?)),
+        (None, Some(every)) => Some(Times::Every(quantities::seconds("--every", every)?)),
+        (None, None) => None,
+    };
+    let outputs =
+        args.outputs.as_ref().map(|list| list.iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect());
+    Ok(Wishes { until, tolerance, times, outputs })
+}
+
+/// CSV in pipes, a summary on terminals, unless said otherwise.
+fn show(finding: &Finding, args: &args::Simulate, console: &Console) -> Result<(), Failure> {
+    let data = finding.data();
+    if data.columns.is_empty() && console.shape != Shape::Json {
+        return Ok(());
+    }
+    match console.shape {
+        Shape::Json => console.out(report::json::write(data, &folder::own_fields(finding), console.language)),
+        Shape::Text if args.out.is_some() => Ok(()),
+        Shape::Text if console.terminal => {
+            let table = document::results(data, console.language);
+            console.out(report::terminal::table(&table, console.language, console.width()))?;
+            console.talk(&format!("{} strutt simulate {} --csv > motion.csv", console.say(Word::Next), args.model.file));
+            Ok(())
+        }
+        _ => console.out(report::csv::write(data, report::csv::Dialect::Plain)),
+    }
+}
+
+fn write(machine: Machine, finding: Finding, out: &std::path::Path, console: &mut Console) -> Result<(), Failure> {
+    let mut calculation = Calculation { machine, findings: vec![finding], files: Vec::new() };
+    let language = console.language;
+    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, out, language))?;
+    let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
+    console.talk(&format!("{}{list}", console.say(Word::Written)));
+    Ok(())
+}

@@ -1,0 +1,239 @@
+//! Where words go: data to stdout in one piece, talk to stderr; colours only on terminals.
+
+use crate::args::Global;
+use mechanics::Diagnostic;
+use report::Language;
+use serde_json::json;
+use std::ffi::OsString;
+use std::io::{IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+use strutt::diagnostics::{self, Style};
+use strutt::words::{Word, say};
+use strutt::{Failure, Source, Trouble, Watch};
+
+/// Set by Ctrl+C.
+pub static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// A calculation shows its progress when it takes longer.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// What data look like on stdout.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// For people.
+    Text,
+    /// CSV.
+    Csv,
+    /// JSON.
+    Json,
+}
+
+/// The terminal, or the pipes in its place.
+pub struct Console {
+    pub language: Language,
+    pub shape: Shape,
+    pub quiet: bool,
+    /// Whether a person reads stdout.
+    pub terminal: bool,
+    /// Phases of the calculation, when they are to be shown.
+    laps: Option<Vec<(Word, Duration)>>,
+    started: Instant,
+}
+
+impl Console {
+    pub fn new(global: &Global, language: Language) -> Console {
+        let shape = match (global.json, global.csv) {
+            (true, _) => Shape::Json,
+            (_, true) => Shape::Csv,
+            _ => Shape::Text,
+        };
+        let laps = global.timings.then(Vec::new);
+        let terminal = std::io::stdout().is_terminal();
+        Console { language, shape, quiet: global.quiet, terminal, laps, started: Instant::now() }
+    }
+
+    pub fn say(&self, word: Word) -> &'static str {
+        say(self.language, word)
+    }
+
+    pub fn pick(&self, en: impl Into<String>, ru: impl Into<String>) -> String {
+        self.language.pick(en.into(), ru.into())
+    }
+
+    /// Data.
+    pub fn out(&self, data: impl AsRef<[u8]>) -> Result<(), Failure> {
+        let mut stdout = std::io::stdout().lock();
+        match stdout.write_all(data.as_ref()).and_then(|()| stdout.flush()) {
+            Ok(()) => Ok(()),
+            Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Err(Failure::ClosedPipe),
+            Err(error) => {
+                let (en, ru) =
+                    (format!("cannot write to standard output: {error}"), format!("не удаётся писать в стандартный вывод: {error}"));
+                Err(Trouble::new("C005", en, ru).into())
+            }
+        }
+    }
+
+    /// Talk, unless the user wants quiet.
+    pub fn talk(&self, words: &str) {
+        if !self.quiet {
+            complain(&format!("{words}\n"));
+        }
+    }
+
+    /// What is said even to those who want quiet.
+    pub fn complain(&self, words: &str) {
+        complain(words);
+    }
+
+    /// Characters on a line.
+    pub fn width(&self) -> usize {
+        let columns = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok());
+        let asked = || ::console::Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
+        columns.or_else(|| if self.terminal { asked() } else { None }).unwrap_or(120).clamp(60, 200)
+    }
+
+    fn style(&self) -> Style {
+        let wanted = std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty()) && std::env::var_os("TERM").is_none_or(|t| t != "dumb");
+        Style { language: self.language, colour: wanted && std::io::stderr().is_terminal() }
+    }
+
+    /// Warnings of the reader.
+    pub fn warn(&self, warnings: &[Diagnostic], source: &Source) {
+        if !warnings.is_empty() && !self.quiet && self.shape != Shape::Json {
+            complain(&diagnostics::render(warnings, source, self.style()));
+        }
+    }
+
+    /// A trouble that does not end the command at once.
+    pub fn trouble(&self, trouble: &Trouble) {
+        complain(&diagnostics::render_trouble(trouble, self.style()));
+    }
+
+    /// Shows what ended the command; returns the exit code.
+    pub fn fail(&self, failure: &Failure) -> u8 {
+        let language = self.language;
+        let as_json = self.shape == Shape::Json;
+        let value = match failure {
+            Failure::Findings { source, diagnostics } if as_json => {
+                json!({"ok": false, "file": source.path, "findings": diagnostics::to_json(diagnostics, source, language)})
+            }
+            Failure::Trouble(t) | Failure::Misuse(t) if as_json => {
+                json!({"ok": false, "findings": [diagnostics::trouble_to_json(t, language)]})
+            }
+            Failure::Findings { source, diagnostics } => {
+                complain(&diagnostics::render(diagnostics, source, self.style()));
+                return failure.exit_code();
+            }
+            Failure::Trouble(t) | Failure::Misuse(t) => {
+                complain(&diagnostics::render_trouble(t, self.style()));
+                return failure.exit_code();
+            }
+            Failure::ClosedPipe => return failure.exit_code(),
+        };
+        // nothing is left to tell when even this cannot be written
+        let _ = self.out(format!("{value}\n"));
+        failure.exit_code()
+    }
+
+    /// Runs a calculation under watch: Ctrl+C stops it, a bar shows its progress, its phases are timed.
+    pub fn watched<T>(&mut self, calculate: impl FnOnce(&mut Watch) -> T) -> T {
+        let mut bar = Bar { started: Instant::now(), shown: None, enabled: !self.quiet && std::io::stderr().is_terminal() };
+        let mut tell = |share: f64| bar.tell(share);
+        let mut watch = Watch::default();
+        watch.interrupt = Some(&INTERRUPTED);
+        watch.progress = Some(&mut tell);
+        let result = calculate(&mut watch);
+        if let Some(laps) = &mut self.laps {
+            laps.extend(watch.laps());
+        }
+        bar.end();
+        result
+    }
+
+    /// Times the rest of the work, which needs no watching.
+    pub fn timed<T>(&mut self, phase: Word, work: impl FnOnce(&Console) -> T) -> T {
+        let start = Instant::now();
+        let result = work(self);
+        if let Some(laps) = &mut self.laps {
+            laps.push((phase, start.elapsed()));
+        }
+        result
+    }
+
+    /// The phases and the total, when asked for.
+    pub fn timings(&self) {
+        let Some(laps) = &self.laps else { return };
+        let line = |phase: &str, time: Duration| format!("{phase:<24}{:>10.3} ms\n", 1e3 * time.as_secs_f64());
+        let mut out: String = laps.iter().map(|(phase, time)| line(self.say(*phase), *time)).collect();
+        out.push_str(&line(self.say(Word::TimeTotal), self.started.elapsed()));
+        complain(&out);
+    }
+}
+
+/// From now on Ctrl+C asks for the results so far; a second one ends at once.
+pub fn listen_to_interrupts() {
+    // without the handler Ctrl+C ends the program as usual
+    let _ = ctrlc::set_handler(|| {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+}
+
+struct Bar {
+    started: Instant,
+    shown: Option<indicatif::ProgressBar>,
+    enabled: bool,
+}
+
+impl Bar {
+    fn tell(&mut self, share: f64) {
+        if !self.enabled || self.started.elapsed() < PATIENCE {
+            return;
+        }
+        let bar = self.shown.get_or_insert_with(|| {
+            let style = indicatif::ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed}").ok();
+            let bar = indicatif::ProgressBar::new(1000);
+            if let Some(style) = style { bar.with_style(style) } else { bar }
+        });
+        bar.set_position((1000.0 * share.clamp(0.0, 1.0)) as u64);
+    }
+
+    fn end(self) {
+        if let Some(bar) = self.shown {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+/// Writes to stderr; when nobody listens there, nobody is to be told.
+fn complain(words: &str) {
+    let _ = std::io::stderr().lock().write_all(words.as_bytes());
+}
+
+/// `--lang` wherever it stands, otherwise the locale. Needed before the arguments are parsed, since help is in that language too.
+pub fn language_of(arguments: impl Iterator<Item = OsString>) -> Language {
+    let arguments: Vec<String> = arguments.map(|a| a.to_string_lossy().into_owned()).collect();
+    let mut chosen = None;
+    for (i, argument) in arguments.iter().enumerate() {
+        let value = match argument.strip_prefix("--lang") {
+            Some("") => arguments.get(i + 1).map(String::as_str),
+            Some(rest) => rest.strip_prefix('='),
+            None => None,
+        };
+        match value {
+            Some("ru") => chosen = Some(Language::Ru),
+            Some("en") => chosen = Some(Language::En),
+            _ => {}
+        }
+    }
+    chosen.unwrap_or_else(of_environment)
+}
+
+fn of_environment() -> Language {
+    let variables = ["LC_ALL", "LC_MESSAGES", "LANG"];
+    let locale = variables.iter().find_map(|v| std::env::var(v).ok().filter(|l| !l.is_empty()));
+    locale.map_or(Language::En, |l| Language::of_locale(&l))
+}

@@ -1,0 +1,398 @@
+//! The written calculation of a machine: title, coordinates, equations, checks, results. It arranges what was computed and computes
+//! nothing itself.
+
+use crate::pipeline::{Calculation, Finding};
+use crate::words::{Word as Say, say};
+use analysis::Dataset;
+use analysis::dataset::Audit;
+use mechanics::model::{Plot, Simulate};
+use report::document::{Content, Formula, Inline, Rich};
+use report::formula::{Form, Printer};
+use report::table::Column;
+use report::{Block, Cell, Document, Download, Figure, Language, Table, Word};
+use symbolic::equations::Role;
+use symbolic::{Equations, Expr, Text};
+
+/// Significant digits of numbers in tables.
+const DIGITS: usize = 4;
+/// Rows of events that are listed.
+const EVENTS: usize = 50;
+/// Width of a formula on the page, in characters of its text form.
+const PAGE_WIDTH: usize = 90;
+
+/// How much a document says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Everything: for the page.
+    Page,
+    /// What fits a terminal of a width: no parameters, no derivation, no plots.
+    Terminal {
+        /// Characters on a line.
+        width: usize,
+    },
+}
+
+/// The document of a calculation.
+pub fn compose(calculation: &Calculation, extent: Extent, language: Language) -> Document {
+    let writer = Writer { calculation, equations: &calculation.machine.equations, extent, language };
+    let mut blocks = writer.coordinates();
+    blocks.extend(writer.equations());
+    if extent == Extent::Page {
+        blocks.extend(writer.derivation());
+        blocks.extend(writer.parameters());
+    }
+    blocks.extend(writer.checks());
+    for finding in &calculation.findings {
+        blocks.extend(writer.finding(finding));
+    }
+    if extent == Extent::Page {
+        blocks.extend(writer.downloads());
+    }
+    let model = &calculation.machine.model;
+    let description = if extent == Extent::Page { language.text(&model.description).into() } else { String::new() };
+    Document {
+        language,
+        title: language.text(&model.title).into(),
+        description,
+        blocks,
+        version: crate::VERSION.into(),
+        model_hash: calculation.machine.model_hash.clone(),
+    }
+}
+
+/// A printer of formulas in the user's symbols.
+pub fn printer(equations: &Equations, language: Language, width: usize) -> Printer {
+    Printer::of(equations, language).with_width(width)
+}
+
+/// Figures of a simulation: those the file asks for, otherwise one per coordinate. Their names differ.
+pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, language: Language) -> Vec<Figure> {
+    let mut figures: Vec<Figure> = if study.plots.is_empty() {
+        let coordinates = calculation.machine.equations.outputs.iter().filter(|o| o.role == Role::Coordinate);
+        coordinates.filter_map(|o| Figure::over_axis(data, &[&o.name], language)).collect()
+    } else {
+        study.plots.iter().filter_map(|plot| figure(plot, data, language)).collect()
+    };
+    for i in 1..figures.len() {
+        let (before, rest) = figures.split_at_mut(i);
+        if before.iter().any(|f| f.name == rest[0].name) {
+            rest[0].name = format!("{}-{}", rest[0].name, i + 1);
+        }
+    }
+    figures
+}
+
+fn figure(plot: &Plot, data: &Dataset, language: Language) -> Option<Figure> {
+    let names: Vec<&str> = plot.y.iter().map(String::as_str).collect();
+    let mut figure = match plot.x.as_deref() {
+        None | Some("t") => Figure::over_axis(data, &names, language)?,
+        Some(x) => {
+            let mut figure = Figure::in_plane(data, x, &names, language)?;
+            figure.name = format!("{}-{}", report::escape::file_name(&x.replace('\'', "_rate")), figure.name);
+            figure
+        }
+    };
+    let title = language.text(&plot.title);
+    if !title.is_empty() {
+        figure.title = title.into();
+    }
+    Some(figure)
+}
+
+struct Writer<'a> {
+    calculation: &'a Calculation,
+    equations: &'a Equations,
+    extent: Extent,
+    language: Language,
+}
+
+impl Writer<'_> {
+    fn word(&self, word: Word) -> &'static str {
+        self.language.word(word)
+    }
+
+    /// A table; in the terminal its heading is enough of a caption.
+    fn table(&self, table: Table, caption: Word) -> Block {
+        Block::Table(if self.extent == Extent::Page { table.with_caption(self.word(caption)) } else { table })
+    }
+
+    fn heading(&self, word: Word) -> Block {
+        Block::heading(1, self.word(word))
+    }
+
+    fn printer(&self) -> Printer {
+        let width = match self.extent {
+            Extent::Page => PAGE_WIDTH,
+            // the number of the equation stands behind it
+            Extent::Terminal { width } => width.saturating_sub(8),
+        };
+        printer(self.equations, self.language, width)
+    }
+
+    fn coordinates(&self) -> Vec<Block> {
+        let language = self.language;
+        let coordinates = &self.equations.coordinates;
+        let mut pieces = vec![Inline::Words(format!("{}: {}. ", self.word(Word::DegreesOfFreedom), coordinates.len()))];
+        if coordinates.is_empty() {
+            return vec![Block::Paragraph(Rich(pieces))];
+        }
+        pieces.push(Inline::Words(format!("{}: ", self.word(Word::Coordinates))));
+        let printer = self.printer();
+        for (i, coordinate) in coordinates.iter().enumerate() {
+            let symbol = self.symbol(&printer, coordinate.symbols[0]);
+            pieces.push(Inline::Words(if i == 0 { String::new() } else { "; ".into() }));
+            pieces.push(Inline::Formula(symbol));
+            let label = language.text(&coordinate.label);
+            let unit = report::unit::print(&coordinate.unit, language);
+            let words = [label, &unit].into_iter().filter(|w| !w.is_empty()).collect::<Vec<_>>().join(", ");
+            pieces.push(Inline::Words(if words.is_empty() { words } else { format!(" ({words})") }));
+        }
+        pieces.push(Inline::Words(".".into()));
+        vec![Block::Paragraph(Rich(pieces))]
+    }
+
+    fn symbol(&self, printer: &Printer, symbol: symbolic::SymbolId) -> Formula {
+        let graph = &self.equations.graph;
+        Formula { mathml: printer.symbol(graph, symbol, Form::MathMl), text: printer.symbol(graph, symbol, Form::Text) }
+    }
+
+    fn equations(&self) -> Vec<Block> {
+        let printer = self.printer();
+        let graph = &self.equations.graph;
+        let mut blocks = vec![self.heading(Word::Equations)];
+        match &self.equations.textbook {
+            Err(reason) => blocks.push(Block::paragraph(self.language.text(reason))),
+            Ok(equalities) => {
+                for (i, equality) in equalities.iter().enumerate() {
+                    let write = |form| printer.equality(graph, *equality, Some(i), form);
+                    let formula = Formula { mathml: write(Form::MathMl), text: write(Form::Text) };
+                    blocks.push(Block::Equation { formula, numbered: true });
+                }
+            }
+        }
+        let shown: Vec<_> = self.equations.definitions.iter().filter(|d| d.shown).collect();
+        if !shown.is_empty() && self.equations.textbook.is_ok() {
+            blocks.push(Block::paragraph(say(self.language, Say::WhereText)));
+            for d in shown {
+                let write = |form| printer.definition(graph, d.symbol, d.formula, form);
+                let formula = Formula { mathml: write(Form::MathMl), text: write(Form::Text) };
+                blocks.push(Block::Equation { formula, numbered: false });
+            }
+        }
+        blocks
+    }
+
+    fn derivation(&self) -> Vec<Block> {
+        if self.equations.steps.is_empty() {
+            return Vec::new();
+        }
+        vec![Block::Details { summary: self.word(Word::Derivation).into(), blocks: steps(self.equations, &self.printer(), self.language) }]
+    }
+
+    fn parameters(&self) -> Vec<Block> {
+        let language = self.language;
+        if self.equations.parameters.is_empty() {
+            return Vec::new();
+        }
+        let heads = [Word::Symbol, Word::Written, Word::ValueSi, Word::Unit, Word::Description];
+        let mut table = Table::new(heads.map(|w| Column::new(self.word(w))).into());
+        let printer = self.printer();
+        for p in &self.equations.parameters {
+            table.row(vec![
+                Cell::Rich(Rich::formula(self.symbol(&printer, p.symbol))),
+                Cell::words(written(&p.written, language)),
+                Cell::number(p.value, 6, language),
+                Cell::words(report::unit::print(&p.unit, language)),
+                Cell::words(language.text(&p.label)),
+            ]);
+        }
+        vec![self.heading(Word::Parameters), self.table(table, Word::Parameters)]
+    }
+
+    fn checks(&self) -> Vec<Block> {
+        let audits = self.calculation.audits();
+        if audits.is_empty() {
+            return Vec::new();
+        }
+        if self.extent != Extent::Page {
+            // whole lines, since a table would be cut at the width of the terminal
+            let lines: Vec<String> = audits.iter().map(|a| self.check(a)).collect();
+            return vec![self.heading(Word::Checks), Block::paragraph(lines.join("\n"))];
+        }
+        let heads = [Word::Check, Word::Value, Word::Limit, Word::Verdict];
+        let mut table = Table::new(heads.map(|w| Column::new(self.word(w))).into());
+        for audit in audits {
+            table.row(vec![
+                Cell::words(self.language.text(&audit.name)),
+                Cell::number(audit.value, 2, self.language),
+                Cell::number(audit.limit, 2, self.language),
+                Cell::Verdict(audit.ok),
+            ]);
+        }
+        vec![self.heading(Word::Checks), self.table(table, Word::Checks)]
+    }
+
+    fn check(&self, audit: &Audit) -> String {
+        let number = |x| report::number::short(x, 2, self.language);
+        let verdict = report::terminal::verdict(audit.ok, self.language);
+        let (value, limit) = (number(audit.value), number(audit.limit));
+        format!("{verdict}: {}: {value} ({} {limit})", self.language.text(&audit.name), self.word(Word::Limit).to_lowercase())
+    }
+
+    fn finding(&self, finding: &Finding) -> Vec<Block> {
+        match finding {
+            Finding::Equilibrium(data, _) => {
+                let mut blocks = vec![self.heading(Word::Equilibrium)];
+                blocks.push(self.table(equilibria(data, self.language), Word::Equilibrium));
+                blocks.extend(self.notes(data));
+                blocks
+            }
+            Finding::Motion(study, data, _) => {
+                let mut blocks = vec![self.heading(Word::Simulation)];
+                blocks.push(self.table(results(data, self.language), Word::Results));
+                blocks.extend(self.notes(data));
+                blocks.extend(self.events(data));
+                if self.extent == Extent::Page {
+                    blocks.extend(figures(self.calculation, study, data, self.language).into_iter().map(Block::Figure));
+                }
+                blocks.extend(self.counters(data));
+                blocks
+            }
+        }
+    }
+
+    fn notes(&self, data: &Dataset) -> Vec<Block> {
+        data.notes.iter().map(|note| Block::paragraph(self.language.text(note))).collect()
+    }
+
+    fn events(&self, data: &Dataset) -> Vec<Block> {
+        if data.events.is_empty() {
+            return Vec::new();
+        }
+        let language = self.language;
+        let columns = vec![Column::with_unit(self.word(Word::Time), "s", language), Column::new(self.word(Word::Event))];
+        let mut table = Table::new(columns);
+        let listed = &data.events[..data.events.len().min(EVENTS)];
+        let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
+        for (time, event) in Cell::column(&times, 6, language).into_iter().zip(listed) {
+            table.row(vec![time, Cell::words(language.text(&event.what))]);
+        }
+        let mut blocks = vec![self.table(table, Word::Events)];
+        let more = data.events.len() - listed.len();
+        if more > 0 {
+            let (en, ru) = (format!("and {more} more events: see the JSON file"), format!("и ещё событий: {more}, см. файл JSON"));
+            blocks.push(Block::paragraph(language.pick(en, ru)));
+        }
+        blocks
+    }
+
+    fn counters(&self, data: &Dataset) -> Vec<Block> {
+        let number = |x: f64| report::number::short(x, DIGITS, self.language);
+        let counters = data.counters.iter().map(|c| format!("{}: {}", self.language.text(&c.name), number(c.value)));
+        let words = counters.collect::<Vec<_>>().join(", ");
+        if words.is_empty() { Vec::new() } else { vec![Block::paragraph(format!("{}: {words}.", self.word(Word::Counters)))] }
+    }
+
+    fn downloads(&self) -> Vec<Block> {
+        let files = &self.calculation.files;
+        if files.is_empty() {
+            return Vec::new();
+        }
+        let download = |(name, label): &(String, Say)| Download {
+            name: name.clone(),
+            label: say(self.language, *label).into(),
+            content: Content::Beside,
+        };
+        vec![self.heading(Word::Downloads), Block::Downloads(files.iter().map(download).collect())]
+    }
+}
+
+/// The written derivation as blocks.
+pub fn steps(equations: &Equations, printer: &Printer, language: Language) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    for step in &equations.steps {
+        blocks.push(Block::heading(3, language.text(&step.title)));
+        let words = language.text(&step.words);
+        if !words.is_empty() {
+            blocks.push(Block::paragraph(words));
+        }
+        for formula in &step.formulas {
+            let write = |form| printer.step(&equations.graph, formula, form);
+            blocks.push(Block::Equation { formula: Formula { mathml: write(Form::MathMl), text: write(Form::Text) }, numbered: false });
+        }
+    }
+    blocks
+}
+
+/// Energies of the machine, named.
+pub fn energies(equations: &Equations) -> [(Say, &'static str, Expr); 3] {
+    let e = &equations.energy;
+    [(Say::KineticEnergy, "T", e.kinetic), (Say::PotentialEnergy, "Π", e.potential), (Say::DissipationFunction, "Φ", e.dissipation)]
+}
+
+/// What became of each quantity: at the start, least, largest, at the end.
+pub fn results(data: &Dataset, language: Language) -> Table {
+    let heads = [Word::Symbol, Word::Unit].map(|w| Column::new(language.word(w)));
+    let values = [say(language, Say::AtStart), language.word(Word::Minimum), language.word(Word::Maximum), language.word(Word::Final)];
+    let mut columns: Vec<Column> = heads.into();
+    columns.extend(values.map(Column::new));
+    columns.push(Column::new(language.word(Word::Description)));
+    let mut table = Table::new(columns);
+    for (i, column) in data.columns.iter().enumerate() {
+        if Some(i) == data.axis || column.values.is_empty() {
+            continue;
+        }
+        let finite = || column.values.iter().copied().filter(|v| v.is_finite());
+        let (low, high) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let (first, last) = (column.values[0], column.values[column.values.len() - 1]);
+        let scale = scale(&column.quantity, low.abs().max(high.abs()));
+        let shown = [first, low, high, last].map(|v| v / scale.size);
+        let mut row = vec![Cell::symbol(&column.quantity.symbol), Cell::words(scale.print(language))];
+        row.extend(Cell::column(&shown, DIGITS, language));
+        row.push(Cell::words(language.text(&column.quantity.label)));
+        table.row(row);
+    }
+    table
+}
+
+/// The user's unit of display, otherwise SI with a prefix.
+fn scale(quantity: &analysis::Quantity, largest: f64) -> report::unit::Scale {
+    match &quantity.display {
+        Some((label, size)) => report::unit::Scale { size: *size, label: label.clone() },
+        None => report::unit::Scale::of_column(&quantity.unit, largest),
+    }
+}
+
+/// One row per quantity, one column per equilibrium.
+pub fn equilibria(data: &Dataset, language: Language) -> Table {
+    let n = data.columns.first().map_or(0, |c| c.values.len());
+    let mut columns = vec![Column::new(language.word(Word::Symbol)), Column::new(language.word(Word::Unit))];
+    columns.extend((1..=n).map(|i| if n == 1 { language.word(Word::Value).to_owned() } else { i.to_string() }).map(Column::new));
+    columns.push(Column::new(language.word(Word::Description)));
+    let mut table = Table::new(columns);
+    for column in &data.columns {
+        let largest = column.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let scale = scale(&column.quantity, largest);
+        let shown: Vec<f64> = column.values.iter().map(|v| v / scale.size).collect();
+        let mut row = vec![Cell::symbol(&column.quantity.symbol), Cell::words(scale.print(language))];
+        row.extend(Cell::column(&shown, DIGITS, language));
+        row.push(Cell::words(language.text(&column.quantity.label)));
+        table.row(row);
+    }
+    table
+}
+
+/// A quantity as the user wrote it, with the decimal mark of the language.
+fn written(text: &str, language: Language) -> String {
+    let number = text.split_whitespace().next().unwrap_or("");
+    let (from, to) = language.pick((',', "."), ('.', ","));
+    if number.parse::<f64>().is_ok() || number.replacen(',', ".", 1).parse::<f64>().is_ok() {
+        return text.replacen(from, to, usize::from(number.contains(from)));
+    }
+    text.to_owned()
+}
+
+/// The audit that reading itself makes: every formula has the dimension of what it defines.
+pub fn dimensions_checked() -> Audit {
+    Audit::at_most("units", Text::new("formulas of wrong dimension", "формул неверной размерности"), 0.0, 0.0)
+}

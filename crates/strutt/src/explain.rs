@@ -1,0 +1,158 @@
+//! Explanations of every code that a message can carry, gathered from all rooms.
+
+use crate::near::nearest;
+use symbolic::Text;
+
+/// What a code means.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Explanation {
+    /// The code.
+    pub code: &'static str,
+    /// Title.
+    pub title: Text,
+    /// The explanation.
+    pub body: Text,
+    /// A model that raises it; empty when none fits a few lines.
+    pub example: &'static str,
+}
+
+/// Every code, in the order of the rooms.
+pub fn all() -> Vec<Explanation> {
+    let pair = |(en, ru): (&str, &str)| Text::new(en, ru);
+    let mut out = Vec::new();
+    out.extend(program::EXPLANATIONS.iter().map(|(code, title, body)| Explanation {
+        code,
+        title: pair(*title),
+        body: pair(*body),
+        example: "",
+    }));
+    out.extend(analysis::fault::EXPLANATIONS.iter().map(|e| Explanation {
+        code: e.code,
+        title: Text::new(e.en.0, e.ru.0),
+        body: Text::new(e.en.1, e.ru.1),
+        example: "",
+    }));
+    out.extend(OWN.iter().map(|(code, title, body)| Explanation { code, title: pair(*title), body: pair(*body), example: "" }));
+    out
+}
+
+/// The explanation of a code; small letters do too.
+pub fn find(code: &str) -> Option<Explanation> {
+    all().into_iter().find(|e| e.code.eq_ignore_ascii_case(code))
+}
+
+/// A code that may have been meant.
+pub fn near(code: &str) -> Option<&'static str> {
+    let all = all();
+    let codes: Vec<&'static str> = all.iter().map(|e| e.code).collect();
+    nearest(code, codes)
+}
+
+type Wording = (&'static str, &'static str);
+
+/// Code, title, body of what the command line itself can say.
+const OWN: &[(&str, Wording, Wording)] = &[
+    (
+        "C001",
+        ("No such file", "Нет такого файла"),
+        (
+            "The model file was not found. Give the path of a .toml file, a folder that holds a model.toml, or - for standard input. `strutt examples` \
+             lists ready models; `strutt new NAME` writes one to start from.",
+            "Файл модели не найден. Укажите путь к файлу .toml, папку, в которой лежит model.toml, или - для стандартного ввода. `strutt examples` \
+             показывает готовые модели; `strutt new ИМЯ` записывает модель, с которой можно начать.",
+        ),
+    ),
+    (
+        "C002",
+        ("Unreadable file", "Файл не читается"),
+        (
+            "The file exists but the system does not let it be read: no permission, a broken disk, a device.",
+            "Файл есть, но система не даёт его прочитать: нет прав доступа, неисправен диск, это устройство.",
+        ),
+    ),
+    (
+        "C003",
+        ("File too large", "Слишком большой файл"),
+        (
+            "A model file is text of at most 4 MiB. Something much larger is probably data or a picture.",
+            "Файл модели – это текст не более 4 МиБ. Если он гораздо больше, вероятно, это данные или рисунок.",
+        ),
+    ),
+    (
+        "C004",
+        ("Not UTF-8", "Кодировка не UTF-8"),
+        (
+            "A model file is text in UTF-8, with or without a byte order mark. Old Windows editors save Russian text in Windows-1251: choose UTF-8 \
+             when saving.",
+            "Файл модели – это текст в UTF-8, с меткой порядка байтов или без неё. Старые редакторы Windows сохраняют русский текст в Windows-1251: \
+             при сохранении выберите UTF-8.",
+        ),
+    ),
+    (
+        "C005",
+        ("Cannot write", "Не удаётся записать"),
+        (
+            "A result could not be written: the disk is full, the folder is write-protected, or a file stands where a folder is needed. Files are \
+             written whole or not at all; earlier results of the same name are untouched.",
+            "Результат не записан: диск заполнен, папка защищена от записи или на месте папки стоит файл. Файлы записываются целиком или никак; прежние \
+             результаты с тем же именем не испорчены.",
+        ),
+    ),
+    ("C006", ("File exists", "Файл уже есть"), ("`strutt new` never overwrites a file.", "`strutt new` никогда не перезаписывает файл.")),
+    (
+        "C007",
+        ("No end of the motion", "Не задан конец движения"),
+        (
+            "`simulate` needs an end: --until on the command line, times in --at, or a study `simulate` in the file.",
+            "Команде `simulate` нужен конец движения: ключ --until, моменты в --at или расчёт `simulate` в файле.",
+        ),
+    ),
+    (
+        "C008",
+        ("No such output", "Нет такой выходной величины"),
+        (
+            "--outputs takes names of coordinates (phi), rates (phi'), accelerations (phi''), auxiliary states and the outputs of the file, with commas \
+             between. In a shell, put a name with a prime into double quotes.",
+            "Ключ --outputs принимает имена координат (phi), скоростей (phi'), ускорений (phi''), вспомогательных состояний и выходных величин файла через \
+             запятую. В командной оболочке имя со штрихом заключают в двойные кавычки.",
+        ),
+    ),
+    (
+        "C009",
+        ("Bad value on the command line", "Негодное значение в командной строке"),
+        (
+            "Quantities on the command line are numbers with or without a unit: 30, 30s, \"1,5 min\". A number without unit is in SI.",
+            "Величины в командной строке – это числа с единицей или без неё: 30, 30с, \"1,5 мин\". Число без единицы понимается в СИ.",
+        ),
+    ),
+    (
+        "C010",
+        ("No such name", "Нет такого имени"),
+        (
+            "`strutt examples` lists the examples; codes stand in brackets in each message.",
+            "`strutt examples` показывает примеры; коды стоят в скобках в каждом сообщении.",
+        ),
+    ),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_are_unique_and_explained_in_both_languages() {
+        let all = all();
+        for (i, e) in all.iter().enumerate() {
+            assert!(all[..i].iter().all(|f| f.code != e.code), "{} twice", e.code);
+            for words in [&e.title.en, &e.title.ru, &e.body.en, &e.body.ru] {
+                assert!(!words.trim().is_empty(), "{}", e.code);
+            }
+        }
+    }
+
+    #[test]
+    fn small_letters_and_slips_are_understood() {
+        assert_eq!(find("c001").map(|e| e.code), Some("C001"));
+        assert!(near("C0O1").is_some());
+    }
+}

@@ -1,0 +1,112 @@
+//! The folder of results: tables, plots and the page.
+
+use crate::diagnostics;
+use crate::document::{self, Extent};
+use crate::failure::Trouble;
+use crate::files;
+use crate::pipeline::{self, Calculation, Finding};
+use crate::words::Word;
+use report::{Figure, Language, csv, json, page};
+use serde_json::{Map, Value, json};
+use std::path::{Path, PathBuf};
+
+/// Writes everything about a calculation into a folder; returns the paths, the page last.
+///
+/// # Errors
+/// The disk refuses (C005); files written before stay.
+pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -> Result<Vec<PathBuf>, Trouble> {
+    let mut shelf = Shelf { folder, paths: Vec::new(), names: Vec::new() };
+    let several = calculation.findings.len() > 1;
+    for (i, finding) in calculation.findings.iter().enumerate() {
+        let number = if several { format!("-{}", i + 1) } else { String::new() };
+        let stem = match finding {
+            Finding::Motion(..) => format!("motion{number}"),
+            Finding::Equilibrium(..) => format!("equilibrium{number}"),
+        };
+        tables(&mut shelf, finding, &stem, language)?;
+        if let Finding::Motion(study, data, _) = finding {
+            for figure in document::figures(calculation, study, data, language) {
+                plot(&mut shelf, &figure, &number, language)?;
+            }
+        }
+    }
+    calculation.files = shelf.names.clone();
+    let document = pipeline::document(calculation, Extent::Page, language);
+    shelf.put(
+        "index.html",
+        Word::Page,
+        page::write(&document, page::Options { math_font: Some(report::formula::MATH_FONT) }).as_bytes(),
+    )?;
+    Ok(shelf.paths)
+}
+
+struct Shelf<'a> {
+    folder: &'a Path,
+    paths: Vec<PathBuf>,
+    names: Vec<(String, Word)>,
+}
+
+impl Shelf<'_> {
+    fn put(&mut self, name: &str, what: Word, bytes: &[u8]) -> Result<(), Trouble> {
+        let path = self.folder.join(name);
+        files::write(&path, bytes)?;
+        self.paths.push(path);
+        self.names.push((name.to_owned(), what));
+        Ok(())
+    }
+}
+
+fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) -> Result<(), Trouble> {
+    let data = finding.data();
+    shelf.put(&format!("{stem}.csv"), Word::Table, &csv::write(data, csv::Dialect::Plain))?;
+    if language == Language::Ru {
+        shelf.put(&format!("{stem}-excel.csv"), Word::TableRu, &csv::write(data, csv::Dialect::Ru))?;
+    }
+    shelf.put(&format!("{stem}.json"), Word::AllData, &json::write(data, &own_fields(finding), language))
+}
+
+fn plot(shelf: &mut Shelf, figure: &Figure, number: &str, language: Language) -> Result<(), Trouble> {
+    let stem = format!("{}{number}", figure.name);
+    shelf.put(&format!("{stem}.svg"), Word::Vector, report::figure::svg::write(figure, true, language).as_bytes())?;
+    let png = report::figure::png::write(figure, true, language).map_err(|error| {
+        Trouble::new("C005", format!("cannot draw {stem}.png: {error}"), format!("не удаётся нарисовать {stem}.png: {error}"))
+    })?;
+    shelf.put(&format!("{stem}.png"), Word::Picture, &png)
+}
+
+/// The fields of a study that are not common to all.
+pub fn own_fields(finding: &Finding) -> Map<String, Value> {
+    let mut own = Map::new();
+    match finding {
+        Finding::Motion(study, ..) => {
+            own.insert("study".into(), json!("simulate"));
+            own.insert("until".into(), json!(study.until));
+            own.insert("tolerance".into(), json!(study.tolerance));
+        }
+        Finding::Equilibrium(..) => {
+            own.insert("study".into(), json!("equilibrium"));
+        }
+    }
+    if let Some(trouble) = finding.trouble() {
+        own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));
+    }
+    own
+}
+
+/// All studies as one JSON object: the common fields, then each study as it would be written alone.
+pub fn calculation_to_json(calculation: &Calculation, language: Language) -> Vec<u8> {
+    let machine = &calculation.machine;
+    let head = json!({"title": language.text(&machine.model.title), "version": crate::VERSION, "model_hash": machine.model_hash,
+        "degrees_of_freedom": machine.equations.coordinates.len()});
+    let mut out = head.to_string().into_bytes();
+    out.pop();
+    out.extend_from_slice(b",\"studies\":[\n");
+    for (i, finding) in calculation.findings.iter().enumerate() {
+        if i > 0 {
+            out.extend_from_slice(b",\n");
+        }
+        out.extend_from_slice(&json::write(finding.data(), &own_fields(finding), language));
+    }
+    out.extend_from_slice(b"]}\n");
+    out
+}

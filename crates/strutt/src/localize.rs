@@ -1,0 +1,196 @@
+//! Help in the user's language, and the three commands that it begins with.
+
+use crate::args::Cli;
+use clap::error::{ContextKind, ErrorKind};
+use clap::{Arg, ArgAction, ArgMatches, Command, CommandFactory};
+use report::Language;
+
+const FIRST_EN: &str = "Three commands to begin with:
+  strutt examples                             see the ready models
+  strutt new pendulum-on-shaft                copy one into this folder
+  strutt run pendulum-on-shaft.toml           equations, motion, plots, a page
+";
+const FIRST_RU: &str = "Три команды для начала:
+  strutt examples                             посмотреть готовые модели
+  strutt new pendulum-on-shaft                скопировать одну из них в эту папку
+  strutt run pendulum-on-shaft.toml           уравнения, движение, графики, страница
+";
+const TEMPLATE_EN: &str = "{before-help}{about}\n\nUsage: {usage}\n\n{all-args}{after-help}";
+const TEMPLATE_RU: &str = "{before-help}{about}\n\nВызов: {usage}\n\n{all-args}{after-help}";
+const CODES_EN: &str =
+    "Exit codes: 0 done; 1 the model, a calculation or a check failed; 2 wrong use; 130 interrupted, what was done is kept.";
+const CODES_RU: &str =
+    "Коды возврата: 0 – сделано; 1 – ошибка модели, расчёта или проверки; 2 – неверный вызов; 130 – прервано, сделанное сохранено.";
+
+/// The whole command line in a language.
+pub fn command(language: Language) -> Command {
+    let command = Cli::command().before_help(language.pick(FIRST_EN, FIRST_RU)).after_help(language.pick(CODES_EN, CODES_RU));
+    match language {
+        Language::En => command.help_template(TEMPLATE_EN),
+        Language::Ru => russian(command.subcommand(Command::new("help").arg(Arg::new("command").value_name("COMMAND"))), ""),
+    }
+}
+
+fn russian(command: Command, path: &str) -> Command {
+    let find = |key: &str| RUSSIAN.iter().find(|row| row.0 == key).map(|row| row.1);
+    let here = if path.is_empty() { "" } else { command.get_name() }.to_owned();
+    let mut command = command.help_template(TEMPLATE_RU).subcommand_help_heading("Команды").disable_help_subcommand(true);
+    if let Some(about) = find(&here) {
+        command = command.about(about);
+    }
+    let (help, version) = (flag("help", 'h', ArgAction::Help), flag("version", 'V', ArgAction::Version));
+    command = command.disable_help_flag(true).disable_version_flag(true).arg(help);
+    if path.is_empty() {
+        command = command.arg(version);
+    }
+    command = command.mut_args(|arg| {
+        let key = arg.get_id().as_str().to_owned();
+        let arg = match find(&format!("{here}.{key}")).or_else(|| find(&format!(".{key}"))) {
+            Some(help) => arg.help(help),
+            None => arg,
+        };
+        let name = arg.get_value_names().and_then(|names| names.first()).map(ToString::to_string).unwrap_or_default();
+        let arg = match VALUES.iter().find(|row| row.0 == name) {
+            Some(row) => arg.value_name(row.1),
+            None => arg,
+        };
+        let heading = if arg.is_positional() { "Аргументы" } else { "Ключи" };
+        let valued = arg.get_action().takes_values();
+        arg.help_heading(heading).hide_possible_values(valued)
+    });
+    let usage = usage(&command, path);
+    command.override_usage(usage).mut_subcommands(|sub| russian(sub, "strutt"))
+}
+
+fn flag(name: &'static str, short: char, action: ArgAction) -> Arg {
+    Arg::new(name).long(name).short(short).action(action)
+}
+
+/// `strutt simulate [КЛЮЧИ] <ФАЙЛ>`.
+fn usage(command: &Command, path: &str) -> String {
+    let mut words = vec![path, command.get_name(), "[КЛЮЧИ]"].into_iter().map(str::to_owned).collect::<Vec<_>>();
+    for arg in command.get_positionals() {
+        let name = arg.get_value_names().and_then(|names| names.first()).map_or_else(|| arg.get_id().to_string(), ToString::to_string);
+        words.push(if arg.is_required_set() { format!("<{name}>") } else { format!("[{name}]") });
+    }
+    if command.has_subcommands() {
+        words.push("<КОМАНДА>".into());
+    }
+    words.join(" ").trim_start().to_owned()
+}
+
+/// `strutt help [COMMAND]`, which clap itself offers in English only.
+pub fn help_asked(matches: &ArgMatches, language: Language) -> Option<String> {
+    let asked = matches.subcommand().filter(|(name, _)| *name == "help")?.1;
+    let mut command = command(language);
+    command.build();
+    let name = asked.get_one::<String>("command");
+    let sub = name.and_then(|name| command.find_subcommand_mut(name).map(|sub| sub.render_help().to_string()));
+    Some(sub.unwrap_or_else(|| command.render_help().to_string()))
+}
+
+/// What is wrong with the command line.
+pub fn complaint(error: &clap::Error, language: Language) -> String {
+    let english = || error.render().to_string();
+    if language == Language::En {
+        return english();
+    }
+    let of = |kind| error.get(kind).map(ToString::to_string).unwrap_or_default();
+    let (argument, value) = (of(ContextKind::InvalidArg), of(ContextKind::InvalidValue));
+    let what = match error.kind() {
+        ErrorKind::InvalidSubcommand => format!("нет команды '{}'", of(ContextKind::InvalidSubcommand)),
+        ErrorKind::UnknownArgument => format!("нет ключа '{argument}'"),
+        ErrorKind::MissingRequiredArgument => format!("не хватает: {argument}"),
+        ErrorKind::MissingSubcommand => "не указана команда".into(),
+        ErrorKind::InvalidValue if value.is_empty() => format!("у ключа '{argument}' нет значения"),
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => format!("'{value}' не годится для '{argument}'"),
+        ErrorKind::ArgumentConflict => format!("'{argument}' и '{}' вместе не применяются", of(ContextKind::PriorArg)),
+        _ => return english(),
+    };
+    let valid = of(ContextKind::ValidValue);
+    let valid = if valid.is_empty() { valid } else { format!("\n  возможные значения: {valid}") };
+    let near = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg, ContextKind::SuggestedValue].map(of).concat();
+    let near = if near.is_empty() { near } else { format!("\n  может быть, '{near}'?") };
+    format!("ошибка: {what}{valid}{near}\n\nПодробнее: strutt --lang ru --help\n")
+}
+
+/// What stands for a value in help.
+const VALUES: &[(&str, &str)] = &[
+    ("FILE", "ФАЙЛ"),
+    ("NAME", "ИМЯ"),
+    ("CODE", "КОД"),
+    ("SHELL", "ОБОЛОЧКА"),
+    ("DIR", "ПАПКА"),
+    ("TIME", "ВРЕМЯ"),
+    ("NUMBER", "ЧИСЛО"),
+    ("COMMAND", "КОМАНДА"),
+    ("NAME=QUANTITY", "ИМЯ=ВЕЛИЧИНА"),
+    ("EXAMPLE", "ПРИМЕР"),
+    ("LANG", "ru|en"),
+    ("FORMAT", "full|short"),
+    ("FORM", "text|latex|mathml"),
+];
+
+/// `command` or `command.argument` or `.argument` of any command; the Russian text.
+const RUSSIAN: &[(&str, &str)] = &[
+    ("", "Динамика и колебания машин: из одного текстового файла – уравнения, движения и записанный расчёт."),
+    ("run", "Выполнить все расчёты файла модели; таблицы, графики и страница – в out/<имя>/"),
+    ("check", "Найти все ошибки файла модели"),
+    ("equations", "Вывести уравнения движения"),
+    ("simulate", "Рассчитать движение"),
+    ("equilibrium", "Найти положения равновесия"),
+    ("examples", "Показать список примеров или один пример"),
+    ("new", "Записать файл модели, с которого можно начать"),
+    ("explain", "Объяснить код сообщения"),
+    ("completions", "Напечатать скрипт автодополнения для командной оболочки"),
+    (".lang", "Язык вывода; иначе из LC_ALL, LC_MESSAGES, LANG"),
+    (".quiet", "Печатать только данные и ошибки"),
+    (".json", "Данные в формате JSON в стандартный вывод"),
+    (".csv", "Данные в формате CSV в стандартный вывод"),
+    (".timings", "Показать время каждого этапа (в стандартный поток ошибок)"),
+    (".file", "Файл модели, папка с model.toml или - для стандартного ввода"),
+    (".overrides", "Заменить параметр (m=\"10 г\"), начальное значение (phi=0.1) или начальную скорость (\"phi'=30\")"),
+    ("run.out", "Папка для результатов [по умолчанию: out/<имя модели>]"),
+    ("check.format", "Вид замечаний: со строкой файла или по одной строке для редакторов"),
+    ("equations.form", "Вид формул"),
+    ("equations.steps", "Показать вывод по шагам"),
+    ("simulate.until", "Конец движения: 30, 30с, \"2 мин\""),
+    ("simulate.tolerance", "Относительная точность шага, 1e-15 ... 1e-3 [по умолчанию: 1e-12]"),
+    ("simulate.at", "Результаты точно в эти моменты: 0,0.5,10 (или \"0;0,5;10\")"),
+    ("simulate.every", "Результаты через равные промежутки времени"),
+    ("simulate.outputs", "Столбцы по именам, в этом порядке: phi,phi',omega_p"),
+    ("simulate.out", "Записать также таблицы, графики и страницу в эту папку"),
+    ("examples.name", "Пример, который надо напечатать"),
+    ("new.name", "Имя файла, с .toml или без него; имя примера копирует этот пример"),
+    ("new.from", "Пример, который надо скопировать"),
+    ("new.count", "Число маятников для n-pendulum"),
+    ("explain.code", "Код, как в ошибка[M012]; без него печатаются все коды"),
+    ("completions.shell", "Оболочка"),
+    ("help", "Показать справку о программе или о команде"),
+    ("help.command", "Команда"),
+    (".help", "Показать справку"),
+    (".version", "Показать версию"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_sound() {
+        command(Language::En).debug_assert();
+        command(Language::Ru).debug_assert();
+    }
+
+    #[test]
+    fn every_help_text_has_a_russian_one() {
+        let command = command(Language::Ru);
+        let russian = |text: String| text.chars().any(|c| ('а'..='я').contains(&c));
+        for sub in command.get_subcommands() {
+            assert!(sub.get_about().is_some_and(|a| russian(a.to_string())), "{}", sub.get_name());
+            for arg in sub.get_arguments() {
+                assert!(arg.get_help().is_none_or(|h| russian(h.to_string())), "{} {}", sub.get_name(), arg.get_id());
+            }
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! strutt from top to bottom: read -> derive -> lower -> study -> dataset -> document. Each verb is one call into one room.
+
+use crate::document::{self, Extent};
+use crate::failure::{Failure, Trouble};
+use crate::source::Source;
+use crate::watch::Watch;
+use crate::words::Word;
+use crate::{plan, provenance};
+use analysis::Dataset;
+use analysis::dataset::Audit;
+use mechanics::model::{Simulate, StudyKind};
+use mechanics::{Diagnostic, Model};
+use report::{Document, Language};
+use symbolic::Equations;
+
+/// A machine ready for studies.
+#[derive(Clone, Debug)]
+pub struct Machine {
+    /// What the file says.
+    pub model: Model,
+    /// Findings that do not prevent its use.
+    pub warnings: Vec<Diagnostic>,
+    /// Equations of motion.
+    pub equations: Equations,
+    /// The same as a program with numbers.
+    pub system: analysis::Machine,
+    /// Hash of the file and the overrides.
+    pub model_hash: String,
+}
+
+/// What a study found, and what ended it early, if anything did.
+#[derive(Clone, Debug)]
+pub enum Finding {
+    /// Positions of equilibrium: a column per coordinate, a row per equilibrium.
+    Equilibrium(Dataset, Option<Trouble>),
+    /// A motion, and the study that asked for it.
+    Motion(Simulate, Dataset, Option<Trouble>),
+}
+
+/// Everything a file asks for.
+#[derive(Clone, Debug)]
+pub struct Calculation {
+    /// The machine.
+    pub machine: Machine,
+    /// Results in the order of the studies.
+    pub findings: Vec<Finding>,
+    /// Files beside the page: name and what it is.
+    pub files: Vec<(String, Word)>,
+}
+
+/// From a file to all results.
+///
+/// # Errors
+/// Findings about the model. What ends a study early stands beside its results.
+pub fn run(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -> Result<Calculation, Failure> {
+    let mut machine = build(source, overrides, watch)?;
+    let studies = machine.model.studies.clone();
+    let findings = studies.iter().filter_map(|study| self::study(&mut machine, &study.kind, watch)).collect();
+    Ok(Calculation { machine, findings, files: Vec::new() })
+}
+
+/// From a file to a machine.
+///
+/// # Errors
+/// Findings about the model.
+pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -> Result<Machine, Failure> {
+    let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
+    let reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    watch.lap(Word::TimeRead);
+    let equations = mechanics::derive::derive(&reading.model).map_err(findings)?;
+    watch.lap(Word::TimeDerive);
+    let system = analysis::Machine::new(&equations).map_err(Trouble::from)?;
+    watch.lap(Word::TimeLower);
+    Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides) })
+}
+
+/// One study of the file; equations are no study of numbers.
+pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Option<Finding> {
+    match kind {
+        StudyKind::Equations => None,
+        StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
+        StudyKind::Simulate(study) => {
+            let study = plan::with_plots(study, &machine.equations);
+            let finding = simulate(machine, &study, watch);
+            // plots need several points on every swing; how many swings there are shows in the steps
+            Some(match plan::finer(&study, finding.data()) {
+                Some(finer) => simulate(machine, &finer, watch),
+                None => finding,
+            })
+        }
+    }
+}
+
+/// A motion.
+pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
+    let options = plan::options(study, watch);
+    let outcome = analysis::studies::simulate::simulate_from_start(&mut machine.system, options);
+    watch.lap(Word::TimeRun);
+    let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
+    Finding::Motion(study.clone(), data, outcome.fault.map(Trouble::from))
+}
+
+/// Positions of equilibrium.
+pub fn equilibrium(machine: &mut Machine, guess: &[(symbolic::SymbolId, f64)], watch: &mut Watch) -> Finding {
+    let outcome = analysis::studies::equilibrium::equilibrium(&mut machine.system, guess);
+    watch.lap(Word::TimeRun);
+    let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
+    Finding::Equilibrium(data, outcome.fault.map(Trouble::from))
+}
+
+/// The written calculation.
+pub fn document(calculation: &Calculation, extent: Extent, language: Language) -> Document {
+    document::compose(calculation, extent, language)
+}
+
+impl Finding {
+    /// The numbers.
+    pub fn data(&self) -> &Dataset {
+        match self {
+            Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) => data,
+        }
+    }
+    /// What ended the study early.
+    pub fn trouble(&self) -> Option<&Trouble> {
+        match self {
+            Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) => trouble.as_ref(),
+        }
+    }
+}
+
+impl Calculation {
+    /// All checks of all studies, equal ones once.
+    pub fn audits(&self) -> Vec<&Audit> {
+        let mut out: Vec<&Audit> = Vec::new();
+        for audit in self.findings.iter().flat_map(|f| &f.data().audits) {
+            if !out.contains(&audit) {
+                out.push(audit);
+            }
+        }
+        out
+    }
+}
+
+/// The result of a study that computes no numbers: provenance and checks only.
+pub fn no_numbers(machine: &Machine) -> Dataset {
+    provenance::stamp(Dataset::default(), &machine.equations, &machine.model_hash)
+}

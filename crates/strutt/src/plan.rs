@@ -1,0 +1,146 @@
+//! What to simulate: the study of the file, changed by what the command line asks.
+
+use crate::failure::{Failure, Trouble};
+use crate::near::nearest;
+use crate::watch::Watch;
+use analysis::Dataset;
+use mechanics::Model;
+use mechanics::model::{DEFAULT_TOLERANCE, Simulate, StudyKind, Times};
+use symbolic::Equations;
+use symbolic::equations::Role;
+
+/// A step of the integrator spans about a radian of the quickest oscillation.
+const POINTS_A_STEP: f64 = 4.0;
+
+/// What the command line asks; absent means as the file says.
+#[derive(Clone, Debug, Default)]
+pub struct Wishes {
+    /// End, s.
+    pub until: Option<f64>,
+    /// Relative tolerance.
+    pub tolerance: Option<f64>,
+    /// Times of the results.
+    pub times: Option<Times>,
+    /// Columns by name.
+    pub outputs: Option<Vec<String>>,
+}
+
+/// The simulation to make.
+///
+/// # Errors
+/// Nobody says how long (C007), or a column does not exist (C008).
+pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Simulate, Failure> {
+    let of_file = model.studies.iter().find_map(|s| match &s.kind {
+        StudyKind::Simulate(study) => Some(study.clone()),
+        _ => None,
+    });
+    let mut study = of_file.clone().unwrap_or_else(|| Simulate {
+        until: 0.0,
+        times: Times::Automatic,
+        tolerance: DEFAULT_TOLERANCE,
+        outputs: Vec::new(),
+        plots: Vec::new(),
+    });
+    let last_asked = match &wishes.times {
+        Some(Times::At(times)) => times.iter().copied().reduce(f64::max),
+        _ => None,
+    };
+    study.until = match (wishes.until, of_file, last_asked) {
+        (Some(until), ..) => until,
+        (None, Some(file), last) => last.map_or(file.until, |t| t.max(file.until)),
+        (None, None, Some(last)) => last,
+        (None, None, None) => return Err(no_end()),
+    };
+    if wishes.times.is_none()
+        && let Times::At(times) = &mut study.times
+    {
+        // a shorter run is not an error of the file
+        times.retain(|t| *t <= study.until);
+    }
+    study.times = wishes.times.unwrap_or(study.times);
+    study.tolerance = wishes.tolerance.unwrap_or(study.tolerance);
+    match wishes.outputs {
+        Some(names) => {
+            names.iter().try_for_each(|name| known(name, equations))?;
+            study.outputs = names;
+        }
+        None if study.outputs.is_empty() => study.outputs = usual_columns(equations),
+        None => {}
+    }
+    Ok(study)
+}
+
+/// Coordinates, their rates, then the outputs of the file.
+pub fn usual_columns(equations: &Equations) -> Vec<String> {
+    let of = |role| equations.outputs.iter().filter(move |o| o.role == role).map(|o| o.name.clone());
+    of(Role::Coordinate).chain(of(Role::Rate)).chain(of(Role::Named)).collect()
+}
+
+/// The study with every column that its plots need.
+pub fn with_plots(study: &Simulate, equations: &Equations) -> Simulate {
+    let mut study = study.clone();
+    if study.outputs.is_empty() {
+        study.outputs = usual_columns(equations);
+    }
+    let drawn: Vec<String> = study.plots.iter().flat_map(|p| p.x.iter().chain(&p.y)).filter(|n| *n != "t").cloned().collect();
+    for name in drawn {
+        if !study.outputs.contains(&name) {
+            study.outputs.push(name);
+        }
+    }
+    study
+}
+
+/// The same study with more times, when the file leaves the times open and the motion is too quick for the usual 1001.
+pub fn finer(study: &Simulate, data: &Dataset) -> Option<Simulate> {
+    let rows = POINTS_A_STEP * data.counter("steps")?;
+    if study.times != Times::Automatic || data.partial || rows <= 1000.0 {
+        return None;
+    }
+    let parts = [2000.0, 5000.0, 10_000.0].into_iter().find(|parts| *parts >= rows).unwrap_or(20_000.0);
+    Some(Simulate { times: Times::Every(study.until / parts), ..study.clone() })
+}
+
+fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
+    let names = || equations.outputs.iter().map(|o| o.name.as_str());
+    if names().any(|n| n == name) {
+        return Ok(());
+    }
+    let trouble = Trouble::new("C008", format!("there is no output `{name}`"), format!("нет выходной величины `{name}`"));
+    let list = names().take(60).collect::<Vec<_>>().join(", ");
+    let trouble = trouble.why(format!("the model offers: {list}"), format!("в модели есть: {list}"));
+    Err(match nearest(name, names()) {
+        Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        None => trouble.help(
+            "correct the name, or define it in [outputs] of the model file",
+            "исправьте имя или определите величину в [outputs] файла модели",
+        ),
+    }
+    .misuse())
+}
+
+fn no_end() -> Failure {
+    Trouble::new("C007", "how long shall the motion be?", "до какого момента считать движение?")
+        .why("the file has no study `simulate`, and no --until was given", "в файле нет расчёта `simulate`, а ключ --until не задан")
+        .help("add --until 10 (seconds), or a study to the file", "добавьте --until 10 (секунд) или расчёт в файл")
+        .misuse()
+}
+
+/// The options that the integrator gets.
+pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies::simulate::Simulate<'a> {
+    use analysis::studies::simulate::{Grid, Simulate as Options};
+    let grid = match &study.times {
+        Times::Automatic => Grid::Auto,
+        Times::Every(step) => Grid::Every(*step),
+        Times::At(times) => Grid::At(times.clone()),
+    };
+    let progress = watch.progress.as_mut().map(|p| &mut **p as &mut dyn FnMut(f64));
+    Options {
+        grid,
+        tolerance: study.tolerance,
+        outputs: Some(study.outputs.clone()),
+        interrupt: watch.interrupt,
+        progress,
+        ..Options::until(study.until)
+    }
+}

@@ -1,0 +1,28 @@
+//! Where the numbers of a result come from: title, version, hash of the file, parameters.
+
+use crate::document::dimensions_checked;
+use analysis::dataset::{ParameterValue, Provenance};
+use analysis::{Dataset, Quantity};
+use symbolic::Equations;
+
+/// Stamps a result.
+pub fn stamp(mut data: Dataset, equations: &Equations, model_hash: &str) -> Dataset {
+    data.provenance = Provenance {
+        title: equations.title.clone(),
+        version: crate::VERSION.into(),
+        model_hash: model_hash.into(),
+        parameters: parameters(equations),
+    };
+    data.audits.insert(0, dimensions_checked());
+    data
+}
+
+fn parameters(equations: &Equations) -> Vec<ParameterValue> {
+    let quantity = |p: &symbolic::equations::Parameter| {
+        let name = equations.graph.symbol_info(p.symbol).name.clone();
+        let symbol = equations.notation.iter().find(|(n, _)| *n == name).map_or_else(|| name.clone(), |(_, s)| s.clone());
+        Quantity { name, symbol, unit: p.unit.clone(), label: p.label.clone(), display: None }
+    };
+    let value = |p| ParameterValue { quantity: quantity(p), written: p.written.clone(), value: p.value };
+    equations.parameters.iter().map(value).collect()
+}

@@ -1,0 +1,45 @@
+//! Values of command-line keys: quantities, lists of times, `name=quantity`.
+
+use mechanics::units::{Dimension, parse_quantity};
+use strutt::{Failure, Trouble};
+use symbolic::Text;
+
+/// `30`, `30s`, `2 min`: seconds.
+pub fn seconds(key: &str, text: &str) -> Result<f64, Failure> {
+    let value = parse_quantity(text, &Dimension::TIME).map_err(|fault| bad(key, text, &fault.what, &fault.help))?;
+    if value.is_finite() { Ok(value) } else { Err(bad(key, text, &not_finite(), &Text::default())) }
+}
+
+/// Times with commas between; with semicolons between, decimal commas are allowed.
+pub fn times(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
+    let separator = if text.contains(';') { ';' } else { ',' };
+    text.split(separator).map(|item| seconds(key, item.trim())).collect()
+}
+
+/// A pure number.
+pub fn number(key: &str, text: &str) -> Result<f64, Failure> {
+    let value = parse_quantity(text, &Dimension::NONE).map_err(|fault| bad(key, text, &fault.what, &fault.help))?;
+    if value.is_finite() { Ok(value) } else { Err(bad(key, text, &not_finite(), &Text::default())) }
+}
+
+/// `name=quantity` pairs.
+pub fn overrides(list: &[String]) -> Result<Vec<(String, String)>, Failure> {
+    let split = |text: &String| {
+        let (name, value) = text.split_once('=').ok_or_else(|| {
+            let what = Text::new("there is no `=`", "нет знака `=`");
+            let help = Text::new("write --set m=\"10 g\" or --set \"phi'=30\"", "пишите --set m=\"10 г\" или --set \"phi'=30\"");
+            bad("--set", text, &what, &help)
+        })?;
+        Ok((name.trim().to_owned(), value.trim().to_owned()))
+    };
+    list.iter().map(split).collect()
+}
+
+fn not_finite() -> Text {
+    Text::new("the value is not finite", "значение не конечно")
+}
+
+fn bad(key: &str, text: &str, what: &Text, help: &Text) -> Failure {
+    let trouble = Trouble::new("C009", format!("{key} {text}: {}", what.en), format!("{key} {text}: {}", what.ru));
+    trouble.help(help.en.clone(), help.ru.clone()).misuse()
+}

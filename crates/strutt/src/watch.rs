@@ -1,0 +1,49 @@
+//! What watches a long calculation: a flag to stop it, a listener to its progress, a clock for its phases.
+
+use crate::words::Word;
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+
+/// Watches a calculation.
+pub struct Watch<'a> {
+    /// Set from outside to stop early.
+    pub interrupt: Option<&'a AtomicBool>,
+    /// Told the finished share of a study now and then.
+    pub progress: Option<&'a mut dyn FnMut(f64)>,
+    laps: Vec<(Word, Duration)>,
+    start: Instant,
+    last: Instant,
+}
+
+impl Default for Watch<'_> {
+    fn default() -> Self {
+        let now = Instant::now();
+        Watch { interrupt: None, progress: None, laps: Vec::new(), start: now, last: now }
+    }
+}
+
+impl Watch<'_> {
+    /// Ends a phase.
+    pub fn lap(&mut self, phase: Word) {
+        let now = Instant::now();
+        self.laps.push((phase, now - self.last));
+        self.last = now;
+    }
+
+    /// Phases with their times; equal phases are added.
+    pub fn laps(&self) -> Vec<(Word, Duration)> {
+        let mut out: Vec<(Word, Duration)> = Vec::new();
+        for (phase, time) in &self.laps {
+            match out.iter_mut().find(|(p, _)| p == phase) {
+                Some((_, sum)) => *sum += *time,
+                None => out.push((*phase, *time)),
+            }
+        }
+        out
+    }
+
+    /// Time since the start.
+    pub fn total(&self) -> Duration {
+        self.last - self.start
+    }
+}

@@ -1,0 +1,76 @@
+//! The words of the command line in both languages; what results are called stands in `report::language`.
+
+use report::Language;
+
+macro_rules! words {
+    ($($name:ident: $en:literal, $ru:literal;)*) => {
+        /// Key of a printed word.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[allow(missing_docs)]
+        pub enum Word { $($name),* }
+        /// Every printed word: key, English, Russian.
+        pub const WORDS: &[(Word, &str, &str)] = &[$((Word::$name, $en, $ru)),*];
+    };
+}
+
+words! {
+    Error: "error", "ошибка";
+    Warning: "warning", "предупреждение";
+    Why: "why", "причина";
+    Help: "help", "что делать";
+    Next: "next:", "дальше:";
+    Ok: "ok", "модель верна";
+    Bodies: "bodies", "тел";
+    Coordinates: "coordinates", "координат";
+    Parameters: "parameters", "параметров";
+    Outputs: "outputs", "выходных величин";
+    Studies: "studies", "расчётов";
+    Written: "written:", "записано:";
+    WrittenPartly: "written what was done so far:", "записано то, что успели вычислить:";
+    Interrupted: "interrupted; what was done is kept", "прервано; сделанное сохранено";
+    AuditFailed: "a check failed:", "проверка не выполнена:";
+    MoreAbout: "more:", "подробнее:";
+    Table: "table, 17 digits", "таблица, 17 знаков";
+    TableRu: "table for Russian spreadsheets", "таблица для Excel";
+    AllData: "all data", "все данные";
+    Vector: "plot, vector", "график, векторный";
+    Picture: "plot, picture", "график, растровый";
+    Page: "page", "страница";
+    Stability: "Stability", "Устойчивость";
+    Stable: "stable", "устойчиво";
+    Unstable: "unstable", "неустойчиво";
+    Undecided: "not decided by linearisation", "по линейному приближению не определяется";
+    Residual: "Residual force", "Невязка сил";
+    KineticEnergy: "Kinetic energy", "Кинетическая энергия";
+    PotentialEnergy: "Potential energy", "Потенциальная энергия";
+    DissipationFunction: "Dissipation function", "Диссипативная функция";
+    WhereText: "where", "где";
+    Columns: "Quantities", "Величины";
+    AtStart: "at the start", "в начале";
+    Copied: "ready to run", "готово к запуску";
+    TimeRead: "read", "чтение";
+    TimeDerive: "derive", "вывод уравнений";
+    TimeLower: "lower", "составление программы";
+    TimeRun: "run", "счёт";
+    TimeWrite: "write", "запись";
+    TimeTotal: "total", "всего";
+}
+
+/// A word in a language.
+pub fn say(language: Language, word: Word) -> &'static str {
+    let (_, en, ru) = WORDS[word as usize];
+    language.pick(en, ru)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_word_stands_at_its_own_place() {
+        for (i, (word, en, ru)) in WORDS.iter().enumerate() {
+            assert_eq!(*word as usize, i);
+            assert!(!en.is_empty() && !ru.is_empty());
+        }
+    }
+}

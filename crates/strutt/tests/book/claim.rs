@@ -1,0 +1,144 @@
+//! The language of claims (format: tests/book/README.md).
+
+/// A tolerance.
+#[derive(Clone, Copy, Debug)]
+pub struct Tolerance {
+    /// Size.
+    pub size: f64,
+    /// Whether it is relative.
+    pub relative: bool,
+}
+
+/// When a column is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum When {
+    At(f64),
+    End,
+}
+
+/// A claim about a result.
+#[derive(Clone, Debug)]
+pub enum Claim {
+    Value { name: String, when: When, expected: f64, tolerance: Tolerance },
+    Bounded { name: String, limit: f64 },
+    Constant { name: String, tolerance: Tolerance },
+    Event { number: usize, at: f64, tolerance: f64 },
+    Events(usize),
+    Audit { name: String, limit: f64 },
+    AuditsOk,
+    Rest { name: String, expected: f64, tolerance: Tolerance },
+    Equation { number: usize, text: String },
+    Energy { kind: &'static str, text: String },
+    Inertia { name: String, expected: f64, tolerance: Tolerance },
+    Error { code: String, line: Option<usize>, only: bool },
+    Fails(String),
+}
+
+/// Reads a claim.
+pub fn parse(line: &str) -> Result<Claim, String> {
+    let unknown = || format!("not a claim: {line}");
+    let word = |i: usize| line.split_whitespace().nth(i).unwrap_or_default();
+    match word(0) {
+        "max" => {
+            let (left, right) = line.split_once('<').ok_or_else(unknown)?;
+            let name = left.split('|').nth(1).ok_or_else(unknown)?.trim().to_owned();
+            Ok(Claim::Bounded { name, limit: number(right)? })
+        }
+        "event" => {
+            let (left, right) = line.split_once('±').ok_or_else(unknown)?;
+            let at = left.split_whitespace().nth(3).ok_or_else(unknown)?;
+            Ok(Claim::Event { number: integer(word(1))?, at: number(at)?, tolerance: number(right)? })
+        }
+        "events" => Ok(Claim::Events(integer(word(1))?)),
+        "audits" => Ok(Claim::AuditsOk),
+        "audit" => {
+            let name = line.split('"').nth(1).ok_or_else(unknown)?.to_owned();
+            let limit = line.split_once('<').ok_or_else(unknown)?.1;
+            Ok(Claim::Audit { name, limit: number(limit)? })
+        }
+        "equation" => {
+            let (number, text) = line["equation".len()..].split_once(':').ok_or_else(unknown)?;
+            Ok(Claim::Equation { number: integer(number.trim())?, text: text.trim().to_owned() })
+        }
+        kind @ ("kinetic:" | "potential:" | "dissipation:") => {
+            let kinds = ["kinetic:", "potential:", "dissipation:"];
+            let known = kinds.into_iter().find(|k| *k == kind).ok_or_else(unknown)?;
+            Ok(Claim::Energy { kind: known, text: line[kind.len()..].trim().to_owned() })
+        }
+        "inertia" => {
+            let (name, expected, tolerance) = equality(&line["inertia of".len()..]).ok_or_else(unknown)??;
+            Ok(Claim::Inertia { name, expected, tolerance })
+        }
+        "error" => {
+            let rest: Vec<&str> = line.split_whitespace().skip(1).collect();
+            let only = rest.first() == Some(&"only");
+            let rest = if only { &rest[1..] } else { &rest[..] };
+            let line = match rest {
+                [_, "line", n] => Some(integer(n)?),
+                _ => None,
+            };
+            Ok(Claim::Error { code: rest.first().ok_or_else(unknown)?.to_string(), line, only })
+        }
+        "fails" => Ok(Claim::Fails(word(1).to_owned())),
+        _ if line.contains(" constant ") => {
+            let (name, rest) = line.split_once(" constant ").ok_or_else(unknown)?;
+            let tolerance = tolerance(rest.trim().strip_prefix('±').ok_or_else(unknown)?)?;
+            Ok(Claim::Constant { name: name.trim().to_owned(), tolerance })
+        }
+        _ => value(line).ok_or_else(unknown)?,
+    }
+}
+
+/// `NAME(T) = V ± TOL [rel]` or `NAME = V ± TOL [rel]`.
+fn value(line: &str) -> Option<Result<Claim, String>> {
+    let (name, expected, tolerance) = match equality(line)? {
+        Ok(parts) => parts,
+        Err(e) => return Some(Err(e)),
+    };
+    let Some((column, when)) = name.strip_suffix(')').and_then(|n| n.rsplit_once('(')) else {
+        return Some(Ok(Claim::Rest { name, expected, tolerance }));
+    };
+    let when = match when {
+        "end" => Ok(When::End),
+        t => number(t).map(When::At),
+    };
+    Some(when.map(|when| Claim::Value { name: column.to_owned(), when, expected, tolerance }))
+}
+
+type Equality = Result<(String, f64, Tolerance), String>;
+
+fn equality(text: &str) -> Option<Equality> {
+    let (name, rest) = text.split_once('=')?;
+    let (expected, limit) = rest.split_once('±')?;
+    let parts = || Ok((name.trim().to_owned(), number(expected)?, tolerance(limit)?));
+    Some(parts())
+}
+
+fn tolerance(text: &str) -> Result<Tolerance, String> {
+    let text = text.trim();
+    match text.strip_suffix("rel") {
+        Some(size) => Ok(Tolerance { size: number(size)?, relative: true }),
+        None => Ok(Tolerance { size: number(text)?, relative: false }),
+    }
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    text.trim().parse().map_err(|_| format!("not a number: `{}`", text.trim()))
+}
+
+fn integer(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| format!("not a whole number: `{text}`"))
+}
+
+impl Tolerance {
+    /// Whether `found` is near enough to `expected`; the message when not.
+    pub fn check(&self, what: &str, found: f64, expected: f64) -> Result<(), String> {
+        let allowed = if self.relative { self.size * expected.abs() } else { self.size };
+        let difference = (found - expected).abs();
+        // written so that not-a-number fails
+        if difference <= allowed {
+            return Ok(());
+        }
+        Err(format!("{what} = {found:.16e}, expected {expected:.16e}: off by {difference:.2e}, allowed {allowed:.2e}"))
+    }
+}

@@ -1,0 +1,268 @@
+//! Runs the command of a trial and checks its claims.
+
+use crate::chapter::Trial;
+use crate::claim::{Claim, Tolerance, When, parse};
+use analysis::Dataset;
+use analysis::studies::simulate::{Grid, Simulate, simulate};
+use mechanics::Diagnostic;
+use report::Language;
+use report::formula::{Form, Printer};
+use strutt::pipeline::{self, Finding, Machine};
+use strutt::{Failure, Source, Watch};
+use symbolic::SymbolId;
+
+/// Instants of claims about a whole motion.
+const INSTANTS: usize = 200;
+/// Default tolerance of the book.
+const TOLERANCE: f64 = 1e-14;
+
+/// Checks a trial; the message lists every claim that does not hold.
+pub fn check(trial: &Trial) -> Result<(), String> {
+    let mut complaints = Vec::new();
+    let mut claims = Vec::new();
+    for (line, text) in &trial.claims {
+        match parse(text) {
+            Ok(claim) => claims.push((*line, text, claim)),
+            Err(e) => complaints.push(format!("line {line}: {e}")),
+        }
+    }
+    let command = Command::parse(&trial.command)?;
+    let parsed: Vec<&Claim> = claims.iter().map(|c| &c.2).collect();
+    let result = command.run(trial, &parsed)?;
+    for (line, text, claim) in &claims {
+        if let Err(e) = result.check(claim) {
+            complaints.push(format!("line {line}: {text}\n    {e}"));
+        }
+    }
+    if complaints.is_empty() { Ok(()) } else { Err(format!("{}:{}\n{}", trial.file.display(), trial.line, complaints.join("\n"))) }
+}
+
+/// The first line of an expectation.
+struct Command {
+    verb: String,
+    until: f64,
+    tolerance: f64,
+    set: Vec<(String, String)>,
+    guess: Vec<(String, String)>,
+}
+
+impl Command {
+    fn parse(words: &[String]) -> Result<Command, String> {
+        let mut command = Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new() };
+        let mut list = None;
+        for word in &words[1..] {
+            if word == "set" || word == "guess" {
+                list = Some(word.as_str());
+                continue;
+            }
+            let (name, value) = word.split_once('=').ok_or_else(|| format!("not NAME=VALUE: `{word}`"))?;
+            let pair = (name.to_owned(), value.to_owned());
+            match (list.take(), name) {
+                (Some("set"), _) => command.set.push(pair),
+                (Some(_), _) => command.guess.push(pair),
+                (None, "until") => command.until = quantity(value)?,
+                (None, "tolerance") => command.tolerance = value.parse().map_err(|_| format!("not a number: {value}"))?,
+                (None, _) => return Err(format!("unknown option `{word}`")),
+            }
+        }
+        Ok(command)
+    }
+
+    fn run(&self, trial: &Trial, claims: &[&Claim]) -> Result<Outcome, String> {
+        let source = Source::new("model.toml", &trial.model);
+        let mut machine = match pipeline::build(&source, &self.set, &mut Watch::default()) {
+            Ok(machine) => machine,
+            Err(Failure::Findings { diagnostics, .. }) => return Ok(Outcome::Findings { model: trial.model.clone(), diagnostics }),
+            Err(Failure::Trouble(trouble)) => return Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
+            Err(other) => return Err(format!("the model is not built: {other:?}")),
+        };
+        match self.verb.as_str() {
+            "simulate" => self.simulate(&mut machine, claims),
+            "equilibrium" => self.equilibrium(&mut machine),
+            "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
+            other => Err(format!("unknown command `{other}`")),
+        }
+    }
+
+    fn simulate(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
+        let mut times: Vec<f64> = (0..=INSTANTS).map(|k| self.until * k as f64 / INSTANTS as f64).collect();
+        for claim in claims {
+            if let Claim::Value { when: When::At(t), .. } = claim {
+                times.push(*t);
+            }
+        }
+        let options = Simulate { grid: Grid::At(times.clone()), tolerance: self.tolerance, ..Simulate::until(self.until) };
+        let start = match machine.system.start() {
+            Ok(start) => start,
+            Err(fault) => return Ok(Outcome::Trouble { code: fault.code, what: fault.what.en.clone() }),
+        };
+        let outcome = simulate(&mut machine.system, &start, options);
+        match outcome.fault {
+            Some(fault) => Ok(Outcome::Trouble { code: fault.code, what: fault.what.en.clone() }),
+            None => Ok(Outcome::Motion { times, data: outcome.dataset }),
+        }
+    }
+
+    fn equilibrium(&self, machine: &mut Machine) -> Result<Outcome, String> {
+        let mut guess = Vec::new();
+        for (name, value) in &self.guess {
+            let coordinate = machine.model.coordinates.iter().find(|c| c.name == *name);
+            let coordinate = coordinate.ok_or_else(|| format!("no coordinate `{name}`"))?;
+            guess.push((coordinate.symbols[0], quantity(value)?));
+        }
+        match pipeline::equilibrium(machine, &guess, &mut Watch::default()) {
+            Finding::Equilibrium(data, None) => Ok(Outcome::Rest(data)),
+            Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
+            Finding::Motion(..) => Err("an equilibrium came back as a motion".into()),
+        }
+    }
+}
+
+/// A quantity in SI; bare numbers are SI.
+fn quantity(text: &str) -> Result<f64, String> {
+    mechanics::units::parse_number_or_quantity(text).map(|q| q.to_f64()).map_err(|e| format!("{text}: {e:?}"))
+}
+
+/// What a command gave.
+enum Outcome {
+    Findings { model: String, diagnostics: Vec<Diagnostic> },
+    Trouble { code: &'static str, what: String },
+    Machine(Box<Machine>),
+    Motion { times: Vec<f64>, data: Dataset },
+    Rest(Dataset),
+}
+
+impl Outcome {
+    fn check(&self, claim: &Claim) -> Result<(), String> {
+        match (self, claim) {
+            (Outcome::Findings { model, diagnostics }, Claim::Error { code, line, only }) => {
+                findings(model, diagnostics, code, *line, *only)
+            }
+            (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
+            (Outcome::Motion { times, data }, claim) => motion(times, data, claim),
+            (Outcome::Machine(machine), claim) => equations(machine, claim),
+            (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
+                let column = data.column(name).ok_or_else(|| format!("no column `{name}`"))?;
+                tolerance.check(name, column.values.first().copied().unwrap_or(f64::NAN), *expected)
+            }
+            (other, _) => Err(format!("does not hold: {}", other.summary())),
+        }
+    }
+
+    fn summary(&self) -> String {
+        match self {
+            Outcome::Findings { diagnostics, .. } => {
+                let list: Vec<String> = diagnostics.iter().map(|d| format!("{}: {}", d.code, d.what.en)).collect();
+                format!("the model has findings: {}", list.join("; "))
+            }
+            Outcome::Trouble { code, what } => format!("ended with {code}: {what}"),
+            Outcome::Machine(_) => "the model is accepted".into(),
+            Outcome::Motion { .. } => "the motion was computed".into(),
+            Outcome::Rest(_) => "an equilibrium was found".into(),
+        }
+    }
+}
+
+fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<usize>, only: bool) -> Result<(), String> {
+    let line_of = |d: &Diagnostic| d.span().map(|s| model[..s.start].matches('\n').count() + 1);
+    let found: Vec<String> = diagnostics.iter().map(|d| format!("{} in line {}", d.code, line_of(d).unwrap_or(0))).collect();
+    let fits = |d: &Diagnostic| d.code == code && line.is_none_or(|l| line_of(d) == Some(l));
+    let holds = diagnostics.iter().any(fits) && (!only || diagnostics.iter().all(fits));
+    if holds { Ok(()) } else { Err(format!("found {}", found.join(", "))) }
+}
+
+fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
+    let values = |name: &str| data.column(name).map(|c| &c.values[..]).ok_or_else(|| format!("no column `{name}`"));
+    match claim {
+        Claim::Value { name, when, expected, tolerance } => {
+            let row = match when {
+                When::At(t) => times.iter().rposition(|x| x == t),
+                When::End => Some(INSTANTS),
+            };
+            let row = row.ok_or("the instant was not asked for")?;
+            let found = values(name)?.get(row).copied().unwrap_or(f64::NAN);
+            tolerance.check(name, found, *expected)
+        }
+        Claim::Bounded { name, limit } => {
+            // not-a-number must not pass as small
+            let largest = values(name)?.iter().fold(0.0f64, |m, v| if v.is_nan() { f64::INFINITY } else { m.max(v.abs()) });
+            if largest < *limit { Ok(()) } else { Err(format!("largest |{name}| is {largest:.3e}")) }
+        }
+        Claim::Constant { name, tolerance } => constant(name, values(name)?, *tolerance),
+        Claim::Event { number, at, tolerance } => {
+            let event = data.events.get(number - 1).ok_or_else(|| format!("there are {} events", data.events.len()))?;
+            Tolerance { size: *tolerance, relative: false }.check("t", event.t, *at)
+        }
+        Claim::Events(count) if data.events.len() == *count => Ok(()),
+        Claim::Events(_) => {
+            Err(format!("there are {} events: {:?}", data.events.len(), data.events.iter().map(|e| e.t).collect::<Vec<_>>()))
+        }
+        Claim::Audit { name, limit } => {
+            let audit = data.audits.iter().find(|a| a.name.en == *name || a.key == *name || a.key == name.replace(' ', "_"));
+            let audit = audit.ok_or_else(|| format!("audits: {:?}", data.audits.iter().map(|a| &a.name.en).collect::<Vec<_>>()))?;
+            if audit.value < *limit { Ok(()) } else { Err(format!("the audit has {:.3e}", audit.value)) }
+        }
+        Claim::AuditsOk => match data.audits.iter().find(|a| !a.ok) {
+            Some(a) => Err(format!("{}: {:.3e} above {:.1e}", a.name.en, a.value, a.limit)),
+            None if data.audits.is_empty() => Err("no audits".into()),
+            None => Ok(()),
+        },
+        _ => Err("the motion was computed".into()),
+    }
+}
+
+fn constant(name: &str, values: &[f64], tolerance: Tolerance) -> Result<(), String> {
+    let first = values.first().copied().unwrap_or(f64::NAN);
+    let spread = values.iter().fold(0.0f64, |m, v| if v.is_nan() { f64::INFINITY } else { m.max((v - first).abs()) });
+    let size = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let allowed = if tolerance.relative { tolerance.size * size } else { tolerance.size };
+    if spread <= allowed { Ok(()) } else { Err(format!("{name} varies by {spread:.3e}, allowed {allowed:.3e}")) }
+}
+
+fn equations(machine: &Machine, claim: &Claim) -> Result<(), String> {
+    let equations = &machine.equations;
+    let printer = Printer::of(equations, Language::En).with_width(100_000);
+    let same = |found: String, expected: &str| {
+        let plain = |s: &str| s.split_whitespace().collect::<Vec<_>>().join(" ");
+        if plain(&found) == plain(expected) { Ok(()) } else { Err(format!("printed {}", plain(&found))) }
+    };
+    match claim {
+        Claim::Equation { number, text } => {
+            let list = equations.textbook.as_ref().map_err(|e| e.en.clone())?;
+            let equality = *list.get(number - 1).ok_or("no such equation")?;
+            same(printer.equality(&equations.graph, equality, Some(number - 1), Form::Text), text)
+        }
+        Claim::Energy { kind, text } => {
+            let e = &equations.energy;
+            let e = match *kind {
+                "kinetic:" => e.kinetic,
+                "potential:" => e.potential,
+                _ => e.dissipation,
+            };
+            same(printer.expression(&equations.graph, e, Form::Text), text)
+        }
+        Claim::Inertia { name, expected, tolerance } => {
+            let i = equations.coordinates.iter().position(|c| equations.graph.symbol_info(c.symbols[0]).name == *name);
+            let i = i.ok_or_else(|| format!("no coordinate `{name}`"))?;
+            tolerance.check("inertia", at_start(machine, equations.mass.get(i, i)), *expected)
+        }
+        _ => Err("the model is accepted".into()),
+    }
+}
+
+/// The value of an expression at the start of the motion, by the plain evaluator of the graph.
+fn at_start(machine: &Machine, e: symbolic::Expr) -> f64 {
+    let equations = &machine.equations;
+    let mut values = vec![0.0; equations.graph.symbol_count()];
+    equations.parameters.iter().for_each(|p| values[p.symbol.index()] = p.value);
+    for d in &equations.definitions {
+        let known = |s: SymbolId| values[s.index()];
+        values[d.symbol.index()] = equations.graph.evaluate(&[d.formula], &known)[0];
+    }
+    for c in &equations.coordinates {
+        let known = |s: SymbolId| values[s.index()];
+        let start = equations.graph.evaluate(&[c.start, c.rate], &known);
+        (values[c.symbols[0].index()], values[c.symbols[1].index()]) = (start[0], start[1]);
+    }
+    equations.graph.evaluate(&[e], &|s| values[s.index()])[0]
+}

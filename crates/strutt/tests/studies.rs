@@ -1,0 +1,194 @@
+//! Studies from the command line: tables, JSON, overrides, folders of results.
+
+mod common;
+
+use common::{folder, gallery, stderr, stdout, strutt, table};
+use predicates::prelude::*;
+use predicates::str::contains;
+use serde_json::Value;
+
+fn json(command: &mut assert_cmd::Command) -> Value {
+    serde_json::from_str(&stdout(command.arg("--json"))).unwrap()
+}
+
+#[test]
+fn the_table_has_exactly_the_asked_times_and_columns() {
+    let at = "0,0.1,0.30000000000000004,0.25,1e-3";
+    let csv = stdout(strutt().args(["simulate", &gallery("double-pendulum"), "--at", at, "--outputs", "phi2',phi1,phi1''"]));
+    let (head, rows) = table(&csv);
+    assert_eq!(head, ["t [s]", "phi2' [rad/s]", "phi1 [rad]", "phi1'' [rad/s^2]"]);
+    let times: Vec<f64> = rows.iter().map(|r| r[0]).collect();
+    assert_eq!(times, [0.0, 0.1, 0.30000000000000004, 0.25, 1e-3]);
+    let digits = csv.lines().nth(2).unwrap().split(',').next().unwrap();
+    assert_eq!(digits.split('e').next().unwrap().chars().filter(char::is_ascii_digit).count(), 17, "{digits}");
+}
+
+#[test]
+fn the_usual_columns_are_coordinates_rates_and_outputs() {
+    let csv = stdout(strutt().args(["simulate", &gallery("scotch-yoke"), "--at", "0"]));
+    let (head, rows) = table(&csv);
+    assert_eq!(head[..3], ["t [s]", "phi1 [rad]", "phi1' [rad/s]"]);
+    assert!(head.contains(&"eps1 [rad/s^2]".to_owned()) && !head.iter().any(|h| h.starts_with("phi1''")), "{head:?}");
+    assert_eq!(rows, [rows[0].clone()]);
+}
+
+#[test]
+fn every_makes_a_grid_to_the_end() {
+    let csv = stdout(strutt().args(["simulate", &gallery("spherical-pendulum"), "--until", "0.3 s", "--every", "100 ms", "--csv"]));
+    let times: Vec<f64> = table(&csv).1.iter().map(|r| r[0]).collect();
+    assert_eq!(times, [0.0, 0.1, 0.2, 0.3]);
+}
+
+#[test]
+fn overrides_change_parameters_starts_and_rates() {
+    let run = |set: &[&str]| {
+        let mut command = strutt();
+        command.args(["simulate", &gallery("double-pendulum"), "--at", "0,0.2", "--outputs", "phi1,phi1'"]);
+        set.iter().for_each(|s| {
+            command.args(["--set", s]);
+        });
+        table(&stdout(&mut command)).1
+    };
+    let plain = run(&[]);
+    let started = run(&["phi1=0.1", "phi1'=2 rad/s"]);
+    assert_eq!((started[0][1], started[0][2]), (0.1, 2.0));
+    assert_ne!(run(&["l1=0.7"])[1], plain[1]);
+}
+
+#[test]
+fn wrong_overrides_point_into_the_override() {
+    let model = gallery("double-pendulum");
+    let set = |text: &str| stderr(strutt().args(["simulate", &model, "--until", "1", "--set", text]), 2);
+    assert!(set("l9=1").contains("l9"));
+    assert!(set("l1=1 kg").contains("^"));
+    assert!(set("l1").contains("C009"));
+}
+
+#[test]
+fn unknown_outputs_are_wrong_use_with_the_nearest_name() {
+    let text = stderr(strutt().args(["simulate", &gallery("pendulum-on-shaft"), "--until", "1", "--outputs", "omegap"]), 2);
+    assert!(text.contains("omega_p"), "{text}");
+}
+
+#[test]
+fn bad_values_are_wrong_use() {
+    let model = gallery("pendulum-on-shaft");
+    for arguments in [["--until", "5 kg"], ["--until", "soon"], ["--at", "1,,2"], ["--tolerance", "tiny"]] {
+        strutt().args(["simulate", &model]).args(arguments).assert().code(2).stderr(contains("C009"));
+    }
+    for arguments in [["--until", "-1"], ["--tolerance", "1"], ["--every", "0"]] {
+        strutt().args(["simulate", &model]).args(arguments).assert().code(predicate::in_iter([1, 2])).stderr(contains("S006"));
+    }
+}
+
+#[test]
+fn a_result_larger_than_memory_is_refused_at_once() {
+    let text = stderr(strutt().args(["simulate", &gallery("top"), "--until", "1", "--every", "1e-12"]), 1);
+    assert!(text.contains("S005"), "{text}");
+}
+
+#[test]
+fn json_has_the_fields_of_every_study() {
+    let value = json(strutt().args(["simulate", &gallery("scotch-yoke-dry"), "--at", "0,0.1", "--set", "m2=14 kg"]));
+    for field in ["title", "version", "model_hash", "parameters", "counters", "audits", "events", "columns"] {
+        assert!(!value[field].is_null(), "{field}");
+    }
+    assert_eq!(value["parameters"]["m2"]["value"], 14.0);
+    assert_eq!(value["columns"]["t"]["values"].as_array().unwrap().len(), 2);
+    for audit in value["audits"].as_array().unwrap() {
+        assert!(audit["name"].is_string() && audit["value"].is_number() && audit["limit"].is_number(), "{audit}");
+        assert_eq!(audit["ok"], true, "{audit}");
+    }
+    let plain = json(strutt().args(["simulate", &gallery("scotch-yoke-dry"), "--at", "0"]));
+    assert_ne!(value["model_hash"], plain["model_hash"]);
+}
+
+#[test]
+fn same_input_same_bytes() {
+    let run = || stdout(strutt().args(["simulate", &gallery("scotch-yoke-dry"), "--json"]));
+    assert_eq!(run(), run());
+}
+
+#[test]
+fn every_model_of_the_gallery_runs_in_both_languages_and_passes_its_audits() {
+    for name in strutt::gallery::names() {
+        for language in ["en", "ru"] {
+            let here = folder(&format!("run-{name}-{language}"));
+            let mut command = strutt();
+            command.current_dir(&here).args(["run", &gallery(name), "--lang", language]);
+            let text = stdout(&mut command);
+            assert!(!text.contains("NaN"), "{text}");
+            let out = here.join("out").join(name);
+            let page = std::fs::read_to_string(out.join("index.html")).unwrap();
+            assert!(page.starts_with("<!DOCTYPE html>") && page.contains(&format!("lang=\"{language}\"")));
+            let files: Vec<String> =
+                std::fs::read_dir(&out).unwrap().map(|e| e.unwrap().file_name().to_string_lossy().into_owned()).collect();
+            for kind in [".csv", ".json", ".svg", ".png", ".html"] {
+                assert!(files.iter().any(|f| f.ends_with(kind)), "{name}: {files:?}");
+            }
+            assert!(files.iter().all(|f| !f.ends_with(".part")), "{files:?}");
+        }
+    }
+}
+
+#[test]
+fn equations_come_in_three_forms() {
+    let model = gallery("pendulum-on-shaft");
+    let text = stdout(strutt().args(["equations", &model]));
+    assert!(text.contains("(3)"), "{text}");
+    assert!(stdout(strutt().args(["equations", &model, "--form", "latex"])).contains("\\begin{equation}"));
+    assert!(stdout(strutt().args(["equations", &model, "--form", "mathml"])).contains("<math"));
+    let steps = stdout(strutt().args(["equations", &model, "--steps", "--lang", "ru"]));
+    assert!(steps.lines().count() > text.lines().count() && steps.contains("инетическ"), "{steps}");
+    let value = json(strutt().args(["equations", &model]));
+    assert_eq!(value["equations"].as_array().unwrap().len(), 3);
+    assert!(value["equations"][0]["latex"].is_string());
+}
+
+#[test]
+fn a_pendulum_hangs_at_rest() {
+    let value = json(strutt().args(["equilibrium", &gallery("double-pendulum")]));
+    let places = value["equilibria"].as_array().unwrap();
+    assert!(!places.is_empty());
+    for place in places {
+        assert!(place["coordinates"]["phi1"].is_number() && place["residual"].is_number(), "{place}");
+    }
+}
+
+#[test]
+fn a_disk_that_refuses_is_reported() {
+    let here = folder("refused");
+    std::fs::write(here.join("out"), "a file in the place of the folder").unwrap();
+    strutt().current_dir(&here).args(["run", &gallery("top")]).assert().code(1).stderr(contains("C005"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_closed_pipe_is_no_error() {
+    use std::process::{Command, Stdio};
+    let mut child = Command::new(assert_cmd::cargo::cargo_bin!("strutt"))
+        .args(["simulate", &gallery("top"), "--every", "1e-4"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}
+
+#[test]
+fn a_run_that_fails_keeps_what_it_has() {
+    let here = folder("partial");
+    let text = "[parameters]\nm = \"1 kg\"\n[coordinates]\nx = { unit = \"m\", start = \"1 m\" }\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"m\"\n\
+        [forces.f]\nalong = \"x\"\nvalue = \"-1 [N m^2]/x^2\"\n[[study]]\nkind = \"simulate\"\nuntil = \"10 s\"\n";
+    std::fs::write(here.join("fall.toml"), text).unwrap();
+    let output = strutt().current_dir(&here).args(["run", "fall.toml"]).assert().code(1).get_output().clone();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(stderr.contains("error[") && stderr.contains("so far"), "{stderr}");
+    let csv = std::fs::read_to_string(here.join("out/fall/motion.csv")).unwrap();
+    // the fall from rest at distance 1 with unit mass and strength takes π/(2√2) = 1.11 s
+    let last = table(&csv).1.last().unwrap()[0];
+    assert!((1.0..1.111).contains(&last), "{last}");
+}
