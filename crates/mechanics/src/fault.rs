@@ -14,6 +14,13 @@ pub struct Fault {
     pub severity: Severity,
     /// Where, in bytes of the piece.
     pub span: Range<usize>,
+    /// What to say.
+    pub words: Box<Words>,
+}
+
+/// The wording of a finding.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Words {
     /// What is wrong.
     pub what: Text,
     /// The likely cause; may be empty.
@@ -24,14 +31,15 @@ pub struct Fault {
 
 impl Fault {
     pub(crate) fn new(code: &'static str, span: Range<usize>, en: impl Into<String>, ru: impl Into<String>) -> Fault {
-        Fault { code, severity: Severity::Error, span, what: Text::new(en, ru), why: Text::default(), help: Text::default() }
+        let words = Words { what: Text::new(en, ru), ..Words::default() };
+        Fault { code, severity: Severity::Error, span, words: Box::new(words) }
     }
     pub(crate) fn why(mut self, en: impl Into<String>, ru: impl Into<String>) -> Fault {
-        self.why = Text::new(en, ru);
+        self.words.why = Text::new(en, ru);
         self
     }
     pub(crate) fn help(mut self, en: impl Into<String>, ru: impl Into<String>) -> Fault {
-        self.help = Text::new(en, ru);
+        self.words.help = Text::new(en, ru);
         self
     }
     pub(crate) fn warning(mut self) -> Fault {
@@ -71,9 +79,9 @@ impl Site {
             code: fault.code,
             severity: fault.severity,
             source: self.source(fault.span),
-            what: fault.what,
-            why: fault.why,
-            help: fault.help,
+            what: fault.words.what,
+            why: fault.words.why,
+            help: fault.words.help,
             related: Vec::new(),
         }
     }
@@ -115,10 +123,30 @@ impl<'a> Snippet<'a> {
     }
 }
 
+thread_local! {
+    /// How many more suggestions this reading may look for: a file of a hundred thousand slips must not cost as many searches.
+    static SEARCHES: std::cell::Cell<usize> = const { std::cell::Cell::new(SEARCH_LIMIT) };
+}
+const SEARCH_LIMIT: usize = 300;
+
+/// Grants a new reading its suggestions.
+pub(crate) fn renew_searches() {
+    SEARCHES.with(|s| s.set(SEARCH_LIMIT));
+}
+
+/// Takes one search from the allowance.
+pub(crate) fn may_search() -> bool {
+    SEARCHES.with(|s| {
+        let left = s.get();
+        s.set(left.saturating_sub(1));
+        left > 0
+    })
+}
+
 /// The nearest of the candidates to a misspelt word, when it is near enough to be meant.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
-    if length > 60 {
+    if length > 60 || !may_search() {
         return None;
     }
     let limit = 1 + length / 4;

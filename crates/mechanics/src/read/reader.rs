@@ -131,7 +131,8 @@ impl<'a> Reader<'a> {
         let parsed = if snippet.text.trim().is_empty() {
             Err(Fault::new("M030", snippet.all(), "the formula is empty", "пустая формула"))
         } else if units::is_quantity(&snippet.text) {
-            units::parse_number_or_quantity(&snippet.text).map(|q| Formula::quantity(q, snippet.all()))
+            let quantity = units::parse_number_or_quantity(&snippet.text).map(|q| Formula::quantity(q, snippet.all()));
+            quantity.map_err(|fault| self.product_meant(&snippet.text, fault))
         } else {
             formula::parse(&snippet.text)
         };
@@ -145,6 +146,15 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// `2 phi`, where phi is a name of the model, is a product without its sign rather than an unknown unit.
+    fn product_meant(&self, text: &str, fault: Fault) -> Fault {
+        let is_name = text.get(fault.span.clone()).is_some_and(|word| self.claimed.contains_key(word));
+        match formula::parse(text) {
+            Err(product) if is_name => product,
+            _ => fault,
+        }
+    }
+
     /// Zero of unknown dimension, in place of a faulty value.
     pub(super) fn nothing(&mut self) -> Checked {
         Checked { expr: self.builder.graph.zero(), kind: Kind::Unknown, depends: Depends::NOTHING, good: false }
@@ -153,6 +163,9 @@ impl<'a> Reader<'a> {
     /// Checks a formula, builds it, and makes sure that a constant is finite.
     pub(super) fn value(&mut self, raw: &Raw<'a>, context: &Context, wanted: Option<&Dimension>) -> Checked {
         let Some(formula) = &raw.formula else { return self.nothing() };
+        if self.diagnostics.len() > 10 * super::MAX_FINDINGS {
+            return self.nothing();
+        }
         let checked = check(formula, &self.scope, context);
         let failed = checked.faults.iter().any(|f| f.severity == Severity::Error);
         for fault in checked.faults {
