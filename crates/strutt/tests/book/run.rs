@@ -3,7 +3,7 @@
 use crate::chapter::Trial;
 use crate::claim::{Claim, Tolerance, When, parse};
 use analysis::Dataset;
-use analysis::studies::simulate::{Grid, Simulate, simulate_from_start};
+use analysis::studies::simulate::{Grid, Simulate, simulate};
 use mechanics::Diagnostic;
 use report::Language;
 use report::formula::{Form, Printer};
@@ -92,7 +92,8 @@ impl Command {
             }
         }
         let options = Simulate { grid: Grid::At(times.clone()), tolerance: self.tolerance, ..Simulate::until(self.until) };
-        let outcome = simulate_from_start(&mut machine.system, options);
+        let start = machine.system.start().map_err(|fault| fault.to_string())?;
+        let outcome = simulate(&mut machine.system, &start, options);
         match outcome.fault {
             Some(fault) => Ok(Outcome::Trouble { code: fault.code, what: fault.what.en.clone() }),
             None => Ok(Outcome::Motion { times, data: outcome.dataset }),
