@@ -92,7 +92,10 @@ impl Command {
             }
         }
         let options = Simulate { grid: Grid::At(times.clone()), tolerance: self.tolerance, ..Simulate::until(self.until) };
-        let start = machine.system.start().map_err(|fault| fault.to_string())?;
+        let start = match machine.system.start() {
+            Ok(start) => start,
+            Err(fault) => return Ok(Outcome::Trouble { code: fault.code, what: fault.what.en.clone() }),
+        };
         let outcome = simulate(&mut machine.system, &start, options);
         match outcome.fault {
             Some(fault) => Ok(Outcome::Trouble { code: fault.code, what: fault.what.en.clone() }),
