@@ -14,6 +14,13 @@ pub struct Fault {
     pub severity: Severity,
     /// Where, in bytes of the piece.
     pub span: Range<usize>,
+    /// What to say.
+    pub words: Box<Words>,
+}
+
+/// The wording of a finding.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Words {
     /// What is wrong.
     pub what: Text,
     /// The likely cause; may be empty.
@@ -24,14 +31,15 @@ pub struct Fault {
 
 impl Fault {
     pub(crate) fn new(code: &'static str, span: Range<usize>, en: impl Into<String>, ru: impl Into<String>) -> Fault {
-        Fault { code, severity: Severity::Error, span, what: Text::new(en, ru), why: Text::default(), help: Text::default() }
+        let words = Words { what: Text::new(en, ru), ..Words::default() };
+        Fault { code, severity: Severity::Error, span, words: Box::new(words) }
     }
     pub(crate) fn why(mut self, en: impl Into<String>, ru: impl Into<String>) -> Fault {
-        self.why = Text::new(en, ru);
+        self.words.why = Text::new(en, ru);
         self
     }
     pub(crate) fn help(mut self, en: impl Into<String>, ru: impl Into<String>) -> Fault {
-        self.help = Text::new(en, ru);
+        self.words.help = Text::new(en, ru);
         self
     }
     pub(crate) fn warning(mut self) -> Fault {
@@ -71,9 +79,9 @@ impl Site {
             code: fault.code,
             severity: fault.severity,
             source: self.source(fault.span),
-            what: fault.what,
-            why: fault.why,
-            help: fault.help,
+            what: fault.words.what,
+            why: fault.words.why,
+            help: fault.words.help,
             related: Vec::new(),
         }
     }

@@ -9,10 +9,11 @@ pub mod fields;
 pub mod formula;
 pub mod model;
 mod read;
+pub mod reference;
 pub mod units;
 
 pub use diagnostic::{Diagnostic, Severity, Source};
-pub use fault::Fault;
+pub use fault::{Fault, Words};
 pub use model::Model;
 pub use read::{MAX_FILE, MAX_FINDINGS, read, split_override};
 

@@ -121,13 +121,11 @@ fn switching(comparison: Comparison, values: &[Expr], left: NodeId, right: NodeI
     }
 }
 
+/// Makes one expression of many operands.
+type Join = dyn Fn(&mut Graph, &[(Expr, Rational)]) -> Expr;
+
 /// Joins many operands in halves, looking at each part: the numbers in it must not grow without bound.
-fn tree(
-    items: &[(Expr, Rational)],
-    span: &Range<usize>,
-    builder: &mut Builder,
-    join: &dyn Fn(&mut Graph, &[(Expr, Rational)]) -> Expr,
-) -> Result<Expr, Fault> {
+fn tree(items: &[(Expr, Rational)], span: &Range<usize>, builder: &mut Builder, join: &Join) -> Result<Expr, Fault> {
     if items.len() <= 64 {
         let value = join(&mut builder.graph, items);
         guard(value, span, builder)?;

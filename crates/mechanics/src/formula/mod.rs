@@ -8,7 +8,7 @@ mod parse;
 mod scope;
 
 pub(crate) use check::{Context, Depends, Kind, check, mismatch};
-pub use kinematic::FUNCTIONS as KINEMATIC_FUNCTIONS;
+pub use kinematic::{FUNCTIONS as KINEMATIC_FUNCTIONS, KinematicFunction, Takes, Where};
 pub(crate) use lex::is_identifier;
 pub(crate) use lower::{Builder, lower};
 pub(crate) use parse::{Formula, parse};

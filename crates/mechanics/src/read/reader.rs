@@ -131,7 +131,8 @@ impl<'a> Reader<'a> {
         let parsed = if snippet.text.trim().is_empty() {
             Err(Fault::new("M030", snippet.all(), "the formula is empty", "пустая формула"))
         } else if units::is_quantity(&snippet.text) {
-            units::parse_number_or_quantity(&snippet.text).map(|q| Formula::quantity(q, snippet.all()))
+            let quantity = units::parse_number_or_quantity(&snippet.text).map(|q| Formula::quantity(q, snippet.all()));
+            quantity.map_err(|fault| self.product_meant(&snippet.text, fault))
         } else {
             formula::parse(&snippet.text)
         };
@@ -142,6 +143,15 @@ impl<'a> Reader<'a> {
                 self.report(diagnostic);
                 Raw { snippet, formula: None }
             }
+        }
+    }
+
+    /// `2 phi`, where phi is a name of the model, is a product without its sign rather than an unknown unit.
+    fn product_meant(&self, text: &str, fault: Fault) -> Fault {
+        let is_name = text.get(fault.span.clone()).is_some_and(|word| self.claimed.contains_key(word));
+        match formula::parse(text) {
+            Err(product) if is_name => product,
+            _ => fault,
         }
     }
 

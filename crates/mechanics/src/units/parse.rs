@@ -472,7 +472,7 @@ mod tests {
         for (text, near) in [("5 кq", "к"), ("5 Кг", "кг"), ("5 кg", ""), ("5 Nm", "N m"), ("5 rmp", "rpm"), ("5 раd", "рад")] {
             let fault = parse_number_or_quantity(text).unwrap_err();
             assert_eq!(fault.code, "M021");
-            assert!(fault.help.en.contains(near), "{text}: {}", fault.help.en);
+            assert!(fault.words.help.en.contains(near), "{text}: {}", fault.words.help.en);
         }
     }
 

@@ -149,6 +149,23 @@ const CYRILLIC_PREFIXES: &[(&str, i64)] = &[
     ("ф", -15),
 ];
 
+/// A row of the table, for the reference.
+pub(crate) struct Listed {
+    pub names: Vec<&'static str>,
+    pub value: String,
+    pub prefixed: bool,
+}
+
+/// Every unit, for the reference.
+pub(crate) fn listed() -> Vec<Listed> {
+    let row = |r: &Row| Listed {
+        names: r.latin.iter().chain(r.cyrillic).copied().collect(),
+        value: format!("{}{} {}", r.factor, if r.pi == 1 { " π" } else { "" }, super::si_label(&r.dimension)),
+        prefixed: r.prefixed,
+    };
+    ROWS.iter().map(row).collect()
+}
+
 /// The unit of that name.
 pub(super) fn find(name: &str) -> Option<Unit> {
     let exact = |r: &&Row| r.latin.contains(&name) || r.cyrillic.contains(&name);
@@ -214,7 +231,7 @@ pub(super) fn nearest(name: &str) -> Option<String> {
     // `Nm` is two units run together
     let joined = name.char_indices().skip(1).map(|(i, _)| name.split_at(i)).find(|(a, b)| find(a).is_some() && find(b).is_some());
     if let Some((a, b)) = joined
-        && best.as_ref().is_none_or(|(d, _)| *d > 1)
+        && (best.as_ref().is_none_or(|(d, _)| *d > 1) || find(a).is_some_and(|u| u.dimension == Dimension::FORCE))
     {
         return Some(format!("{a} {b}"));
     }

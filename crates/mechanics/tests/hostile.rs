@@ -1,0 +1,72 @@
+//! Whatever the file, reading returns, and every finding points into the file.
+
+use mechanics::{Diagnostic, read};
+use proptest::prelude::*;
+
+const FULL: &str = include_str!("full.toml");
+
+fn check(text: &str) -> Result<(), TestCaseError> {
+    let findings: Vec<Diagnostic> = match read(text, "model.toml", &[]) {
+        Ok(reading) => reading.warnings,
+        Err(findings) => {
+            prop_assert!(!findings.is_empty());
+            findings
+        }
+    };
+    for d in &findings {
+        if let Some(span) = d.span() {
+            prop_assert!(text.get(span.clone()).is_some(), "{} points at {span:?} of {}", d.code, text.len());
+        }
+        for (span, _) in &d.related {
+            prop_assert!(text.get(span.clone()).is_some(), "{} relates to {span:?}", d.code);
+        }
+        prop_assert!(!d.what.en.is_empty() && !d.what.ru.is_empty());
+    }
+    Ok(())
+}
+
+fn floor(text: &str, mut at: usize) -> usize {
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_text(text in "\\PC{0,200}") {
+        check(&text)?;
+    }
+
+    #[test]
+    fn toml_like_text(lines in prop::collection::vec("(\\[{1,2}[a-z.]{1,12}\\]{1,2}|[a-zа-я_\"]{1,8} ?= ?[-0-9a-z\"'\\[\\]{}, .^*/()м]{0,20})", 0..20)) {
+        check(&lines.join("\n"))?;
+    }
+
+    #[test]
+    fn any_formula(formula in "[-+*/^()<>=,.'\\[\\]0-9a-zφ² ]{0,40}") {
+        check(&FULL.replace("m*l^2", &formula))?;
+        check(&FULL.replace("400 kN/m", &formula))?;
+        check(&FULL.replace("box(0.1 [m], 0.2 [m])", &formula))?;
+        check(&FULL.replace("z: phi", &formula))?;
+    }
+
+    #[test]
+    fn mutated_files(cuts in prop::collection::vec((0usize..4000, 0usize..40, 0usize..4000, 0u8..3), 1..5)) {
+        let mut text = FULL.to_owned();
+        for (at, length, from, how) in cuts {
+            let start = floor(&text, at.min(text.len()));
+            let end = floor(&text, (start + length).min(text.len()));
+            let source = floor(&text, from.min(text.len()));
+            let piece = text[source..floor(&text, (source + length).min(text.len()))].to_owned();
+            match how {
+                0 => text.replace_range(start..end.max(start), ""),
+                1 => text.insert_str(start, &piece),
+                _ => text.replace_range(start..end.max(start), &piece),
+            }
+        }
+        check(&text)?;
+    }
+}
