@@ -78,3 +78,28 @@ fn block_without_force_stops_and_rests() {
     assert_eq!(switches.len(), 1);
     assert!((switches[0].t - 3.0).abs() < 1e-15 * 3.0);
 }
+
+#[test]
+fn premature_zero_coefficients_are_taken_back() {
+    // x' = 12 t^11 / (1 + t^12)^2 has a Taylor series in t^12: at t = 0 most coefficients vanish; x = t^12 / (1 + t^12)
+    // with u = 1 / (1 + c^12), c' = 1: u = 1 - x, series of the clock written out
+    let mut system = Hand::new(&["s", "1"], 0, |s, k| {
+        let clock = s.x[0].clone();
+        let power = |n: i32, k: usize| -> f64 {
+            // coefficient k of (c_0 + tau)^n
+            let mut binomial = 1.0;
+            for j in 0..k as i32 {
+                binomial *= f64::from(n - j) / f64::from(j + 1);
+            }
+            if k as i32 > n { 0.0 } else { binomial * clock[0].powi(n - k as i32) }
+        };
+        // 1 - x as the second factor: x' = 12 c^11 (1 - x)^2
+        let rest: Vec<f64> = (0..=k).map(|j| if j == 0 { 1.0 - s.x[1][0] } else { -s.x[1][j] }).collect();
+        let square: Vec<f64> = (0..=k).map(|j| Work::product(&rest, &rest, j)).collect();
+        let rate = (0..=k).map(|j| 12.0 * power(11, j) * square[k - j]).sum();
+        vec![if k == 0 { 1.0 } else { 0.0 }, rate]
+    });
+    let (x, _) = run(&mut system, &[0.0, 0.0], 2.0, 1e-9).unwrap();
+    let exact = 4096.0 / 4097.0;
+    assert!((x[1] - exact).abs() < 1e-7, "{}", x[1] - exact);
+}

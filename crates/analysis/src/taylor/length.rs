@@ -122,10 +122,11 @@ impl Rule {
     }
 }
 
-/// Order for a tolerance: Jorba and Zou's -ln(tol)/2 + 1 holds for a cost of p^2 per expansion. Half of the work on a machine's tape grows like p only
-/// (sums, the right-hand sides of the linear solve, overheads), which moves the optimum of p (p + 10) tol^(-1/p) upwards.
+/// Order for a tolerance: Jorba and Zou's -ln(tol)/2 + 1 is optimal for a cost of p^2 per expansion, -ln(tol) for a cost of p. On tapes of machines
+/// sums, constant factors and overheads, which cost p, prevail (`cargo bench -p strutt-analysis`: flat optimum from 20 to 30). Orders
+/// above 26 make steps so long that the terms of an oscillation exceed its sum tenfold and cancel: digits are lost, time is not gained.
 fn order_for(tolerance: f64) -> usize {
-    (-0.7 * tolerance.ln() + 1.0).ceil() as usize
+    (1.0 - 0.85 * tolerance.ln()).ceil().min(26.0) as usize
 }
 
 /// max_k |c_k| w h^k, NaN kept.

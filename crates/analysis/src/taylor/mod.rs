@@ -1,6 +1,6 @@
 //! Adaptive Taylor integrator with dense output and exact events.
 //!
-//! One expansion per step gives the polynomials of the states, hence the step length ([`length`]), the dense output ([`Step`]) and
+//! One expansion per step gives the polynomials of the states, hence the step length (`length.rs`), the dense output ([`Step`]) and
 //! polynomial event functions ([`crate::events::roots`]). The order follows from the tolerance. A step goes so:
 //!
 //! 1. length from the last two coefficients; never across a scheduled instant, which is hit exactly;
@@ -318,7 +318,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
                 size = size * h + term.abs();
             }
             let rate = self.system.state(i)[1];
-            let allowed = self.rule.tolerance * self.rule.scale[i] + 8.0 * f64::EPSILON * h * (size + rate.abs());
+            let allowed = self.rule.tolerance * self.rule.scale[i] + ROUNDING * f64::EPSILON * h * (size + rate.abs());
             let off = h * (slope - rate).abs();
             if off > allowed * worst {
                 worst = off / allowed;
@@ -468,6 +468,8 @@ struct Defect {
 /// Defects above this multiple of the tolerance mean that the last coefficients misled the choice of the step. In a regular step the defect
 /// is about p tol e^-2, p the order.
 const DEFECT: f64 = 60.0;
+/// Rounding of the rates of a state, in units of the last place of the terms that met in them: the linear solve adds some digits.
+const ROUNDING: f64 = 64.0;
 
 impl Defect {
     /// Truncation falls at least like h^4 when the step is halved; what does not fall is rounding of the system itself and has to be accepted.

@@ -1,0 +1,120 @@
+//! Card P3, pendulum on a rotating shaft, written out by hand with e = 0.
+#![allow(dead_code)]
+
+use std::sync::Arc;
+
+use analysis::Machine;
+use symbolic::equations::{Coordinate, Energy, Output, Parameter, Role};
+use symbolic::{Equations, Expr, Function, Graph, Matrix, Rational, Text};
+
+fn blank(graph: Graph) -> Equations {
+    let mut graph = graph;
+    let (time, zero) = (graph.symbol_id("t", 0), graph.zero());
+    let mass = Matrix::zeros(&mut graph, 3, 3);
+    Equations {
+        graph,
+        title: Text::same("P3"),
+        time,
+        coordinates: vec![],
+        auxiliaries: vec![],
+        parameters: vec![],
+        definitions: vec![],
+        mass,
+        force: vec![],
+        textbook: Err(Text::default()),
+        steps: vec![],
+        second: vec![],
+        energy: Energy { kinetic: zero, potential: zero, dissipation: zero, dissipated: zero, rate: zero, loads: zero, drives: zero },
+        outputs: vec![],
+        notation: vec![],
+    }
+}
+
+/// The machine for a pendulum of mass m.
+pub fn shaft(m: f64) -> Machine {
+    let mut e = blank(Graph::new());
+    let zero = e.graph.zero();
+    for (name, unit) in [("x", "m"), ("y", "m"), ("phi", "rad")] {
+        let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id(name, primes));
+        let label = Text::default();
+        e.coordinates.push(Coordinate { symbols, unit: unit.into(), label: label.clone(), start: zero, rate: zero });
+        for (primes, symbol) in symbols.into_iter().enumerate().take(2) {
+            let formula = e.graph.symbol(symbol);
+            let (unit, name) = (format!("{unit}{}", "/s".repeat(primes)), format!("{name}{}", "'".repeat(primes)));
+            e.outputs.push(Output { name, symbol, unit, display: None, label: label.clone(), role: Role::Named, formula });
+        }
+    }
+    let values = [("M", 10.0 + m), ("m", m), ("l", 0.05), ("c_x", 4e5), ("c_y", 1e5), ("b", 25.0), ("k", 1e-4), ("g", 9.81)];
+    let p: Vec<Expr> = values
+        .iter()
+        .map(|&(name, value)| {
+            let symbol = e.graph.symbol_id(name, 0);
+            e.parameters.push(Parameter { symbol, value, written: String::new(), unit: String::new(), label: Text::default() });
+            e.graph.symbol(symbol)
+        })
+        .collect();
+    let [big_m, m, l, c_x, c_y, b, k, g] = p[..] else { unreachable!() };
+    let q: Vec<[Expr; 2]> = e
+        .coordinates
+        .iter()
+        .map(|c| [c.symbols[0], c.symbols[1]])
+        .collect::<Vec<_>>()
+        .iter()
+        .map(|s| s.map(|s| e.graph.symbol(s)))
+        .collect();
+    let t = e.graph.symbol(e.time);
+    let graph = &mut e.graph;
+    let (sin, cos) = (graph.call(Function::Sin, &[q[2][0]]), graph.call(Function::Cos, &[q[2][0]]));
+    let number = |graph: &mut Graph, n| graph.number(Rational::new(n, 1).unwrap());
+    let (ten, thirty, top) = (number(graph, 10), number(graph, 30), number(graph, 300));
+    let (late, ramp) = (graph.sub(t, ten), graph.mul(thirty, t));
+    let omega = graph.switch(late, false, top, ramp);
+    let ml = graph.mul(m, l);
+    let entries = [big_m, zero, graph.mul(ml, cos), big_m, graph.mul(ml, sin), graph.mul(ml, l)];
+    for (n, (i, j)) in [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].into_iter().enumerate() {
+        e.mass.set(i, j, entries[n]);
+        e.mass.set(j, i, entries[n]);
+    }
+    let spin = graph.square(q[2][1]);
+    let term = |graph: &mut Graph, sign: i64, factors: &[Expr]| {
+        let product = graph.product(factors);
+        graph.scale(product, &Rational::new(sign, 1).unwrap())
+    };
+    let lag = graph.sub(omega, q[2][1]);
+    let x = [term(graph, 1, &[ml, spin, sin]), term(graph, -1, &[c_x, q[0][0]]), term(graph, -1, &[b, q[0][1]])];
+    let y = [term(graph, -1, &[ml, spin, cos]), term(graph, -1, &[c_y, q[1][0]]), term(graph, -1, &[b, q[1][1]])];
+    let phi = [term(graph, 1, &[k, lag]), term(graph, -1, &[ml, g, sin])];
+    e.force = vec![graph.sum(&x), graph.sum(&y), graph.sum(&phi)];
+    let program = Arc::new(program::lower::equations(&e).unwrap());
+    let values = program.values.clone();
+    Machine::new(&e, &program, &values, &[]).unwrap()
+}
+
+/// x'' = -sign(x) with E = x'^2/2 + |x| and the second derivation x'' + sign(x).
+pub fn relay() -> Machine {
+    let mut e = blank(Graph::new());
+    let zero = e.graph.zero();
+    let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id("x", primes));
+    e.coordinates.push(Coordinate { symbols, unit: "m".into(), label: Text::default(), start: zero, rate: zero });
+    let [x, v, a] = symbols.map(|s| e.graph.symbol(s));
+    let graph = &mut e.graph;
+    let one = graph.one();
+    e.mass = Matrix::zeros(graph, 1, 1);
+    e.mass.set(0, 0, one);
+    let sign = graph.call(Function::Sign, &[x]);
+    e.force = vec![graph.neg(sign)];
+    e.second = vec![graph.add(a, sign)];
+    let (kinetic, restoring) = (graph.mul(v, a), graph.mul(sign, v));
+    e.energy.rate = graph.add(kinetic, restoring);
+    e.outputs.push(Output {
+        name: "a".into(),
+        symbol: symbols[2],
+        unit: "m/s^2".into(),
+        display: None,
+        label: Text::default(),
+        role: Role::Acceleration,
+        formula: a,
+    });
+    let program = Arc::new(program::lower::equations(&e).unwrap());
+    Machine::new(&e, &program, &[], &[Text::same("sign(x)")]).unwrap()
+}
