@@ -371,6 +371,20 @@ pub fn equilibria(data: &Dataset, language: Language) -> Table {
     columns.push(Column::new(language.word(Word::Description)));
     let mut table = Table::new(columns);
     for column in &data.columns {
+        if column.quantity.name == "stable" {
+            let verdict = |v: &f64| match v {
+                v if v.is_nan() => Say::Undecided,
+                v if *v == 0.0 => Say::Unstable,
+                _ => Say::Stable,
+            };
+            let mut row = vec![Cell::words(say(language, Say::Stability)), Cell::Empty];
+            row.extend(column.values.iter().map(|v| Cell::words(say(language, verdict(v)))));
+            table.row(row);
+            continue;
+        }
+        if column.quantity.name == "residual" {
+            continue;
+        }
         let largest = column.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let scale = scale(&column.quantity, largest);
         let shown: Vec<f64> = column.values.iter().map(|v| v / scale.size).collect();

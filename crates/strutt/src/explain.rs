@@ -12,27 +12,38 @@ pub struct Explanation {
     pub title: Text,
     /// The explanation.
     pub body: Text,
-    /// A model that raises it; empty when none fits a few lines.
-    pub example: &'static str,
+    /// How it looks wrong; may be empty.
+    pub wrong: &'static str,
+    /// How it looks right; may be empty.
+    pub right: &'static str,
 }
 
 /// Every code, in the order of the rooms.
 pub fn all() -> Vec<Explanation> {
     let pair = |(en, ru): (&str, &str)| Text::new(en, ru);
     let mut out = Vec::new();
+    out.extend(mechanics::explain::TABLES.iter().flat_map(|table| table.iter()).map(|e| Explanation {
+        code: e.code,
+        title: pair(e.title),
+        body: pair(e.text),
+        wrong: e.wrong,
+        right: e.right,
+    }));
     out.extend(program::EXPLANATIONS.iter().map(|(code, title, body)| Explanation {
         code,
         title: pair(*title),
         body: pair(*body),
-        example: "",
+        wrong: "",
+        right: "",
     }));
     out.extend(analysis::fault::EXPLANATIONS.iter().map(|e| Explanation {
         code: e.code,
         title: Text::new(e.en.0, e.ru.0),
         body: Text::new(e.en.1, e.ru.1),
-        example: "",
+        wrong: "",
+        right: "",
     }));
-    out.extend(OWN.iter().map(|(code, title, body)| Explanation { code, title: pair(*title), body: pair(*body), example: "" }));
+    out.extend(OWN.iter().map(|(code, title, body)| Explanation { code, title: pair(*title), body: pair(*body), wrong: "", right: "" }));
     out
 }
 

@@ -6,6 +6,7 @@ use crate::failure::Trouble;
 use crate::files;
 use crate::pipeline::{self, Calculation, Finding};
 use crate::words::Word;
+use analysis::Dataset;
 use report::{Figure, Language, csv, json, page};
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
@@ -85,12 +86,32 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
         }
         Finding::Equilibrium(..) => {
             own.insert("study".into(), json!("equilibrium"));
+            own.insert("equilibria".into(), equilibria(finding.data()));
         }
     }
     if let Some(trouble) = finding.trouble() {
         own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));
     }
     own
+}
+
+/// `{coordinates: {phi: 0.1}, stable: true, residual: 1e-16}` for each; `stable` is null where linearisation does not decide.
+fn equilibria(data: &Dataset) -> Value {
+    let n = data.columns.first().map_or(0, |c| c.values.len());
+    let at = |name: &str, row: usize| data.column(name).map_or(f64::NAN, |c| c.values[row]);
+    let place = |row: usize| {
+        let coordinates = data.columns.iter().filter(|c| !is_verdict(&c.quantity.name));
+        let coordinates: Map<String, Value> = coordinates.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect();
+        let stable = at("stable", row);
+        let stable = if stable.is_nan() { Value::Null } else { json!(stable != 0.0) };
+        json!({"coordinates": coordinates, "stable": stable, "residual": at("residual", row)})
+    };
+    (0..n).map(place).collect()
+}
+
+/// Columns of an equilibrium that are no coordinates.
+pub fn is_verdict(name: &str) -> bool {
+    matches!(name, "residual" | "stable")
 }
 
 /// All studies as one JSON object: the common fields, then each study as it would be written alone.

@@ -17,6 +17,7 @@ pub mod failure;
 pub mod files;
 pub mod folder;
 pub mod gallery;
+pub mod guards;
 mod near;
 pub mod pipeline;
 pub mod plan;

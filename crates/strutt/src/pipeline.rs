@@ -5,13 +5,15 @@ use crate::failure::{Failure, Trouble};
 use crate::source::Source;
 use crate::watch::Watch;
 use crate::words::Word;
-use crate::{plan, provenance};
+use crate::{guards, plan, provenance};
 use analysis::Dataset;
 use analysis::dataset::Audit;
+use analysis::studies::{self, simulate::Outcome};
 use mechanics::model::{Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
 use report::{Document, Language};
-use symbolic::Equations;
+use std::sync::Arc;
+use symbolic::{Equations, SymbolId};
 
 /// A machine ready for studies.
 #[derive(Clone, Debug)]
@@ -69,9 +71,18 @@ pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch)
     watch.lap(Word::TimeRead);
     let equations = mechanics::derive::derive(&reading.model).map_err(findings)?;
     watch.lap(Word::TimeDerive);
-    let system = analysis::Machine::new(&equations).map_err(Trouble::from)?;
+    let system = lower(&equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeLower);
     Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides) })
+}
+
+/// From equations to a program with numbers.
+///
+/// # Errors
+/// A formula that has no value for the parameters as given.
+pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault> {
+    let program = Arc::new(program::lower::equations(equations)?);
+    analysis::Machine::new(equations, &program, &program.values, &guards::names(equations, &program))
 }
 
 /// One study of the file; equations are no study of numbers.
@@ -94,15 +105,24 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
 /// A motion.
 pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
     let options = plan::options(study, watch);
-    let outcome = analysis::studies::simulate::simulate_from_start(&mut machine.system, options);
+    let outcome = match machine.system.start() {
+        Ok(start) => studies::simulate::simulate(&mut machine.system, &start, options),
+        Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
+    };
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     Finding::Motion(study.clone(), data, outcome.fault.map(Trouble::from))
 }
 
-/// Positions of equilibrium.
-pub fn equilibrium(machine: &mut Machine, guess: &[(symbolic::SymbolId, f64)], watch: &mut Watch) -> Finding {
-    let outcome = analysis::studies::equilibrium::equilibrium(&mut machine.system, guess);
+/// Positions of equilibrium, from the start of the motion and from a guess.
+pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut Watch) -> Finding {
+    let outcome = match machine.system.start() {
+        Ok(start) => {
+            let options = plan::guesses(&machine.equations, &start, guess);
+            studies::equilibrium::equilibrium(&mut machine.system, &start, &options)
+        }
+        Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
+    };
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     Finding::Equilibrium(data, outcome.fault.map(Trouble::from))

@@ -6,8 +6,8 @@ use crate::watch::Watch;
 use analysis::Dataset;
 use mechanics::Model;
 use mechanics::model::{DEFAULT_TOLERANCE, Simulate, StudyKind, Times};
-use symbolic::Equations;
 use symbolic::equations::Role;
+use symbolic::{Equations, SymbolId};
 
 /// A step of the integrator spans about a radian of the quickest oscillation.
 const POINTS_A_STEP: f64 = 4.0;
@@ -143,4 +143,16 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
         progress,
         ..Options::until(study.until)
     }
+}
+
+/// The start of the motion with some coordinates replaced, as a place to search from.
+pub fn guesses(equations: &Equations, start: &[f64], guess: &[(SymbolId, f64)]) -> analysis::studies::equilibrium::Equilibrium {
+    let mut place = start[..equations.coordinates.len().min(start.len())].to_vec();
+    for (q, coordinate) in place.iter_mut().zip(&equations.coordinates) {
+        if let Some((_, value)) = guess.iter().find(|(symbol, _)| *symbol == coordinate.symbols[0]) {
+            *q = *value;
+        }
+    }
+    let guesses = if guess.is_empty() { Vec::new() } else { vec![place] };
+    analysis::studies::equilibrium::Equilibrium { guesses }
 }

@@ -6,7 +6,7 @@ use symbolic::Text;
 
 /// `30`, `30s`, `2 min`: seconds.
 pub fn seconds(key: &str, text: &str) -> Result<f64, Failure> {
-    let value = parse_quantity(text, &Dimension::TIME).map_err(|fault| bad(key, text, &fault.what, &fault.help))?;
+    let value = parse_quantity(text, &Dimension::TIME).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
     if value.is_finite() { Ok(value) } else { Err(bad(key, text, &not_finite(), &Text::default())) }
 }
 
@@ -18,7 +18,7 @@ pub fn times(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
 
 /// A pure number.
 pub fn number(key: &str, text: &str) -> Result<f64, Failure> {
-    let value = parse_quantity(text, &Dimension::NONE).map_err(|fault| bad(key, text, &fault.what, &fault.help))?;
+    let value = parse_quantity(text, &Dimension::NONE).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
     if value.is_finite() { Ok(value) } else { Err(bad(key, text, &not_finite(), &Text::default())) }
 }
 

@@ -36,10 +36,11 @@ fn write(e: &Explanation, console: &Console) -> String {
     let title = format!("{}: {}", e.code, language.text(&e.title));
     let body = wrap(language.text(&e.body), console.width().min(100));
     let mut out = format!("{title}\n{}\n{body}", "-".repeat(title.chars().count()));
-    if !e.example.is_empty() {
-        let heading = console.pick("An example that raises it:", "Пример, который её вызывает:");
-        let example: String = e.example.trim_end().lines().map(|l| format!("  {l}\n")).collect();
-        out.push_str(&format!("\n{heading}\n\n{example}"));
+    for (heading, example) in [(console.pick("Wrong:", "Неверно:"), e.wrong), (console.pick("Right:", "Верно:"), e.right)] {
+        if !example.is_empty() {
+            let lines: String = example.trim_end().lines().map(|l| format!("  {l}\n")).collect();
+            out.push_str(&format!("\n{heading}\n{lines}"));
+        }
     }
     out
 }
@@ -65,7 +66,7 @@ fn wrap(text: &str, width: usize) -> String {
 
 fn to_json(e: &Explanation, console: &Console) -> serde_json::Value {
     let language = console.language;
-    json!({"code": e.code, "title": language.text(&e.title), "body": language.text(&e.body), "example": e.example})
+    json!({"code": e.code, "title": language.text(&e.title), "body": language.text(&e.body), "wrong": e.wrong, "right": e.right})
 }
 
 fn unknown(code: &str) -> Failure {

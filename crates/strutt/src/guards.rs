@@ -1,0 +1,28 @@
+//! Names of switching functions, as the user would write them.
+
+use crate::document::printer;
+use program::Program;
+use report::Language;
+use report::formula::Form;
+use symbolic::{Equations, Text};
+
+/// Longer formulas are cut: the name stands in a line of the list of events.
+const LONGEST: usize = 48;
+
+/// The name of each guard of a program.
+pub fn names(equations: &Equations, program: &Program) -> Vec<Text> {
+    let [en, ru] = [Language::En, Language::Ru].map(|language| printer(equations, language, usize::MAX));
+    let graph = &equations.graph;
+    let name = |guard: &program::Guard| {
+        let write = |printer: &report::formula::Printer| {
+            let left = printer.inline(graph, guard.left, Form::Text);
+            let text = match guard.right {
+                Some(right) => format!("{left} − ({})", printer.inline(graph, right, Form::Text)),
+                None => left,
+            };
+            if text.chars().count() <= LONGEST { text } else { text.chars().take(LONGEST - 1).chain(['…']).collect() }
+        };
+        Text::new(write(&en), write(&ru))
+    };
+    program.guards.iter().map(name).collect()
+}
