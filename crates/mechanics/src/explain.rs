@@ -19,7 +19,7 @@ pub struct Explanation {
 }
 
 /// Every table of explanations.
-pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS];
+pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, crate::derive::explain::EXPLANATIONS];
 
 /// The explanation of a code; small letters will do.
 pub fn find(code: &str) -> Option<&'static Explanation> {
@@ -272,8 +272,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
             "A formula is made of numbers, names, + - * / ^, brackets and functions. Products need their sign.",
             "Формула состоит из чисел, имён, + - * / ^, скобок и функций. Знак умножения обязателен.",
         ),
-        "m (g + a)x",
-        "m*(g + a)*x",
+        "m g",
+        "m*g",
     ),
     row(
         "M031",

@@ -5,6 +5,7 @@
 //!                     -> Newton-Euler, projected ----------------^ (second derivation)
 //! ```
 
+pub mod explain;
 mod kinematics;
 mod lagrange;
 mod loads;
