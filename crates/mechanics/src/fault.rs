@@ -123,10 +123,30 @@ impl<'a> Snippet<'a> {
     }
 }
 
+thread_local! {
+    /// How many more suggestions this reading may look for: a file of a hundred thousand slips must not cost as many searches.
+    static SEARCHES: std::cell::Cell<usize> = const { std::cell::Cell::new(SEARCH_LIMIT) };
+}
+const SEARCH_LIMIT: usize = 300;
+
+/// Grants a new reading its suggestions.
+pub(crate) fn renew_searches() {
+    SEARCHES.with(|s| s.set(SEARCH_LIMIT));
+}
+
+/// Takes one search from the allowance.
+pub(crate) fn may_search() -> bool {
+    SEARCHES.with(|s| {
+        let left = s.get();
+        s.set(left.saturating_sub(1));
+        left > 0
+    })
+}
+
 /// The nearest of the candidates to a misspelt word, when it is near enough to be meant.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
-    if length > 60 {
+    if length > 60 || !may_search() {
         return None;
     }
     let limit = 1 + length / 4;

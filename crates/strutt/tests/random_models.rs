@@ -95,28 +95,16 @@ fn write(machine: &Machine) -> String {
         let _ = write!(text, "[dampers.b]\nbetween = [\"Q\", \"P0\"]\ndamping = \"3 N s/m\"\n");
     }
     if machine.force {
-        let _ = write!(
-            text,
-            "[forces.f]\nat = \"P{last}\"\nvalue = [\"3 N * sin(2 [1/s]*t)\", \"1 N\"]\naxes = \"b0\"\n"
-                .replace("3 N *", "3 [N] *")
-                .replace("{last}", &last.to_string())
-                .as_str()
-        );
+        let _ = write!(text, "[forces.f]\nat = \"P{last}\"\nvalue = [\"3 [N] * sin(2 [1/s]*t)\", \"1 N\"]\naxes = \"b0\"\n");
     }
     if machine.torque {
         let reaction = if last > 0 { "reaction = \"b0\"\n" } else { "" };
         let _ = write!(text, "[torques.m]\non = \"b{last}\"\nvalue = \"0.5 [N m] + 0.1 [N m/s]*t\"\n{reaction}");
     }
     if machine.free {
-        let name = if machine.bodies[0].slide { "s0/L" } else { "a0" };
-        let _ =
-            write!(text, "[potentials.p]\nenergy = \"2 [J] * sin({name})^2 * exp(-t/1 [s])\"\n".replace("t/1 [s]", "t/(1 [s])").as_str());
-        let _ = write!(
-            text,
-            "[dissipations.d]\nfunction = \"0.3 [N m s] * (({name})')^2\"\n"
-                .replace("(({name})')^2", &if machine.bodies[0].slide { "(s0'/L)^2".to_owned() } else { "a0'^2".to_owned() })
-                .as_str()
-        );
+        let (angle, rate) = if machine.bodies[0].slide { ("s0/L", "s0'/L") } else { ("a0", "a0'") };
+        let _ = write!(text, "[potentials.p]\nenergy = \"2 [J] * sin({angle})^2 * exp(-t/(1 [s]))\"\n");
+        let _ = write!(text, "[dissipations.d]\nfunction = \"0.3 [N m s] * ({rate})^2\"\n");
     }
     text
 }

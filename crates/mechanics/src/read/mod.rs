@@ -35,6 +35,7 @@ pub const MAX_FINDINGS: usize = 200;
 /// # Errors
 /// All findings, sorted by place in the file; at least one of them is an error.
 pub fn read(text: &str, file: &str, overrides: &[(String, String)]) -> Result<Reading, Vec<Diagnostic>> {
+    crate::fault::renew_searches();
     if text.len() > MAX_FILE {
         let size = text.len() / 1024;
         let fault = Fault::new(

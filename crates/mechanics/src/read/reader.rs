@@ -163,6 +163,9 @@ impl<'a> Reader<'a> {
     /// Checks a formula, builds it, and makes sure that a constant is finite.
     pub(super) fn value(&mut self, raw: &Raw<'a>, context: &Context, wanted: Option<&Dimension>) -> Checked {
         let Some(formula) = &raw.formula else { return self.nothing() };
+        if self.diagnostics.len() > 10 * super::MAX_FINDINGS {
+            return self.nothing();
+        }
         let checked = check(formula, &self.scope, context);
         let failed = checked.faults.iter().any(|f| f.severity == Severity::Error);
         for fault in checked.faults {

@@ -91,7 +91,13 @@ impl Command {
                 times.push(*t);
             }
         }
-        let options = Simulate { grid: Grid::At(times.clone()), tolerance: self.tolerance, ..Simulate::until(self.until) };
+        // only what is claimed: another output may be undefined with the values that are set
+        let wanted = claims.iter().filter_map(|claim| match claim {
+            Claim::Value { name, .. } | Claim::Bounded { name, .. } | Claim::Constant { name, .. } => Some(name.clone()),
+            _ => None,
+        });
+        let outputs = Some(wanted.collect());
+        let options = Simulate { grid: Grid::At(times.clone()), tolerance: self.tolerance, outputs, ..Simulate::until(self.until) };
         let start = match machine.system.start() {
             Ok(start) => start,
             Err(fault) => return Ok(Outcome::Trouble { code: fault.code, what: fault.what.en.clone() }),
@@ -143,7 +149,10 @@ impl Outcome {
             (Outcome::Machine(machine), claim) => equations(machine, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
                 let column = data.column(name).ok_or_else(|| format!("no column `{name}`"))?;
-                tolerance.check(name, column.values.first().copied().unwrap_or(f64::NAN), *expected)
+                // several equilibria may be found; the claim is about the nearest
+                let distance = |v: &f64| (v - expected).abs();
+                let found = column.values.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+                tolerance.check(name, found.unwrap_or(f64::NAN), *expected)
             }
             (other, _) => Err(format!("does not hold: {}", other.summary())),
         }
