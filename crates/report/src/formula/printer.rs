@@ -146,12 +146,16 @@ impl Printer {
 
     /// A symbol as letter, dots and subscript.
     pub fn identifier(&self, symbol: &Symbol) -> Identifier {
-        let name = self.notation_of(&symbol.name).unwrap_or(&symbol.name);
-        let bare = name.trim_end_matches('\'');
-        let mut identifier = names::identifier(bare, self.language);
-        let written = u8::try_from(name.len() - bare.len()).unwrap_or(u8::MAX);
-        identifier.primes = symbol.primes.saturating_add(written);
+        let mut identifier = self.named(self.notation_of(&symbol.name).unwrap_or(&symbol.name));
+        identifier.primes = symbol.primes.saturating_add(identifier.primes);
         identifier
+    }
+
+    /// A written symbol (a name of the model, or what the user wants to see instead) as letter, dots and subscript.
+    pub fn named(&self, name: &str) -> Identifier {
+        let bare = name.trim_end_matches(['\'', '′']);
+        let primes = name[bare.len()..].chars().count();
+        Identifier { primes: u8::try_from(primes).unwrap_or(u8::MAX), ..names::identifier(bare, self.language) }
     }
 
     pub(super) fn notation_of(&self, name: &str) -> Option<&str> {

@@ -35,7 +35,7 @@ impl Writer {
                 let level = (*level).clamp(1, 3) + 1;
                 self.push(&format!("<h{level}>{}</h{level}>\n", markup(text)));
             }
-            Block::Paragraph(content) => self.push(&format!("<p>{}</p>\n", rich(content))),
+            Block::Paragraph(content) => self.push(&format!("<p>{}</p>\n", self.rich(content))),
             Block::Equation { formula, numbered } => self.equation(formula, *numbered),
             Block::Table(table) => self.table(table),
             Block::Figure(figure) => self.figure(figure),
@@ -75,7 +75,7 @@ impl Writer {
         for (column, (whole, decimals)) in table.columns.iter().zip(&widths) {
             let class = if whole + decimals > 0 { " class=\"n\"" } else { "" };
             let unit = if column.unit.is_empty() { String::new() } else { format!(", {}", markup(&column.unit)) };
-            self.push(&format!("<th scope=\"col\"{class}>{}{unit}</th>", rich(&column.head)));
+            self.push(&format!("<th scope=\"col\"{class}>{}{unit}</th>", self.rich(&column.head)));
         }
         self.push("</tr></thead>\n<tbody>\n");
         for row in &table.rows {
@@ -93,7 +93,7 @@ impl Writer {
     fn cell(&self, cell: &Cell, decimals: usize) -> String {
         match cell {
             Cell::Empty => "<td></td>".into(),
-            Cell::Rich(content) => format!("<td>{}</td>", rich(content)),
+            Cell::Rich(content) => format!("<td>{}</td>", self.rich(content)),
             Cell::Number(number) if decimals == 0 => format!("<td class=\"n\">{}</td>", markup(number)),
             Cell::Number(number) => {
                 let (whole, rest) = split_number(number);
@@ -121,11 +121,22 @@ impl Writer {
              <div class=\"tools\" hidden></div>\n<details class=\"data\" hidden><summary>{}</summary></details>\n</figure>\n",
             svg::write(figure, false, self.language),
             word(Word::Figure),
-            markup(&figure.title),
+            self.rich(&figure.title),
             markup(&summary.join("; ")),
             word(Word::ShowData),
         );
         self.push(&html);
+    }
+
+    /// Words with formulas and symbols as HTML.
+    fn rich(&self, content: &Rich) -> String {
+        let pieces = content.0.iter().map(|piece| match piece {
+            Inline::Words(words) => markup(words),
+            Inline::Formula(formula) if formula.mathml.is_empty() => markup(&formula.text),
+            Inline::Formula(formula) => formula.mathml.clone(),
+            Inline::Symbol(name) => symbol::mathml(name, self.language),
+        });
+        pieces.collect()
     }
 
     fn downloads(&mut self, files: &[Download]) {
@@ -142,17 +153,6 @@ impl Writer {
         }
         self.push("</ul>\n");
     }
-}
-
-/// Words with formulas and symbols as HTML.
-fn rich(content: &Rich) -> String {
-    let pieces = content.0.iter().map(|piece| match piece {
-        Inline::Words(words) => markup(words),
-        Inline::Formula(formula) if formula.mathml.is_empty() => markup(&formula.text),
-        Inline::Formula(formula) => formula.mathml.clone(),
-        Inline::Symbol(name) => format!("<span class=\"s\">{}</span>", symbol::html(name)),
-    });
-    pieces.collect()
 }
 
 /// A file name as a relative address: it cannot become a scheme, a host or a script.
