@@ -9,6 +9,9 @@ use crate::table::{Cell, Table, split_number};
 use crate::terminal::figure_summary;
 use base64::Engine;
 
+/// How the MathML of a formula of several lines starts.
+const BROKEN: &str = "<mtable displaystyle";
+
 /// Writes blocks one behind the other and numbers them.
 pub(super) struct Writer {
     pub out: String,
@@ -54,7 +57,9 @@ impl Writer {
 
     fn equation(&mut self, formula: &Formula, numbered: bool) {
         let shown = if formula.mathml.is_empty() { format!("<pre>{}</pre>", markup(&formula.text)) } else { formula.mathml.clone() };
-        self.push(&format!("<div class=\"equation\"><div class=\"formula\">{shown}</div>"));
+        // the number stands at the last line of a broken formula
+        let class = if formula.mathml.contains(BROKEN) { "equation long" } else { "equation" };
+        self.push(&format!("<div class=\"{class}\"><div class=\"formula\">{shown}</div>"));
         if numbered {
             self.equations += 1;
             let n = self.equations;
