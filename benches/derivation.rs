@@ -44,7 +44,8 @@ fn measure(text: &str) -> Sample {
     let reading = mechanics::read(text, "chain.toml", &[]).expect("the chain is a valid model");
     let read = start.elapsed();
     let start = Instant::now();
-    let equations = mechanics::derive::derive(&reading.model).expect("a chain has inertia everywhere");
+    let equations =
+        mechanics::derive::derive_in(&reading.model, mechanics::derive::Detail::Equations).expect("a chain has inertia everywhere");
     let derive = start.elapsed();
     let start = Instant::now();
     let program = program::lower::equations(&equations).expect("a chain can be lowered");

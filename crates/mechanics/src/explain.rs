@@ -19,14 +19,14 @@ pub struct Explanation {
 }
 
 /// Every table of explanations.
-pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS];
+pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, crate::derive::EXPLANATIONS];
 
 /// The explanation of a code; small letters will do.
 pub fn find(code: &str) -> Option<&'static Explanation> {
     TABLES.iter().flat_map(|t| t.iter()).find(|e| e.code.eq_ignore_ascii_case(code))
 }
 
-const fn row(
+pub(crate) const fn row(
     code: &'static str,
     title: (&'static str, &'static str),
     text: (&'static str, &'static str),

@@ -165,7 +165,7 @@ pub struct New {
 
 #[derive(Args, Debug)]
 pub struct Explain {
-    /// The code, as in error[M012]; without one, all codes are listed
+    /// The code, as in error[M021]; without one, all codes are listed
     #[arg(value_name = "CODE")]
     pub code: Option<String>,
 }

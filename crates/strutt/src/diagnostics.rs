@@ -122,7 +122,7 @@ pub fn render_trouble(trouble: &Trouble, style: Style) -> String {
     out
 }
 
-/// One line per finding: `file:line:column: error[M012]: what`.
+/// One line per finding: `file:line:column: error[M021]: what`.
 pub fn short(diagnostics: &[Diagnostic], source: &Source, language: Language) -> String {
     let lines = Lines::of(&source.text);
     let mut out = String::new();
@@ -221,7 +221,7 @@ mod tests {
 
     fn finding(text: &str, word: &str) -> Diagnostic {
         let start = text.find(word).unwrap();
-        Diagnostic::error("M012", start..start + word.len(), Text::new("unknown name", "неизвестное имя"))
+        Diagnostic::error("M021", start..start + word.len(), Text::new("unknown name", "неизвестное имя"))
             .why(Text::new("a cause", "причина"))
             .help(Text::new("a cure", "средство"))
     }
@@ -234,9 +234,9 @@ mod tests {
         let user = lines.iter().position(|l| l.contains("масса")).unwrap();
         let column = |line: &str, what: &str| line[..line.find(what).unwrap()].chars().count();
         assert_eq!(column(lines[user], "груз"), column(lines[user + 1], "^^^^"), "\n{text}");
-        assert!(text.starts_with("ошибка[M012]: неизвестное имя"), "\n{text}");
+        assert!(text.starts_with("ошибка[M021]: неизвестное имя"), "\n{text}");
         assert!(text.contains("м.toml:2:10"), "\n{text}");
-        assert!(text.ends_with("ошибок: 1; подробнее: strutt explain M012\n"), "\n{text}");
+        assert!(text.ends_with("ошибок: 1; подробнее: strutt explain M021\n"), "\n{text}");
     }
 
     #[test]
@@ -253,6 +253,6 @@ mod tests {
     #[test]
     fn editors_get_one_line() {
         let source = Source::new("a.toml", "m = 1\nk = m + q\n");
-        assert_eq!(short(&[finding(&source.text, "q")], &source, Language::En), "a.toml:2:9: error[M012]: unknown name\n");
+        assert_eq!(short(&[finding(&source.text, "q")], &source, Language::En), "a.toml:2:9: error[M021]: unknown name\n");
     }
 }

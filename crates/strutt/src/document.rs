@@ -170,14 +170,13 @@ impl Writer<'_> {
                 }
             }
         }
-        let shown: Vec<_> = self.equations.definitions.iter().filter(|d| d.shown).collect();
-        if !shown.is_empty() && self.equations.textbook.is_ok() {
+        let mathml = definitions(self.equations, &printer, Form::MathMl);
+        let text = definitions(self.equations, &printer, Form::Text);
+        if !text.is_empty() {
             blocks.push(Block::paragraph(say(self.language, Say::WhereText)));
-            for d in shown {
-                let write = |form| printer.definition(graph, d.symbol, d.formula, form);
-                let formula = Formula { mathml: write(Form::MathMl), text: write(Form::Text) };
-                blocks.push(Block::Equation { formula, numbered: false });
-            }
+        }
+        for (mathml, text) in mathml.into_iter().zip(text) {
+            blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
         }
         blocks
     }
@@ -305,6 +304,26 @@ impl Writer<'_> {
         };
         vec![self.heading(Word::Downloads), Block::Downloads(files.iter().map(download).collect())]
     }
+}
+
+/// What stands behind "where": definitions, and the rates of prescribed turning angles, ψ' = ω. Nothing when the equations are not shown.
+pub fn definitions(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
+    if equations.textbook.is_err() {
+        return Vec::new();
+    }
+    let graph = &equations.graph;
+    let shown = equations.definitions.iter().filter(|d| d.shown);
+    let mut out: Vec<String> = shown.map(|d| printer.definition(graph, d.symbol, d.formula, form)).collect();
+    if !equations.auxiliaries.is_empty() {
+        // the symbol of the rate is made for print only
+        let mut graph = graph.clone();
+        for a in &equations.auxiliaries {
+            let name = graph.symbol_info(a.symbol).name.clone();
+            let rate = graph.symbol_id(&name, 1);
+            out.push(printer.definition(&graph, rate, a.rate, form));
+        }
+    }
+    out
 }
 
 /// The written derivation as blocks.

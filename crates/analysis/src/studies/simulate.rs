@@ -149,8 +149,9 @@ fn equidistant(until: f64, dt: f64) -> Vec<f64> {
     let per_second = whole(1.0 / dt);
     (0..=n)
         .map(|k| match (whole(steps), per_second) {
-            (Some(steps), _) => until * k as f64 / steps,
-            (None, Some(per_second)) => k as f64 / per_second,
+            // a tenth of a second is 0.1, whatever the end is
+            (_, Some(per_second)) => (k as f64 / per_second).min(until),
+            (Some(steps), None) => until * k as f64 / steps,
             (None, None) => k as f64 * dt,
         })
         .collect()

@@ -29,10 +29,13 @@ pub struct Kinetic {
     pub bodies: Vec<Quadratic>,
 }
 
-/// Products of Jacobian columns with the factors they are multiplied by.
+/// A product of Jacobian columns, and the factors it is multiplied by.
+type Weighted = (Expr, Vec<Expr>);
+
+/// The weighted products of each pair of directions.
 #[derive(Default)]
 struct Gathered {
-    entries: BTreeMap<(usize, usize), Vec<(Expr, Vec<Expr>)>>,
+    entries: BTreeMap<(usize, usize), Vec<Weighted>>,
 }
 
 impl Gathered {

@@ -6,7 +6,7 @@
 use super::kinematics::Kinematics;
 use super::pathways::{Path, resolve};
 use super::requests::Resolver;
-use super::scene::{Columns, Scene, Vector};
+use super::scene::{Columns, Found, Scene, Vector};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Action, Pathway, PointRef, Rest};
 use std::ops::Range;
@@ -51,13 +51,13 @@ pub fn collect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
     gravity(scene, kinematics, &mut loads);
     let model = scene.model;
     for i in 0..model.springs.len() {
-        errors.extend(spring(scene, kinematics, resolver, &mut loads, i).err());
+        errors.extend(spring(scene, kinematics, resolver, &mut loads, i).err().map(|d| *d));
     }
     for i in 0..model.dampers.len() {
-        errors.extend(damper(scene, kinematics, resolver, &mut loads, i).err());
+        errors.extend(damper(scene, kinematics, resolver, &mut loads, i).err().map(|d| *d));
     }
-    errors.extend(free_forms(scene, kinematics, resolver, &mut loads).err());
-    errors.extend(applied(scene, kinematics, resolver, &mut loads).err());
+    errors.extend(free_forms(scene, kinematics, resolver, &mut loads).err().map(|d| *d));
+    errors.extend(applied(scene, kinematics, resolver, &mut loads).err().map(|d| *d));
     if errors.is_empty() { Ok(loads) } else { Err(errors) }
 }
 
@@ -92,13 +92,7 @@ pub fn project(scene: &mut Scene, force: &Vector, columns: &Columns<Vector>) -> 
 }
 
 /// Π = c (δ - rest)²/2 + preload (δ - rest); force c (δ - rest) + preload against growing δ.
-fn spring(
-    scene: &mut Scene,
-    kinematics: &mut Kinematics,
-    resolver: &mut Resolver,
-    loads: &mut Loads,
-    index: usize,
-) -> Result<(), Diagnostic> {
+fn spring(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads, index: usize) -> Found<()> {
     let model = scene.model;
     let spring = &model.springs[index];
     let path = resolve(scene, kinematics, resolver, (spring.pathway, &spring.span))?;
@@ -146,13 +140,7 @@ fn at_start(scene: &mut Scene, e: Expr) -> Expr {
 }
 
 /// Φ = b δ'²/2; force b δ' against growing δ.
-fn damper(
-    scene: &mut Scene,
-    kinematics: &mut Kinematics,
-    resolver: &mut Resolver,
-    loads: &mut Loads,
-    index: usize,
-) -> Result<(), Diagnostic> {
+fn damper(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads, index: usize) -> Found<()> {
     let model = scene.model;
     let damper = &model.dampers[index];
     let path = resolve(scene, kinematics, resolver, (damper.pathway, &damper.span))?;
@@ -174,7 +162,7 @@ fn damper(
 }
 
 /// Free-form potentials and Rayleigh functions: there is no geometry to find their forces in another way.
-fn free_forms(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads) -> Result<(), Diagnostic> {
+fn free_forms(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads) -> Found<()> {
     let model = scene.model;
     for potential in &model.potentials {
         let energy = resolver.resolve(scene, kinematics, potential.energy)?;
@@ -206,7 +194,7 @@ fn free_forms(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Res
 }
 
 /// Forces and torques that have no potential: virtual power.
-fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads) -> Result<(), Diagnostic> {
+fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads) -> Found<()> {
     let model = scene.model;
     for force in &model.forces {
         let columns = match &force.action {
@@ -241,13 +229,13 @@ fn on_pathway(
     kinematics: &mut Kinematics,
     resolver: &mut Resolver,
     ((pathway, span), value): ((Pathway, &Range<usize>), Expr),
-) -> Result<Columns<Expr>, Diagnostic> {
+) -> Found<Columns<Expr>> {
     let Path { gradient, .. } = resolve(scene, kinematics, resolver, (pathway, span))?;
     let value = resolver.resolve(scene, kinematics, value)?;
     Ok(scaled(scene, value, &gradient))
 }
 
-fn resolve_vector(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, v: Vector) -> Result<Vector, Diagnostic> {
+fn resolve_vector(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, v: Vector) -> Found<Vector> {
     let [x, y, z] = v.map(|e| resolver.resolve(scene, kinematics, e));
     Ok([x?, y?, z?])
 }

@@ -5,6 +5,7 @@
 //!                     -> Newton-Euler, projected ----------------^ (second derivation)
 //! ```
 
+mod explain;
 mod kinematics;
 mod lagrange;
 mod loads;
@@ -13,6 +14,8 @@ mod pathways;
 mod requests;
 mod scene;
 mod steps;
+
+pub use explain::EXPLANATIONS;
 
 use crate::diagnostic::{Diagnostic, sort};
 use crate::model::{Class, Inertia, Model};
@@ -29,15 +32,32 @@ const LARGEST_SHOWN: usize = 12;
 /// Above this number of nodes in one equation, formulas are not written out.
 const LONGEST_SHOWN: usize = 1500;
 
+/// How much of the derivation is written down.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Detail {
+    /// The equations.
+    Equations,
+    /// The equations and every step towards them.
+    Steps,
+}
+
+/// Derives the equations of motion of a machine, with the written steps.
+///
+/// *Errors*: see [`derive_in`].
+pub fn derive(model: &Model) -> Result<Equations, Vec<Diagnostic>> {
+    derive_in(model, Detail::Steps)
+}
+
 /// Derives the equations of motion of a machine.
 ///
 /// *Errors*: a coordinate without inertia (M100), a plane inertia on a body that tumbles in space (M101), an undefined relative angle
 /// (M102), a kinematic function that is not available (M103).
-pub fn derive(model: &Model) -> Result<Equations, Vec<Diagnostic>> {
+pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnostic>> {
     let mut scene = Scene::new(model);
     let mut kinematics = Kinematics::new(&mut scene);
     let mut errors = plane_inertia_in_space(&mut scene, &kinematics);
     let shown = scene.n() <= LARGEST_SHOWN;
+    let written = shown && detail == Detail::Steps;
     let mut resolver = Resolver::default();
     let loads = match loads::collect(&mut scene, &mut kinematics, &mut resolver) {
         Ok(loads) => loads,
@@ -47,14 +67,14 @@ pub fn derive(model: &Model) -> Result<Equations, Vec<Diagnostic>> {
             return Err(errors);
         }
     };
-    let kinetic = lagrange::kinetic_energy(&mut scene, &mut kinematics, shown);
+    let kinetic = lagrange::kinetic_energy(&mut scene, &mut kinematics, written || asks_for_bodies(model));
     errors.extend(missing_inertia(&scene, &kinetic.total));
     let motion = Motion::new(&mut scene, &kinetic, &loads);
     let second = newton_euler::project(&mut scene, &mut kinematics, &loads);
     let energy = energy(&mut scene, &kinetic.total, &loads, second.drives);
     resolver.energies = Some(EnergyTerms { kinetic: energy.kinetic, potential: energy.potential, dissipation: energy.dissipation });
     resolver.kinetic = kinetic.bodies.iter().map(|b| (!b.is_empty()).then(|| lagrange::energy_of(&mut scene, b))).collect();
-    let steps = if shown { steps::write(&mut scene, &kinetic, &loads, &motion) } else { Vec::new() };
+    let steps = if written { steps::write(&mut scene, &mut kinematics, (&kinetic, &loads, &motion)) } else { Vec::new() };
     let textbook = motion.textbook(&mut scene, shown);
     resolver.loads = Some(loads);
     let outputs = outputs(&mut scene, &mut kinematics, &mut resolver).map_err(|more| {
@@ -165,6 +185,11 @@ impl Motion {
         }
         Ok(equalities)
     }
+}
+
+/// Whether an output wants the energy of single bodies.
+fn asks_for_bodies(model: &Model) -> bool {
+    model.requests.iter().any(|r| matches!(r.kind, crate::model::RequestKind::KineticEnergy(Some(_))))
 }
 
 /// A plane inertia says nothing about turning about other axes.
@@ -329,7 +354,7 @@ fn outputs(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
             }),
             Err(mut diagnostic) => {
                 diagnostic.source = crate::diagnostic::Source::File(output.span.clone());
-                errors.push(diagnostic);
+                errors.push(*diagnostic);
             }
         }
     }

@@ -5,7 +5,7 @@
 
 use super::kinematics::Kinematics;
 use super::requests::Resolver;
-use super::scene::{Columns, Scene};
+use super::scene::{Columns, Found, Scene};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Axis, FrameId, Pathway, PointRef};
 use std::ops::Range;
@@ -28,7 +28,7 @@ pub fn resolve(
     kinematics: &mut Kinematics,
     resolver: &mut Resolver,
     (pathway, span): (Pathway, &Range<usize>),
-) -> Result<Path, Diagnostic> {
+) -> Found<Path> {
     match pathway {
         Pathway::Along(e) => {
             let value = resolver.resolve(scene, kinematics, e)?;
@@ -65,7 +65,7 @@ fn distance(scene: &mut Scene, kinematics: &mut Kinematics, a: PointRef, b: Poin
 }
 
 /// Angle of b minus angle of a: in the plane, or about the one axis of rotation between a parent and its child.
-fn relative_angle(scene: &mut Scene, kinematics: &Kinematics, (a, b): (FrameId, FrameId), span: &Range<usize>) -> Result<Path, Diagnostic> {
+fn relative_angle(scene: &mut Scene, kinematics: &Kinematics, (a, b): (FrameId, FrameId), span: &Range<usize>) -> Found<Path> {
     let (fa, fb) = (&kinematics.frames[a.index()], &kinematics.frames[b.index()]);
     if let (Some(pa), Some(pb)) = (fa.plane_angle, fb.plane_angle) {
         let value = scene.graph.sub(pb, pa);
@@ -90,7 +90,7 @@ fn relative_angle(scene: &mut Scene, kinematics: &Kinematics, (a, b): (FrameId, 
     let (child, negative) = match (single(b, a), single(a, b)) {
         (Some(child), _) => (child, false),
         (_, Some(child)) => (child, true),
-        _ => return Err(no_common_axis(&model.frames[a.index()].name, &model.frames[b.index()].name, span)),
+        _ => return Err(Box::new(no_common_axis(&model.frames[a.index()].name, &model.frames[b.index()].name, span))),
     };
     let frame = &model.frames[child.index()];
     let angle = match frame.rotations.first() {

@@ -4,7 +4,7 @@
 
 use super::kinematics::Kinematics;
 use super::loads::Loads;
-use super::scene::Scene;
+use super::scene::{Found, Scene};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Axis, Element, FrameId, Request, RequestKind};
 use rustc_hash::FxHashMap;
@@ -39,7 +39,7 @@ pub struct Resolver {
 
 impl Resolver {
     /// `e` without placeholders and without parameters that depend on the motion.
-    pub fn resolve(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, e: Expr) -> Result<Expr, Diagnostic> {
+    pub fn resolve(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, e: Expr) -> Found<Expr> {
         let mut e = e;
         // opening a parameter may bring placeholders in, and a placeholder may stand for a formula over parameters
         for _ in 0..DEEPEST {
@@ -65,7 +65,7 @@ impl Resolver {
         Ok(e)
     }
 
-    fn request(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, request: &Request) -> Result<Expr, Diagnostic> {
+    fn request(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, request: &Request) -> Found<Expr> {
         if let Some(&known) = self.known.get(&request.symbol) {
             return Ok(known);
         }
@@ -80,7 +80,7 @@ impl Resolver {
         Ok(value)
     }
 
-    fn find(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, request: &Request) -> Result<Expr, Diagnostic> {
+    fn find(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, request: &Request) -> Found<Expr> {
         let missing = |scene: &Scene| not_available(scene, request);
         match request.kind {
             RequestKind::Position(p, axis) => Ok(kinematics.position(scene, p)[axis.index()]),
@@ -137,12 +137,17 @@ fn turning_about_z(scene: &mut Scene, kinematics: &Kinematics, f: FrameId) -> Ex
     scene.tidy(z)
 }
 
-fn not_available(scene: &Scene, request: &Request) -> Diagnostic {
+fn not_available(scene: &Scene, request: &Request) -> Box<Diagnostic> {
     let name = &scene.graph.symbol_info(request.symbol).name;
-    Diagnostic::error("M103", 0..0, Text::new(format!("`{name}` is not available here"), format!("величина `{name}` здесь недоступна")))
-        .why(Text::new(
-            "energies and element forces are known only after the equations are derived; `angle` exists only for plane rotation",
-            "энергии и силы в элементах известны только после вывода уравнений; `angle` определён только для плоского вращения",
-        ))
-        .help(Text::new("use it in [outputs], or write the formula out", "используйте её в [outputs] или запишите формулу полностью"))
+    let found = Diagnostic::error(
+        "M103",
+        0..0,
+        Text::new(format!("`{name}` is not available here"), format!("величина `{name}` здесь недоступна")),
+    )
+    .why(Text::new(
+        "energies and element forces are known only after the equations are derived; `angle` exists only for plane rotation",
+        "энергии и силы в элементах известны только после вывода уравнений; `angle` определён только для плоского вращения",
+    ))
+    .help(Text::new("use it in [outputs], or write the formula out", "используйте её в [outputs] или запишите формулу полностью"));
+    Box::new(found)
 }

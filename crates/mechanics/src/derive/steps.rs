@@ -1,15 +1,17 @@
 //! The written derivation, step by step, as it stands in a student's notebook.
 
 use super::Motion;
-use super::lagrange::{Kinetic, energy_of};
+use super::kinematics::{Kinematics, combine};
+use super::lagrange::{Kinetic, Quadratic, energy_of};
 use super::loads::{Loads, Term};
 use super::scene::Scene;
+use crate::model::{FrameId, Inertia, Mass, PointRef};
 use symbolic::equations::{Step, StepFormula, StepName};
-use symbolic::{Expr, Text};
+use symbolic::{Expr, Rational, Text};
 
 /// Writes the steps.
-pub fn write(scene: &mut Scene, kinetic: &Kinetic, loads: &Loads, motion: &Motion) -> Vec<Step> {
-    let mut steps = vec![coordinates(scene), kinetic_energy(scene, kinetic)];
+pub fn write(scene: &mut Scene, kinematics: &mut Kinematics, (kinetic, loads, motion): (&Kinetic, &Loads, &Motion)) -> Vec<Step> {
+    let mut steps = vec![coordinates(scene), kinetic_energy(scene, kinematics, kinetic)];
     let letters = [("Π", &loads.potentials), ("Φ", &loads.dissipations)];
     let titles = [
         Text::new("Potential energy", "Потенциальная энергия"),
@@ -45,16 +47,16 @@ fn coordinates(scene: &Scene) -> Step {
 }
 
 /// T of each body and their sum.
-fn kinetic_energy(scene: &mut Scene, kinetic: &Kinetic) -> Step {
+fn kinetic_energy(scene: &mut Scene, kinematics: &mut Kinematics, kinetic: &Kinetic) -> Step {
     let model = scene.model;
     let mut formulas = Vec::new();
-    for (frame, quadratic) in model.frames.iter().zip(&kinetic.bodies) {
-        if quadratic.is_empty() {
-            continue;
-        }
-        let energy = energy_of(scene, quadratic);
-        let energy = scene.tidy(energy);
-        let right = scene.textbook.factored(&mut scene.graph, energy);
+    for (i, (frame, quadratic)) in model.frames.iter().zip(&kinetic.bodies).enumerate() {
+        let Some(mass) = frame.mass.as_ref().filter(|_| !quadratic.is_empty()) else { continue };
+        let right = match mass.inertia {
+            Inertia::Tensor { .. } => in_space(scene, kinematics, (FrameId(i), mass)),
+            _ => None,
+        };
+        let right = right.unwrap_or_else(|| in_plane(scene, quadratic));
         formulas.push(StepFormula { left: quantity("T", &frame.name), right });
     }
     let bodies = formulas.len();
@@ -65,6 +67,47 @@ fn kinetic_energy(scene: &mut Scene, kinetic: &Kinetic) -> Step {
         only.left = quantity("T", "");
     }
     step(Text::new("Kinetic energy", "Кинетическая энергия"), Text::default(), formulas)
+}
+
+/// From the quadratic form, constants in front.
+fn in_plane(scene: &mut Scene, quadratic: &Quadratic) -> Expr {
+    let energy = energy_of(scene, quadratic);
+    let energy = scene.tidy(energy);
+    scene.textbook.factored(&mut scene.graph, energy)
+}
+
+/// m v²/2 + Σ J_a ω_a²/2 in principal axes, equal moments together: A (ω_x² + ω_y²)/2 + C ω_z²/2.
+fn in_space(scene: &mut Scene, kinematics: &mut Kinematics, (frame, mass): (FrameId, &Mass)) -> Option<Expr> {
+    let Inertia::Tensor { xx, yy, zz, xy, yz, xz } = mass.inertia else { return None };
+    if ![xy, yz, xz].iter().all(|e| scene.graph.is_zero(*e)) {
+        return None;
+    }
+    let columns = kinematics.jacobian(scene, PointRef::Center(frame));
+    let velocity = combine(scene, &columns);
+    let square = scene.dot(&velocity, &velocity);
+    let square = scene.tidy(square);
+    let mut parts = vec![(mass.mass, square)];
+    let turning = kinematics.angular_velocity(scene, frame);
+    let mut axes: Vec<(Expr, Vec<Expr>)> = Vec::new();
+    for (moment, rate) in [xx, yy, zz].into_iter().zip(turning) {
+        let rate = scene.tidy(rate);
+        let square = scene.graph.square(rate);
+        match axes.iter_mut().find(|(m, _)| *m == moment) {
+            Some((_, squares)) => squares.push(square),
+            None => axes.push((moment, vec![square])),
+        }
+    }
+    for (moment, squares) in axes {
+        let sum = scene.graph.sum(&squares);
+        // a single square stays a square: (φ' + ψ' cos θ)²
+        let sum = if squares.len() > 1 { scene.tidy(sum) } else { sum };
+        parts.push((moment, sum));
+    }
+    let terms: Vec<Expr> = parts
+        .iter()
+        .map(|(factor, square)| scene.graph.monomial(Rational::HALF, &[(*factor, Rational::ONE), (*square, Rational::ONE)]))
+        .collect();
+    Some(scene.graph.sum(&terms))
 }
 
 /// Each term, then the sum.

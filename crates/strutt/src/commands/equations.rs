@@ -136,16 +136,12 @@ impl<'a> Writer<'a> {
     }
 
     fn definitions(&self) -> String {
-        let shown: Vec<_> = self.equations.definitions.iter().filter(|d| d.shown).collect();
-        if shown.is_empty() || self.equations.textbook.is_err() {
+        let lines = document::definitions(self.equations, &self.printer, self.form());
+        if lines.is_empty() {
             return String::new();
         }
-        let mut out = self.words(say(self.language, Word::WhereText));
-        for d in shown {
-            let formula = self.printer.definition(&self.equations.graph, d.symbol, d.formula, self.form());
-            out.push_str(&self.formula(&formula, None));
-        }
-        out
+        let formulas: String = lines.iter().map(|line| self.formula(line, None)).collect();
+        self.words(say(self.language, Word::WhereText)) + &formulas
     }
 }
 
@@ -160,12 +156,9 @@ pub fn to_json(machine: &Machine, language: Language) -> Value {
         Err(_) => Vec::new(),
     };
     let reason = equations.textbook.as_ref().err().map(|r| language.text(r));
-    let definitions: Vec<Value> = equations
-        .definitions
-        .iter()
-        .filter(|d| d.shown)
-        .map(|d| three(&|form| printer.definition(graph, d.symbol, d.formula, form)))
-        .collect();
+    let [text, latex, mathml] =
+        [formula::Form::Text, formula::Form::Latex, formula::Form::MathMl].map(|form| document::definitions(equations, &printer, form));
+    let definitions: Vec<Value> = (0..text.len()).map(|i| json!({"text": text[i], "latex": latex[i], "mathml": mathml[i]})).collect();
     let energy = |e| if equations.textbook.is_ok() { three(&|form| printer.expression(graph, e, form)) } else { Value::Null };
     let mut own = serde_json::Map::new();
     own.insert("degrees_of_freedom".into(), json!(equations.coordinates.len()));
