@@ -97,17 +97,25 @@ fn states(equations: &Equations, program: &Program) -> Vec<Quantity> {
         .map(|c| (c.unit.clone(), c.label.clone()))
         .chain(coordinates.map(|c| (rate(&c.unit), Text::default())))
         .chain(equations.auxiliaries.iter().map(|a| (a.unit.clone(), a.label.clone())));
-    let quantity = |(name, (unit, label)): (&String, (String, Text))| Quantity { label, ..Quantity::new(name, &unit) };
+    let quantity =
+        |(name, (unit, label)): (&String, (String, Text))| Quantity { label, symbol: notation(equations, name), ..Quantity::new(name, &unit) };
     program.states.iter().zip(described).map(quantity).collect()
 }
 
 fn outputs(equations: &Equations) -> Vec<Quantity> {
     let quantity = |o: &symbolic::equations::Output| {
         let info = equations.graph.symbol_info(o.symbol);
-        let symbol = format!("{}{}", info.name, "'".repeat(usize::from(info.primes)));
+        let symbol = notation(equations, &format!("{}{}", info.name, "'".repeat(usize::from(info.primes))));
         Quantity { name: o.name.clone(), symbol, unit: o.unit.clone(), label: o.label.clone(), display: o.display.clone() }
     };
     equations.outputs.iter().map(quantity).collect()
+}
+
+/// The user's symbol of a name, primes kept: `phi1'` is `φ_в'` where the file says so.
+fn notation(equations: &Equations, name: &str) -> String {
+    let bare = name.trim_end_matches('\'');
+    let shown = equations.notation.iter().find(|(n, _)| n == bare).map_or(bare, |(_, symbol)| symbol);
+    format!("{shown}{}", &name[bare.len()..])
 }
 
 impl System for Machine {

@@ -10,6 +10,7 @@ pub mod png;
 pub mod svg;
 pub mod ticks;
 
+use crate::document::{Inline, Rich};
 use crate::language::{Language, Word};
 use crate::symbol;
 use crate::unit::Scale;
@@ -22,7 +23,7 @@ pub struct Figure {
     /// Stem of file names and anchors.
     pub name: String,
     /// What is shown; the caption.
-    pub title: String,
+    pub title: Rich,
     /// Curves over a common axis, or a plane.
     pub kind: Kind,
     /// Horizontal axis.
@@ -141,12 +142,12 @@ impl Axis {
 
     /// The axis as plain text: `φ′, рад/с`.
     pub fn plain(&self, language: Language) -> String {
-        self.join(language, symbol::plain)
+        self.join(language, |name| symbol::plain(name, language))
     }
 
-    /// The axis as HTML with slanted symbols.
+    /// The axis as HTML, symbols as MathML.
     pub fn html(&self, language: Language) -> String {
-        self.join(language, symbol::html)
+        self.join(language, |name| symbol::mathml(name, language))
     }
 
     /// Unit in print of the i-th symbol.
@@ -207,7 +208,7 @@ impl Figure {
             .collect();
         let y = Axis::of_columns(&columns);
         let title = match columns.as_slice() {
-            [only] if !language.text(&only.quantity.label).is_empty() => capital(language.text(&only.quantity.label)),
+            [only] if !language.text(&only.quantity.label).is_empty() => capital(language.text(&only.quantity.label)).into(),
             _ => against(&y.symbols, &x.quantity.symbol, language),
         };
         Some(Figure {
@@ -224,10 +225,17 @@ impl Figure {
 }
 
 /// `φ, φ′ against t`.
-fn against(symbols: &[String], x: &str, language: Language) -> String {
-    let names: Vec<String> = symbols.iter().map(|s| symbol::plain(s)).collect();
-    let words = format!("{} {} {}", names.join(", "), language.word(Word::Against), symbol::plain(x));
-    language.pick(words.clone(), format!("Зависимость {words}"))
+fn against(symbols: &[String], x: &str, language: Language) -> Rich {
+    let mut pieces = vec![Inline::Words(language.pick("", "Зависимость ").into())];
+    for (i, name) in symbols.iter().enumerate() {
+        if i > 0 {
+            pieces.push(Inline::Words(", ".into()));
+        }
+        pieces.push(Inline::Symbol(name.clone()));
+    }
+    pieces.push(Inline::Words(format!(" {} ", language.word(Word::Against))));
+    pieces.push(Inline::Symbol(x.into()));
+    Rich(pieces)
 }
 
 /// The text with a capital first letter.

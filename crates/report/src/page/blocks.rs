@@ -9,6 +9,9 @@ use crate::table::{Cell, Table, split_number};
 use crate::terminal::figure_summary;
 use base64::Engine;
 
+/// How the MathML of a formula of several lines starts.
+const BROKEN: &str = "<mtable displaystyle";
+
 /// Writes blocks one behind the other and numbers them.
 pub(super) struct Writer {
     pub out: String,
@@ -35,7 +38,7 @@ impl Writer {
                 let level = (*level).clamp(1, 3) + 1;
                 self.push(&format!("<h{level}>{}</h{level}>\n", markup(text)));
             }
-            Block::Paragraph(content) => self.push(&format!("<p>{}</p>\n", rich(content))),
+            Block::Paragraph(content) => self.push(&format!("<p>{}</p>\n", self.rich(content))),
             Block::Equation { formula, numbered } => self.equation(formula, *numbered),
             Block::Table(table) => self.table(table),
             Block::Figure(figure) => self.figure(figure),
@@ -54,7 +57,9 @@ impl Writer {
 
     fn equation(&mut self, formula: &Formula, numbered: bool) {
         let shown = if formula.mathml.is_empty() { format!("<pre>{}</pre>", markup(&formula.text)) } else { formula.mathml.clone() };
-        self.push(&format!("<div class=\"equation\"><div class=\"formula\">{shown}</div>"));
+        // the number stands at the last line of a broken formula
+        let class = if formula.mathml.contains(BROKEN) { "equation long" } else { "equation" };
+        self.push(&format!("<div class=\"{class}\"><div class=\"formula\">{shown}</div>"));
         if numbered {
             self.equations += 1;
             let n = self.equations;
@@ -75,7 +80,7 @@ impl Writer {
         for (column, (whole, decimals)) in table.columns.iter().zip(&widths) {
             let class = if whole + decimals > 0 { " class=\"n\"" } else { "" };
             let unit = if column.unit.is_empty() { String::new() } else { format!(", {}", markup(&column.unit)) };
-            self.push(&format!("<th scope=\"col\"{class}>{}{unit}</th>", rich(&column.head)));
+            self.push(&format!("<th scope=\"col\"{class}>{}{unit}</th>", self.rich(&column.head)));
         }
         self.push("</tr></thead>\n<tbody>\n");
         for row in &table.rows {
@@ -93,7 +98,7 @@ impl Writer {
     fn cell(&self, cell: &Cell, decimals: usize) -> String {
         match cell {
             Cell::Empty => "<td></td>".into(),
-            Cell::Rich(content) => format!("<td>{}</td>", rich(content)),
+            Cell::Rich(content) => format!("<td>{}</td>", self.rich(content)),
             Cell::Number(number) if decimals == 0 => format!("<td class=\"n\">{}</td>", markup(number)),
             Cell::Number(number) => {
                 let (whole, rest) = split_number(number);
@@ -121,11 +126,22 @@ impl Writer {
              <div class=\"tools\" hidden></div>\n<details class=\"data\" hidden><summary>{}</summary></details>\n</figure>\n",
             svg::write(figure, false, self.language),
             word(Word::Figure),
-            markup(&figure.title),
+            self.rich(&figure.title),
             markup(&summary.join("; ")),
             word(Word::ShowData),
         );
         self.push(&html);
+    }
+
+    /// Words with formulas and symbols as HTML.
+    fn rich(&self, content: &Rich) -> String {
+        let pieces = content.0.iter().map(|piece| match piece {
+            Inline::Words(words) => markup(words),
+            Inline::Formula(formula) if formula.mathml.is_empty() => markup(&formula.text),
+            Inline::Formula(formula) => formula.mathml.clone(),
+            Inline::Symbol(name) => symbol::mathml(name, self.language),
+        });
+        pieces.collect()
     }
 
     fn downloads(&mut self, files: &[Download]) {
@@ -142,17 +158,6 @@ impl Writer {
         }
         self.push("</ul>\n");
     }
-}
-
-/// Words with formulas and symbols as HTML.
-fn rich(content: &Rich) -> String {
-    let pieces = content.0.iter().map(|piece| match piece {
-        Inline::Words(words) => markup(words),
-        Inline::Formula(formula) if formula.mathml.is_empty() => markup(&formula.text),
-        Inline::Formula(formula) => formula.mathml.clone(),
-        Inline::Symbol(name) => format!("<span class=\"s\">{}</span>", symbol::html(name)),
-    });
-    pieces.collect()
 }
 
 /// A file name as a relative address: it cannot become a scheme, a host or a script.

@@ -284,7 +284,7 @@
           outputs.forEach((o, j) => { o.textContent = ""; buttons[j].style.fontWeight = s && j === i ? "bold" : ""; });
         })
       : Curves(stage, figure, (x, ys) => {
-          where.innerHTML = x == null ? "" : `${figure.x.html.split(",")[0]} = ${number(x, 6)}${unit(figure.x)}`;
+          where.innerHTML = x == null ? "" : `${figure.x.symbol} = ${number(x, 6)}${unit(figure.x)}`;
           outputs.forEach((o, i) => { o.textContent = ys[i] == null ? "" : "= " + number(ys[i], 6) + unit(figure.series[i]); });
         }, tip);
 
