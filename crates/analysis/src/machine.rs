@@ -97,8 +97,11 @@ fn states(equations: &Equations, program: &Program) -> Vec<Quantity> {
         .map(|c| (c.unit.clone(), c.label.clone()))
         .chain(coordinates.map(|c| (rate(&c.unit), Text::default())))
         .chain(equations.auxiliaries.iter().map(|a| (a.unit.clone(), a.label.clone())));
-    let quantity =
-        |(name, (unit, label)): (&String, (String, Text))| Quantity { label, symbol: notation(equations, name), ..Quantity::new(name, &unit) };
+    let quantity = |(name, (unit, label)): (&String, (String, Text))| Quantity {
+        label,
+        symbol: notation(equations, name),
+        ..Quantity::new(name, &unit)
+    };
     program.states.iter().zip(described).map(quantity).collect()
 }
 
