@@ -6,6 +6,6 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 venv=${STRUTT_PEERS_VENV:-$root/target/peers-venv}
 [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-"$venv/bin/pip" install --quiet --disable-pip-version-check -r "$here/requirements.txt"
+"$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r "$here/requirements.txt"
 cargo build --release --quiet --manifest-path "$root/Cargo.toml" -p strutt
 exec "$venv/bin/python" "$here/compare.py" --strutt "$root/target/release/strutt" --root "$root" "$@"
