@@ -9,6 +9,8 @@ use crate::table::{Cell, Table, split_number};
 use crate::terminal::figure_summary;
 use base64::Engine;
 
+/// Longest words of a cell that stay on one line.
+const UNBROKEN: usize = 16;
 /// How the MathML of a formula of several lines starts.
 const BROKEN: &str = "<mtable displaystyle";
 
@@ -98,7 +100,11 @@ impl Writer {
     fn cell(&self, cell: &Cell, decimals: f64) -> String {
         match cell {
             Cell::Empty => "<td></td>".into(),
-            Cell::Rich(content) => format!("<td>{}</td>", self.rich(content)),
+            Cell::Rich(content) => {
+                // a quantity or a unit is not torn apart
+                let class = if content.plain(self.language).chars().count() <= UNBROKEN { " class=\"k\"" } else { "" };
+                format!("<td{class}>{}</td>", self.rich(content))
+            }
             Cell::Number(number) if decimals == 0.0 => format!("<td class=\"n\">{}</td>", markup(number)),
             Cell::Number(number) => {
                 let (whole, rest) = split_number(number);
