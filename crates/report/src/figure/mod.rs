@@ -6,6 +6,7 @@
 
 pub mod decimate;
 mod layout;
+mod log_axis;
 pub mod png;
 pub mod svg;
 pub mod ticks;
@@ -34,6 +35,8 @@ pub struct Figure {
     pub series: Vec<Series>,
     /// Lines and points with a word beside them.
     pub marks: Vec<Mark>,
+    /// For a plane: the axis of the data (time) and its value at each point, so that a page shows the same instant everywhere.
+    pub along: Option<(Axis, Vec<f64>)>,
     /// What happened along x: shown as a strip under the curves.
     pub strip: Vec<Happening>,
 }
@@ -175,6 +178,7 @@ impl Figure {
         let strip = data.events.iter().map(|e| Happening { from: e.t, to: e.t, what: language.text(&e.what).into() }).collect();
         let mut figure = Figure::of(axis, names, data, language)?;
         figure.strip = strip;
+        figure.y.log = log_axis::wanted(&figure.series);
         Some(figure)
     }
 
@@ -184,6 +188,7 @@ impl Figure {
         let abscissa = data.column(x)?;
         let mut figure = Figure::of(abscissa, names, data, language)?;
         figure.title = against(&figure.y.symbols, &abscissa.quantity.symbol, language);
+        figure.along = data.axis.and_then(|i| data.columns.get(i)).map(|c| (Axis::of_columns(&[c]), c.values.clone()));
         let lengths = |axis: &Axis| axis.scale.label == "m" || axis.scale.label.ends_with("mm") || axis.scale.label == "um";
         figure.kind = Kind::Plane { equal: lengths(&figure.x) && lengths(&figure.y) };
         if figure.kind == (Kind::Plane { equal: true }) {
@@ -219,6 +224,7 @@ impl Figure {
             y,
             series,
             marks: Vec::new(),
+            along: None,
             strip: Vec::new(),
         })
     }

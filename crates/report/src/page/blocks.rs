@@ -9,6 +9,8 @@ use crate::table::{Cell, Table, split_number};
 use crate::terminal::figure_summary;
 use base64::Engine;
 
+/// Longest words of a cell that stay on one line.
+const UNBROKEN: usize = 16;
 /// How the MathML of a formula of several lines starts.
 const BROKEN: &str = "<mtable displaystyle";
 
@@ -75,18 +77,18 @@ impl Writer {
             let (n, word) = (self.tables, self.language.word(Word::Table));
             self.push(&format!("<caption id=\"table-{n}\">{word}\u{a0}{n} – {}</caption>\n", markup(caption)));
         }
-        let widths: Vec<(usize, usize)> = (0..table.columns.len()).map(|i| table.number_width(i)).collect();
+        let widths: Vec<Option<f64>> = (0..table.columns.len()).map(|i| decimals_width(table, i)).collect();
         self.push("<thead><tr>");
-        for (column, (whole, decimals)) in table.columns.iter().zip(&widths) {
-            let class = if whole + decimals > 0 { " class=\"n\"" } else { "" };
+        for (column, width) in table.columns.iter().zip(&widths) {
+            let class = if width.is_some() { " class=\"n\"" } else { "" };
             let unit = if column.unit.is_empty() { String::new() } else { format!(", {}", markup(&column.unit)) };
             self.push(&format!("<th scope=\"col\"{class}>{}{unit}</th>", self.rich(&column.head)));
         }
         self.push("</tr></thead>\n<tbody>\n");
         for row in &table.rows {
             self.push("<tr>");
-            for (i, (_, decimals)) in widths.iter().enumerate() {
-                let html = self.cell(row.get(i).unwrap_or(&Cell::Empty), *decimals);
+            for (i, width) in widths.iter().enumerate() {
+                let html = self.cell(row.get(i).unwrap_or(&Cell::Empty), width.unwrap_or(0.0));
                 self.push(&html);
             }
             self.push("</tr>\n");
@@ -95,15 +97,19 @@ impl Writer {
     }
 
     /// A cell; the decimals of a number take the room of the longest of the column, so that the marks line up.
-    fn cell(&self, cell: &Cell, decimals: usize) -> String {
+    fn cell(&self, cell: &Cell, decimals: f64) -> String {
         match cell {
             Cell::Empty => "<td></td>".into(),
-            Cell::Rich(content) => format!("<td>{}</td>", self.rich(content)),
-            Cell::Number(number) if decimals == 0 => format!("<td class=\"n\">{}</td>", markup(number)),
+            Cell::Rich(content) => {
+                // a quantity or a unit is not torn apart
+                let class = if content.plain(self.language).chars().count() <= UNBROKEN { " class=\"k\"" } else { "" };
+                format!("<td{class}>{}</td>", self.rich(content))
+            }
+            Cell::Number(number) if decimals == 0.0 => format!("<td class=\"n\">{}</td>", markup(number)),
             Cell::Number(number) => {
                 let (whole, rest) = split_number(number);
                 let (whole, rest) = (markup(whole), markup(rest));
-                format!("<td class=\"n\">{whole}<span class=\"d\" style=\"min-width:{decimals}ch\">{rest}</span></td>")
+                format!("<td class=\"n\">{whole}<span class=\"d\" style=\"min-width:{decimals:.2}ch\">{rest}</span></td>")
             }
             Cell::Verdict(ok) => {
                 let class = if *ok { "ok" } else { "bad" };
@@ -158,6 +164,20 @@ impl Writer {
         }
         self.push("</ul>\n");
     }
+}
+
+/// Room of the longest decimals of a column, in widths of a digit; none for a column without numbers.
+fn decimals_width(table: &Table, i_column: usize) -> Option<f64> {
+    let width = |c: char| match c {
+        '0'..='9' => 1.0,
+        '⁰'..='⁹' | '¹' | '²' | '³' | '⁻' => 0.68,
+        _ => 0.55,
+    };
+    let numbers = table.rows.iter().filter_map(|row| match row.get(i_column) {
+        Some(Cell::Number(number)) => Some(split_number(number).1.chars().map(width).sum::<f64>()),
+        _ => None,
+    });
+    numbers.reduce(f64::max)
 }
 
 /// A file name as a relative address: it cannot become a scheme, a host or a script.

@@ -47,6 +47,7 @@ fn figure(figure: &Figure, language: Language) -> Value {
             json!({
                 "html": symbol::mathml(&s.name, language), "name": symbol::plain(&s.name, language), "label": s.label, "unit": figure.y.unit(i, language),
                 "colour": [colour, DARK[i % DARK.len()]], "dash": dash,
+                "t": figure.along.as_ref().map(|(axis, t)| rounded(t, &kept, axis.scale.size)),
                 "x": if shared && i > 0 { Value::Null } else { rounded(&s.x, &kept, size_x) },
                 "y": rounded(&s.y, &kept, size_y),
             })
@@ -56,6 +57,7 @@ fn figure(figure: &Figure, language: Language) -> Value {
         "name": figure.name, "title": figure.title.plain(language),
         "plane": !curves, "equal": figure.kind == Kind::Plane { equal: true },
         "x": axis(&figure.x, language), "y": axis(&figure.y, language),
+        "along": figure.along.as_ref().map(|(t, _)| axis(t, language)),
         "series": series,
         "marks": figure.marks.iter().map(|m| mark(m, size_x, size_y)).collect::<Vec<_>>(),
         "strip": figure.strip.iter().map(|h| json!([round(h.from / size_x), round(h.to / size_x), h.what])).collect::<Vec<_>>(),
