@@ -77,6 +77,9 @@ pub struct Run {
     /// Folder for the results [default: out/<name of the model>]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Compute each motion once more with half the tolerance and show the difference
+    #[arg(long)]
+    pub halve_tolerance: bool,
 }
 
 #[derive(Args, Debug)]
@@ -135,6 +138,9 @@ pub struct Simulate {
     /// Also write tables, plots and a page into this folder
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Compute each motion once more with half the tolerance and show the difference
+    #[arg(long)]
+    pub halve_tolerance: bool,
 }
 
 #[derive(Args, Debug)]

@@ -144,6 +144,7 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
         tolerance: study.tolerance,
         outputs: Some(study.outputs.clone()),
         interrupt: watch.interrupt,
+        tolerance_halving: watch.halve_tolerance,
         progress,
         ..Options::until(study.until)
     }

@@ -10,6 +10,8 @@ pub struct Watch<'a> {
     pub interrupt: Option<&'a AtomicBool>,
     /// Told the finished share of a study now and then.
     pub progress: Option<&'a mut dyn FnMut(f64)>,
+    /// Whether each motion is computed once more with half the tolerance, as a check.
+    pub halve_tolerance: bool,
     laps: Vec<(Word, Duration)>,
     start: Instant,
     last: Instant,
@@ -18,7 +20,7 @@ pub struct Watch<'a> {
 impl Default for Watch<'_> {
     fn default() -> Self {
         let now = Instant::now();
-        Watch { interrupt: None, progress: None, laps: Vec::new(), start: now, last: now }
+        Watch { interrupt: None, progress: None, halve_tolerance: false, laps: Vec::new(), start: now, last: now }
     }
 }
 

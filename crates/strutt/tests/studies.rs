@@ -104,6 +104,18 @@ fn json_has_the_fields_of_every_study() {
 }
 
 #[test]
+fn half_the_tolerance_is_one_more_audit() {
+    let args = ["simulate", &gallery("scotch-yoke"), "--until", "0.2568", "--at", "0.2568", "--outputs", "phi1"];
+    let audits = |value: &Value| value["audits"].as_array().unwrap().clone();
+    let plain = json(strutt().args(args));
+    let halved = json(strutt().args(args).arg("--halve-tolerance"));
+    assert_eq!(audits(&halved).len(), audits(&plain).len() + 1);
+    let last = audits(&halved).last().unwrap().clone();
+    assert!(last["key"] == "tolerance_halving" && last["ok"] == true, "{last}");
+    assert_eq!(halved["columns"], plain["columns"]);
+}
+
+#[test]
 fn same_input_same_bytes() {
     let run = || stdout(strutt().args(["simulate", &gallery("scotch-yoke-dry"), "--json"]));
     assert_eq!(run(), run());

@@ -14,7 +14,10 @@ pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts();
     let overrides = quantities::overrides(&args.model.overrides)?;
     let source = Source::open(&args.model.file)?;
-    let mut calculation = console.watched(|watch| pipeline::run(&source, &overrides, watch))?;
+    let mut calculation = console.watched(|watch| {
+        watch.halve_tolerance = args.halve_tolerance;
+        pipeline::run(&source, &overrides, watch)
+    })?;
     console.warn(&calculation.machine.warnings, &source);
     let out = args.out.clone().unwrap_or_else(|| Path::new("out").join(source.name()));
     let language = console.language;

@@ -4,6 +4,7 @@ use super::{Exit, judge, open};
 use crate::args;
 use crate::console::{Console, Shape, listen_to_interrupts};
 use crate::quantities;
+use mechanics::derive::Detail;
 use mechanics::model::Times;
 use strutt::pipeline::{self, Calculation, Finding, Machine};
 use strutt::plan::{self, Wishes};
@@ -12,11 +13,17 @@ use strutt::{Failure, document, folder};
 
 pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure> {
     let wishes = wishes(args)?;
-    let (_, mut machine) = open(&args.model, mechanics::derive::Detail::Equations, console)?;
+    // a page shows the written derivation
+    let detail = if args.out.is_some() { Detail::Steps } else { Detail::Equations };
+    let (_, mut machine) = open(&args.model, detail, console)?;
     let study = plan::simulation(&machine.model, &machine.equations, wishes)?;
     listen_to_interrupts();
-    let finding = console.watched(|watch| pipeline::simulate(&mut machine, &study, watch));
+    let finding = console.watched(|watch| {
+        watch.halve_tolerance = args.halve_tolerance;
+        pipeline::simulate(&mut machine, &study, watch)
+    });
     console.timed(Word::TimeWrite, |console| show(&finding, args, console))?;
+    tell_checks(&finding, console);
     let exit = judge(&finding, console);
     if let Some(out) = &args.out {
         write(machine, finding, out, console)?;
@@ -53,6 +60,16 @@ fn show(finding: &Finding, args: &args::Simulate, console: &Console) -> Result<(
             Ok(())
         }
         _ => console.out(report::csv::write(data, report::csv::Dialect::Plain)),
+    }
+}
+
+/// The checks of the run, beside the data.
+fn tell_checks(finding: &Finding, console: &Console) {
+    let number = |x| report::number::short(x, 2, console.language);
+    let passed = finding.data().audits.iter().filter(|a| a.ok);
+    let lines: Vec<String> = passed.map(|a| format!("✓ {}: {}", console.language.text(&a.name), number(a.value))).collect();
+    if !lines.is_empty() {
+        console.talk(&lines.join("\n"));
     }
 }
 
