@@ -118,3 +118,23 @@ pub fn relay() -> Machine {
     let program = Arc::new(program::lower::equations(&e).unwrap());
     Machine::new(&e, &program, &[], &[Text::same("sign(x)")]).unwrap()
 }
+
+/// One coordinate x with a mass and a force made from (x, x', t).
+pub fn single(make: impl Fn(&mut Graph, [Expr; 3]) -> (Expr, Expr)) -> Machine {
+    let mut e = blank(Graph::new());
+    let zero = e.graph.zero();
+    let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id("x", primes));
+    e.coordinates.push(Coordinate { symbols, unit: "m".into(), label: Text::default(), start: zero, rate: zero });
+    let (x, v, t) = (e.graph.symbol(symbols[0]), e.graph.symbol(symbols[1]), e.graph.symbol(e.time));
+    let (mass, force) = make(&mut e.graph, [x, v, t]);
+    e.mass = Matrix::zeros(&mut e.graph, 1, 1);
+    e.mass.set(0, 0, mass);
+    e.force = vec![force];
+    for (name, formula) in [("x", x), ("v", v)] {
+        let (label, symbol) = (Text::default(), symbols[0]);
+        e.outputs.push(Output { name: name.into(), symbol, unit: "m".into(), display: None, label, role: Role::Named, formula });
+    }
+    let program = Arc::new(program::lower::equations(&e).unwrap());
+    let names = vec![Text::same("switch"); program.guards.len()];
+    Machine::new(&e, &program, &[], &names).unwrap()
+}
