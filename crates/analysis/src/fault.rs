@@ -65,6 +65,9 @@ pub const EXPLANATIONS: &[Explanation] = &[
     Explanation {
         code: "S009", en: ("unknown output", OUTPUT_EN), ru: ("неизвестная выходная величина", OUTPUT_RU)
     },
+    Explanation {
+        code: "S010", en: ("more steps than anybody waits for", STEPS_EN), ru: ("слишком много шагов", STEPS_RU)
+    },
 ];
 
 /// One row of [`EXPLANATIONS`]: (title, body) in both languages.
@@ -109,16 +112,60 @@ const NEUTRAL_RU: &str =
 const OUTPUT_EN: &str = "The study asks for an output that the model does not define. Coordinates and rates are always available by name.";
 const OUTPUT_RU: &str = "Расчёт запрашивает величину, которой нет в модели. Координаты и скорости всегда доступны по имени.";
 
+const STEPS_EN: &str = "The step follows the quickest part of the motion, even when that part has died out (a stiff system: the step is bounded by the \
+    fastest decay, not by the accuracy). After some ten thousand steps the pace shows that more than 1e10 would be needed, hours to days.";
+const STEPS_RU: &str = "Шаг определяется самой быстрой частью движения, даже если она уже затухла (жёсткая система: шаг ограничен самым быстрым \
+    затуханием, а не точностью). После десятка тысяч шагов видно, что их потребуется более 1e10, то есть часы и дни.";
+
 /// A number in both languages: decimal point and decimal comma.
 pub(crate) fn number(value: f64) -> Text {
     let en = if value == 0.0 || (1e-4..1e6).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") };
     Text { ru: en.replace('.', ","), en }
 }
 
+/// Three digits, for estimates.
+pub(crate) fn rounded(value: f64) -> Text {
+    let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    number(short)
+}
+
 impl Fault {
     /// From its words.
     pub fn new(message: Message) -> Fault {
         Fault(Box::new(message))
+    }
+
+    /// The same, with the instant at which it happened.
+    pub(crate) fn during(mut self, t: f64) -> Fault {
+        let n = number(t);
+        self.0.what = Text::new(format!("{}, at t = {} s", self.what.en, n.en), format!("{}, при t = {} с", self.what.ru, n.ru));
+        self
+    }
+
+    /// More steps than anybody waits for; `name` changes fastest.
+    pub fn too_many_steps(name: &Text, t: f64, step: f64, needed: f64) -> Fault {
+        let (t, step, needed) = (number(t), rounded(step), rounded(needed));
+        Fault::new(Message {
+            code: "S010",
+            what: Text::new(
+                format!("at t = {} s the steps are {} s long: the run would take about {} of them", t.en, step.en, needed.en),
+                format!("при t = {} с шаг равен {} с: расчёту понадобится около {} шагов", t.ru, step.ru, needed.ru),
+            ),
+            why: Text::new(
+                format!(
+                    "a fast oscillation or a strongly damped motion sets the step, `{}` most of all; beside it the run is very long",
+                    name.en
+                ),
+                format!(
+                    "шаг задаёт быстрое колебание или сильно задемпфированное движение, прежде всего `{}`; расчёт для него слишком долог",
+                    name.ru
+                ),
+            ),
+            help: Text::new(
+                "end the run earlier, or leave the fast part out: a rigid connection for a stiff spring, a rate for a strongly damped coordinate",
+                "закончите расчёт раньше или исключите быстрое движение: жёсткая связь вместо жёсткой пружины, меньшее демпфирование",
+            ),
+        })
     }
 
     /// The flow on both sides of a switch points back to it.

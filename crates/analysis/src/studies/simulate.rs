@@ -7,7 +7,7 @@ use symbolic::Text;
 use crate::audits::{halving::tolerance_halving, power::PowerBalance, second::two_derivations};
 use crate::dataset::{Column, Counter, Dataset, Event};
 use crate::events::Switch;
-use crate::fault::number;
+use crate::fault::{number, rounded};
 use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance};
 use crate::{Fault, Mode, Quantity, System};
 
@@ -39,8 +39,10 @@ pub struct Simulate<'a> {
     pub interrupt: Option<&'a AtomicBool>,
     /// Told the finished share of the run, 0..1, now and then.
     pub progress: Option<&'a mut dyn FnMut(f64)>,
-    /// Largest table, bytes. Default 2e9.
+    /// Largest table, bytes; while it is made and handed over the process takes up to three times as much. Default 1e9.
     pub memory: f64,
+    /// Most steps: a run whose pace shows that it needs more is given up with a fault. Default 1e10.
+    pub most_steps: f64,
     /// Seed of the audits' random states.
     pub seed: u64,
 }
@@ -56,7 +58,8 @@ impl Simulate<'_> {
             tolerance_halving: false,
             interrupt: None,
             progress: None,
-            memory: 2e9,
+            memory: 1e9,
+            most_steps: 1e10,
             seed: 1,
         }
     }
@@ -74,6 +77,12 @@ pub struct Outcome {
 /// Most events that are kept one by one.
 const EVENTS: usize = 100_000;
 const AUTO: usize = 1000;
+/// Steps between looks at the pace.
+const PACE: u64 = 1024;
+/// Looks in a row at which the run needs too many steps before it is given up.
+const PATIENCE: u32 = 16;
+/// Requested times between looks at the interrupt.
+const ROWS: usize = 4096;
 
 /// Runs the machine from the state `start` at t = 0.
 ///
@@ -112,6 +121,7 @@ fn halved<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simulate<
         tolerance,
         interrupt: options.interrupt,
         memory: options.memory,
+        most_steps: options.most_steps,
         ..Simulate::until(options.until)
     };
     let mut run = Run::prepare(system, &again).ok()?;
@@ -201,6 +211,35 @@ struct Run {
     power: PowerBalance,
     work: Work,
     interrupted: bool,
+    pace: Pace,
+}
+
+/// Watches how far the run comes with its steps.
+#[derive(Clone, Debug, Default)]
+struct Pace {
+    /// Time at the last look.
+    before: f64,
+    /// Looks in a row at which too many steps were in sight.
+    hopeless: u32,
+    /// Steps still to do at the last pace.
+    remaining: f64,
+}
+
+impl Pace {
+    /// Every [`PACE`] steps: the steps that remain at the pace of the last ones.
+    fn look<S: System + ?Sized>(&mut self, flow: &Flow<'_, S>, end: f64, most: f64) -> Result<(), Fault> {
+        if !flow.work().steps.is_multiple_of(PACE) {
+            return Ok(());
+        }
+        let step = (flow.time() - self.before) / PACE as f64;
+        self.before = flow.time();
+        self.remaining = (end - flow.time()) / step;
+        self.hopeless = if flow.work().steps as f64 + self.remaining > most { self.hopeless + 1 } else { 0 };
+        if self.hopeless < PATIENCE {
+            return Ok(());
+        }
+        Err(Fault::too_many_steps(&flow.fastest(), flow.time(), step, self.remaining))
+    }
 }
 
 impl Run {
@@ -222,6 +261,7 @@ impl Run {
             power: PowerBalance::new(n_x),
             work: Work::default(),
             interrupted: false,
+            pace: Pace::default(),
         })
     }
 
@@ -245,11 +285,12 @@ impl Run {
             if outcome.is_err() && flow.step().length == 0.0 {
                 return outcome;
             }
-            self.sample(flow)?;
+            self.sample(flow, options)?;
             self.record(flow)?;
             let (step, system) = flow.step_and_system();
             self.power.look(step, system);
             outcome?;
+            self.pace.look(flow, end, options.most_steps)?;
             if let Some(progress) = &mut options.progress
                 && flow.work().steps.is_multiple_of(64)
             {
@@ -266,7 +307,7 @@ impl Run {
     }
 
     /// Values at the requested times inside the last step; its end belongs to the next step.
-    fn sample<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Result<(), Fault> {
+    fn sample<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, options: &Simulate<'_>) -> Result<(), Fault> {
         let (step, system) = flow.step_and_system();
         let end = step.end();
         while let Some(&(t, row)) = self.times.get(self.next) {
@@ -276,6 +317,9 @@ impl Run {
             step.state_at(t, &mut self.x);
             self.fill(system, t, row, &step.modes)?;
             self.next += 1;
+            if self.next.is_multiple_of(ROWS) && options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+                break;
+            }
         }
         Ok(())
     }
@@ -322,6 +366,13 @@ impl Run {
         let mut notes = Vec::new();
         if self.interrupted {
             notes.push(Text::new("interrupted: the result ends early", "прервано: результат неполон"));
+            if self.pace.remaining > 0.0 {
+                let n = rounded(self.pace.remaining);
+                notes.push(Text::new(
+                    format!("at the last pace about {} more steps were to do", n.en),
+                    format!("при последнем темпе оставалось около {} шагов", n.ru),
+                ));
+            }
         }
         if self.events.len() >= EVENTS {
             notes.push(Text::new(

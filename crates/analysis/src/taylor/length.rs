@@ -20,7 +20,10 @@
 //! the rule does not change under a change of units or a shift of the origin, and needs no absolute tolerance for states that begin at zero. The
 //! second term lets a component that has barely begun to move (the far end of a chain pulled at this end) wait until it is seen beside
 //! its equals; the third stops control below the rounding of the state. Two neighbouring orders are tested because even and odd functions
-//! have every other coefficient zero; a longer run of zeros is caught after the step by its defect (see `Flow::advance`).
+//! have every other coefficient zero. A longer run of zeros (a double pendulum let go with both rods level has three in four) would leave the
+//! step unlimited, and then A_i(h), taken far outside the circle of convergence, would excuse any defect. So the quarter of the
+//! coefficients before the last two has to stay below the same majorant too, with a slack of 4^(p-k) because the terms of entire functions fall
+//! ever faster. What still slips through is caught after the step by its defect (see `Flow::advance`).
 
 use super::step::Series;
 
@@ -30,6 +33,8 @@ const LOWEST_ORDER: usize = 4;
 pub const HIGHEST_ORDER: usize = 40;
 /// Share of the largest component of a unit below which a smaller one of that unit is not resolved relatively.
 const UNIT_SHARE: f64 = 1e-8;
+/// See the head of the file.
+const SLACK: f64 = 4.0;
 /// Half a unit in the last place, halved again.
 const ROUNDING: f64 = 1.0 / (1u64 << 54) as f64;
 
@@ -42,6 +47,8 @@ pub(super) struct Rule {
     safety: f64,
     /// tol^(1/p).
     root: f64,
+    /// tol^(k/p) 4^(p-k): what the terms before the last two may reach.
+    bounds: Vec<f64>,
     /// h^k of the last call.
     powers: Vec<f64>,
     /// Components with one unit: index of the group of each state.
@@ -66,11 +73,13 @@ impl Rule {
             .collect();
         let safety = (-0.7 / (order as f64 - 1.0)).exp();
         let root = tolerance.powf(1.0 / order as f64);
+        let bounds = (0..=order).map(|k| root.powi(k as i32) * SLACK.powi((order - k) as i32)).collect();
         Rule {
             tolerance,
             order,
             safety,
             root,
+            bounds,
             powers: vec![0.0; order + 1],
             scale: vec![0.0; group.len()],
             largest: vec![0.0; names.len()],
@@ -80,6 +89,38 @@ impl Rule {
 
     /// Longest admissible step, at most `limit`; `guess` (positive, may be infinite) only saves iterations.
     pub(super) fn length(&mut self, states: &Series, guess: f64, limit: f64) -> f64 {
+        let mut h = self.by_last_terms(states, guess, limit);
+        for _ in 0..80 {
+            match self.excess(states, h) {
+                Some(factor) => h *= factor,
+                None => break,
+            }
+            self.scales(states, h);
+        }
+        h
+    }
+
+    /// How much shorter a step must be whose earlier terms exceed the majorant; none when they keep below it.
+    fn excess(&self, states: &Series, h: f64) -> Option<f64> {
+        let p = self.order;
+        let first = (p - p / 4 - 1).max(p / 2 + 1);
+        let mut worst: Option<f64> = None;
+        for i in 0..states.n_rows() {
+            let (c, a) = (states.row(i), self.scale[i]);
+            for k in first..p - 1 {
+                // scale and powers may belong to a step two hundredths off: the slack covers it
+                if c[k].abs() * self.powers[k] > self.bounds[k] * a && h > 0.0 {
+                    let ratio = c[k].abs() * self.powers[k] / (self.root.powi(k as i32) * a);
+                    let factor = ratio.powf(-1.0 / k as f64).clamp(1e-3, 0.9);
+                    worst = Some(worst.map_or(factor, |w| w.min(factor)));
+                }
+            }
+        }
+        worst
+    }
+
+    /// The step that the last two terms allow.
+    fn by_last_terms(&mut self, states: &Series, guess: f64, limit: f64) -> f64 {
         let mut h = guess.min(limit);
         for _ in 0..80 {
             let next = (h * self.growth(states, h)).min(limit);

@@ -9,20 +9,24 @@
 //!    defect of the step: a step that relied on accidental zeros among the last coefficients is taken back;
 //! 4. at an event the modes are decided anew ([`crate::events`]).
 
+mod accept;
 mod length;
 mod step;
+mod switching;
 
 use symbolic::Text;
 
 pub use step::Step;
 
 use crate::events::Switch;
-use crate::events::roots::{RootFinder, surely_no_root};
+use crate::events::roots::RootFinder;
 use crate::fault::number;
 use crate::numerics::sum::{Instant, two_sum};
 use crate::{Fault, Mode, System};
+use accept::Defect;
 pub use length::HIGHEST_ORDER;
 use length::Rule;
+use switching::Crowd;
 
 /// Smallest and largest tolerance accepted.
 pub const TOLERANCES: (f64, f64) = (1e-15, 1e-3);
@@ -98,17 +102,6 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) roots: RootFinder,
     pub(crate) work: Work,
 }
-
-/// Watches for switches that accumulate.
-#[derive(Clone, Debug, Default)]
-struct Crowd {
-    last: Instant,
-    close: u32,
-}
-
-/// Switches in a row closer than [`CLOSE`] of the undisturbed step before they count as an accumulation.
-const CROWD: u32 = 64;
-const CLOSE: f64 = 1e-9;
 
 impl<'s, S: System + ?Sized> Flow<'s, S> {
     /// Prepares the motion from a state; modes are decided from the flow itself.
@@ -254,36 +247,6 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         (target, self.now.until(target).max(0.0))
     }
 
-    /// The step up to the first sign change of a guard; marks the guards that change there.
-    fn shorten_to_event(&mut self, h: f64) -> (f64, bool) {
-        self.touched.fill(false);
-        let mut first = f64::INFINITY;
-        for i in 0..self.modes.len() {
-            if let Some(tau) = self.crossing(i, h) {
-                first = first.min(tau);
-            }
-        }
-        if first > h {
-            return (h, false);
-        }
-        // what lies within rounding of the first root happens together with it
-        let together = first + 4.0 * f64::EPSILON * self.now.high.abs() + 1e-14 * h;
-        for i in 0..self.modes.len() {
-            self.touched[i] = self.crossing(i, together.min(h)).is_some();
-        }
-        (first, true)
-    }
-
-    fn crossing(&mut self, i: usize, h: f64) -> Option<f64> {
-        let mode = self.modes[i];
-        if mode == Mode::Zero || self.system.guards()[i].scheduled.is_some() {
-            return None;
-        }
-        let c = &self.step.guards.row(i)[self.deflation[i]..];
-        let decides_nothing = c.iter().all(|c_k| *c_k == 0.0);
-        if decides_nothing || surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
-    }
-
     /// Next state, and the slopes of the polynomials there.
     fn evaluate(&mut self, h: f64) {
         for i in 0..self.x.len() {
@@ -291,71 +254,6 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             (self.next_x[i], self.next_low[i]) = two_sum(self.x[i], change + self.low[i]);
             self.next_slope[i] = slope;
         }
-    }
-
-    /// Expansion at the next state in the old modes; of order 1 when the modes are about to change.
-    fn probe(&mut self, at: Instant, event: bool) -> Result<(), Fault> {
-        let order = if event {
-            self.work.probes += 1;
-            1
-        } else {
-            self.work.expansions += 1;
-            self.rule.order
-        };
-        self.system.expand(at.high, &self.next_x, &self.modes, order)?;
-        match (0..self.x.len()).find(|&i| !self.system.state(i).iter().all(|c| c.is_finite())) {
-            Some(i) => Err(Fault::not_finite(&Text::same(&self.system.states()[i].name), at.high)),
-            None => Ok(()),
-        }
-    }
-
-    /// Largest h |x'_polynomial - x'_system| at the end, relative to what the step may err.
-    fn defect(&self, h: f64) -> f64 {
-        let mut worst: f64 = 0.0;
-        for i in 0..self.x.len() {
-            let rate = self.system.state(i)[1];
-            let off = h * (self.next_slope[i] - rate).abs();
-            let truncation = self.rule.tolerance * self.rule.scale[i];
-            // the allowance for rounding is a pass over the coefficients: only where it can matter
-            if off > DEFECT * truncation || off.is_nan() {
-                let size = step::slope_size(self.step.states.row(i), h);
-                let allowed = truncation + ROUNDING * f64::EPSILON * h * (size + rate.abs());
-                worst = if off.is_nan() { f64::NAN } else { worst.max(off / allowed) };
-            }
-        }
-        worst
-    }
-
-    fn take_back(&mut self, h: f64, factor: f64, fault: Option<Fault>) -> Result<f64, Fault> {
-        self.work.rejected += 1;
-        let h = factor * h;
-        self.guess = h;
-        match fault {
-            Some(fault) if self.vanishes(h) => Err(fault),
-            _ => Ok(h),
-        }
-    }
-
-    fn vanishes(&self, h: f64) -> bool {
-        !h.is_finite() || h <= 4.0 * f64::EPSILON * self.now.high.abs() || h < f64::MIN_POSITIVE
-    }
-
-    fn check_length(&self, h: f64) -> Result<(), Fault> {
-        let limit_reached = h > 0.0 && h.is_finite() && !self.vanishes(h);
-        if limit_reached || self.now.after(h).high > self.now.high {
-            return Ok(());
-        }
-        let fastest = (0..self.x.len()).max_by(|&a, &b| {
-            let size = |i: usize| self.step.states.row(i).last().map_or(0.0, |c| c.abs()) / self.rule.scale[i].max(f64::MIN_POSITIVE);
-            size(a).total_cmp(&size(b))
-        });
-        let name = fastest.map_or(Text::default(), |i| Text::same(&self.system.states()[i].name));
-        Err(Fault::underflow(&name, self.now.high))
-    }
-
-    fn not_finite(&self) -> Fault {
-        let i = self.next_x.iter().position(|x| !x.is_finite()).unwrap_or(0);
-        Fault::not_finite(&Text::same(&self.system.states()[i].name), self.now.high)
     }
 
     /// Moves to the end of the step and decides the modes there.
@@ -380,28 +278,6 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         self.watch_crowd()
     }
 
-    /// Marks guards whose scheduled instant is now.
-    fn mark_scheduled(&mut self) -> bool {
-        let mut any = false;
-        for (i, guard) in self.system.guards().iter().enumerate() {
-            if guard.scheduled == Some(self.now.high) && self.now.low == 0.0 {
-                self.touched[i] = true;
-                any = true;
-            }
-        }
-        any
-    }
-
-    /// What counts as small for a guard: its terms in the last step. A guard that stands still keeps its scale.
-    fn remember_guard_scales(&mut self) {
-        for i in 0..self.modes.len() {
-            let size = crate::events::size(self.step.guards.row(i), self.step.length);
-            let kept = if self.modes[i] == Mode::Zero { self.guard_scale[i] } else { 0.0 };
-            self.guard_scale[i] = size.max(kept);
-            self.guard_noise[i] = 8.0 * f64::EPSILON * size;
-        }
-    }
-
     /// Length of an undisturbed step from the last expansion and the scales of the guards in it.
     pub(crate) fn measure(&mut self) -> Result<(), Fault> {
         self.trial.take(&*self.system, self.x.len(), self.modes.len(), self.rule.order);
@@ -415,75 +291,6 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             *scale = scale.max(crate::events::size(self.trial.guards.row(i), self.natural));
         }
         Ok(())
-    }
-
-    /// Marks guards whose sign contradicts their mode: they have been crossed within rounding of the step's end.
-    fn mark_wrong_sides(&mut self) -> bool {
-        let mut wrong = false;
-        for i in 0..self.modes.len() {
-            let is_wrong = self.is_on_wrong_side(i);
-            self.touched[i] |= is_wrong;
-            wrong |= is_wrong;
-        }
-        wrong
-    }
-
-    fn is_on_wrong_side(&self, i: usize) -> bool {
-        let g = self.system.guard(i);
-        let Some(&value) = g.first() else { return false };
-        if self.system.guards()[i].scheduled.is_some() {
-            return false;
-        }
-        match self.modes[i] {
-            Mode::Zero => crate::events::size(g, self.guess) > crate::events::STILL * self.guard_scale[i],
-            mode => value * mode.sign() < 0.0,
-        }
-    }
-
-    fn watch_crowd(&mut self) -> Result<(), Fault> {
-        let gap = self.crowd.last.until(self.now.high);
-        self.crowd.last = self.now;
-        if gap > CLOSE * self.natural {
-            self.crowd.close = 0;
-            return Ok(());
-        }
-        self.crowd.close += 1;
-        if self.crowd.close < CROWD {
-            return Ok(());
-        }
-        let guard = self.switches.last().map(|s| s.guard).or_else(|| self.touched.iter().position(|&t| t)).unwrap_or(0);
-        Err(Fault::accumulation(&self.system.guards()[guard].name, self.now.high))
-    }
-}
-
-/// Decides whether the defect of a step is due to truncation, and then too large.
-#[derive(Default)]
-struct Defect {
-    /// Defect per length of the step that was taken back, and how many were.
-    before: Option<f64>,
-    tries: u32,
-}
-
-/// Defects above this multiple of the tolerance mean that the last coefficients misled the choice of the step. In a regular step the defect
-/// is about p tol e^-2, p the order.
-const DEFECT: f64 = 60.0;
-/// Rounding of the rates of a state, in units of the last place of the terms that met in them: the linear solve adds some digits.
-const ROUNDING: f64 = 64.0;
-
-impl Defect {
-    /// Truncation falls at least like h^4 when the step is halved; what does not fall is rounding of the system itself and has to be accepted.
-    fn accept(&mut self, defect: f64, h: f64) -> bool {
-        if defect.is_nan() {
-            return false;
-        }
-        if defect <= DEFECT {
-            return true;
-        }
-        let per_length = defect / h;
-        let is_rounding = self.tries >= 2 && self.before.is_some_and(|before| per_length > 0.25 * before);
-        self.before = Some(per_length);
-        self.tries += 1;
-        is_rounding
     }
 }
 

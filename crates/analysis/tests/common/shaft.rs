@@ -118,3 +118,52 @@ pub fn relay() -> Machine {
     let program = Arc::new(program::lower::equations(&e).unwrap());
     Machine::new(&e, &program, &[], &[Text::same("sign(x)")]).unwrap()
 }
+
+/// One coordinate x with a mass and a force made from (x, x', t).
+pub fn single(make: impl Fn(&mut Graph, [Expr; 3]) -> (Expr, Expr)) -> Machine {
+    let mut e = blank(Graph::new());
+    let zero = e.graph.zero();
+    let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id("x", primes));
+    e.coordinates.push(Coordinate { symbols, unit: "m".into(), label: Text::default(), start: zero, rate: zero });
+    let (x, v, t) = (e.graph.symbol(symbols[0]), e.graph.symbol(symbols[1]), e.graph.symbol(e.time));
+    let (mass, force) = make(&mut e.graph, [x, v, t]);
+    e.mass = Matrix::zeros(&mut e.graph, 1, 1);
+    e.mass.set(0, 0, mass);
+    e.force = vec![force];
+    for (name, formula) in [("x", x), ("v", v)] {
+        let (label, symbol) = (Text::default(), symbols[0]);
+        e.outputs.push(Output { name: name.into(), symbol, unit: "m".into(), display: None, label, role: Role::Named, formula });
+    }
+    let program = Arc::new(program::lower::equations(&e).unwrap());
+    let names = vec![Text::same("switch"); program.guards.len()];
+    Machine::new(&e, &program, &[], &names).unwrap()
+}
+
+/// Double pendulum of unit masses and rods, g = 9.81, with E / (m l^2).
+pub fn double_pendulum() -> Machine {
+    let mut e = blank(Graph::new());
+    let zero = e.graph.zero();
+    for name in ["a", "b"] {
+        let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id(name, primes));
+        e.coordinates.push(Coordinate { symbols, unit: "rad".into(), label: Text::default(), start: zero, rate: zero });
+    }
+    let symbols: Vec<_> = e.coordinates.iter().map(|c| c.symbols).collect();
+    let graph = &mut e.graph;
+    let [a, b] = [0, 1].map(|i| [0, 1].map(|k| graph.symbol(symbols[i][k])));
+    let number = |graph: &mut Graph, n, d| graph.number(Rational::new(n, d).unwrap());
+    let (one, two, g) = (graph.one(), number(graph, 2, 1), number(graph, 981, 100));
+    let difference = graph.sub(a[0], b[0]);
+    let (sin, cos) = (graph.call(Function::Sin, &[difference]), graph.call(Function::Cos, &[difference]));
+    let [weight_a, weight_b] = [a, b].map(|q| {
+        let sine = graph.call(Function::Sin, &[q[0]]);
+        graph.mul(g, sine)
+    });
+    let weight_a = graph.mul(two, weight_a);
+    let (square_a, square_b) = (graph.square(a[1]), graph.square(b[1]));
+    let (pull_a, pull_b) = (graph.mul(sin, square_b), graph.mul(sin, square_a));
+    let first = graph.add(pull_a, weight_a);
+    e.force = vec![graph.neg(first), graph.sub(pull_b, weight_b)];
+    e.mass = Matrix::from_rows(&[vec![two, cos], vec![cos, one]]);
+    let program = Arc::new(program::lower::equations(&e).unwrap());
+    Machine::new(&e, &program, &[], &[]).unwrap()
+}

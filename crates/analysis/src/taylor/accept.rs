@@ -1,0 +1,114 @@
+//! Whether a step is accepted: it must be finite, longer than the resolution of time, and its end must satisfy the equations.
+
+use symbolic::Text;
+
+use super::{Flow, step};
+use crate::numerics::sum::Instant;
+use crate::{Fault, System};
+
+/// Decides whether the defect of a step is due to truncation, and then too large.
+#[derive(Default)]
+pub(super) struct Defect {
+    /// Defect per length of the step that was taken back, and how many were.
+    before: Option<f64>,
+    tries: u32,
+}
+
+/// Defects above this multiple of the tolerance mean that the last coefficients misled the choice of the step. In a regular step the defect
+/// is about p tol e^-2, p the order.
+const DEFECT: f64 = 60.0;
+/// Rounding of the rates of a state, in units of the last place of the terms that met in them: the linear solve adds some digits.
+const ROUNDING: f64 = 64.0;
+
+impl Defect {
+    /// Truncation falls at least like h^4 when the step is halved; what does not fall is rounding of the system itself and has to be accepted.
+    pub(super) fn accept(&mut self, defect: f64, h: f64) -> bool {
+        if defect.is_nan() {
+            return false;
+        }
+        if defect <= DEFECT {
+            return true;
+        }
+        let per_length = defect / h;
+        let is_rounding = self.tries >= 2 && self.before.is_some_and(|before| per_length > 0.25 * before);
+        self.before = Some(per_length);
+        self.tries += 1;
+        is_rounding
+    }
+}
+
+impl<S: System + ?Sized> Flow<'_, S> {
+    /// Expansion at the next state in the old modes; of order 1 when the modes are about to change.
+    pub(super) fn probe(&mut self, at: Instant, event: bool) -> Result<(), Fault> {
+        let order = if event {
+            self.work.probes += 1;
+            1
+        } else {
+            self.work.expansions += 1;
+            self.rule.order
+        };
+        self.system.expand(at.high, &self.next_x, &self.modes, order)?;
+        match (0..self.x.len()).find(|&i| !self.system.state(i).iter().all(|c| c.is_finite())) {
+            Some(i) => Err(Fault::not_finite(&Text::same(&self.system.states()[i].name), at.high)),
+            None => Ok(()),
+        }
+    }
+
+    /// Largest h |x'_polynomial - x'_system| at the end, relative to what the step may err.
+    pub(super) fn defect(&self, h: f64) -> f64 {
+        let mut worst: f64 = 0.0;
+        for i in 0..self.x.len() {
+            let rate = self.system.state(i)[1];
+            let off = h * (self.next_slope[i] - rate).abs();
+            let truncation = self.rule.tolerance * self.rule.scale[i];
+            // the allowance for rounding is a pass over the coefficients: only where it can matter
+            if off > DEFECT * truncation || off.is_nan() {
+                let size = step::slope_size(self.step.states.row(i), h);
+                let allowed = truncation + ROUNDING * f64::EPSILON * h * (size + rate.abs());
+                worst = if off.is_nan() { f64::NAN } else { worst.max(off / allowed) };
+            }
+        }
+        worst
+    }
+
+    pub(super) fn take_back(&mut self, h: f64, factor: f64, fault: Option<Fault>) -> Result<f64, Fault> {
+        self.work.rejected += 1;
+        let h = factor * h;
+        self.guess = h;
+        match fault {
+            // what has no value however short the step is a singularity that the motion runs into
+            Some(fault) if self.vanishes(h) => Err(if fault.code == "P006" { self.underflow() } else { fault.during(self.now.high) }),
+            _ => Ok(h),
+        }
+    }
+
+    pub(super) fn vanishes(&self, h: f64) -> bool {
+        !h.is_finite() || h <= 4.0 * f64::EPSILON * self.now.high.abs() || h < f64::MIN_POSITIVE
+    }
+
+    pub(super) fn check_length(&self, h: f64) -> Result<(), Fault> {
+        let limit_reached = h > 0.0 && h.is_finite() && !self.vanishes(h);
+        if limit_reached || self.now.after(h).high > self.now.high {
+            return Ok(());
+        }
+        Err(self.underflow())
+    }
+
+    fn underflow(&self) -> Fault {
+        Fault::underflow(&self.fastest(), self.now.high)
+    }
+
+    /// Name of the state whose last coefficient limits the step most.
+    pub(crate) fn fastest(&self) -> Text {
+        let fastest = (0..self.x.len()).max_by(|&a, &b| {
+            let size = |i: usize| self.step.states.row(i).last().map_or(0.0, |c| c.abs()) / self.rule.scale[i].max(f64::MIN_POSITIVE);
+            size(a).total_cmp(&size(b))
+        });
+        fastest.map_or(Text::default(), |i| Text::same(&self.system.states()[i].name))
+    }
+
+    pub(super) fn not_finite(&self) -> Fault {
+        let i = self.next_x.iter().position(|x| !x.is_finite()).unwrap_or(0);
+        Fault::not_finite(&Text::same(&self.system.states()[i].name), self.now.high)
+    }
+}

@@ -1,0 +1,109 @@
+//! Switches on the way: the first crossing inside a step, what is on its surface at the end, and when switches come too close.
+
+use super::Flow;
+use crate::events::roots::surely_no_root;
+use crate::numerics::sum::Instant;
+use crate::{Fault, Mode, System};
+
+/// Watches for switches that accumulate.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Crowd {
+    pub(super) last: Instant,
+    close: u32,
+}
+
+/// Switches in a row closer than [`CLOSE`] of the undisturbed step before they count as an accumulation.
+const CROWD: u32 = 64;
+const CLOSE: f64 = 1e-9;
+
+impl<S: System + ?Sized> Flow<'_, S> {
+    /// The step up to the first sign change of a guard; marks the guards that change there.
+    pub(super) fn shorten_to_event(&mut self, h: f64) -> (f64, bool) {
+        self.touched.fill(false);
+        let mut first = f64::INFINITY;
+        for i in 0..self.modes.len() {
+            if let Some(tau) = self.crossing(i, h) {
+                first = first.min(tau);
+            }
+        }
+        if first > h {
+            return (h, false);
+        }
+        // what lies within rounding of the first root happens together with it
+        let together = first + 4.0 * f64::EPSILON * self.now.high.abs() + 1e-14 * h;
+        for i in 0..self.modes.len() {
+            self.touched[i] = self.crossing(i, together.min(h)).is_some();
+        }
+        (first, true)
+    }
+
+    pub(super) fn crossing(&mut self, i: usize, h: f64) -> Option<f64> {
+        let mode = self.modes[i];
+        if mode == Mode::Zero || self.system.guards()[i].scheduled.is_some() {
+            return None;
+        }
+        let c = &self.step.guards.row(i)[self.deflation[i]..];
+        let decides_nothing = c.iter().all(|c_k| *c_k == 0.0);
+        if decides_nothing || surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
+    }
+
+    /// Marks guards whose scheduled instant is now.
+    pub(super) fn mark_scheduled(&mut self) -> bool {
+        let mut any = false;
+        for (i, guard) in self.system.guards().iter().enumerate() {
+            if guard.scheduled == Some(self.now.high) && self.now.low == 0.0 {
+                self.touched[i] = true;
+                any = true;
+            }
+        }
+        any
+    }
+
+    /// What counts as small for a guard: its terms in the last step. A guard that stands still keeps its scale.
+    pub(super) fn remember_guard_scales(&mut self) {
+        for i in 0..self.modes.len() {
+            let size = crate::events::size(self.step.guards.row(i), self.step.length);
+            let kept = if self.modes[i] == Mode::Zero { self.guard_scale[i] } else { 0.0 };
+            self.guard_scale[i] = size.max(kept);
+            self.guard_noise[i] = 8.0 * f64::EPSILON * size;
+        }
+    }
+
+    /// Marks guards whose sign contradicts their mode: they have been crossed within rounding of the step's end.
+    pub(super) fn mark_wrong_sides(&mut self) -> bool {
+        let mut wrong = false;
+        for i in 0..self.modes.len() {
+            let is_wrong = self.is_on_wrong_side(i);
+            self.touched[i] |= is_wrong;
+            wrong |= is_wrong;
+        }
+        wrong
+    }
+
+    pub(super) fn is_on_wrong_side(&self, i: usize) -> bool {
+        let g = self.system.guard(i);
+        let Some(&value) = g.first() else { return false };
+        if self.system.guards()[i].scheduled.is_some() {
+            return false;
+        }
+        match self.modes[i] {
+            Mode::Zero => crate::events::size(g, self.guess) > crate::events::STILL * self.guard_scale[i],
+            mode => value * mode.sign() < 0.0,
+        }
+    }
+
+    pub(super) fn watch_crowd(&mut self) -> Result<(), Fault> {
+        let gap = self.crowd.last.until(self.now.high);
+        self.crowd.last = self.now;
+        if gap > CLOSE * self.natural {
+            self.crowd.close = 0;
+            return Ok(());
+        }
+        self.crowd.close += 1;
+        if self.crowd.close < CROWD {
+            return Ok(());
+        }
+        let guard = self.switches.last().map(|s| s.guard).or_else(|| self.touched.iter().position(|&t| t)).unwrap_or(0);
+        Err(Fault::accumulation(&self.system.guards()[guard].name, self.now.high))
+    }
+}
