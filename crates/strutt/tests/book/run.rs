@@ -98,10 +98,9 @@ impl Command {
         }
         // only what is claimed: another output may be undefined with the values that are set
         let wanted = claims.iter().filter_map(|claim| match claim {
-            Claim::Value { name, .. }
-            | Claim::Bounded { name, .. }
-            | Claim::Constant { name, .. }
-            | Claim::MeanRate { name, .. } => Some(name.clone()),
+            Claim::Value { name, .. } | Claim::Bounded { name, .. } | Claim::Constant { name, .. } | Claim::MeanRate { name, .. } => {
+                Some(name.clone())
+            }
             _ => None,
         });
         let outputs = Some(wanted.collect());
@@ -149,9 +148,7 @@ enum Outcome {
 impl Outcome {
     fn check(&self, claim: &Claim, model: &str) -> Result<(), String> {
         match (self, claim) {
-            (Outcome::Findings(diagnostics), Claim::Error { code, line, only }) => {
-                findings(model, diagnostics, code, *line, *only)
-            }
+            (Outcome::Findings(diagnostics), Claim::Error { code, line, only }) => findings(model, diagnostics, code, *line, *only),
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
             (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
             (Outcome::Motion { times, data }, claim) => motion(times, data, claim),
