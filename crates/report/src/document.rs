@@ -108,6 +108,18 @@ impl Rich {
     }
 }
 
+impl Rich {
+    /// All of it as plain text.
+    pub fn plain(&self, language: Language) -> String {
+        let pieces = self.0.iter().map(|piece| match piece {
+            Inline::Words(words) => words.clone(),
+            Inline::Formula(formula) => formula.text.clone(),
+            Inline::Symbol(name) => crate::symbol::plain(name, language),
+        });
+        pieces.collect()
+    }
+}
+
 impl From<&str> for Rich {
     fn from(words: &str) -> Rich {
         Rich(vec![Inline::Words(words.into())])

@@ -1,8 +1,9 @@
-//! Names of the model as symbols in print: `phi'` is φ′, `c_x` is c with index x, `omega_p` is ω with index p.
+//! Names of the model as symbols in print: `phi'` is φ with a dot, `c_x` is c with index x, `omega_p` is ω with index p.
 //!
-//! Latin letters are italic; Greek and Cyrillic letters, digits and primes are upright, as course standards ask.
+//! Tables, plots, pages and formulas read names in one place ([`Printer::named`]); here are only the forms that are no formulas.
 
-use crate::escape::markup;
+use crate::Language;
+use crate::formula::{Form, Identifier, Layout, Placement, Printer, Shape};
 
 /// A piece of a symbol with one style.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,138 +16,84 @@ pub struct Piece {
     pub index: bool,
 }
 
-const GREEK: &[(&str, &str)] = &[
-    ("alpha", "α"),
-    ("beta", "β"),
-    ("gamma", "γ"),
-    ("delta", "δ"),
-    ("epsilon", "ε"),
-    ("zeta", "ζ"),
-    ("eta", "η"),
-    ("theta", "θ"),
-    ("iota", "ι"),
-    ("kappa", "κ"),
-    ("lambda", "λ"),
-    ("mu", "μ"),
-    ("nu", "ν"),
-    ("xi", "ξ"),
-    ("pi", "π"),
-    ("rho", "ρ"),
-    ("sigma", "σ"),
-    ("tau", "τ"),
-    ("upsilon", "υ"),
-    ("phi", "φ"),
-    ("chi", "χ"),
-    ("psi", "ψ"),
-    ("omega", "ω"),
-    ("eps", "ε"),
-    ("Gamma", "Γ"),
-    ("Delta", "Δ"),
-    ("Theta", "Θ"),
-    ("Lambda", "Λ"),
-    ("Xi", "Ξ"),
-    ("Pi", "Π"),
-    ("Sigma", "Σ"),
-    ("Phi", "Φ"),
-    ("Psi", "Ψ"),
-    ("Omega", "Ω"),
-];
-
-/// The pieces of a symbol. The part before the first `_` is the letter, the rest the index; digits right behind a letter are an
-/// index too; primes stay on the line, behind the index.
-pub fn pieces(name: &str) -> Vec<Piece> {
-    let stem = name.trim_end_matches(['\'', '′']);
-    let primes = name[stem.len()..].chars().count();
-    let (head, tail) = stem.split_once('_').unwrap_or((stem, ""));
-    let letters = head.trim_end_matches(|c: char| c.is_ascii_digit());
-    // a name such as `2x` has no letter in front of its digits
-    let (letters, digits) = if letters.is_empty() { (head, "") } else { head.split_at(letters.len()) };
+/// The symbol cut where the style changes, for writers that set letters themselves. One and two time derivatives are combining dots,
+/// more are primes behind the index.
+pub fn pieces(name: &str, language: Language) -> Vec<Piece> {
+    let symbol = Printer::new(language).named(name);
+    let (dots, primes) = match symbol.dots() {
+        0 => ("", usize::from(symbol.primes)),
+        1 => ("\u{307}", 0),
+        2 => ("\u{308}", 0),
+        _ => ("", 3),
+    };
+    let Identifier { base, shape, subscript, .. } = symbol;
     let mut out = Vec::new();
-    push(&mut out, &greek(letters), false);
-    push(&mut out, digits, true);
-    if !digits.is_empty() && !tail.is_empty() {
-        push(&mut out, ",", true);
+    push(&mut out, &format!("{base}{dots}"), shape, false);
+    for index in &subscript {
+        push(&mut out, &index.text, index.shape, true);
     }
-    push(&mut out, &tail.split('_').map(greek).collect::<Vec<_>>().join(","), true);
-    push(&mut out, &"′".repeat(primes), false);
+    push(&mut out, &"′".repeat(primes), Shape::Upright, false);
     out
 }
 
-fn greek(word: &str) -> String {
-    let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
-    match GREEK.iter().find(|(name, _)| *name == letters) {
-        Some((_, letter)) => format!("{letter}{}", &word[letters.len()..]),
-        None => word.into(),
+/// Adds the text to the last piece if the style is the same.
+fn push(out: &mut Vec<Piece>, text: &str, shape: Shape, index: bool) {
+    let italic = shape == Shape::Italic;
+    match out.last_mut() {
+        _ if text.is_empty() => {}
+        Some(last) if last.italic == italic && last.index == index => last.text.push_str(text),
+        _ => out.push(Piece { text: text.into(), italic, index }),
     }
 }
 
-/// Adds the text, cut where the style changes.
-fn push(out: &mut Vec<Piece>, text: &str, index: bool) {
-    for c in text.chars() {
-        let italic = c.is_ascii_alphabetic();
-        match out.last_mut() {
-            Some(last) if last.italic == italic && last.index == index => last.text.push(c),
-            _ => out.push(Piece { text: c.into(), italic, index }),
-        }
-    }
+/// The symbol as plain text, as in formulas of the terminal: `φ'`, `c_x`.
+pub fn plain(name: &str, language: Language) -> String {
+    written(name, language, Form::Text)
 }
 
-/// The symbol as plain text: `φ′`, `c_x`.
-pub fn plain(name: &str) -> String {
-    let mut out = String::new();
-    let mut in_index = false;
-    for piece in pieces(name) {
-        let raised: Option<String> = piece.index.then(|| subscript(&piece.text)).flatten();
-        match raised {
-            Some(low) => out.push_str(&low),
-            None => {
-                if piece.index && !in_index {
-                    out.push('_');
-                }
-                out.push_str(&piece.text);
-            }
-        }
-        in_index = piece.index;
-    }
-    out
+/// The symbol as a `<math>` element.
+pub fn mathml(name: &str, language: Language) -> String {
+    written(name, language, Form::MathMl)
 }
 
-/// Digits below the line; none if some character has no such form.
-fn subscript(text: &str) -> Option<String> {
-    text.chars().map(|c| c.to_digit(10).and_then(|d| char::from_u32('₀' as u32 + d))).collect()
-}
-
-/// The symbol as HTML: `<i>c</i><sub>x</sub>`.
-pub fn html(name: &str) -> String {
-    let mut out = String::new();
-    for piece in pieces(name) {
-        let text = markup(&piece.text);
-        let text = if piece.italic { format!("<i>{text}</i>") } else { text };
-        out.push_str(&if piece.index { format!("<sub>{text}</sub>") } else { text });
-    }
-    out.replace("</sub><sub>", "")
+fn written(name: &str, language: Language, form: Form) -> String {
+    let printer = Printer::new(language);
+    printer.write(&Layout::Symbol(printer.named(name)), form, Placement::Inline)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use Language::{En, Ru};
+
+    /// Slanted pieces in `/…/`, indices in `[…]`.
+    fn marked(name: &str, language: Language) -> String {
+        let mark = |p: Piece| {
+            let text = if p.italic { format!("/{}/", p.text) } else { p.text };
+            if p.index { format!("[{text}]") } else { text }
+        };
+        pieces(name, language).into_iter().map(mark).collect()
+    }
 
     #[test]
     fn names_become_symbols() {
-        for (name, text, markup) in [
-            ("phi'", "φ′", "φ′"),
-            ("c_x", "c_x", "<i>c</i><sub><i>x</i></sub>"),
-            ("phi1'", "φ₁′", "φ<sub>1</sub>′"),
-            ("omega_p", "ω_p", "ω<sub><i>p</i></sub>"),
-            ("x", "x", "<i>x</i>"),
-            ("M_h''", "M_h′′", "<i>M</i><sub><i>h</i></sub>′′"),
-            ("φ", "φ", "φ"),
-            ("m_в", "m_в", "<i>m</i><sub>в</sub>"),
-            ("<b>", "<b>", "&lt;<i>b</i>&gt;"),
+        for (name, text, pieces) in [
+            ("phi'", "φ'", "φ\u{307}"),
+            ("c_x", "c_x", "/c/[/x/]"),
+            ("phi1''", "φ₁''", "φ\u{308}[1]"),
+            ("omega_p", "ω_p", "ω[/p/]"),
+            ("M_h'''", "M_h'''", "/M/[/h/]′′′"),
+            ("φ′", "φ'", "φ\u{307}"),
+            ("m_в", "m_в", "/m/[в]"),
+            ("speed'", "speed'", "speed′"),
+            ("x_P1", "x_P1", "/x/[/P/][1]"),
+            ("<b>", "<b>", "<b>"),
             ("", "", ""),
         ] {
-            assert_eq!(plain(name), text, "{name}");
-            assert_eq!(html(name), markup, "{name}");
+            assert_eq!(plain(name, Ru), text, "{name}");
+            assert_eq!(marked(name, Ru), pieces, "{name}");
         }
+        assert_eq!(marked("omega_p", En), "/ω/[/p/]");
+        assert!(mathml("<b>", En).contains("&lt;b&gt;"));
     }
 }

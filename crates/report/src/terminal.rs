@@ -1,6 +1,6 @@
 //! Terminal text of a [`Document`]: headings, paragraphs cut to the width, tables aligned on the decimal mark.
 
-use crate::document::{Block, Content, Document, Inline, Rich};
+use crate::document::{Block, Content, Document};
 use crate::figure::Figure;
 use crate::language::{Language, Word};
 use crate::number::short;
@@ -62,7 +62,7 @@ pub fn table(table: &Table, language: Language, width: usize) -> String {
 /// Head and cells of one column, numbers already padded to their decimal mark.
 fn column_lines(table: &Table, i_column: usize, language: Language) -> Vec<String> {
     let column = &table.columns[i_column];
-    let mut head = plain(&column.head);
+    let mut head = column.head.plain(language);
     if !column.unit.is_empty() {
         head = format!("{head}, {}", column.unit);
     }
@@ -74,7 +74,7 @@ fn column_lines(table: &Table, i_column: usize, language: Language) -> Vec<Strin
     for row in &table.rows {
         lines.push(match row.get(i_column).unwrap_or(&Cell::Empty) {
             Cell::Empty => String::new(),
-            Cell::Rich(rich) => plain(rich),
+            Cell::Rich(rich) => rich.plain(language),
             Cell::Verdict(ok) => verdict(*ok, language),
             Cell::Number(number) => {
                 let (w, d) = split_number(number);
@@ -89,16 +89,6 @@ fn column_lines(table: &Table, i_column: usize, language: Language) -> Vec<Strin
 pub fn verdict(ok: bool, language: Language) -> String {
     let (mark, word) = if ok { ('✓', Word::Passed) } else { ('✗', Word::Failed) };
     format!("{mark} {}", language.word(word))
-}
-
-/// Words, formulas and symbols as plain text.
-pub fn plain(rich: &Rich) -> String {
-    let pieces = rich.0.iter().map(|piece| match piece {
-        Inline::Words(words) => words.clone(),
-        Inline::Formula(formula) => formula.text.clone(),
-        Inline::Symbol(name) => symbol::plain(name),
-    });
-    pieces.collect()
 }
 
 struct Writer {
@@ -130,7 +120,7 @@ impl Writer {
                 let rule = if *level == 1 { "─" } else { "·" };
                 self.line(&rule.repeat(text.chars().count().min(self.width)));
             }
-            Block::Paragraph(rich) => self.paragraph(&plain(rich)),
+            Block::Paragraph(rich) => self.paragraph(&rich.plain(self.language)),
             Block::Equation { formula, numbered } => self.equation(&formula.text, *numbered),
             Block::Table(content) => {
                 if let Some(caption) = &content.caption {
@@ -143,7 +133,7 @@ impl Writer {
             }
             Block::Figure(figure) => {
                 self.figures += 1;
-                let caption = format!("{} {} – {}", self.language.word(Word::Figure), self.figures, figure.title);
+                let caption = format!("{} {} – {}", self.language.word(Word::Figure), self.figures, figure.title.plain(self.language));
                 self.paragraph(&caption);
                 let summary = figure_summary(figure, self.language);
                 self.out.push_str(&summary);
@@ -212,7 +202,7 @@ pub fn figure_summary(figure: &Figure, language: Language) -> String {
     for (i, series) in figure.series.iter().enumerate() {
         let finite = || series.y.iter().copied().filter(|y| y.is_finite()).map(|y| y / figure.y.scale.size);
         let (low, high) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
-        let name = symbol::plain(&series.name);
+        let name = symbol::plain(&series.name, language);
         if low > high {
             out.push_str(&format!("  {name}: {}\n", language.word(Word::NoData)));
             continue;

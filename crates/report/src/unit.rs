@@ -115,8 +115,9 @@ impl Scale {
         if !prefixable || tail.starts_with('^') || !largest.is_finite() || largest == 0.0 || (0.1..1e4).contains(&largest) {
             return plain;
         }
-        let power = ((largest.log10() / 3.0).floor() as i32 * 3).clamp(-9, 9);
-        match PREFIXES.iter().find(|row| row.3 == power) {
+        // what no prefix reaches is rounding noise: a unit such as nN m would only dress it up
+        let power = (largest.log10() / 3.0).floor() as i32 * 3;
+        match PREFIXES.iter().find(|row| row.3 == power && (-9..=9).contains(&power)) {
             Some((ascii, ..)) => Scale { size: 10_f64.powi(power), label: format!("{ascii}{label}") },
             None => plain,
         }
@@ -169,7 +170,8 @@ mod tests {
             ("s", 0.02, "ms", 1e-3),
             ("m/s", 0.02, "mm/s", 1e-3),
             ("m", 0.0, "m", 1.0),
-            ("m", 1e-300, "nm", 1e-9),
+            ("m", 1e-300, "m", 1.0),
+            ("N m", 2e-12, "N m", 1.0),
         ] {
             assert_eq!(Scale::of_column(label, largest), Scale { size, label: expected.into() });
         }

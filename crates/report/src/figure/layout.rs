@@ -75,7 +75,7 @@ pub fn lay(figure: &Figure, titled: bool, language: Language) -> Layout {
     let (mut x_range, mut y_range) = (ranges.0.unwrap_or((0.0, 1.0)), ranges.1.unwrap_or((0.0, 1.0)));
     let y_ticks = axis_ticks(&figure.y, y_range, if plane { 7 } else { 5 }, language);
     let left = 18.0 + y_ticks.iter().map(|t| text_width(&t.label, TEXT)).fold(24.0, f64::max);
-    let (entries, rows) = legend_entries(figure, left, width);
+    let (entries, rows) = legend_entries(figure, left, width, language);
     let legend = if titled { 30.0 } else { 4.0 };
     let top = legend + rows as f64 * LEGEND_ROW + 26.0;
     let area = Area { left, right: width - 22.0, top, bottom: top + data_height };
@@ -151,14 +151,14 @@ fn equalize(x: &mut (f64, f64), y: &mut (f64, f64), aspect: f64) {
 }
 
 /// Place of each legend entry, and the number of rows; a single curve needs no legend.
-fn legend_entries(figure: &Figure, left: f64, width: f64) -> (Vec<(usize, f64)>, usize) {
+fn legend_entries(figure: &Figure, left: f64, width: f64, language: Language) -> (Vec<(usize, f64)>, usize) {
     if figure.series.len() < 2 {
         return (Vec::new(), 0);
     }
     let (mut row, mut at) = (0, left);
     let mut places = Vec::new();
     for series in &figure.series {
-        let wide = 44.0 + text_width(&legend_text(series), TEXT) + 18.0;
+        let wide = 44.0 + text_width(&legend_text(series, language), TEXT) + 18.0;
         if at > left && at + wide > width {
             row += 1;
             at = left;
@@ -170,8 +170,8 @@ fn legend_entries(figure: &Figure, left: f64, width: f64) -> (Vec<(usize, f64)>,
 }
 
 /// Words of a legend entry as plain text.
-pub fn legend_text(series: &super::Series) -> String {
-    let symbol = crate::symbol::plain(&series.name);
+pub fn legend_text(series: &super::Series, language: Language) -> String {
+    let symbol = crate::symbol::plain(&series.name, language);
     if series.label.is_empty() { symbol } else { format!("{symbol} – {}", series.label) }
 }
 

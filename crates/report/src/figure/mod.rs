@@ -6,10 +6,12 @@
 
 pub mod decimate;
 mod layout;
+mod log_axis;
 pub mod png;
 pub mod svg;
 pub mod ticks;
 
+use crate::document::{Inline, Rich};
 use crate::language::{Language, Word};
 use crate::symbol;
 use crate::unit::Scale;
@@ -22,7 +24,7 @@ pub struct Figure {
     /// Stem of file names and anchors.
     pub name: String,
     /// What is shown; the caption.
-    pub title: String,
+    pub title: Rich,
     /// Curves over a common axis, or a plane.
     pub kind: Kind,
     /// Horizontal axis.
@@ -33,6 +35,8 @@ pub struct Figure {
     pub series: Vec<Series>,
     /// Lines and points with a word beside them.
     pub marks: Vec<Mark>,
+    /// For a plane: the axis of the data (time) and its value at each point, so that a page shows the same instant everywhere.
+    pub along: Option<(Axis, Vec<f64>)>,
     /// What happened along x: shown as a strip under the curves.
     pub strip: Vec<Happening>,
 }
@@ -141,12 +145,12 @@ impl Axis {
 
     /// The axis as plain text: `φ′, рад/с`.
     pub fn plain(&self, language: Language) -> String {
-        self.join(language, symbol::plain)
+        self.join(language, |name| symbol::plain(name, language))
     }
 
-    /// The axis as HTML with slanted symbols.
+    /// The axis as HTML, symbols as MathML.
     pub fn html(&self, language: Language) -> String {
-        self.join(language, symbol::html)
+        self.join(language, |name| symbol::mathml(name, language))
     }
 
     /// Unit in print of the i-th symbol.
@@ -174,6 +178,7 @@ impl Figure {
         let strip = data.events.iter().map(|e| Happening { from: e.t, to: e.t, what: language.text(&e.what).into() }).collect();
         let mut figure = Figure::of(axis, names, data, language)?;
         figure.strip = strip;
+        figure.y.log = log_axis::wanted(&figure.series);
         Some(figure)
     }
 
@@ -183,6 +188,7 @@ impl Figure {
         let abscissa = data.column(x)?;
         let mut figure = Figure::of(abscissa, names, data, language)?;
         figure.title = against(&figure.y.symbols, &abscissa.quantity.symbol, language);
+        figure.along = data.axis.and_then(|i| data.columns.get(i)).map(|c| (Axis::of_columns(&[c]), c.values.clone()));
         let lengths = |axis: &Axis| axis.scale.label == "m" || axis.scale.label.ends_with("mm") || axis.scale.label == "um";
         figure.kind = Kind::Plane { equal: lengths(&figure.x) && lengths(&figure.y) };
         if figure.kind == (Kind::Plane { equal: true }) {
@@ -207,7 +213,7 @@ impl Figure {
             .collect();
         let y = Axis::of_columns(&columns);
         let title = match columns.as_slice() {
-            [only] if !language.text(&only.quantity.label).is_empty() => capital(language.text(&only.quantity.label)),
+            [only] if !language.text(&only.quantity.label).is_empty() => capital(language.text(&only.quantity.label)).into(),
             _ => against(&y.symbols, &x.quantity.symbol, language),
         };
         Some(Figure {
@@ -218,16 +224,24 @@ impl Figure {
             y,
             series,
             marks: Vec::new(),
+            along: None,
             strip: Vec::new(),
         })
     }
 }
 
 /// `φ, φ′ against t`.
-fn against(symbols: &[String], x: &str, language: Language) -> String {
-    let names: Vec<String> = symbols.iter().map(|s| symbol::plain(s)).collect();
-    let words = format!("{} {} {}", names.join(", "), language.word(Word::Against), symbol::plain(x));
-    language.pick(words.clone(), format!("Зависимость {words}"))
+fn against(symbols: &[String], x: &str, language: Language) -> Rich {
+    let mut pieces = vec![Inline::Words(language.pick("", "Зависимость ").into())];
+    for (i, name) in symbols.iter().enumerate() {
+        if i > 0 {
+            pieces.push(Inline::Words(", ".into()));
+        }
+        pieces.push(Inline::Symbol(name.clone()));
+    }
+    pieces.push(Inline::Words(format!(" {} ", language.word(Word::Against))));
+    pieces.push(Inline::Symbol(x.into()));
+    Rich(pieces)
 }
 
 /// The text with a capital first letter.

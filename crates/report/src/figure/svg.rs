@@ -5,6 +5,7 @@
 
 use super::layout::{LEGEND_ROW, Layout, STRIP, TEXT, lay, text_width};
 use super::{Axis, Figure, Kind, Mark, decimate, style};
+use crate::document::Inline;
 use crate::escape::markup;
 use crate::language::{Language, Word};
 use crate::symbol;
@@ -25,12 +26,12 @@ pub fn write(figure: &Figure, titled: bool, language: Language) -> String {
         out,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h:.0}\" viewBox=\"0 0 {w} {h:.0}\" role=\"img\" \
          aria-label=\"{}\" font-family=\"{FONTS}\" font-size=\"{TEXT}\" fill=\"{INK}\">\n<rect width=\"{w}\" height=\"{h:.0}\" fill=\"#ffffff\"/>\n",
-        markup(&figure.title)
+        markup(&figure.title.plain(language))
     );
-    if titled {
-        let _ = writeln!(out, "<text x=\"{:.1}\" y=\"18\" font-size=\"14\">{}</text>", layout.area.left, markup(&figure.title));
-    }
     let mut draw = Draw { out, layout: &layout, figure, language };
+    if titled {
+        draw.title();
+    }
     draw.legend();
     draw.intervals();
     draw.grid();
@@ -55,6 +56,18 @@ struct Draw<'a> {
 
 // writing into a string cannot fail: results of `write!` are dropped throughout
 impl Draw<'_> {
+    fn title(&mut self) {
+        let _ = write!(self.out, "<text x=\"{:.1}\" y=\"18\" font-size=\"14\">", self.layout.area.left);
+        for piece in &self.figure.title.0 {
+            match piece {
+                Inline::Words(words) => self.out.push_str(&markup(words)),
+                Inline::Formula(formula) => self.out.push_str(&markup(&formula.text)),
+                Inline::Symbol(name) => self.symbol(name),
+            }
+        }
+        self.out.push_str("</text>\n");
+    }
+
     fn legend(&mut self) {
         let entries = self.layout.entries.clone();
         for (i, ((row, x), series)) in entries.into_iter().zip(&self.figure.series).enumerate() {
@@ -243,7 +256,7 @@ impl Draw<'_> {
     /// A symbol as spans: slanted Latin letters, index below the line.
     fn symbol(&mut self, name: &str) {
         let mut low = false;
-        for piece in symbol::pieces(name) {
+        for piece in symbol::pieces(name, self.language) {
             let dy = match (low, piece.index) {
                 (false, true) => " dy=\"3\"",
                 (true, false) => " dy=\"-3\"",

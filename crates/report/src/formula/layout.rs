@@ -246,7 +246,7 @@ impl Identifier {
         self.subscript.iter().all(|i| i.text.chars().all(|c| c.is_ascii_digit()))
     }
     /// Dots above the letter; words and high derivatives take primes instead.
-    pub(super) fn dots(&self) -> u8 {
+    pub(crate) fn dots(&self) -> u8 {
         if self.primes <= 3 && self.base.chars().count() == 1 { self.primes } else { 0 }
     }
     /// Prime marks that two-dimensional forms write after the letter.

@@ -32,8 +32,18 @@ impl Lines<'_> {
     }
 }
 
-/// Fills lines up to `width` characters of the text form; a single term is never broken.
-pub(super) fn split(layout: &Layout, width: Option<usize>) -> Lines<'_> {
+/// How a written form counts room, in characters of the text form.
+#[derive(Clone, Copy)]
+pub(super) struct Room {
+    /// Room of a piece with what joins it.
+    pub piece: fn(&Piece) -> usize,
+    /// Whether following lines start at the relation of the first line, not at its left edge.
+    pub aligned: bool,
+}
+
+/// Fills lines up to `width`; a single term is never broken. A formula that needs several lines is broken at its relation first,
+/// unless the left side is a short name.
+pub(super) fn split<'a>(layout: &'a Layout, width: Option<usize>, room: Room) -> Lines<'a> {
     let mut pieces = vec![];
     match layout {
         Layout::Related(left, relation, right) => {
@@ -43,14 +53,21 @@ pub(super) fn split(layout: &Layout, width: Option<usize>) -> Lines<'_> {
         other => side(other, Joint::Start, &mut pieces),
     }
     let Some(width) = width else { return Lines { rows: vec![pieces] } };
+    let lengths: Vec<usize> = pieces.iter().map(room.piece).collect();
+    if lengths.iter().sum::<usize>() <= width {
+        return Lines { rows: vec![pieces] };
+    }
+    let relation = pieces.iter().position(|p| matches!(p.joint, Joint::Relation(_)));
+    let left: usize = lengths[..relation.unwrap_or(0)].iter().sum();
+    let at_relation = relation.filter(|_| left > width / 4);
+    let indent = text::INDENT.len() + if room.aligned && at_relation.is_none() { left } else { 0 };
     let mut rows: Vec<Vec<Piece>> = vec![vec![]];
     let mut used = 0;
-    for piece in pieces {
-        let length = text::piece_length(&piece);
+    for (i, (piece, length)) in pieces.into_iter().zip(lengths).enumerate() {
         // two more for the sign repeated at the end of the line
-        if used + length + 2 > width && used > 0 {
+        if used > 0 && (used + length + 2 > width || at_relation == Some(i)) {
             rows.push(vec![]);
-            used = text::INDENT.len();
+            used = indent;
         }
         used += length;
         if let Some(row) = rows.last_mut() {

@@ -15,6 +15,7 @@ mod latex;
 mod layout;
 mod lines;
 mod mathml;
+mod measure;
 mod names;
 mod numeral;
 mod order;

@@ -3,8 +3,9 @@
 use super::classes::Classes;
 use super::compose::Composer;
 use super::layout::{Identifier, Layout, Relation, Shape};
+use super::lines::Room;
 use super::order::Side;
-use super::{SymbolClass, latex, lines, mathml, names, text};
+use super::{SymbolClass, latex, lines, mathml, measure, names, text};
 use crate::Language;
 use symbolic::equations::{Equality, StepFormula};
 use symbolic::{Equations, Expr, Graph, Symbol, SymbolId};
@@ -66,7 +67,7 @@ impl Printer {
         self
     }
 
-    /// The greatest length of a line, in characters of the text form; longer formulas are broken at top-level signs, the sign
+    /// The greatest length of a line, in characters of the text form (0.45 em of a formula that is set); longer formulas are broken at top-level signs, the sign
     /// repeated on the next line.
     pub fn with_width(mut self, width: usize) -> Printer {
         self.width = Some(width);
@@ -136,7 +137,11 @@ impl Printer {
 
     /// Writes a layout.
     pub fn write(&self, layout: &Layout, form: Form, placement: Placement) -> String {
-        let lines = lines::split(layout, if placement == Placement::Block { self.width } else { None });
+        let room = match form {
+            Form::Text => Room { piece: text::piece_length, aligned: false },
+            Form::Latex | Form::MathMl => Room { piece: measure::piece_length, aligned: true },
+        };
+        let lines = lines::split(layout, if placement == Placement::Block { self.width } else { None }, room);
         match form {
             Form::Text => text::lines(&lines),
             Form::Latex => latex::lines(&lines),
@@ -146,12 +151,16 @@ impl Printer {
 
     /// A symbol as letter, dots and subscript.
     pub fn identifier(&self, symbol: &Symbol) -> Identifier {
-        let name = self.notation_of(&symbol.name).unwrap_or(&symbol.name);
-        let bare = name.trim_end_matches('\'');
-        let mut identifier = names::identifier(bare, self.language);
-        let written = u8::try_from(name.len() - bare.len()).unwrap_or(u8::MAX);
-        identifier.primes = symbol.primes.saturating_add(written);
+        let mut identifier = self.named(self.notation_of(&symbol.name).unwrap_or(&symbol.name));
+        identifier.primes = symbol.primes.saturating_add(identifier.primes);
         identifier
+    }
+
+    /// A written symbol (a name of the model, or what the user wants to see instead) as letter, dots and subscript.
+    pub fn named(&self, name: &str) -> Identifier {
+        let bare = name.trim_end_matches(['\'', '′']);
+        let primes = name[bare.len()..].chars().count();
+        Identifier { primes: u8::try_from(primes).unwrap_or(u8::MAX), ..names::identifier(bare, self.language) }
     }
 
     pub(super) fn notation_of(&self, name: &str) -> Option<&str> {

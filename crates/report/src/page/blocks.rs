@@ -9,6 +9,11 @@ use crate::table::{Cell, Table, split_number};
 use crate::terminal::figure_summary;
 use base64::Engine;
 
+/// Longest words of a cell that stay on one line.
+const UNBROKEN: usize = 16;
+/// How the MathML of a formula of several lines starts.
+const BROKEN: &str = "<mtable displaystyle";
+
 /// Writes blocks one behind the other and numbers them.
 pub(super) struct Writer {
     pub out: String,
@@ -35,7 +40,7 @@ impl Writer {
                 let level = (*level).clamp(1, 3) + 1;
                 self.push(&format!("<h{level}>{}</h{level}>\n", markup(text)));
             }
-            Block::Paragraph(content) => self.push(&format!("<p>{}</p>\n", rich(content))),
+            Block::Paragraph(content) => self.push(&format!("<p>{}</p>\n", self.rich(content))),
             Block::Equation { formula, numbered } => self.equation(formula, *numbered),
             Block::Table(table) => self.table(table),
             Block::Figure(figure) => self.figure(figure),
@@ -54,7 +59,9 @@ impl Writer {
 
     fn equation(&mut self, formula: &Formula, numbered: bool) {
         let shown = if formula.mathml.is_empty() { format!("<pre>{}</pre>", markup(&formula.text)) } else { formula.mathml.clone() };
-        self.push(&format!("<div class=\"equation\"><div class=\"formula\">{shown}</div>"));
+        // the number stands at the last line of a broken formula
+        let class = if formula.mathml.contains(BROKEN) { "equation long" } else { "equation" };
+        self.push(&format!("<div class=\"{class}\"><div class=\"formula\">{shown}</div>"));
         if numbered {
             self.equations += 1;
             let n = self.equations;
@@ -70,18 +77,18 @@ impl Writer {
             let (n, word) = (self.tables, self.language.word(Word::Table));
             self.push(&format!("<caption id=\"table-{n}\">{word}\u{a0}{n} – {}</caption>\n", markup(caption)));
         }
-        let widths: Vec<(usize, usize)> = (0..table.columns.len()).map(|i| table.number_width(i)).collect();
+        let widths: Vec<Option<f64>> = (0..table.columns.len()).map(|i| decimals_width(table, i)).collect();
         self.push("<thead><tr>");
-        for (column, (whole, decimals)) in table.columns.iter().zip(&widths) {
-            let class = if whole + decimals > 0 { " class=\"n\"" } else { "" };
+        for (column, width) in table.columns.iter().zip(&widths) {
+            let class = if width.is_some() { " class=\"n\"" } else { "" };
             let unit = if column.unit.is_empty() { String::new() } else { format!(", {}", markup(&column.unit)) };
-            self.push(&format!("<th scope=\"col\"{class}>{}{unit}</th>", rich(&column.head)));
+            self.push(&format!("<th scope=\"col\"{class}>{}{unit}</th>", self.rich(&column.head)));
         }
         self.push("</tr></thead>\n<tbody>\n");
         for row in &table.rows {
             self.push("<tr>");
-            for (i, (_, decimals)) in widths.iter().enumerate() {
-                let html = self.cell(row.get(i).unwrap_or(&Cell::Empty), *decimals);
+            for (i, width) in widths.iter().enumerate() {
+                let html = self.cell(row.get(i).unwrap_or(&Cell::Empty), width.unwrap_or(0.0));
                 self.push(&html);
             }
             self.push("</tr>\n");
@@ -90,15 +97,19 @@ impl Writer {
     }
 
     /// A cell; the decimals of a number take the room of the longest of the column, so that the marks line up.
-    fn cell(&self, cell: &Cell, decimals: usize) -> String {
+    fn cell(&self, cell: &Cell, decimals: f64) -> String {
         match cell {
             Cell::Empty => "<td></td>".into(),
-            Cell::Rich(content) => format!("<td>{}</td>", rich(content)),
-            Cell::Number(number) if decimals == 0 => format!("<td class=\"n\">{}</td>", markup(number)),
+            Cell::Rich(content) => {
+                // a quantity or a unit is not torn apart
+                let class = if content.plain(self.language).chars().count() <= UNBROKEN { " class=\"k\"" } else { "" };
+                format!("<td{class}>{}</td>", self.rich(content))
+            }
+            Cell::Number(number) if decimals == 0.0 => format!("<td class=\"n\">{}</td>", markup(number)),
             Cell::Number(number) => {
                 let (whole, rest) = split_number(number);
                 let (whole, rest) = (markup(whole), markup(rest));
-                format!("<td class=\"n\">{whole}<span class=\"d\" style=\"min-width:{decimals}ch\">{rest}</span></td>")
+                format!("<td class=\"n\">{whole}<span class=\"d\" style=\"min-width:{decimals:.2}ch\">{rest}</span></td>")
             }
             Cell::Verdict(ok) => {
                 let class = if *ok { "ok" } else { "bad" };
@@ -121,11 +132,22 @@ impl Writer {
              <div class=\"tools\" hidden></div>\n<details class=\"data\" hidden><summary>{}</summary></details>\n</figure>\n",
             svg::write(figure, false, self.language),
             word(Word::Figure),
-            markup(&figure.title),
+            self.rich(&figure.title),
             markup(&summary.join("; ")),
             word(Word::ShowData),
         );
         self.push(&html);
+    }
+
+    /// Words with formulas and symbols as HTML.
+    fn rich(&self, content: &Rich) -> String {
+        let pieces = content.0.iter().map(|piece| match piece {
+            Inline::Words(words) => markup(words),
+            Inline::Formula(formula) if formula.mathml.is_empty() => markup(&formula.text),
+            Inline::Formula(formula) => formula.mathml.clone(),
+            Inline::Symbol(name) => symbol::mathml(name, self.language),
+        });
+        pieces.collect()
     }
 
     fn downloads(&mut self, files: &[Download]) {
@@ -144,15 +166,18 @@ impl Writer {
     }
 }
 
-/// Words with formulas and symbols as HTML.
-fn rich(content: &Rich) -> String {
-    let pieces = content.0.iter().map(|piece| match piece {
-        Inline::Words(words) => markup(words),
-        Inline::Formula(formula) if formula.mathml.is_empty() => markup(&formula.text),
-        Inline::Formula(formula) => formula.mathml.clone(),
-        Inline::Symbol(name) => format!("<span class=\"s\">{}</span>", symbol::html(name)),
+/// Room of the longest decimals of a column, in widths of a digit; none for a column without numbers.
+fn decimals_width(table: &Table, i_column: usize) -> Option<f64> {
+    let width = |c: char| match c {
+        '0'..='9' => 1.0,
+        '⁰'..='⁹' | '¹' | '²' | '³' | '⁻' => 0.68,
+        _ => 0.55,
+    };
+    let numbers = table.rows.iter().filter_map(|row| match row.get(i_column) {
+        Some(Cell::Number(number)) => Some(split_number(number).1.chars().map(width).sum::<f64>()),
+        _ => None,
     });
-    pieces.collect()
+    numbers.reduce(f64::max)
 }
 
 /// A file name as a relative address: it cannot become a scheme, a host or a script.

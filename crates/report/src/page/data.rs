@@ -45,17 +45,19 @@ fn figure(figure: &Figure, language: Language) -> Value {
             };
             let (colour, dash) = style(i);
             json!({
-                "html": symbol::html(&s.name), "name": symbol::plain(&s.name), "label": s.label, "unit": figure.y.unit(i, language),
+                "html": symbol::mathml(&s.name, language), "name": symbol::plain(&s.name, language), "label": s.label, "unit": figure.y.unit(i, language),
                 "colour": [colour, DARK[i % DARK.len()]], "dash": dash,
+                "t": figure.along.as_ref().map(|(axis, t)| rounded(t, &kept, axis.scale.size)),
                 "x": if shared && i > 0 { Value::Null } else { rounded(&s.x, &kept, size_x) },
                 "y": rounded(&s.y, &kept, size_y),
             })
         })
         .collect();
     json!({
-        "name": figure.name, "title": figure.title,
+        "name": figure.name, "title": figure.title.plain(language),
         "plane": !curves, "equal": figure.kind == Kind::Plane { equal: true },
         "x": axis(&figure.x, language), "y": axis(&figure.y, language),
+        "along": figure.along.as_ref().map(|(t, _)| axis(t, language)),
         "series": series,
         "marks": figure.marks.iter().map(|m| mark(m, size_x, size_y)).collect::<Vec<_>>(),
         "strip": figure.strip.iter().map(|h| json!([round(h.from / size_x), round(h.to / size_x), h.what])).collect::<Vec<_>>(),
@@ -70,7 +72,8 @@ fn joint_points(figure: &Figure) -> Vec<usize> {
 }
 
 fn axis(axis: &Axis, language: Language) -> Value {
-    json!({"html": axis.html(language), "text": axis.plain(language), "unit": axis.scale.print(language), "log": axis.log})
+    let symbol = axis.symbols.first().map_or(String::new(), |name| symbol::mathml(name, language));
+    json!({"symbol": symbol, "html": axis.html(language), "text": axis.plain(language), "unit": axis.scale.print(language), "log": axis.log})
 }
 
 fn mark(mark: &Mark, size_x: f64, size_y: f64) -> Value {

@@ -244,8 +244,18 @@
     ];
   }
 
+  // ---- one instant everywhere: a cursor over time moves the dots in planes, a point in a plane moves the cursors over time
+  const live = [], planes = [];
+  function follow(t, key) {
+    for (const p of planes) if (p.key === key) p.chart.at(t);
+  }
+  function lead(t, key) {
+    for (const { plot, key: k } of timed) {
+      if (k === key) plot.setCursor(t == null ? { left: -10, top: -10 } : { left: plot.valToPos(t, "x"), top: plot.over.clientHeight / 2 }, true, false);
+    }
+  }
+
   // ---- one figure
-  const live = [];
   function bring(holder) {
     const figure = page.figures[holder.dataset.figure];
     if (!figure || !figure.series.some((s) => s.y.some((v) => v != null))) return;
@@ -280,14 +290,18 @@
     const chart = figure.plane
       ? Plane(stage, figure, look, format, (i, k) => {
           const s = figure.series[i];
-          where.innerHTML = s ? `(${number(s.x[k], 6)}${unit(figure.x)}; ${number(s.y[k], 6)}${unit(s)})` : "";
+          if (figure.along) lead(s ? s.t[k] : null, figure.along.text);
+          const when = s && s.t ? `; ${figure.along.symbol} = ${number(s.t[k], 6)}${unit(figure.along)}` : "";
+          where.innerHTML = s ? `(${number(s.x[k], 6)}${unit(figure.x)}; ${number(s.y[k], 6)}${unit(s)})${when}` : "";
           outputs.forEach((o, j) => { o.textContent = ""; buttons[j].style.fontWeight = s && j === i ? "bold" : ""; });
         })
       : Curves(stage, figure, (x, ys) => {
-          where.innerHTML = x == null ? "" : `${figure.x.html.split(",")[0]} = ${number(x, 6)}${unit(figure.x)}`;
+          follow(x, figure.x.text);
+          where.innerHTML = x == null ? "" : `${figure.x.symbol} = ${number(x, 6)}${unit(figure.x)}`;
           outputs.forEach((o, i) => { o.textContent = ys[i] == null ? "" : "= " + number(ys[i], 6) + unit(figure.series[i]); });
         }, tip);
 
+    if (figure.along) planes.push({ chart, key: figure.along.text });
     const tool = (name, action) => {
       const button = element("button", { type: "button" }, name);
       button.onclick = action;

@@ -1,6 +1,6 @@
 "use strict";
 // Curves in a plane on a canvas: box zoom, reset, nearest point under the cursor. uPlot asks for a growing x, so this is our own.
-// api: element, draw(), reset(), step(n), edge(end), destroy(); calls `shown(i_series, i_point)` when the cursor moves.
+// api: at(t) shows the instant t as a dot on each curve; draw(), reset(), step(n), edge(end), destroy(); calls `shown(i_series, i_point)` when the cursor moves.
 function Plane(host, figure, look, format, shown) {
   const canvas = document.createElement("canvas");
   const box = document.createElement("div");
@@ -10,7 +10,7 @@ function Plane(host, figure, look, format, shown) {
   host.append(canvas, box);
   const pad = { left: 64, right: 18, top: 8, bottom: 30 };
   const visible = figure.series.map(() => true);
-  let width = 0, height = 0, view = null, spot = null, drag = null;
+  let width = 0, height = 0, view = null, spot = null, drag = null, moments = null;
 
   function whole() {
     let [x0, x1, y0, y1] = [Infinity, -Infinity, Infinity, -Infinity];
@@ -100,6 +100,13 @@ function Plane(host, figure, look, format, shown) {
       } else { c.beginPath(); c.arc(px(x), py(y), 3.5, 0, 7); c.fill(); }
       c.fillText(words, (x == null ? left : px(x)) + 6, (y == null ? top + 18 : py(y)) - 4);
     }
+    if (moments) moments.forEach((k, i) => {
+      const s = figure.series[i];
+      if (!visible[i] || s.x[k] == null || s.y[k] == null) return;
+      c.beginPath(); c.arc(px(s.x[k]), py(s.y[k]), 5, 0, 7);
+      c.fillStyle = s.colour[theme.dark ? 1 : 0]; c.fill();
+      c.strokeStyle = theme.ground; c.lineWidth = 1.5; c.stroke();
+    });
     if (spot) {
       const s = figure.series[spot[0]];
       c.beginPath(); c.arc(px(s.x[spot[1]]), py(s.y[spot[1]]), 4.5, 0, 7);
@@ -109,6 +116,14 @@ function Plane(host, figure, look, format, shown) {
     c.restore();
   }
   function point(to) { spot = to; draw(); shown(...(to || [-1, -1])); }
+  function at(t) {
+    moments = t == null ? null : figure.series.map((s) => {
+      let a = 0, b = s.t.length - 1;
+      while (b - a > 1) { const m = (a + b) >> 1; s.t[m] <= t ? (a = m) : (b = m); }
+      return t - s.t[a] < s.t[b] - t ? a : b;
+    });
+    draw();
+  }
   function nearest(mx, my) {
     let best = null, least = Infinity;
     figure.series.forEach((s, i) => {
@@ -122,11 +137,11 @@ function Plane(host, figure, look, format, shown) {
     return best;
   }
   function reset() { view = null; draw(); }
-  function at(e) { const r = canvas.getBoundingClientRect(); return [e.clientX - r.left, e.clientY - r.top]; }
+  function place(e) { const r = canvas.getBoundingClientRect(); return [e.clientX - r.left, e.clientY - r.top]; }
 
-  canvas.addEventListener("pointerdown", (e) => { if (e.button === 0) { drag = at(e); canvas.setPointerCapture(e.pointerId); } });
+  canvas.addEventListener("pointerdown", (e) => { if (e.button === 0) { drag = place(e); canvas.setPointerCapture(e.pointerId); } });
   canvas.addEventListener("pointermove", (e) => {
-    const [mx, my] = at(e);
+    const [mx, my] = place(e);
     if (!drag) return point(nearest(mx, my));
     const [l, t] = [Math.min(mx, drag[0]), Math.min(my, drag[1])];
     box.style.display = "block";
@@ -135,7 +150,7 @@ function Plane(host, figure, look, format, shown) {
   });
   canvas.addEventListener("pointerup", (e) => {
     if (!drag) return;
-    const [mx, my] = at(e), [ax, ay] = drag;
+    const [mx, my] = place(e), [ax, ay] = drag;
     drag = null; box.style.display = "none";
     if (Math.abs(mx - ax) < 6 || Math.abs(my - ay) < 6) return;
     const [x0, x1] = [ux(Math.min(ax, mx)), ux(Math.max(ax, mx))], [y0, y1] = [uy(Math.max(ay, my)), uy(Math.min(ay, my))];
@@ -149,7 +164,7 @@ function Plane(host, figure, look, format, shown) {
   watch.observe(host);
   draw();
   return {
-    draw, reset,
+    draw, reset, at,
     toggle(i, on) { visible[i] = on; if (spot && !visible[spot[0]]) spot = null; draw(); },
     step(n) {
       const s = Math.max(0, spot ? spot[0] : visible.indexOf(true)), count = figure.series[s].y.length;

@@ -103,7 +103,8 @@ impl Command {
             }
             _ => None,
         });
-        let outputs = Some(wanted.collect());
+        let fails = claims.iter().any(|claim| matches!(claim, Claim::Fails(_)));
+        let outputs = if fails { None } else { Some(wanted.collect()) };
         let options = Simulate { grid: Grid::At(times.clone()), tolerance: self.tolerance, outputs, ..Simulate::until(self.until) };
         let start = match machine.system.start() {
             Ok(start) => start,
