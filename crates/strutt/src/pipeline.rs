@@ -9,6 +9,7 @@ use crate::{guards, plan, provenance};
 use analysis::Dataset;
 use analysis::dataset::Audit;
 use analysis::studies::{self, simulate::Outcome};
+use mechanics::derive::Detail;
 use mechanics::model::{Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
 use report::{Document, Language};
@@ -55,21 +56,29 @@ pub struct Calculation {
 /// # Errors
 /// Findings about the model. What ends a study early stands beside its results.
 pub fn run(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -> Result<Calculation, Failure> {
-    let mut machine = build(source, overrides, watch)?;
+    let mut machine = build_in(source, overrides, Detail::Steps, watch)?;
     let studies = machine.model.studies.clone();
     let findings = studies.iter().filter_map(|study| self::study(&mut machine, &study.kind, watch)).collect();
     Ok(Calculation { machine, findings, files: Vec::new() })
+}
+
+/// From a file to a machine, without the written derivation.
+///
+/// # Errors
+/// Findings about the model.
+pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -> Result<Machine, Failure> {
+    build_in(source, overrides, Detail::Equations, watch)
 }
 
 /// From a file to a machine.
 ///
 /// # Errors
 /// Findings about the model.
-pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -> Result<Machine, Failure> {
+pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail, watch: &mut Watch) -> Result<Machine, Failure> {
     let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
     let reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
     watch.lap(Word::TimeRead);
-    let equations = mechanics::derive::derive(&reading.model).map_err(findings)?;
+    let equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
     watch.lap(Word::TimeDerive);
     let system = lower(&equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeLower);

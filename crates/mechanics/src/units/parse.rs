@@ -48,8 +48,12 @@ pub(crate) fn is_quantity(text: &str) -> bool {
         Some('1' | '(') => rest.starts_with(char::is_whitespace),
         Some(c) => c.is_alphabetic() || "°%".contains(c),
     };
+    // `30 rad/s^2 * t` is a formula that lacks brackets around its unit, not a quantity in tonnes: a tonne comes first or not at all
+    let words = rest.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty());
+    let time = words.skip(1).any(|w| w == "t");
     let mut previous = ' ';
     starts_unit
+        && !time
         && rest.chars().all(|c| {
             let fits = c.is_alphanumeric() || " \u{a0}\u{202f}\u{2009}\t*·⋅×/^().°%⁻".contains(c) || c == '-' && "^(".contains(previous);
             if !c.is_whitespace() {

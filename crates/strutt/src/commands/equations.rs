@@ -13,7 +13,7 @@ use strutt::words::{Word, say};
 use symbolic::Equations;
 
 pub fn run(args: &args::Equations, console: &mut Console) -> Result<Exit, Failure> {
-    let (_, machine) = open(&args.model, console)?;
+    let (_, machine) = open(&args.model, mechanics::derive::Detail::Steps, console)?;
     if console.shape == Shape::Json {
         console.out(format!("{}\n", to_json(&machine, console.language)))?;
         return Ok(Exit::Done);

@@ -8,7 +8,7 @@ use strutt::words::Word;
 use strutt::{Failure, document, folder, pipeline};
 
 pub fn run(args: &args::Equilibrium, console: &mut Console) -> Result<Exit, Failure> {
-    let (_, mut machine) = open(&args.model, console)?;
+    let (_, mut machine) = open(&args.model, mechanics::derive::Detail::Equations, console)?;
     let of_file = machine.model.studies.iter().find_map(|s| match &s.kind {
         StudyKind::Equilibrium { guess } => Some(guess.clone()),
         _ => None,

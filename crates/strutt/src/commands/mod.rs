@@ -13,6 +13,7 @@ mod simulate;
 use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
 use crate::quantities;
+use mechanics::derive::Detail;
 use mechanics::model::StudyKind;
 use std::sync::atomic::Ordering;
 use strutt::pipeline::{self, Finding, Machine};
@@ -46,10 +47,10 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
 }
 
 /// The file and the machine in it, warnings shown.
-fn open(model: &crate::args::Model, console: &mut Console) -> Result<(Source, Machine), Failure> {
+fn open(model: &crate::args::Model, detail: Detail, console: &mut Console) -> Result<(Source, Machine), Failure> {
     let overrides = quantities::overrides(&model.overrides)?;
     let source = Source::open(&model.file)?;
-    let machine = console.watched(|watch| pipeline::build(&source, &overrides, watch))?;
+    let machine = console.watched(|watch| pipeline::build_in(&source, &overrides, detail, watch))?;
     console.warn(&machine.warnings, &source);
     Ok((source, machine))
 }

@@ -12,7 +12,7 @@ use strutt::{Failure, document, folder};
 
 pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure> {
     let wishes = wishes(args)?;
-    let (_, mut machine) = open(&args.model, console)?;
+    let (_, mut machine) = open(&args.model, mechanics::derive::Detail::Equations, console)?;
     let study = plan::simulation(&machine.model, &machine.equations, wishes)?;
     listen_to_interrupts();
     let finding = console.watched(|watch| pipeline::simulate(&mut machine, &study, watch));
