@@ -22,8 +22,11 @@ pub struct Trial {
 /// All trials of a chapter.
 pub fn read(root: &Path, file: &Path) -> Vec<Trial> {
     let text = std::fs::read_to_string(file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
-    let chapter = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let mut reader = Reader { heading: String::new(), model: None, trials: Vec::new(), root, file, chapter };
+    // a page of the gallery is about the model beside it
+    let model = std::fs::read_to_string(file.with_file_name("model.toml")).ok();
+    let named = if model.is_some() { file.parent() } else { Some(file) };
+    let chapter = named.and_then(Path::file_stem).unwrap_or_default().to_string_lossy().into_owned();
+    let mut reader = Reader { heading: String::new(), model, trials: Vec::new(), root, file, chapter };
     let mut fence: Option<(String, usize, String)> = None;
     for (i, line) in text.lines().enumerate() {
         match &mut fence {
@@ -74,6 +77,7 @@ impl Reader<'_> {
             "toml" => self.model = Some(body),
             "replace" => self.replace(start, &body),
             "expect" => self.expectation(start, &body),
+            "equations" => self.equations(start, &body),
             _ => {}
         }
     }
@@ -89,19 +93,29 @@ impl Reader<'_> {
         }
     }
 
+    /// The equations of the model, one a line, as they are printed.
+    fn equations(&mut self, start: usize, body: &str) {
+        let numbered = body.lines().enumerate().map(|(i, line)| (start + i, format!("equation {}: {line}", i + 1)));
+        self.trial(start, vec!["equations".to_owned()], numbered.collect());
+    }
+
+    fn trial(&mut self, line: usize, command: Vec<String>, claims: Vec<(usize, String)>) {
+        self.trials.push(Trial {
+            name: format!("{} / {} (line {line})", self.chapter, self.heading),
+            file: self.file.to_owned(),
+            line,
+            model: self.model.clone().unwrap_or_else(|| panic!("{}:{line}: no model", self.file.display())),
+            command,
+            claims,
+        });
+    }
+
     fn expectation(&mut self, start: usize, body: &str) {
         let mut lines =
             body.lines().enumerate().map(|(i, l)| (start + i, l.trim().to_owned())).filter(|(_, l)| !l.is_empty() && !l.starts_with('#'));
         let place = format!("{}:{start}", self.file.display());
         let (line, command) = lines.next().unwrap_or_else(|| panic!("{place}: an empty expectation"));
-        self.trials.push(Trial {
-            name: format!("{} / {} (line {line})", self.chapter, self.heading),
-            file: self.file.to_owned(),
-            line,
-            model: self.model.clone().unwrap_or_else(|| panic!("{place}: no model")),
-            command: words(&command),
-            claims: lines.collect(),
-        });
+        self.trial(line, words(&command), lines.collect());
     }
 }
 
