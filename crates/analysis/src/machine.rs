@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use program::{Bound, Evaluator, Jets, Point, Program};
+use program::{Bound, Evaluator, Jets, Operation, Point, Program, Tape, passes};
 use symbolic::{Equations, Text};
 
 use crate::fault::Message;
-use crate::taylor::HIGHEST_ORDER;
 use crate::{Fault, Guard, Mode, Powers, Quantity, System};
 
 /// A program with parameters, seen by studies.
@@ -15,16 +14,42 @@ pub struct Machine {
     states: Vec<Quantity>,
     outputs: Vec<Quantity>,
     guards: Vec<Guard>,
+    /// Specialised for the parameters; [`Machine::new`] keeps the general tapes for what is asked rarely.
     bound: Bound,
     jets: Jets,
     observed: Evaluator,
+    /// Which outputs the roots of `observed` are, and whether one of them needs q''.
+    shown: Vec<usize>,
+    needs_accelerations: bool,
     energy: Evaluator,
     second: Evaluator,
     statics: Evaluator,
+    /// Of the last expansion.
+    expanded: Switches,
+    /// Of the last output.
+    observing: Switches,
+    accelerations: Vec<f64>,
+}
+
+/// Modes as the program has them.
+#[derive(Clone, Debug, Default)]
+struct Switches {
     modes: Vec<program::Mode>,
     /// Guards that decide something in these modes; others have no meaning.
     active: Vec<bool>,
-    accelerations: Vec<f64>,
+    known: bool,
+}
+
+impl Switches {
+    fn set(&mut self, modes: &[Mode], bound: &Bound) {
+        let same = self.known && self.modes.iter().zip(modes).all(|(a, b)| *a == translated(*b));
+        if !same {
+            self.modes.clear();
+            self.modes.extend(modes.iter().map(|m| translated(*m)));
+            self.active = bound.active(&self.modes);
+            self.known = true;
+        }
+    }
 }
 
 impl From<program::Fault> for Fault {
@@ -38,7 +63,8 @@ impl Machine {
     ///
     /// *Errors*: parameters outside the domain of a formula.
     pub fn new(equations: &Equations, program: &Arc<Program>, parameters: &[f64], guard_names: &[Text]) -> Result<Machine, Fault> {
-        let bound = Bound::new(program, parameters)?;
+        let general = Bound::new(program, parameters)?;
+        let bound = general.specialised()?;
         let mut guards: Vec<Guard> = (0..program.guards.len())
             .map(|i| {
                 let unnamed = || Text::new(format!("switch {}", i + 1), format!("переключатель {}", i + 1));
@@ -48,16 +74,19 @@ impl Machine {
         for (guard, t) in bound.scheduled() {
             guards[guard].scheduled = Some(t);
         }
+        let observed = bound.evaluator(&bound.program().outputs)?;
         Ok(Machine {
             states: states(equations, program),
             outputs: outputs(equations),
-            jets: bound.jets(HIGHEST_ORDER),
-            observed: bound.evaluator(&program.outputs)?,
-            energy: bound.evaluator(&program.energy)?,
-            second: bound.evaluator(&program.second)?,
-            statics: bound.evaluator(&program.statics)?,
-            modes: Vec::new(),
-            active: vec![false; guards.len()],
+            jets: bound.jets(1),
+            needs_accelerations: reads_accelerations(observed.tape()),
+            observed,
+            shown: (0..program.outputs.roots.len()).collect(),
+            energy: bound.evaluator(&bound.program().energy)?,
+            second: general.evaluator(&program.second)?,
+            statics: general.evaluator(&program.statics)?,
+            expanded: Switches::default(),
+            observing: Switches::default(),
             accelerations: vec![0.0; program.coordinates],
             guards,
             bound,
@@ -68,16 +97,10 @@ impl Machine {
     pub fn start(&self) -> Result<Vec<f64>, Fault> {
         Ok(self.bound.start()?)
     }
+}
 
-    fn set_modes(&mut self, modes: &[Mode]) {
-        let same = self.modes.len() == modes.len() && self.modes.iter().zip(modes).all(|(a, b)| *a == translated(*b));
-        if same {
-            return;
-        }
-        self.modes.clear();
-        self.modes.extend(modes.iter().map(|m| translated(*m)));
-        self.active = self.bound.active(&self.modes);
-    }
+fn reads_accelerations(tape: &Tape) -> bool {
+    tape.body.iter().any(|i| matches!(i.operation, Operation::Acceleration(_)))
 }
 
 fn translated(mode: Mode) -> program::Mode {
@@ -136,8 +159,8 @@ impl System for Machine {
     }
 
     fn expand(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault> {
-        self.set_modes(modes);
-        Ok(self.jets.expand(t, x, &self.modes, order)?)
+        self.expanded.set(modes, &self.bound);
+        Ok(self.jets.expand(t, x, &self.expanded.modes, order)?)
     }
 
     fn state(&self, i: usize) -> &[f64] {
@@ -145,16 +168,33 @@ impl System for Machine {
     }
 
     fn guard(&self, i: usize) -> &[f64] {
-        if self.active[i] { self.jets.guard(i) } else { &[] }
+        if self.expanded.active.get(i) == Some(&true) { self.jets.guard(i) } else { &[] }
     }
 
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault> {
-        let n = self.accelerations.len();
-        let modes: Vec<program::Mode> = modes.iter().map(|m| translated(*m)).collect();
-        let rates = self.bound.rates(t, x, &modes)?;
-        self.accelerations.copy_from_slice(&rates[n..2 * n]);
-        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(&modes) };
-        values.copy_from_slice(self.observed.evaluate(&point)?);
+        self.observing.set(modes, &self.bound);
+        let Switches { modes, active, .. } = &self.observing;
+        if self.needs_accelerations {
+            let n = self.accelerations.len();
+            let rates = self.bound.rates(t, x, modes)?;
+            self.accelerations.copy_from_slice(&rates[n..2 * n]);
+        }
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
+        for (value, &i) in self.observed.evaluate(&point)?.iter().zip(&self.shown) {
+            values[i] = *value;
+        }
+        Ok(())
+    }
+
+    fn show(&mut self, wanted: &[usize]) -> Result<(), Fault> {
+        if self.shown == wanted {
+            return Ok(());
+        }
+        let outputs = Arc::new(passes::select(&self.bound.program().outputs, wanted));
+        let outputs = Arc::new(passes::specialise(&outputs, self.bound.parameters())?);
+        self.observed = self.bound.evaluator(&outputs)?;
+        self.needs_accelerations = reads_accelerations(&outputs);
+        self.shown = wanted.to_vec();
         Ok(())
     }
 
@@ -169,15 +209,16 @@ impl System for Machine {
     }
 
     fn powers(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Powers> {
-        let modes: Vec<program::Mode> = modes.iter().map(|m| translated(*m)).collect();
-        let point = Point { time: t, states: x, accelerations, modes: Some(&modes) };
+        self.observing.set(modes, &self.bound);
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations, modes: Some(modes), active: Some(active) };
         // the order is that of program::ENERGY
         let [_, _, _, dissipated, rate, loads, drives] = *self.energy.evaluate(&point).ok()? else { return None };
         Some(Powers { rate, loads, drives, dissipated })
     }
 
     fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], _modes: &[Mode], residuals: &mut [f64]) -> bool {
-        let point = Point { time: t, states: x, accelerations, modes: None };
+        let point = Point { time: t, states: x, accelerations, ..Point::default() };
         let Ok(values) = self.second.evaluate(&point) else { return false };
         if residuals.is_empty() || values.len() < residuals.len() {
             return false;

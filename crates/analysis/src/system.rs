@@ -109,6 +109,14 @@ pub trait System {
     /// Coefficients of guard `i` from the last [`System::expand`]; length order + 1. Empty when the guard decides nothing in these modes.
     fn guard(&self, i: usize) -> &[f64];
 
+    /// Only these outputs, by index, will be asked for from now on; [`System::observe`] may leave the others alone.
+    ///
+    /// *Errors*: an output is undefined for the parameters.
+    fn show(&mut self, wanted: &[usize]) -> Result<(), Fault> {
+        let _ = wanted;
+        Ok(())
+    }
+
     /// Values of all outputs at (t, x) in the given modes. Does not disturb the last expansion.
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault>;
 

@@ -200,3 +200,67 @@ fn dither_faster_than_the_motion_is_no_accumulation() {
         assert!((s.t - 0.5e-5 * (i + 1) as f64).abs() < 1e-13);
     }
 }
+
+/// Roots of prod (t - r): the clock must switch at every one of them, pairs inside one step included, and nowhere else.
+mod random {
+    use super::*;
+    use proptest::prelude::*;
+    use std::f64::consts::PI;
+
+    /// Coefficients of prod (t - root).
+    fn product(roots: &[f64]) -> Vec<f64> {
+        let mut c = vec![1.0];
+        for r in roots {
+            c.push(0.0);
+            for k in (0..c.len()).rev() {
+                c[k] = if k > 0 { c[k - 1] } else { 0.0 } - r * c[k];
+            }
+        }
+        c
+    }
+
+    /// How far a root of the polynomial moves when its value is known to rounding of its terms.
+    fn blur(c: &[f64], t: f64) -> f64 {
+        let terms: f64 = c.iter().enumerate().map(|(k, c)| (c * t.powi(k as i32)).abs()).sum();
+        let slope: f64 = c.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c * t.powi(k as i32 - 1)).sum();
+        16.0 * f64::EPSILON * terms / slope.abs() + 1e-15
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn every_root_of_a_polynomial_is_a_switch(
+            pairs in proptest::collection::vec((0.1f64..0.4, prop_oneof![Just(0.0), 1e-3f64..1e-2]), 1..4),
+        ) {
+            // single roots and close pairs, far from each other: a closer cluster lies below the rounding of the polynomial
+            let mut roots: Vec<f64> = vec![];
+            for (way, gap) in pairs {
+                roots.push(roots.last().unwrap_or(&0.0) + way);
+                if gap > 0.0 {
+                    roots.push(roots[roots.len() - 1] + gap);
+                }
+            }
+            let c = product(&roots);
+            let (switches, _) = clock(&[(1.0, &roots)], 4.0);
+            prop_assert_eq!(switches.len(), roots.len(), "{:?} {:?}", roots, switches);
+            for ((_, t), r) in switches.iter().zip(&roots) {
+                prop_assert!((t - r).abs() <= blur(&c, *r), "{} against {}", t, r);
+            }
+        }
+
+        /// cos t - threshold along x'' = -x; close to the extremes two roots lie in one step.
+        #[test]
+        fn oscillation_crosses_a_threshold_at_the_arc_cosine(threshold in prop_oneof![-0.95f64..0.95, 0.9f64..0.999_999]) {
+            let mut system = oscillator(1.0).guarded(1, move |s, k| vec![s.x[0][k] - if k == 0 { threshold } else { 0.0 }]);
+            let (_, switches) = run(&mut system, &[1.0, 0.0], 10.0 * PI, 1e-13).unwrap();
+            let first = threshold.acos();
+            let exact: Vec<f64> = (0..5).flat_map(|n| [first, 2.0 * PI - first].map(|t| t + 2.0 * PI * n as f64)).collect();
+            prop_assert_eq!(switches.len(), 10);
+            for (switch, t) in switches.iter().zip(&exact) {
+                // the motion errs by some 1e-13 a step; a flat crossing turns an error of x into one of t by 1/|x'|
+                prop_assert!((switch.t - t).abs() < 5e-12 / first.sin(), "{} against {}", switch.t, t);
+            }
+        }
+    }
+}

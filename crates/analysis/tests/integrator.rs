@@ -4,6 +4,7 @@ mod common;
 
 use std::f64::consts::PI;
 
+use analysis::System;
 use analysis::taylor::{Flow, Options};
 use common::*;
 
@@ -18,23 +19,77 @@ fn decay_is_exponential_at_every_tolerance() {
     }
 }
 
-#[test]
-fn oscillator_keeps_phase_over_1e5_periods() {
-    let periods = 1e5;
+/// x'' = -x over 1e5 periods in steps of at most `longest`: energy drift, phase error, number of steps.
+fn long_run(order: Option<usize>, longest: f64) -> (f64, f64, f64) {
     let mut system = oscillator(1.0);
-    let options = Options { tolerance: 1e-15, ..Default::default() };
-    let end = 2.0 * PI * periods;
+    let options = Options { tolerance: 1e-15, order, ..Default::default() };
+    let end = 2.0 * PI * 1e5;
     let mut flow = Flow::start(&mut system, 0.0, &[1.0, 0.0], &options).unwrap();
     while !flow.reached(end) {
-        flow.advance(end).unwrap();
+        flow.advance(end.min(flow.time() + longest)).unwrap();
     }
     let (x, v) = (flow.state()[0], flow.state()[1]);
-    let energy = (x * x + v * v - 1.0).abs();
-    let phase = (v.atan2(x) + (end - 2.0 * PI * periods)).abs();
-    println!("energy {energy:e}, phase {phase:e}, {:?}", flow.work());
-    // rounding alone, as a random walk over N steps: energy eps sqrt(N), phase eps N^(3/2) / sqrt(3) at worst; 2 pi itself is rounded
-    assert!(energy < 1e-12, "{energy}");
+    println!("energy {:e}, phase {:e}, {:?}", x * x + v * v - 1.0, v.atan2(x), flow.work());
+    ((x * x + v * v - 1.0).abs(), v.atan2(x).abs(), flow.work().steps as f64)
+}
+
+#[test]
+fn oscillator_keeps_energy_and_phase_over_1e5_periods() {
+    let (energy, phase, steps) = long_run(None, f64::INFINITY);
+    // truncation keeps one sign and adds up; the tolerance allows a hundred times as much
+    assert!(energy < 0.01 * 1e-15 * steps, "{energy}");
     assert!(phase < 1e-10, "{phase}");
+}
+
+/// Steps of 2 at order 30 truncate at 2^31/31! = 3e-25: what is left is rounding, and it must be a random walk, since the state sum carries
+/// its rounding error along. A bias of eps/2 per step would give 3e-11; a walk of eps per step gives eps sqrt(N) = 1e-13.
+#[test]
+fn rounding_of_a_long_run_has_no_bias() {
+    let (energy, _, steps) = long_run(Some(30), 2.0);
+    assert!(energy < 4.0 * f64::EPSILON * steps.sqrt(), "{energy}");
+}
+
+/// Fixed order p with steps of length h: the error of the sum falls as h^p.
+#[test]
+fn observed_order_is_the_order_asked_for() {
+    for p in [4, 6, 8, 11] {
+        let error = |parts: usize| {
+            let mut system = kepler();
+            let mut x = vec![0.8, 0.0, 0.0, (1.2_f64 / 0.8).sqrt()];
+            let h = 1.0 / parts as f64;
+            for i in 0..parts {
+                // expand at every grid point, evaluate the polynomial at its end: one step of the method, of fixed length
+                system.expand(i as f64 * h, &x, &[], p).unwrap();
+                x = (0..4).map(|i| system.state(i).iter().rev().fold(0.0, |sum, c| sum * h + c)).collect();
+            }
+            let exact = kepler_position(0.2, 1.0);
+            (x[0] - exact.0).hypot(x[1] - exact.1)
+        };
+        let parts = if p < 8 { 32 } else { 8 };
+        let observed = (error(parts) / error(2 * parts)).log2();
+        // the next term of the error is smaller by a factor of order h
+        assert!((observed - p as f64).abs() < 0.6, "order {p}: {observed}");
+    }
+}
+
+/// A tenth of the tolerance gives about a tenth of the error. Seven decades; the ratio of neighbours scatters, their trend does not.
+#[test]
+fn error_is_proportional_to_the_tolerance() {
+    let e = 0.5;
+    let start = [1.0 - e, 0.0, 0.0, ((1.0_f64 + e) / (1.0 - e)).sqrt()];
+    let exact = kepler_position(e, 2.0);
+    let mut slopes = Vec::new();
+    let errors: Vec<f64> = (4..=11)
+        .map(|digits| {
+            let (x, _) = run(&mut kepler(), &start, 2.0, (10.0_f64).powi(-digits)).unwrap();
+            (x[0] - exact.0).hypot(x[1] - exact.1).log10()
+        })
+        .collect();
+    for pair in errors.windows(2) {
+        slopes.push(pair[0] - pair[1]);
+    }
+    let mean = slopes.iter().sum::<f64>() / slopes.len() as f64;
+    assert!((mean - 1.0).abs() < 0.25, "{mean}: {errors:?}");
 }
 
 #[test]

@@ -272,8 +272,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
             "A formula is made of numbers, names, + - * / ^, brackets and functions. Products need their sign.",
             "Формула состоит из чисел, имён, + - * / ^, скобок и функций. Знак умножения обязателен.",
         ),
-        "m (g + a)x",
-        "m*(g + a)*x",
+        "m g",
+        "m*g",
     ),
     row(
         "M031",

@@ -125,7 +125,7 @@ const fn may(key: &'static str, ty: Type, dimension: &'static str, default: &'st
     Field { key, ty, dimension, required: false, default, about, example }
 }
 
-const SYMBOL: Field = may("symbol", Type::String, "", "", ("printed symbol", "обозначение для печати"), "\"\\\\omega_p\"");
+const SYMBOL: Field = may("symbol", Type::String, "", "", ("printed symbol", "обозначение для печати"), "\"ω_p\"");
 const LABEL: Field = may("label", Type::Text, "", "", ("what it is", "что это"), "{ en = \"mass\", ru = \"масса\" }");
 const ALONG: Field = may(
     "along",
@@ -183,7 +183,7 @@ const SPIN: Field = may(
 /// Top level.
 pub const TOP: TableSpec = TableSpec {
     name: "",
-    about: ("top level", "верхний уровень"),
+    about: ("Keys outside any table.", "Ключи вне таблиц."),
     short: None,
     example: "",
     fields: &[

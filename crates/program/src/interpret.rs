@@ -16,6 +16,8 @@ pub struct Point<'a> {
     /// Modes of the guards; `None` decides every switch by the value of its guard. A guard that is not a number makes its switch not a
     /// number, so that nothing is decided silently.
     pub modes: Option<&'a [Mode]>,
+    /// Which of the modes hold ([`crate::Bound::active`]); the other guards are decided by value. All when absent.
+    pub active: Option<&'a [bool]>,
 }
 
 /// A tape with its parameters and a register file.
@@ -169,8 +171,8 @@ pub(crate) fn resolve(c: Coefficient, registers: &[f64]) -> f64 {
 fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Result<Mode, Register> {
     let register = match (by, point.modes) {
         (By::Value(r), _) => r,
-        (By::Mode(g), Some(modes)) => return Ok(modes[g as usize]),
-        (By::Mode(g), None) => match tape.guards[g as usize] {
+        (By::Mode(g), Some(modes)) if point.active.is_none_or(|a| a[g as usize]) => return Ok(modes[g as usize]),
+        (By::Mode(g), _) => match tape.guards[g as usize] {
             Some(r) => r,
             None => return Ok(Mode::Positive),
         },

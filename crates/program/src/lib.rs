@@ -53,6 +53,7 @@ mod guard;
 mod interpret;
 mod jets;
 pub mod lower;
+pub mod passes;
 mod program;
 mod solve;
 mod tape;

@@ -123,6 +123,36 @@ impl Factor {
     }
 
     fn solve_symmetric(&self, h: &mut [f64]) {
+        match h {
+            [a] => *a /= self.square[0],
+            [a, b] => self.solve_two(a, b),
+            [a, b, c] => self.solve_three(a, b, c),
+            h => self.solve_many(h),
+        }
+    }
+
+    /// The operations of [`Factor::solve_many`] in its order, without loops: most machines have few coordinates.
+    fn solve_two(&self, a: &mut f64, b: &mut f64) {
+        let Some([d0, _, l10, d1]) = self.square.first_chunk() else { return };
+        *b -= l10 * *a;
+        *a /= d0;
+        *b /= d1;
+        *a -= l10 * *b;
+    }
+
+    fn solve_three(&self, a: &mut f64, b: &mut f64, c: &mut f64) {
+        let Some([d0, _, _, l10, d1, _, l20, l21, d2]) = self.square.first_chunk() else { return };
+        *b -= l10 * *a;
+        *c = (*c - l20 * *a) - l21 * *b;
+        *a /= d0;
+        *b /= d1;
+        *c /= d2;
+        *a -= l20 * *c;
+        *b -= l21 * *c;
+        *a -= l10 * *b;
+    }
+
+    fn solve_many(&self, h: &mut [f64]) {
         let n = self.size;
         for i in 0..n {
             let row = &self.square[i * n..i * n + i];
@@ -183,6 +213,20 @@ mod tests {
         // [[4, 1], [1, 3]] x = [1, 2] has x = [1/11, 7/11]
         let x = solved(&[4.0, 1.0, 3.0], &[1.0, 2.0]).unwrap();
         assert!((x[0] - 1.0 / 11.0).abs() < 1e-16 && (x[1] - 7.0 / 11.0).abs() < 2e-16);
+    }
+
+    #[test]
+    fn small_sizes_are_solved_as_large_ones() {
+        let matrix = [4.0, 1.1, 3.0, 0.7, -0.3, 5.0];
+        for n in 1..=3 {
+            let mut factor = Factor::default();
+            factor.load(n, matrix[..n * (n + 1) / 2].iter().copied());
+            factor.factor().unwrap();
+            let (mut small, mut large) = (vec![0.3, -1.7, 2.9], vec![0.3, -1.7, 2.9]);
+            factor.solve(&mut small[..n]);
+            factor.solve_many(&mut large[..n]);
+            assert_eq!(small, large);
+        }
     }
 
     #[test]

@@ -100,3 +100,29 @@ proptest! {
         }
     }
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// The specialised tape against the tape it came from: equal up to the rounding of constants added in another order.
+    #[test]
+    fn specialised_tape_conforms_to_its_origin(
+        steps in proptest::collection::vec((any::<u8>(), 0usize..50, 0usize..50), 3..24),
+        x in proptest::array::uniform5(-1.5f64..1.5),
+        p in prop_oneof![Just(0.0), Just(1.0), -2.0f64..2.0],
+    ) {
+        let general = system(&steps, 1);
+        let mut bound = Bound::new(general.program(), &[p]).unwrap();
+        let mut special = bound.specialised().unwrap();
+        program::verify(&special.program().dynamics).unwrap();
+        prop_assert!(special.program().dynamics.body.len() <= bound.program().dynamics.body.len());
+        prop_assert!(special.program().dynamics.instructions().all(|i| !matches!(i.operation, program::Operation::Parameter(_))));
+        let Ok(want) = bound.rates(0.3, &x, &[]).map(<[f64]>::to_vec) else { return Ok(()) };
+        let have = special.rates(0.3, &x, &[]).unwrap();
+        let size = want.iter().fold(1.0, |m: f64, v| m.max(v.abs()));
+        for (have, want) in have.iter().zip(&want) {
+            // a few hundred operations, amplified by products of sums
+            prop_assert!((have - want).abs() <= 1e-11 * size, "{} against {}", have, want);
+        }
+    }
+}

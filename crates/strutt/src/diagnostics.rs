@@ -244,8 +244,8 @@ mod tests {
         let source = Source::new("a.toml", "я");
         for span in [0..0, 1..1, 5..9, 1..2, 2..2, 0..usize::MAX] {
             let d = Diagnostic::error("M001", span.clone(), Text::same("x")).related(span, Text::same("y"));
-            assert!(!render(&[d.clone()], &source, plain(Language::En)).is_empty());
-            assert!(short(&[d.clone()], &source, Language::En).starts_with("a.toml:1:"));
+            assert!(!render(std::slice::from_ref(&d), &source, plain(Language::En)).is_empty());
+            assert!(short(std::slice::from_ref(&d), &source, Language::En).starts_with("a.toml:1:"));
             assert!(to_json(&[d], &source, Language::En).is_array());
         }
     }

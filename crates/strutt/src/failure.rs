@@ -80,6 +80,12 @@ impl From<Trouble> for Failure {
     }
 }
 
+impl From<Box<Trouble>> for Failure {
+    fn from(trouble: Box<Trouble>) -> Failure {
+        Failure::Trouble(trouble)
+    }
+}
+
 impl From<analysis::Fault> for Trouble {
     fn from(fault: analysis::Fault) -> Trouble {
         Trouble { code: fault.code, what: fault.what.clone(), why: fault.why.clone(), help: fault.help.clone() }

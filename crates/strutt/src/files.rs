@@ -9,7 +9,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// The disk refuses (C005).
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Trouble> {
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Box<Trouble>> {
     if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
         fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
     }
@@ -28,7 +28,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Trouble> {
 ///
 /// # Errors
 /// It exists (C006), or the disk refuses (C005).
-pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Trouble> {
+pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Box<Trouble>> {
     let file = fs::OpenOptions::new().write(true).create_new(true).open(path);
     match file {
         Ok(mut file) => file.write_all(bytes).map_err(|error| refused(path, &error)),
@@ -37,18 +37,24 @@ pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Trouble> {
     }
 }
 
-fn refused(path: &Path, error: &std::io::Error) -> Trouble {
+fn refused(path: &Path, error: &std::io::Error) -> Box<Trouble> {
     let path = path.display();
-    Trouble::new("C005", format!("cannot write `{path}`: {error}"), format!("не удаётся записать `{path}`: {error}")).help(
+    let trouble = Trouble::new("C005", format!("cannot write `{path}`: {error}"), format!("не удаётся записать `{path}`: {error}")).help(
         "choose another folder with --out, or make room on the disk",
         "укажите другую папку ключом --out или освободите место на диске",
-    )
+    );
+    Box::new(trouble)
 }
 
-fn exists(path: &Path) -> Trouble {
+fn exists(path: &Path) -> Box<Trouble> {
     let path = path.display();
-    Trouble::new("C006", format!("`{path}` exists already; nothing was written"), format!("файл `{path}` уже есть; ничего не записано"))
-        .help("choose another name, or move the file away", "выберите другое имя или уберите файл")
+    let trouble = Trouble::new(
+        "C006",
+        format!("`{path}` exists already; nothing was written"),
+        format!("файл `{path}` уже есть; ничего не записано"),
+    )
+    .help("choose another name, or move the file away", "выберите другое имя или уберите файл");
+    Box::new(trouble)
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 ///
 /// # Errors
 /// The disk refuses (C005); files written before stay.
-pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -> Result<Vec<PathBuf>, Trouble> {
+pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -> Result<Vec<PathBuf>, Box<Trouble>> {
     let mut shelf = Shelf { folder, paths: Vec::new(), names: Vec::new() };
     let several = calculation.findings.len() > 1;
     for (i, finding) in calculation.findings.iter().enumerate() {
@@ -48,7 +48,7 @@ struct Shelf<'a> {
 }
 
 impl Shelf<'_> {
-    fn put(&mut self, name: &str, what: Word, bytes: &[u8]) -> Result<(), Trouble> {
+    fn put(&mut self, name: &str, what: Word, bytes: &[u8]) -> Result<(), Box<Trouble>> {
         let path = self.folder.join(name);
         files::write(&path, bytes)?;
         self.paths.push(path);
@@ -57,7 +57,7 @@ impl Shelf<'_> {
     }
 }
 
-fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) -> Result<(), Trouble> {
+fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) -> Result<(), Box<Trouble>> {
     let data = finding.data();
     shelf.put(&format!("{stem}.csv"), Word::Table, &csv::write(data, csv::Dialect::Plain))?;
     if language == Language::Ru {
@@ -66,11 +66,11 @@ fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) 
     shelf.put(&format!("{stem}.json"), Word::AllData, &json::write(data, &own_fields(finding), language))
 }
 
-fn plot(shelf: &mut Shelf, figure: &Figure, number: &str, language: Language) -> Result<(), Trouble> {
+fn plot(shelf: &mut Shelf, figure: &Figure, number: &str, language: Language) -> Result<(), Box<Trouble>> {
     let stem = format!("{}{number}", figure.name);
     shelf.put(&format!("{stem}.svg"), Word::Vector, report::figure::svg::write(figure, true, language).as_bytes())?;
     let png = report::figure::png::write(figure, true, language).map_err(|error| {
-        Trouble::new("C005", format!("cannot draw {stem}.png: {error}"), format!("не удаётся нарисовать {stem}.png: {error}"))
+        Box::new(Trouble::new("C005", format!("cannot draw {stem}.png: {error}"), format!("не удаётся нарисовать {stem}.png: {error}")))
     })?;
     shelf.put(&format!("{stem}.png"), Word::Picture, &png)
 }

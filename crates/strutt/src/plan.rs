@@ -58,6 +58,10 @@ pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Resul
         times.retain(|t| *t <= study.until);
     }
     study.times = wishes.times.unwrap_or(study.times);
+    if study.until == 0.0 && study.times == Times::Automatic {
+        // the start alone, not a thousand times
+        study.times = Times::At(vec![0.0]);
+    }
     study.tolerance = wishes.tolerance.unwrap_or(study.tolerance);
     match wishes.outputs {
         Some(names) => {

@@ -24,7 +24,7 @@ impl Source {
     ///
     /// # Errors
     /// A file that is missing, unreadable, too large or not UTF-8 (C001 ... C004).
-    pub fn open(path: &str) -> Result<Source, Trouble> {
+    pub fn open(path: &str) -> Result<Source, Box<Trouble>> {
         if path == "-" {
             return Source::from_reader(std::io::stdin().lock(), "stdin");
         }
@@ -32,7 +32,7 @@ impl Source {
         if Path::new(&path).is_dir() {
             path = Path::new(&path).join("model.toml").to_string_lossy().into_owned();
         }
-        let file = File::open(&path).map_err(|error| cannot_open(&path, &error))?;
+        let file = File::open(&path).map_err(|error| Box::new(cannot_open(&path, &error)))?;
         Source::from_reader(file, &path)
     }
 
@@ -41,14 +41,15 @@ impl Source {
         Source { path: path.into(), text: text.into() }
     }
 
-    fn from_reader(reader: impl Read, path: &str) -> Result<Source, Trouble> {
+    fn from_reader(reader: impl Read, path: &str) -> Result<Source, Box<Trouble>> {
         let mut bytes = Vec::new();
         // one byte more than allowed tells a file at the limit from an endless device
-        reader.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| unreadable(path, &error))?;
+        reader.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| Box::new(unreadable(path, &error)))?;
         if bytes.len() as u64 > LARGEST {
-            return Err(too_large(path));
+            return Err(Box::new(too_large(path)));
         }
-        let text = String::from_utf8(bytes).map_err(|error| not_utf8(path, error.as_bytes(), error.utf8_error().valid_up_to()))?;
+        let text =
+            String::from_utf8(bytes).map_err(|error| Box::new(not_utf8(path, error.as_bytes(), error.utf8_error().valid_up_to())))?;
         Ok(Source { path: path.into(), text })
     }
 

@@ -13,6 +13,9 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Sums longer than this are not multiplied out.
 const LARGEST_SUM: usize = 4000;
 
+/// Sums longer than this are not tried in expanded form.
+const LARGEST_SHORTENED: usize = 40;
+
 /// The simplifier; remembers what it has simplified.
 #[derive(Debug, Default)]
 pub struct Textbook {
@@ -68,6 +71,26 @@ impl Textbook {
         let Some(mut polynomial) = expand(graph, e, LARGEST_SUM, &has_wave) else { return e };
         contract(graph, &mut polynomial);
         self.group(graph, &polynomial)
+    }
+
+    /// [`Textbook::tidy`], and all sums without waves multiplied out as well where that leaves fewer terms: c (a - x) - c a is -c x, but
+    /// c (a - x) stays.
+    pub fn shortest(&mut self, graph: &mut Graph, e: Expr) -> Expr {
+        let tidied = self.tidy(graph, e);
+        let Node::Sum { terms, constant } = graph.node(tidied) else { return tidied };
+        let length = terms.len() + usize::from(!constant.is_zero());
+        if length > LARGEST_SHORTENED {
+            return tidied;
+        }
+        let Some(mut polynomial) = expand(graph, tidied, LARGEST_SUM, &|_, _| true) else { return tidied };
+        contract(graph, &mut polynomial);
+        let opened = self.group(graph, &polynomial);
+        let (count, zero) = match graph.node(opened) {
+            Node::Sum { terms, constant } => (terms.len() + usize::from(!constant.is_zero()), false),
+            Node::Number(r) => (1, r.is_zero()),
+            _ => (1, false),
+        };
+        if zero || count < length { opened } else { tidied }
     }
 
     /// Collects terms with equal varying part; their constants become one grouped coefficient.

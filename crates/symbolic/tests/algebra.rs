@@ -191,10 +191,11 @@ proptest! {
         let mut textbook = Textbook::new(&mut g, constants, &[]);
         let tidied = textbook.tidy(&mut g, e);
         let factored = textbook.factored(&mut g, tidied);
-        let values = evaluate(&mut g, &[e, tidied, factored], v);
+        let shortest = textbook.shortest(&mut g, e);
+        let values = evaluate(&mut g, &[e, tidied, factored, shortest], v);
         let (_, scale) = value(&r, &v);
         // multiplying out adds magnitudes of up to the product of the sums
-        prop_assert!(close(values[0], values[1], 1e2 * scale) && close(values[0], values[2], 1e2 * scale), "{values:?}");
+        prop_assert!(close(values[0], values[1], 1e2 * scale) && close(values[0], values[2], 1e2 * scale) && close(values[0], values[3], 1e2 * scale), "{values:?}");
     }
 
     /// Sums of products of few waves with coefficients ±1: almost every one has pairs that contract.

@@ -14,7 +14,7 @@ use crate::dataset::Audit;
 use crate::taylor::Step;
 
 /// Samples before every second one is dropped.
-const SAMPLES: u64 = 256;
+const SAMPLES: u64 = 64;
 
 /// Collects the residual along a motion.
 #[derive(Clone, Debug)]
@@ -44,7 +44,7 @@ impl PowerBalance {
         }
     }
 
-    /// Looks at the middle of a step; at every one of the first few hundred, then at every second, fourth, ...
+    /// Looks at the middle of a step; at every one of the first 64, then at every second, fourth, ...
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
         self.steps += 1;
         if !self.known || !(self.steps - 1).is_multiple_of(self.stride) {

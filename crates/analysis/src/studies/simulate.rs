@@ -227,6 +227,7 @@ impl Run {
 
     fn integrate<S: System + ?Sized>(&mut self, system: &mut S, start: &[f64], options: &mut Simulate<'_>) -> Result<(), Fault> {
         let end = options.until;
+        system.show(&self.chosen)?;
         let flow_options = Options { tolerance: options.tolerance, span: end, ..Options::default() };
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
         let result = self.follow(&mut flow, end, options);

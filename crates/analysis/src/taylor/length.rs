@@ -40,6 +40,10 @@ pub(super) struct Rule {
     pub(super) order: usize,
     /// Safety factor exp(-0.7/(p-1)), which halves the truncation error (heyoka's choice).
     safety: f64,
+    /// tol^(1/p).
+    root: f64,
+    /// h^k of the last call.
+    powers: Vec<f64>,
     /// Components with one unit: index of the group of each state.
     group: Vec<usize>,
     /// A_i of the last call.
@@ -61,7 +65,17 @@ impl Rule {
             })
             .collect();
         let safety = (-0.7 / (order as f64 - 1.0)).exp();
-        Rule { tolerance, order, safety, scale: vec![0.0; group.len()], largest: vec![0.0; names.len()], group }
+        let root = tolerance.powf(1.0 / order as f64);
+        Rule {
+            tolerance,
+            order,
+            safety,
+            root,
+            powers: vec![0.0; order + 1],
+            scale: vec![0.0; group.len()],
+            largest: vec![0.0; names.len()],
+            group,
+        }
     }
 
     /// Longest admissible step, at most `limit`; `guess` (positive, may be infinite) only saves iterations.
@@ -71,7 +85,11 @@ impl Rule {
             let next = (h * self.growth(states, h)).min(limit);
             let settled = next <= 1.02 * h && next >= 0.98 * h;
             h = next;
-            if settled || h == 0.0 {
+            if settled {
+                // the scales of a step two hundredths longer differ by little: they only judge the defect
+                return h;
+            }
+            if h == 0.0 {
                 break;
             }
         }
@@ -83,19 +101,17 @@ impl Rule {
     fn growth(&mut self, states: &Series, h: f64) -> f64 {
         let p = self.order;
         self.scales(states, h);
-        let power = h.powi(p as i32 - 1);
+        let (before, last) = (self.powers[p - 1], self.powers[p]);
         let mut worst = (0.0_f64, 0.0_f64);
         for i in 0..states.n_rows() {
             let c = states.row(i);
             let a = self.scale[i];
             if a > 0.0 {
-                worst.0 = larger(worst.0, c[p - 1].abs() * power / a);
-                worst.1 = larger(worst.1, c[p].abs() * power * h / a);
+                worst.0 = larger(worst.0, c[p - 1].abs() * before / a);
+                worst.1 = larger(worst.1, c[p].abs() * last / a);
             }
         }
-        let root = |worst: f64, k: usize| {
-            if worst == 0.0 { f64::INFINITY } else { self.tolerance.powf(1.0 / p as f64) * worst.powf(-1.0 / k as f64) }
-        };
+        let root = |worst: f64, k: usize| if worst == 0.0 { f64::INFINITY } else { self.root * worst.powf(-1.0 / k as f64) };
         let factor = root(worst.0, p - 1).min(root(worst.1, p));
         // a guess far too long can overflow: come back by decades
         if factor.is_nan() || factor == 0.0 { 1e-3 } else { (factor * self.safety).min(1e3) }
@@ -104,12 +120,17 @@ impl Rule {
     /// A_i(h).
     fn scales(&mut self, states: &Series, h: f64) {
         let p = self.order;
+        let mut power = 1.0;
+        for slot in &mut self.powers {
+            *slot = power;
+            power *= h;
+        }
         self.largest.fill(0.0);
         for i in 0..states.n_rows() {
             let c = states.row(i);
-            let mut change = largest_term(&c[1..=p / 2], h, h);
+            let mut change = largest_term(&c[1..=p / 2], &self.powers[1..]);
             if change == 0.0 {
-                change = largest_term(&c[1..=p - 2], h, h);
+                change = largest_term(&c[1..=p - 2], &self.powers[1..]);
             }
             self.scale[i] = change;
             let group = &mut self.largest[self.group[i]];
@@ -129,16 +150,10 @@ fn order_for(tolerance: f64) -> usize {
     (1.0 - 0.85 * tolerance.ln()).ceil().min(26.0) as usize
 }
 
-/// max_k |c_k| w h^k, NaN kept.
+/// max_k |c_k| h^k; a term that is not a number counts as infinite.
 #[inline]
-fn largest_term(c: &[f64], first: f64, h: f64) -> f64 {
-    let mut power = first;
-    let mut largest = 0.0;
-    for c_k in c {
-        largest = larger(largest, c_k.abs() * power);
-        power *= h;
-    }
-    largest
+fn largest_term(c: &[f64], powers: &[f64]) -> f64 {
+    c.iter().zip(powers).fold(0.0, |largest, (c_k, power)| larger(largest, c_k.abs() * power))
 }
 
 /// Maximum in which a number that is not one wins as infinity.

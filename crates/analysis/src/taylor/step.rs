@@ -96,12 +96,24 @@ pub(super) fn increment(c: &[f64], tau: f64) -> f64 {
     c[1..].iter().rev().fold(0.0, |sum, &c_k| sum * tau + c_k) * tau
 }
 
+/// x(tau) - x(0) and x'(tau) in one pass: x = x(0) + tau V(tau) gives x' = V + tau V'.
+#[inline]
+pub(super) fn increment_and_slope(c: &[f64], tau: f64) -> (f64, f64) {
+    let (mut value, mut rate) = (0.0, 0.0);
+    for &c_k in c[1..].iter().rev() {
+        rate = rate * tau + value;
+        value = value * tau + c_k;
+    }
+    (value * tau, value + tau * rate)
+}
+
 /// x'(tau).
 #[inline]
 pub(super) fn slope(c: &[f64], tau: f64) -> f64 {
-    let mut sum = 0.0;
-    for k in (1..c.len()).rev() {
-        sum = sum * tau + k as f64 * c[k];
-    }
-    sum
+    increment_and_slope(c, tau).1
+}
+
+/// sum k |c_k| tau^(k-1): how large the terms are that meet in x'.
+pub(super) fn slope_size(c: &[f64], tau: f64) -> f64 {
+    (1..c.len()).rev().fold(0.0, |sum, k| sum * tau + k as f64 * c[k].abs())
 }

@@ -240,7 +240,7 @@ pub fn forces(scene: &mut Scene, loads: &Loads) -> Forces {
             .into_iter()
             .map(|l| {
                 let e = scene.graph.sum(&l);
-                scene.tidy(e)
+                scene.shortest(e)
             })
             .collect()
     };

@@ -257,7 +257,7 @@ fn missing_inertia(scene: &Scene, mass: &Quadratic) -> Vec<Diagnostic> {
 fn energy(scene: &mut Scene, mass: &Quadratic, loads: &Loads, drives: Expr) -> Energy {
     let kinetic = lagrange::energy_of(scene, mass);
     let potential = Loads::total(scene, &loads.potentials);
-    let potential = scene.tidy(potential);
+    let potential = scene.shortest(potential);
     let dissipation = Loads::total(scene, &loads.dissipations);
     let dissipated = scene.graph.sum(&loads.dissipated);
     let total = scene.graph.add(kinetic, potential);

@@ -177,6 +177,11 @@ impl<'m> Scene<'m> {
         self.textbook.tidy(&mut self.graph, e)
     }
 
+    /// Textbook form, or the expanded one where that is shorter.
+    pub fn shortest(&mut self, e: Expr) -> Expr {
+        self.textbook.shortest(&mut self.graph, e)
+    }
+
     /// a·b.
     pub fn dot(&mut self, a: &Vector, b: &Vector) -> Expr {
         let terms: Vec<Expr> = (0..3).map(|i| self.graph.mul(a[i], b[i])).collect();

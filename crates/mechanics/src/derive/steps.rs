@@ -52,10 +52,8 @@ fn kinetic_energy(scene: &mut Scene, kinematics: &mut Kinematics, kinetic: &Kine
     let mut formulas = Vec::new();
     for (i, (frame, quadratic)) in model.frames.iter().zip(&kinetic.bodies).enumerate() {
         let Some(mass) = frame.mass.as_ref().filter(|_| !quadratic.is_empty()) else { continue };
-        let right = match mass.inertia {
-            Inertia::Tensor { .. } => in_space(scene, kinematics, (FrameId(i), mass)),
-            _ => None,
-        };
+        let tumbles = kinematics.frames[i].turning.values().any(|w| !scene.graph.is_zero(w[0]) || !scene.graph.is_zero(w[1]));
+        let right = if tumbles { in_space(scene, kinematics, (FrameId(i), mass)) } else { None };
         let right = right.unwrap_or_else(|| in_plane(scene, quadratic));
         formulas.push(StepFormula { left: quantity("T", &frame.name), right });
     }
@@ -103,10 +101,11 @@ fn in_space(scene: &mut Scene, kinematics: &mut Kinematics, (frame, mass): (Fram
         let sum = if squares.len() > 1 { scene.tidy(sum) } else { sum };
         parts.push((moment, sum));
     }
-    let terms: Vec<Expr> = parts
-        .iter()
-        .map(|(factor, square)| scene.graph.monomial(Rational::HALF, &[(*factor, Rational::ONE), (*square, Rational::ONE)]))
-        .collect();
+    let mut terms = Vec::with_capacity(parts.len());
+    for (factor, square) in parts {
+        let square = scene.textbook.factored(&mut scene.graph, square);
+        terms.push(scene.graph.monomial(Rational::HALF, &[(factor, Rational::ONE), (square, Rational::ONE)]));
+    }
     Some(scene.graph.sum(&terms))
 }
 

@@ -36,7 +36,7 @@ pub struct Jets {
 }
 
 impl Jets {
-    /// An expander with room for `order`.
+    /// An expander with room for `order`; it makes more room when asked for a higher one. Memory that fits the order stays in the cache.
     pub fn new(bound: &Bound, order: usize) -> Jets {
         let evaluator = bound.dynamics.clone();
         let plan = Plan::new(&evaluator);
@@ -44,7 +44,7 @@ impl Jets {
         Jets { plan, memory, evaluator, live: Vec::new(), tail: Vec::new(), modes: None, order: 0, largest: order }
     }
 
-    /// Expands the solution through (t, x) to `order`, at most that of [`Jets::new`] (a larger one is cut to it).
+    /// Expands the solution through (t, x) to `order`.
     ///
     /// *Errors*: P008 for wrong lengths, a domain error (P001 to P004), P005 for a singular mass matrix, P007 where a value exists but
     /// no Taylor series, P006 for overflow.
@@ -54,8 +54,13 @@ impl Jets {
             let words = format!("{}, {} / {}, {}", states.len(), modes.len(), self.plan.states.len(), shape.modes);
             return Err(Fault::about("P008", words));
         }
+        if order > self.largest {
+            self.largest = order;
+            self.memory = Memory::new(&self.plan, order);
+            self.modes = None;
+        }
         self.choose_branches(modes);
-        self.order = order.min(self.largest);
+        self.order = order;
         if self.advance(time, states) {
             return Ok(());
         }

@@ -6,7 +6,7 @@ use symbolic::Expr;
 
 /// A tape under construction. Values are registers in order of creation, both sections mixed; [`Builder::finish`] separates them.
 #[derive(Default)]
-pub(super) struct Builder {
+pub(crate) struct Builder {
     instructions: Vec<Instruction>,
     /// Whether a register depends on parameters only.
     constant: Vec<bool>,
@@ -14,31 +14,31 @@ pub(super) struct Builder {
     literal: Vec<Option<f64>>,
     seen: FxHashMap<Operation, Register>,
     /// The expression that is being lowered.
-    pub(super) origin: Option<Expr>,
+    pub(crate) origin: Option<Expr>,
 }
 
 impl Builder {
     /// Whether the value depends on parameters only.
-    pub(super) fn is_constant(&self, r: Register) -> bool {
+    pub(crate) fn is_constant(&self, r: Register) -> bool {
         self.constant[r.index()]
     }
 
     /// The number that the value is known to be.
-    pub(super) fn literal(&self, r: Register) -> Option<f64> {
+    pub(crate) fn literal(&self, r: Register) -> Option<f64> {
         self.literal[r.index()]
     }
 
-    pub(super) fn number(&mut self, value: f64) -> Register {
+    pub(crate) fn number(&mut self, value: f64) -> Register {
         // -0 and 0 are one constant
         self.push(Operation::Number(Real(value + 0.0)))
     }
 
     /// The register as a coefficient, as a literal when known.
-    pub(super) fn coefficient(&self, r: Register) -> Coefficient {
+    pub(crate) fn coefficient(&self, r: Register) -> Coefficient {
         self.literal(r).map_or(Coefficient::Register(r), Coefficient::number)
     }
 
-    pub(super) fn multiply(&mut self, a: Register, b: Register) -> Register {
+    pub(crate) fn multiply(&mut self, a: Register, b: Register) -> Register {
         match (self.literal(a), self.literal(b)) {
             (Some(x), Some(y)) => self.number(x * y),
             (Some(1.0), _) => b,
@@ -49,7 +49,7 @@ impl Builder {
         }
     }
 
-    pub(super) fn divide(&mut self, a: Register, b: Register) -> Register {
+    pub(crate) fn divide(&mut self, a: Register, b: Register) -> Register {
         match (self.literal(a), self.literal(b)) {
             (Some(x), Some(y)) if y != 0.0 => self.number(x / y),
             (_, Some(1.0)) => a,
@@ -57,14 +57,14 @@ impl Builder {
         }
     }
 
-    pub(super) fn unary(&mut self, f: Unary, a: Register) -> Register {
+    pub(crate) fn unary(&mut self, f: Unary, a: Register) -> Register {
         match self.literal(a).map(|x| f.apply(x)) {
             Some(value) if value.is_finite() => self.number(value),
             _ => self.push(Operation::Unary(f, a)),
         }
     }
 
-    pub(super) fn power(&mut self, a: Register, p: Coefficient) -> Register {
+    pub(crate) fn power(&mut self, a: Register, p: Coefficient) -> Register {
         match (self.literal(a), p) {
             (Some(x), Coefficient::Number(p)) if x.powf(p.0).is_finite() => self.number(x.powf(p.0)),
             _ => self.push(Operation::Power(a, p)),
@@ -72,7 +72,7 @@ impl Builder {
     }
 
     /// a^n for n >= 1 by squarings: x^5 = x (x²)².
-    pub(super) fn whole_power(&mut self, a: Register, n: u64) -> Register {
+    pub(crate) fn whole_power(&mut self, a: Register, n: u64) -> Register {
         let (mut result, mut square, mut rest) = (None, a, n);
         loop {
             if rest & 1 == 1 {
@@ -87,7 +87,7 @@ impl Builder {
     }
 
     /// sin a, cos a.
-    pub(super) fn sin_cos(&mut self, a: Register) -> (Register, Register) {
+    pub(crate) fn sin_cos(&mut self, a: Register) -> (Register, Register) {
         if let Some(x) = self.literal(a) {
             return (self.number(x.sin()), self.number(x.cos()));
         }
@@ -95,7 +95,7 @@ impl Builder {
     }
 
     /// sinh a, cosh a.
-    pub(super) fn sinh_cosh(&mut self, a: Register) -> (Register, Register) {
+    pub(crate) fn sinh_cosh(&mut self, a: Register) -> (Register, Register) {
         self.pair(Operation::SinhCosh(a))
     }
 
@@ -104,7 +104,7 @@ impl Builder {
         (first, Register(first.0 + 1))
     }
 
-    pub(super) fn choose(&mut self, by: By, sides: [Register; 3]) -> Register {
+    pub(crate) fn choose(&mut self, by: By, sides: [Register; 3]) -> Register {
         if sides[0] == sides[1] && sides[1] == sides[2] {
             return sides[0];
         }
@@ -112,7 +112,7 @@ impl Builder {
     }
 
     /// constant + Σ factor·value of values that depend on parameters only.
-    pub(super) fn constant_sum(&mut self, constant: f64, items: &[(f64, Register)]) -> Register {
+    pub(crate) fn constant_sum(&mut self, constant: f64, items: &[(f64, Register)]) -> Register {
         let mut known = constant;
         let mut terms: Vec<(Coefficient, Register)> = Vec::with_capacity(items.len());
         for (factor, r) in items {
@@ -125,7 +125,7 @@ impl Builder {
     }
 
     /// constant + Σ coefficient·register; the registers of the terms are distinct.
-    pub(super) fn linear(&mut self, constant: Coefficient, mut terms: Vec<(Coefficient, Register)>) -> Register {
+    pub(crate) fn linear(&mut self, constant: Coefficient, mut terms: Vec<(Coefficient, Register)>) -> Register {
         let number = |c: Coefficient| if let Coefficient::Number(v) = c { Some(v.0) } else { None };
         terms.retain(|(c, _)| number(*c) != Some(0.0));
         match (number(constant), &terms[..]) {
@@ -142,7 +142,7 @@ impl Builder {
     }
 
     /// The value of an operation, shared with an equal one.
-    pub(super) fn push(&mut self, operation: Operation) -> Register {
+    pub(crate) fn push(&mut self, operation: Operation) -> Register {
         if let Some(&known) = self.seen.get(&operation) {
             return known;
         }
@@ -161,17 +161,28 @@ impl Builder {
         into
     }
 
-    /// Separates the sections, drops what no root or guard needs, numbers the registers.
-    pub(super) fn finish(self, mut tape: Tape) -> Tape {
+    /// Marks what the roots need; a guard counts when a choice that is needed goes by it, the others are dropped from the tape.
+    fn wanted(&self, tape: &mut Tape) -> Vec<bool> {
         let mut wanted = vec![false; self.constant.len()];
-        for r in tape.roots.iter().map(|r| r.register).chain(tape.guards.iter().flatten().copied()) {
-            wanted[r.index()] = true;
-        }
+        let mut used = vec![false; tape.guards.len()];
+        tape.roots.iter().for_each(|r| wanted[r.register.index()] = true);
         for i in self.instructions.iter().rev() {
-            if (0..i.operation.width()).any(|k| wanted[i.into.index() + k]) {
-                i.operation.operands(&mut |r| wanted[r.index()] = true);
+            if !(0..i.operation.width()).any(|k| wanted[i.into.index() + k]) {
+                continue;
+            }
+            i.operation.operands(&mut |r| wanted[r.index()] = true);
+            if let Operation::Choose { by: By::Mode(g), .. } = i.operation {
+                used[g as usize] = true;
+                tape.guards[g as usize].into_iter().for_each(|r| wanted[r.index()] = true);
             }
         }
+        tape.guards.iter_mut().zip(used).filter(|(_, used)| !used).for_each(|(guard, _)| *guard = None);
+        wanted
+    }
+
+    /// Separates the sections, drops what no root needs, numbers the registers.
+    pub(crate) fn finish(self, mut tape: Tape) -> Tape {
+        let wanted = self.wanted(&mut tape);
         let mut names = vec![Register(0); self.constant.len()];
         let mut next = 0;
         for section in [true, false] {

@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use super::forms::Value;
 use crate::verify::verified;
-use crate::{By, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Tape};
+use crate::{By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Tape};
 use rustc_hash::FxHashMap;
 use symbolic::{Expr, Function, Graph, Node, Rational, SymbolId};
 
@@ -76,7 +76,7 @@ pub(super) struct Lowering<'g, 't> {
     shape: Shape,
     switches: Switches<'t>,
     pub(super) table: GuardTable,
-    guard_registers: Vec<Register>,
+    guard_registers: Vec<Option<Register>>,
 }
 
 impl<'g, 't> Lowering<'g, 't> {
@@ -107,7 +107,7 @@ impl<'g, 't> Lowering<'g, 't> {
             shape,
             switches,
             table: GuardTable::default(),
-            guard_registers: Vec::new(),
+            guard_registers: vec![None; shape.modes],
         }
     }
 
@@ -157,11 +157,8 @@ impl<'g, 't> Lowering<'g, 't> {
     /// The tape with these roots, and the guards met.
     pub(super) fn finish(self, name: &str, roots: Vec<Root>) -> Result<(Tape, GuardTable), Fault> {
         let mut shape = self.shape;
-        let mut guards: Vec<Option<Register>> = vec![None; shape.modes];
-        if matches!(self.switches, Switches::Collect) {
-            guards = self.guard_registers.into_iter().map(Some).collect();
-            shape.modes = guards.len();
-        }
+        let guards = self.guard_registers;
+        shape.modes = guards.len();
         let tape = Tape { name: name.to_owned(), shape, guards, roots, ..Tape::default() };
         Ok((verified(self.builder.finish(tape))?, self.table))
     }
@@ -297,14 +294,22 @@ impl<'g, 't> Lowering<'g, 't> {
         }
         let (key, positive) = guard_key(self.graph, &guard);
         match self.switches {
-            Switches::Known(table) => table.index.get(&key).map(|(i, sign)| (*i, *sign == positive)),
+            Switches::Known(table) => {
+                let (index, sign) = *table.index.get(&key)?;
+                if self.guard_registers[index as usize].is_none() {
+                    let factor = if sign == positive { 1.0 } else { -1.0 };
+                    self.guard_registers[index as usize] =
+                        Some(self.builder.linear(Coefficient::number(0.0), vec![(Coefficient::number(factor), register)]));
+                }
+                Some((index, sign == positive))
+            }
             _ => {
                 let table = &mut self.table;
                 let next = table.guards.len() as u32;
                 let (index, sign) = *table.index.entry(key).or_insert((next, positive));
                 if index == next {
                     table.guards.push(guard);
-                    self.guard_registers.push(register);
+                    self.guard_registers.push(Some(register));
                 }
                 Some((index, sign == positive))
             }

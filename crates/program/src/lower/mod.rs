@@ -1,6 +1,6 @@
 //! Lowering: from the expression graph to tapes.
 
-mod builder;
+pub(crate) mod builder;
 mod equations;
 mod expressions;
 mod forms;

@@ -56,7 +56,7 @@ impl<'a> Composer<'a> {
         }
     }
 
-    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], negated: bool, side: Side) -> Layout {
+    pub fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], negated: bool, side: Side) -> Layout {
         let mut items = Vec::with_capacity(terms.len() + 1);
         let ordered = self.ordered(terms, side);
         for (term, factor) in ordered {

@@ -14,9 +14,14 @@ struct Factor {
     exponent: Rational,
     /// The base (or the argument of a function) is printed with the opposite sign; the sign of the product accounts for it.
     flipped: bool,
+    /// A sum is printed multiplied by this; the coefficient of the product accounts for it.
+    scale: Rational,
 }
 
 impl Factor {
+    fn new(base: Expr, exponent: &Rational) -> Factor {
+        Factor { base, exponent: exponent.clone(), flipped: false, scale: Rational::ONE }
+    }
     fn is_even(&self) -> bool {
         self.exponent.to_i64().is_some_and(|n| n % 2 == 0)
     }
@@ -25,15 +30,41 @@ impl Factor {
 impl Composer<'_> {
     /// coefficient·Π base^exponent as a sign and a positive body.
     pub fn product(&mut self, coefficient: &Rational, factors: &[(Expr, Rational)]) -> (Sign, Layout) {
-        let mut factors: Vec<Factor> =
-            factors.iter().map(|(base, exponent)| Factor { base: *base, exponent: exponent.clone(), flipped: false }).collect();
+        let mut factors: Vec<Factor> = factors.iter().map(|(base, exponent)| Factor::new(*base, exponent)).collect();
+        let coefficient = self.spread(coefficient, &mut factors);
         let mut negative = coefficient.is_negative();
         factors.sort_by_cached_key(|f| self.survey.factor_key(f.base));
         for factor in &mut factors {
             negative ^= self.settle_sign(factor);
         }
-        let body = self.assemble(coefficient, &factors);
+        let body = self.assemble(&coefficient, &factors);
         (if negative { Sign::Minus } else { Sign::Plus }, body)
+    }
+
+    /// Moves a common denominator back into a sum of inertias: (2 I + m R²) φ''/2 is written (I + m R²/2) φ'', and in an energy, where
+    /// rates are squared, one half stays outside. Returns the coefficient that remains.
+    fn spread(&mut self, coefficient: &Rational, factors: &mut [Factor]) -> Rational {
+        let denominator = coefficient.digits().1.parse::<i64>().unwrap_or(1);
+        let class = |composer: &mut Self, e: Expr| composer.survey.traits(e).class;
+        let mut rates = Rational::ZERO;
+        for factor in factors.iter() {
+            if class(self, factor.base) == SymbolClass::Rate && !factor.exponent.is_negative() {
+                rates = &rates + &factor.exponent;
+            }
+        }
+        let available = if rates.to_i64() == Some(2) && denominator % 2 == 0 { denominator / 2 } else { denominator };
+        for factor in factors.iter_mut().filter(|f| f.exponent.is_one()) {
+            let Node::Sum { terms, .. } = self.graph.node(factor.base) else { continue };
+            if class(self, factor.base) >= SymbolClass::Rate {
+                continue;
+            }
+            let divides = |k: &i64| available % k == 0 && terms.iter().any(|(_, c)| (c / &Rational::from(*k)).is_integer());
+            if let Some(k) = (2..=available.min(64)).rev().find(divides) {
+                factor.scale = &Rational::ONE / &Rational::from(k);
+                return coefficient * &Rational::from(k);
+            }
+        }
+        coefficient.clone()
     }
 
     /// Turns a sum (as a factor or as the argument of an odd or even function) so that its first term in print order is positive:
@@ -121,6 +152,10 @@ impl Composer<'_> {
                 Layout::Power(Box::new(base), Box::new(exponent))
             }
             Node::Switch { .. } => self.switch(factor.base),
+            Node::Sum { constant, terms } if !factor.scale.is_one() => {
+                let terms: Vec<(Expr, Rational)> = terms.iter().map(|(t, c)| (*t, c * &factor.scale)).collect();
+                self.sum(&(constant * &factor.scale), &terms, factor.flipped, Side::Plain).fenced()
+            }
             _ => self.compose(factor.base, factor.flipped, Side::Plain).fenced(),
         }
     }

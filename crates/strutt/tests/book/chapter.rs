@@ -72,8 +72,20 @@ impl Reader<'_> {
                 model.push_str(&body);
             }
             "toml" => self.model = Some(body),
+            "replace" => self.replace(start, &body),
             "expect" => self.expectation(start, &body),
             _ => {}
+        }
+    }
+
+    /// Lines `OLD => NEW`; OLD must stand exactly once in the model in force.
+    fn replace(&mut self, start: usize, body: &str) {
+        let place = format!("{}:{start}", self.file.display());
+        let model = self.model.as_mut().unwrap_or_else(|| panic!("{place}: a replacement without a model"));
+        for line in body.lines().filter(|l| !l.trim().is_empty()) {
+            let (old, new) = line.split_once(" => ").unwrap_or_else(|| panic!("{place}: not OLD => NEW: {line}"));
+            assert_eq!(model.matches(old.trim()).count(), 1, "{place}: `{old}` must stand once in the model");
+            *model = model.replace(old.trim(), new.trim());
         }
     }
 

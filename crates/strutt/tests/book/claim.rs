@@ -22,6 +22,7 @@ pub enum Claim {
     Value { name: String, when: When, expected: f64, tolerance: Tolerance },
     Bounded { name: String, limit: f64 },
     Constant { name: String, tolerance: Tolerance },
+    MeanRate { name: String, from: f64, to: f64, expected: f64, tolerance: Tolerance },
     Event { number: usize, at: f64, tolerance: f64 },
     Events(usize),
     Audit { name: String, limit: f64 },
@@ -31,6 +32,7 @@ pub enum Claim {
     Energy { kind: &'static str, text: String },
     Inertia { name: String, expected: f64, tolerance: Tolerance },
     Error { code: String, line: Option<usize>, only: bool },
+    Warning { code: String, line: Option<usize> },
     Fails(String),
 }
 
@@ -69,16 +71,17 @@ pub fn parse(line: &str) -> Result<Claim, String> {
             let (name, expected, tolerance) = equality(&line["inertia of".len()..]).ok_or_else(unknown)??;
             Ok(Claim::Inertia { name, expected, tolerance })
         }
-        "error" => {
+        kind @ ("error" | "warning") => {
             let rest: Vec<&str> = line.split_whitespace().skip(1).collect();
             let only = rest.first() == Some(&"only");
-            let rest = if only { &rest[1..] } else { &rest[..] };
-            let line = match rest {
-                [_, "line", n] => Some(integer(n)?),
-                _ => None,
+            let (code, line) = match if only { &rest[1..] } else { &rest[..] } {
+                [code] => ((*code).to_owned(), None),
+                [code, "line", n] => ((*code).to_owned(), Some(integer(n)?)),
+                _ => return Err(unknown()),
             };
-            Ok(Claim::Error { code: rest.first().ok_or_else(unknown)?.to_string(), line, only })
+            Ok(if kind == "error" { Claim::Error { code, line, only } } else { Claim::Warning { code, line } })
         }
+        "mean" => mean_rate(line).ok_or_else(unknown)?,
         "fails" => Ok(Claim::Fails(word(1).to_owned())),
         _ if line.contains(" constant ") => {
             let (name, rest) = line.split_once(" constant ").ok_or_else(unknown)?;
@@ -103,6 +106,18 @@ fn value(line: &str) -> Option<Result<Claim, String>> {
         t => number(t).map(When::At),
     };
     Some(when.map(|when| Claim::Value { name: column.to_owned(), when, expected, tolerance }))
+}
+
+/// `mean rate of NAME from A to B = V ± TOL [rel]`.
+fn mean_rate(line: &str) -> Option<Result<Claim, String>> {
+    let (left, expected, tolerance) = match equality(line)? {
+        Ok(parts) => parts,
+        Err(e) => return Some(Err(e)),
+    };
+    let words: Vec<&str> = left.split_whitespace().collect();
+    let ["mean", "rate", "of", name, "from", a, "to", b] = words[..] else { return None };
+    let claim = |from, to| Claim::MeanRate { name: name.to_owned(), from, to, expected, tolerance };
+    Some(number(a).and_then(|from| Ok(claim(from, number(b)?))))
 }
 
 type Equality = Result<(String, f64, Tolerance), String>;

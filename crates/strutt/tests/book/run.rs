@@ -20,6 +20,9 @@ const TOLERANCE: f64 = 1e-14;
 pub fn check(trial: &Trial) -> Result<(), String> {
     let mut complaints = Vec::new();
     let mut claims = Vec::new();
+    if trial.claims.is_empty() {
+        complaints.push("the expectation claims nothing".to_owned());
+    }
     for (line, text) in &trial.claims {
         match parse(text) {
             Ok(claim) => claims.push((*line, text, claim)),
@@ -30,7 +33,7 @@ pub fn check(trial: &Trial) -> Result<(), String> {
     let parsed: Vec<&Claim> = claims.iter().map(|c| &c.2).collect();
     let result = command.run(trial, &parsed)?;
     for (line, text, claim) in &claims {
-        if let Err(e) = result.check(claim) {
+        if let Err(e) = result.check(claim, &trial.model) {
             complaints.push(format!("line {line}: {text}\n    {e}"));
         }
     }
@@ -72,7 +75,7 @@ impl Command {
         let source = Source::new("model.toml", &trial.model);
         let mut machine = match pipeline::build(&source, &self.set, &mut Watch::default()) {
             Ok(machine) => machine,
-            Err(Failure::Findings { diagnostics, .. }) => return Ok(Outcome::Findings { model: trial.model.clone(), diagnostics }),
+            Err(Failure::Findings { diagnostics, .. }) => return Ok(Outcome::Findings(diagnostics)),
             Err(Failure::Trouble(trouble)) => return Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
             Err(other) => return Err(format!("the model is not built: {other:?}")),
         };
@@ -87,16 +90,21 @@ impl Command {
     fn simulate(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
         let mut times: Vec<f64> = (0..=INSTANTS).map(|k| self.until * k as f64 / INSTANTS as f64).collect();
         for claim in claims {
-            if let Claim::Value { when: When::At(t), .. } = claim {
-                times.push(*t);
+            match claim {
+                Claim::Value { when: When::At(t), .. } => times.push(*t),
+                Claim::MeanRate { from, to, .. } => times.extend([*from, *to]),
+                _ => {}
             }
         }
         // only what is claimed: another output may be undefined with the values that are set
         let wanted = claims.iter().filter_map(|claim| match claim {
-            Claim::Value { name, .. } | Claim::Bounded { name, .. } | Claim::Constant { name, .. } => Some(name.clone()),
+            Claim::Value { name, .. } | Claim::Bounded { name, .. } | Claim::Constant { name, .. } | Claim::MeanRate { name, .. } => {
+                Some(name.clone())
+            }
             _ => None,
         });
-        let outputs = Some(wanted.collect());
+        let fails = claims.iter().any(|claim| matches!(claim, Claim::Fails(_)));
+        let outputs = if fails { None } else { Some(wanted.collect()) };
         let options = Simulate { grid: Grid::At(times.clone()), tolerance: self.tolerance, outputs, ..Simulate::until(self.until) };
         let start = match machine.system.start() {
             Ok(start) => start,
@@ -131,7 +139,7 @@ fn quantity(text: &str) -> Result<f64, String> {
 
 /// What a command gave.
 enum Outcome {
-    Findings { model: String, diagnostics: Vec<Diagnostic> },
+    Findings(Vec<Diagnostic>),
     Trouble { code: &'static str, what: String },
     Machine(Box<Machine>),
     Motion { times: Vec<f64>, data: Dataset },
@@ -139,16 +147,15 @@ enum Outcome {
 }
 
 impl Outcome {
-    fn check(&self, claim: &Claim) -> Result<(), String> {
+    fn check(&self, claim: &Claim, model: &str) -> Result<(), String> {
         match (self, claim) {
-            (Outcome::Findings { model, diagnostics }, Claim::Error { code, line, only }) => {
-                findings(model, diagnostics, code, *line, *only)
-            }
+            (Outcome::Findings(diagnostics), Claim::Error { code, line, only }) => findings(model, diagnostics, code, *line, *only),
+            (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
             (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
             (Outcome::Motion { times, data }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
-                let column = data.column(name).ok_or_else(|| format!("no column `{name}`"))?;
+                let column = data.column(name).ok_or_else(|| no_column(data, name))?;
                 // several equilibria may be found; the claim is about the nearest
                 let distance = |v: &f64| (v - expected).abs();
                 let found = column.values.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)));
@@ -160,7 +167,7 @@ impl Outcome {
 
     fn summary(&self) -> String {
         match self {
-            Outcome::Findings { diagnostics, .. } => {
+            Outcome::Findings(diagnostics) => {
                 let list: Vec<String> = diagnostics.iter().map(|d| format!("{}: {}", d.code, d.what.en)).collect();
                 format!("the model has findings: {}", list.join("; "))
             }
@@ -177,11 +184,20 @@ fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<us
     let found: Vec<String> = diagnostics.iter().map(|d| format!("{} in line {}", d.code, line_of(d).unwrap_or(0))).collect();
     let fits = |d: &Diagnostic| d.code == code && line.is_none_or(|l| line_of(d) == Some(l));
     let holds = diagnostics.iter().any(fits) && (!only || diagnostics.iter().all(fits));
-    if holds { Ok(()) } else { Err(format!("found {}", found.join(", "))) }
+    match &found[..] {
+        _ if holds => Ok(()),
+        [] => Err("nothing was found".into()),
+        list => Err(format!("found {}", list.join(", "))),
+    }
+}
+
+fn no_column(data: &Dataset, name: &str) -> String {
+    let names: Vec<&str> = data.columns.iter().map(|c| c.quantity.name.as_str()).collect();
+    format!("no column `{name}`; there are {}", names.join(", "))
 }
 
 fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
-    let values = |name: &str| data.column(name).map(|c| &c.values[..]).ok_or_else(|| format!("no column `{name}`"));
+    let values = |name: &str| data.column(name).map(|c| &c.values[..]).ok_or_else(|| no_column(data, name));
     match claim {
         Claim::Value { name, when, expected, tolerance } => {
             let row = match when {
@@ -196,6 +212,10 @@ fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
             // not-a-number must not pass as small
             let largest = values(name)?.iter().fold(0.0f64, |m, v| if v.is_nan() { f64::INFINITY } else { m.max(v.abs()) });
             if largest < *limit { Ok(()) } else { Err(format!("largest |{name}| is {largest:.3e}")) }
+        }
+        Claim::MeanRate { name, from, to, expected, tolerance } => {
+            let at = |t: &f64| times.iter().rposition(|x| x == t).and_then(|row| values(name).ok()?.get(row).copied()).unwrap_or(f64::NAN);
+            tolerance.check(&format!("mean rate of {name}"), (at(to) - at(from)) / (to - from), *expected)
         }
         Claim::Constant { name, tolerance } => constant(name, values(name)?, *tolerance),
         Claim::Event { number, at, tolerance } => {
