@@ -73,7 +73,7 @@ pub fn lay(figure: &Figure, titled: bool, language: Language) -> Layout {
     let ranges = (range(figure, true), range(figure, false));
     let empty = ranges.0.is_none() || ranges.1.is_none();
     let (mut x_range, mut y_range) = (ranges.0.unwrap_or((0.0, 1.0)), ranges.1.unwrap_or((0.0, 1.0)));
-    let y_ticks = axis_ticks(&figure.y, y_range, if plane { 7 } else { 5 }, language);
+    let y_ticks = axis_ticks(&figure.y, y_range, if plane { 9 } else { 7 }, language);
     let left = 18.0 + y_ticks.iter().map(|t| text_width(&t.label, TEXT)).fold(24.0, f64::max);
     let (entries, rows) = legend_entries(figure, left, width, language);
     let legend = if titled { 30.0 } else { 4.0 };
@@ -84,7 +84,7 @@ pub fn lay(figure: &Figure, titled: bool, language: Language) -> Layout {
     }
     let strip = if figure.strip.is_empty() { 0.0 } else { STRIP };
     let x_ticks = axis_ticks(&figure.x, x_range, if plane { 6 } else { 8 }, language);
-    let y_ticks = axis_ticks(&figure.y, y_range, if plane { 7 } else { 5 }, language);
+    let y_ticks = axis_ticks(&figure.y, y_range, if plane { 9 } else { 7 }, language);
     let ruler =
         |axis: &Axis, r: (f64, f64), from, to, ticks| Ruler { low: r.0, high: r.1, log: axis.log, size: axis.scale.size, from, to, ticks };
     Layout {

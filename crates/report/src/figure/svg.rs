@@ -13,6 +13,8 @@ use std::fmt::Write;
 
 /// Fonts by preference; the first is the one that PNG files carry.
 const FONTS: &str = "DejaVu Sans, Verdana, Segoe UI, Arial, sans-serif";
+/// Width of curves.
+const STROKE: f64 = 1.6;
 const INK: &str = "#1a1a1a";
 const SOFT: &str = "#5a5a5a";
 const GRID: &str = "#e2e2e2";
@@ -136,7 +138,8 @@ impl Draw<'_> {
         );
         for (i, series) in self.figure.series.iter().enumerate() {
             let kept = match self.figure.kind {
-                Kind::Curves => decimate::buckets(&series.x, &[&series.y], (a.right - a.left) as usize),
+                // as wide as the stroke: finer ones cost time and show nothing
+                Kind::Curves => decimate::buckets(&series.x, &[&series.y], ((a.right - a.left) / STROKE) as usize),
                 Kind::Plane { .. } => decimate::plane(&series.x, &series.y, 600, 6000),
             };
             let path = self.path(kept.into_iter().map(|i| (series.x[i], series.y[i])));
@@ -284,7 +287,7 @@ impl Draw<'_> {
 /// Stroke attributes of the i-th curve.
 fn stroke(i: usize) -> String {
     let (colour, dash) = style(i);
-    let mut out = format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"");
+    let mut out = format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"{STROKE}\" stroke-linejoin=\"round\"");
     if !dash.is_empty() {
         let pattern: Vec<String> = dash.iter().map(f64::to_string).collect();
         let _ = write!(out, " stroke-dasharray=\"{}\"", pattern.join(" "));

@@ -112,6 +112,8 @@ impl Composer<'_> {
                 above.push(layout);
             }
         }
+        merge_roots(&mut above);
+        merge_roots(&mut below);
         if below.is_empty() {
             above.append(&mut functions);
             return if above.is_empty() { Layout::digits("1") } else { Layout::product(above) };
@@ -248,6 +250,41 @@ fn bareness(argument: &Layout) -> Bare {
 
 fn is_short(layout: &Layout) -> bool {
     !matches!(layout, Layout::Sum(_) | Layout::Call { .. } | Layout::Fraction(..))
+}
+
+/// √2 √(g/l) is written √(2 g/l): the square root of a number goes under the root of a formula.
+fn merge_roots(factors: &mut Vec<Layout>) {
+    let place = |number: bool| {
+        let wanted =
+            |f: &Layout| matches!(f, Layout::Root { degree: 2, radicand } if matches!(**radicand, Layout::Number { .. }) == number);
+        let mut found = factors.iter().enumerate().filter(|(_, f)| wanted(f)).map(|(i, _)| i);
+        found.next().filter(|_| found.next().is_none())
+    };
+    let (Some(number), Some(formula)) = (place(true), place(false)) else { return };
+    let under = |factor: &Layout| match factor {
+        Layout::Root { radicand, .. } => (**radicand).clone(),
+        other => other.clone(),
+    };
+    let (number_under, formula_under) = (under(&factors[number]), under(&factors[formula]));
+    let radicand = match formula_under {
+        Layout::Fraction(above, below) => Layout::Fraction(Box::new(times(number_under, *above)), below),
+        other => times(number_under, other),
+    };
+    factors[formula] = Layout::Root { degree: 2, radicand: Box::new(radicand) };
+    factors.remove(number);
+}
+
+/// A number before a formula that starts with none; a sum gets brackets.
+fn times(number: Layout, formula: Layout) -> Layout {
+    match formula {
+        one if one == Layout::digits("1") => number,
+        Layout::Product(mut factors) => {
+            factors.insert(0, number);
+            Layout::Product(factors)
+        }
+        sum @ Layout::Sum(_) => Layout::Product(vec![number, sum.fenced()]),
+        other => Layout::Product(vec![number, other]),
+    }
 }
 
 /// n of the exponent 1/n.

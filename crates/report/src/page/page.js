@@ -22,7 +22,8 @@
   }
   function tick(v, step) {
     if (v == null) return "";
-    if (Math.abs(v) < step * 1e-6) return "0";
+    if (Math.abs(v) < step * 1e-6) v = 0;
+    if (v === 0 && step < 1e-4) return "0";
     if (Math.abs(v) >= 1e6 || step < 1e-4) {
       const decimals = Math.max(0, Math.floor(Math.log10(Math.abs(v)) + 1e-9) - Math.floor(Math.log10(step) + 1e-9));
       const [m, e] = v.toExponential(Math.min(decimals, 12)).split("e");

@@ -6,7 +6,7 @@ use crate::Language;
 use crate::formula::Form;
 
 /// Formula, text, LaTeX, both English.
-const FORMULAS: [(&str, &str, &str); 26] = [
+const FORMULAS: [(&str, &str, &str); 27] = [
     ("m*g*l*sin(phi)", "m g l sin φ", r"m g l \sin \varphi"),
     ("-sin(phi)*m*g*l/2", "−(m g l/2) sin φ", r"-\frac{m g l}{2} \sin \varphi"),
     ("sin(phi)/2", "(sin φ)/2", r"\frac{\sin \varphi}{2}"),
@@ -22,6 +22,7 @@ const FORMULAS: [(&str, &str, &str); 26] = [
     ("1/sin(phi)^2", "1/sin² φ", r"\frac{1}{\sin^2 \varphi}"),
     ("sqrt(c_x/M)", "√(c_x/M)", r"\sqrt{\frac{c_x}{M}}"),
     ("sqrt(2)/2", "√2/2", r"\frac{\sqrt{2}}{2}"),
+    ("sqrt(2*(x + l)/M)", "√(2 (l + x)/M)", r"\sqrt{\frac{2 (l + x)}{M}}"),
     ("x^(1/3) + x^(3/2)", "∛x + x^(3/2)", r"\sqrt[3]{x} + x^{3/2}"),
     ("abs(x')*x'", "x' |x'|", r"\dot{x} |\dot{x}|"),
     ("-m*g*sign(x')", "−m g sign x'", r"-m g \operatorname{sign} \dot{x}"),
