@@ -18,13 +18,13 @@ const LIMIT: f64 = 1e-10;
 const STATES: usize = 12;
 const TRIES: usize = 200;
 
-/// The audit, or none when there is no second derivation or no regular state was found. Times are drawn from [0, end].
-pub fn two_derivations<S: System + ?Sized>(system: &mut S, end: f64, seed: u64) -> Option<Audit> {
+/// The audit, or none when there is no second derivation or no regular state was found. Times are drawn from [0, end], states at the scale of `start`.
+pub fn two_derivations<S: System + ?Sized>(system: &mut S, start: &[f64], end: f64, seed: u64) -> Option<Audit> {
     let mut random = Random::new(seed);
     let mut worst: f64 = 0.0;
     let mut done = 0;
     for _ in 0..TRIES {
-        let mut sample = Sample::draw(system, end, &mut random);
+        let mut sample = Sample::draw(system, start, end, &mut random);
         if let Some(value) = sample.difference(system) {
             worst = worst.max(value);
             done += 1;
@@ -47,12 +47,15 @@ struct Sample {
 }
 
 impl Sample {
-    /// Angles anywhere on the circle; everything else of either sign and of magnitude 0.01 ... 1 in SI, so that large and small terms meet.
-    fn draw<S: System + ?Sized>(system: &S, end: f64, random: &mut Random) -> Sample {
+    /// Angles anywhere on the circle. Everything else of either sign, of magnitude 0.01 ... 1 in SI or, where the machine starts with a
+    /// non-zero value, 0.01 ... 1 of ten times that value: large and small terms meet, and a machine of millimetres or of kilometres is
+    /// tried at its own size. Rates without a start value stay at 0.01 ... 1; the residuals are relative, so their unit does not matter.
+    fn draw<S: System + ?Sized>(system: &S, start: &[f64], end: f64, random: &mut Random) -> Sample {
         let t = random.between(0.0, end);
-        let x = system.states().iter().map(|q| {
+        let x = system.states().iter().zip(start).map(|(q, start)| {
             let unit = random.between(-1.0, 1.0);
-            if q.unit == "rad" { unit * std::f64::consts::PI } else { unit * (10.0_f64).powf(random.between(-2.0, 0.0)) }
+            let size = if *start != 0.0 && start.is_finite() { 10.0 * start.abs() } else { 1.0 };
+            if q.unit == "rad" { unit * std::f64::consts::PI } else { unit * size * (10.0_f64).powf(random.between(-2.0, 0.0)) }
         });
         let x = x.collect();
         Sample { t, x, modes: Vec::new() }

@@ -97,7 +97,7 @@ pub fn simulate<S: System + ?Sized>(system: &mut S, start: &[f64], mut options: 
     let fault = run.integrate(system, start, &mut options).err();
     let mut dataset = run.dataset(system, options.tolerance);
     dataset.partial |= fault.is_some();
-    dataset.audits.splice(0..0, two_derivations(system, options.until, options.seed));
+    dataset.audits.splice(0..0, two_derivations(system, start, options.until, options.seed));
     if options.tolerance_halving && !dataset.partial {
         match halved(system, start, &options) {
             Some(finer) if !finer.dataset.partial => {
