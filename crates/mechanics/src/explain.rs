@@ -119,10 +119,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "M009",
         ("a key with too many parts", "слишком составной ключ"),
         (
-            "Keys of the model file have at most four parts joined by points.",
-            "Ключи файла модели состоят не более чем из четырёх частей через точку.",
+            "A key may have at most 32 parts joined by points; those of the model file have at most four.",
+            "В ключе может быть не более 32 частей через точку; ключи файла модели состоят не более чем из четырёх.",
         ),
-        "a.b.c.d.e = 1",
+        "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = 1",
         "[bodies.crank]\nmass = \"1 kg\"",
     ),
     row(

@@ -308,16 +308,17 @@ impl Writer<'_> {
 
 /// What stands behind "where": definitions, and the rates of prescribed turning angles, ψ' = ω. Nothing when the equations are not shown.
 pub fn definitions(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
-    if equations.textbook.is_err() {
-        return Vec::new();
-    }
+    let Ok(shown_equations) = &equations.textbook else { return Vec::new() };
     let graph = &equations.graph;
+    let sides: Vec<symbolic::Expr> = shown_equations.iter().flat_map(|e| [e.left, e.right]).collect();
+    let occurring = graph.symbols_in(&sides);
     let shown = equations.definitions.iter().filter(|d| d.shown);
     let mut out: Vec<String> = shown.map(|d| printer.definition(graph, d.symbol, d.formula, form)).collect();
-    if !equations.auxiliaries.is_empty() {
+    let turning: Vec<_> = equations.auxiliaries.iter().filter(|a| occurring.binary_search(&a.symbol).is_ok()).collect();
+    if !turning.is_empty() {
         // the symbol of the rate is made for print only
         let mut graph = graph.clone();
-        for a in &equations.auxiliaries {
+        for a in turning {
             let name = graph.symbol_info(a.symbol).name.clone();
             let rate = graph.symbol_id(&name, 1);
             out.push(printer.definition(&graph, rate, a.rate, form));

@@ -37,7 +37,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
              exists only between a body and the one it stands on, and only if it turns there about one axis. Otherwise write the pathway as a \
              formula: along = \"...\".",
             "Элемент между двумя телами действует через их относительный угол. На плоскости это разность углов. В пространстве он определён \
-             только для тела и того, на чём оно стоит, если поворот происходит вокруг одной оси. Иначе задайте путь формулой: along = \"...\".",
+             только для тела и того, на чём оно стоит, если поворот происходит вокруг одной оси. Иначе задайте координату элемента формулой: along = \"...\".",
         ),
         "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.B]\nrotate = [\"x: a\", \"y: b\"]\nmass = \"1 kg\"\nshape = \"box(1 [m], 1 [m], 1 [m])\"\n\
          [springs.s]\nbetween = [\"ground\", \"B\"]\nstiffness = \"1 N m\"",

@@ -117,6 +117,6 @@ fn no_common_axis(a: &str, b: &str, span: &Range<usize>) -> Diagnostic {
     ))
     .help(Text::new(
         "write the pathway as a formula, along = \"...\", or put the element between parent and child",
-        "задайте путь формулой, along = \"...\", или поставьте элемент между несущим телом и телом на нём",
+        "задайте координату элемента формулой, along = \"...\", или поставьте элемент между несущим телом и телом на нём",
     ))
 }

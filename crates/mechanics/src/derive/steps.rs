@@ -37,11 +37,9 @@ fn step(title: Text, words: Text, formulas: Vec<StepFormula>) -> Step {
 
 fn coordinates(scene: &Scene) -> Step {
     let n = scene.n();
-    let names: Vec<&str> = scene.model.coordinates.iter().map(|c| c.name.as_str()).collect();
-    let names = names.join(", ");
     step(
         Text::new("Generalized coordinates", "Обобщённые координаты"),
-        Text::new(format!("Degrees of freedom: {n}. Coordinates: {names}."), format!("Число степеней свободы: {n}. Координаты: {names}.")),
+        Text::new(format!("Degrees of freedom: {n}."), format!("Число степеней свободы: {n}.")),
         Vec::new(),
     )
 }
@@ -144,6 +142,10 @@ fn generalized_forces(scene: &mut Scene, motion: &Motion) -> Option<Step> {
 
 /// ∂T/∂q', d/dt ∂T/∂q', ∂T/∂q, ∂Π/∂q, ∂Φ/∂q' for every coordinate.
 fn derivatives(scene: &mut Scene, kinetic: &Kinetic, motion: &Motion) -> Step {
+    let acts = |scene: &Scene, forces: &[Expr]| forces.iter().any(|f| !scene.graph.is_zero(*f));
+    let potential = acts(scene, &motion.forces.conservative);
+    let resisting = acts(scene, &motion.forces.resisting);
+    let applied = acts(scene, &motion.forces.applied);
     let energy = energy_of(scene, &kinetic.total);
     let mut formulas = Vec::new();
     for i in 0..scene.n() {
@@ -157,19 +159,29 @@ fn derivatives(scene: &mut Scene, kinetic: &Kinetic, motion: &Motion) -> Step {
         let slope = scene.along(energy, i);
         let slope = scene.tidy(slope);
         formulas.push(StepFormula { left: StepName::Partial { of: "T".into(), by: q }, right: slope });
-        for (letter, force, by) in [("Π", motion.forces.conservative[i], q), ("Φ", motion.forces.resisting[i], qd)] {
-            if !scene.graph.is_zero(force) {
+        let parts = [("Π", motion.forces.conservative[i], q, potential), ("Φ", motion.forces.resisting[i], qd, resisting)];
+        for (letter, force, by, exists) in parts {
+            if exists {
                 let right = scene.graph.neg(force);
                 formulas.push(StepFormula { left: StepName::Partial { of: letter.into(), by }, right });
             }
         }
     }
+    let law = law(potential, resisting, applied);
     step(
         Text::new("Derivatives", "Производные"),
-        Text::new(
-            "They go into d/dt ∂T/∂q' − ∂T/∂q = −∂Π/∂q − ∂Φ/∂q' + Q.",
-            "Они подставляются в уравнения d/dt ∂T/∂q' − ∂T/∂q = −∂Π/∂q − ∂Φ/∂q' + Q.",
-        ),
+        Text::new(format!("They go into {law}."), format!("Они подставляются в уравнения {law}.")),
         formulas,
     )
+}
+
+/// Lagrange's equations with the terms that this machine has.
+fn law(potential: bool, resisting: bool, applied: bool) -> String {
+    let mut right = Vec::new();
+    right.extend(potential.then_some("− ∂Π/∂q"));
+    right.extend(resisting.then_some("− ∂Φ/∂q'"));
+    right.extend(applied.then_some(if right.is_empty() { "Q" } else { "+ Q" }));
+    let right =
+        if right.is_empty() { "0".to_owned() } else { right.join(" ").replacen("− ", "−", usize::from(potential || resisting)) };
+    format!("d/dt ∂T/∂q' − ∂T/∂q = {right}")
 }

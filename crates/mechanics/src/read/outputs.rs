@@ -2,11 +2,11 @@
 
 use super::order::topological;
 use super::parameters::{claim, cycle_fault};
-use super::reader::{Fields, Raw, Reader, short};
+use super::reader::{Checked, Fields, Raw, Reader, short};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind, mismatch};
-use crate::model::{DisplayUnit, OutputDecl};
-use crate::units::{Unit, si_label};
+use crate::model::{DisplayUnit, OutputDecl, Request, RequestKind};
+use crate::units::{Dimension, Unit, si_label};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use symbolic::Text;
@@ -72,6 +72,17 @@ pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawOutput<'a>>) -> V
     done.into_iter().flatten().collect()
 }
 
+/// The SI label; joules for what is made of energies, because N m alone would read as a moment.
+fn unit_label(reader: &Reader, value: &Checked) -> String {
+    let dimension = value.kind.or_none();
+    let of_energies = || {
+        let symbols = reader.builder.graph.symbols_in(&[value.expr]);
+        let energy = |r: &Request| matches!(r.kind, RequestKind::KineticEnergy(_) | RequestKind::PotentialEnergy);
+        reader.builder.requests.iter().any(|r| energy(r) && symbols.binary_search(&r.symbol).is_ok())
+    };
+    if dimension.same(&Dimension::ENERGY) && of_energies() { "J".to_owned() } else { si_label(&dimension) }
+}
+
 fn declare<'a>(reader: &mut Reader<'a>, o: RawOutput<'a>) -> OutputDecl {
     let mut value = reader.value(&o.raw, &Context::OUTPUT, None);
     let display = o.unit.map(|(unit, label, span)| {
@@ -89,7 +100,7 @@ fn declare<'a>(reader: &mut Reader<'a>, o: RawOutput<'a>) -> OutputDecl {
         symbol: reader.builder.graph.symbol_id(&o.name, 0),
         name: o.name,
         formula: value.expr,
-        unit: si_label(&value.kind.or_none()),
+        unit: unit_label(reader, &value),
         display,
         label: o.label,
         span: o.span,
