@@ -42,8 +42,9 @@
 //!
 //! The rule p = 2 + 2.1 digits, at most 26, lies within 10 % of the best of every row. At tolerances looser than 1e-9 speed alone would take a higher order, but its long
 //! steps make the largest term, to which the tolerance refers, far larger than the change (a decay over five time constants at 1e-3 loses its
-//! second digit at order 14); above 26 the terms of an oscillation exceed their sum tenfold and cancel. An order that adapted within
-//! the run could gain no more than these few per cent on any of the machines, less than its trial expansions cost: it is not done.
+//! second digit at order 14); above 26 the terms of an oscillation exceed their sum tenfold and cancel. Rows that other work on the computer
+//! disturbed (the top; the other tolerances of the two pendulums) are left out. On the rows kept, one fixed order per run gives away at most
+//! these 10 %, which bounds what a better fixed order could gain. An order that adapts within the run has not been tried.
 
 use super::step::Series;
 
