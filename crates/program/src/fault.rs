@@ -118,6 +118,20 @@ const CAUSES: &[(&str, [Wording; 3])] = &[
         ],
     ),
     (
+        "P009",
+        [
+            ("the mass matrix is not positive: {}", "матрица масс не положительно определена: {}"),
+            (
+                "kinetic energy would be negative: a formula of the geometry has left its domain, such as an inverse sine beyond 1 whose rate is imaginary",
+                "кинетическая энергия оказалась бы отрицательной: формула геометрии вышла из области определения, например арксинус числа больше 1",
+            ),
+            (
+                "check lengths and the range of motion, and that masses and moments of inertia are positive",
+                "проверьте длины и диапазон движения, а также знаки масс и моментов инерции",
+            ),
+        ],
+    ),
+    (
         "P007",
         [
             ("{} has no Taylor series at this state", "{}: в этом состоянии нет разложения в ряд Тейлора"),
@@ -248,6 +262,14 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
         (
             "A program was called with too few or too many parameters, states, accelerations or modes.",
             "Программа вызвана с неверным количеством параметров, состояний, ускорений или режимов.",
+        ),
+    ),
+    (
+        "P009",
+        ("Mass matrix that is not positive", "Матрица масс не положительно определена"),
+        (
+            "T = q' M q'/2 cannot be negative. It becomes so when a formula that places a body leaves its domain while its square stays real: the rate of asin(u) is u'/sqrt(1 - u^2), and its square changes sign beyond u = 1. Negative added masses do it too.",
+            "T = q' M q'/2 не бывает отрицательной. Так получается, когда формула положения тела выходит из области определения, а квадрат остаётся вещественным: производная asin(u) равна u'/sqrt(1 - u^2), и её квадрат меняет знак при u > 1. То же дают отрицательные массы.",
         ),
     ),
     (

@@ -1,6 +1,7 @@
 //! The interpreter: one tape, one state, plain floating-point numbers. The oracle for every other back-end.
 
-use crate::{By, Coefficient, Fault, Instruction, Mode, Operation, Register, Tape, Unary, solve};
+use crate::solve::{self, Defect};
+use crate::{By, Coefficient, Fault, Instruction, Mode, Operation, Register, Tape, Unary};
 use std::sync::Arc;
 use symbolic::Text;
 
@@ -67,7 +68,7 @@ impl Evaluator {
 
     /// Values of the roots at a point, in order.
     ///
-    /// *Errors*: P008 for missing inputs, P005 for a singular mass matrix, and for a root that is not finite the first operation that
+    /// *Errors*: P008 for missing inputs, P005 or P009 for a mass matrix that is not positive, and for a root that is not finite the first operation that
     /// spoiled it.
     pub fn evaluate(&mut self, point: &Point) -> Result<&[f64], Fault> {
         self.run(point)?;
@@ -220,7 +221,7 @@ fn execute(
         Operation::Solve { matrix, right } => {
             let entry = |r: &Option<Register>| r.map_or(0.0, |r| registers[r.index()]);
             scratch.load(right.len(), matrix.iter().map(entry));
-            scratch.factor().map_err(|pivot| singular(tape, pivot))?;
+            scratch.factor().map_err(|defect| defective(tape, defect))?;
             let mut solution: Vec<f64> = right.iter().map(at).collect();
             scratch.solve(&mut solution);
             registers[into..into + solution.len()].copy_from_slice(&solution);
@@ -231,12 +232,16 @@ fn execute(
     Ok(())
 }
 
-/// P005 naming the coordinate without inertia. Root n + i of the dynamics is the acceleration of coordinate i.
-pub(crate) fn singular(tape: &Tape, pivot: usize) -> Fault {
+/// P005 or P009 naming the coordinate. Root n + i of the dynamics is the acceleration of coordinate i.
+pub(crate) fn defective(tape: &Tape, defect: Defect) -> Fault {
+    let (code, pivot) = match defect {
+        Defect::Singular(pivot) => ("P005", pivot),
+        Defect::Indefinite(pivot) => ("P009", pivot),
+    };
     let solve = tape.body.iter().find(|i| matches!(i.operation, Operation::Solve { .. }));
     let name = solve.and_then(|s| {
         let register = Register(s.into.0 + pivot as u32);
         tape.roots.iter().find(|root| root.register == register)
     });
-    Fault::about("P005", name.map_or_else(|| format!("#{pivot}"), |root| root.name.clone()))
+    Fault::about(code, name.map_or_else(|| format!("#{pivot}"), |root| root.name.clone()))
 }

@@ -1,8 +1,17 @@
-//! Dense symmetric systems: M = L D Lᵀ, and P M = L U with row exchanges when a pivot is not safely positive.
+//! Dense symmetric positive definite systems: M = L D Lᵀ.
 //!
-//! A mass matrix is positive definite on a sound model, where L D Lᵀ without exchanges is stable (Golub and Van Loan, Matrix
-//! Computations, section 4.1). An indefinite matrix (negative added masses, wrong data) still has a unique solution when it is not
-//! singular; the exchanges find it.
+//! The mass matrix of a sound model is positive definite, because kinetic energy is; then L D Lᵀ needs no exchanges (Golub and Van Loan,
+//! Matrix Computations, section 4.1). A pivot that is not positive is a finding about the model, not a matter for another method: zero
+//! means a motion without inertia, negative means that some formula has left its domain (an inverse sine beyond 1, say).
+
+/// Why a matrix cannot be factored; the row is the first one that fails.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Defect {
+    /// The row depends on the rows before it.
+    Singular(usize),
+    /// The motions up to this row have negative energy.
+    Indefinite(usize),
+}
 
 /// A factored matrix; reused from call to call without allocation.
 #[derive(Clone, Debug, Default)]
@@ -10,11 +19,8 @@ pub(crate) struct Factor {
     size: usize,
     /// Lower triangle as loaded, packed by rows.
     packed: Vec<f64>,
-    /// L with D on the diagonal, or L and U.
+    /// L with D on the diagonal.
     square: Vec<f64>,
-    /// Row exchanges when L U is in use.
-    exchanges: Vec<usize>,
-    general: bool,
 }
 
 /// A pivot below this part, times n, of the largest entry of its row has lost all digits to cancellation.
@@ -29,22 +35,10 @@ impl Factor {
         self.square.resize(size * size, 0.0);
     }
 
-    /// Factors; the error is the index of the row that depends on the rows before it. Entries that are not finite pass through and
-    /// spoil the solution, which is reported where it is used.
-    pub(crate) fn factor(&mut self) -> Result<(), usize> {
-        self.general = false;
-        if self.cholesky() {
-            return Ok(());
-        }
-        if self.packed.iter().any(|v| !v.is_finite()) {
-            return Ok(());
-        }
-        self.general = true;
-        self.eliminate()
-    }
-
-    /// d_j = m_jj - Σ_k l_jk² d_k,  l_ij = (m_ij - Σ_k l_ik l_jk d_k)/d_j. False when a pivot is not safely positive.
-    fn cholesky(&mut self) -> bool {
+    /// d_j = m_jj - Σ_k l_jk² d_k,  l_ij = (m_ij - Σ_k l_ik l_jk d_k)/d_j.
+    ///
+    /// Entries that are not finite pass through and spoil the solution, which is reported where it is used.
+    pub(crate) fn factor(&mut self) -> Result<(), Defect> {
         let n = self.size;
         let mut start = 0;
         for i in 0..n {
@@ -65,64 +59,20 @@ impl Factor {
                 pivot -= l * row[j];
                 row[j] = l;
             }
-            if pivot.is_nan() || pivot <= SINGULAR * n as f64 * diagonal {
-                return false;
+            let lost = SINGULAR * n as f64 * diagonal.abs();
+            if pivot < -lost {
+                return Err(Defect::Indefinite(i));
+            }
+            if pivot <= lost {
+                return Err(Defect::Singular(i));
             }
             row[i] = pivot;
-        }
-        true
-    }
-
-    /// Gaussian elimination with row exchanges; rows are scaled by their largest entry for the choice of pivots.
-    fn eliminate(&mut self) -> Result<(), usize> {
-        let n = self.size;
-        let mut start = 0;
-        for i in 0..n {
-            for j in 0..=i {
-                self.square[i * n + j] = self.packed[start + j];
-                self.square[j * n + i] = self.packed[start + j];
-            }
-            start += i + 1;
-        }
-        let row_size = |i: usize, s: &[f64]| s[i * n..(i + 1) * n].iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let mut sizes: Vec<f64> = (0..n).map(|i| row_size(i, &self.square)).collect();
-        self.exchanges.clear();
-        for column in 0..n {
-            let merit = |i: usize, s: &[f64]| if sizes[i] > 0.0 { s[i * n + column].abs() / sizes[i] } else { 0.0 };
-            let mut best = column;
-            for i in column + 1..n {
-                if merit(i, &self.square) > merit(best, &self.square) {
-                    best = i;
-                }
-            }
-            let found = merit(best, &self.square);
-            if found.is_nan() || found <= SINGULAR * n as f64 {
-                return Err(column);
-            }
-            self.exchanges.push(best);
-            sizes.swap(column, best);
-            for j in 0..n {
-                self.square.swap(column * n + j, best * n + j);
-            }
-            let (done, rest) = self.square.split_at_mut((column + 1) * n);
-            let pivot_row = &done[column * n..];
-            for row in rest.chunks_exact_mut(n) {
-                row[column] /= pivot_row[column];
-                let factor = row[column];
-                for j in column + 1..n {
-                    row[j] -= factor * pivot_row[j];
-                }
-            }
         }
         Ok(())
     }
 
     /// Replaces h, of the size of M, by M⁻¹ h.
     pub(crate) fn solve(&self, h: &mut [f64]) {
-        if self.general { self.solve_general(h) } else { self.solve_symmetric(h) }
-    }
-
-    fn solve_symmetric(&self, h: &mut [f64]) {
         match h {
             [a] => *a /= self.square[0],
             [a, b] => self.solve_two(a, b),
@@ -173,33 +123,13 @@ impl Factor {
             }
         }
     }
-
-    fn solve_general(&self, h: &mut [f64]) {
-        let n = self.size;
-        for (i, other) in self.exchanges.iter().enumerate() {
-            h.swap(i, *other);
-        }
-        for i in 0..n {
-            let (done, rest) = h.split_at_mut(i);
-            for (l, x) in self.square[i * n..i * n + i].iter().zip(&*done) {
-                rest[0] -= l * x;
-            }
-        }
-        for i in (0..n).rev() {
-            let mut value = h[i];
-            for (u, x) in self.square[i * n + i + 1..(i + 1) * n].iter().zip(&h[i + 1..]) {
-                value -= u * x;
-            }
-            h[i] = value / self.square[i * n + i];
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Factor;
+    use super::{Defect, Factor};
 
-    fn solved(matrix: &[f64], h: &[f64]) -> Result<Vec<f64>, usize> {
+    fn solved(matrix: &[f64], h: &[f64]) -> Result<Vec<f64>, Defect> {
         let mut factor = Factor::default();
         factor.load(h.len(), matrix.iter().copied());
         factor.factor()?;
@@ -230,15 +160,11 @@ mod tests {
     }
 
     #[test]
-    fn indefinite_system_falls_back_to_exchanges() {
-        // [[0, 1], [1, 0]] x = [2, 5]
-        assert_eq!(solved(&[0.0, 1.0, 0.0], &[2.0, 5.0]), Ok(vec![5.0, 2.0]));
-    }
-
-    #[test]
-    fn singular_matrix_names_the_dependent_row() {
-        assert_eq!(solved(&[1.0, 1.0, 1.0], &[1.0, 1.0]), Err(1));
-        assert_eq!(solved(&[0.0], &[1.0]), Err(0));
+    fn a_matrix_that_is_no_mass_matrix_is_refused_by_kind() {
+        assert_eq!(solved(&[1.0, 1.0, 1.0], &[1.0, 1.0]), Err(Defect::Singular(1)));
+        assert_eq!(solved(&[0.0], &[1.0]), Err(Defect::Singular(0)));
+        assert_eq!(solved(&[1.0, 2.0, 1.0], &[1.0, 1.0]), Err(Defect::Indefinite(1)));
+        assert_eq!(solved(&[-2.0], &[1.0]), Err(Defect::Indefinite(0)));
     }
 
     #[test]

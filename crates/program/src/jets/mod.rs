@@ -14,7 +14,7 @@ mod plan;
 mod recurrences;
 
 use crate::guard::needed;
-use crate::interpret::singular;
+use crate::interpret::defective;
 use crate::{Bound, Evaluator, Fault, Mode, Operation, Point};
 use plan::Plan;
 use recurrences::{Memory, Step};
@@ -46,7 +46,7 @@ impl Jets {
 
     /// Expands the solution through (t, x) to `order`.
     ///
-    /// *Errors*: P008 for wrong lengths, a domain error (P001 to P004), P005 for a singular mass matrix, P007 where a value exists but
+    /// *Errors*: P008 for wrong lengths, a domain error (P001 to P004), P005 or P009 for a mass matrix that is not positive, P007 where a value exists but
     /// no Taylor series, P006 for overflow.
     pub fn expand(&mut self, time: f64, states: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault> {
         let shape = self.evaluator.tape().shape;
@@ -103,7 +103,7 @@ impl Jets {
     /// Fills all rows; false when something is not finite or the mass matrix is singular.
     fn advance(&mut self, time: f64, states: &[f64]) -> bool {
         let memory = &mut self.memory;
-        memory.singular = None;
+        memory.defect = None;
         memory.start(self.plan.time, time, 1.0);
         for (row, x) in self.plan.states.iter().zip(states) {
             memory.put(*row, 0, *x);
@@ -128,7 +128,7 @@ impl Jets {
                 k => memory.advance(step, k, &self.plan),
             }
         }
-        sound && memory.singular.is_none() && self.guards_are_finite()
+        sound && memory.defect.is_none() && self.guards_are_finite()
     }
 
     fn guards_are_finite(&self) -> bool {
@@ -137,8 +137,8 @@ impl Jets {
 
     /// The cause of a failed expansion: at order 0 the interpreter knows it; above, the first step with sound operands and an unsound result.
     fn blame(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> Fault {
-        if let Some(pivot) = self.memory.singular {
-            return singular(self.evaluator.tape(), pivot);
+        if let Some(defect) = self.memory.defect {
+            return defective(self.evaluator.tape(), defect);
         }
         let point = Point { time, states, modes: Some(modes), ..Point::default() };
         if let Err(fault) = self.evaluator.evaluate(&point) {

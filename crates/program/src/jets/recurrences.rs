@@ -5,7 +5,8 @@
 //! so that Σ_{j=1}^{k} j a_j b_{k-j} is again a product of runs.
 
 use super::plan::Plan;
-use crate::{Unary, solve::Factor};
+use crate::Unary;
+use crate::solve::{Defect, Factor};
 
 /// Number of a row.
 pub(super) type Row = u32;
@@ -119,7 +120,7 @@ pub(super) struct Memory {
     factors: Vec<Factor>,
     scratch: Vec<f64>,
     /// The dependent row of a mass matrix that could not be factored.
-    pub(super) singular: Option<usize>,
+    pub(super) defect: Option<Defect>,
 }
 
 /// Runs are multiplied in groups of this many.
@@ -147,7 +148,7 @@ impl Memory {
             order,
             factors: vec![Factor::default(); plan.systems.len()],
             scratch: vec![0.0; largest],
-            singular: None,
+            defect: None,
         }
     }
 
@@ -273,8 +274,8 @@ impl Memory {
         let system = &plan.systems[index];
         let mut factor = std::mem::take(&mut self.factors[index]);
         factor.load(system.size, system.entries.iter().map(|e| e.map_or_else(|value| value, |row| self.get(row, 0))));
-        if let Err(pivot) = factor.factor() {
-            self.singular = Some(pivot);
+        if let Err(defect) = factor.factor() {
+            self.defect = Some(defect);
         }
         self.factors[index] = factor;
         let mut h = std::mem::take(&mut self.scratch);
