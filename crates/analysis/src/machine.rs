@@ -23,6 +23,7 @@ pub struct Machine {
     needs_accelerations: bool,
     energy: Evaluator,
     second: Evaluator,
+    places: Evaluator,
     statics: Evaluator,
     /// Of the last expansion.
     expanded: Switches,
@@ -84,6 +85,7 @@ impl Machine {
             shown: (0..program.outputs.roots.len()).collect(),
             energy: bound.evaluator(&bound.program().energy)?,
             second: general.evaluator(&program.second)?,
+            places: general.evaluator(&program.places)?,
             statics: general.evaluator(&program.statics)?,
             expanded: Switches::default(),
             observing: Switches::default(),
@@ -215,6 +217,13 @@ impl System for Machine {
         // the order is that of program::ENERGY
         let [_, _, _, dissipated, rate, loads, drives] = *self.energy.evaluate(&point).ok()? else { return None };
         Some(Powers { rate, loads, drives, dissipated })
+    }
+
+    fn placed(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
+        if !self.places.tape().roots.is_empty() {
+            self.places.evaluate(&Point { time: t, states: x, accelerations: &self.accelerations, ..Point::default() })?;
+        }
+        Ok(())
     }
 
     fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], _modes: &[Mode], residuals: &mut [f64]) -> bool {

@@ -132,6 +132,14 @@ pub trait System {
         None
     }
 
+    /// Whether the machine can be at (t, x): everything that places it has a value there.
+    ///
+    /// *Errors*: what has no value.
+    fn placed(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
+        let _ = (t, x);
+        Ok(())
+    }
+
     /// Residuals of the second derivation at (t, x) with given accelerations, linear in these; false when there is no second derivation.
     fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode], residuals: &mut [f64]) -> bool {
         let _ = (t, x, accelerations, modes, residuals);

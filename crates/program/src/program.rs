@@ -28,6 +28,8 @@ pub struct Program {
     pub energy: Arc<Tape>,
     /// t, x, q'' -> n residuals of the second derivation, then n residuals M q'' - h of the first. Switches go by value.
     pub second: Arc<Tape>,
+    /// t, x -> what places the machine and has a value only within limits. Switches go by value.
+    pub places: Arc<Tape>,
     /// t, x (rates ignored, taken as 0) -> h(q, 0, s, t), then its Jacobian ∂h/∂q row by row. Switches go by value.
     pub statics: Arc<Tape>,
     /// parameters -> x at the start.

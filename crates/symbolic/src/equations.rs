@@ -39,6 +39,9 @@ pub struct Equations {
     pub steps: Vec<Step>,
     /// Second derivation (projected Newton-Euler): n residuals over q, q', q'', which vanish exactly where M q'' = h.
     pub second: Vec<Expr>,
+    /// What places the machine and has a value only within limits (an inverse sine, a root): the equations may stay real beyond them,
+    /// because only derivatives enter, but the machine cannot be there.
+    pub places: Vec<Expr>,
     /// Energies and powers.
     pub energy: Energy,
     /// Every coordinate, rate, acceleration and auxiliary, then what the user wants to see.

@@ -268,6 +268,7 @@ impl Run {
     fn integrate<S: System + ?Sized>(&mut self, system: &mut S, start: &[f64], options: &mut Simulate<'_>) -> Result<(), Fault> {
         let end = options.until;
         system.show(&self.chosen)?;
+        system.placed(0.0, start)?;
         let flow_options = Options { tolerance: options.tolerance, span: end, ..Options::default() };
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
         let result = self.follow(&mut flow, end, options);
@@ -289,6 +290,8 @@ impl Run {
             self.record(flow)?;
             let (step, system) = flow.step_and_system();
             self.power.look(step, system);
+            step.state_at(step.start.after(step.length).high, &mut self.x);
+            system.placed(step.start.after(step.length).high, &self.x)?;
             outcome?;
             self.pace.look(flow, end, options.most_steps)?;
             if let Some(progress) = &mut options.progress

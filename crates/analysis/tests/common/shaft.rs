@@ -24,6 +24,7 @@ fn blank(graph: Graph) -> Equations {
         textbook: Err(Text::default()),
         steps: vec![],
         second: vec![],
+        places: vec![],
         energy: Energy { kinetic: zero, potential: zero, dissipation: zero, dissipated: zero, rate: zero, loads: zero, drives: zero },
         outputs: vec![],
         notation: vec![],

@@ -51,7 +51,9 @@ impl Kinematics {
                 Origin::Point(p) => kinematics.position(scene, PointRef::Point(*p)),
             };
             let mut motion = FrameMotion { origin, ..kinematics.frames[frame.on.index()].clone() };
+            origin.iter().for_each(|e| scene.must_exist(*e));
             for (axis, angle) in rotations(scene, i, frame) {
+                scene.must_exist(angle);
                 turn(scene, &mut motion, axis, angle);
             }
             kinematics.frames.push(motion);

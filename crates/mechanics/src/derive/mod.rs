@@ -94,6 +94,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
     roots.extend(force.iter().chain(&second.residuals).copied());
     roots.extend([energy.kinetic, energy.potential, energy.dissipation, energy.dissipated, energy.rate, energy.loads, energy.drives]);
     roots.extend(outputs.iter().map(|o| o.formula));
+    roots.extend(scene.places.iter().copied());
     if let Ok(equalities) = &textbook {
         roots.extend(equalities.iter().flat_map(|e| [e.left, e.right]));
     }
@@ -112,6 +113,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
         textbook,
         steps,
         second: second.residuals,
+        places: scene.places,
         energy,
         outputs,
         notation: model.notation.clone(),

@@ -32,6 +32,7 @@ pub fn resolve(
     match pathway {
         Pathway::Along(e) => {
             let value = resolver.resolve(scene, kinematics, e)?;
+            scene.must_exist(value);
             let gradient = scene.gradient(value);
             Ok(Path { value, geometric: gradient.clone(), gradient })
         }

@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Class, Model};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
-use symbolic::{Derivation, Expr, Graph, Occurrence, Substitution, SymbolId, Textbook};
+use symbolic::{Derivation, Expr, Function, Graph, Node, Occurrence, Substitution, SymbolId, Textbook};
 
 /// A result, or a finding about the model.
 pub type Found<T> = Result<T, Box<Diagnostic>>;
@@ -46,6 +46,8 @@ pub struct Scene<'m> {
     pub turns: Vec<Turn>,
     /// Simplifier.
     pub textbook: Textbook,
+    /// Angles, origins and pathways with a limited domain.
+    pub places: Vec<Expr>,
     total: Derivation,
     explicit: Derivation,
     partial: Vec<Derivation>,
@@ -87,6 +89,7 @@ impl<'m> Scene<'m> {
             q,
             turns,
             textbook,
+            places: Vec::new(),
             total: Derivation::new(total_seeds),
             explicit: Derivation::new(explicit_seeds),
             partial,
@@ -109,6 +112,19 @@ impl<'m> Scene<'m> {
     /// Opens every component.
     pub fn open_vector(&mut self, v: Vector) -> Vector {
         v.map(|e| self.open(e))
+    }
+
+    /// Notes what must have a value wherever the machine goes, if there is a place where it has none.
+    pub fn must_exist(&mut self, e: Expr) {
+        let limited = |e: Expr| match self.graph.node(e) {
+            Node::Call { function, .. } => matches!(function, Function::Asin | Function::Acos | Function::Log),
+            Node::Product { factors, .. } => factors.iter().any(|(_, exponent)| !exponent.is_integer()),
+            Node::Power { .. } => true,
+            _ => false,
+        };
+        if !self.places.contains(&e) && self.graph.reachable(&[e]).into_iter().any(limited) {
+            self.places.push(e);
+        }
     }
 
     /// de/dt along the motion.

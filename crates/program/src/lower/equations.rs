@@ -26,6 +26,7 @@ pub fn equations(equations: &Equations) -> Result<Program, Fault> {
         outputs: Arc::new(observed(equations, &guards, "outputs", outputs)?),
         energy: Arc::new(observed(equations, &guards, "energy", energy(equations))?),
         second: Arc::new(second(equations)?),
+        places: Arc::new(places(equations)?),
         statics: Arc::new(statics(equations, &names)?),
         start: Arc::new(start(equations, &names)?),
         guards: guards.guards,
@@ -134,6 +135,12 @@ fn second(equations: &Equations) -> Result<Tape, Fault> {
         roots.push(Root { name: format!("first {}", i + 1), register });
     }
     Ok(lowering.finish("second", roots)?.0)
+}
+
+/// What must exist wherever the machine goes.
+fn places(equations: &Equations) -> Result<Tape, Fault> {
+    let roots: Vec<(String, Expr)> = equations.places.iter().enumerate().map(|(i, e)| (format!("position {}", i + 1), *e)).collect();
+    Lowering::new(&equations.graph, &over_accelerations(equations), Switches::Value).tape("places", &roots)
 }
 
 /// h(q, 0, s, t) and ∂h/∂q. Rates are replaced by zero before differentiation, which leaves little of most systems.

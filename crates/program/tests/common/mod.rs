@@ -23,6 +23,7 @@ pub fn empty(mut graph: Graph) -> Equations {
         textbook: Err(Text::default()),
         steps: vec![],
         second: vec![],
+        places: vec![],
         energy,
         outputs: vec![],
         notation: vec![],

@@ -57,6 +57,7 @@ fn machine() -> Equations {
         textbook: Ok(vec![]),
         steps: vec![],
         second: vec![zero; 2],
+        places: vec![],
         energy,
         outputs: vec![],
         notation: vec![("mass".into(), "m".into())],
