@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use symbolic::Text;
+use symbolic::{Expr, Text};
 
 /// A study cannot go on. Results found before the fault are kept beside it. Boxed, so that results stay small.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fault(Box<Message>);
+pub struct Fault(Box<Message>, Option<Expr>);
 
 impl std::ops::Deref for Fault {
     type Target = Message;
@@ -132,7 +132,18 @@ pub(crate) fn rounded(value: f64) -> Text {
 impl Fault {
     /// From its words.
     pub fn new(message: Message) -> Fault {
-        Fault(Box::new(message))
+        Fault(Box::new(message), None)
+    }
+
+    /// The same, about an expression of the equations.
+    pub fn about(mut self, expression: Option<Expr>) -> Fault {
+        self.1 = expression;
+        self
+    }
+
+    /// The expression of the equations that failed, for printing in the user's symbols, when it is known.
+    pub fn expression(&self) -> Option<Expr> {
+        self.1
     }
 
     /// The same, with the instant at which it happened.

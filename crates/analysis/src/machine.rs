@@ -55,7 +55,8 @@ impl Switches {
 
 impl From<program::Fault> for Fault {
     fn from(fault: program::Fault) -> Fault {
-        Fault::new(Message { code: fault.code, what: fault.what.clone(), why: fault.why.clone(), help: fault.help.clone() })
+        let message = Message { code: fault.code, what: fault.what.clone(), why: fault.why.clone(), help: fault.help.clone() };
+        Fault::new(message).about(fault.expression)
     }
 }
 

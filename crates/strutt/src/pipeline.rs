@@ -12,6 +12,7 @@ use analysis::studies::{self, simulate::Outcome};
 use mechanics::derive::Detail;
 use mechanics::model::{Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
+use report::formula::{Form, Printer};
 use report::{Document, Language};
 use std::sync::Arc;
 use symbolic::{Equations, SymbolId};
@@ -120,7 +121,7 @@ pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> F
     };
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
-    Finding::Motion(study.clone(), data, outcome.fault.map(Trouble::from))
+    Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations)))
 }
 
 /// Positions of equilibrium, from the start of the motion and from a guess.
@@ -134,7 +135,21 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
     };
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
-    Finding::Equilibrium(data, outcome.fault.map(Trouble::from))
+    Finding::Equilibrium(data, outcome.fault.map(|fault| explained(fault, &machine.equations)))
+}
+
+/// A fault with the expression that failed in the user's symbols.
+fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
+    let expression = fault.expression();
+    let mut trouble = Trouble::from(fault);
+    if let Some(e) = expression {
+        for (words, language) in [(&mut trouble.what.en, Language::En), (&mut trouble.what.ru, Language::Ru)] {
+            let printer = Printer::of(equations, language);
+            words.push_str(": ");
+            words.push_str(&printer.inline(&equations.graph, e, Form::Text));
+        }
+    }
+    trouble
 }
 
 /// The written calculation.
