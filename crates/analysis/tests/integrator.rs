@@ -158,3 +158,58 @@ fn premature_zero_coefficients_are_taken_back() {
     let exact = 4096.0 / 4097.0;
     assert!((x[1] - exact).abs() < 1e-7, "{}", x[1] - exact);
 }
+
+/// A push by swelling pulses: steps, lowest and highest order of a step, mean order, work, largest relative error, bits of the last state.
+struct Push {
+    steps: u64,
+    orders: (usize, usize),
+    mean: f64,
+    /// Sum of the costs of the steps by the formula at the head of `length.rs`.
+    cost: f64,
+    error: f64,
+    last: Vec<u64>,
+}
+
+fn push(tolerance: f64, order: Option<usize>) -> Push {
+    // the share of the pulses grows from ten tolerances to 30
+    let (a, r, end) = (10.0 * tolerance, 0.5_f64, 300.0_f64);
+    let b = (30.0 / a).ln() / end;
+    // integral of a e^(b t) (1 + 2 sum r^n cos(n t))
+    let primitive = |t: f64| {
+        let term = |n: f64| r.powf(n) * (b * (n * t).cos() + n * (n * t).sin()) / (b * b + n * n);
+        a * (b * t).exp() * (1.0 / b + 2.0 * (1..=60).map(|n| term(f64::from(n))).sum::<f64>())
+    };
+    let mut system = swelling(a, b, r);
+    let options = Options { tolerance, order, span: end };
+    let mut flow = Flow::start(&mut system, 0.0, &[0.0], &options).unwrap();
+    let (mut orders, mut cost, mut error) = ((usize::MAX, 0), 0.0, 0.0_f64);
+    while !flow.reached(end) {
+        flow.advance(end).unwrap();
+        let order = flow.step().order;
+        cost += 3.0 + order as f64 + (order * order) as f64 / 160.0;
+        orders = (orders.0.min(order), orders.1.max(order));
+        let t = flow.time();
+        error = error.max((flow.state()[0] / (t + primitive(t) - primitive(0.0)) - 1.0).abs());
+    }
+    let work = flow.work();
+    assert_eq!(work.highest_order, orders.1);
+    println!("{tolerance:e} {order:?}: {work:?}, {orders:?}, cost {cost}, error {error:e}");
+    let last = flow.state().iter().map(|x| x.to_bits()).collect();
+    Push { steps: work.steps, orders, mean: work.orders as f64 / work.steps as f64, cost, error, last }
+}
+
+/// While the pulses are a ripple on the uniform motion a low order suffices, when they prevail a high one pays.
+#[test]
+fn order_follows_the_motion() {
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let (free, again) = (push(tolerance, None), push(tolerance, None));
+        let start = (2.0 - 2.1 * tolerance.log10()).round().min(26.0) as usize;
+        let fixed = push(tolerance, Some(start));
+        assert_eq!((free.last, free.steps), (again.last, again.steps));
+        assert!(free.orders.0 + 4 <= free.orders.1, "{:?}", free.orders);
+        assert!((free.orders.0 as f64) < free.mean && free.mean < free.orders.1 as f64, "{}", free.mean);
+        assert!(free.error <= fixed.error.max(tolerance), "{:e} {:e}", free.error, fixed.error);
+        assert!(free.cost < fixed.cost, "{} {}", free.cost, fixed.cost);
+        assert_eq!((fixed.orders, fixed.mean), ((start, start), start as f64));
+    }
+}

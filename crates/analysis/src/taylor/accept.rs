@@ -73,6 +73,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     pub(super) fn take_back(&mut self, h: f64, factor: f64, fault: Option<Fault>) -> Result<f64, Fault> {
         self.work.rejected += 1;
+        self.rule.restore(self.step.order);
         let h = factor * h;
         self.guess = h;
         match fault {

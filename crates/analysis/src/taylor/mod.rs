@@ -1,9 +1,9 @@
 //! Adaptive Taylor integrator with dense output and exact events.
 //!
 //! One expansion per step gives the polynomials of the states, hence the step length (`length.rs`), the dense output ([`Step`]) and
-//! polynomial event functions ([`crate::events::roots`]). The order follows from the tolerance. A step goes so:
+//! polynomial event functions ([`crate::events::roots`]). The order starts from the tolerance and adapts to the motion. A step goes so:
 //!
-//! 1. length from the last two coefficients; never across a scheduled instant, which is hit exactly;
+//! 1. length from the last two coefficients, and the order of the next expansion; never across a scheduled instant, which is hit exactly;
 //! 2. first sign change of a guard on the step shortens it;
 //! 3. new state; the expansion there is the next step's, and its first coefficients, compared with the derivative of the old polynomials, measure the
 //!    defect of the step: a step that relied on accidental zeros among the last coefficients is taken back;
@@ -36,7 +36,7 @@ pub const TOLERANCES: (f64, f64) = (1e-15, 1e-3);
 pub struct Options {
     /// Error of a component within a step, relative to its change within the step. Default 1e-12.
     pub tolerance: f64,
-    /// Order of the Taylor polynomials; chosen from the tolerance when absent.
+    /// Order of the Taylor polynomials, the same for the whole run; when absent it follows from the tolerance and adapts to the motion.
     pub order: Option<usize>,
     /// Length of the run, s: a time scale for motions that have none of their own (polynomials of time), used only to judge what is small.
     /// Default 1.
@@ -158,6 +158,9 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         let (target, limit) = self.target(end);
         let mut h = self.rule.length(&self.step.states, self.guess, limit);
         self.guess = h;
+        if h < limit {
+            self.rule.adapt(&self.step.states);
+        }
         let mut defect = Defect::default();
         loop {
             self.check_length(h)?;
@@ -206,7 +209,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     pub fn work(&self) -> &Work {
         &self.work
     }
-    /// Order of the polynomials.
+    /// Order of the next expansion.
     pub fn order(&self) -> usize {
         self.rule.order
     }
@@ -263,8 +266,8 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         std::mem::swap(&mut self.low, &mut self.next_low);
         self.deflation.fill(0);
         self.work.steps += 1;
-        self.work.orders += self.rule.order as u64;
-        self.work.highest_order = self.work.highest_order.max(self.rule.order);
+        self.work.orders += self.step.order as u64;
+        self.work.highest_order = self.work.highest_order.max(self.step.order);
         self.expanded = !event;
         let scheduled = self.mark_scheduled();
         let wrong = !event && self.mark_wrong_sides();

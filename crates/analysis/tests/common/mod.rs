@@ -209,3 +209,23 @@ pub fn clocked(polynomials: &[(f64, &[f64])]) -> Hand {
             .collect()
     })
 }
+
+/// v' = 1 + a e^(b t) K(t) with the pulses K = (1 - r^2) / (1 - 2 r cos t + r^2) = 1 + 2 sum r^n cos(n t). Aux: e^(b t), K.
+pub fn swelling(a: f64, b: f64, r: f64) -> Hand {
+    Hand::new(&["m/s"], 0, move |s, k| {
+        let growth = if k == 0 { a * (b * s.t).exp() } else { b / k as f64 * s.aux[0][k - 1] };
+        s.aux[0].push(growth);
+        let mut power = 1.0;
+        let u: Vec<f64> = (0..=k)
+            .map(|j| {
+                let turned = [s.t.cos(), -s.t.sin(), -s.t.cos(), s.t.sin()][j % 4];
+                power /= j.max(1) as f64;
+                constant(1.0 + r * r, j) - 2.0 * r * turned * power
+            })
+            .collect();
+        let known = (1..=k).map(|j| u[j] * s.aux[1][k - j]).sum::<f64>();
+        s.aux[1].push((constant(1.0 - r * r, k) - known) / u[0]);
+        vec![constant(1.0, k) + Work::product(&s.aux[0], &s.aux[1], k)]
+    })
+    .aux(2)
+}
