@@ -16,7 +16,8 @@ impl Graph {
         roots.iter().map(|r| known[r]).collect()
     }
 
-    fn evaluate_node(&self, e: Expr, value: &dyn Fn(SymbolId) -> f64, known: &dyn Fn(Expr) -> f64) -> f64 {
+    /// The value of one node when those of its operands are known.
+    pub fn evaluate_node(&self, e: Expr, value: &dyn Fn(SymbolId) -> f64, known: &dyn Fn(Expr) -> f64) -> f64 {
         match self.node(e) {
             Node::Number(r) => r.to_f64(),
             Node::Pi => std::f64::consts::PI,
