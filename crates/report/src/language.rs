@@ -51,6 +51,8 @@ impl Language {
     }
 }
 
+/// A table of printed words: `Key: "English", "Russian";` rows become the enum `Word` and the table `WORDS` where it stands.
+#[macro_export]
 macro_rules! words {
     ($($name:ident: $en:literal, $ru:literal;)*) => {
         /// Key of a printed word.

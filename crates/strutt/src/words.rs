@@ -2,18 +2,7 @@
 
 use report::Language;
 
-macro_rules! words {
-    ($($name:ident: $en:literal, $ru:literal;)*) => {
-        /// Key of a printed word.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[allow(missing_docs)]
-        pub enum Word { $($name),* }
-        /// Every printed word: key, English, Russian.
-        pub const WORDS: &[(Word, &str, &str)] = &[$((Word::$name, $en, $ru)),*];
-    };
-}
-
-words! {
+report::words! {
     Error: "error", "ошибка";
     Warning: "warning", "предупреждение";
     Why: "why", "причина";
