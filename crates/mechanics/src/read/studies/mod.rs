@@ -1,0 +1,150 @@
+//! `[[study]]`: one file per kind and one line in [`KINDS`].
+
+mod equilibrium;
+mod plot;
+mod simulate;
+
+use super::reader::{Fields, Reader, string, wrong_type};
+use crate::fault::{Fault, nearest};
+use crate::fields;
+use crate::formula::{Context, EntryKind};
+use crate::model::{DEFAULT_TOLERANCE, Study, StudyKind};
+use crate::units::Dimension;
+use std::ops::Range;
+use toml::de::DeValue;
+
+/// A kind of study: its name, the keys that belong to it, how it is read.
+struct Row {
+    name: &'static str,
+    keys: &'static [&'static str],
+    read: for<'a> fn(&mut Reader<'a>, &Fields<'a>) -> Option<StudyKind>,
+}
+
+const KINDS: &[Row] = &[
+    Row { name: "equations", keys: &[], read: |_, _| Some(StudyKind::Equations) },
+    Row { name: "equilibrium", keys: &["guess"], read: equilibrium::read },
+    Row { name: "simulate", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: simulate::read },
+];
+
+/// The studies, in order.
+pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Study> {
+    let Some(value) = top.get("study") else { return Vec::new() };
+    let DeValue::Array(items) = value.get_ref() else {
+        reader.fault(
+            wrong_type(value.span(), "an array of tables", "массив таблиц", value.get_ref().type_str())
+                .help("write [[study]] with double brackets", "напишите [[study]] в двойных скобках"),
+        );
+        return Vec::new();
+    };
+    let mut found = Vec::new();
+    for item in items.iter() {
+        let DeValue::Table(table) = item.get_ref() else {
+            reader.fault(wrong_type(item.span(), "a table", "таблица", item.get_ref().type_str()));
+            continue;
+        };
+        let fields = Fields::open(reader, &fields::STUDY, table, item.span(), "study".to_owned());
+        if let Some(kind) = study(reader, &fields) {
+            found.push(Study { kind, span: item.span() });
+        }
+    }
+    found
+}
+
+fn study<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
+    let (kind, span) = string(reader, fields.get("kind")?, "a string", "строка")?;
+    if let Some(row) = KINDS.iter().find(|row| row.name == kind) {
+        misplaced(reader, fields, row);
+        return (row.read)(reader, fields);
+    }
+    let names: Vec<&str> = KINDS.iter().map(|row| row.name).collect();
+    let fault = Fault::new(
+        "M064",
+        span,
+        format!("unknown study `{}`", super::reader::short(&kind)),
+        format!("неизвестный расчёт `{}`", super::reader::short(&kind)),
+    );
+    let fault = match nearest(&kind, names.iter().copied()) {
+        Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        None => fault.help(format!("known studies: {}", names.join(", ")), format!("известные расчёты: {}", names.join(", "))),
+    };
+    reader.fault(fault);
+    None
+}
+
+/// Keys that belong to another kind of study.
+fn misplaced<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, row: &Row) {
+    for key in fields::STUDY.fields.iter().map(|f| f.key).filter(|key| *key != "kind") {
+        if !row.keys.contains(&key) && fields.has(key) {
+            let kind = row.name;
+            reader.fault(Fault::new(
+                "M005",
+                fields.span_of(key),
+                format!("`{key}` does not belong to the study `{kind}`"),
+                format!("ключ `{key}` не относится к расчёту `{kind}`"),
+            ));
+        }
+    }
+}
+
+/// A positive time.
+fn duration<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<f64> {
+    let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::TIME))?;
+    let number = reader.number(&value)?;
+    if number <= 0.0 {
+        reader.fault(Fault::new(
+            "M065",
+            fields.span_of(key),
+            format!("`{key}` is {number} s; it must be positive"),
+            format!("`{key}` равно {number} с; должно быть положительным"),
+        ));
+        return None;
+    }
+    Some(number)
+}
+
+fn tolerance<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> f64 {
+    let Some(value) = fields.formula(reader, "tolerance", &Context::CONSTANT, Some(&Dimension::NONE)) else { return DEFAULT_TOLERANCE };
+    let Some(number) = reader.number(&value) else { return DEFAULT_TOLERANCE };
+    if !(1e-16..=1e-2).contains(&number) {
+        reader.fault(
+            Fault::new(
+                "M065",
+                fields.span_of("tolerance"),
+                format!("the tolerance is {number:e}; it must lie between 1e-16 and 1e-2"),
+                format!("точность {number:e}; допустимо от 1e-16 до 1e-2"),
+            )
+            .why("machine numbers carry 16 digits", "машинные числа несут 16 знаков"),
+        );
+    }
+    number
+}
+
+/// A name of a result: coordinate with primes, or output.
+fn known(reader: &mut Reader, name: String, span: Range<usize>) -> Option<String> {
+    let base = name.trim_end_matches('\'');
+    let primes = name.len() - base.len();
+    let fits = match reader.scope.get(base).map(|e| e.kind) {
+        Some(EntryKind::Coordinate(_)) => primes <= 1,
+        Some(EntryKind::Output(_)) => primes == 0,
+        _ => false,
+    };
+    if fits {
+        return Some(name);
+    }
+    let fault = Fault::new(
+        "M066",
+        span,
+        format!("there is no result `{}`", super::reader::short(&name)),
+        format!("нет результата `{}`", super::reader::short(&name)),
+    )
+    .why(
+        "results are coordinates, their rates (phi') and the names in [outputs]",
+        "результаты — это координаты, их скорости (phi') и имена из [outputs]",
+    );
+    let fault = match nearest(base, reader.scope.names()) {
+        Some(near) if near != base => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        _ => fault.help("add it to [outputs]", "добавьте её в [outputs]"),
+    };
+    reader.fault(fault);
+    None
+}

@@ -1,0 +1,52 @@
+//! `plot = [...]` of a study.
+
+use super::known;
+use crate::fields;
+use crate::model::Plot;
+use crate::read::parameters::names;
+use crate::read::reader::{Fields, Reader, string, wrong_type};
+use crate::read::syntax::Value;
+use symbolic::Text;
+use toml::de::DeValue;
+
+pub(super) fn plots<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Vec<Plot> {
+    let Some(items) = value.get_ref().as_array() else {
+        reader.fault(
+            wrong_type(value.span(), "an array of plots", "массив графиков", value.get_ref().type_str())
+                .help("write plot = [\"phi'\"]", "напишите plot = [\"phi'\"]"),
+        );
+        return Vec::new();
+    };
+    items.iter().filter_map(|item| plot(reader, item)).collect()
+}
+
+fn plot<'a>(reader: &mut Reader<'a>, item: &'a Value<'a>) -> Option<Plot> {
+    let mut result = Plot { title: Text::default(), x: None, y: Vec::new() };
+    let mut wanted = Vec::new();
+    match item.get_ref() {
+        DeValue::String(name) => wanted.push((name.as_ref().to_owned(), item.span())),
+        DeValue::Array(_) => wanted = names(reader, item),
+        DeValue::Table(table) => {
+            let fields = Fields::open(reader, &fields::PLOT, table, item.span(), "plot".to_owned());
+            result.title = fields.text(reader, "title").unwrap_or_default();
+            let x = fields.name(reader, "x").filter(|(name, _)| name != "t");
+            result.x = x.and_then(|(name, span)| known(reader, name, span));
+            wanted = match fields.get("y") {
+                Some(v) if v.get_ref().as_str().is_some() => string(reader, v, "a name", "имя").into_iter().collect(),
+                Some(v) => names(reader, v),
+                None => Vec::new(),
+            };
+        }
+        other => {
+            reader.fault(wrong_type(
+                item.span(),
+                "a name, an array of names or { x, y, title }",
+                "имя, массив имён или { x, y, title }",
+                other.type_str(),
+            ));
+            return None;
+        }
+    }
+    result.y = wanted.into_iter().filter_map(|(name, span)| known(reader, name, span)).collect();
+    (!result.y.is_empty()).then_some(result)
+}
