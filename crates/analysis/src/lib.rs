@@ -14,4 +14,4 @@ pub mod taylor;
 pub use dataset::Dataset;
 pub use fault::Fault;
 pub use machine::Machine;
-pub use system::{Guard, Mode, Powers, Quantity, System};
+pub use system::{Guard, GuardKind, Mode, Powers, Quantity, System};
