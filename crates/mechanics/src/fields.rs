@@ -1,6 +1,8 @@
 //! Every key of the model file: what it is, what it defaults to, an example. The reader takes its list of known and required keys from
 //! here, and the reference (`docs/model-file.md`) is generated from here.
 
+pub mod connections;
+
 /// A pair of wordings, English and Russian.
 pub type Words = (&'static str, &'static str);
 
@@ -211,6 +213,25 @@ pub const TOP: TableSpec = TableSpec {
         may("torques", Type::Table, "", "", ("applied torques", "приложенные моменты"), ""),
         may("potentials", Type::Table, "", "", ("free-form potential energies", "потенциальные энергии общего вида"), ""),
         may("dissipations", Type::Table, "", "", ("free-form Rayleigh functions", "диссипативные функции общего вида"), ""),
+        may("pins", Type::Table, "", "", ("pins", "шарниры"), ""),
+        may("welds", Type::Table, "", "", ("welds", "жёсткие соединения"), ""),
+        may("sliders", Type::Table, "", "", ("sliders", "ползуны"), ""),
+        may("slots", Type::Table, "", "", ("slots", "кулисы"), ""),
+        may("rods", Type::Table, "", "", ("massless rods", "невесомые стержни"), ""),
+        may("ropes", Type::Table, "", "", ("ropes", "канаты"), ""),
+        may("threads", Type::Table, "", "", ("threads", "нити"), ""),
+        may("belts", Type::Table, "", "", ("belts", "ремни"), ""),
+        may("chains", Type::Table, "", "", ("chains", "цепи"), ""),
+        may("gears", Type::Table, "", "", ("gear pairs", "зубчатые пары"), ""),
+        may("racks", Type::Table, "", "", ("gears on racks", "зубчатые рейки"), ""),
+        may("rolling", Type::Table, "", "", ("rolling without slip", "качение без проскальзывания"), ""),
+        may("constraints", Type::Table, "", "", ("conditions of any form", "связи общего вида"), ""),
+        may("supports", Type::Table, "", "", ("supports", "опоры"), ""),
+        may("motions", Type::Table, "", "", ("prescribed motions", "заданные движения"), ""),
+        may("motors", Type::Table, "", "", ("motors that realise motions", "двигатели, создающие движения"), ""),
+        may("stops", Type::Table, "", "", ("one-sided stops", "односторонние упоры"), ""),
+        may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
+        may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
     ],
@@ -388,6 +409,17 @@ pub const SPRING: TableSpec = TableSpec {
             "0",
             ("force at rest, tension positive", "усилие при rest, растяжение положительно"),
             "\"10 N\"",
+        ),
+        may(
+            "backlash",
+            Type::Formula,
+            "m",
+            "0",
+            (
+                "whole play about `rest`, half on each side, in which there is no force",
+                "полный зазор около `rest`, по половине с каждой стороны; в нём усилия нет",
+            ),
+            "\"2 mm\"",
         ),
     ],
     example: "[springs.horizontal]\nalong = \"x\"\nstiffness = \"c_x\"\n",
@@ -733,22 +765,11 @@ pub const TEXT: TableSpec = TableSpec {
 };
 
 /// Every table, in the order of the reference.
-pub const ALL: [&TableSpec; 17] = [
-    &TOP,
-    &PARAMETER,
-    &COORDINATE,
-    &FRAME,
-    &BODY,
-    &TENSOR,
-    &POINT,
-    &SPRING,
-    &DAMPER,
-    &FORCE,
-    &TORQUE,
-    &POTENTIAL,
-    &DISSIPATION,
-    &OUTPUT,
-    &STUDY,
-    &PLOT,
-    &TEXT,
-];
+pub fn all() -> impl Iterator<Item = &'static TableSpec> {
+    BEFORE.iter().chain(connections::ALL).chain(AFTER).copied()
+}
+
+const BEFORE: &[&TableSpec] =
+    &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
+
+const AFTER: &[&TableSpec] = &[&OUTPUT, &STUDY, &PLOT, &TEXT];

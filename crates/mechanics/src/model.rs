@@ -282,6 +282,8 @@ pub struct Spring {
     pub rest: Rest,
     /// Force at rest; tension positive.
     pub preload: Expr,
+    /// Whole play about `rest`, half on each side: the spring acts where |pathway - rest| > backlash/2, by what goes beyond.
+    pub backlash: Option<Expr>,
     /// Place in the file (its name).
     pub span: Range<usize>,
 }

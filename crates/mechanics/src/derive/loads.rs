@@ -106,12 +106,19 @@ fn spring(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
         Rest::Start => at_start(scene, path.value),
     };
     let extension = scene.graph.sub(path.value, rest);
-    let square = scene.graph.square(extension);
+    let acting = match spring.backlash {
+        Some(play) => {
+            let play = resolver.resolve(scene, kinematics, play)?;
+            beyond_play(scene, extension, play)
+        }
+        None => extension,
+    };
+    let square = scene.graph.square(acting);
     let elastic = scene.graph.monomial(Rational::HALF, &[(stiffness, Rational::ONE), (square, Rational::ONE)]);
     let constant = scene.graph.mul(preload, extension);
     let energy = scene.graph.add(elastic, constant);
     loads.potentials.push(Term { name: spring.name.clone(), energy });
-    let force = scene.graph.mul(stiffness, extension);
+    let force = scene.graph.mul(stiffness, acting);
     let force = scene.graph.add(force, preload);
     loads.springs.push((force, extension));
     let against = scene.graph.neg(force);
@@ -121,6 +128,16 @@ fn spring(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
     let change = scene.along(energy, scene.n());
     loads.potential_change.push(change);
     Ok(())
+}
+
+/// What an extension e has beyond a play of width δ: e - δ/2 above it, e + δ/2 below it, 0 within.
+fn beyond_play(scene: &mut Scene, extension: Expr, play: Expr) -> Expr {
+    let graph = &mut scene.graph;
+    let half = graph.scale(play, &Rational::HALF);
+    let (above, below, zero) = (graph.sub(extension, half), graph.add(extension, half), graph.zero());
+    let under = graph.neg(below);
+    let otherwise = graph.switch(under, true, below, zero);
+    graph.switch(above, true, above, otherwise)
 }
 
 /// factor·gradient.

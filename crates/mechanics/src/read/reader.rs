@@ -237,6 +237,11 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// The machine number of an expression over constants; `None` for anything else.
+    pub(super) fn number_of(&mut self, e: Expr) -> Option<f64> {
+        Some(self.values.of(&self.builder.graph, e)).filter(|v| v.is_finite())
+    }
+
     /// The coordinates, their rates and accelerations that stand in an expression.
     pub(super) fn coordinates_in(&self, e: Expr) -> Vec<SymbolId> {
         let all = self.scope.coordinates();
