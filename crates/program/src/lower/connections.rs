@@ -314,6 +314,20 @@ fn sliding(lowering: &mut Lowering, reaction: usize, friction: &Friction) -> Res
     Ok(Numbers::Sliding { sliding, limits, normal })
 }
 
+/// Computes the surfaces of numbered guards in another tape, before the choices that go by them.
+pub(super) fn surfaces(lowering: &mut Lowering, equations: &Equations, numbers: &[Option<Numbers>]) -> Result<(), Fault> {
+    for (reaction, numbers) in equations.reactions.iter().zip(numbers) {
+        let (guard, surface) = match (&reaction.law, numbers) {
+            (Law::Contact { gap, .. }, Some(Numbers::Gap { gap: guard, .. })) => (*guard, *gap),
+            (Law::Friction(friction), Some(Numbers::Sliding { sliding, .. })) => (*sliding, friction.sliding),
+            _ => continue,
+        };
+        let surface = lowering.value(surface)?;
+        lowering.define_guard(guard, surface);
+    }
+    Ok(())
+}
+
 /// Gives the guards that follow from reactions their registers; `first` is the first register of the solution.
 pub(super) fn fill(
     lowering: &mut Lowering,
