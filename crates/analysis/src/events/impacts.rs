@@ -35,6 +35,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Impacts at the touched contacts whose gap closes; sets the first trial of the modes of all contacts on their surfaces. The last
     /// expansion belongs to the present state.
     pub(super) fn collide(&mut self) -> Result<Vec<Impact>, Fault> {
+        self.rebounds.fill(false);
         let on: Vec<usize> =
             (0..self.modes.len()).filter(|&i| self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero)).collect();
         let before: Vec<f64> = on.iter().map(|&i| self.gap_rate(i)).collect();
@@ -48,7 +49,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let mut impacts = Vec::new();
         for ((&i, &rate), &rebound) in on.iter().zip(&before).zip(&after) {
             let was_open = self.modes[i] != Mode::Zero;
-            self.modes[i] = if rebound > SILENT * scale { Mode::Positive } else { Mode::Zero };
+            self.rebounds[i] = rebound > SILENT * scale;
+            self.modes[i] = if self.rebounds[i] { Mode::Positive } else { Mode::Zero };
             self.touched[i] = true;
             if was_open && rate < 0.0 {
                 impacts.push(Impact { guard: i, rates: [rate, if self.modes[i] == Mode::Zero { 0.0 } else { rebound }], rests: None });

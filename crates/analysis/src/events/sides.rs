@@ -210,6 +210,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
     pub(super) fn leading(&self, i: usize) -> Option<(usize, Mode)> {
         let g = self.system.guard(i);
         let h = self.natural;
+        // the rate after an impact is known, however small it is
+        if self.rebounds[i] && g.get(1).is_some_and(|rate| *rate > 0.0) {
+            return Some((1, Mode::Positive));
+        }
         let change = size(g.get(1..)?, h) * h;
         if change <= STILL * self.guard_scale[i] {
             return None;

@@ -89,6 +89,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) modes: Vec<Mode>,
     /// Guards that leave `Zero` in the present trial.
     pub(crate) leaving: Vec<bool>,
+    /// Contacts that have just rebounded.
+    pub(crate) rebounds: Vec<bool>,
     /// For a guard that has just been crossed: number of leading coefficients that vanish (multiplicity of its root at the step's start).
     pub(crate) deflation: Vec<usize>,
     /// Guards on their surface now.
@@ -141,6 +143,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             drift: 0.0,
             modes: vec![Mode::Zero; n_g],
             leaving: vec![false; n_g],
+            rebounds: vec![false; n_g],
             deflation: vec![0; n_g],
             touched: vec![false; n_g],
             guard_scale: vec![0.0; n_g],
