@@ -16,4 +16,4 @@ pub use dataset::Dataset;
 pub use fault::Fault;
 pub use linear::{LinearMachine, Matrices};
 pub use machine::Machine;
-pub use system::{Guard, Mode, Powers, Quantity, System};
+pub use system::{Guard, GuardKind, Mode, Powers, Quantity, System};

@@ -70,7 +70,7 @@ impl Machine {
         let mut guards: Vec<Guard> = (0..program.guards.len())
             .map(|i| {
                 let unnamed = || Text::new(format!("switch {}", i + 1), format!("переключатель {}", i + 1));
-                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), scheduled: None }
+                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), ..Guard::default() }
             })
             .collect();
         for (guard, t) in bound.scheduled() {

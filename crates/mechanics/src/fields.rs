@@ -249,6 +249,18 @@ pub const COORDINATE: TableSpec = TableSpec {
         must("unit", Type::Unit, "", ("unit", "единица"), "\"rad\""),
         may("start", Type::Formula, "", "0", ("value at t = 0, a constant", "значение при t = 0, постоянная"), "\"15 deg\""),
         may("rate", Type::Formula, "", "0", ("rate at t = 0, a constant", "скорость при t = 0, постоянная"), "\"2 rad/s\""),
+        may(
+            "guess",
+            Type::Formula,
+            "",
+            "0",
+            (
+                "instead of `start`: where the search for the value that closes the connections begins; the nearest configuration is taken",
+                "вместо `start`: откуда начинать поиск значения, при котором связи замкнуты; берётся ближайшее положение",
+            ),
+            "\"1.7 rad\"",
+        ),
+        may("rate_guess", Type::Formula, "", "0", ("the same for `rate`", "то же для `rate`"), "\"0\""),
         SYMBOL,
         LABEL,
     ],

@@ -2,6 +2,7 @@
 //! hand-over from mechanics to numerics. It knows no bodies, no files, no output format.
 
 mod build;
+pub mod connections;
 mod derivative;
 pub mod equations;
 mod evaluate;

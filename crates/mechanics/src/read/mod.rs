@@ -121,6 +121,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         points,
         springs,
         dampers,
+        connections: Vec::new(),
         forces,
         torques,
         potentials,
