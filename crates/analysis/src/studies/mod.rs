@@ -1,4 +1,5 @@
 //! Studies, one file each.
 
 pub mod equilibrium;
+pub mod modes;
 pub mod simulate;
