@@ -3,3 +3,4 @@
 pub mod equilibrium;
 pub mod modes;
 pub mod simulate;
+pub mod tracks;
