@@ -1,4 +1,6 @@
 //! Studies, one file each.
 
 pub mod equilibrium;
+pub mod modes;
 pub mod simulate;
+pub mod tracks;
