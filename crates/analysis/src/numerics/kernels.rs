@@ -26,8 +26,11 @@ pub(super) fn self_adjoint(n: usize, matrix: &[f64]) -> Option<(Vec<f64>, Vec<f6
     Some((values, vectors))
 }
 
-/// Eigenvalues and right eigenvectors, one after another, as (re, im), of a real matrix; none when the iteration fails.
-pub(super) fn nonsymmetric(n: usize, matrix: &[f64]) -> Option<(Vec<(f64, f64)>, Vec<(f64, f64)>)> {
+/// (re, im).
+pub(super) type Complex = (f64, f64);
+
+/// Eigenvalues and right eigenvectors, one after another,, of a real matrix; none when the iteration fails.
+pub(super) fn nonsymmetric(n: usize, matrix: &[f64]) -> Option<(Vec<Complex>, Vec<Complex>)> {
     if n == 0 {
         return Some((Vec::new(), Vec::new()));
     }
