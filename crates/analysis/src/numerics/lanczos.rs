@@ -39,7 +39,7 @@ pub enum Sturm {
 
 impl Default for Options {
     fn default() -> Options {
-        Options { tolerance: 1e-10, block: 3, basis: 0, seed: 1, sturm: Sturm::Counted }
+        Options { tolerance: 1e-10, block: 4, basis: 0, seed: 1, sturm: Sturm::Counted }
     }
 }
 
