@@ -203,7 +203,7 @@ pub const TOP: TableSpec = TableSpec {
             "[\"0\", \"0\", \"-g\"]",
         ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
-        must("coordinates", Type::Table, "", ("generalized coordinates", "обобщённые координаты"), ""),
+        may("coordinates", Type::Table, "", "", ("generalized coordinates", "обобщённые координаты"), ""),
         may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
         may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
         may("points", Type::Table, "", "", ("named points", "именованные точки"), ""),
