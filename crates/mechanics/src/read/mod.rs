@@ -101,6 +101,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let coordinates = parameters::starts(reader, raw_coordinates);
     let (frames, mut points) = frames::read(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
+    connections::announce(reader, &top);
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
     let mut forces = elements::forces(reader, &top);
