@@ -1,6 +1,6 @@
 //! Equations of motion into the tapes of a [`Program`].
 
-use super::connections::{Arrangement, Connected, Numbers, Selection, fill, reserve, supports};
+use super::connections::{Arrangement, Connected, Numbers, Selection, fill, reserve, supports, surfaces};
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
 use crate::{ENERGY, Fault, Program, Register, Root, Tape};
 use std::collections::HashSet;
@@ -187,6 +187,7 @@ fn solution(
 fn forces(equations: &Equations, names: &Names, arrangement: &Arrangement, guards: &GuardTable) -> Result<Tape, Fault> {
     let n = equations.coordinates.len();
     let mut lowering = Lowering::new(&equations.graph, &over_states(equations), Switches::Known(guards));
+    surfaces(&mut lowering, equations, &guards.numbers)?;
     let first = solution(&mut lowering, equations, arrangement, &guards.numbers)?;
     let supports = supports(&mut lowering, equations, arrangement, first)?;
     let at = |first: Option<Register>, i: usize| Register(first.map_or(0, |f| f.0) + i as u32);
