@@ -11,6 +11,7 @@ mod outputs;
 mod overrides;
 mod parameters;
 mod reader;
+mod sections;
 mod shapes;
 mod studies;
 mod syntax;
@@ -105,6 +106,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let dissipations = elements::dissipations(reader, &top);
     let outputs = outputs::resolve(reader, raw_outputs);
     let studies = studies::read(reader, &top);
+    let sections = sections::read(reader, &top);
 
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
@@ -127,6 +129,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         dissipations,
         outputs,
         notation,
+        sections,
         studies,
     }
 }
