@@ -13,6 +13,7 @@ mod overrides;
 mod parameters;
 mod ranges;
 mod reader;
+mod sections;
 mod shapes;
 mod studies;
 mod syntax;
@@ -115,6 +116,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
     let studies = studies::read(reader, &top);
+    let sections = sections::read(reader, &top);
 
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
@@ -138,6 +140,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         dissipations,
         outputs,
         notation,
+        sections,
         studies,
     }
 }
