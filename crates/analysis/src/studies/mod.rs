@@ -2,5 +2,7 @@
 
 pub mod equilibrium;
 pub mod modes;
+pub mod peaks;
+pub mod response;
 pub mod simulate;
 pub mod tracks;
