@@ -101,7 +101,15 @@ pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault
 /// One study of the file; equations are no study of numbers.
 pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Option<Finding> {
     match kind {
-        StudyKind::Equations | StudyKind::Response(_) => None,
+        StudyKind::Equations => None,
+        // carried out by rooms that are being built
+        StudyKind::Inverse(_)
+        | StudyKind::Statics
+        | StudyKind::Kinematics(_)
+        | StudyKind::Periodic(_)
+        | StudyKind::Cycle(_)
+        | StudyKind::Sweep(_)
+        | StudyKind::Response(_) => None,
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
         StudyKind::Modes(study) => Some(modes(machine, study, watch)),
         StudyKind::Simulate(study) => {

@@ -67,7 +67,7 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     Ok(Found { small, matrices, modes, equation: equation.map(|e| e.0), tracks })
 }
 
-fn along(small: &mut Small, sweep: &mechanics::model::Sweep) -> Result<Tracks, Fault> {
+fn along(small: &mut Small, sweep: &mechanics::model::ParameterRange) -> Result<Tracks, Fault> {
     let names: Vec<String> = small.machine.parameters().iter().map(|p| p.name.clone()).collect();
     let Some(parameter) = small.machine.parameter(&sweep.name) else {
         let what = Text::new(
