@@ -85,6 +85,7 @@ pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, lang
 /// Figures of findings other than motions.
 pub fn other_figures(finding: &Finding, language: Language) -> Vec<Figure> {
     match finding {
+        Finding::Response(found) => crate::small::show::response_figures(found, language),
         Finding::Modes(found) => crate::small::show::campbell(&found.data, language).into_iter().collect(),
         _ => Vec::new(),
     }
@@ -277,6 +278,11 @@ impl Writer<'_> {
                 let mut blocks = vec![self.heading(Word::Equilibrium)];
                 blocks.push(self.table(equilibria(data, self.language), Word::Equilibrium));
                 blocks.extend(self.notes(data));
+                blocks
+            }
+            Finding::Response(found) => {
+                let mut blocks = vec![Block::heading(1, say(self.language, Say::Response))];
+                blocks.extend(crate::small::show::response(found, self.language, self.extent == Extent::Page));
                 blocks
             }
             Finding::Modes(found) => {
