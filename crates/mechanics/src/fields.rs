@@ -212,6 +212,7 @@ pub const TOP: TableSpec = TableSpec {
         may("potentials", Type::Table, "", "", ("free-form potential energies", "потенциальные энергии общего вида"), ""),
         may("dissipations", Type::Table, "", "", ("free-form Rayleigh functions", "диссипативные функции общего вида"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
+        may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
     ],
 };
@@ -501,22 +502,71 @@ pub const OUTPUT: TableSpec = TableSpec {
     example: "[outputs]\nomega_p = { value = \"phi'\", unit = \"rpm\" }\n",
 };
 
-/// `[[study]]`.
-pub const STUDY: TableSpec = TableSpec {
-    name: "study",
+/// `[[phases]]`.
+pub const PHASE: TableSpec = TableSpec {
+    name: "phases",
     about: (
-        "Studies, carried out in order: `equations`, `equilibrium` (key `guess`), `simulate` (the other keys).",
-        "Расчёты, выполняются по порядку: `equations`, `equilibrium` (ключ `guess`), `simulate` (остальные ключи).",
+        "A schedule of parameters: each phase begins where the one before ends (the first at t = 0) and sets parameters. A value holds until another phase sets it. The switches are hit exactly. `--set phases=restarts` (or `keeps`) chooses the reading for all phases.",
+        "Расписание параметров: каждый этап начинается там, где кончается предыдущий (первый — при t = 0), и задаёт параметры. Значение действует, пока его не сменит другой этап. Моменты переключения выдерживаются точно. `--set phases=restarts` (или `keeps`) выбирает толкование для всех этапов.",
     ),
     short: None,
     fields: &[
-        must("kind", Type::String, "", ("equations, equilibrium or simulate", "equations, equilibrium или simulate"), "\"simulate\""),
         may(
             "until",
             Type::Formula,
             "s",
             "",
-            ("end of the motion; required to simulate", "конец движения; обязателен для simulate"),
+            ("instant at which the phase ends; the last phase may do without", "момент окончания этапа; у последнего может отсутствовать"),
+            "\"2*t_s\"",
+        ),
+        may(
+            "set",
+            Type::Table,
+            "",
+            "",
+            (
+                "values of parameters from the start of the phase; the parameter's own name stands for its value in [parameters]",
+                "значения параметров с начала этапа; собственное имя параметра обозначает его значение в [parameters]",
+            ),
+            "{ M_0 = \"8 N m\" }",
+        ),
+        may(
+            "phase",
+            Type::String,
+            "",
+            "\"keeps\"",
+            (
+                "\"keeps\": forces and torques go on; \"restarts\": the time in forces and torques counts from the start of the phase; holds for later phases too",
+                "\"keeps\": силы и моменты продолжаются; \"restarts\": время в силах и моментах отсчитывается от начала этапа; действует и для следующих этапов",
+            ),
+            "\"restarts\"",
+        ),
+    ],
+    example: "[[phases]]\nuntil = \"t_s\"\n\n[[phases]]\nuntil = \"2*t_s\"\nset = { M_0 = \"8 N m\" }\n\n[[phases]]\nset = { M_0 = \"0 N m\" }\n",
+};
+
+/// `[[study]]`.
+pub const STUDY: TableSpec = TableSpec {
+    name: "study",
+    about: (
+        "Studies, carried out in order: `equations`, `equilibrium` (key `guess`), `simulate` (the other keys), `transient` (the keys of `simulate`; a linear system in closed form).",
+        "Расчёты, выполняются по порядку: `equations`, `equilibrium` (ключ `guess`), `simulate` (остальные ключи), `transient` (ключи `simulate`; линейная система в замкнутой форме).",
+    ),
+    short: None,
+    fields: &[
+        must(
+            "kind",
+            Type::String,
+            "",
+            ("equations, equilibrium, simulate or transient", "equations, equilibrium, simulate или transient"),
+            "\"simulate\"",
+        ),
+        may(
+            "until",
+            Type::Formula,
+            "s",
+            "",
+            ("end of the motion; required by simulate and transient", "конец движения; обязателен для simulate и transient"),
             "\"30 s\"",
         ),
         may("every", Type::Formula, "s", "", ("step of the results", "шаг вывода результатов"), "\"10 ms\""),
@@ -583,7 +633,7 @@ pub const TEXT: TableSpec = TableSpec {
 };
 
 /// Every table, in the order of the reference.
-pub const ALL: [&TableSpec; 17] = [
+pub const ALL: [&TableSpec; 18] = [
     &TOP,
     &PARAMETER,
     &COORDINATE,
@@ -598,6 +648,7 @@ pub const ALL: [&TableSpec; 17] = [
     &POTENTIAL,
     &DISSIPATION,
     &OUTPUT,
+    &PHASE,
     &STUDY,
     &PLOT,
     &TEXT,

@@ -47,6 +47,8 @@ pub struct Model {
     pub requests: Vec<Request>,
     /// Printed symbols the user asked for: name as in formulas, symbol.
     pub notation: Vec<(String, String)>,
+    /// Ends of the phases of the load schedule, ascending, over constants. What the phases set is already a formula of time.
+    pub phases: Vec<Expr>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
 }
@@ -469,6 +471,8 @@ pub enum StudyKind {
     },
     /// Compute a motion.
     Simulate(Simulate),
+    /// Compute the motion of a linear system in closed form.
+    Transient(Simulate),
 }
 
 /// A motion to compute; SI.

@@ -10,6 +10,7 @@ mod order;
 mod outputs;
 mod overrides;
 mod parameters;
+mod phases;
 mod reader;
 mod shapes;
 mod studies;
@@ -91,16 +92,20 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
     let raw_parameters = parameters::collect(reader, &top, &mut notation);
     let raw_outputs = outputs::collect(reader, &top, &mut notation);
-    overrides::check_names(reader, &raw_coordinates, &raw_parameters);
+    let mut schedule = phases::collect(reader, &top);
+    schedule.check_names(reader, &raw_coordinates, &raw_parameters);
+    overrides::check_names(reader, &raw_coordinates, &raw_parameters, &schedule);
     parameters::declare_coordinates(reader, &raw_coordinates);
-    let mut parameters = parameters::resolve(reader, raw_parameters);
+    let mut parameters = parameters::resolve(reader, raw_parameters, &mut schedule);
+    let phases = schedule.finish(reader);
     let coordinates = parameters::starts(reader, raw_coordinates);
     let (frames, points) = frames::read(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
-    let forces = elements::forces(reader, &top);
-    let torques = elements::torques(reader, &top);
+    let mut forces = elements::forces(reader, &top);
+    let mut torques = elements::torques(reader, &top);
+    parameters.extend(schedule.restart(reader, &parameters, &mut forces, &mut torques, &mut notation));
     let potentials = elements::potentials(reader, &top);
     let dissipations = elements::dissipations(reader, &top);
     let outputs = outputs::resolve(reader, raw_outputs);
@@ -127,6 +132,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         dissipations,
         outputs,
         notation,
+        phases,
         studies,
     }
 }

@@ -3,6 +3,7 @@
 mod equilibrium;
 mod plot;
 mod simulate;
+mod transient;
 
 use super::reader::{Fields, Reader, string, wrong_type};
 use crate::fault::{Fault, nearest};
@@ -24,6 +25,7 @@ const KINDS: &[Row] = &[
     Row { name: "equations", keys: &[], read: |_, _| Some(StudyKind::Equations) },
     Row { name: "equilibrium", keys: &["guess"], read: equilibrium::read },
     Row { name: "simulate", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: simulate::read },
+    Row { name: "transient", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: transient::read },
 ];
 
 /// The studies, in order.

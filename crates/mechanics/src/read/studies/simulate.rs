@@ -14,15 +14,21 @@ use crate::units::Dimension;
 const MAX_ROWS: f64 = 1e7;
 
 pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
-    simulate(reader, fields).map(StudyKind::Simulate)
+    motion(reader, fields, "simulate").map(StudyKind::Simulate)
 }
 
-fn simulate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Simulate> {
+/// The keys of a motion.
+pub(super) fn motion<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, study: &str) -> Option<Simulate> {
     let until = duration(reader, fields, "until");
     if !fields.has("until") {
         reader.fault(
-            Fault::new("M006", fields.span.clone(), "the study simulate lacks `until`", "в расчёте simulate не хватает `until`")
-                .help("add until = \"30 s\"", "добавьте until = \"30 с\""),
+            Fault::new(
+                "M006",
+                fields.span.clone(),
+                format!("the study {study} lacks `until`"),
+                format!("в расчёте {study} не хватает `until`"),
+            )
+            .help("add until = \"30 s\"", "добавьте until = \"30 с\""),
         );
     }
     if fields.has("every") && fields.has("at") {
