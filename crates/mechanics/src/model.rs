@@ -47,8 +47,8 @@ pub struct Model {
     pub requests: Vec<Request>,
     /// Printed symbols the user asked for: name as in formulas, symbol.
     pub notation: Vec<(String, String)>,
-    /// Ends of the phases of the load schedule, ascending, over constants. What the phases set is already a formula of time.
-    pub phases: Vec<Expr>,
+    /// Ends of the phases of the load schedule, ascending, s. What the phases set is already a formula of time.
+    pub phases: Vec<f64>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
 }

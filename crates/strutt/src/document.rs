@@ -246,7 +246,7 @@ impl Writer<'_> {
                 blocks.extend(self.notes(data));
                 blocks
             }
-            Finding::Motion(study, data, _) => {
+            Finding::Motion(study, data, _) | Finding::Transient(study, data, ..) => {
                 let mut blocks = vec![self.heading(Word::Simulation)];
                 blocks.push(self.table(results(data, self.language), Word::Results));
                 blocks.extend(self.notes(data));

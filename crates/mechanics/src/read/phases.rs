@@ -210,8 +210,11 @@ impl<'a> Schedule<'a> {
     }
 
     /// Ends of the phases in order, when all parameters are known.
-    pub(super) fn finish(&mut self, reader: &mut Reader<'a>) -> Vec<Expr> {
-        let ends: Vec<Expr> = (0..self.phases.len()).filter_map(|i| self.end(reader, i)).collect();
+    pub(super) fn finish(&mut self, reader: &mut Reader<'a>) -> Vec<f64> {
+        for i in 0..self.phases.len() {
+            self.end(reader, i);
+        }
+        let mut ends = Vec::new();
         let mut before = 0.0;
         for (phase, checked) in self.phases.iter().zip(&self.ends) {
             let (Some((_, span)), Some(checked)) = (&phase.until, checked) else { continue };
@@ -235,6 +238,7 @@ impl<'a> Schedule<'a> {
                 );
             }
             before = end;
+            ends.push(end);
         }
         ends
     }

@@ -9,6 +9,7 @@ mod explain;
 mod new;
 mod run;
 mod simulate;
+mod transient;
 
 use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
@@ -38,6 +39,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Check(args) => check::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
+        Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),

@@ -127,7 +127,7 @@ impl Command {
         match pipeline::equilibrium(machine, &guess, &mut Watch::default()) {
             Finding::Equilibrium(data, None) => Ok(Outcome::Rest(data)),
             Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
-            Finding::Motion(..) => Err("an equilibrium came back as a motion".into()),
+            Finding::Motion(..) | Finding::Transient(..) => Err("an equilibrium came back as a motion".into()),
         }
     }
 }
