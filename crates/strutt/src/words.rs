@@ -35,6 +35,7 @@ report::words! {
     DissipationFunction: "Dissipation function", "Диссипативная функция";
     WhereText: "where", "где";
     Columns: "Quantities", "Величины";
+    ClosedForm: "Motion in closed form", "Движение в замкнутой форме";
     AtStart: "at the start", "в начале";
     Copied: "ready to run", "готово к запуску";
     TimeRead: "read", "чтение";

@@ -177,7 +177,7 @@ impl Oscillator {
                 [first, a - first]
             }
         };
-        let rest = forced.0.iter().filter(|t| t.rate == Complex::ZERO && t.power == 0).map(|t| t.factor.re).sum();
+        let rest = forced.0.iter().filter(|t| t.rate == Complex::ZERO && t.power == 0).fold(0.0, |sum, t| sum + t.factor.re);
         Constants { case, resonance, roots, k1, free, rest, harmonics: self.harmonics(), forced }
     }
 

@@ -1,4 +1,7 @@
-//! The phases of a closed-form motion: as JSON.
+//! The phases of a closed-form motion: as JSON here, as a written solution in [`steps`].
+
+mod setting;
+pub mod steps;
 
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Listed};
