@@ -64,7 +64,7 @@ const AUTO: usize = 1000;
 pub fn transient<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], options: Transient<'_>) -> Found {
     match solve(system, equations, start, &options) {
         Ok((mut dataset, phases)) => {
-            twin(system, start, options.twin, &mut dataset);
+            twin(system, start, &phases, options.twin, &mut dataset);
             Found { outcome: Outcome { dataset, fault: None }, phases }
         }
         Err(fault) => {
@@ -165,26 +165,39 @@ fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], op
     system.show(&chosen)?;
     let mut values = vec![0.0; all.len()];
     let mut rows: Vec<Vec<f64>> = vec![vec![f64::NAN; times.len()]; chosen.len()];
+    let mut at = 0;
+    each_row(phases, times, |row, x| {
+        while phases.get(at + 1).is_some_and(|p| times[row] >= p.start) {
+            at += 1;
+        }
+        let (phase, t) = (&phases[at], times[row]);
+        let x: Vec<f64> = x.iter().copied().chain(phase.form.turns.iter().map(|turn| turn.at(t))).collect();
+        let modes = modes(system, phase, t, &x);
+        system.observe(t, &x, &modes, &mut values)?;
+        for (column, i) in rows.iter_mut().zip(&chosen) {
+            column[row] = values[*i];
+        }
+        Ok(())
+    })?;
+    let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
+    let mut columns = vec![Column { quantity: time, values: times.to_vec() }];
+    columns.extend(chosen.iter().zip(rows).map(|(i, values)| Column { quantity: all[*i].clone(), values }));
+    Ok(Dataset { axis: Some(0), columns, ..Dataset::default() })
+}
+
+/// Visits the closed form at the given times in ascending order: row of the time, state (q, q'). At a switch the later phase is meant.
+fn each_row(phases: &[Phase], times: &[f64], mut visit: impl FnMut(usize, &[f64]) -> Result<(), Fault>) -> Result<(), Fault> {
     let mut order: Vec<usize> = (0..times.len()).collect();
     order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
     for (k, phase) in phases.iter().enumerate() {
         let later = phases.get(k + 1).map_or(f64::INFINITY, |p| p.start);
         let own: Vec<usize> = order.iter().copied().filter(|i| times[*i] >= phase.start && times[*i] < later).collect();
         let taus: Vec<f64> = own.iter().map(|i| times[*i] - phase.start).collect();
-        for (place, mut x) in own.into_iter().zip(phase.motion.states(&taus)) {
-            let t = times[place];
-            x.extend(phase.form.turns.iter().map(|turn| turn.at(t)));
-            let modes = modes(system, phase, t, &x);
-            system.observe(t, &x, &modes, &mut values)?;
-            for (row, i) in rows.iter_mut().zip(&chosen) {
-                row[place] = values[*i];
-            }
+        for (row, x) in own.into_iter().zip(phase.motion.states(&taus)) {
+            visit(row, &x)?;
         }
     }
-    let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
-    let mut columns = vec![Column { quantity: time, values: times.to_vec() }];
-    columns.extend(chosen.iter().zip(rows).map(|(i, values)| Column { quantity: all[*i].clone(), values }));
-    Ok(Dataset { axis: Some(0), columns, ..Dataset::default() })
+    Ok(())
 }
 
 /// Scheduled switches as inside the phase, others by their values.
@@ -197,10 +210,13 @@ fn modes<S: System + ?Sized>(system: &mut S, phase: &Phase, t: f64, x: &[f64]) -
     system.guards().iter().zip(scheduled.into_iter().zip(own)).map(choose).collect()
 }
 
-/// The same motion by integration: its checks, and the largest difference of a column relative to its largest value.
-fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], mut options: Simulate<'_>, dataset: &mut Dataset) {
-    options.grid = Grid::At(dataset.columns[0].values.clone());
+/// The same motion by integration: its checks, and the largest difference of a coordinate or rate, relative to the largest value of its kind.
+fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], phases: &[Phase], mut options: Simulate<'_>, dataset: &mut Dataset) {
+    let states: Vec<Quantity> = system.states()[..2 * system.n_coordinates()].to_vec();
+    options.outputs = Some(states.iter().map(|q| q.name.clone()).collect());
     options.most_steps = options.most_steps.min(TWIN_STEPS);
+    let times = dataset.columns[0].values.clone();
+    options.grid = Grid::At(times.clone());
     let outcome = simulate::simulate(system, start, options);
     if outcome.fault.is_some() || outcome.dataset.partial {
         dataset.notes.push(Text::new(
@@ -210,14 +226,20 @@ fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], mut options: Simulate
         return;
     }
     let largest = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let numeric = &outcome.dataset.columns[1..];
+    // a coordinate that stays at rest is rounding only: the others of its unit set the scale
+    let size = |unit: &str| numeric.iter().filter(|c| c.quantity.unit == unit).map(|c| largest(&c.values)).fold(0.0, f64::max);
     let mut worst = 0.0_f64;
-    for (own, other) in dataset.columns.iter().zip(&outcome.dataset.columns).skip(1) {
-        let difference: Vec<f64> = own.values.iter().zip(&other.values).map(|(a, b)| a - b).collect();
-        let size = largest(&own.values);
-        if size > 0.0 {
-            worst = worst.max(largest(&difference) / size);
+    each_row(phases, &times, |row, x| {
+        for (value, column) in x.iter().zip(numeric) {
+            let difference = (value - column.values[row]).abs();
+            if difference > 0.0 {
+                worst = worst.max(difference / size(&column.quantity.unit));
+            }
         }
-    }
+        Ok(())
+    })
+    .ok();
     let name =
         Text::new("closed form against integration: largest difference", "замкнутое решение и интегрирование: наибольшее расхождение");
     dataset.audits = outcome.dataset.audits;
