@@ -2,7 +2,15 @@
 
 pub mod complex;
 pub mod divided;
+pub mod eigen;
 pub mod expm;
+pub mod factor;
+mod kernels;
+pub mod lanczos;
 pub mod lu;
 pub mod random;
+pub mod rank;
+mod refine;
+pub mod sparse;
 pub mod sum;
+pub mod trouble;

@@ -1,8 +1,9 @@
 //! Model file to [`Model`]: every table in turn, all findings collected.
 //!
-//! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads, outputs
-//! by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
+//! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads,
+//! connections, outputs by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
 
+mod connections;
 mod elements;
 mod evaluate;
 mod frames;
@@ -11,12 +12,14 @@ mod outputs;
 mod overrides;
 mod parameters;
 mod phases;
+mod ranges;
 mod reader;
 mod shapes;
 mod studies;
 mod syntax;
 
 pub use overrides::split as split_override;
+pub use ranges::sweep_range;
 
 use crate::diagnostic::{self, Diagnostic, Severity};
 use crate::fields;
@@ -99,7 +102,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let mut parameters = parameters::resolve(reader, raw_parameters, &mut schedule);
     let phases = schedule.finish(reader);
     let coordinates = parameters::starts(reader, raw_coordinates);
-    let (frames, points) = frames::read(reader, &top);
+    let (frames, mut points) = frames::read(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
@@ -108,6 +111,11 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     parameters.extend(schedule.restart(reader, &parameters, &mut forces, &mut torques, &mut notation));
     let potentials = elements::potentials(reader, &top);
     let dissipations = elements::dissipations(reader, &top);
+    let space = connections::Space::new(reader, &frames, &points, &parameters);
+    let connections = connections::read(reader, &top, &space);
+    let (resultants, places) = connections::distributed(reader, &top, &space, points.len());
+    forces.extend(resultants);
+    points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
     let studies = studies::read(reader, &top);
 
@@ -126,6 +134,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         points,
         springs,
         dampers,
+        connections,
         forces,
         torques,
         potentials,

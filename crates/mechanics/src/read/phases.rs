@@ -98,7 +98,7 @@ fn reading(word: &str) -> Option<bool> {
 
 fn unknown_reading(word: &str, span: Range<usize>) -> Fault {
     let word = super::reader::short(word);
-    Fault::new("M092", span, format!("unknown reading `{word}` of the forcing's phase"), format!("неизвестное толкование фазы возбуждения `{word}`"))
+    Fault::new("M098", span, format!("unknown reading `{word}` of the forcing's phase"), format!("неизвестное толкование фазы возбуждения `{word}`"))
         .why(
             "at a switch the forcing either keeps its phase (a motor turns on) or restarts it (time counts from the switch)",
             "при переключении возбуждение либо сохраняет фазу (двигатель вращается дальше), либо начинает её заново (время отсчитывается от переключения)",
@@ -121,7 +121,7 @@ impl<'a> Schedule<'a> {
             }
             let short = super::reader::short(name);
             let fault = Fault::new(
-                "M091",
+                "M097",
                 span.clone(),
                 format!("a phase sets `{short}`, which is no parameter"),
                 format!("этап задаёт `{short}`, но такого параметра нет"),
@@ -222,7 +222,7 @@ impl<'a> Schedule<'a> {
             if end <= before {
                 reader.fault(
                     Fault::new(
-                        "M090",
+                        "M096",
                         span.clone(),
                         format!("the phase ends at {end} s, but it begins at {before} s"),
                         format!("этап кончается в {end} с, а начинается в {before} с"),

@@ -50,8 +50,11 @@ type Result<T> = std::result::Result<T, Obstacle>;
 
 /// Forms of the phases between the given instants. `from` and `to` bound the phases: phase k lasts from instants[k] to instants[k + 1].
 ///
-/// *Errors*: S030 not linear, S031 coefficients change with time, S032 a load without a closed form.
+/// *Errors*: S034 connections, S030 not linear, S031 coefficients change with time, S032 a load without a closed form.
 pub fn forms(equations: &Equations, instants: &[f64]) -> std::result::Result<Vec<Form>, Fault> {
+    if !equations.conditions.is_empty() || !equations.reactions.is_empty() {
+        return Err(connected());
+    }
     let mut turns: Vec<f64> = Vec::new();
     let mut found = Vec::new();
     for span in instants.windows(2) {
@@ -60,6 +63,21 @@ pub fn forms(equations: &Equations, instants: &[f64]) -> std::result::Result<Vec
         found.push(form);
     }
     Ok(found)
+}
+
+fn connected() -> Fault {
+    Fault::new(Message {
+        code: "S034",
+        what: Text::new("the machine has connections", "в машине есть связи"),
+        why: Text::new(
+            "the closed form needs independent coordinates; connections, stops and friction keep reactions as unknowns",
+            "замкнутое решение требует независимых координат; связи, упоры и трение оставляют реакции неизвестными",
+        ),
+        help: Text::new(
+            "place the bodies by formulas of independent coordinates, or use the study simulate",
+            "задайте положения тел формулами независимых координат или примените расчёт simulate",
+        ),
+    })
 }
 
 /// One phase.

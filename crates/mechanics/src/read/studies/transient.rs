@@ -1,9 +1,9 @@
 //! The study `transient`: the motion of a linear system in closed form. Its keys are those of `simulate`.
 
-use super::simulate::motion;
+use super::simulate::simulate;
 use crate::model::StudyKind;
 use crate::read::reader::{Fields, Reader};
 
 pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
-    motion(reader, fields, "transient").map(StudyKind::Transient)
+    simulate(reader, fields, "transient").map(StudyKind::Transient)
 }
