@@ -7,6 +7,7 @@ pub mod events;
 pub mod fault;
 pub mod machine;
 pub mod numerics;
+pub mod structure;
 pub mod studies;
 pub mod system;
 pub mod taylor;

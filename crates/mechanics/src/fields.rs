@@ -180,6 +180,15 @@ const SPIN: Field = may(
     "\"1450 rpm\"",
 );
 
+const DISTANCE: Field = may(
+    "distance",
+    Type::Formula,
+    "m",
+    "0",
+    ("distance from the start of the rod", "расстояние от начала стержня"),
+    "\"l/2\"",
+);
+
 /// Top level.
 pub const TOP: TableSpec = TableSpec {
     name: "",
@@ -201,7 +210,7 @@ pub const TOP: TableSpec = TableSpec {
             "[\"0\", \"0\", \"-g\"]",
         ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
-        must("coordinates", Type::Table, "", ("generalized coordinates", "обобщённые координаты"), ""),
+        must("coordinates", Type::Table, "", ("generalized coordinates; a file with nodes needs none", "обобщённые координаты; файлу с узлами не нужны"), ""),
         may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
         may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
         may("points", Type::Table, "", "", ("named points", "именованные точки"), ""),
@@ -212,6 +221,12 @@ pub const TOP: TableSpec = TableSpec {
         may("potentials", Type::Table, "", "", ("free-form potential energies", "потенциальные энергии общего вида"), ""),
         may("dissipations", Type::Table, "", "", ("free-form Rayleigh functions", "диссипативные функции общего вида"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
+        may("nodes", Type::Table, "", "", ("nodes of a frame or truss", "узлы рамы или фермы"), ""),
+        may("rods", Type::Table, "", "", ("rods", "стержни"), ""),
+        may("supports", Type::Table, "", "", ("supports", "опоры"), ""),
+        may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
+        may("displacements", Type::Table, "", "", ("named displacements of a structure", "именованные перемещения конструкции"), ""),
+        may("structure", Type::Table, "", "", ("how the structure is computed", "как рассчитывать конструкцию"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
     ],
 };
@@ -409,7 +424,15 @@ pub const FORCE: TableSpec = TableSpec {
     ),
     short: None,
     fields: &[
-        may("at", Type::Name, "", "", ("point, or body for its mass centre", "точка или тело (тогда центр масс)"), "\"A\""),
+        may(
+            "at",
+            Type::Name,
+            "",
+            "",
+            ("point, body for its mass centre, node or rod", "точка, тело (тогда центр масс), узел или стержень"),
+            "\"A\"",
+        ),
+        DISTANCE,
         ALONG,
         BETWEEN,
         must(
@@ -430,7 +453,8 @@ pub const TORQUE: TableSpec = TableSpec {
     about: ("Applied torques.", "Приложенные моменты."),
     short: None,
     fields: &[
-        must("on", Type::Name, "", ("body it acts on", "тело, на которое действует"), "\"crank\""),
+        must("on", Type::Name, "", ("body, node or rod it acts on", "тело, узел или стержень, на который действует"), "\"crank\""),
+        DISTANCE,
         must(
             "value",
             Type::FormulaOrVector,
@@ -499,6 +523,194 @@ pub const OUTPUT: TableSpec = TableSpec {
         LABEL,
     ],
     example: "[outputs]\nomega_p = { value = \"phi'\", unit = \"rpm\" }\n",
+};
+
+/// `[nodes.NAME]`.
+pub const NODE: TableSpec = TableSpec {
+    name: "nodes",
+    about: (
+        "Nodes of a plane frame or truss. A file with nodes needs no coordinates.",
+        "Узлы плоской рамы или фермы. Файлу с узлами координаты не нужны.",
+    ),
+    short: None,
+    fields: &[
+        must("at", Type::Vector, "m", ("place in ground axes", "положение в неподвижных осях"), "[\"l\", \"0\"]"),
+        may("mass", Type::Formula, "kg", "0", ("lumped mass", "сосредоточенная масса"), "\"m\""),
+        may("inertia", Type::Formula, "kg m^2", "0", ("lumped moment of inertia", "сосредоточенный момент инерции"), "\"J\""),
+        may("spring_x", Type::Formula, "N/m", "0", ("spring to the ground along x", "пружина к основанию вдоль x"), "\"c\""),
+        may("spring_y", Type::Formula, "N/m", "0", ("spring to the ground along y", "пружина к основанию вдоль y"), "\"c\""),
+        may(
+            "spring_turn",
+            Type::Formula,
+            "N m",
+            "0",
+            ("torsion spring to the ground, per radian", "крутильная пружина к основанию, на радиан"),
+            "\"c_t\"",
+        ),
+    ],
+    example: "[nodes.A]\nat = [\"0\", \"0\"]\n",
+};
+
+/// `[rods.NAME]`.
+pub const ROD: TableSpec = TableSpec {
+    name: "rods",
+    about: (
+        "Straight rods between two nodes: Euler-Bernoulli bending, inextensible unless EA is given, massless unless a mass is given.",
+        "Прямые стержни между двумя узлами: изгиб по Эйлеру — Бернулли, нерастяжимые без EA, невесомые без массы.",
+    ),
+    short: None,
+    fields: &[
+        must("between", Type::TwoNames, "", ("start and end", "начало и конец"), "[\"A\", \"B\"]"),
+        may("rigid", Type::Bool, "", "false", ("whether it does not deform", "недеформируем ли"), "true"),
+        may("EI", Type::Formula, "N m^2", "E*I", ("bending stiffness", "жёсткость на изгиб"), "\"EI\""),
+        may("EA", Type::Formula, "N", "E*A", ("stiffness against stretching", "жёсткость на растяжение"), "\"20 MN\""),
+        may("E", Type::Formula, "Pa", "", ("Young's modulus", "модуль упругости"), "\"2e11 Pa\""),
+        may("I", Type::Formula, "m^4", "", ("second moment of the section", "момент инерции сечения"), "\"0.5677 cm^4\""),
+        may("A", Type::Formula, "m^2", "", ("area of the section", "площадь сечения"), "\"4 cm^2\""),
+        may(
+            "stretch",
+            Type::Bool,
+            "",
+            "false",
+            ("whether it stretches with E*A when EA is not given", "растягивается ли с жёсткостью E*A, если EA не задано"),
+            "true",
+        ),
+        may("mass", Type::Formula, "kg", "0", ("mass", "масса"), "\"m\""),
+        may("density", Type::Formula, "kg/m^3", "", ("density; the mass is density*A*length", "плотность; масса равна density*A*длина"), "\"7800 kg/m^3\""),
+        may("mass_per_length", Type::Formula, "kg/m", "", ("mass of a unit of length", "погонная масса"), "\"3 kg/m\""),
+        may(
+            "rotary_inertia",
+            Type::Bool,
+            "",
+            "false",
+            ("whether the turning of sections counts; needs density and I, or mass, I and A", "учитывать ли поворот сечений; нужны density и I либо масса, I и A"),
+            "true",
+        ),
+        may("releases", Type::Names, "", "[]", ("hinges: \"start\", \"end\"", "шарниры: \"start\" (начало), \"end\" (конец)"), "[\"start\", \"end\"]"),
+        may(
+            "divisions",
+            Type::Formula,
+            "1",
+            "1",
+            ("number of equal parts for distributed mass", "число равных частей для распределённой массы"),
+            "16",
+        ),
+    ],
+    example: "[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"20 kN m^2\"\n",
+};
+
+/// `[supports.NAME]`.
+pub const SUPPORT: TableSpec = TableSpec {
+    name: "supports",
+    about: ("Supports of nodes.", "Опоры узлов."),
+    short: None,
+    fields: &[
+        must("at", Type::Name, "", ("node", "узел"), "\"A\""),
+        must(
+            "directions",
+            Type::Names,
+            "",
+            ("what is held: \"x\", \"y\", \"turn\"", "что закреплено: \"x\", \"y\", \"turn\" (поворот)"),
+            "[\"x\", \"y\"]",
+        ),
+        may("angle", Type::Formula, "rad", "0", ("angle of its x axis", "угол её оси x"), "\"30 deg\""),
+    ],
+    example: "[supports.A]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]\n",
+};
+
+/// `[distributed.NAME]`.
+pub const DISTRIBUTED: TableSpec = TableSpec {
+    name: "distributed",
+    about: ("Loads along a rod, per unit of its length.", "Нагрузки вдоль стержня на единицу его длины."),
+    short: None,
+    fields: &[
+        must("on", Type::Name, "", ("rod", "стержень"), "\"AB\""),
+        must("value", Type::Vector, "N/m", ("components in ground axes", "компоненты в неподвижных осях"), "[\"0\", \"-2 kN/m\"]"),
+        may("end_value", Type::Vector, "N/m", "value", ("components at the end; between them the load is linear", "компоненты в конце; между ними нагрузка линейна"), "[\"0\", \"0\"]"),
+    ],
+    example: "[distributed.q]\non = \"AB\"\nvalue = [\"0\", \"-2 kN/m\"]\n",
+};
+
+/// `[displacements.NAME]`.
+pub const DISPLACEMENT: TableSpec = TableSpec {
+    name: "displacements",
+    about: (
+        "Named displacements of nodes and of places on rods. As many of them as there are degrees of freedom with inertia are the coordinates of the structure.",
+        "Именованные перемещения узлов и точек стержней. Если их столько, сколько степеней свободы с инерцией, они служат координатами конструкции.",
+    ),
+    short: None,
+    fields: &[
+        must("at", Type::Name, "", ("node or rod", "узел или стержень"), "\"CD\""),
+        DISTANCE,
+        may(
+            "direction",
+            Type::String,
+            "",
+            "\"y\"",
+            ("\"x\", \"y\", \"turn\", or a vector", "\"x\", \"y\", \"turn\" (поворот) или вектор"),
+            "\"turn\"",
+        ),
+        SYMBOL,
+        LABEL,
+    ],
+    example: "[displacements.u1]\nat = \"CD\"\ndistance = \"l/2\"\ndirection = \"x\"\n",
+};
+
+/// `[structure]`.
+pub const STRUCTURE: TableSpec = TableSpec {
+    name: "structure",
+    about: ("How the structure is computed.", "Как рассчитывать конструкцию."),
+    short: None,
+    fields: &[
+        may(
+            "frequency_variable",
+            Type::Table,
+            "",
+            "k^2",
+            (
+                "variable of the frequency equation, with k for the angular frequency",
+                "переменная частотного уравнения; k — круговая частота",
+            ),
+            "{ z = \"m*l^3*k^2/(72*EI)\" }",
+        ),
+        may(
+            "condense",
+            Type::Bool,
+            "",
+            "true for undivided rods",
+            (
+                "whether turns of nodes that carry inertia follow the other displacements statically",
+                "следуют ли повороты узлов, несущие инерцию, за остальными перемещениями статически",
+            ),
+            "false",
+        ),
+        may("modes", Type::Formula, "1", "10", ("largest number of modes", "наибольшее число форм"), "4"),
+        may(
+            "accuracy",
+            Type::Formula,
+            "1",
+            "",
+            ("wanted relative accuracy of the frequencies: rods are divided until it is reached", "нужная относительная точность частот: стержни делятся, пока она не достигнута"),
+            "1e-8",
+        ),
+        may(
+            "normalise",
+            Type::String,
+            "",
+            "\"first\"",
+            ("scale of shapes: \"first\" coordinate 1, \"largest\" 1, or \"mass\"", "масштаб форм: \"first\" (первая координата 1), \"largest\" (наибольшая 1), \"mass\""),
+            "\"mass\"",
+        ),
+        may(
+            "continuum",
+            Type::Bool,
+            "",
+            "false",
+            ("whether the exact frequencies of the distributed mass stand beside", "показать ли рядом точные частоты распределённой массы"),
+            "true",
+        ),
+    ],
+    example: "[structure]\nfrequency_variable = { z = \"m*l^3*k^2/(72*EI)\" }\n",
 };
 
 /// `[[study]]`.
@@ -583,7 +795,7 @@ pub const TEXT: TableSpec = TableSpec {
 };
 
 /// Every table, in the order of the reference.
-pub const ALL: [&TableSpec; 17] = [
+pub const ALL: [&TableSpec; 23] = [
     &TOP,
     &PARAMETER,
     &COORDINATE,
@@ -598,6 +810,12 @@ pub const ALL: [&TableSpec; 17] = [
     &POTENTIAL,
     &DISSIPATION,
     &OUTPUT,
+    &NODE,
+    &ROD,
+    &SUPPORT,
+    &DISTRIBUTED,
+    &DISPLACEMENT,
+    &STRUCTURE,
     &STUDY,
     &PLOT,
     &TEXT,

@@ -49,6 +49,8 @@ pub struct Model {
     pub notation: Vec<(String, String)>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
+    /// Frame or truss, when the file has nodes.
+    pub structure: Option<crate::structure::Structure>,
 }
 
 /// Index of a frame or body in [`Model::frames`].

@@ -12,6 +12,7 @@ mod overrides;
 mod parameters;
 mod reader;
 mod shapes;
+mod structures;
 mod studies;
 mod syntax;
 
@@ -96,6 +97,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let mut parameters = parameters::resolve(reader, raw_parameters);
     let coordinates = parameters::starts(reader, raw_coordinates);
     let (frames, points) = frames::read(reader, &top);
+    structures::nodes(reader, &top);
+    structures::rods(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
@@ -105,6 +108,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let dissipations = elements::dissipations(reader, &top);
     let outputs = outputs::resolve(reader, raw_outputs);
     let studies = studies::read(reader, &top);
+    let structure = structures::read(reader, &top, &mut notation);
 
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
@@ -128,6 +132,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         outputs,
         notation,
         studies,
+        structure,
     }
 }
 

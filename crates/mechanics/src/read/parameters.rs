@@ -67,7 +67,7 @@ pub(super) fn collect_coordinates<'a>(
     notation: &mut Vec<(String, String)>,
 ) -> Vec<RawCoordinate<'a>> {
     let rows = top.rows(reader, "coordinates");
-    if rows.is_empty() {
+    if rows.is_empty() && !top.has("nodes") {
         let fault = Fault::new("M015", top.span_of("coordinates"), "the model has no coordinates", "в модели нет координат")
             .why("a machine without a degree of freedom does not move", "у машины без степеней свободы нет движения")
             .help(

@@ -24,6 +24,8 @@ pub(super) struct Reader<'a> {
     pub builder: Builder,
     pub scope: Scope,
     pub values: Values,
+    /// Nodes, rods and loads of a structure, as far as they are read.
+    pub structure: super::structures::Draft,
 }
 
 /// A formula as it stands in the file.
@@ -61,6 +63,7 @@ impl<'a> Reader<'a> {
             builder: Builder::new(),
             scope: Scope::default(),
             values: Values::default(),
+            structure: super::structures::Draft::default(),
         }
     }
     pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
