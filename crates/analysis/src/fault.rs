@@ -4,6 +4,8 @@ use std::fmt;
 
 use symbolic::{Expr, Text};
 
+use crate::numerics::trouble;
+
 /// A study cannot go on. Results found before the fault are kept beside it. Boxed, so that results stay small.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault(Box<Message>, Option<Expr>);
@@ -67,6 +69,26 @@ pub const EXPLANATIONS: &[Explanation] = &[
     },
     Explanation {
         code: "S010", en: ("more steps than anybody waits for", STEPS_EN), ru: ("слишком много шагов", STEPS_RU)
+    },
+    Explanation {
+        code: "S021",
+        en: ("mass matrix not positive definite", trouble::MASS_EN),
+        ru: ("матрица масс не положительно определена", trouble::MASS_RU),
+    },
+    Explanation {
+        code: "S022",
+        en: ("stiffness matrix not positive definite", trouble::SINGULAR_EN),
+        ru: ("матрица жёсткости не положительно определена", trouble::SINGULAR_RU),
+    },
+    Explanation {
+        code: "S023",
+        en: ("eigenvalues did not converge", trouble::CONVERGENCE_EN),
+        ru: ("собственные значения не сошлись", trouble::CONVERGENCE_RU),
+    },
+    Explanation {
+        code: "S024",
+        en: ("matrix with an undefined entry", trouble::MALFORMED_EN),
+        ru: ("матрица с неопределённым элементом", trouble::MALFORMED_RU),
     },
 ];
 

@@ -1,5 +1,13 @@
 //! Small numerical tools.
 
+pub mod eigen;
+pub mod factor;
+mod kernels;
+pub mod lanczos;
 pub mod lu;
 pub mod random;
+pub mod rank;
+mod refine;
+pub mod sparse;
 pub mod sum;
+pub mod trouble;
