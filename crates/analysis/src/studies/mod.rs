@@ -2,3 +2,4 @@
 
 pub mod equilibrium;
 pub mod simulate;
+pub mod structure_modes;

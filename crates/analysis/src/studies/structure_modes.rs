@@ -7,8 +7,8 @@ use crate::dataset::{Audit, Column, Counter, Dataset};
 use crate::numerics::{eigen, sparse};
 use crate::structure::assembly::Sparse;
 use crate::structure::equilibrium::{SEARCHED, describe, stands, standing};
-use crate::structure::reduced::{Condensation, Reduced, displacements, quantity, reduce};
-use crate::structure::{Assembly, Frame, Scalar, dense, faults};
+use crate::structure::reduced::{Condensation, Reduced, quantity, reduce};
+use crate::structure::{Assembly, Frame, dense, faults};
 use crate::{Fault, Quantity};
 use symbolic::{Rational, Text};
 

@@ -1,0 +1,88 @@
+//! Natural oscillations of the structure of a model.
+
+use super::bind::{Bound, bind};
+use super::equation;
+use crate::failure::Trouble;
+use analysis::structure::reduced::{Condensation, Reduced};
+use analysis::studies::structure_modes::{self, Modes, Normalise, StructureModes};
+use mechanics::Model;
+use mechanics::structure::Structure;
+use serde_json::{Map, Value, json};
+use symbolic::Rational;
+
+/// What was found, with the numbers it was found from.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The structure in numbers.
+    pub bound: Bound,
+    /// The modes.
+    pub result: StructureModes,
+    /// The frequency equation.
+    pub equation: Option<String>,
+}
+
+/// Options of the file.
+pub fn options(structure: &Structure) -> Modes {
+    let o = &structure.options;
+    let normalise = match o.normalise.as_deref() {
+        Some("largest") => Normalise::Largest,
+        Some("mass") => Normalise::Mass,
+        _ => Normalise::First,
+    };
+    let condensation = match o.condense {
+        None => Condensation::Automatic,
+        Some(true) => Condensation::Turns,
+        Some(false) => Condensation::Massless,
+    };
+    Modes { count: o.modes.unwrap_or(10), normalise, condensation, accuracy: o.accuracy }
+}
+
+/// Natural oscillations.
+///
+/// # Errors
+/// Mechanisms, loose nodes, no inertia.
+pub fn find(model: &Model, structure: &Structure) -> Result<Found, Box<Trouble>> {
+    let bound = bind(model, structure);
+    let result = structure_modes::modes(&bound.frame, bound.exact.as_ref(), &options(structure)).map_err(|f| Box::new(Trouble::from(f)))?;
+    let variable = bound.variable.as_ref();
+    let equation = match (&result.equation, &result.reduced) {
+        (Some(coefficients), _) => equation::exact(coefficients, variable),
+        (None, Some(reduced)) if reduced.n() <= 4 && result.modes.len() == reduced.n() => {
+            let squares: Vec<f64> = result.modes.iter().map(|m| m.omega * m.omega).collect();
+            Some(equation::decimal(&squares, variable))
+        }
+        _ => None,
+    };
+    Ok(Found { bound, result, equation })
+}
+
+/// The study's own fields of JSON.
+pub fn fields(found: &Found) -> Map<String, Value> {
+    let mut own = Map::new();
+    let tau = 2.0 * std::f64::consts::PI;
+    let result = &found.result;
+    let mode = |m: &structure_modes::Mode| {
+        json!({"omega": m.omega, "f": m.omega / tau, "T": tau / m.omega, "damping_ratio": 0.0, "shape": m.shape})
+    };
+    own.insert("study".into(), json!("modes"));
+    own.insert("coordinates".into(), result.coordinates.iter().map(|q| json!(q.name)).collect());
+    own.insert("modes".into(), result.modes.iter().map(mode).collect());
+    if let Some(equation) = &found.equation {
+        own.insert("frequency_equation".into(), json!(equation));
+    }
+    if let Some(reduced) = &result.reduced {
+        let list = [("mass", &reduced.mass), ("stiffness", &reduced.stiffness), ("flexibility", &reduced.flexibility)];
+        for (key, matrix) in list {
+            own.insert(format!("{key}_matrix"), matrix.chunks(reduced.n().max(1)).map(|row| json!(row)).collect());
+        }
+    }
+    if let Some(exact) = &result.exact {
+        own.insert("exact".into(), exact_matrices(exact));
+    }
+    own
+}
+
+fn exact_matrices(reduced: &Reduced<Rational>) -> Value {
+    let rows = |m: &[Rational]| -> Value { m.chunks(reduced.n().max(1)).map(|r| r.iter().map(|v| json!(v.to_string())).collect::<Value>()).collect() };
+    json!({"mass_matrix": rows(&reduced.mass), "stiffness_matrix": rows(&reduced.stiffness), "flexibility_matrix": rows(&reduced.flexibility)})
+}
