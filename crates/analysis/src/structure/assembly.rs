@@ -121,7 +121,7 @@ impl<S: Scalar> Assembly<S> {
         })
     }
 
-    fn gather(&self, frame: &Frame<S>, matrix: &dyn Fn(&Part<S>) -> Vec<S>, diagonal: Vec<(usize, S)>) -> Sparse<S> {
+    pub(crate) fn gather(&self, frame: &Frame<S>, matrix: &dyn Fn(&Part<S>) -> Vec<S>, diagonal: Vec<(usize, S)>) -> Sparse<S> {
         let mut map: BTreeMap<(usize, usize), S> = BTreeMap::new();
         let mut add = |i: usize, j: usize, v: S| {
             let slot = map.entry((i, j)).or_insert_with(S::zero);

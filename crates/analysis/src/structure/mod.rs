@@ -9,6 +9,7 @@
 
 pub mod assembly;
 pub mod constraints;
+pub mod continuum;
 pub mod dense;
 pub mod elements;
 pub mod equilibrium;

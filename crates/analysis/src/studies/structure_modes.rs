@@ -8,7 +8,7 @@ use crate::numerics::{eigen, sparse};
 use crate::structure::assembly::Sparse;
 use crate::structure::equilibrium::{SEARCHED, describe, stands, standing};
 use crate::structure::reduced::{Condensation, Reduced, quantity, reduce};
-use crate::structure::{Assembly, Frame, dense, faults};
+use crate::structure::{Assembly, Frame, continuum, dense, faults};
 use crate::{Fault, Quantity};
 use symbolic::{Rational, Text};
 
@@ -36,13 +36,15 @@ pub struct Modes {
     pub normalise: Normalise,
     /// What follows statically.
     pub condensation: Condensation,
+    /// Whether the exact frequencies of the distributed mass stand beside.
+    pub continuum: bool,
     /// Wanted relative accuracy of the frequencies against finer division; none for the divisions of the file.
     pub accuracy: Option<f64>,
 }
 
 impl Default for Modes {
     fn default() -> Modes {
-        Modes { count: 10, normalise: Normalise::First, condensation: Condensation::Automatic, accuracy: None }
+        Modes { count: 10, normalise: Normalise::First, condensation: Condensation::Automatic, continuum: false, accuracy: None }
     }
 }
 
@@ -72,6 +74,8 @@ pub struct StructureModes {
     pub exact: Option<Reduced<Rational>>,
     /// Coefficients of the frequency equation by rising powers of λ = ω², exact.
     pub equation: Option<Vec<Rational>>,
+    /// Exact frequencies of the distributed mass, when asked for.
+    pub continuum: Option<Vec<f64>>,
     /// The frame that was computed (divided as far as the accuracy needed) and its freedoms, for drawings.
     pub frame: Frame<f64>,
     /// Its assembly.
@@ -87,10 +91,36 @@ pub fn modes(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Mode
         Some(exact) => drop(stands(&exact.divided(1), &Assembly::of(&exact.divided(1)))?),
         None => drop(stands(&simple, &Assembly::of(&simple))?),
     }
-    match options.accuracy {
-        Some(wanted) => refined(frame, options, wanted),
-        None => plain(frame, exact, options),
+    let mut found = match options.accuracy {
+        Some(wanted) => refined(frame, options, wanted)?,
+        None => plain(frame, exact, options)?,
+    };
+    if options.continuum {
+        beside(&mut found);
     }
+    Ok(found)
+}
+
+/// The exact frequencies of the distributed mass as a column, and how far the modes are from them.
+fn beside(found: &mut StructureModes) {
+    let estimates: Vec<f64> = found.modes.iter().map(|m| m.omega).collect();
+    let data = &mut found.dataset;
+    let Some(exact) = continuum::frequencies(&found.frame, &estimates) else {
+        data.notes.push(Text::new(
+            "no closed form for the distributed mass of this structure (turning of sections, bars with mass, or too many nodes)",
+            "для распределённой массы этой конструкции нет замкнутого решения (поворот сечений, массивные стержни ферм или слишком много узлов)",
+        ));
+        return;
+    };
+    let quantity = |name: &str, symbol: &str, unit: &str, label: Text| Quantity { label, symbol: symbol.into(), ..Quantity::new(name, unit) };
+    let label = Text::new("of the exact continuum", "точное значение для распределённой массы");
+    let error = exact.iter().zip(&estimates).map(|(e, w)| w / e - 1.0).collect();
+    let at = data.columns.iter().position(|c| c.quantity.name == "damping_ratio").map_or(0, |i| i + 1);
+    let column = |quantity, values| Column { quantity, values };
+    data.columns.insert(at, column(quantity("omega_exact", "omega_e", "rad/s", label), exact.clone()));
+    let label = Text::new("relative error against the continuum", "относительная погрешность");
+    data.columns.insert(at + 1, column(quantity("error", "delta", "1", label), error));
+    found.continuum = Some(exact);
 }
 
 fn plain(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -> Result<StructureModes, Fault> {
@@ -113,7 +143,7 @@ fn plain(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -
     let coordinates = shown.coordinates(&reduced.coordinates);
     let orthogonality = orthogonality(&found, &reduced.mass, n);
     let dataset = dataset(&modes, &coordinates, orthogonality, assembly.n());
-    Ok(StructureModes { dataset, modes, coordinates, reduced: Some(reduced), exact, equation, frame: frame.clone(), assembly })
+    Ok(StructureModes { dataset, modes, coordinates, reduced: Some(reduced), exact, equation, continuum: None, frame: frame.clone(), assembly })
 }
 
 /// det(I - λ D M) without vanishing powers at its end.
@@ -150,7 +180,7 @@ fn large(frame: &Frame<f64>, assembly: Assembly<f64>, options: &Modes) -> Result
         .map(|(i, j)| m.apply(found.shape(i)).iter().zip(found.shape(j)).map(|(a, b)| a * b).sum::<f64>().abs())
         .fold(0.0, f64::max);
     let dataset = dataset(&modes, &coordinates, worst, n);
-    Ok(StructureModes { dataset, modes, coordinates, reduced: None, exact: None, equation: None, frame: frame.clone(), assembly })
+    Ok(StructureModes { dataset, modes, coordinates, reduced: None, exact: None, equation: None, continuum: None, frame: frame.clone(), assembly })
 }
 
 fn free(value: f64, all: &[f64]) -> bool {
@@ -223,8 +253,8 @@ impl Shown {
                 true => x.to_vec(),
                 false => self.functionals.iter().map(|f| f.iter().zip(&freedoms).map(|(a, b)| a * b).sum()).collect(),
             };
-            let factor = 1.0 / scale(&shape, &freedoms, normalise);
-            shape.iter_mut().chain(&mut freedoms).for_each(|v| *v *= factor);
+            let divisor = scale(&shape, &freedoms, normalise);
+            shape.iter_mut().chain(&mut freedoms).for_each(|v| *v /= divisor);
             Mode { omega: found.values[j].max(0.0).sqrt(), shape, freedoms }
         };
         (0..found.values.len()).map(one).collect()

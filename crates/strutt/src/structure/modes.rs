@@ -34,7 +34,7 @@ pub fn options(structure: &Structure) -> Modes {
         Some(true) => Condensation::Turns,
         Some(false) => Condensation::Massless,
     };
-    Modes { count: o.modes.unwrap_or(10), normalise, condensation, accuracy: o.accuracy }
+    Modes { count: o.modes.unwrap_or(10), normalise, condensation, continuum: o.continuum, accuracy: o.accuracy }
 }
 
 /// Natural oscillations.
@@ -67,6 +67,9 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     own.insert("study".into(), json!("modes"));
     own.insert("coordinates".into(), result.coordinates.iter().map(|q| json!(q.name)).collect());
     own.insert("modes".into(), result.modes.iter().map(mode).collect());
+    if let Some(exact) = &result.continuum {
+        own.insert("continuum".into(), json!(exact));
+    }
     if let Some(equation) = &found.equation {
         own.insert("frequency_equation".into(), json!(equation));
     }
