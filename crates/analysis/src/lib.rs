@@ -5,6 +5,7 @@ pub mod audits;
 pub mod dataset;
 pub mod events;
 pub mod fault;
+pub mod linear;
 pub mod machine;
 pub mod numerics;
 pub mod structure;
@@ -14,5 +15,6 @@ pub mod taylor;
 
 pub use dataset::Dataset;
 pub use fault::Fault;
+pub use linear::{LinearMachine, Matrices};
 pub use machine::Machine;
-pub use system::{Guard, Mode, Powers, Quantity, System};
+pub use system::{Guard, GuardKind, Mode, Powers, Quantity, System};

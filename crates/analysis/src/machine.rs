@@ -70,7 +70,7 @@ impl Machine {
         let mut guards: Vec<Guard> = (0..program.guards.len())
             .map(|i| {
                 let unnamed = || Text::new(format!("switch {}", i + 1), format!("переключатель {}", i + 1));
-                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), scheduled: None }
+                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), ..Guard::default() }
             })
             .collect();
         for (guard, t) in bound.scheduled() {
@@ -141,7 +141,7 @@ fn outputs(equations: &Equations) -> Vec<Quantity> {
 }
 
 /// The user's symbol of a name, primes kept: `phi1'` is `φ_в'` where the file says so.
-fn notation(equations: &Equations, name: &str) -> String {
+pub(crate) fn notation(equations: &Equations, name: &str) -> String {
     let bare = name.trim_end_matches('\'');
     let shown = equations.notation.iter().find(|(n, _)| n == bare).map_or(bare, |(_, symbol)| symbol);
     format!("{shown}{}", &name[bare.len()..])

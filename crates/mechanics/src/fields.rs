@@ -180,14 +180,8 @@ const SPIN: Field = may(
     "\"1450 rpm\"",
 );
 
-const DISTANCE: Field = may(
-    "distance",
-    Type::Formula,
-    "m",
-    "0",
-    ("distance from the start of the rod", "расстояние от начала стержня"),
-    "\"l/2\"",
-);
+const DISTANCE: Field =
+    may("distance", Type::Formula, "m", "0", ("distance from the start of the rod", "расстояние от начала стержня"), "\"l/2\"");
 
 /// Top level.
 pub const TOP: TableSpec = TableSpec {
@@ -210,7 +204,13 @@ pub const TOP: TableSpec = TableSpec {
             "[\"0\", \"0\", \"-g\"]",
         ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
-        must("coordinates", Type::Table, "", ("generalized coordinates; a file with nodes needs none", "обобщённые координаты; файлу с узлами не нужны"), ""),
+        must(
+            "coordinates",
+            Type::Table,
+            "",
+            ("generalized coordinates; a file with nodes needs none", "обобщённые координаты; файлу с узлами не нужны"),
+            "",
+        ),
         may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
         may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
         may("points", Type::Table, "", "", ("named points", "именованные точки"), ""),
@@ -264,6 +264,18 @@ pub const COORDINATE: TableSpec = TableSpec {
         must("unit", Type::Unit, "", ("unit", "единица"), "\"rad\""),
         may("start", Type::Formula, "", "0", ("value at t = 0, a constant", "значение при t = 0, постоянная"), "\"15 deg\""),
         may("rate", Type::Formula, "", "0", ("rate at t = 0, a constant", "скорость при t = 0, постоянная"), "\"2 rad/s\""),
+        may(
+            "guess",
+            Type::Formula,
+            "",
+            "0",
+            (
+                "instead of `start`: where the search for the value that closes the connections begins; the nearest configuration is taken",
+                "вместо `start`: откуда начинать поиск значения, при котором связи замкнуты; берётся ближайшее положение",
+            ),
+            "\"1.7 rad\"",
+        ),
+        may("rate_guess", Type::Formula, "", "0", ("the same for `rate`", "то же для `rate`"), "\"0\""),
         SYMBOL,
         LABEL,
     ],
@@ -576,17 +588,34 @@ pub const ROD: TableSpec = TableSpec {
             "true",
         ),
         may("mass", Type::Formula, "kg", "0", ("mass", "масса"), "\"m\""),
-        may("density", Type::Formula, "kg/m^3", "", ("density; the mass is density*A*length", "плотность; масса равна density*A*длина"), "\"7800 kg/m^3\""),
+        may(
+            "density",
+            Type::Formula,
+            "kg/m^3",
+            "",
+            ("density; the mass is density*A*length", "плотность; масса равна density*A*длина"),
+            "\"7800 kg/m^3\"",
+        ),
         may("mass_per_length", Type::Formula, "kg/m", "", ("mass of a unit of length", "погонная масса"), "\"3 kg/m\""),
         may(
             "rotary_inertia",
             Type::Bool,
             "",
             "false",
-            ("whether the turning of sections counts; needs density and I, or mass, I and A", "учитывать ли поворот сечений; нужны density и I либо масса, I и A"),
+            (
+                "whether the turning of sections counts; needs density and I, or mass, I and A",
+                "учитывать ли поворот сечений; нужны density и I либо масса, I и A",
+            ),
             "true",
         ),
-        may("releases", Type::Names, "", "[]", ("hinges: \"start\", \"end\"", "шарниры: \"start\" (начало), \"end\" (конец)"), "[\"start\", \"end\"]"),
+        may(
+            "releases",
+            Type::Names,
+            "",
+            "[]",
+            ("hinges: \"start\", \"end\"", "шарниры: \"start\" (начало), \"end\" (конец)"),
+            "[\"start\", \"end\"]",
+        ),
         may(
             "divisions",
             Type::Formula,
@@ -626,7 +655,14 @@ pub const DISTRIBUTED: TableSpec = TableSpec {
     fields: &[
         must("on", Type::Name, "", ("rod", "стержень"), "\"AB\""),
         must("value", Type::Vector, "N/m", ("components in ground axes", "компоненты в неподвижных осях"), "[\"0\", \"-2 kN/m\"]"),
-        may("end_value", Type::Vector, "N/m", "value", ("components at the end; between them the load is linear", "компоненты в конце; между ними нагрузка линейна"), "[\"0\", \"0\"]"),
+        may(
+            "end_value",
+            Type::Vector,
+            "N/m",
+            "value",
+            ("components at the end; between them the load is linear", "компоненты в конце; между ними нагрузка линейна"),
+            "[\"0\", \"0\"]",
+        ),
     ],
     example: "[distributed.q]\non = \"AB\"\nvalue = [\"0\", \"-2 kN/m\"]\n",
 };
@@ -663,17 +699,6 @@ pub const STRUCTURE: TableSpec = TableSpec {
     short: None,
     fields: &[
         may(
-            "frequency_variable",
-            Type::Table,
-            "",
-            "k^2",
-            (
-                "variable of the frequency equation, with k for the angular frequency",
-                "переменная частотного уравнения; k — круговая частота",
-            ),
-            "{ z = \"m*l^3*k^2/(72*EI)\" }",
-        ),
-        may(
             "condense",
             Type::Bool,
             "",
@@ -690,16 +715,11 @@ pub const STRUCTURE: TableSpec = TableSpec {
             Type::Formula,
             "1",
             "",
-            ("wanted relative accuracy of the frequencies: rods are divided until it is reached", "нужная относительная точность частот: стержни делятся, пока она не достигнута"),
+            (
+                "wanted relative accuracy of the frequencies: rods are divided until it is reached",
+                "нужная относительная точность частот: стержни делятся, пока она не достигнута",
+            ),
             "1e-8",
-        ),
-        may(
-            "normalise",
-            Type::String,
-            "",
-            "\"first\"",
-            ("scale of shapes: \"first\" coordinate 1, \"largest\" 1, or \"mass\"", "масштаб форм: \"first\" (первая координата 1), \"largest\" (наибольшая 1), \"mass\""),
-            "\"mass\"",
         ),
         may(
             "continuum",
@@ -710,19 +730,25 @@ pub const STRUCTURE: TableSpec = TableSpec {
             "true",
         ),
     ],
-    example: "[structure]\nfrequency_variable = { z = \"m*l^3*k^2/(72*EI)\" }\n",
+    example: "[structure]\naccuracy = 1e-8\nmodes = 4\n",
 };
 
 /// `[[study]]`.
 pub const STUDY: TableSpec = TableSpec {
     name: "study",
     about: (
-        "Studies, carried out in order: `equations`, `equilibrium` (key `guess`), `simulate` (the other keys).",
-        "Расчёты, выполняются по порядку: `equations`, `equilibrium` (ключ `guess`), `simulate` (остальные ключи).",
+        "Studies, carried out in order: `equations`, `equilibrium`, `modes` (natural frequencies), `response` (forced oscillations over the frequency), `simulate`.",
+        "Расчёты, выполняются по порядку: `equations`, `equilibrium`, `modes` (собственные частоты), `response` (вынужденные колебания в зависимости от частоты), `simulate`.",
     ),
     short: None,
     fields: &[
-        must("kind", Type::String, "", ("equations, equilibrium or simulate", "equations, equilibrium или simulate"), "\"simulate\""),
+        must(
+            "kind",
+            Type::String,
+            "",
+            ("equations, equilibrium, modes, response or simulate", "equations, equilibrium, modes, response или simulate"),
+            "\"simulate\"",
+        ),
         may(
             "until",
             Type::Formula,
@@ -764,6 +790,65 @@ pub const STUDY: TableSpec = TableSpec {
             "start",
             ("where to look for the equilibrium", "откуда искать положение равновесия"),
             "{ phi = \"0.1 rad\" }",
+        ),
+        may(
+            "normalise",
+            Type::String,
+            "",
+            "\"largest\"",
+            (
+                "scale of mode shapes: largest, first (coordinate) or mass",
+                "нормировка форм: largest (наибольшая), first (первая координата) или mass",
+            ),
+            "\"mass\"",
+        ),
+        may(
+            "frequency_variable",
+            Type::Guess,
+            "",
+            "",
+            ("unknown of the frequency equation over the frequency k", "неизвестное частотного уравнения, выраженное через частоту k"),
+            "{ z = \"m*k^2/c\" }",
+        ),
+        may(
+            "over",
+            Type::Name,
+            "",
+            "",
+            (
+                "parameter to follow modes along; in response the frequency of the load; in equilibrium the coordinate",
+                "параметр, вдоль которого прослеживаются формы; в response частота нагрузки; в equilibrium координата",
+            ),
+            "\"Omega\"",
+        ),
+        may(
+            "range",
+            Type::Quantities,
+            "",
+            "",
+            ("values of `over`, from and to; Hz count periods in response", "границы значений `over`; Гц в response — число периодов"),
+            "[\"1 rad/s\", \"100 rad/s\"]",
+        ),
+        may("points", Type::Formula, "1", "", ("number of values of `over`", "число значений `over`"), "201"),
+        may(
+            "load",
+            Type::Name,
+            "",
+            "",
+            (
+                "load of the response: a force or torque, or a coordinate for a unit load; the harmonic loads of the file without it",
+                "нагрузка в response: сила, момент или координата (единичная нагрузка); без ключа — гармонические нагрузки файла",
+            ),
+            "\"drive\"",
+        ),
+        may("log", Type::Bool, "", "false", ("logarithmic axes", "логарифмические оси"), "true"),
+        may(
+            "shapes",
+            Type::Quantities,
+            "",
+            "",
+            ("frequencies at which the forced shape is shown", "частоты, при которых показывается форма вынужденных колебаний"),
+            "[\"3 Hz\", \"20 rad/s\"]",
         ),
     ],
     example: "[[study]]\nkind = \"simulate\"\nuntil = \"30 s\"\nplot = [\"phi'\"]\n",

@@ -5,7 +5,7 @@
 
 use crate::explain::{Explanation, row};
 use std::ops::Range;
-use symbolic::{Expr, SymbolId, Text};
+use symbolic::{Expr, Text};
 
 /// A plane structure.
 #[derive(Clone, Debug, Default)]
@@ -20,8 +20,6 @@ pub struct Structure {
     pub displacements: Vec<Displacement>,
     /// Loads on nodes and rods.
     pub loads: Vec<Load>,
-    /// The variable of the frequency equation.
-    pub variable: Option<Variable>,
     /// How to compute.
     pub options: Options,
 }
@@ -144,17 +142,6 @@ pub enum Action {
     },
 }
 
-/// The variable in which the frequency equation is written: a power of the angular frequency times a constant.
-#[derive(Clone, Debug)]
-pub struct Variable {
-    /// Its name.
-    pub name: String,
-    /// The formula.
-    pub formula: Expr,
-    /// The symbol that stands for the angular frequency in it.
-    pub frequency: SymbolId,
-}
-
 /// How a structure is computed.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
@@ -164,8 +151,6 @@ pub struct Options {
     pub modes: Option<usize>,
     /// Wanted accuracy of frequencies.
     pub accuracy: Option<f64>,
-    /// `first`, `largest` or `mass`.
-    pub normalise: Option<String>,
     /// Whether the exact frequencies of the continuum are wanted.
     pub continuum: bool,
 }
@@ -223,22 +208,9 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[displacements.u]\nat = \"AB\"\ndistance = \"1 m\"\ndirection = \"y\"",
     ),
     row(
-        "M085",
-        ("variable of the frequency equation", "переменная частотного уравнения"),
-        (
-            "The variable must be a constant times k or k^2, where k is the angular frequency, and k must not be a parameter.",
-            "Переменная — постоянная, умноженная на k или k^2, где k — круговая частота; k не должно быть параметром.",
-        ),
-        "[structure]\nfrequency_variable = { z = \"m*l^3/(72*E*I)\" }",
-        "[structure]\nfrequency_variable = { z = \"m*l^3*k^2/(72*E*I)\" }",
-    ),
-    row(
         "M086",
         ("word that is not one of a list", "слово не из списка"),
-        (
-            "Directions are x, y, turn; releases are start, end; shapes are scaled by first, largest or mass.",
-            "Направления: x, y, turn; шарниры: start, end; масштаб форм: first, largest или mass.",
-        ),
+        ("Directions are x, y, turn; releases are start, end.", "Направления: x, y, turn; шарниры: start, end."),
         "[supports.S]\nat = \"A\"\ndirections = [\"z\"]",
         "[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\"]",
     ),

@@ -50,8 +50,6 @@ pub enum Command {
     Simulate(Simulate),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
-    /// Find natural oscillations
-    Modes(Modes),
     /// List the example models, or print one
     Examples(Examples),
     /// Write a model file to start from
@@ -147,12 +145,6 @@ pub struct Simulate {
 
 #[derive(Args, Debug)]
 pub struct Equilibrium {
-    #[command(flatten)]
-    pub model: Model,
-}
-
-#[derive(Args, Debug)]
-pub struct Modes {
     #[command(flatten)]
     pub model: Model,
 }

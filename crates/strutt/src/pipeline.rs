@@ -189,8 +189,3 @@ impl Calculation {
 pub fn no_numbers(machine: &Machine) -> Dataset {
     provenance::stamp(Dataset::default(), &machine.equations, &machine.model_hash)
 }
-
-/// A dataset with the provenance of a machine.
-pub fn stamped(machine: &Machine, data: Dataset) -> Dataset {
-    provenance::stamp(data, &machine.equations, &machine.model_hash)
-}

@@ -116,9 +116,7 @@ impl<S: Scalar> Assembly<S> {
 
     /// Displacement i along or across at the ends of a part, over the independent freedoms.
     fn reduced_rows(&self, frame: &Frame<S>, part: &Part<S>) -> [Row<S>; 6] {
-        local_rows(frame, part).map(|row| {
-            row.iter().fold(Vec::new(), |sum, (i, c)| combine(&sum, c, &self.elimination.transform[*i]))
-        })
+        local_rows(frame, part).map(|row| row.iter().fold(Vec::new(), |sum, (i, c)| combine(&sum, c, &self.elimination.transform[*i])))
     }
 
     pub(crate) fn gather(&self, frame: &Frame<S>, matrix: &dyn Fn(&Part<S>) -> Vec<S>, diagonal: Vec<(usize, S)>) -> Sparse<S> {
@@ -164,9 +162,7 @@ impl<S: Scalar> Assembly<S> {
     /// Mass over the independent freedoms.
     pub fn mass(&self, frame: &Frame<S>) -> Sparse<S> {
         let lumped = frame.nodes.iter().enumerate();
-        let lumped = lumped.flat_map(|(i, n)| {
-            [(3 * i, n.mass.clone()), (3 * i + 1, n.mass.clone()), (3 * i + 2, n.inertia.clone())]
-        });
+        let lumped = lumped.flat_map(|(i, n)| [(3 * i, n.mass.clone()), (3 * i + 1, n.mass.clone()), (3 * i + 2, n.inertia.clone())]);
         self.gather(frame, &|part| elements::mass(&frame.rods[part.rod], &part.length), lumped.collect())
     }
 

@@ -95,12 +95,5 @@ pub fn distributed<S: Scalar>(rod: &Rod<S>, l: &S, q: &[[S; 2]; 2]) -> [S; 6] {
     if rod.is_bar() {
         return [mix(0, 2, 1, 6), mix(1, 2, 1, 6), S::zero(), mix(0, 1, 2, 6), mix(1, 1, 2, 6), S::zero()];
     }
-    [
-        mix(0, 2, 1, 6),
-        mix(1, 7, 3, 20),
-        mix(1, 3, 2, 60).mul(l),
-        mix(0, 1, 2, 6),
-        mix(1, 3, 7, 20),
-        mix(1, 2, 3, 60).mul(l).neg(),
-    ]
+    [mix(0, 2, 1, 6), mix(1, 7, 3, 20), mix(1, 3, 2, 60).mul(l), mix(0, 1, 2, 6), mix(1, 3, 7, 20), mix(1, 2, 3, 60).mul(l).neg()]
 }

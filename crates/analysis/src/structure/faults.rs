@@ -1,7 +1,7 @@
 //! What can be wrong with a structure that was read without errors: codes S050 to S059.
 
-use crate::fault::{Explanation, Message};
 use crate::Fault;
+use crate::fault::{Explanation, Message};
 use symbolic::Text;
 
 /// Long texts of the codes of this folder.
@@ -119,8 +119,14 @@ pub fn unsupported(node: &str) -> Fault {
             format!("nothing holds the part of the structure with node {node}: it moves freely along x and y and turns"),
             format!("часть конструкции с узлом {node} ничем не удерживается: она свободно движется вдоль x, y и поворачивается"),
         ),
-        Text::new("no support and no spring belongs to it, and no rod joins it to the rest", "у неё нет опор и пружин, и стержни не связывают её с остальным"),
-        Text::new("add a support: [supports.S] at = \"NODE\", directions = [\"x\", \"y\"]", "добавьте опору: [supports.S] at = \"УЗЕЛ\", directions = [\"x\", \"y\"]"),
+        Text::new(
+            "no support and no spring belongs to it, and no rod joins it to the rest",
+            "у неё нет опор и пружин, и стержни не связывают её с остальным",
+        ),
+        Text::new(
+            "add a support: [supports.S] at = \"NODE\", directions = [\"x\", \"y\"]",
+            "добавьте опору: [supports.S] at = \"УЗЕЛ\", directions = [\"x\", \"y\"]",
+        ),
     )
 }
 
@@ -139,7 +145,10 @@ pub fn undetermined(names: &str) -> Fault {
     fault(
         "S053",
         Text::new(format!("statics does not determine the forces in {names}"), format!("статика не определяет усилий: {names}")),
-        Text::new("these do not deform, and there are more of them than equations of equilibrium", "они не деформируются, и их больше, чем уравнений равновесия"),
+        Text::new(
+            "these do not deform, and there are more of them than equations of equilibrium",
+            "они не деформируются, и их больше, чем уравнений равновесия",
+        ),
         Text::new("give these rods EA, or E and A", "задайте этим стержням EA или E и A"),
     )
 }

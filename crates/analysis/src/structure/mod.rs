@@ -18,6 +18,8 @@ pub mod freedoms;
 pub mod loads;
 pub mod reduced;
 pub mod scalar;
+pub mod statics;
+pub mod truss;
 
 pub use assembly::Assembly;
 pub use scalar::Scalar;
@@ -194,10 +196,19 @@ impl<S: Scalar> Frame<S> {
             };
             let (length, direction) = (f(&r.length)?, pair(&r.direction)?);
             let (mass, rotary) = (f(&r.mass)?, f(&r.rotary)?);
-            Some(Rod { name: r.name.clone(), ends: r.ends, length, direction, kind, mass, rotary, hinged: r.hinged, divisions: r.divisions })
+            Some(Rod {
+                name: r.name.clone(),
+                ends: r.ends,
+                length,
+                direction,
+                kind,
+                mass,
+                rotary,
+                hinged: r.hinged,
+                divisions: r.divisions,
+            })
         };
-        let support =
-            |s: &Support<S>| Some(Support { name: s.name.clone(), node: s.node, holds: s.holds, axis: pair(&s.axis)? });
+        let support = |s: &Support<S>| Some(Support { name: s.name.clone(), node: s.node, holds: s.holds, axis: pair(&s.axis)? });
         let displacement = |d: &Displacement<S>| {
             let component = match &d.component {
                 Component::Along(direction) => Component::Along(pair(direction)?),

@@ -131,7 +131,10 @@ pub fn displacements<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Vec
 }
 
 fn own_quantity<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, i: usize) -> Quantity {
-    let turn = matches!(assembly.freedoms.meaning[assembly.elimination.free[i]], Freedom::Node(_, 2) | Freedom::Hinge(..) | Freedom::Inner(_, _, 2));
+    let turn = matches!(
+        assembly.freedoms.meaning[assembly.elimination.free[i]],
+        Freedom::Node(_, 2) | Freedom::Hinge(..) | Freedom::Inner(_, _, 2)
+    );
     Quantity::new(&assembly.name(frame, i), if turn { "rad" } else { "m" })
 }
 
@@ -139,7 +142,9 @@ fn own_quantity<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, i: usize) -
 fn condense<S: Scalar>(k: &[S], n: usize, keep: &[usize]) -> Result<(Vec<S>, Vec<S>), Fault> {
     let m = keep.len();
     let follow: Vec<usize> = (0..n).filter(|i| !keep.contains(i)).collect();
-    let pick = |rows: &[usize], columns: &[usize]| -> Vec<S> { rows.iter().flat_map(|i| columns.iter().map(move |j| k[i * n + j].clone())).collect() };
+    let pick = |rows: &[usize], columns: &[usize]| -> Vec<S> {
+        rows.iter().flat_map(|i| columns.iter().map(move |j| k[i * n + j].clone())).collect()
+    };
     let mut basis = vec![S::zero(); n * m];
     keep.iter().enumerate().for_each(|(j, i)| basis[i * m + j] = S::one());
     if !follow.is_empty() {

@@ -1,5 +1,7 @@
 //! Studies, one file each.
 
 pub mod equilibrium;
+pub mod modes;
 pub mod simulate;
 pub mod structure_modes;
+pub mod structure_statics;

@@ -6,7 +6,7 @@
 use crate::dataset::{Audit, Column, Counter, Dataset};
 use crate::numerics::{eigen, sparse};
 use crate::structure::assembly::Sparse;
-use crate::structure::equilibrium::{SEARCHED, describe, stands, standing};
+use crate::structure::equilibrium::{SEARCHED, describe, standing, stands};
 use crate::structure::reduced::{Condensation, Reduced, quantity, reduce};
 use crate::structure::{Assembly, Frame, continuum, dense, faults};
 use crate::{Fault, Quantity};
@@ -112,7 +112,8 @@ fn beside(found: &mut StructureModes) {
         ));
         return;
     };
-    let quantity = |name: &str, symbol: &str, unit: &str, label: Text| Quantity { label, symbol: symbol.into(), ..Quantity::new(name, unit) };
+    let quantity =
+        |name: &str, symbol: &str, unit: &str, label: Text| Quantity { label, symbol: symbol.into(), ..Quantity::new(name, unit) };
     let label = Text::new("of the exact continuum", "точное значение для распределённой массы");
     let error = exact.iter().zip(&estimates).map(|(e, w)| w / e - 1.0).collect();
     let at = data.columns.iter().position(|c| c.quantity.name == "damping_ratio").map_or(0, |i| i + 1);
@@ -143,7 +144,17 @@ fn plain(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -
     let coordinates = shown.coordinates(&reduced.coordinates);
     let orthogonality = orthogonality(&found, &reduced.mass, n);
     let dataset = dataset(&modes, &coordinates, orthogonality, assembly.n());
-    Ok(StructureModes { dataset, modes, coordinates, reduced: Some(reduced), exact, equation, continuum: None, frame: frame.clone(), assembly })
+    Ok(StructureModes {
+        dataset,
+        modes,
+        coordinates,
+        reduced: Some(reduced),
+        exact,
+        equation,
+        continuum: None,
+        frame: frame.clone(),
+        assembly,
+    })
 }
 
 /// det(I - λ D M) without vanishing powers at its end.
@@ -180,7 +191,17 @@ fn large(frame: &Frame<f64>, assembly: Assembly<f64>, options: &Modes) -> Result
         .map(|(i, j)| m.apply(found.shape(i)).iter().zip(found.shape(j)).map(|(a, b)| a * b).sum::<f64>().abs())
         .fold(0.0, f64::max);
     let dataset = dataset(&modes, &coordinates, worst, n);
-    Ok(StructureModes { dataset, modes, coordinates, reduced: None, exact: None, equation: None, continuum: None, frame: frame.clone(), assembly })
+    Ok(StructureModes {
+        dataset,
+        modes,
+        coordinates,
+        reduced: None,
+        exact: None,
+        equation: None,
+        continuum: None,
+        frame: frame.clone(),
+        assembly,
+    })
 }
 
 fn free(value: f64, all: &[f64]) -> bool {
@@ -188,7 +209,7 @@ fn free(value: f64, all: &[f64]) -> bool {
     value <= 1e-12 * largest || value == 0.0
 }
 
-fn compressed(matrix: &Sparse<f64>) -> Result<sparse::Sparse, Fault> {
+pub(crate) fn compressed(matrix: &Sparse<f64>) -> Result<sparse::Sparse, Fault> {
     let mut triplets = sparse::Triplets::new(matrix.n);
     matrix.entries.iter().for_each(|(i, j, v)| triplets.add(*i, *j, *v));
     sparse::Sparse::from_triplets(&triplets)
@@ -289,7 +310,8 @@ fn refined(frame: &Frame<f64>, options: &Modes, wanted: f64) -> Result<Structure
         let change = last.modes.iter().zip(&next.modes).map(|(a, b)| (a.omega / b.omega - 1.0).abs() / 15.0).fold(0.0, f64::max);
         last = next;
         if change <= wanted || divisions >= 256 {
-            let name = Text::new("error of frequencies by halving the parts of rods", "погрешность частот по удвоению числа частей стержней");
+            let name =
+                Text::new("error of frequencies by halving the parts of rods", "погрешность частот по удвоению числа частей стержней");
             last.dataset.audits.push(Audit::at_most("refinement", name, change, wanted));
             last.dataset.notes.push(Text::new(
                 format!("each elastic rod in {divisions} parts"),
@@ -319,7 +341,10 @@ fn dataset(modes: &[Mode], coordinates: &[Quantity], orthogonality: f64, n: usiz
     }
     let name = Text::new("orthogonality of the shapes", "ортогональность форм");
     let audits = vec![Audit::at_most("orthogonality", name, orthogonality, 1e-8)];
-    let counters = vec![Counter { key: "freedoms", name: Text::new("independent displacements", "независимых перемещений"), value: n as f64 }];
+    let counters =
+        vec![Counter {
+            key: "freedoms", name: Text::new("independent displacements", "независимых перемещений"), value: n as f64
+        }];
     Dataset { columns, audits, counters, ..Dataset::default() }
 }
 

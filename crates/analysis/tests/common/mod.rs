@@ -56,7 +56,7 @@ impl Hand {
         self
     }
     pub fn guarded(mut self, n_guards: usize, guard: impl Fn(&Work, usize) -> Vec<f64> + 'static) -> Hand {
-        self.guards = (0..n_guards).map(|i| Guard { name: Text::same(format!("g{i}")), scheduled: None }).collect();
+        self.guards = (0..n_guards).map(|i| Guard { name: Text::same(format!("g{i}")), ..Guard::default() }).collect();
         self.guard = Box::new(guard);
         self
     }

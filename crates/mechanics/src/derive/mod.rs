@@ -110,6 +110,9 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
         definitions,
         mass,
         force,
+        reactions: Vec::new(),
+        conditions: Vec::new(),
+        balances: Vec::new(),
         textbook,
         steps,
         second: second.residuals,
@@ -281,6 +284,7 @@ fn coordinates(model: &Model) -> Vec<Coordinate> {
         label: c.label.clone(),
         start: c.start,
         rate: c.rate,
+        given: c.given,
     };
     model.coordinates.iter().map(coordinate).collect()
 }

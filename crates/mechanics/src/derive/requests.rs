@@ -107,6 +107,7 @@ impl Resolver {
             RequestKind::Dissipation => self.energies.map(|e| e.dissipation).ok_or_else(|| missing(scene)),
             RequestKind::ElementForce(element) => self.element(element).map(|(force, _)| force).ok_or_else(|| missing(scene)),
             RequestKind::Extension(element) => self.element(element).map(|(_, extension)| extension).ok_or_else(|| missing(scene)),
+            RequestKind::Reaction(..) => Err(missing(scene)),
             RequestKind::TimeDerivative { of, order } => {
                 let mut e = self.resolve(scene, kinematics, of)?;
                 for _ in 0..order {

@@ -107,8 +107,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let potentials = elements::potentials(reader, &top);
     let dissipations = elements::dissipations(reader, &top);
     let outputs = outputs::resolve(reader, raw_outputs);
-    let studies = studies::read(reader, &top);
     let structure = structures::read(reader, &top, &mut notation);
+    let studies = studies::read(reader, &top);
 
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
@@ -125,6 +125,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         points,
         springs,
         dampers,
+        connections: Vec::new(),
         forces,
         torques,
         potentials,

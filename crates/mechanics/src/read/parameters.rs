@@ -25,6 +25,8 @@ pub(super) struct RawCoordinate<'a> {
     scaled: Option<String>,
     start: Option<Raw<'a>>,
     rate: Option<Raw<'a>>,
+    /// guesses, where start and rate are found from the connections
+    guesses: [Option<Raw<'a>>; 2],
     label: Text,
 }
 
@@ -88,6 +90,7 @@ pub(super) fn collect_coordinates<'a>(
             scaled: None,
             start: None,
             rate: None,
+            guesses: [None, None],
             label: Text::default(),
         };
         let unit = match value.get_ref() {
@@ -97,6 +100,7 @@ pub(super) fn collect_coordinates<'a>(
                 coordinate.label = fields.text(reader, "label").unwrap_or_default();
                 coordinate.start = fields.raw(reader, "start");
                 coordinate.rate = fields.raw(reader, "rate");
+                coordinate.guesses = ["guess", "rate_guess"].map(|key| fields.raw(reader, key));
                 fields.get("unit").and_then(|v| reader.unit(v))
             }
             _ => reader.unit(value),
@@ -129,6 +133,7 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
         _ => None,
     };
     let rate_dimension = dimension.map(|d| d.per_time(1));
+    let set: Vec<String> = [c.name.clone(), format!("{}'", c.name)].into_iter().filter(|name| reader.override_of(name).is_some()).collect();
     let mut read = |raw: Option<Raw<'a>>, name: String, wanted: Option<&Dimension>| {
         let wanted_by_hand = reader.override_of(&name).map(|snippet| by_hand(reader, snippet, wanted));
         if let Some(value) = wanted_by_hand {
@@ -150,12 +155,14 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
         warn_of_hertz(reader, &raw, wanted);
         reader.value(&raw, &Context::CONSTANT, wanted).expr
     };
-    let start = read(c.start, c.name.clone(), dimension.as_ref());
-    let rate = read(c.rate, format!("{}'", c.name), rate_dimension.as_ref());
+    let given = [(&c.start, c.name.clone()), (&c.rate, format!("{}'", c.name))].map(|(raw, name)| raw.is_some() || set.contains(&name));
+    let [guess, rate_guess] = c.guesses;
+    let start = read(c.start.or(guess), c.name.clone(), dimension.as_ref());
+    let rate = read(c.rate.or(rate_guess), format!("{}'", c.name), rate_dimension.as_ref());
     let symbols = [0, 1, 2].map(|primes| reader.builder.graph.symbol_id(&c.name, primes));
     let base = dimension.unwrap_or(Dimension::NONE);
     let units = [0, 1, 2].map(|order| si_label(&base.per_time(order)));
-    CoordinateDecl { name: c.name, symbols, units, start, rate, label: c.label, span: c.span }
+    CoordinateDecl { name: c.name, symbols, units, start, rate, given, label: c.label, span: c.span }
 }
 
 /// Hz where a turning rate is meant loses a factor of 2π.

@@ -7,8 +7,8 @@ use super::parameters::names;
 use super::reader::{Checked, Fields, Reader, components, short, string, wrong_type};
 use crate::fault::{Fault, nearest};
 use crate::fields;
-use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
-use crate::structure::{Action, Direction, Displacement, Load, Node, Options, Rod, Site, Structure, Support, Variable};
+use crate::formula::Context;
+use crate::structure::{Action, Direction, Displacement, Load, Node, Options, Rod, Site, Structure, Support};
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -70,7 +70,10 @@ fn not_negative<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static 
         format!("{key} of {} is {number}", fields.path),
         format!("{key} в {} равно {number}", fields.path),
     )
-    .why("stiffnesses and masses are positive; a parameter is probably wrong", "жёсткости и массы положительны; вероятно, неверен параметр");
+    .why(
+        "stiffnesses and masses are positive; a parameter is probably wrong",
+        "жёсткости и массы положительны; вероятно, неверен параметр",
+    );
     reader.fault(fault);
 }
 
@@ -132,12 +135,13 @@ fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usiz
     let rotary = rotary(reader, fields, mass, second, area);
     let divisions = divisions(reader, fields);
     if bending.is_none() && !rigid && hinged != [true, true] {
-        let fault = Fault::new("M081", fields.span.clone(), format!("{} lacks EI", fields.path), format!("в {} не хватает EI", fields.path))
-            .why("this rod is fixed to a node and bends", "этот стержень жёстко соединён с узлом и изгибается")
-            .help(
-                "add EI (or E and I), or releases = [\"start\", \"end\"] for a rod of a truss, or rigid = true",
-                "добавьте EI (или E и I), либо releases = [\"start\", \"end\"] для стержня фермы, либо rigid = true",
-            );
+        let fault =
+            Fault::new("M081", fields.span.clone(), format!("{} lacks EI", fields.path), format!("в {} не хватает EI", fields.path))
+                .why("this rod is fixed to a node and bends", "этот стержень жёстко соединён с узлом и изгибается")
+                .help(
+                    "add EI (or E and I), or releases = [\"start\", \"end\"] for a rod of a truss, or rigid = true",
+                    "добавьте EI (или E и I), либо releases = [\"start\", \"end\"] для стержня фермы, либо rigid = true",
+                );
         reader.fault(fault);
     }
     let (bending, axial) = if rigid { (None, None) } else { (bending, axial) };
@@ -189,7 +193,12 @@ fn one_of(reader: &mut Reader, word: &str, span: Range<usize>, known: &[&'static
     let found = known.iter().position(|k| *k == word);
     if found.is_none() {
         let list = known.join(", ");
-        let fault = Fault::new("M086", span, format!("`{}` is not one of {list}", short(word)), format!("`{}` — не из списка: {list}", short(word)));
+        let fault = Fault::new(
+            "M086",
+            span,
+            format!("`{}` is not one of {list}", short(word)),
+            format!("`{}` — не из списка: {list}", short(word)),
+        );
         reader.fault(fault);
     }
     found
@@ -337,9 +346,9 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut
     let supports = supports(reader, top);
     distributed(reader, top);
     let displacements = displacements(reader, top, notation);
-    let (options, variable) = options(reader, top);
+    let options = options(reader, top);
     let draft = std::mem::take(&mut reader.structure);
-    Some(Structure { nodes: draft.nodes, rods: draft.rods, supports, displacements, loads: draft.loads, variable, options })
+    Some(Structure { nodes: draft.nodes, rods: draft.rods, supports, displacements, loads: draft.loads, options })
 }
 
 fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
@@ -420,45 +429,17 @@ fn unit(reader: &mut Reader, x: Expr, y: Expr) -> [Expr; 2] {
     [graph.mul(x, size), graph.mul(y, size)]
 }
 
-fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> (Options, Option<Variable>) {
-    let Some(value) = top.get("structure") else { return (Options::default(), None) };
+fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Options {
+    let Some(value) = top.get("structure") else { return Options::default() };
     let DeValue::Table(table) = value.get_ref() else {
         reader.fault(wrong_type(value.span(), "a table", "таблица", value.get_ref().type_str()));
-        return (Options::default(), None);
+        return Options::default();
     };
     let fields = Fields::open(reader, &fields::STRUCTURE, table, value.span(), "structure".to_owned());
     let condense = fields.has("condense").then(|| flag(reader, &fields, "condense"));
     let accuracy = fields.formula(reader, "accuracy", &Context::CONSTANT, Some(&Dimension::NONE));
     let accuracy = accuracy.and_then(|value| reader.number(&value)).map(|a| a.clamp(1e-11, 1e-1));
-    let normalise = fields.name(reader, "normalise").and_then(|(word, span)| {
-        one_of(reader, &word, span, &["first", "largest", "mass"]).map(|_| word)
-    });
     let modes = whole(reader, &fields, "modes").map(|n| n as usize);
     let continuum = flag(reader, &fields, "continuum");
-    let variable = variable(reader, &fields);
-    (Options { condense, modes, accuracy, normalise, continuum }, variable)
-}
-
-fn variable<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Variable> {
-    let (name, span, value) = fields.rows(reader, "frequency_variable").into_iter().next()?;
-    let raw = reader.raw(value)?;
-    let taken = reader.claimed.contains_key("k");
-    let frequency = reader.builder.graph.symbol_id(if taken { "ω" } else { "k" }, 0);
-    if !taken {
-        // k means the angular frequency here only: everything else is read already
-        let kind = Kind::Known(Dimension::ANGULAR_RATE);
-        reader.scope.declare("k", Entry { kind: EntryKind::Parameter(frequency), dimension: kind, depends: Depends::TIME });
-    }
-    let formula = reader.value(&raw, &Context::TIME, None);
-    if formula.good && (taken || formula.depends.is_constant()) {
-        let fault = Fault::new(
-            "M085",
-            span,
-            format!("`{}` must be a constant times k or k^2, with k the angular frequency", short(name)),
-            format!("`{}` — постоянная, умноженная на k или k^2, где k — круговая частота", short(name)),
-        );
-        reader.fault(fault);
-        return None;
-    }
-    Some(Variable { name: name.to_owned(), formula: formula.expr, frequency })
+    Options { condense, modes, accuracy, continuum }
 }

@@ -13,8 +13,6 @@ pub struct Bound {
     pub frame: Frame<f64>,
     /// Exact numbers, without loads that have none.
     pub exact: Option<Frame<Rational>>,
-    /// Variable of the frequency equation: name, factor, power of the angular frequency.
-    pub variable: Option<(String, Factor, u32)>,
 }
 
 /// A constant, exact if possible.
@@ -28,8 +26,7 @@ pub struct Factor {
 
 /// Numbers of expressions over constant parameters.
 pub struct Numbers<'a> {
-    graph: Graph,
-    model: &'a Model,
+    graph: &'a Graph,
     exact: HashMap<SymbolId, Option<Rational>>,
     machine: Vec<f64>,
     memo: HashMap<Expr, Option<Rational>>,
@@ -38,13 +35,8 @@ pub struct Numbers<'a> {
 impl<'a> Numbers<'a> {
     /// Numbers with the parameters of a model.
     pub fn of(model: &'a Model) -> Numbers<'a> {
-        let mut numbers = Numbers {
-            graph: model.graph.clone(),
-            model,
-            exact: HashMap::new(),
-            machine: vec![0.0; model.graph.symbol_count()],
-            memo: HashMap::new(),
-        };
+        let mut numbers =
+            Numbers { graph: &model.graph, exact: HashMap::new(), machine: vec![0.0; model.graph.symbol_count()], memo: HashMap::new() };
         for p in &model.parameters {
             let exact = numbers.exact(p.value.expr());
             numbers.exact.insert(p.symbol, exact);
@@ -86,9 +78,7 @@ impl<'a> Numbers<'a> {
         match self.graph.node(e) {
             Term::Number(r) => Some(r.clone()),
             Term::Symbol(s) => self.exact.get(s).cloned().flatten(),
-            Term::Sum { constant, terms } => {
-                terms.iter().try_fold(constant.clone(), |sum, (t, f)| Some(&sum + &(&known(t)? * f)))
-            }
+            Term::Sum { constant, terms } => terms.iter().try_fold(constant.clone(), |sum, (t, f)| Some(&sum + &(&known(t)? * f))),
             Term::Product { coefficient, factors } => {
                 factors.iter().try_fold(coefficient.clone(), |p, (b, x)| Some(&p * &power(&known(b)?, x)?))
             }
@@ -96,21 +86,9 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The same expression with a symbol that has this number.
-    fn with(&self, e: Expr, symbol: SymbolId, value: i64) -> Factor {
-        let mut other = Numbers {
-            graph: self.graph.clone(),
-            model: self.model,
-            exact: self.exact.clone(),
-            machine: self.machine.clone(),
-            memo: HashMap::new(),
-        };
-        other.exact.insert(symbol, Some(Rational::from(value)));
-        if other.machine.len() <= symbol.index() {
-            other.machine.resize(symbol.index() + 1, 0.0);
-        }
-        other.machine[symbol.index()] = value as f64;
-        Factor { value: other.value(e), exact: other.exact(e) }
+    /// Both numbers.
+    pub fn factor(&mut self, e: Expr) -> Factor {
+        Factor { value: self.value(e), exact: self.exact(e) }
     }
 }
 
@@ -149,7 +127,8 @@ pub fn bind(model: &Model, structure: &Structure) -> Bound {
     }
     for rod in &structure.rods {
         let d = difference(&structure.nodes, rod);
-        let both = (rod_of(rod, d, &mut |e| Some(numbers.value(e)), &|a, b| a / b), rod_of(rod, d, &mut |e| numbers.exact(e), &|a, b| a / b));
+        let both =
+            (rod_of(rod, d, &mut |e| Some(numbers.value(e)), &|a, b| a / b), rod_of(rod, d, &mut |e| numbers.exact(e), &|a, b| a / b));
         frame.rods.extend(both.0);
         complete &= both.1.is_some();
         put(Exact { rod: both.1, ..Exact::default() });
@@ -159,7 +138,10 @@ pub fn bind(model: &Model, structure: &Structure) -> Bound {
         let support = |axis| Support { name: support.name.clone(), node: support.node, holds: support.holds, axis };
         frame.supports.push(support(value));
         complete &= exact.is_some();
-        put(Exact { support: exact.map(|axis| Support { name: support(value).name, node: support(value).node, holds: support(value).holds, axis }), ..Exact::default() });
+        put(Exact {
+            support: exact.map(|axis| Support { name: support(value).name, node: support(value).node, holds: support(value).holds, axis }),
+            ..Exact::default()
+        });
     }
     for d in &structure.displacements {
         let symbol = model.notation.iter().find(|(n, _)| *n == d.name).map_or_else(|| d.name.clone(), |(_, s)| s.clone());
@@ -172,8 +154,7 @@ pub fn bind(model: &Model, structure: &Structure) -> Bound {
         frame.loads.extend(load_of(load, &mut |e| Some(numbers.value(e))));
         put(Exact { load: load_of(load, &mut |e| numbers.exact(e)), ..Exact::default() });
     }
-    let variable = structure.variable.as_ref().and_then(|v| variable(&numbers, v));
-    Bound { frame, exact: exact.filter(|_| complete), variable }
+    Bound { frame, exact: exact.filter(|_| complete) }
 }
 
 /// One exact item of any kind.
@@ -240,7 +221,13 @@ fn displacement_of<S>(d: &file::Displacement, symbol: &str, number: &mut dyn FnM
         file::Direction::Along([x, y]) => Component::Along([number(x)?, number(y)?]),
         file::Direction::Turn => Component::Turn,
     };
-    Some(Displacement { name: d.name.clone(), symbol: symbol.to_owned(), label: d.label.clone(), place: place(&d.site, number)?, component })
+    Some(Displacement {
+        name: d.name.clone(),
+        symbol: symbol.to_owned(),
+        label: d.label.clone(),
+        place: place(&d.site, number)?,
+        component,
+    })
 }
 
 fn load_of<S>(load: &file::Load, number: &mut dyn FnMut(Expr) -> Option<S>) -> Option<Load<S>> {
@@ -254,11 +241,4 @@ fn load_of<S>(load: &file::Load, number: &mut dyn FnMut(Expr) -> Option<S>) -> O
         }
     };
     Some(Load { name: load.name.clone(), action })
-}
-
-/// The variable as a factor and a power: its values at the frequencies 1 and 2 tell.
-fn variable(numbers: &Numbers, v: &file::Variable) -> Option<(String, Factor, u32)> {
-    let (one, two) = (numbers.with(v.formula, v.frequency, 1), numbers.with(v.formula, v.frequency, 2));
-    let power = [1_u32, 2].into_iter().find(|p| (two.value / one.value - f64::from(1 << p)).abs() < 1e-9)?;
-    Some((v.name.clone(), one, power))
 }

@@ -3,20 +3,17 @@
 use super::bind::Factor;
 use symbolic::Rational;
 
-/// `504 z^3 - 729 z^2 + 94 z - 1 = 0` from coefficients by rising powers of λ = k², with z = factor·k^power.
-pub fn exact(coefficients: &[Rational], variable: Option<&(String, Factor, u32)>) -> Option<String> {
-    let (name, factor, power) = match variable {
-        Some((name, factor, power)) => (name.as_str(), factor.exact.clone()?, *power),
-        None => ("k", Rational::ONE, 1),
+/// `504 z^3 - 729 z^2 + 94 z - 1 = 0` from coefficients by rising powers of λ = k², with z = factor·k².
+pub fn exact(coefficients: &[Rational], variable: Option<&(String, Factor)>) -> Option<String> {
+    let (name, factor, per_lambda) = match variable {
+        Some((name, factor)) => (name.as_str(), factor.exact.clone()?, 1),
+        None => ("k", Rational::ONE, 2),
     };
-    // λ = (z/factor)^(2/power)
-    let per_lambda = 2 / power;
-    let scale = factor.pow(i64::from(per_lambda))?;
     let mut list = Vec::new();
     let mut divisor = Rational::ONE;
     for c in coefficients {
         list.push(c / &divisor);
-        divisor = &divisor * &scale;
+        divisor = &divisor * &factor;
     }
     let whole = coprime(&list)?;
     let terms = whole.iter().enumerate().rev().filter(|(_, c)| !c.is_zero());
@@ -24,16 +21,15 @@ pub fn exact(coefficients: &[Rational], variable: Option<&(String, Factor, u32)>
 }
 
 /// The same with decimal coefficients, the highest 1, from the squares of the frequencies.
-pub fn decimal(squares: &[f64], variable: Option<&(String, Factor, u32)>) -> String {
-    let (name, factor, power) = match variable {
-        Some((name, factor, power)) => (name.as_str(), factor.value, *power),
-        None => ("k", 1.0, 1),
+pub fn decimal(squares: &[f64], variable: Option<&(String, Factor)>) -> String {
+    let (name, factor, per_lambda) = match variable {
+        Some((name, factor)) => (name.as_str(), factor.value, 1),
+        None => ("k", 1.0, 2),
     };
-    let per_lambda = 2 / power;
     let mut list = vec![1.0];
     for square in squares {
         // times (z - z_i), falling powers
-        let root = square * factor.powi(per_lambda as i32);
+        let root = square * factor;
         list.push(0.0);
         for i in (1..list.len()).rev() {
             list[i] -= root * list[i - 1];
@@ -118,7 +114,7 @@ mod tests {
         // 1 - 94 z + 729 z² - 504 z³ with z = λ/72
         let r = |n: i64, d: i64| Rational::new(n, d).unwrap();
         let list = [r(1, 1), r(-94, 72), r(729, 72 * 72), r(-504, 72 * 72 * 72)];
-        let z = ("z".to_owned(), Factor { value: 1.0 / 72.0, exact: Some(r(1, 72)) }, 2);
+        let z = ("z".to_owned(), Factor { value: 1.0 / 72.0, exact: Some(r(1, 72)) });
         assert_eq!(exact(&list, Some(&z)).unwrap(), "504 z^3 - 729 z^2 + 94 z - 1 = 0");
         assert_eq!(exact(&[r(1, 1), r(-1, 4)], None).unwrap(), "k^2 - 4 = 0");
     }

@@ -1,11 +1,12 @@
 //! Natural oscillations of the structure of a model.
 
-use super::bind::{Bound, bind};
+use super::bind::{Bound, Factor, Numbers, bind};
 use super::equation;
 use crate::failure::Trouble;
 use analysis::structure::reduced::{Condensation, Reduced};
 use analysis::studies::structure_modes::{self, Modes, Normalise, StructureModes};
 use mechanics::Model;
+use mechanics::model::{self, Scale, StudyKind};
 use mechanics::structure::Structure;
 use serde_json::{Map, Value, json};
 use symbolic::Rational;
@@ -21,13 +22,22 @@ pub struct Found {
     pub equation: Option<String>,
 }
 
+/// The study of the file, or its defaults.
+pub fn study(model: &Model) -> model::Modes {
+    let of_file = model.studies.iter().find_map(|s| match &s.kind {
+        StudyKind::Modes(study) => Some(study.clone()),
+        _ => None,
+    });
+    of_file.unwrap_or_default()
+}
+
 /// Options of the file.
-pub fn options(structure: &Structure) -> Modes {
+pub fn options(structure: &Structure, study: &model::Modes) -> Modes {
     let o = &structure.options;
-    let normalise = match o.normalise.as_deref() {
-        Some("largest") => Normalise::Largest,
-        Some("mass") => Normalise::Mass,
-        _ => Normalise::First,
+    let normalise = match study.scale {
+        Scale::Largest => Normalise::Largest,
+        Scale::Mass => Normalise::Mass,
+        Scale::First => Normalise::First,
     };
     let condensation = match o.condense {
         None => Condensation::Automatic,
@@ -41,10 +51,13 @@ pub fn options(structure: &Structure) -> Modes {
 ///
 /// # Errors
 /// Mechanisms, loose nodes, no inertia.
-pub fn find(model: &Model, structure: &Structure) -> Result<Found, Box<Trouble>> {
+pub fn find(model: &Model, structure: &Structure, study: &model::Modes) -> Result<Found, Box<Trouble>> {
     let bound = bind(model, structure);
-    let result = structure_modes::modes(&bound.frame, bound.exact.as_ref(), &options(structure)).map_err(|f| Box::new(Trouble::from(f)))?;
-    let variable = bound.variable.as_ref();
+    let options = options(structure, study);
+    let result = structure_modes::modes(&bound.frame, bound.exact.as_ref(), &options).map_err(|f| Box::new(Trouble::from(f)))?;
+    let factor = |v: &model::FrequencyVariable| (v.name.clone(), Numbers::of(model).factor(v.factor));
+    let variable: Option<(String, Factor)> = study.variable.as_ref().map(factor);
+    let variable = variable.as_ref();
     let equation = match (&result.equation, &result.reduced) {
         (Some(coefficients), _) => equation::exact(coefficients, variable),
         (None, Some(reduced)) if reduced.n() <= 4 && result.modes.len() == reduced.n() => {
@@ -61,9 +74,7 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     let mut own = Map::new();
     let tau = 2.0 * std::f64::consts::PI;
     let result = &found.result;
-    let mode = |m: &structure_modes::Mode| {
-        json!({"omega": m.omega, "f": m.omega / tau, "T": tau / m.omega, "damping_ratio": 0.0, "shape": m.shape})
-    };
+    let mode = |m: &structure_modes::Mode| json!({"omega": m.omega, "f": m.omega / tau, "T": tau / m.omega, "damping_ratio": 0.0, "shape": m.shape});
     own.insert("study".into(), json!("modes"));
     own.insert("coordinates".into(), result.coordinates.iter().map(|q| json!(q.name)).collect());
     own.insert("modes".into(), result.modes.iter().map(mode).collect());
@@ -86,6 +97,8 @@ pub fn fields(found: &Found) -> Map<String, Value> {
 }
 
 fn exact_matrices(reduced: &Reduced<Rational>) -> Value {
-    let rows = |m: &[Rational]| -> Value { m.chunks(reduced.n().max(1)).map(|r| r.iter().map(|v| json!(v.to_string())).collect::<Value>()).collect() };
+    let rows = |m: &[Rational]| -> Value {
+        m.chunks(reduced.n().max(1)).map(|r| r.iter().map(|v| json!(v.to_string())).collect::<Value>()).collect()
+    };
     json!({"mass_matrix": rows(&reduced.mass), "stiffness_matrix": rows(&reduced.stiffness), "flexibility_matrix": rows(&reduced.flexibility)})
 }
