@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
-use symbolic::linear::{About, Timing};
+use symbolic::linear::{About, HarmonicLoad, Timing};
 use symbolic::{Equations, Expr, Linear, SymbolId, Text};
 
 use crate::fault::Message;
@@ -211,11 +211,29 @@ impl LinearMachine {
     ///
     /// *Errors*: one of them has no finite value.
     pub fn values_of(&self, list: &[Expr], place: &Place) -> Result<Vec<f64>, Fault> {
+        self.values(&self.prepare(list)?, place)
+    }
+
+    /// Expressions of [`Linear::graph`] as a tape, to be evaluated often.
+    ///
+    /// *Errors*: a symbol without a meaning here.
+    pub fn prepare(&self, list: &[Expr]) -> Result<Values, Fault> {
         let named: Vec<(String, Expr)> = list.iter().enumerate().map(|(i, e)| (format!("value {}", i + 1), *e)).collect();
-        let tape = Arc::new(lower::expressions(&self.linear.graph, "values", &self.inputs, &named)?);
-        let mut evaluator = Evaluator::new(&tape, &self.values)?;
+        Ok(Values(Arc::new(lower::expressions(&self.linear.graph, "values", &self.inputs, &named)?)))
+    }
+
+    /// The values of prepared expressions.
+    ///
+    /// *Errors*: one of them has no finite value.
+    pub fn values(&self, prepared: &Values, place: &Place) -> Result<Vec<f64>, Fault> {
+        let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
         let states = place.states();
         Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
+    }
+
+    /// The harmonics of generalized forces (by coordinate) of the equations that were linearised; none when they are not harmonic.
+    pub fn harmonics_of(&mut self, forces: &[(usize, Expr)]) -> Option<(Vec<Expr>, Vec<HarmonicLoad>)> {
+        self.linear.harmonics_of(&self.equations, forces)
     }
 
     /// An observer of formulas of the equations near the state.
@@ -267,6 +285,10 @@ impl LinearMachine {
         Ok(seen.collect())
     }
 }
+
+/// Prepared expressions.
+#[derive(Clone, Debug)]
+pub struct Values(Arc<Tape>);
 
 /// Formulas near a state as a tape.
 #[derive(Clone, Debug)]

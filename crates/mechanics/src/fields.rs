@@ -1,6 +1,8 @@
 //! Every key of the model file: what it is, what it defaults to, an example. The reader takes its list of known and required keys from
 //! here, and the reference (`docs/model-file.md`) is generated from here.
 
+pub mod connections;
+
 /// A pair of wordings, English and Russian.
 pub type Words = (&'static str, &'static str);
 
@@ -220,11 +222,27 @@ pub const TOP: TableSpec = TableSpec {
         may("torques", Type::Table, "", "", ("applied torques", "приложенные моменты"), ""),
         may("potentials", Type::Table, "", "", ("free-form potential energies", "потенциальные энергии общего вида"), ""),
         may("dissipations", Type::Table, "", "", ("free-form Rayleigh functions", "диссипативные функции общего вида"), ""),
+        may("pins", Type::Table, "", "", ("pins", "шарниры"), ""),
+        may("welds", Type::Table, "", "", ("welds", "жёсткие соединения"), ""),
+        may("sliders", Type::Table, "", "", ("sliders", "ползуны"), ""),
+        may("slots", Type::Table, "", "", ("slots", "кулисы"), ""),
+        may("rods", Type::Table, "", "", ("massless rods", "невесомые стержни"), ""),
+        may("ropes", Type::Table, "", "", ("ropes", "канаты"), ""),
+        may("threads", Type::Table, "", "", ("threads", "нити"), ""),
+        may("belts", Type::Table, "", "", ("belts", "ремни"), ""),
+        may("chains", Type::Table, "", "", ("chains", "цепи"), ""),
+        may("gears", Type::Table, "", "", ("gear pairs", "зубчатые пары"), ""),
+        may("racks", Type::Table, "", "", ("gears on racks", "зубчатые рейки"), ""),
+        may("rolling", Type::Table, "", "", ("rolling without slip", "качение без проскальзывания"), ""),
+        may("constraints", Type::Table, "", "", ("conditions of any form", "связи общего вида"), ""),
+        may("supports", Type::Table, "", "", ("supports", "опоры"), ""),
+        may("motions", Type::Table, "", "", ("prescribed motions", "заданные движения"), ""),
+        may("motors", Type::Table, "", "", ("motors that realise motions", "двигатели, создающие движения"), ""),
+        may("stops", Type::Table, "", "", ("one-sided stops", "односторонние упоры"), ""),
+        may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
+        may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
         may("nodes", Type::Table, "", "", ("nodes of a frame or truss", "узлы рамы или фермы"), ""),
-        may("rods", Type::Table, "", "", ("rods", "стержни"), ""),
-        may("supports", Type::Table, "", "", ("supports", "опоры"), ""),
-        may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
         may("displacements", Type::Table, "", "", ("named displacements of a structure", "именованные перемещения конструкции"), ""),
         may("structure", Type::Table, "", "", ("how the structure is computed", "как рассчитывать конструкцию"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
@@ -403,6 +421,17 @@ pub const SPRING: TableSpec = TableSpec {
             "0",
             ("force at rest, tension positive", "усилие при rest, растяжение положительно"),
             "\"10 N\"",
+        ),
+        may(
+            "backlash",
+            Type::Formula,
+            "m",
+            "0",
+            (
+                "whole play about `rest`, half on each side, in which there is no force",
+                "полный зазор около `rest`, по половине с каждой стороны; в нём усилия нет",
+            ),
+            "\"2 mm\"",
         ),
     ],
     example: "[springs.horizontal]\nalong = \"x\"\nstiffness = \"c_x\"\n",
@@ -648,7 +677,7 @@ pub const SUPPORT: TableSpec = TableSpec {
 };
 
 /// `[distributed.NAME]`.
-pub const DISTRIBUTED: TableSpec = TableSpec {
+pub const LINE_LOAD: TableSpec = TableSpec {
     name: "distributed",
     about: ("Loads along a rod, per unit of its length.", "Нагрузки вдоль стержня на единицу его длины."),
     short: None,
@@ -656,7 +685,7 @@ pub const DISTRIBUTED: TableSpec = TableSpec {
         must("on", Type::Name, "", ("rod", "стержень"), "\"AB\""),
         must("value", Type::Vector, "N/m", ("components in ground axes", "компоненты в неподвижных осях"), "[\"0\", \"-2 kN/m\"]"),
         may(
-            "end_value",
+            "value_end",
             Type::Vector,
             "N/m",
             "value",
@@ -737,18 +766,12 @@ pub const STRUCTURE: TableSpec = TableSpec {
 pub const STUDY: TableSpec = TableSpec {
     name: "study",
     about: (
-        "Studies, carried out in order: `equations`, `equilibrium`, `modes` (natural frequencies), `response` (forced oscillations over the frequency), `simulate`.",
-        "Расчёты, выполняются по порядку: `equations`, `equilibrium`, `modes` (собственные частоты), `response` (вынужденные колебания в зависимости от частоты), `simulate`.",
+        "Studies, carried out in order. Which keys belong to which kind: see the page of the study.",
+        "Расчёты, выполняются по порядку. Какие ключи относятся к какому расчёту, сказано на его странице.",
     ),
     short: None,
     fields: &[
-        must(
-            "kind",
-            Type::String,
-            "",
-            ("equations, equilibrium, modes, response or simulate", "equations, equilibrium, modes, response или simulate"),
-            "\"simulate\"",
-        ),
+        must("kind", Type::String, "", ("name of the study", "название расчёта"), "\"simulate\""),
         may(
             "until",
             Type::Formula,
@@ -792,6 +815,144 @@ pub const STUDY: TableSpec = TableSpec {
             "{ phi = \"0.1 rad\" }",
         ),
         may(
+            "over",
+            Type::String,
+            "",
+            "",
+            (
+                "kinematics: the driven coordinate; modes: a parameter to follow them along; response: the frequency parameter; equilibrium: the coordinate; sweep: name=linspace(first, last, number), logspace or a list of values, or an array of such strings",
+                "kinematics: ведущая координата; modes: параметр, вдоль которого прослеживаются формы; response: параметр частоты; equilibrium: координата; sweep: имя=linspace(первое, последнее, число), logspace или список значений, или массив таких строк",
+            ),
+            "\"v=linspace(1 m/s, 3 m/s, 21)\"",
+        ),
+        may(
+            "from",
+            Type::Formula,
+            "",
+            "start",
+            ("first value of the driven coordinate", "первое значение ведущей координаты"),
+            "\"0 deg\"",
+        ),
+        may("to", Type::Formula, "", "", ("last value of the driven coordinate", "последнее значение ведущей координаты"), "\"180 deg\""),
+        may(
+            "turns",
+            Type::Formula,
+            "1",
+            "1",
+            (
+                "turns of the driven angle, or of the angle in one period or cycle; negative when it falls",
+                "обороты ведущего угла или угла за период, за цикл; отрицательны, если он убывает",
+            ),
+            "2",
+        ),
+        may(
+            "points",
+            Type::Formula,
+            "1",
+            "361",
+            ("number of positions, both ends included", "число положений вместе с обоими концами"),
+            "73",
+        ),
+        may(
+            "rate",
+            Type::Formula,
+            "",
+            "starting rate, else 1",
+            ("constant rate of the driven coordinate", "постоянная скорость ведущей координаты"),
+            "\"10 rad/s\"",
+        ),
+        may(
+            "with",
+            Type::Guess,
+            "",
+            "",
+            ("further driven coordinates as formulas of the driven one", "другие ведущие координаты — формулы от ведущей"),
+            "{ phi4 = \"2*phi1\" }",
+        ),
+        may(
+            "section",
+            Type::Formula,
+            "",
+            "",
+            (
+                "where a period begins: a formula that passes zero from below, or the name of an angle, which makes `turns`; without it `period` decides",
+                "где начинается период: формула, проходящая нуль снизу, или имя угла, который совершает `turns`; без ключа решает `period`",
+            ),
+            "\"x'\"",
+        ),
+        may(
+            "period",
+            Type::Formula,
+            "s",
+            "",
+            (
+                "periodic: the period of the loads, or a guess when there is a section; cycle: time of a cycle instead of `speed`",
+                "periodic: период нагрузок, а при сечении — начальное приближение; cycle: время цикла вместо `speed`",
+            ),
+            "\"0.2568 s\"",
+        ),
+        may("settle", Type::Formula, "s", "0", ("ordinary motion before the search", "обычное движение перед поиском"), "\"5 s\""),
+        may(
+            "unknown",
+            Type::Name,
+            "",
+            "",
+            (
+                "parameter to find: from the balance of a cycle, or from the wanted period",
+                "искомый параметр: из баланса за цикл или по нужному периоду",
+            ),
+            "\"F0\"",
+        ),
+        may(
+            "wanted_period",
+            Type::Formula,
+            "s",
+            "",
+            ("period that `unknown` must give", "период, который должен дать `unknown`"),
+            "\"0.2568 s\"",
+        ),
+        may("angle", Type::Name, "", "", ("angle of the main shaft, a coordinate", "угол главного вала, координата"), "\"phi1\""),
+        may(
+            "speed",
+            Type::Formula,
+            "rad/s",
+            "starting rate",
+            ("uniform rate of that angle", "равномерная скорость этого угла"),
+            "\"1450 rpm\"",
+        ),
+        may(
+            "irregularity",
+            Type::Formula,
+            "1",
+            "",
+            ("wanted (max - min)/mean of the rate", "нужная неравномерность хода (max - min)/среднее"),
+            "0.02",
+        ),
+        may(
+            "flywheel",
+            Type::Name,
+            "",
+            "",
+            ("parameter, an inertia, found for the wanted irregularity", "параметр — момент инерции, искомый по нужной неравномерности"),
+            "\"I1\"",
+        ),
+        may(
+            "observe",
+            Type::Names,
+            "",
+            "",
+            ("results noted for each value; or one name", "результаты, записываемые для каждого значения; или одно имя"),
+            "[\"period\"]",
+        ),
+        may(
+            "of",
+            Type::Name,
+            "",
+            "first that fits",
+            ("kind of the study of the file that is repeated", "вид расчёта из файла, который повторяется"),
+            "\"periodic\"",
+        ),
+        may(
             "normalise",
             Type::String,
             "",
@@ -811,17 +972,6 @@ pub const STUDY: TableSpec = TableSpec {
             "{ z = \"m*k^2/c\" }",
         ),
         may(
-            "over",
-            Type::Name,
-            "",
-            "",
-            (
-                "parameter to follow modes along; in response the frequency of the load; in equilibrium the coordinate",
-                "параметр, вдоль которого прослеживаются формы; в response частота нагрузки; в equilibrium координата",
-            ),
-            "\"Omega\"",
-        ),
-        may(
             "range",
             Type::Quantities,
             "",
@@ -829,7 +979,6 @@ pub const STUDY: TableSpec = TableSpec {
             ("values of `over`, from and to; Hz count periods in response", "границы значений `over`; Гц в response — число периодов"),
             "[\"1 rad/s\", \"100 rad/s\"]",
         ),
-        may("points", Type::Formula, "1", "", ("number of values of `over`", "число значений `over`"), "201"),
         may(
             "load",
             Type::Name,
@@ -880,28 +1029,11 @@ pub const TEXT: TableSpec = TableSpec {
 };
 
 /// Every table, in the order of the reference.
-pub const ALL: [&TableSpec; 23] = [
-    &TOP,
-    &PARAMETER,
-    &COORDINATE,
-    &FRAME,
-    &BODY,
-    &TENSOR,
-    &POINT,
-    &SPRING,
-    &DAMPER,
-    &FORCE,
-    &TORQUE,
-    &POTENTIAL,
-    &DISSIPATION,
-    &OUTPUT,
-    &NODE,
-    &ROD,
-    &SUPPORT,
-    &DISTRIBUTED,
-    &DISPLACEMENT,
-    &STRUCTURE,
-    &STUDY,
-    &PLOT,
-    &TEXT,
-];
+pub fn all() -> impl Iterator<Item = &'static TableSpec> {
+    BEFORE.iter().chain(connections::ALL).chain(AFTER).copied()
+}
+
+const BEFORE: &[&TableSpec] =
+    &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
+
+const AFTER: &[&TableSpec] = &[&OUTPUT, &NODE, &ROD, &SUPPORT, &LINE_LOAD, &DISPLACEMENT, &STRUCTURE, &STUDY, &PLOT, &TEXT];

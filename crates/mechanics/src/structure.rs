@@ -158,7 +158,7 @@ pub struct Options {
 /// The codes of structures.
 pub const EXPLANATIONS: &[Explanation] = &[
     row(
-        "M080",
+        "M200",
         ("rod without length", "стержень нулевой длины"),
         (
             "Both ends of a rod are at one place. Bending stiffness is EI/l^3, so the length must be positive; for a joint use one node.",
@@ -168,7 +168,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[rods.AB]\nbetween = [\"A\", \"B\"]",
     ),
     row(
-        "M081",
+        "M201",
         ("rod without bending stiffness", "стержень без изгибной жёсткости"),
         (
             "A rod that is fixed to a node bends, and its stiffness EI is needed. A rod of a truss has releases at both ends and needs none; a rod that does not deform is `rigid = true`.",
@@ -178,7 +178,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"20 kN m^2\"",
     ),
     row(
-        "M082",
+        "M202",
         ("no such node or rod", "нет такого узла или стержня"),
         (
             "A rod, support, load or displacement names something that is not in [nodes] or [rods].",
@@ -188,7 +188,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\"]",
     ),
     row(
-        "M083",
+        "M203",
         ("negative stiffness or mass of a structure", "отрицательная жёсткость или масса конструкции"),
         (
             "Stiffnesses and masses of rods and nodes are positive; EI and EA may not be zero either. The value of a parameter is probably wrong.",
@@ -198,7 +198,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[rods.AB]\nEI = \"20 kN m^2\"",
     ),
     row(
-        "M084",
+        "M204",
         ("place outside a rod", "точка вне стержня"),
         (
             "The distance from the start of a rod must lie between 0 and its length.",
@@ -208,14 +208,14 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[displacements.u]\nat = \"AB\"\ndistance = \"1 m\"\ndirection = \"y\"",
     ),
     row(
-        "M086",
+        "M205",
         ("word that is not one of a list", "слово не из списка"),
         ("Directions are x, y, turn; releases are start, end.", "Направления: x, y, turn; шарниры: start, end."),
         "[supports.S]\nat = \"A\"\ndirections = [\"z\"]",
         "[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\"]",
     ),
     row(
-        "M087",
+        "M206",
         ("number of parts of a rod", "число частей стержня"),
         ("`divisions` is a whole number from 1 to 100000.", "`divisions` — целое число от 1 до 100000."),
         "[rods.AB]\ndivisions = 0",

@@ -50,6 +50,8 @@ pub enum Command {
     Simulate(Simulate),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
+    /// Find natural frequencies and shapes of small motions
+    Modes(Modes),
     /// List the example models, or print one
     Examples(Examples),
     /// Write a model file to start from
@@ -147,6 +149,28 @@ pub struct Simulate {
 pub struct Equilibrium {
     #[command(flatten)]
     pub model: Model,
+    /// Where to look for the equilibrium: phi=0.1
+    #[arg(long = "guess", value_name = "NAME=QUANTITY")]
+    pub guess: Vec<String>,
+}
+
+#[derive(Args, Debug)]
+pub struct Modes {
+    #[command(flatten)]
+    pub model: Model,
+    /// Where to look for the equilibrium: phi=0.1
+    #[arg(long = "guess", value_name = "NAME=QUANTITY")]
+    pub guess: Vec<String>,
+    /// Scale of the shapes
+    #[arg(long, value_enum, value_name = "SCALE")]
+    pub normalise: Option<Normalise>,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Normalise {
+    Largest,
+    First,
+    Mass,
 }
 
 #[derive(Args, Debug)]

@@ -82,6 +82,14 @@ pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, lang
     figures
 }
 
+/// Figures of findings other than motions.
+pub fn other_figures(finding: &Finding, language: Language) -> Vec<Figure> {
+    match finding {
+        Finding::Modes(found) => crate::small::show::campbell(&found.data, language).into_iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
 fn figure(plot: &Plot, data: &Dataset, language: Language) -> Option<Figure> {
     let names: Vec<&str> = plot.y.iter().map(String::as_str).collect();
     let mut figure = match plot.x.as_deref() {
@@ -244,6 +252,11 @@ impl Writer<'_> {
                 let mut blocks = vec![self.heading(Word::Equilibrium)];
                 blocks.push(self.table(equilibria(data, self.language), Word::Equilibrium));
                 blocks.extend(self.notes(data));
+                blocks
+            }
+            Finding::Modes(found) => {
+                let mut blocks = vec![Block::heading(1, say(self.language, Say::Modes))];
+                blocks.extend(crate::small::show::modes(found, self.language, self.extent == Extent::Page));
                 blocks
             }
             Finding::Motion(study, data, _) => {

@@ -23,12 +23,16 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
         let stem = match finding {
             Finding::Motion(..) => format!("motion{number}"),
             Finding::Equilibrium(..) => format!("equilibrium{number}"),
+            Finding::Modes(..) => format!("modes{number}"),
         };
         tables(&mut shelf, finding, &stem, language)?;
         if let Finding::Motion(study, data, _) = finding {
             for figure in document::figures(calculation, study, data, language) {
                 plot(&mut shelf, &figure, &number, language)?;
             }
+        }
+        for figure in document::other_figures(finding, language) {
+            plot(&mut shelf, &figure, &number, language)?;
         }
     }
     calculation.files = shelf.names.clone();
@@ -88,6 +92,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
             own.insert("study".into(), json!("equilibrium"));
             own.insert("equilibria".into(), equilibria(finding.data()));
         }
+        Finding::Modes(found) => own = crate::small::modes::to_json(found),
     }
     if let Some(trouble) = finding.trouble() {
         own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));

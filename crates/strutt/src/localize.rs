@@ -129,6 +129,7 @@ const VALUES: &[(&str, &str)] = &[
     ("LANG", "ru|en"),
     ("FORMAT", "full|short"),
     ("FORM", "text|latex|mathml"),
+    ("SCALE", "largest|first|mass"),
 ];
 
 /// `command` or `command.argument` or `.argument` of any command; the Russian text.
@@ -139,6 +140,9 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("equations", "Вывести уравнения движения"),
     ("simulate", "Рассчитать движение"),
     ("equilibrium", "Найти положения равновесия"),
+    ("modes", "Найти собственные частоты и формы малых колебаний"),
+    ("modes.normalise", "Нормировка форм: наибольшая компонента 1, первая координата 1 или по массе"),
+    (".guess", "Откуда искать положение равновесия: phi=0.1"),
     ("examples", "Показать список примеров или один пример"),
     ("new", "Записать файл модели, с которого можно начать"),
     ("explain", "Объяснить код сообщения"),

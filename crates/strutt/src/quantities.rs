@@ -35,6 +35,29 @@ pub fn overrides(list: &[String]) -> Result<Vec<(String, String)>, Failure> {
     list.iter().map(split).collect()
 }
 
+/// `phi=0.1` pairs for coordinates of a model.
+pub fn guess(list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec<(symbolic::SymbolId, f64)>, Failure> {
+    let mut found = Vec::new();
+    for text in list {
+        let (name, value) = text.split_once('=').unwrap_or((text, ""));
+        let Some(coordinate) = machine.model.coordinates.iter().find(|c| c.name == name.trim()) else {
+            let names: Vec<&str> = machine.model.coordinates.iter().map(|c| c.name.as_str()).collect();
+            let what = Text::new(format!("`{}` is no coordinate", name.trim()), format!("`{}` — не координата", name.trim()));
+            let list = names.join(", ");
+            let help =
+                Text::new(format!("write name=value with one of: {list}"), format!("напишите имя=значение, где имя одно из: {list}"));
+            return Err(bad("--guess", text, &what, &help));
+        };
+        let dimension = mechanics::units::parse_unit(&coordinate.units[0]).map(|u| u.dimension).unwrap_or(Dimension::NONE);
+        let value = parse_quantity(value.trim(), &dimension).map_err(|fault| bad("--guess", text, &fault.words.what, &fault.words.help))?;
+        if !value.is_finite() {
+            return Err(bad("--guess", text, &not_finite(), &Text::default()));
+        }
+        found.push((coordinate.symbols[0], value));
+    }
+    Ok(found)
+}
+
 fn not_finite() -> Text {
     Text::new("the value is not finite", "значение не конечно")
 }

@@ -25,6 +25,8 @@ report::words! {
     Vector: "plot, vector", "график, векторный";
     Picture: "plot, picture", "график, растровый";
     Page: "page", "страница";
+    Modes: "Natural oscillations", "Собственные колебания";
+    Response: "Forced oscillations", "Вынужденные колебания";
     Stability: "Stability", "Устойчивость";
     Stable: "stable", "устойчиво";
     Unstable: "unstable", "неустойчиво";

@@ -146,6 +146,9 @@ impl<'d> Decomposition<'d> {
 impl Harmonics {
     /// Adds a wave to the one of the same rate.
     fn add(&mut self, graph: &mut Graph, wave: Wave) {
+        if graph.is_zero(wave.cos) && graph.is_zero(wave.sin) {
+            return;
+        }
         if graph.is_zero(wave.rate) {
             self.mean = graph.add(self.mean, wave.cos);
             return;

@@ -2,6 +2,7 @@
 //! hand-over from mechanics to numerics. It knows no bodies, no files, no output format.
 
 mod build;
+mod characteristic;
 pub mod connections;
 mod derivative;
 pub mod equations;
@@ -18,6 +19,7 @@ mod textbook;
 mod trigonometry;
 mod walk;
 
+pub use characteristic::characteristic;
 pub use derivative::Derivation;
 pub use equations::Equations;
 pub use graph::{Expr, Function, Graph, Node, Symbol, SymbolId};

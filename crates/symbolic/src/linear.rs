@@ -229,6 +229,31 @@ impl Linear {
         LinearOutput { mean, by_place, by_rate, by_acceleration, waves: waves.collect(), frozen: timing.frozen }
     }
 
+    /// Mean and harmonics of further generalized forces (index of a coordinate, force), at rest; none when they are not harmonic.
+    pub fn harmonics_of(&mut self, equations: &Equations, forces: &[(usize, Expr)]) -> Option<(Vec<Expr>, Vec<HarmonicLoad>)> {
+        let n = self.coordinates.len();
+        let zero = self.graph.zero();
+        let mut all = vec![zero; n];
+        let mut inline = Substitution::new(self.moving.iter().copied());
+        let mut rest = Substitution::new(self.coordinates.iter().flat_map(|[_, v, a]| [(*v, zero), (*a, zero)]));
+        for (i, force) in forces {
+            let force = inline.apply(&mut self.graph, *force);
+            let force = rest.apply(&mut self.graph, force);
+            all[*i] = self.graph.add(all[*i], force);
+        }
+        let mut timing = Timing::default();
+        let found = split(equations, &mut self.graph, &all, &mut timing);
+        if timing.frozen {
+            return None;
+        }
+        let loads = std::mem::take(&mut self.loads);
+        let varying = self.timing.varying;
+        self.gather_loads(&found);
+        self.timing.varying = varying;
+        let own = std::mem::replace(&mut self.loads, loads);
+        Some((found.iter().map(|h| h.mean).collect(), own))
+    }
+
     /// The same with expressions in place of the coordinates (and definitions), for print.
     pub fn at(&self, place: &[(SymbolId, Expr)]) -> Linear {
         let mut at = self.clone();

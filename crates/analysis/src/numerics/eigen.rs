@@ -6,7 +6,7 @@
 
 use crate::Fault;
 use crate::numerics::factor::scale;
-pub use crate::numerics::lanczos::{Counters, Lowest, Options, lowest};
+pub use crate::numerics::lanczos::{Counters, Lowest, Options, Sturm, lowest};
 use crate::numerics::refine::{Dense, refine};
 use crate::numerics::{kernels, trouble};
 

@@ -6,14 +6,16 @@ use std::sync::Arc;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
+use faer::linalg::matmul::matmul;
 use faer::perm::PermRef;
+use faer::reborrow::ReborrowMut;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, MatRef, Par, Side};
+use faer::{Accum, Conj, MatMut, MatRef, Par, Side};
 
 /// Eigenvalues (ascending) and orthonormal eigenvectors, one after another, of a symmetric matrix; none when the iteration fails.
 pub(super) fn self_adjoint(n: usize, matrix: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
@@ -26,8 +28,11 @@ pub(super) fn self_adjoint(n: usize, matrix: &[f64]) -> Option<(Vec<f64>, Vec<f6
     Some((values, vectors))
 }
 
-/// Eigenvalues and right eigenvectors, one after another, as (re, im), of a real matrix; none when the iteration fails.
-pub(super) fn nonsymmetric(n: usize, matrix: &[f64]) -> Option<(Vec<(f64, f64)>, Vec<(f64, f64)>)> {
+/// (re, im).
+pub(super) type Complex = (f64, f64);
+
+/// Eigenvalues and right eigenvectors, one after another,, of a real matrix; none when the iteration fails.
+pub(super) fn nonsymmetric(n: usize, matrix: &[f64]) -> Option<(Vec<Complex>, Vec<Complex>)> {
     if n == 0 {
         return Some((Vec::new(), Vec::new()));
     }
@@ -187,12 +192,12 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
 pub(super) fn shares(n: usize, vectors: &[f64], block: &[f64]) -> Vec<f64> {
     let (size, count) = (vectors.len() / n, block.len() / n);
     let mut out = vec![0.0; size * count];
+    let (vectors, block) = (MatRef::from_column_major_slice(vectors, n, size), MatRef::from_column_major_slice(block, n, count));
+    let mut result = MatMut::from_row_major_slice_mut(&mut out, size, count);
     for start in (0..n).step_by(TILE) {
-        let end = (start + TILE).min(n);
-        for i in 0..size {
-            let vector = &vectors[i * n + start..i * n + end];
-            (0..count).for_each(|c| out[i * count + c] += dot(vector, &block[c * n + start..c * n + end]));
-        }
+        let rows = TILE.min(n - start);
+        let (some, part) = (vectors.subrows(start, rows), block.subrows(start, rows));
+        matmul(result.rb_mut(), Accum::Add, some.transpose(), part, 1.0, Par::Seq);
     }
     out
 }
@@ -200,14 +205,11 @@ pub(super) fn shares(n: usize, vectors: &[f64], block: &[f64]) -> Vec<f64> {
 /// Takes the vectors times their shares (as from [`shares`]) out of each vector of the block.
 pub(super) fn subtract(n: usize, block: &mut [f64], vectors: &[f64], shares: &[f64]) {
     let (size, count) = (vectors.len() / n, block.len() / n);
+    let vectors = MatRef::from_column_major_slice(vectors, n, size);
+    let shares = MatRef::from_row_major_slice(shares, size, count);
+    let mut block = MatMut::from_column_major_slice_mut(block, n, count);
     for start in (0..n).step_by(TILE) {
-        let end = (start + TILE).min(n);
-        for i in 0..size {
-            let vector = &vectors[i * n + start..i * n + end];
-            for c in 0..count {
-                let share = shares[i * count + c];
-                block[c * n + start..c * n + end].iter_mut().zip(vector).for_each(|(x, v)| *x -= share * v);
-            }
-        }
+        let rows = TILE.min(n - start);
+        matmul(block.rb_mut().subrows_mut(start, rows), Accum::Add, vectors.subrows(start, rows), shares, -1.0, Par::Seq);
     }
 }

@@ -39,7 +39,7 @@ pub enum Sturm {
 
 impl Default for Options {
     fn default() -> Options {
-        Options { tolerance: 1e-10, block: 3, basis: 0, seed: 1, sturm: Sturm::Counted }
+        Options { tolerance: 1e-10, block: 4, basis: 0, seed: 1, sturm: Sturm::Counted }
     }
 }
 
@@ -218,22 +218,22 @@ impl<'a> Search<'a> {
                 break;
             }
         }
-        for c in 0..count {
-            self.append_one(&mut block, &mut masses, c, before[c], &mut coefficients[..]);
+        for (c, own) in coefficients.iter_mut().enumerate() {
+            self.append_one(&mut block, &mut masses, c, before[c], own);
         }
         coefficients.iter_mut().for_each(|c| c.truncate(self.size));
     }
 
     /// The c-th vector of a block: orthogonal to the new ones before it, then of length 1.
-    fn append_one(&mut self, block: &mut [f64], masses: &mut [f64], c: usize, before: f64, coefficients: &mut [Vec<f64>]) {
+    fn append_one(&mut self, block: &mut [f64], masses: &mut [f64], c: usize, before: f64, coefficients: &mut [f64]) {
         let n = self.n;
         let first_waiting = self.size - self.waiting.len() / n;
         let (own, own_masses) = (&mut block[c * n..(c + 1) * n], &mut masses[c * n..(c + 1) * n]);
         for _ in 0..2 {
-            for j in first_waiting..self.size {
-                let (vector, mass) = (&self.basis[j * n..(j + 1) * n], &self.waiting[(j - first_waiting) * n..][..n]);
+            let waiting = self.basis[first_waiting * n..].chunks(n).zip(self.waiting.chunks(n));
+            for ((vector, mass), coefficient) in waiting.zip(&mut coefficients[first_waiting..]) {
                 let share = kernels::dot(vector, own_masses);
-                coefficients[c][j] += share;
+                *coefficient += share;
                 own.iter_mut().zip(vector).for_each(|(x, v)| *x -= share * v);
                 own_masses.iter_mut().zip(mass).for_each(|(x, v)| *x -= share * v);
             }
@@ -242,7 +242,7 @@ impl<'a> Search<'a> {
         if norm.is_nan() || norm <= DEPENDENT * before {
             return;
         }
-        coefficients[c][self.size] = norm;
+        coefficients[self.size] = norm;
         self.basis.extend(own.iter().map(|x| x / norm));
         self.waiting.extend(own_masses.iter().map(|x| x / norm));
         self.size += 1;
@@ -336,7 +336,7 @@ impl<'a> Search<'a> {
         masses = self.masses(&inverse);
         (self.size, self.done, self.previous) = (0, 0, 0);
         self.waiting = Vec::new();
-        let mut coefficients = vec![vec![0.0; count + 1]; count];
+        let mut coefficients = vec![0.0; count + 1];
         for j in 0..count {
             let before = kernels::dot(&inverse[j * n..][..n], &masses[j * n..][..n]).max(0.0).sqrt();
             self.append_one(&mut inverse, &mut masses, j, before, &mut coefficients);

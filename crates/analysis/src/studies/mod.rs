@@ -2,6 +2,9 @@
 
 pub mod equilibrium;
 pub mod modes;
+pub mod peaks;
+pub mod response;
 pub mod simulate;
 pub mod structure_modes;
 pub mod structure_statics;
+pub mod tracks;

@@ -1,8 +1,9 @@
 //! Model file to [`Model`]: every table in turn, all findings collected.
 //!
-//! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads, outputs
-//! by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
+//! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads,
+//! connections, outputs by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
 
+mod connections;
 mod elements;
 mod evaluate;
 mod frames;
@@ -10,6 +11,7 @@ mod order;
 mod outputs;
 mod overrides;
 mod parameters;
+mod ranges;
 mod reader;
 mod shapes;
 mod structures;
@@ -17,6 +19,7 @@ mod studies;
 mod syntax;
 
 pub use overrides::split as split_override;
+pub use ranges::sweep_range;
 
 use crate::diagnostic::{self, Diagnostic, Severity};
 use crate::fields;
@@ -96,16 +99,21 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     parameters::declare_coordinates(reader, &raw_coordinates);
     let mut parameters = parameters::resolve(reader, raw_parameters);
     let coordinates = parameters::starts(reader, raw_coordinates);
-    let (frames, points) = frames::read(reader, &top);
+    let (frames, mut points) = frames::read(reader, &top);
     structures::nodes(reader, &top);
     structures::rods(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
-    let forces = elements::forces(reader, &top);
+    let mut forces = elements::forces(reader, &top);
     let torques = elements::torques(reader, &top);
     let potentials = elements::potentials(reader, &top);
     let dissipations = elements::dissipations(reader, &top);
+    let space = connections::Space::new(reader, &frames, &points, &parameters);
+    let connections = connections::read(reader, &top, &space);
+    let (resultants, places) = connections::distributed(reader, &top, &space, points.len());
+    forces.extend(resultants);
+    points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
     let structure = structures::read(reader, &top, &mut notation);
     let studies = studies::read(reader, &top);
@@ -125,7 +133,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         points,
         springs,
         dampers,
-        connections: Vec::new(),
+        connections,
         forces,
         torques,
         potentials,

@@ -55,6 +55,36 @@ pub(super) fn nodes<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     }
 }
 
+/// The rows of a table that we share with the connections of bodies: ours, or the others.
+pub(super) fn rows<'a>(
+    reader: &mut Reader<'a>,
+    top: &Fields<'a>,
+    key: &'static str,
+    spec: &'static fields::TableSpec,
+    ours: bool,
+) -> Vec<(String, Fields<'a>)> {
+    top.entries_if(reader, key, spec, &|reader, table| owns(reader, key, table) == ours)
+}
+
+/// Whether a row of a shared table is about nodes and their rods.
+fn owns(reader: &Reader, key: &str, table: &super::syntax::Table) -> bool {
+    let draft = &reader.structure;
+    if draft.nodes.is_empty() {
+        return false;
+    }
+    let text = |key: &str| table.get(key).and_then(|v| v.get_ref().as_str()).unwrap_or_default();
+    let is_place = |name: &str| reader.scope.place(name).is_some();
+    match key {
+        "rods" => match table.get("between").and_then(|v| v.get_ref().as_array()) {
+            Some(ends) => !ends.iter().all(|e| e.get_ref().as_str().is_some_and(is_place)),
+            None => true,
+        },
+        "supports" => draft.node_index.contains_key(text("at")) || !is_place(text("at")),
+        "distributed" => table.contains_key("on") && !table.contains_key("from"),
+        _ => false,
+    }
+}
+
 /// A quantity that may not be negative; nor zero when `strict`.
 fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, wanted: &Dimension, strict: bool) -> Option<Expr> {
     let value = fields.formula(reader, key, &Context::CONSTANT, Some(wanted))?;
@@ -65,7 +95,7 @@ fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str,
 fn not_negative<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, value: &Checked, strict: bool) {
     let Some(number) = reader.number(value).filter(|v| *v < 0.0 || strict && *v == 0.0) else { return };
     let fault = Fault::new(
-        "M083",
+        "M203",
         fields.span_of(key),
         format!("{key} of {} is {number}", fields.path),
         format!("{key} в {} равно {number}", fields.path),
@@ -82,16 +112,12 @@ pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     if reader.structure.nodes.is_empty() {
         return;
     }
-    for (name, fields) in top.entries(reader, "rods", &fields::ROD) {
+    for (name, fields) in rows(reader, top, "rods", &fields::ROD, true) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }
         let Some(ends) = two_names(reader, &fields, "between") else { continue };
         let known = ends.clone().map(|(name, _)| reader.structure.node_index.get(&name).copied());
-        // a rod between points of bodies is a connection
-        if known == [None, None] && ends.iter().all(|(name, _)| reader.scope.place(name).is_some()) {
-            continue;
-        }
         let [Some(a), Some(b)] = known else {
             for ((name, span), _) in ends.iter().zip(&known).filter(|(_, k)| k.is_none()) {
                 unknown(reader, name, span.clone(), false);
@@ -107,9 +133,9 @@ pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
 
 fn unknown(reader: &mut Reader, name: &str, span: Range<usize>, rods_too: bool) {
     let fault = if rods_too {
-        Fault::new("M082", span, format!("there is no node or rod `{}`", short(name)), format!("нет узла или стержня `{}`", short(name)))
+        Fault::new("M202", span, format!("there is no node or rod `{}`", short(name)), format!("нет узла или стержня `{}`", short(name)))
     } else {
-        Fault::new("M082", span, format!("there is no node `{}`", short(name)), format!("нет узла `{}`", short(name)))
+        Fault::new("M202", span, format!("there is no node `{}`", short(name)), format!("нет узла `{}`", short(name)))
     };
     let nodes = reader.structure.nodes.iter().map(|n| n.name.as_str());
     let rods = reader.structure.rods.iter().map(|r| r.name.as_str()).filter(|_| rods_too);
@@ -136,7 +162,7 @@ fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usiz
     let divisions = divisions(reader, fields);
     if bending.is_none() && !rigid && hinged != [true, true] {
         let fault =
-            Fault::new("M081", fields.span.clone(), format!("{} lacks EI", fields.path), format!("в {} не хватает EI", fields.path))
+            Fault::new("M201", fields.span.clone(), format!("{} lacks EI", fields.path), format!("в {} не хватает EI", fields.path))
                 .why("this rod is fixed to a node and bends", "этот стержень жёстко соединён с узлом и изгибается")
                 .help(
                     "add EI (or E and I), or releases = [\"start\", \"end\"] for a rod of a truss, or rigid = true",
@@ -161,7 +187,7 @@ fn length<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, [a, b]: [usize; 2]) 
     }
     let names = [a, b].map(|i| reader.structure.nodes[i].name.clone());
     let fault = Fault::new(
-        "M080",
+        "M200",
         fields.span.clone(),
         format!("{} has no length: {} and {} are at one place", fields.path, names[0], names[1]),
         format!("{} нулевой длины: {} и {} в одной точке", fields.path, names[0], names[1]),
@@ -194,7 +220,7 @@ fn one_of(reader: &mut Reader, word: &str, span: Range<usize>, known: &[&'static
     if found.is_none() {
         let list = known.join(", ");
         let fault = Fault::new(
-            "M086",
+            "M205",
             span,
             format!("`{}` is not one of {list}", short(word)),
             format!("`{}` — не из списка: {list}", short(word)),
@@ -266,7 +292,7 @@ fn whole<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) ->
         return Some(number as i64);
     }
     let fault = Fault::new(
-        "M087",
+        "M206",
         fields.span_of(key),
         format!("{key} is {number}; it must be a whole number from 1 to {PARTS}"),
         format!("{key} равно {number}; нужно целое число от 1 до {PARTS}"),
@@ -289,7 +315,7 @@ fn site<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> 
     let length = reader.values.of(&reader.builder.graph, reader.structure.rods[rod].length);
     if let Some(d) = reader.number(&distance).filter(|d| *d < 0.0 || *d > length * (1.0 + 1e-12)) {
         let fault = Fault::new(
-            "M084",
+            "M204",
             fields.span_of("distance"),
             format!("{d} m is outside the rod {name}, whose length is {length} m"),
             format!("{d} м вне стержня {name} длиной {length} м"),
@@ -334,9 +360,9 @@ pub(super) fn torque<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a
 /// The rest of a structure; none without nodes.
 pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut Vec<(String, String)>) -> Option<Structure> {
     let has_nodes = !reader.structure.nodes.is_empty();
-    for key in ["distributed", "displacements", "structure"] {
+    for key in ["displacements", "structure"] {
         if !has_nodes && top.has(key) {
-            let fault = Fault::new("M082", top.span_of(key), format!("[{key}] needs [nodes]"), format!("для [{key}] нужны [nodes]"));
+            let fault = Fault::new("M202", top.span_of(key), format!("[{key}] needs [nodes]"), format!("для [{key}] нужны [nodes]"));
             reader.fault(fault);
         }
     }
@@ -353,12 +379,8 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut
 
 fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
     let mut found = Vec::new();
-    for (name, fields) in top.entries(reader, "supports", &fields::SUPPORT) {
+    for (name, fields) in rows(reader, top, "supports", &fields::SUPPORT, true) {
         let Some((node, span)) = fields.name(reader, "at") else { continue };
-        // a support of a body's point is a connection
-        if reader.scope.place(&node).is_some() && !reader.structure.node_index.contains_key(&node) {
-            continue;
-        }
         let Some(&node) = reader.structure.node_index.get(&node) else {
             unknown(reader, &node, span, false);
             continue;
@@ -373,14 +395,14 @@ fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
 
 fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     let per_length = Dimension::of(0, 1, -2);
-    for (name, fields) in top.entries(reader, "distributed", &fields::DISTRIBUTED) {
+    for (name, fields) in rows(reader, top, "distributed", &fields::LINE_LOAD, true) {
         let Some((rod, span)) = fields.name(reader, "on") else { continue };
         let Some(&rod) = reader.structure.rod_index.get(&rod) else {
             unknown(reader, &rod, span, true);
             continue;
         };
         let start = fields.vector(reader, "value", &Context::TIME, &per_length);
-        let end = if fields.has("end_value") { fields.vector(reader, "end_value", &Context::TIME, &per_length) } else { start };
+        let end = if fields.has("value_end") { fields.vector(reader, "value_end", &Context::TIME, &per_length) } else { start };
         let value = [[start[0], start[1]], [end[0], end[1]]];
         reader.structure.loads.push(Load { name, action: Action::Distributed { rod, value } });
     }

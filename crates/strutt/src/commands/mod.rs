@@ -6,6 +6,7 @@ mod equations;
 mod equilibrium;
 mod examples;
 mod explain;
+mod modes;
 mod new;
 mod run;
 mod simulate;
@@ -39,6 +40,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Modes(args) => modes::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),
         Command::Explain(args) => explain::run(&args, console),

@@ -4,7 +4,7 @@ use super::equilibrium::guess;
 use super::known;
 use crate::fault::{Fault, nearest};
 use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind};
-use crate::model::{FrequencyVariable, Modes, Response, Scale, StudyKind, Sweep};
+use crate::model::{FrequencyVariable, Modes, ParameterRange, Response, Scale, StudyKind};
 use crate::read::parameters::names;
 use crate::read::reader::{Fields, Reader, short, string, wrong_type};
 use crate::read::syntax::Value;
@@ -107,7 +107,7 @@ fn no_frequency(span: Range<usize>) -> Fault {
 }
 
 /// `over`, `range`, `points`.
-fn sweep<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Sweep> {
+fn sweep<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<ParameterRange> {
     let (name, span) = fields.name(reader, "over")?;
     let dimension = parameter(reader, &name, span.clone())?;
     let Some(value) = fields.get("range") else {
@@ -122,7 +122,7 @@ fn sweep<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Sweep> {
         reader.fault(bad_range(value.span(), from, to));
         return None;
     }
-    Some(Sweep { name, from, to, points: points(reader, fields).unwrap_or(101) })
+    Some(ParameterRange { name, from, to, points: points(reader, fields).unwrap_or(101) })
 }
 
 /// A parameter with a number, and its dimension.
