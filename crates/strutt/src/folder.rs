@@ -24,6 +24,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
             Finding::Motion(..) => format!("motion{number}"),
             Finding::Equilibrium(..) => format!("equilibrium{number}"),
             Finding::Modes(..) => format!("modes{number}"),
+            Finding::Structure(found) => format!("{}{number}", found.study),
         };
         tables(&mut shelf, finding, &stem, language)?;
         if let Finding::Motion(study, data, _) = finding {
@@ -93,6 +94,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
             own.insert("equilibria".into(), equilibria(finding.data()));
         }
         Finding::Modes(found) => own = crate::small::modes::to_json(found),
+        Finding::Structure(found) => own = crate::structure::fields(found),
     }
     if let Some(trouble) = finding.trouble() {
         own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));

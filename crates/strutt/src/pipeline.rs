@@ -42,6 +42,8 @@ pub enum Finding {
     Motion(Simulate, Dataset, Option<Trouble>),
     /// Natural frequencies and shapes.
     Modes(Box<ModesFound>),
+    /// A study of a frame or truss.
+    Structure(Box<crate::structure::StructureFound>),
 }
 
 /// Everything a file asks for.
@@ -104,13 +106,13 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
         StudyKind::Equations => None,
         // carried out by rooms that are being built
         StudyKind::Inverse(_)
-        | StudyKind::Statics
         | StudyKind::Kinematics(_)
         | StudyKind::Periodic(_)
         | StudyKind::Cycle(_)
         | StudyKind::Sweep(_)
         | StudyKind::Response(_) => None,
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
+        StudyKind::Statics => crate::structure::statics(machine),
         StudyKind::Modes(study) => Some(modes(machine, study, watch)),
         StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);
@@ -152,6 +154,10 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
 
 /// Natural frequencies and shapes.
 pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut Watch) -> Finding {
+    if let Some(finding) = crate::structure::modes(machine, study) {
+        watch.lap(Word::TimeRun);
+        return finding;
+    }
     let found = crate::small::modes::find(machine, study);
     watch.lap(Word::TimeRun);
     Finding::Modes(Box::new(found))
@@ -182,6 +188,7 @@ impl Finding {
         match self {
             Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) => data,
             Finding::Modes(found) => &found.data,
+            Finding::Structure(found) => &found.data,
         }
     }
     /// What ended the study early.
@@ -189,6 +196,7 @@ impl Finding {
         match self {
             Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) => trouble.as_ref(),
             Finding::Modes(found) => found.trouble.as_ref(),
+            Finding::Structure(found) => found.trouble.as_ref(),
         }
     }
 }

@@ -10,6 +10,7 @@ mod modes;
 mod new;
 mod run;
 mod simulate;
+mod statics;
 
 use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
@@ -40,6 +41,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Statics(args) => statics::run(&args, console),
         Command::Modes(args) => modes::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),

@@ -7,7 +7,7 @@ use symbolic::Rational;
 pub fn exact(coefficients: &[Rational], variable: Option<&(String, Factor)>) -> Option<String> {
     let (name, factor, per_lambda) = match variable {
         Some((name, factor)) => (name.as_str(), factor.exact.clone()?, 1),
-        None => ("k", Rational::ONE, 2),
+        None => ("z", Rational::ONE, 1),
     };
     let mut list = Vec::new();
     let mut divisor = Rational::ONE;
@@ -24,7 +24,7 @@ pub fn exact(coefficients: &[Rational], variable: Option<&(String, Factor)>) -> 
 pub fn decimal(squares: &[f64], variable: Option<&(String, Factor)>) -> String {
     let (name, factor, per_lambda) = match variable {
         Some((name, factor)) => (name.as_str(), factor.value, 1),
-        None => ("k", 1.0, 2),
+        None => ("z", 1.0, 1),
     };
     let mut list = vec![1.0];
     for square in squares {
@@ -116,11 +116,11 @@ mod tests {
         let list = [r(1, 1), r(-94, 72), r(729, 72 * 72), r(-504, 72 * 72 * 72)];
         let z = ("z".to_owned(), Factor { value: 1.0 / 72.0, exact: Some(r(1, 72)) });
         assert_eq!(exact(&list, Some(&z)).unwrap(), "504 z^3 - 729 z^2 + 94 z - 1 = 0");
-        assert_eq!(exact(&[r(1, 1), r(-1, 4)], None).unwrap(), "k^2 - 4 = 0");
+        assert_eq!(exact(&[r(1, 1), r(-1, 4)], None).unwrap(), "z - 4 = 0");
     }
 
     #[test]
     fn decimal_coefficients_have_the_roots() {
-        assert_eq!(decimal(&[1.0, 4.0], None), "k^4 - 5 k^2 + 4 = 0");
+        assert_eq!(decimal(&[1.0, 4.0], None), "z^2 - 5 z + 4 = 0");
     }
 }

@@ -6,7 +6,7 @@ use crate::failure::Trouble;
 use analysis::structure::reduced::{Condensation, Reduced};
 use analysis::studies::structure_modes::{self, Modes, Normalise, StructureModes};
 use mechanics::Model;
-use mechanics::model::{self, Scale, StudyKind};
+use mechanics::model::{self, Scale};
 use mechanics::structure::Structure;
 use serde_json::{Map, Value, json};
 use symbolic::Rational;
@@ -20,15 +20,8 @@ pub struct Found {
     pub result: StructureModes,
     /// The frequency equation.
     pub equation: Option<String>,
-}
-
-/// The study of the file, or its defaults.
-pub fn study(model: &Model) -> model::Modes {
-    let of_file = model.studies.iter().find_map(|s| match &s.kind {
-        StudyKind::Modes(study) => Some(study.clone()),
-        _ => None,
-    });
-    of_file.unwrap_or_default()
+    /// The user's variable in it.
+    pub variable: Option<String>,
 }
 
 /// Options of the file.
@@ -66,7 +59,8 @@ pub fn find(model: &Model, structure: &Structure, study: &model::Modes) -> Resul
         }
         _ => None,
     };
-    Ok(Found { bound, result, equation })
+    let variable = variable.map(|v| v.0.clone());
+    Ok(Found { bound, result, equation, variable })
 }
 
 /// The study's own fields of JSON.
@@ -86,12 +80,12 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     }
     if let Some(reduced) = &result.reduced {
         let list = [("mass", &reduced.mass), ("stiffness", &reduced.stiffness), ("flexibility", &reduced.flexibility)];
-        for (key, matrix) in list {
-            own.insert(format!("{key}_matrix"), matrix.chunks(reduced.n().max(1)).map(|row| json!(row)).collect());
-        }
+        let rows = |matrix: &[f64]| -> Value { matrix.chunks(reduced.n().max(1)).map(|row| json!(row)).collect() };
+        let matrices: Map<String, Value> = list.into_iter().map(|(key, matrix)| (key.to_owned(), rows(matrix))).collect();
+        own.insert("matrices".into(), Value::Object(matrices));
     }
     if let Some(exact) = &result.exact {
-        own.insert("exact".into(), exact_matrices(exact));
+        own.insert("exact_matrices".into(), exact_matrices(exact));
     }
     own
 }
@@ -100,5 +94,5 @@ fn exact_matrices(reduced: &Reduced<Rational>) -> Value {
     let rows = |m: &[Rational]| -> Value {
         m.chunks(reduced.n().max(1)).map(|r| r.iter().map(|v| json!(v.to_string())).collect::<Value>()).collect()
     };
-    json!({"mass_matrix": rows(&reduced.mass), "stiffness_matrix": rows(&reduced.stiffness), "flexibility_matrix": rows(&reduced.flexibility)})
+    json!({"mass": rows(&reduced.mass), "stiffness": rows(&reduced.stiffness), "flexibility": rows(&reduced.flexibility)})
 }
