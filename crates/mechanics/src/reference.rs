@@ -48,7 +48,9 @@ fn section(out: &mut String, table: &TableSpec, language: Language) {
         "" => language.pick(("Top level", "Верхний уровень")).to_owned(),
         "study" => "`[[study]]`".to_owned(),
         "parameters" | "coordinates" | "points" | "outputs" => format!("`[{}]`", table.name),
-        "inertia" | "plot" | "text" => format!("`{{ {} }}`", table.fields.iter().map(|f| f.key).collect::<Vec<_>>().join(", ")),
+        "inertia" | "plot" | "text" | "wound" | "circle" => {
+            format!("`{{ {} }}`", table.fields.iter().map(|f| f.key).collect::<Vec<_>>().join(", "))
+        }
         name => format!("`[{name}.NAME]`"),
     };
     let _ = writeln!(out, "## {title}\n\n{}\n", language.pick(table.about));

@@ -321,6 +321,53 @@ fn a_ball_falls_while_the_gap_is_open_and_rests_while_it_is_closed() {
     assert_eq!(values, [1.5, -3.0, 1.0, 2.0, 1.5, 0.5, 1.0]);
 }
 
+/// Two brakes on one block: they stick up to the sum of their limits, in shares, and slide each with its own force.
+#[test]
+fn frictions_of_one_speed_stick_and_slide_together() {
+    for (fixed, load) in [([6.0, 2.0], 7.0), ([0.0, 0.0], 0.0), ([0.0, 9.0], -7.0)] {
+        let mut e = empty(Graph::new());
+        let [m, f, a, b, k] = [("m", 2.0), ("F", load), ("a", fixed[0]), ("b", fixed[1]), ("k", 1.5)].map(|(n, v)| parameter(&mut e, n, v));
+        let (_, v) = coordinate(&mut e, "x");
+        masses(&mut e, &[m]);
+        e.force = vec![f];
+        friction(&mut e, "first", v, [k, k], a, None);
+        friction(&mut e, "second", v, [k, a], b, None);
+        for special in [false, true] {
+            let mut bound = bind(&e);
+            if special {
+                bound = bound.specialised().unwrap();
+            }
+            assert_eq!(bound.program().guards.len(), 3);
+            let GuardKind::Sliding { reaction: 0, limits } = bound.program().guards[0].kind else { panic!() };
+            let modes = bound.modes(0.0, &[0.0, 0.0]).unwrap();
+            assert_eq!(modes[0], Mode::Zero);
+            let sum = fixed[0] + fixed[1];
+            let share = if sum > 0.0 { fixed.map(|f| load * f / sum) } else { [load, 0.0] };
+            close(bound.rates(0.0, &[0.0, 0.0], &modes).unwrap(), &[0.0, 0.0, share[0], share[1]], 1e-15);
+            let mut jets = bound.jets(2);
+            jets.expand(0.0, &[0.0, 0.0], &modes, 2).unwrap();
+            close(&limits.map(|l| jets.guard(l)[0]), &[sum + load, sum - load], 1e-15);
+            let modes = bound.modes(0.0, &[0.0, 1.0]).unwrap();
+            close(bound.rates(0.0, &[0.0, 1.0], &modes).unwrap(), &[1.0, (load - 1.5 - fixed[0]) / 2.0, 1.5, fixed[0]], 1e-15);
+        }
+    }
+}
+
+/// Where the modes by value cannot hold together, each is still told.
+#[test]
+fn modes_are_known_where_the_reactions_are_not() {
+    let mut e = atwood(1.0, 1.0);
+    let fifty = e.graph.int(50);
+    for i in 0..2 {
+        let v = e.graph.symbol(e.coordinates[i].symbols[1]);
+        friction(&mut e, &format!("brake {i}"), v, [fifty, fifty], fifty, None);
+    }
+    let mut bound = bind(&e);
+    let modes = bound.modes(0.0, &[1.0, 2.0, 0.0, 0.0]).unwrap();
+    assert_eq!((modes[0], modes[3]), (Mode::Zero, Mode::Zero));
+    assert_eq!(bound.rates(0.0, &[1.0, 2.0, 0.0, 0.0], &modes).unwrap_err().code, "P013");
+}
+
 /// A formula that switches on the sliding speed goes by the friction's own guard, with the sign of its own.
 #[test]
 fn formulas_share_the_guard_of_sliding() {

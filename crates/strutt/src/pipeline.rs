@@ -15,7 +15,6 @@ use mechanics::model::{Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
 use report::formula::{Form, Printer};
 use report::{Document, Language};
-use std::sync::Arc;
 use symbolic::{Equations, SymbolId};
 
 /// A machine ready for studies.
@@ -96,8 +95,8 @@ pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail,
 /// # Errors
 /// A formula that has no value for the parameters as given.
 pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault> {
-    let program = Arc::new(program::lower::equations(equations)?);
-    analysis::Machine::new(equations, &program, &program.values, &guards::names(equations, &program))
+    let values: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+    analysis::Machine::assembled(equations, &values, &|program| guards::names(equations, program))
 }
 
 /// One study of the file; equations are no study of numbers.

@@ -36,6 +36,8 @@ report::words! {
     PotentialEnergy: "Potential energy", "Потенциальная энергия";
     DissipationFunction: "Dissipation function", "Диссипативная функция";
     WhereText: "where", "где";
+    Connections: "Equations of the connections", "Уравнения связей";
+    Reactions: "Reactions", "Реакции";
     Columns: "Quantities", "Величины";
     AtStart: "at the start", "в начале";
     Copied: "ready to run", "готово к запуску";

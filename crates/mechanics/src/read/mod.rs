@@ -94,7 +94,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
 
     let raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
     let raw_parameters = parameters::collect(reader, &top, &mut notation);
-    let raw_outputs = outputs::collect(reader, &top, &mut notation);
+    let parameter_names = raw_parameters.iter().map(|p| p.name.clone()).collect();
+    let raw_outputs = outputs::collect(reader, &top, &parameter_names, &mut notation);
     overrides::check_names(reader, &raw_coordinates, &raw_parameters);
     parameters::declare_coordinates(reader, &raw_coordinates);
     let mut parameters = parameters::resolve(reader, raw_parameters);
@@ -103,6 +104,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     structures::nodes(reader, &top);
     structures::rods(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
+    connections::announce(reader, &top);
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
     let mut forces = elements::forces(reader, &top);
