@@ -709,6 +709,8 @@ pub const DISPLACEMENT: TableSpec = TableSpec {
             ("\"x\", \"y\", \"turn\", or a vector", "\"x\", \"y\", \"turn\" (поворот) или вектор"),
             "\"turn\"",
         ),
+        may("start", Type::Formula, "", "0", ("value at t = 0, a constant", "значение при t = 0, постоянная"), "\"2 mm\""),
+        may("rate", Type::Formula, "", "0", ("rate at t = 0, a constant", "скорость при t = 0, постоянная"), "\"0.1 m/s\""),
         SYMBOL,
         LABEL,
     ],

@@ -81,7 +81,8 @@ pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch)
 /// Findings about the model.
 pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail, watch: &mut Watch) -> Result<Machine, Failure> {
     let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
-    let reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    let mut reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    crate::structure::mount::mount(&mut reading.model)?;
     watch.lap(Word::TimeRead);
     let equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
     watch.lap(Word::TimeDerive);

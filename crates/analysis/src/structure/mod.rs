@@ -19,6 +19,7 @@ pub mod loads;
 pub mod reduced;
 pub mod scalar;
 pub mod statics;
+pub mod substructure;
 pub mod truss;
 
 pub use assembly::Assembly;

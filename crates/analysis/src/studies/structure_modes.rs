@@ -134,7 +134,7 @@ fn plain(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -
     }
     let reduced = reduce(frame, &assembly, options.condensation)?;
     let n = reduced.n();
-    let found = solve(&reduced.stiffness, &reduced.mass, n, options.count)?;
+    let found = lowest_dense(&reduced.stiffness, &reduced.mass, n, options.count)?;
     let expand = |x: &[f64]| assembly.elimination.expand(&dense::product(&reduced.basis, x, reduced.n_q, n, 1));
     let shown = Shown::of(frame, &assembly, reduced.named.then_some(&reduced));
     let modes = shown.modes(&found, &reduced.coordinates, &expand, options.normalise);
@@ -216,7 +216,7 @@ pub(crate) fn compressed(matrix: &Sparse<f64>) -> Result<sparse::Sparse, Fault> 
 }
 
 /// The lowest modes of small matrices; M may be singular.
-fn solve(stiffness: &[f64], mass: &[f64], n: usize, count: usize) -> Result<eigen::Modes, Fault> {
+pub(crate) fn lowest_dense(stiffness: &[f64], mass: &[f64], n: usize, count: usize) -> Result<eigen::Modes, Fault> {
     let mut modes = match eigen::symmetric(n, stiffness, mass) {
         Ok(modes) => modes,
         Err(_) => {

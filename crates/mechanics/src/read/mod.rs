@@ -92,7 +92,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let description = top.text(reader, "description").unwrap_or_default();
     let mut notation = Vec::new();
 
-    let raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
+    let mut raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
+    raw_coordinates.extend(parameters::collect_displacements(reader, &top, &mut notation));
     let raw_parameters = parameters::collect(reader, &top, &mut notation);
     let parameter_names = raw_parameters.iter().map(|p| p.name.clone()).collect();
     let raw_outputs = outputs::collect(reader, &top, &parameter_names, &mut notation);
@@ -117,7 +118,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     forces.extend(resultants);
     points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
-    let structure = structures::read(reader, &top, &mut notation);
+    let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
 
     let builder = reader.take_builder();
@@ -144,6 +145,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         notation,
         studies,
         structure,
+        inertias: Vec::new(),
     }
 }
 

@@ -358,7 +358,7 @@ pub(super) fn torque<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a
 }
 
 /// The rest of a structure; none without nodes.
-pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut Vec<(String, String)>) -> Option<Structure> {
+pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Structure> {
     let has_nodes = !reader.structure.nodes.is_empty();
     for key in ["displacements", "structure"] {
         if !has_nodes && top.has(key) {
@@ -371,7 +371,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut
     }
     let supports = supports(reader, top);
     distributed(reader, top);
-    let displacements = displacements(reader, top, notation);
+    let displacements = displacements(reader, top);
     let options = options(reader, top);
     let draft = std::mem::take(&mut reader.structure);
     Some(Structure { nodes: draft.nodes, rods: draft.rods, supports, displacements, loads: draft.loads, options })
@@ -408,13 +408,9 @@ fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     }
 }
 
-fn displacements<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut Vec<(String, String)>) -> Vec<Displacement> {
+fn displacements<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Displacement> {
     let mut found = Vec::new();
     for (name, fields) in top.entries(reader, "displacements", &fields::DISPLACEMENT) {
-        if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
-            continue;
-        }
-        fields.symbol(reader, &name, notation);
         let label = fields.text(reader, "label").unwrap_or_else(Text::default);
         let direction = direction(reader, &fields);
         if let (Some(site), Some(direction)) = (site(reader, &fields, "at"), direction) {

@@ -18,7 +18,8 @@ pub fn modes(found: &ModesFound, language: Language) -> Vec<Figure> {
     let r = &found.result;
     let draw = |(i, mode): (usize, &analysis::studies::structure_modes::Mode)| {
         let omega = report::number::short(mode.omega, 5, language);
-        let title = language.pick(format!("Mode shape {}, ω = {omega} rad/s", i + 1), format!("Форма колебаний {}, ω = {omega} рад/с", i + 1));
+        let title =
+            language.pick(format!("Mode shape {}, ω = {omega} rad/s", i + 1), format!("Форма колебаний {}, ω = {omega} рад/с", i + 1));
         let shape = deformed(&r.frame, &r.assembly, &mode.freedoms);
         figure(&format!("mode-{}", i + 1), title, vec![straight(&r.frame, language), curve("w", language.pick("shape", "форма"), shape)])
     };
@@ -32,7 +33,11 @@ pub fn statics(found: &StaticsFound, language: Language) -> Vec<Figure> {
     if r.statics.freedoms.iter().any(|v| *v != 0.0) {
         let title = language.pick("Deflection, magnified", "Перемещения, увеличено").to_owned();
         let shape = deformed(&r.frame, &r.assembly, &r.statics.freedoms);
-        out.push(figure("deflection", title, vec![straight(&r.frame, language), curve("w", language.pick("deflected", "после нагружения"), shape)]));
+        out.push(figure(
+            "deflection",
+            title,
+            vec![straight(&r.frame, language), curve("w", language.pick("deflected", "после нагружения"), shape)],
+        ));
     }
     type Pick = fn(&Station<f64>) -> f64;
     let kinds: [(&str, &str, &str, Pick); 3] = [

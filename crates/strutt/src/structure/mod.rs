@@ -4,6 +4,7 @@ pub mod bind;
 pub mod drawing;
 pub mod equation;
 pub mod modes;
+pub mod mount;
 pub mod show;
 pub mod statics;
 
@@ -45,7 +46,8 @@ pub fn of(model: &Model) -> Option<&Structure> {
 
 /// Natural oscillations of the structure; none when the model has none.
 pub fn modes(machine: &Machine, study: &mechanics::model::Modes) -> Option<Finding> {
-    let structure = of(&machine.model)?;
+    // with bodies on it the frame is part of the machine
+    let structure = of(&machine.model).filter(|_| mount::is_bare(&machine.model))?;
     Some(finding(machine, "modes", modes::find(&machine.model, structure, study).map(|found| Outcome::Modes(Box::new(found)))))
 }
 

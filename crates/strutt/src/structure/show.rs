@@ -132,7 +132,12 @@ fn rods(found: &StaticsFound, language: Language) -> Table {
     let bars = r.frame.rods.iter().all(|rod| rod.is_bar());
     let mut heads = vec![Column::new(language.pick("Rod", "Стержень")), Column::with_unit(Rich::symbol("N"), "N", language)];
     if !bars {
-        heads.extend(["V_max", "M_start", "M_end", "M_max"].iter().zip(["N", "N m", "N m", "N m"]).map(|(s, u)| Column::with_unit(Rich::symbol(*s), u, language)));
+        heads.extend(
+            ["V_max", "M_start", "M_end", "M_max"]
+                .iter()
+                .zip(["N", "N m", "N m", "N m"])
+                .map(|(s, u)| Column::with_unit(Rich::symbol(*s), u, language)),
+        );
     }
     let mut table = Table::new(heads);
     for (rod, d) in r.frame.rods.iter().zip(&r.diagrams) {
@@ -203,7 +208,8 @@ fn joints(found: &StaticsFound, language: Language) -> Vec<Block> {
     let mut blocks = vec![Block::heading(3, language.pick("Method of joints", "Метод вырезания узлов"))];
     for joint in &r.joints {
         let name = &r.frame.nodes[joint.node].name;
-        let found: Vec<String> = joint.found.iter().map(|(i, v)| format!("S_{} = {}", r.frame.rods[*i].name, number(*v, language))).collect();
+        let found: Vec<String> =
+            joint.found.iter().map(|(i, v)| format!("S_{} = {}", r.frame.rods[*i].name, number(*v, language))).collect();
         let found = if found.is_empty() { language.pick("check", "проверка").to_owned() } else { found.join(", ") };
         let [x, y] = [0, 1].map(|k| equation(&joint.equations[k], language));
         blocks.push(Block::paragraph(format!("{} {name}: Σx: {x}; Σy: {y}  ⇒  {found}", language.pick("Joint", "Узел"))));
@@ -229,7 +235,12 @@ fn sections(found: &StaticsFound, language: Language) -> Vec<Block> {
         };
         let cut = language.pick("Cut", "Сечение");
         let written = equation(&section.equation, language);
-        blocks.push(Block::paragraph(format!("{cut} {}: {about}: {written}  ⇒  S_{} = {}", names.join(", "), names[0], number(section.value, language))));
+        blocks.push(Block::paragraph(format!(
+            "{cut} {}: {about}: {written}  ⇒  S_{} = {}",
+            names.join(", "),
+            names[0],
+            number(section.value, language)
+        )));
     }
     blocks
 }

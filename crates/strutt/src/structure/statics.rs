@@ -42,7 +42,8 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     own.insert("rods".into(), Value::Object(r.frame.rods.iter().zip(&r.diagrams).map(|(rod, d)| (rod.name.clone(), diagram(d))).collect()));
     let displacements = r.frame.displacements.iter().zip(&r.displacements);
     own.insert("displacements".into(), Value::Object(displacements.map(|(d, v)| (d.name.clone(), json!(v))).collect()));
-    let node = |i: usize| json!({"x": r.statics.freedoms[3 * i], "y": r.statics.freedoms[3 * i + 1], "turn": r.statics.freedoms[3 * i + 2]});
+    let node =
+        |i: usize| json!({"x": r.statics.freedoms[3 * i], "y": r.statics.freedoms[3 * i + 1], "turn": r.statics.freedoms[3 * i + 2]});
     let nodes: Map<String, Value> = r.frame.nodes.iter().enumerate().map(|(i, n)| (n.name.clone(), node(i))).collect();
     own.insert("nodes".into(), Value::Object(nodes));
     if let Some(f) = &r.flexibility {
