@@ -231,6 +231,12 @@ impl LinearMachine {
         Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
     }
 
+    /// A zero of [`Linear::graph`] for each coordinate.
+    pub fn zeros(&mut self) -> Vec<Expr> {
+        let zero = self.linear.graph.zero();
+        vec![zero; self.names.len()]
+    }
+
     /// The harmonics of generalized forces (by coordinate) of the equations that were linearised; none when they are not harmonic.
     pub fn harmonics_of(&mut self, forces: &[(usize, Expr)]) -> Option<(Vec<Expr>, Vec<HarmonicLoad>)> {
         self.linear.harmonics_of(&self.equations, forces)

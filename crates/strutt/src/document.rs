@@ -86,6 +86,7 @@ pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, lang
 pub fn other_figures(finding: &Finding, language: Language) -> Vec<Figure> {
     match finding {
         Finding::Structure(found) => crate::structure::figures(found, language),
+        Finding::Response(found) => crate::small::show::response_figures(found, language),
         Finding::Modes(found) => crate::small::show::campbell(&found.data, language).into_iter().collect(),
         _ => Vec::new(),
     }
@@ -284,6 +285,11 @@ impl Writer<'_> {
                 let heading = crate::structure::heading(found, self.language);
                 let mut blocks = vec![Block::heading(1, heading)];
                 blocks.extend(crate::structure::blocks(found, self.language, self.extent == Extent::Page));
+                blocks
+            }
+            Finding::Response(found) => {
+                let mut blocks = vec![Block::heading(1, say(self.language, Say::Response))];
+                blocks.extend(crate::small::show::response(found, self.language, self.extent == Extent::Page));
                 blocks
             }
             Finding::Modes(found) => {

@@ -25,6 +25,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
             Finding::Equilibrium(..) => format!("equilibrium{number}"),
             Finding::Modes(..) => format!("modes{number}"),
             Finding::Structure(found) => format!("{}{number}", found.study),
+            Finding::Response(..) => format!("response{number}"),
         };
         tables(&mut shelf, finding, &stem, language)?;
         if let Finding::Motion(study, data, _) = finding {
@@ -93,6 +94,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
             own.insert("study".into(), json!("equilibrium"));
             own.insert("equilibria".into(), equilibria(finding.data()));
         }
+        Finding::Response(found) => own = crate::small::response::to_json(found),
         Finding::Modes(found) => own = crate::small::modes::to_json(found),
         Finding::Structure(found) => own = crate::structure::fields(found),
     }

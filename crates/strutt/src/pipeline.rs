@@ -3,6 +3,7 @@
 use crate::document::{self, Extent};
 use crate::failure::{Failure, Trouble};
 use crate::small::modes::ModesFound;
+use crate::small::response::ResponseFound;
 use crate::source::Source;
 use crate::watch::Watch;
 use crate::words::Word;
@@ -43,6 +44,8 @@ pub enum Finding {
     Modes(Box<ModesFound>),
     /// A study of a frame or truss.
     Structure(Box<crate::structure::StructureFound>),
+    /// Forced oscillations over the frequency.
+    Response(Box<ResponseFound>),
 }
 
 /// Everything a file asks for.
@@ -109,10 +112,10 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
         | StudyKind::Kinematics(_)
         | StudyKind::Periodic(_)
         | StudyKind::Cycle(_)
-        | StudyKind::Sweep(_)
-        | StudyKind::Response(_) => None,
+        | StudyKind::Sweep(_) => None,
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
         StudyKind::Statics => crate::structure::statics(machine),
+        StudyKind::Response(study) => Some(response(machine, study, watch)),
         StudyKind::Modes(study) => Some(modes(machine, study, watch)),
         StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);
@@ -163,6 +166,13 @@ pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut
     Finding::Modes(Box::new(found))
 }
 
+/// Forced oscillations over the frequency.
+pub fn response(machine: &mut Machine, study: &mechanics::model::Response, watch: &mut Watch) -> Finding {
+    let found = crate::small::response::find(machine, study);
+    watch.lap(Word::TimeRun);
+    Finding::Response(Box::new(found))
+}
+
 /// A fault with the expression that failed in the user's symbols.
 pub(crate) fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
     let expression = fault.expression();
@@ -189,6 +199,7 @@ impl Finding {
             Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) => data,
             Finding::Modes(found) => &found.data,
             Finding::Structure(found) => &found.data,
+            Finding::Response(found) => &found.data,
         }
     }
     /// What ended the study early.
@@ -197,6 +208,7 @@ impl Finding {
             Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) => trouble.as_ref(),
             Finding::Modes(found) => found.trouble.as_ref(),
             Finding::Structure(found) => found.trouble.as_ref(),
+            Finding::Response(found) => found.trouble.as_ref(),
         }
     }
 }

@@ -8,6 +8,7 @@ mod examples;
 mod explain;
 mod modes;
 mod new;
+mod response;
 mod run;
 mod simulate;
 mod statics;
@@ -42,6 +43,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Statics(args) => statics::run(&args, console),
+        Command::Response(args) => response::run(&args, console),
         Command::Modes(args) => modes::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),

@@ -2,6 +2,7 @@
 
 pub mod equation;
 pub mod modes;
+pub mod response;
 pub mod show;
 
 use crate::pipeline::Machine;
