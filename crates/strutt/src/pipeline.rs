@@ -108,11 +108,7 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_)
-        | StudyKind::Kinematics(_)
-        | StudyKind::Periodic(_)
-        | StudyKind::Cycle(_)
-        | StudyKind::Sweep(_) => None,
+        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Periodic(_) | StudyKind::Cycle(_) | StudyKind::Sweep(_) => None,
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
         StudyKind::Statics => crate::structure::statics(machine),
         StudyKind::Response(study) => Some(response(machine, study, watch)),

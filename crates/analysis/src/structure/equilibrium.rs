@@ -69,7 +69,7 @@ fn connected<S: Scalar>(frame: &Frame<S>) -> Result<(), Fault> {
         return Err(faults::lonely(&frame.nodes[i].name));
     }
     let mut held = vec![false; n];
-    let holding = frame.supports.iter().map(|s| s.node).chain((0..n).filter(|i| sprung(*i)));
+    let holding = frame.supports.iter().filter(|s| s.holds.contains(&true)).map(|s| s.node).chain((0..n).filter(|i| sprung(*i)));
     for i in holding.collect::<Vec<_>>() {
         held[root(&mut piece, i)] = true;
     }

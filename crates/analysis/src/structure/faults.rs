@@ -58,19 +58,6 @@ pub const EXPLANATIONS: &[Explanation] = &[
              Задайте названным стержням жёсткость: EA (или E и A) на растяжение, EI на изгиб.",
         ),
     },
-    Explanation {
-        code: "S054",
-        en: (
-            "displacements that depend on each other",
-            "The named displacements are to be the coordinates of the structure, but one of them follows from the others (or vanishes), or there \
-             are more of them than degrees of freedom.",
-        ),
-        ru: (
-            "зависимые перемещения",
-            "Названные перемещения должны служить координатами, но одно из них выражается через другие (или равно нулю), либо их больше, чем \
-             степеней свободы.",
-        ),
-    },
 ];
 
 fn fault(code: &'static str, what: Text, why: Text, help: Text) -> Fault {
@@ -150,18 +137,5 @@ pub fn undetermined(names: &str) -> Fault {
             "они не деформируются, и их больше, чем уравнений равновесия",
         ),
         Text::new("give these rods EA, or E and A", "задайте этим стержням EA или E и A"),
-    )
-}
-
-/// Dependent coordinates.
-pub fn dependent(names: &str, n: usize) -> Fault {
-    fault(
-        "S054",
-        Text::new(
-            format!("the displacements {names} are not independent coordinates"),
-            format!("перемещения {names} не являются независимыми координатами"),
-        ),
-        Text::new(format!("the structure has {n} degrees of freedom with inertia"), format!("степеней свободы с инерцией: {n}")),
-        Text::new("replace the one that follows from the others", "замените то, которое выражается через другие"),
     )
 }

@@ -79,7 +79,7 @@ fn masters<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, turns: bool, mas
 
 /// Reduces a structure that stands.
 ///
-/// *Errors*: no inertia, coordinates that depend on each other.
+/// *Errors*: no inertia.
 pub fn reduce<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, condensation: Condensation) -> Result<Reduced<S>, Fault> {
     let n_q = assembly.n();
     let (k, m) = (assembly.stiffness(frame).dense(), assembly.mass(frame).dense());
@@ -104,17 +104,11 @@ pub fn reduce<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, condensation:
     let mut mass = dense::congruence(&m, &basis, n_q, n);
     let mut coordinates: Vec<Quantity> = keep.iter().map(|i| own_quantity(frame, assembly, *i)).collect();
     let functionals: Vec<Vec<S>> = displacements(frame, assembly);
-    let named = !divided && functionals.len() == n;
-    if functionals.len() > n && !divided {
-        let names: Vec<&str> = frame.displacements.iter().map(|d| d.name.as_str()).collect();
-        return Err(faults::dependent(&names.join(", "), n));
-    }
-    if named {
-        let phi = dense::product(&functionals.concat(), &basis, n, n_q, n);
-        let Some(inverse) = dense::solve(&phi, n, &dense::identity(n), n) else {
-            let names: Vec<&str> = frame.displacements.iter().map(|d| d.name.as_str()).collect();
-            return Err(faults::dependent(&names.join(", "), n));
-        };
+    // displacements that depend on each other are shown, but are no coordinates
+    let phi = dense::product(&functionals.concat(), &basis, functionals.len(), n_q, n);
+    let inverse = (!divided && functionals.len() == n).then(|| dense::solve(&phi, n, &dense::identity(n), n)).flatten();
+    let named = inverse.is_some();
+    if let Some(inverse) = inverse {
         basis = dense::product(&basis, &inverse, n_q, n, n);
         mass = dense::congruence(&mass, &inverse, n, n);
         stiffness = dense::congruence(&stiffness, &inverse, n, n);

@@ -168,6 +168,22 @@ pub fn sparse_solver(frame: &Frame<f64>, assembly: &Assembly<f64>) -> Result<imp
 }
 
 impl<S: Scalar> Statics<S> {
+    /// The same in machine numbers.
+    pub fn machine(&self) -> Statics<f64> {
+        let three = |f: &[S; 3]| [f[0].value(), f[1].value(), f[2].value()];
+        let carried = |c: &Carried<S>| Carried {
+            distributed: c.distributed.iter().map(|q| [[q[0][0].value(), q[0][1].value()], [q[1][0].value(), q[1][1].value()]]).collect(),
+            points: c.points.iter().map(|(x, f)| (x.value(), three(f))).collect(),
+        };
+        Statics {
+            freedoms: self.freedoms.iter().map(S::value).collect(),
+            reactions: self.reactions.iter().map(three).collect(),
+            springs: self.springs.iter().map(three).collect(),
+            ends: self.ends.iter().map(|e| std::array::from_fn(|k| e[k].value())).collect(),
+            carried: self.carried.iter().map(carried).collect(),
+        }
+    }
+
     /// Section forces along a rod: at the ends of parts, on both sides of concentrated loads, and `between` places between those where a
     /// distributed load makes the diagrams curved.
     pub fn stations(&self, assembly: &Assembly<S>, rod: usize, between: usize) -> Vec<Station<S>> {

@@ -55,8 +55,9 @@ pub fn is_truss(frame: &Frame<f64>) -> bool {
 /// Forces on a node that are known: loads, springs, reactions, as named terms along x and y.
 fn known(frame: &Frame<f64>, statics: &Statics<f64>, node: usize) -> [Vec<Term>; 2] {
     let mut out = [Vec::new(), Vec::new()];
+    let largest = statics.ends.iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
     let mut put = |k: usize, name: &str, force: f64| {
-        if force != 0.0 {
+        if force.abs() > 1e-13 * largest {
             out[k].push(Term { name: name.to_owned(), coefficient: 1.0, force, unknown: false });
         }
     };

@@ -84,7 +84,7 @@ pub struct StructureModes {
 
 /// Natural oscillations; `exact` is the same frame in exact numbers when it has them.
 ///
-/// *Errors*: mechanisms, loose nodes, no inertia, dependent coordinates.
+/// *Errors*: mechanisms, loose nodes, no inertia.
 pub fn modes(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -> Result<StructureModes, Fault> {
     let simple = frame.divided(1);
     match exact {

@@ -66,12 +66,13 @@ pub fn statics(frame: &Frame<f64>, exact: Option<&Frame<Rational>>) -> Result<St
         (Some(exact), Some(assembly)) => stands(exact, assembly)?,
         _ => stands(&frame, &assembly)?,
     };
-    let state = match assembly.n() > SEARCHED {
-        true => solve(&frame, &assembly, &frame.loads, &sparse_solver(&frame, &assembly)?)?,
-        false => solve(&frame, &assembly, &frame.loads, &dense_solver(&frame, &assembly))?,
-    };
     let exact_state = exact.as_ref().zip(exact_assembly.as_ref()).filter(|(e, _)| e.loads.len() == frame.loads.len());
-    let exact_state = exact_state.and_then(|(e, a)| solve(e, a, &e.loads, &dense_solver(e, a)).ok());
+    let exact_state = exact_state.map(|(e, a)| solve(e, a, &e.loads, &dense_solver(e, a))).transpose()?;
+    let state = match &exact_state {
+        Some(state) => state.machine(),
+        None if assembly.n() > SEARCHED => solve(&frame, &assembly, &frame.loads, &sparse_solver(&frame, &assembly)?)?,
+        None => solve(&frame, &assembly, &frame.loads, &dense_solver(&frame, &assembly))?,
+    };
     let diagrams: Vec<Vec<Station<f64>>> = (0..frame.rods.len()).map(|i| state.stations(&assembly, i, BETWEEN)).collect();
     let small = assembly.n() <= SEARCHED && frame.displacements.len() <= 12;
     let flexibility = small.then(|| flexibility(&frame, &assembly)).transpose()?;

@@ -10,7 +10,9 @@ use analysis::structure::reduced::{Condensation, reduce};
 use analysis::structure::substructure::{Substructure, substructure};
 use analysis::structure::{Action, Assembly, Frame, Load, dense};
 use mechanics::Model;
-use mechanics::model::{self, Class, ConstantInertia, CoordinateDecl, Force, ParameterDecl, ParameterValue, Pathway, Potential};
+use mechanics::model::{
+    self, Class, ConstantInertia, CoordinateDecl, Force, OutputDecl, ParameterDecl, ParameterValue, Pathway, Potential,
+};
 use mechanics::structure as file;
 use symbolic::{Expr, Rational, Text};
 
@@ -32,16 +34,14 @@ pub fn mount(model: &mut Model) -> Result<(), Box<Trouble>> {
         model.coordinates.truncate(first);
         return Ok(());
     };
-    let mut index = 0;
-    let mut position = 0;
-    model.coordinates.retain(|_| {
-        let keep = position < first || found.named.contains(&(position - first));
-        position += 1;
-        index += usize::from(keep);
-        keep
-    });
+    let all = model.coordinates.split_off(first);
+    let (kept, followers): (Vec<_>, Vec<_>) = all.into_iter().enumerate().partition(|(i, _)| found.named.contains(i));
+    model.coordinates.extend(kept.into_iter().map(|c| c.1));
     for k in 0..found.amplitudes {
         amplitude(model, k + 1);
+    }
+    for (i, coordinate) in followers {
+        follower(model, &bound, &found, first, i, coordinate);
     }
     let (mass, stiffness) = entries(&bound, &structure, &found);
     inertias(model, &mass, first);
@@ -114,6 +114,38 @@ fn amplitude(model: &mut Model, number: usize) {
     );
     let units = ["m", "m/s", "m/s^2"].map(str::to_owned);
     model.coordinates.push(CoordinateDecl { name, symbols, units, start: zero, rate: zero, given: [true, true], label, span: 0..0 });
+}
+
+/// A displacement that follows from the coordinates: a formula, and a result to look at.
+fn follower(model: &mut Model, bound: &Bound, found: &Substructure, first: usize, i: usize, coordinate: CoordinateDecl) {
+    let assembly = Assembly::of(&bound.frame);
+    let n = found.named.len() + found.amplitudes;
+    let row = analysis::structure::reduced::displacements(&bound.frame, &assembly).swap_remove(i);
+    let shares = dense::product(&row, &found.basis, 1, found.n_q, n);
+    let largest = shares.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let mut terms = Vec::new();
+    for (k, share) in shares.iter().enumerate().filter(|s| s.1.abs() > 1e-13 * largest) {
+        let q = model.graph.symbol(model.coordinates[first + k].symbols[0]);
+        if let Some(share) = simple(*share, largest) {
+            terms.push(model.graph.scale(q, &share));
+        }
+    }
+    let formula = model.graph.sum(&terms);
+    let [unit, _, _] = coordinate.units;
+    let (name, label, span) = (coordinate.name, coordinate.label, coordinate.span);
+    let output = model.graph.symbol_id(&name, 0);
+    model.parameters.push(ParameterDecl {
+        name: name.clone(),
+        symbol: coordinate.symbols[0],
+        value: ParameterValue::Formula(formula),
+        class: Class::State,
+        number: None,
+        unit: unit.clone(),
+        written: String::new(),
+        label: label.clone(),
+        span: None,
+    });
+    model.outputs.push(OutputDecl { name, symbol: output, formula, unit, display: None, label, span });
 }
 
 /// A number of the frame as a parameter with a name that is free.
@@ -224,10 +256,12 @@ fn shares(frame: &Frame<f64>, assembly: &Assembly<f64>, found: &Substructure, un
     let forces = assembly.elimination.gather(&loading(assembly, frame, &[load]).forces);
     let q = dense::product(&dense::transpose(&found.basis, found.n_q, n), &forces, n, found.n_q, 1);
     let largest = q.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let exact = |v: &f64| {
-        let short = format!("{v:.12}").parse::<f64>().ok().filter(|s| (s - v).abs() <= 4e-16 * v.abs().max(largest));
-        let text = short.map(|s| format!("{s}"));
-        text.and_then(|t| Rational::parse_decimal(&t)).or_else(|| Rational::from_f64(*v))
-    };
-    q.iter().map(|v| if v.abs() <= 1e-13 * largest { None } else { exact(v) }).collect()
+    q.iter().map(|v| if v.abs() <= 1e-13 * largest { None } else { simple(*v, largest) }).collect()
+}
+
+/// A short decimal when the number is one within rounding; else the number itself.
+fn simple(v: f64, largest: f64) -> Option<Rational> {
+    let short = format!("{v:.12}").parse::<f64>().ok().filter(|s| (s - v).abs() <= 4e-16 * v.abs().max(largest));
+    let text = short.map(|s| format!("{s}"));
+    text.and_then(|t| Rational::parse_decimal(&t)).or_else(|| Rational::from_f64(v))
 }
