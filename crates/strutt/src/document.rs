@@ -85,6 +85,7 @@ pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, lang
 /// Figures of findings other than motions.
 pub fn other_figures(finding: &Finding, language: Language) -> Vec<Figure> {
     match finding {
+        Finding::Structure(found) => crate::structure::figures(found, language),
         Finding::Response(found) => crate::small::show::response_figures(found, language),
         Finding::Modes(found) => crate::small::show::campbell(&found.data, language).into_iter().collect(),
         _ => Vec::new(),
@@ -278,6 +279,12 @@ impl Writer<'_> {
                 let mut blocks = vec![self.heading(Word::Equilibrium)];
                 blocks.push(self.table(equilibria(data, self.language), Word::Equilibrium));
                 blocks.extend(self.notes(data));
+                blocks
+            }
+            Finding::Structure(found) => {
+                let heading = crate::structure::heading(found, self.language);
+                let mut blocks = vec![Block::heading(1, heading)];
+                blocks.extend(crate::structure::blocks(found, self.language, self.extent == Extent::Page));
                 blocks
             }
             Finding::Response(found) => {

@@ -45,6 +45,8 @@ pub enum Finding {
     Transient(Simulate, Dataset, Phases, Option<Trouble>),
     /// Natural frequencies and shapes.
     Modes(Box<ModesFound>),
+    /// A study of a frame or truss.
+    Structure(Box<crate::structure::StructureFound>),
     /// Forced oscillations over the frequency.
     Response(Box<ResponseFound>),
 }
@@ -94,7 +96,8 @@ pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch)
 /// Findings about the model.
 pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail, watch: &mut Watch) -> Result<Machine, Failure> {
     let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
-    let reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    let mut reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    crate::structure::mount::mount(&mut reading.model)?;
     watch.lap(Word::TimeRead);
     let equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
     watch.lap(Word::TimeDerive);
@@ -117,13 +120,9 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_)
-        | StudyKind::Statics
-        | StudyKind::Kinematics(_)
-        | StudyKind::Periodic(_)
-        | StudyKind::Cycle(_)
-        | StudyKind::Sweep(_) => None,
+        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Periodic(_) | StudyKind::Cycle(_) | StudyKind::Sweep(_) => None,
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
+        StudyKind::Statics => crate::structure::statics(machine),
         StudyKind::Response(study) => Some(response(machine, study, watch)),
         StudyKind::Transient(study) => {
             let study = plan::with_plots(study, &machine.equations);
@@ -184,6 +183,10 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
 
 /// Natural frequencies and shapes.
 pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut Watch) -> Finding {
+    if let Some(finding) = crate::structure::modes(machine, study) {
+        watch.lap(Word::TimeRun);
+        return finding;
+    }
     let found = crate::small::modes::find(machine, study);
     watch.lap(Word::TimeRun);
     Finding::Modes(Box::new(found))
@@ -221,6 +224,7 @@ impl Finding {
         match self {
             Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) | Finding::Transient(_, data, ..) => data,
             Finding::Modes(found) => &found.data,
+            Finding::Structure(found) => &found.data,
             Finding::Response(found) => &found.data,
         }
     }
@@ -229,6 +233,7 @@ impl Finding {
         match self {
             Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) | Finding::Transient(_, _, _, trouble) => trouble.as_ref(),
             Finding::Modes(found) => found.trouble.as_ref(),
+            Finding::Structure(found) => found.trouble.as_ref(),
             Finding::Response(found) => found.trouble.as_ref(),
         }
     }

@@ -6,5 +6,7 @@ pub mod modes;
 pub mod peaks;
 pub mod response;
 pub mod simulate;
+pub mod structure_modes;
+pub mod structure_statics;
 pub mod tracks;
 pub mod transient;

@@ -11,6 +11,7 @@ mod new;
 mod response;
 mod run;
 mod simulate;
+mod statics;
 mod transient;
 
 use crate::args::Command;
@@ -43,6 +44,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Statics(args) => statics::run(&args, console),
         Command::Response(args) => response::run(&args, console),
         Command::Modes(args) => modes::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
