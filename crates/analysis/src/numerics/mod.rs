@@ -2,4 +2,6 @@
 
 pub mod lu;
 pub mod random;
+pub mod rank;
+pub mod spectrum;
 pub mod sum;

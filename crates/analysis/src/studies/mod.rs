@@ -1,4 +1,5 @@
 //! Studies, one file each.
 
 pub mod equilibrium;
+pub mod periodic;
 pub mod simulate;
