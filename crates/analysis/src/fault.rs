@@ -66,6 +66,14 @@ pub const EXPLANATIONS: &[Explanation] = &[
         code: "S009", en: ("unknown output", OUTPUT_EN), ru: ("неизвестная выходная величина", OUTPUT_RU)
     },
     Explanation {
+        code: "S011",
+        en: ("contact or friction without an admissible state", NO_STATE_EN),
+        ru: ("контакт или трение без допустимого состояния", NO_STATE_RU),
+    },
+    Explanation {
+        code: "S012", en: ("a contact starts penetrated", PENETRATES_EN), ru: ("контакт начинается с внедрения", PENETRATES_RU)
+    },
+    Explanation {
         code: "S010", en: ("more steps than anybody waits for", STEPS_EN), ru: ("слишком много шагов", STEPS_RU)
     },
 ];
@@ -81,6 +89,16 @@ pub struct Explanation {
     pub ru: (&'static str, &'static str),
 }
 
+const NO_STATE_EN: &str = "Neither sticking nor sliding in any direction (neither closed nor open) agrees with the forces at this state. With friction on a computed \
+    normal force this happens at large friction coefficients (Painlevé's paradox), or when the static limit is below the kinetic one. A rigid body has no \
+    motion then; give the contact some compliance, or a smaller coefficient.";
+const NO_STATE_RU: &str = "Ни залипание, ни скольжение в какую-либо сторону (ни замкнутый, ни разомкнутый контакт) не согласуется с силами в этом состоянии. При трении \
+    от вычисляемой нормальной реакции это бывает при больших коэффициентах трения (парадокс Пенлеве) или когда предельное трение покоя меньше трения \
+    скольжения. У абсолютно твёрдого тела движения тогда нет; задайте податливость контакта или меньший коэффициент.";
+const PENETRATES_EN: &str = "The gap of a one-sided contact is negative at the start: the body stands inside the stop, or the rope is longer than its length. Move the start \
+    or the contact.";
+const PENETRATES_RU: &str = "В начале зазор одностороннего контакта отрицателен: тело находится внутри упора или нить длиннее своей длины. Измените начальное положение \
+    или контакт.";
 const CHATTERING_EN: &str = "A formula with sign, if, abs, min or max reached its switching surface, and on both sides of it the motion is driven back: the \
     machine would switch infinitely often. Physically this is sticking (a body held by dry friction) or an ideal relay without hysteresis; sign(v) alone \
     cannot describe it. Use the dry friction element, which has a sticking state with a bounded reaction, or give the relay hysteresis or a delay.";
@@ -196,6 +214,43 @@ impl Fault {
                 "describe friction by a dry friction element, which can stick, instead of sign(velocity); give a relay hysteresis",
                 "опишите трение элементом сухого трения (он умеет залипать) вместо sign(скорость); задайте реле гистерезис",
             ),
+        })
+    }
+
+    /// Neither side of a friction or contact agrees with the forces.
+    pub fn no_contact_state(guard: &Text, t: f64) -> Fault {
+        let n = number(t);
+        Fault::new(Message {
+            code: "S011",
+            what: Text::new(
+                format!("`{}` can neither stick nor slide, neither close nor open at t = {} s", guard.en, n.en),
+                format!("`{}` не может ни залипнуть, ни скользить, ни замкнуться, ни разомкнуться при t = {} с", guard.ru, n.ru),
+            ),
+            why: Text::new(
+                "every choice contradicts the forces that it leads to: too large a friction coefficient, a static limit below the kinetic one",
+                "любой выбор противоречит силам, к которым он ведёт: слишком велик коэффициент трения, предел трения покоя ниже трения скольжения",
+            ),
+            help: Text::new(
+                "reduce the coefficient of friction, raise the static limit, or make the contact compliant (spring with damping)",
+                "уменьшите коэффициент трения, повысьте предел трения покоя или сделайте контакт податливым (пружина с демпфером)",
+            ),
+        })
+    }
+
+    /// A gap that is negative at the start.
+    pub fn penetrates(guard: &Text, gap: f64, t: f64) -> Fault {
+        let (t, gap) = (number(t), number(gap));
+        Fault::new(Message {
+            code: "S012",
+            what: Text::new(
+                format!("`{}` has the gap {} at t = {} s", guard.en, gap.en, t.en),
+                format!("`{}`: зазор равен {} при t = {} с", guard.ru, gap.ru, t.ru),
+            ),
+            why: Text::new(
+                "a gap is never negative: one body stands inside the other",
+                "зазор не бывает отрицательным: одно тело находится внутри другого",
+            ),
+            help: Text::new("change the start values or the place of the contact", "измените начальные значения или положение контакта"),
         })
     }
 

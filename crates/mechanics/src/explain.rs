@@ -523,7 +523,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
     row(
         "M064",
         ("unknown study", "неизвестный расчёт"),
-        ("Studies are equations, equilibrium and simulate.", "Расчёты: equations, equilibrium и simulate."),
+        (
+            "Studies are equations, equilibrium, simulate, inverse, statics, kinematics, periodic, cycle and sweep.",
+            "Расчёты: equations, equilibrium, simulate, inverse, statics, kinematics, periodic, cycle и sweep.",
+        ),
         "kind = \"simulat\"",
         "kind = \"simulate\"",
     ),
@@ -576,6 +579,36 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ),
         "",
         "",
+    ),
+    row(
+        "M070",
+        ("no range of values", "не набор значений"),
+        (
+            "A range is name=linspace(first, last, number), name=logspace(first, last, number) with positive ends, or name=value, value. With semicolons between the values commas are decimal marks.",
+            "Набор значений: имя=linspace(первое, последнее, число), имя=logspace(первое, последнее, число) с положительными концами или имя=значение, значение. Если значения разделены точкой с запятой, запятая отделяет дробную часть.",
+        ),
+        "over = \"v=1 m/s..3 m/s\"",
+        "over = \"v=linspace(1 m/s, 3 m/s, 21)\"",
+    ),
+    row(
+        "M071",
+        ("keys of a study that do not agree", "несогласованные ключи расчёта"),
+        (
+            "The study lacks a key, has two that exclude each other, or a number outside its limits: turns belong to angles, ranges are not empty, an irregularity lies between 0 and 2.",
+            "В расчёте не хватает ключа, два ключа исключают друг друга или число вне пределов: обороты бывают у углов, промежуток не пуст, неравномерность — от 0 до 2.",
+        ),
+        "kind = \"periodic\"\nunknown = \"F0\"\nsection = \"phi\"",
+        "kind = \"periodic\"\nunknown = \"F0\"\nwanted_period = \"0.2568 s\"\nsection = \"phi\"",
+    ),
+    row(
+        "M072",
+        ("no constant parameter of that name", "нет такого постоянного параметра"),
+        (
+            "What a study looks for is one number: a constant of [parameters]. A value that depends on time or on the motion contains such constants.",
+            "Расчёт ищет одно число: постоянную из [parameters]. Величина, зависящая от времени или движения, содержит такие постоянные.",
+        ),
+        "unknown = \"phi\"",
+        "unknown = \"F0\"",
     ),
 ];
 

@@ -49,6 +49,7 @@
 //! ```
 
 mod fault;
+mod general;
 mod guard;
 mod interpret;
 mod jets;
@@ -60,10 +61,10 @@ mod tape;
 pub mod text;
 mod verify;
 
-pub use fault::{Details, EXPLANATIONS, Fault};
+pub use fault::{Details, EXPLANATIONS, Fault, Singular};
 pub use guard::{Guard, GuardKind, Mode};
 pub use interpret::{Evaluator, Point};
 pub use jets::Jets;
-pub use program::{Bound, ENERGY, Program};
-pub use tape::{By, Coefficient, Instruction, Operation, Real, Register, Root, Shape, Tape, Unary};
+pub use program::{Bound, ConnectionRoots, ENERGY, Program};
+pub use tape::{Bounded, By, Coefficient, Instruction, Operation, Real, Register, Root, Shape, Tape, Unary};
 pub use verify::verify;

@@ -99,6 +99,13 @@ pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault
 pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Option<Finding> {
     match kind {
         StudyKind::Equations => None,
+        // carried out by rooms that are being built
+        StudyKind::Inverse(_)
+        | StudyKind::Statics
+        | StudyKind::Kinematics(_)
+        | StudyKind::Periodic(_)
+        | StudyKind::Cycle(_)
+        | StudyKind::Sweep(_) => None,
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
         StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);

@@ -6,7 +6,7 @@ use symbolic::Text;
 
 use crate::audits::{halving::tolerance_halving, power::PowerBalance, second::two_derivations};
 use crate::dataset::{Column, Counter, Dataset, Event};
-use crate::events::Switch;
+use crate::events::words::describe;
 use crate::fault::{number, rounded};
 use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance};
 use crate::{Fault, Mode, Quantity, System};
@@ -271,7 +271,7 @@ impl Run {
         system.placed(0.0, start)?;
         let flow_options = Options { tolerance: options.tolerance, span: end, ..Options::default() };
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
-        let result = self.follow(&mut flow, end, options);
+        let result = self.record(&mut flow).and_then(|()| self.follow(&mut flow, end, options));
         self.work = flow.work().clone();
         result
     }
@@ -341,18 +341,18 @@ impl Run {
             return Ok(());
         }
         let switches = flow.switches().to_vec();
-        let state = flow.state().to_vec();
-        let (before, after) = (flow.step().modes.clone(), flow.modes().to_vec());
+        let states = [flow.state_before().to_vec(), flow.state().to_vec()];
+        let (before, after) = (flow.modes_before().to_vec(), flow.modes().to_vec());
         let t = flow.time();
-        let mut side = |run: &mut Run, modes: &[Mode]| -> Result<Vec<f64>, Fault> {
-            flow.system().observe(t, &state, modes, &mut run.all)?;
+        let mut side = |run: &mut Run, state: &[f64], modes: &[Mode]| -> Result<Vec<f64>, Fault> {
+            flow.system().observe(t, state, modes, &mut run.all)?;
             Ok(run.chosen.iter().map(|&i| run.all[i]).collect())
         };
-        let outputs = [side(self, &before)?, side(self, &after)?];
+        let outputs = [side(self, &states[0], &before)?, side(self, &states[1], &after)?];
         for switch in &switches {
-            let what = describe(switch, &flow.system().guards()[switch.guard].name);
+            let what = describe(switch, &flow.system().guards()[switch.guard]);
             let sides = [switch.before.sign(), switch.after.sign()];
-            self.events.push(Event { t: switch.t, what, guard: switch.guard, sides, state: state.clone(), outputs: outputs.clone() });
+            self.events.push(Event { t: switch.t, what, guard: switch.guard, sides, states: states.clone(), outputs: outputs.clone() });
         }
         Ok(())
     }
@@ -406,19 +406,6 @@ fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<Vec<usize>,
         })
     };
     wanted.iter().map(find).collect()
-}
-
-fn describe(switch: &Switch, guard: &Text) -> Text {
-    let word = |mode: Mode| match mode {
-        Mode::Negative => ("minus", "минуса", "минус"),
-        Mode::Zero => ("zero", "нуля", "нуль"),
-        Mode::Positive => ("plus", "плюса", "плюс"),
-    };
-    let (before, after) = (word(switch.before), word(switch.after));
-    Text::new(
-        format!("{} changes from {} to {}", guard.en, before.0, after.0),
-        format!("{} переходит с {} на {}", guard.ru, before.1, after.2),
-    )
 }
 
 fn counters(work: &Work) -> Vec<Counter> {

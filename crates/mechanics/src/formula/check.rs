@@ -108,6 +108,12 @@ impl Context {
         "this value may depend on coordinates and time, not on rates",
         "эта величина может зависеть от координат и времени, но не от скоростей",
     );
+    pub(crate) const SECTION: Context = Context::new(
+        Depends::MOTION,
+        None,
+        "a section depends on coordinates, rates and time",
+        "сечение зависит от координат, скоростей и времени",
+    );
     pub(crate) const PARAMETER: Context = Context::new(
         Depends::MOTION,
         None,

@@ -59,6 +59,11 @@ impl Scope {
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.listed.iter().map(String::as_str)
     }
+    /// Symbols of all coordinates, rates and accelerations, in order of declaration.
+    pub(crate) fn coordinates(&self) -> Vec<SymbolId> {
+        let kinds = self.listed.iter().filter_map(|name| self.names.get(name)).map(|e| e.kind);
+        kinds.filter_map(|kind| if let EntryKind::Coordinate(symbols) = kind { Some(symbols) } else { None }).flatten().collect()
+    }
     pub(crate) fn place(&self, name: &str) -> Option<Place> {
         self.places.get(name).copied()
     }

@@ -10,12 +10,14 @@ mod order;
 mod outputs;
 mod overrides;
 mod parameters;
+mod ranges;
 mod reader;
 mod shapes;
 mod studies;
 mod syntax;
 
 pub use overrides::split as split_override;
+pub use ranges::sweep_range;
 
 use crate::diagnostic::{self, Diagnostic, Severity};
 use crate::fields;

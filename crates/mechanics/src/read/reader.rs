@@ -10,7 +10,7 @@ use crate::units::{self, Dimension, Quantity, Unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::{Expr, Rational, Text};
+use symbolic::{Expr, Rational, SymbolId, Text};
 use toml::de::DeValue;
 
 /// The state of reading.
@@ -235,6 +235,13 @@ impl<'a> Reader<'a> {
                 None
             }
         }
+    }
+
+    /// The coordinates, their rates and accelerations that stand in an expression.
+    pub(super) fn coordinates_in(&self, e: Expr) -> Vec<SymbolId> {
+        let all = self.scope.coordinates();
+        let within = self.builder.graph.symbols_in(&[e]);
+        all.into_iter().filter(|s| within.binary_search(s).is_ok()).collect()
     }
 
     /// Whether a name may be used; reports when not.
