@@ -23,10 +23,16 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
         let stem = match finding {
             Finding::Motion(..) => format!("motion{number}"),
             Finding::Equilibrium(..) => format!("equilibrium{number}"),
+            Finding::Study(results) => format!("{}{number}", results.kind),
         };
         tables(&mut shelf, finding, &stem, language)?;
         if let Finding::Motion(study, data, _) = finding {
             for figure in document::figures(calculation, study, data, language) {
+                plot(&mut shelf, &figure, &number, language)?;
+            }
+        }
+        if let Finding::Study(results) = finding {
+            for figure in results.figures(language) {
                 plot(&mut shelf, &figure, &number, language)?;
             }
         }
@@ -88,6 +94,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
             own.insert("study".into(), json!("equilibrium"));
             own.insert("equilibria".into(), equilibria(finding.data()));
         }
+        Finding::Study(results) => own = results.fields(),
     }
     if let Some(trouble) = finding.trouble() {
         own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));

@@ -23,6 +23,7 @@ pub mod pipeline;
 pub mod plan;
 mod provenance;
 pub mod source;
+pub mod studies;
 pub mod watch;
 pub mod words;
 

@@ -3,6 +3,7 @@
 use crate::document::{self, Extent};
 use crate::failure::{Failure, Trouble};
 use crate::source::Source;
+use crate::studies::{Origin, Results};
 use crate::watch::Watch;
 use crate::words::Word;
 use crate::{guards, plan, provenance};
@@ -30,6 +31,16 @@ pub struct Machine {
     pub system: analysis::Machine,
     /// Hash of the file and the overrides.
     pub model_hash: String,
+    /// What it was made from.
+    pub origin: Origin,
+}
+
+impl Machine {
+    /// Names of the states: coordinates, rates, auxiliary states.
+    pub fn system_states(&self) -> Vec<String> {
+        use analysis::System;
+        self.system.states().iter().map(|q| q.name.clone()).collect()
+    }
 }
 
 /// What a study found, and what ended it early, if anything did.
@@ -39,6 +50,8 @@ pub enum Finding {
     Equilibrium(Dataset, Option<Trouble>),
     /// A motion, and the study that asked for it.
     Motion(Simulate, Dataset, Option<Trouble>),
+    /// Any other study.
+    Study(Box<Results>),
 }
 
 /// Everything a file asks for.
@@ -83,7 +96,8 @@ pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail,
     watch.lap(Word::TimeDerive);
     let system = lower(&equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeLower);
-    Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides) })
+    let origin = Origin { source: source.clone(), overrides: overrides.to_vec() };
+    Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides), origin })
 }
 
 /// From equations to a program with numbers.
@@ -100,12 +114,8 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_)
-        | StudyKind::Statics
-        | StudyKind::Kinematics(_)
-        | StudyKind::Periodic(_)
-        | StudyKind::Cycle(_)
-        | StudyKind::Sweep(_) => None,
+        StudyKind::Inverse(_) | StudyKind::Statics | StudyKind::Kinematics(_) | StudyKind::Cycle(_) | StudyKind::Sweep(_) => None,
+        StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
         StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);
@@ -146,7 +156,7 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
 }
 
 /// A fault with the expression that failed in the user's symbols.
-fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
+pub(crate) fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
     let expression = fault.expression();
     let mut trouble = Trouble::from(fault);
     if let Some(e) = expression {
@@ -169,12 +179,14 @@ impl Finding {
     pub fn data(&self) -> &Dataset {
         match self {
             Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) => data,
+            Finding::Study(results) => &results.data,
         }
     }
     /// What ended the study early.
     pub fn trouble(&self) -> Option<&Trouble> {
         match self {
             Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) => trouble.as_ref(),
+            Finding::Study(results) => results.trouble.as_ref(),
         }
     }
 }

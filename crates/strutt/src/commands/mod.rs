@@ -7,8 +7,10 @@ mod equilibrium;
 mod examples;
 mod explain;
 mod new;
+mod periodic;
 mod run;
 mod simulate;
+mod study;
 
 use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
@@ -39,6 +41,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Periodic(args) => periodic::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),
         Command::Explain(args) => explain::run(&args, console),

@@ -43,6 +43,8 @@ pub enum Return {
 pub struct Periodic<'a> {
     /// What brings the motion back.
     pub by: Return,
+    /// Formula of (t, state) that passes zero from below where the period is to begin; at the start's own section when absent.
+    pub begin: Option<&'a dyn Fn(f64, &[f64]) -> f64>,
     /// Returns in one period; 1 unless the motion repeats only after several.
     pub returns: usize,
     /// Time simulated before the search, s: lets the motion come near its regime.
@@ -65,6 +67,7 @@ impl Default for Periodic<'_> {
     fn default() -> Self {
         Periodic {
             by: Return::Automatic,
+            begin: None,
             returns: 1,
             settle: 0.0,
             longest: 1e4,
@@ -139,7 +142,19 @@ pub fn periodic<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Per
 
 fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>) -> Result<Regime, Fault> {
     check_tolerance(options.tolerance)?;
-    let found = newton::solve(system, start, options)?;
+    let mut found = newton::solve(system, start, options)?;
+    if let Some(begin) = options.begin {
+        let again = &Periodic {
+            by: options.by.clone(),
+            returns: options.returns,
+            longest: options.longest,
+            tolerance: options.tolerance,
+            interrupt: options.interrupt,
+            ..Periodic::default()
+        };
+        let x = found.orbit.first_zero(begin).ok_or_else(never_passed)?;
+        found = newton::solve(system, &found.at_time_zero(x), &again)?;
+    }
     let (matrix, grazing) = found.monodromy(system)?;
     let n = found.free.len();
     let values = eigenvalues(n, &matrix).unwrap_or_else(|| vec![(f64::NAN, 0.0); n]);
@@ -258,5 +273,21 @@ fn driven(given: Option<f64>) -> Fault {
             "give the period of the forcing, for example period = \"2*pi/p\"",
             "задайте период возмущения, например period = \"2*pi/p\"",
         ),
+    })
+}
+
+/// The formula that begins a period has no zero on the regime.
+fn never_passed() -> Fault {
+    Fault::new(Message {
+        code: "S044",
+        what: Text::new(
+            "the periodic motion never passes the section from below",
+            "периодическое движение ни разу не проходит сечение снизу вверх",
+        ),
+        why: Text::new(
+            "the formula of the section keeps its sign over the whole period",
+            "формула сечения сохраняет знак на всём периоде",
+        ),
+        help: Text::new("choose a section that the motion crosses, for example a rate: section = \"x'\"", "выберите сечение, которое движение пересекает, например скорость: section = \"x'\""),
     })
 }

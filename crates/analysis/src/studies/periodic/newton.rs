@@ -373,6 +373,14 @@ fn tangent<S: System + ?Sized>(
 }
 
 impl Found {
+    /// The state as it would be at t = 0, had the motion begun earlier.
+    pub(super) fn at_time_zero(&self, (t, mut x): (f64, Vec<f64>)) -> Vec<f64> {
+        if let Some(frame) = &self.symmetry.frame {
+            x.iter_mut().zip(frame).for_each(|(x, v)| *x -= v * t);
+        }
+        x
+    }
+
     /// last - first less drift and whole turns, the shifts taken out.
     fn gap(&self) -> Vec<f64> {
         let mut gap = self.raw_gap();

@@ -187,4 +187,44 @@ impl Orbit {
         }
         out
     }
+
+    /// Where a formula of (t, state) passes zero from below: instant and state.
+    pub(super) fn first_zero(&self, formula: &dyn Fn(f64, &[f64]) -> f64) -> Option<(f64, Vec<f64>)> {
+        let mut x = vec![0.0; self.first.len()];
+        let mut value = |step: &Step, t: f64| {
+            step.state_at(t, &mut x);
+            (formula(t, &x), x.clone())
+        };
+        let mut below = false;
+        for step in &self.steps {
+            let mut before = step.start.high;
+            for k in 0..=SAMPLES {
+                let t = step.start.after(step.length * k as f64 / SAMPLES as f64).high;
+                let (found, x) = value(step, t);
+                if below && found >= 0.0 {
+                    if k == 0 {
+                        return Some((t, x));
+                    }
+                    let (mut a, mut b) = (before, t);
+                    for _ in 0..100 {
+                        let middle = 0.5 * (a + b);
+                        if value(step, middle).0 < 0.0 {
+                            a = middle;
+                        } else {
+                            b = middle;
+                        }
+                    }
+                    return Some((b, value(step, b).1));
+                }
+                below = found < 0.0;
+                before = t;
+            }
+        }
+        // the zero may be at the very start, which is also the end
+        let (first, x) = value(self.steps.first()?, 0.0);
+        (below && first >= 0.0).then_some((0.0, x))
+    }
 }
+
+/// Places within a step at which a section's formula is looked at.
+const SAMPLES: usize = 16;

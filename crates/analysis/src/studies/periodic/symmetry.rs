@@ -188,13 +188,20 @@ fn unchanged<S: System + ?Sized>(
     change: impl Fn(&Sample) -> (f64, Vec<f64>),
 ) -> Result<bool, Fault> {
     let n = system.n_coordinates();
-    for sample in samples(orbit) {
-        let here = laws(system, sample.t, &sample.x, &sample.modes)?;
-        let (t, x) = change(&sample);
+    let samples = samples(orbit);
+    let mut here = Vec::with_capacity(samples.len());
+    for sample in &samples {
+        here.push(laws(system, sample.t, &sample.x, &sample.modes)?);
+    }
+    // a guard is zero where it switches: its size is that of the whole motion
+    let size = |k: usize| here.iter().map(|values| values[k].abs()).fold(0.0, f64::max);
+    let sizes: Vec<f64> = (0..here.first().map_or(0, Vec::len)).map(size).collect();
+    for (sample, values) in samples.iter().zip(&here) {
+        let (t, x) = change(sample);
         let Ok(there) = laws(system, t, &x, &sample.modes) else { return Ok(false) };
-        for (k, (a, b)) in here.iter().zip(&there).enumerate() {
-            let own = scales.get(n + k).map_or(1e-3 * a.abs(), |s| s / orbit.period);
-            if (a - b).abs() > 1e-8 * (own + a.abs()) {
+        for (k, (a, b)) in values.iter().zip(&there).enumerate() {
+            let own = scales.get(n + k).map_or(0.0, |s| s / orbit.period);
+            if (a - b).abs() > 1e-8 * (own + sizes[k]) {
                 return Ok(false);
             }
         }
