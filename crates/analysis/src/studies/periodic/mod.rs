@@ -284,10 +284,10 @@ fn never_passed() -> Fault {
             "the periodic motion never passes the section from below",
             "периодическое движение ни разу не проходит сечение снизу вверх",
         ),
-        why: Text::new(
-            "the formula of the section keeps its sign over the whole period",
-            "формула сечения сохраняет знак на всём периоде",
+        why: Text::new("the formula of the section keeps its sign over the whole period", "формула сечения сохраняет знак на всём периоде"),
+        help: Text::new(
+            "choose a section that the motion crosses, for example a rate: section = \"x'\"",
+            "выберите сечение, которое движение пересекает, например скорость: section = \"x'\"",
         ),
-        help: Text::new("choose a section that the motion crosses, for example a rate: section = \"x'\"", "выберите сечение, которое движение пересекает, например скорость: section = \"x'\""),
     })
 }

@@ -47,6 +47,8 @@ pub(super) struct Orbit {
     pub(super) modes: [Vec<Mode>; 2],
 }
 
+/// A section passed within this share of the time so far of a switch is passed at the switch.
+const TOGETHER: f64 = 1e-13;
 /// Most steps of a turn.
 const STEPS: usize = 200_000;
 
@@ -69,7 +71,11 @@ pub(super) fn follow<S: System + ?Sized>(
     while !flow.reached(end) && orbit.steps.len() < STEPS {
         flow.advance(end)?;
         let mut step = flow.step().clone();
-        if let Some((tau, which)) = first_return(&step, &mut watched) {
+        let back = first_return(&step, &mut watched);
+        let switched = !flow.switches().is_empty();
+        // a section that is a switch: the turn ends behind it, as it began
+        let at_switch = switched && back.is_some_and(|(tau, _)| step.length - tau <= TOGETHER * (step.length + orbit.period));
+        if let Some((tau, which)) = back.filter(|_| !at_switch) {
             let at = step.start.after(tau);
             step.length = tau;
             orbit.period = at.high;
@@ -83,9 +89,15 @@ pub(super) fn follow<S: System + ?Sized>(
         step.state_at(step.end().high, &mut before);
         let modes = [step.modes.clone(), flow.modes().to_vec()];
         orbit.steps.push(step);
-        if !flow.switches().is_empty() {
+        orbit.period = flow.time();
+        if switched {
             let (t, switches, then) = (flow.time(), flow.switches().to_vec(), flow.state().to_vec());
             orbit.jumps.push(Jump { after: orbit.steps.len() - 1, t, before, then, modes, switches });
+        }
+        if let Some((_, which)) = back {
+            orbit.last = flow.state().to_vec();
+            orbit.modes[1] = flow.modes().to_vec();
+            return Ok(Some((orbit, which)));
         }
     }
     let Some(which) = timed.filter(|_| flow.reached(end)) else { return Ok(None) };
