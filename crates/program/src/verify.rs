@@ -190,6 +190,21 @@ roots
         assert!(broken("solve %3 | %6", "solve %3 %3 | %6").contains("shape"));
     }
     #[test]
+    fn wrong_general_system_is_caught() {
+        assert!(broken("solve %3 | %6", "solve-general %3 %3 | %6").contains("shape"));
+    }
+    #[test]
+    fn guard_after_a_system_may_follow_its_choice() {
+        // the guard is computed from the solution: %8 = x^p
+        let late = SOUND.replace("guards\n  %2", "guards\n  %8");
+        assert!(verify(&text::parse_unchecked(&late).unwrap()).unwrap_err().what.en.contains("before its guard"));
+        verify(&text::parse_unchecked(&late.replace("solve %3", "solve-general %3")).unwrap()).unwrap();
+    }
+    #[test]
+    fn bound_of_no_guard_is_caught() {
+        assert!(broken("roots\n", "bounds\n  0 of 1\nroots\n").contains("bound"));
+    }
+    #[test]
     fn ends_outside_are_caught() {
         assert!(broken("guards\n  %2", "guards\n  %20").contains("guard"));
         assert!(broken("  %8 y", "  %80 y").contains("root"));

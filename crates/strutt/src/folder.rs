@@ -24,6 +24,8 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
             Finding::Motion(..) => format!("motion{number}"),
             Finding::Equilibrium(..) => format!("equilibrium{number}"),
             Finding::Study(results) => format!("{}{number}", results.kind),
+            Finding::Modes(..) => format!("modes{number}"),
+            Finding::Response(..) => format!("response{number}"),
         };
         tables(&mut shelf, finding, &stem, language)?;
         if let Finding::Motion(study, data, _) = finding {
@@ -31,10 +33,8 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
                 plot(&mut shelf, &figure, &number, language)?;
             }
         }
-        if let Finding::Study(results) = finding {
-            for figure in results.figures(language) {
-                plot(&mut shelf, &figure, &number, language)?;
-            }
+        for figure in document::other_figures(finding, language) {
+            plot(&mut shelf, &figure, &number, language)?;
         }
     }
     calculation.files = shelf.names.clone();
@@ -95,6 +95,8 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
             own.insert("equilibria".into(), equilibria(finding.data()));
         }
         Finding::Study(results) => own = results.fields(),
+        Finding::Response(found) => own = crate::small::response::to_json(found),
+        Finding::Modes(found) => own = crate::small::modes::to_json(found),
     }
     if let Some(trouble) = finding.trouble() {
         own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));

@@ -22,6 +22,7 @@ mod near;
 pub mod pipeline;
 pub mod plan;
 mod provenance;
+pub mod small;
 pub mod source;
 pub mod studies;
 pub mod watch;

@@ -2,6 +2,8 @@
 
 use crate::document::{self, Extent};
 use crate::failure::{Failure, Trouble};
+use crate::small::modes::ModesFound;
+use crate::small::response::ResponseFound;
 use crate::source::Source;
 use crate::studies::{Origin, Results};
 use crate::watch::Watch;
@@ -15,7 +17,6 @@ use mechanics::model::{Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
 use report::formula::{Form, Printer};
 use report::{Document, Language};
-use std::sync::Arc;
 use symbolic::{Equations, SymbolId};
 
 /// A machine ready for studies.
@@ -52,6 +53,10 @@ pub enum Finding {
     Motion(Simulate, Dataset, Option<Trouble>),
     /// Any other study.
     Study(Box<Results>),
+    /// Natural frequencies and shapes.
+    Modes(Box<ModesFound>),
+    /// Forced oscillations over the frequency.
+    Response(Box<ResponseFound>),
 }
 
 /// Everything a file asks for.
@@ -105,8 +110,8 @@ pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail,
 /// # Errors
 /// A formula that has no value for the parameters as given.
 pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault> {
-    let program = Arc::new(program::lower::equations(equations)?);
-    analysis::Machine::new(equations, &program, &program.values, &guards::names(equations, &program))
+    let values: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+    analysis::Machine::assembled(equations, &values, &|program| guards::names(equations, program))
 }
 
 /// One study of the file; equations are no study of numbers.
@@ -117,6 +122,8 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
         StudyKind::Inverse(_) | StudyKind::Statics | StudyKind::Kinematics(_) | StudyKind::Cycle(_) | StudyKind::Sweep(_) => None,
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
+        StudyKind::Response(study) => Some(response(machine, study, watch)),
+        StudyKind::Modes(study) => Some(modes(machine, study, watch)),
         StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);
             let finding = simulate(machine, &study, watch);
@@ -155,6 +162,20 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
     Finding::Equilibrium(data, outcome.fault.map(|fault| explained(fault, &machine.equations)))
 }
 
+/// Natural frequencies and shapes.
+pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut Watch) -> Finding {
+    let found = crate::small::modes::find(machine, study);
+    watch.lap(Word::TimeRun);
+    Finding::Modes(Box::new(found))
+}
+
+/// Forced oscillations over the frequency.
+pub fn response(machine: &mut Machine, study: &mechanics::model::Response, watch: &mut Watch) -> Finding {
+    let found = crate::small::response::find(machine, study);
+    watch.lap(Word::TimeRun);
+    Finding::Response(Box::new(found))
+}
+
 /// A fault with the expression that failed in the user's symbols.
 pub(crate) fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
     let expression = fault.expression();
@@ -180,6 +201,8 @@ impl Finding {
         match self {
             Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) => data,
             Finding::Study(results) => &results.data,
+            Finding::Modes(found) => &found.data,
+            Finding::Response(found) => &found.data,
         }
     }
     /// What ended the study early.
@@ -187,6 +210,8 @@ impl Finding {
         match self {
             Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) => trouble.as_ref(),
             Finding::Study(results) => results.trouble.as_ref(),
+            Finding::Modes(found) => found.trouble.as_ref(),
+            Finding::Response(found) => found.trouble.as_ref(),
         }
     }
 }

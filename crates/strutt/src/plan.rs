@@ -115,7 +115,11 @@ pub fn known_columns(names: &[String], equations: &Equations) -> Result<(), Fail
     names.iter().try_for_each(|name| known(name, equations))
 }
 
-fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
+/// Whether the model offers an output.
+///
+/// # Errors
+/// It does not (C008).
+pub fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
     let names = || equations.outputs.iter().map(|o| o.name.as_str());
     if names().any(|n| n == name) {
         return Ok(());

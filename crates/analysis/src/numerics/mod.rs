@@ -1,7 +1,14 @@
 //! Small numerical tools.
 
+pub mod eigen;
+pub mod factor;
+mod kernels;
+pub mod lanczos;
 pub mod lu;
+pub mod qr;
 pub mod random;
 pub mod rank;
-pub mod spectrum;
+mod refine;
+pub mod sparse;
 pub mod sum;
+pub mod trouble;

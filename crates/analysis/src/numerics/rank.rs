@@ -28,8 +28,7 @@ impl Qr {
             if k == 0 {
                 largest = size;
             }
-            // written so that an undefined size ends the elimination
-            if !(size > tolerance * largest) {
+            if size.is_nan() || size <= tolerance * largest {
                 break;
             }
             (0..rows).for_each(|i| qr.r.swap(i * columns + k, i * columns + pivot));

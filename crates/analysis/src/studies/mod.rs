@@ -2,5 +2,10 @@
 
 pub mod equilibrium;
 pub(crate) mod explain;
+pub mod extremes;
+pub mod modes;
+pub mod peaks;
 pub mod periodic;
+pub mod response;
 pub mod simulate;
+pub mod tracks;

@@ -6,6 +6,7 @@ use crate::{Diagnostic, Reading, fields};
 
 const FULL: &str = include_str!("../../tests/full.toml");
 const STUDIES: &str = include_str!("../../tests/studies.toml");
+const CONNECTIONS: &str = include_str!("../../tests/connections.toml");
 const PENDULUM: &str = r#"
 [parameters]
 m = "2 kg"
@@ -44,11 +45,11 @@ fn findings(text: &str) -> Vec<(&'static str, String)> {
 
 #[test]
 fn every_key_of_the_tables_is_read_and_only_those() {
-    for text in [FULL, STUDIES] {
+    for text in [FULL, STUDIES, CONNECTIONS] {
         assert_eq!(good(text).warnings, []);
     }
     let asked = reader::tests::asked();
-    for table in fields::ALL {
+    for table in fields::all() {
         for field in table.fields {
             assert!(asked.contains(&(table.name, field.key)), "the reader never asks for {}.{}", table.name, field.key);
         }

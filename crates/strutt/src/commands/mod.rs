@@ -6,8 +6,10 @@ mod equations;
 mod equilibrium;
 mod examples;
 mod explain;
+mod modes;
 mod new;
 mod periodic;
+mod response;
 mod run;
 mod simulate;
 mod study;
@@ -42,6 +44,8 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Periodic(args) => periodic::run(&args, console),
+        Command::Response(args) => response::run(&args, console),
+        Command::Modes(args) => modes::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),
         Command::Explain(args) => explain::run(&args, console),

@@ -181,7 +181,7 @@ impl Command {
         match pipeline::equilibrium(machine, &guess, &mut Watch::default()) {
             Finding::Equilibrium(data, None) => Ok(Outcome::Rest(data)),
             Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
-            Finding::Motion(..) | Finding::Study(_) => Err("an equilibrium came back as something else".into()),
+            _ => Err("an equilibrium came back as something else".into()),
         }
     }
 }

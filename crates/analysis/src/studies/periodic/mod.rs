@@ -23,7 +23,7 @@ use symbolic::Text;
 use super::simulate::{self, Grid};
 use crate::dataset::{Audit, Dataset};
 use crate::fault::{Message, number, rounded};
-use crate::numerics::spectrum::eigenvalues;
+use crate::numerics::eigen::general;
 use crate::taylor::check_tolerance;
 use crate::{Fault, System};
 
@@ -157,7 +157,8 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
     }
     let (matrix, grazing) = found.monodromy(system)?;
     let n = found.free.len();
-    let values = eigenvalues(n, &matrix).unwrap_or_else(|| vec![(f64::NAN, 0.0); n]);
+    let mut values = if n == 0 { Vec::new() } else { general(n, &matrix)?.values };
+    values.sort_by(|a, b| b.0.hypot(b.1).total_cmp(&a.0.hypot(a.1)).then(b.0.total_cmp(&a.0)).then(b.1.total_cmp(&a.1)));
     let multipliers = named(&values, found.trivial());
     let plan = simulate::Simulate {
         grid: options.grid.clone(),

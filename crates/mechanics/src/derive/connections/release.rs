@@ -46,12 +46,21 @@ pub fn is_spatial(model: &Model) -> bool {
         || model.forces.iter().any(|f| matches!(&f.action, crate::model::Action::AtPoint { value, .. } if off(value[2])))
 }
 
+/// The frame that a frame is attached to: that of the point where its origin is, whatever axes its angle counts from.
+fn carrier(model: &Model, frame: FrameId) -> FrameId {
+    let frame = &model.frames[frame.index()];
+    match frame.origin {
+        Origin::Point(p) => model.points[p.index()].on,
+        Origin::Vector(_) => frame.on,
+    }
+}
+
 /// From a frame to the ground, both included.
 fn chain(scene: &Scene, frame: FrameId) -> Vec<FrameId> {
     let mut list = vec![frame];
     let mut here = frame;
     while here != FrameId::GROUND {
-        here = scene.model.frames[here.index()].on;
+        here = carrier(scene.model, here);
         list.push(here);
     }
     list
