@@ -770,6 +770,16 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "backlash = \"2 mm\"\npreload = \"10 N\"",
         "backlash = \"2 mm\"",
     ),
+    row(
+        "M089",
+        ("a table of variants", "таблица вариантов"),
+        (
+            "[variants] names one table, either a file (`table`) or a text (`rows`); its columns are parameters and coordinates of the model.",
+            "[variants] задаёт одну таблицу: файл (`table`) или текст (`rows`); её столбцы — параметры и координаты модели.",
+        ),
+        "[variants]\nkey = \"variant\"",
+        "[variants]\ntable = \"variants.csv\"",
+    ),
 ];
 
 #[cfg(test)]

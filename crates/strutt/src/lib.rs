@@ -23,6 +23,7 @@ pub mod pipeline;
 pub mod plan;
 mod provenance;
 pub mod source;
+pub mod variants;
 pub mod watch;
 pub mod words;
 

@@ -16,6 +16,7 @@ mod reader;
 mod shapes;
 mod studies;
 mod syntax;
+mod variants;
 
 pub use overrides::split as split_override;
 pub use ranges::sweep_range;
@@ -114,6 +115,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
     let studies = studies::read(reader, &top);
+    let variants = variants::read(reader, &top);
 
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
@@ -138,6 +140,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         outputs,
         notation,
         studies,
+        variants,
     }
 }
 
