@@ -19,7 +19,7 @@ pub struct Explanation {
 }
 
 /// Every table of explanations.
-pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, crate::derive::EXPLANATIONS];
+pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, LINEAR, crate::derive::EXPLANATIONS];
 
 /// The explanation of a code; small letters will do.
 pub fn find(code: &str) -> Option<&'static Explanation> {
@@ -780,6 +780,38 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[variants]\nkey = \"variant\"",
         "[variants]\ntable = \"variants.csv\"",
     ),
+    row(
+        "M096",
+        ("phases out of order", "этапы не по порядку"),
+        (
+            "Each phase of [[phases]] begins where the one before ends, the first at t = 0; `until` is an instant, not a duration, so it must grow.",
+            "Каждый этап [[phases]] начинается там, где кончается предыдущий, первый — при t = 0; `until` — момент, а не длительность, поэтому он должен возрастать.",
+        ),
+        "[[phases]]\nuntil = \"2 s\"\n[[phases]]\nuntil = \"1 s\"",
+        "[[phases]]\nuntil = \"2 s\"\n[[phases]]\nuntil = \"3 s\"",
+    ),
+    row(
+        "M097",
+        ("a phase sets what is no parameter", "этап задаёт то, чего нет среди параметров"),
+        (
+            "A phase changes parameters of [parameters]. Coordinates follow from the motion; they and their rates go through a switch without a jump.",
+            "Этап меняет параметры из [parameters]. Координаты следуют из движения; они и их скорости проходят переключение без скачка.",
+        ),
+        "[[phases]]\nset = { M0 = \"8 N m\" }",
+        "[[phases]]\nset = { M_0 = \"8 N m\" }",
+    ),
+    row(
+        "M098",
+        ("unknown reading of the forcing's phase", "неизвестное толкование фазы возбуждения"),
+        (
+            "At a switch a harmonic load either keeps its phase, as a motor that goes on turning does, or restarts it: its time counts from the switch, as \
+             some textbooks solve it.",
+            "При переключении гармоническая нагрузка либо сохраняет фазу, как двигатель, который продолжает вращаться, либо начинает её заново: время \
+             отсчитывается от переключения, как решают в некоторых учебниках.",
+        ),
+        "phase = \"anew\"",
+        "phase = \"restarts\"",
+    ),
 ];
 
 #[cfg(test)]
@@ -806,9 +838,59 @@ mod tests {
         sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut text);
         let codes = text.match_indices("\"M0").filter_map(|(i, _)| text.get(i + 1..i + 5)).filter(|c| c[1..].parse::<u16>().is_ok());
         let used: BTreeSet<&str> = codes.collect();
-        let explained: BTreeSet<&str> = EXPLANATIONS.iter().map(|e| e.code).collect();
-        assert_eq!(explained.len(), EXPLANATIONS.len(), "a code has two rows");
+        let rows = || EXPLANATIONS.iter().chain(super::LINEAR);
+        let explained: BTreeSet<&str> = rows().map(|e| e.code).collect();
+        assert_eq!(explained.len(), rows().count(), "a code has two rows");
         let used: BTreeSet<&str> = used.into_iter().filter(|c| *c < "M100").collect();
         assert_eq!(used, explained);
     }
 }
+
+/// The codes of the studies of small motions.
+pub const LINEAR: &[Explanation] = &[
+    row(
+        "M090",
+        ("unknown scale of mode shapes", "неизвестная нормировка форм"),
+        (
+            "A shape is known up to a factor. `normalise` says how it is chosen: `largest` makes the largest entry 1, `first` the entry of the first \
+             coordinate, `mass` makes xT M x = 1.",
+            "Форма колебаний определена с точностью до множителя. Ключ `normalise` задаёт его: `largest` — наибольшая компонента равна 1, `first` — \
+             компонента первой координаты равна 1, `mass` — xT M x = 1.",
+        ),
+        "normalise = \"max\"",
+        "normalise = \"largest\"",
+    ),
+    row(
+        "M091",
+        ("unknown of the frequency equation", "неизвестное частотного уравнения"),
+        (
+            "The frequency equation is written in a variable of your choice, which must be a factor times the squared frequency. The frequency \
+             itself is written k, or omega where the model uses k for something else; the factor may use constant parameters.",
+            "Частотное уравнение записывается относительно выбранной величины: квадрата частоты с множителем. Сама частота обозначается k, а если \
+             имя k занято — omega; множитель составляется из постоянных параметров.",
+        ),
+        "frequency_variable = { z = \"m*k/c\" }",
+        "frequency_variable = { z = \"m*k^2/c\" }",
+    ),
+    row(
+        "M092",
+        ("not a constant parameter", "не постоянный параметр"),
+        (
+            "A study that goes through values of something (`over`) needs a row of [parameters] that is constant: not a coordinate, not a formula of \
+             time.",
+            "Расчёту, который проходит по значениям величины (`over`), нужна постоянная из [parameters]: не координата и не формула времени.",
+        ),
+        "over = \"phi\"",
+        "over = \"Omega\"",
+    ),
+    row(
+        "M093",
+        ("range of a study", "диапазон расчёта"),
+        (
+            "A range has two ends, the first smaller than the second; frequencies are not negative. The number of points is whole, from 2 to a million.",
+            "У диапазона две границы, первая меньше второй; частоты неотрицательны. Число точек — целое от 2 до миллиона.",
+        ),
+        "range = [\"100 rad/s\", \"1 rad/s\"]",
+        "range = [\"1 rad/s\", \"100 rad/s\"]",
+    ),
+];

@@ -49,6 +49,10 @@ pub struct Model {
     pub requests: Vec<Request>,
     /// Printed symbols the user asked for: name as in formulas, symbol.
     pub notation: Vec<(String, String)>,
+    /// Sections of rods, in the user's order.
+    pub sections: Vec<crate::section::Section>,
+    /// Ends of the phases of the load schedule, ascending, s. What the phases set is already a formula of time.
+    pub phases: Vec<f64>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
     /// A table of values that replace those of the file, one row a variant.
@@ -503,6 +507,8 @@ pub enum StudyKind {
     },
     /// Compute a motion.
     Simulate(Simulate),
+    /// Compute the motion of a linear system in closed form.
+    Transient(Simulate),
     /// Find the forces and torques of the motors that realise the prescribed motions.
     Inverse(Simulate),
     /// Find the reactions at rest.
@@ -515,6 +521,10 @@ pub enum StudyKind {
     Cycle(Cycle),
     /// Repeat a study over values of a parameter.
     Sweep(Sweep),
+    /// Natural frequencies and shapes.
+    Modes(Modes),
+    /// Forced oscillations over the frequency.
+    Response(Response),
 }
 
 /// Positions, velocities and accelerations over a range of one coordinate; SI.
@@ -630,6 +640,74 @@ pub struct SweepRange {
     pub name: String,
     /// Values, SI.
     pub values: Vec<f64>,
+}
+
+/// Natural frequencies and shapes about an equilibrium.
+#[derive(Clone, Debug, Default)]
+pub struct Modes {
+    /// Where to look for the equilibrium, SI.
+    pub guess: Vec<(SymbolId, f64)>,
+    /// Scale of the shapes.
+    pub scale: Scale,
+    /// The unknown of the frequency equation; ω² without it.
+    pub variable: Option<FrequencyVariable>,
+    /// A parameter to follow the modes along.
+    pub over: Option<ParameterRange>,
+}
+
+/// How shapes are scaled.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Scale {
+    /// The largest entry is 1.
+    #[default]
+    Largest,
+    /// The first coordinate has 1.
+    First,
+    /// Modal mass 1.
+    Mass,
+}
+
+/// name = factor·ω².
+#[derive(Clone, Debug)]
+pub struct FrequencyVariable {
+    /// The user's letter.
+    pub name: String,
+    /// Over constant parameters.
+    pub factor: Expr,
+}
+
+/// A parameter that takes equidistant values, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterRange {
+    /// Its name.
+    pub name: String,
+    /// First value.
+    pub from: f64,
+    /// Last value.
+    pub to: f64,
+    /// Number of values.
+    pub points: usize,
+}
+
+/// Forced oscillations over the frequency of a harmonic load.
+#[derive(Clone, Debug, Default)]
+pub struct Response {
+    /// Where to look for the equilibrium, SI.
+    pub guess: Vec<(SymbolId, f64)>,
+    /// The load, by name: a force, a torque, or a coordinate for a unit load on it. Otherwise the harmonic loads of the file.
+    pub load: Option<String>,
+    /// The parameter that is the frequency; otherwise the one that occurs as such in the loads.
+    pub frequency: Option<String>,
+    /// Frequencies from and to, rad/s; found from the natural frequencies when absent.
+    pub range: Option<[f64; 2]>,
+    /// Number of frequencies.
+    pub points: Option<usize>,
+    /// Logarithmic axes.
+    pub log: bool,
+    /// Outputs wanted, by name; the coordinates and the user's outputs when empty.
+    pub outputs: Vec<String>,
+    /// Frequencies at which the shape of the forced motion is shown, rad/s.
+    pub shapes: Vec<f64>,
 }
 
 /// A motion to compute; SI.

@@ -1,6 +1,8 @@
 //! Equations built by hand.
 #![allow(dead_code)]
 
+pub mod mechanisms;
+
 use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Output, Parameter, Role};
 use symbolic::{Equations, Expr, Function, Graph, Matrix, Rational, SymbolId, Text};
 
@@ -27,6 +29,7 @@ pub fn empty(mut graph: Graph) -> Equations {
         steps: vec![],
         second: vec![],
         places: vec![],
+        applied: vec![],
         energy,
         outputs: vec![],
         notation: vec![],
