@@ -243,6 +243,7 @@ pub const TOP: TableSpec = TableSpec {
         may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
         may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
+        may("variants", Type::Table, "", "", ("table of variants", "таблица вариантов"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
         may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
     ],
@@ -1156,6 +1157,45 @@ pub const STUDY: TableSpec = TableSpec {
     example: "[[study]]\nkind = \"simulate\"\nuntil = \"30 s\"\nplot = [\"phi'\"]\n",
 };
 
+/// `[variants]`.
+pub const VARIANTS: TableSpec = TableSpec {
+    name: "variants",
+    about: (
+        "Variants: a CSV table whose rows replace values of the file, chosen by --variant NAME. A header is the name of a parameter, of a coordinate (its start) or phi' (its rate), with a unit in brackets if the numbers are not SI: `m [g]`. Commas, semicolons or tabs separate; with semicolons commas are decimal marks; lines with # are remarks; an empty cell changes nothing. Formulas in the number of the variant are parameters: `k = \"kr*(1 + 0.01*N)\"`.",
+        "Варианты: таблица CSV, строки которой заменяют величины файла; строку выбирают ключом --variant ИМЯ. Заголовок столбца — имя параметра, координаты (начальное значение) или phi' (начальная скорость), с единицей в скобках, если числа не в СИ: `m [г]`. Разделители: запятая, точка с запятой или табуляция; при точке с запятой запятая — десятичная; строки с # — примечания; пустая клетка ничего не меняет. Формулы от номера варианта — это параметры: `k = \"kr*(1 + 0.01*N)\"`.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "table",
+            Type::String,
+            "",
+            "",
+            ("file with the table, beside the model file", "файл таблицы рядом с файлом модели"),
+            "\"variants.csv\"",
+        ),
+        may("rows", Type::String, "", "", ("the table itself, instead of `table`", "сама таблица вместо `table`"), "\"\"\"...\"\"\""),
+        may("key", Type::String, "", "first column", ("column that names the variant", "столбец с названием варианта"), "\"variant\""),
+        may(
+            "columns",
+            Type::Names,
+            "",
+            "all others",
+            ("columns that are used; the others are for the reader", "используемые столбцы; остальные — для читателя"),
+            "[\"m\", \"c\", \"v\"]",
+        ),
+        may(
+            "number",
+            Type::Name,
+            "",
+            "",
+            ("parameter that gets the number of the variant", "параметр, получающий номер варианта"),
+            "\"N\"",
+        ),
+    ],
+    example: "[variants]\ntable = \"variants.csv\"\nnumber = \"N\"\n",
+};
+
 /// `plot = [{ ... }]`.
 pub const PLOT: TableSpec = TableSpec {
     name: "plot",
@@ -1190,4 +1230,4 @@ const BEFORE: &[&TableSpec] =
     &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
 
 const AFTER: &[&TableSpec] =
-    &[&OUTPUT, &NODE, &ROD, &SUPPORT, &LINE_LOAD, &DISPLACEMENT, &STRUCTURE, &SECTION, &PART, &PHASE, &STUDY, &PLOT, &TEXT];
+    &[&OUTPUT, &NODE, &ROD, &SUPPORT, &LINE_LOAD, &DISPLACEMENT, &STRUCTURE, &SECTION, &PART, &PHASE, &STUDY, &VARIANTS, &PLOT, &TEXT];

@@ -78,6 +78,9 @@ pub struct Model {
     /// Replace a parameter (m="10 g"), a start (phi=0.1) or a starting rate ("phi'=30")
     #[arg(long = "set", value_name = "NAME=QUANTITY")]
     pub overrides: Vec<String>,
+    /// Take the values of this row of the table of variants; --set counts more
+    #[arg(long, value_name = "NAME")]
+    pub variant: Option<String>,
 }
 
 #[derive(Args, Debug)]

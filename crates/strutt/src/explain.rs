@@ -144,6 +144,30 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "`strutt examples` показывает примеры; коды стоят в скобках в каждом сообщении.",
         ),
     ),
+    (
+        "C020",
+        ("No variants", "Нет вариантов"),
+        (
+            "--variant takes a row of a table that the model file names: [variants] with table = \"variants.csv\", or the rows themselves.",
+            "Ключ --variant берёт строку таблицы, которую называет файл модели: [variants] и table = \"variants.csv\" или сами строки в rows.",
+        ),
+    ),
+    (
+        "C021",
+        ("No such variant", "Нет такого варианта"),
+        (
+            "The name after --variant stands in the first column of the table, or in the column named by `key`.",
+            "Имя после --variant стоит в первом столбце таблицы или в столбце, указанном в `key`.",
+        ),
+    ),
+    (
+        "C022",
+        ("A table of variants that does not fit", "Таблица вариантов не подходит"),
+        (
+            "The first line of the table names parameters, coordinates (starts) and phi' (rates) of the model, with a unit in brackets where numbers are not SI; each further line has as many cells. `columns` under [variants] picks the columns that count.",
+            "Первая строка таблицы называет параметры, координаты (начальные значения) и phi' (скорости) модели, с единицей в скобках, если числа не в СИ; в остальных строках столько же клеток. Ключ `columns` в [variants] выбирает нужные столбцы.",
+        ),
+    ),
 ];
 
 #[cfg(test)]

@@ -27,6 +27,7 @@ pub mod small;
 pub mod source;
 pub mod structure;
 pub mod studies;
+pub mod variants;
 pub mod watch;
 pub mod words;
 

@@ -19,6 +19,7 @@ mod shapes;
 mod structures;
 mod studies;
 mod syntax;
+mod variants;
 
 pub use overrides::split as split_override;
 pub use ranges::sweep_range;
@@ -127,6 +128,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
     let sections = sections::read(reader, &top);
+    let variants = variants::read(reader, &top);
 
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
@@ -155,6 +157,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         studies,
         structure,
         inertias: Vec::new(),
+        variants,
     }
 }
 

@@ -1,17 +1,15 @@
 //! `strutt check FILE`: all findings, or a summary.
 
-use super::Exit;
+use super::{Exit, inputs};
 use crate::args::{self, Format};
 use crate::console::{Console, Shape};
-use crate::quantities;
 use serde_json::json;
 use strutt::pipeline::{self, Machine};
 use strutt::words::Word;
-use strutt::{Failure, Source, diagnostics};
+use strutt::{Failure, diagnostics};
 
 pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {
-    let overrides = quantities::overrides(&args.model.overrides)?;
-    let source = Source::open(&args.model.file)?;
+    let (source, overrides) = inputs(&args.model)?;
     let machine = match console.watched(|watch| pipeline::build(&source, &overrides, watch)) {
         Ok(machine) => machine,
         Err(Failure::Findings { diagnostics, .. }) if args.format == Format::Short && console.shape != Shape::Json => {
