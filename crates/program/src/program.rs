@@ -22,6 +22,8 @@ pub struct Program {
     pub values: Vec<f64>,
     /// The switching functions.
     pub guards: Vec<Guard>,
+    /// Guard of kind `Sliding` or `Gap` by which each reaction goes, by reaction. Frictions with one sliding speed go by one guard.
+    pub switches: Vec<Option<usize>>,
     /// Number of conditions in the equations, dropped ones included.
     pub conditions: usize,
     /// Number of contacts.

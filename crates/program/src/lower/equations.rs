@@ -55,6 +55,7 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         connections: Arc::new(if connected { connections(equations, &names)? } else { nothing(equations, "connections")? }),
         balances: Arc::new(balances(equations)?),
         start: Arc::new(start(equations, &names)?),
+        switches: guards.numbers.iter().map(|n| n.map(|n| n.switch())).collect(),
         guards: guards.guards,
         solved: arrangement.solved,
     })
