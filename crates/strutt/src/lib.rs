@@ -19,10 +19,13 @@ pub mod folder;
 pub mod gallery;
 pub mod guards;
 mod near;
+pub mod phases;
 pub mod pipeline;
 pub mod plan;
 mod provenance;
+pub mod small;
 pub mod source;
+pub mod structure;
 pub mod watch;
 pub mod words;
 
