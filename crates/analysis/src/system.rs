@@ -122,6 +122,13 @@ pub trait System {
     /// Number n of coordinates; states n..2n are their rates.
     fn n_coordinates(&self) -> usize;
 
+    /// Whether state `i` is an angle whose full turns change nothing in the motion. The integrator then keeps it small, so that an angle of
+    /// thousands of turns has the digits of the first one; outside it the turns are counted.
+    fn turns_freely(&self, i: usize) -> bool {
+        let _ = i;
+        false
+    }
+
     /// Guards.
     fn guards(&self) -> &[Guard];
 
@@ -169,6 +176,19 @@ pub trait System {
 
     /// Powers at (t, x) with given accelerations q''; none when the system has no energies.
     fn powers(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Powers> {
+        let _ = (t, x, accelerations, modes);
+        None
+    }
+
+    /// Kinetic and potential energy at (t, x); none when the system has no energies.
+    fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+        let _ = (t, x, modes);
+        None
+    }
+
+    /// Balances of the second derivation (motions, then released bodies) with given accelerations and the reactions of this state: residual and size of
+    /// the terms that met in it. None when there are no reactions or no second derivation.
+    fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
         let _ = (t, x, accelerations, modes);
         None
     }
