@@ -33,6 +33,25 @@ def strutt(arguments):
     return took, out.stdout
 
 
+def frame(o):
+    """20 lowest modes of large plane frames: the solution alone, matrices given, on one core (see run.sh)."""
+    print("\nplane frame of n x n bays, Euler-Bernoulli rods, consistent mass, 20 lowest modes; scipy: eigsh(sigma=0), one core, matrices given")
+    print(f"{'n':>5}{'unknowns':>10}{'strutt s':>10}{'scipy s':>10}{'strutt / scipy':>16}{'least':>8}{'most':>8}{'strutt MB':>11}{'scipy MB':>10}{'difference':>12}")
+    for bays in (60, 120, 180):
+        own, other = [], []
+        for _ in range(o.pairs):
+            own.append(json.loads(strutt([o.frame, str(bays)])[1]))
+            other.append(peer("frame_scipy", bays, o.limit))
+            if other[-1] is None:
+                print(f"{bays:>5}{'over the limit':>40}")
+                return
+        ratios = sorted(a["solution"] / b["solution"] for a, b in zip(own, other))
+        s, w = statistics.median(a["solution"] for a in own), statistics.median(b["solution"] for b in other)
+        difference = max(abs(x / y - 1) for x, y in zip(own[0]["values"], other[0]["values"]))
+        print(f"{bays:>5}{own[0]['size']:>10}{s:10.3f}{w:10.3f}{statistics.median(ratios):16.2f}{ratios[0]:8.2f}{ratios[-1]:8.2f}"
+              f"{own[0]['memory_mb']:11.0f}{other[0]['memory_mb']:10.0f}{difference:12.1e}", flush=True)
+
+
 def last_value(csv, name):
     rows = [line.split(",") for line in csv.strip().splitlines()]
     column = next(i for i, cell in enumerate(rows[0]) if cell.split(" ")[0] == name)
@@ -43,6 +62,8 @@ def main():
     options = argparse.ArgumentParser()
     options.add_argument("--strutt", required=True)
     options.add_argument("--root", required=True)
+    options.add_argument("--frame", required=True, help="the example `frame` of strutt-analysis")
+    options.add_argument("--only", choices=["frame"], help="this part alone")
     options.add_argument("--pairs", type=int, default=5)
     options.add_argument("--max-n", type=int, default=10, help="largest chain for the peers")
     options.add_argument("--limit", type=float, default=120, help="seconds for one peer's job")
@@ -53,6 +74,8 @@ def main():
     print(f"{version}; heyoka {heyoka.__version__}, numpy {numpy.__version__}, scipy {scipy.__version__}, sympy {sympy.__version__}, "
           f"python {platform.python_version()}, {platform.machine()}, {os.cpu_count()} cores; medians of {o.pairs} pairs\n")
 
+    if o.only == "frame":
+        return frame(o)
     model = os.path.join(o.root, "gallery/pendulum-on-shaft/model.toml")
     command = [o.strutt, "simulate", model, "--until", "30s", "--tolerance", "1e-9", "--at", "30", "--outputs", "phi", "--csv"]
     print("pendulum on a shaft, 30 s, tolerance 1e-9 (strutt: whole process, file to CSV; a peer's set-up and run leave out the start of Python and the import)")
@@ -104,6 +127,7 @@ def main():
 
     print("\nderivation and lowering alone, without the process:", flush=True)
     subprocess.run(["cargo", "bench", "--quiet", "--manifest-path", os.path.join(o.root, "Cargo.toml"), "-p", "strutt", "--bench", "derivation"], check=False)
+    frame(o)
 
 
 if __name__ == "__main__":

@@ -97,6 +97,43 @@ def chain_heyoka(n):
     return {"import": imported - began, "derive": time.perf_counter() - imported}
 
 
+def frame_scipy(bays):
+    """20 lowest modes of a plane frame of bays x bays bays by shift-invert eigsh at 0; the structure of crates/analysis/examples/frame.rs."""
+    began = time.perf_counter()
+    import resource
+    import numpy as np
+    import scipy.sparse as sp
+    from scipy.sparse.linalg import eigsh
+    imported = time.perf_counter()
+    E, A, I, rho, span, height = 2.1e11, 0.01, 1e-4, 7850.0, 6.0, 3.0
+    def rod(l):
+        k, m, bend, axial = np.zeros((6, 6)), np.zeros((6, 6)), np.ix_([1, 2, 4, 5], [1, 2, 4, 5]), np.ix_([0, 3], [0, 3])
+        k[bend] = E * I / l**3 * np.array([[12, 6*l, -12, 6*l], [6*l, 4*l*l, -6*l, 2*l*l], [-12, -6*l, 12, -6*l], [6*l, 2*l*l, -6*l, 4*l*l]])
+        k[axial] = E * A / l * np.array([[1, -1], [-1, 1]])
+        m[bend] = rho * A * l / 420 * np.array([[156, 22*l, 54, -13*l], [22*l, 4*l*l, 13*l, -3*l*l], [54, 13*l, 156, -22*l], [-13*l, -3*l*l, -22*l, 4*l*l]])
+        m[axial] = rho * A * l / 420 * np.array([[140, 70], [70, 140]])
+        return k, m
+    turn = np.kron(np.eye(2), np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]))
+    (kb, mb), (kc, mc) = rod(span), (turn.T @ a @ turn for a in rod(height))
+    node = np.arange((bays + 1) ** 2).reshape(bays + 1, bays + 1)
+    beams, columns = np.stack([node[1:, :-1].ravel(), node[1:, 1:].ravel()], 1), np.stack([node[:-1].ravel(), node[1:].ravel()], 1)
+    n, held = 3 * (bays + 1) ** 2, 3 * (bays + 1)
+    def build(beam, column):
+        rows, cols, values = [], [], []
+        for ends, matrix in ((beams, beam), (columns, column)):
+            places = (3 * ends[:, :, None] + np.arange(3)).reshape(len(ends), 6)
+            rows.append(np.repeat(places, 6, 1).ravel())
+            cols.append(np.tile(places, (1, 6)).ravel())
+            values.append(np.tile(matrix.ravel(), len(ends)))
+        return sp.csc_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(cols))), shape=(n, n))[held:, held:]
+    K, M = build(kb, kc), build(mb, mc)
+    assembled = time.perf_counter()
+    values = eigsh(K, 20, M, sigma=0)[0]
+    done = time.perf_counter()
+    return {"import": imported - began, "assembly": assembled - imported, "solution": done - assembled, "size": K.shape[0],
+            "memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024, "values": sorted(values.tolist())}
+
+
 if __name__ == "__main__":
     job, value = sys.argv[1], sys.argv[2]
     whole = time.perf_counter()

@@ -258,7 +258,7 @@ fn outputs(equations: &Equations) -> Vec<Quantity> {
 }
 
 /// The user's symbol of a name, primes kept: `phi1'` is `φ_в'` where the file says so.
-fn notation(equations: &Equations, name: &str) -> String {
+pub(crate) fn notation(equations: &Equations, name: &str) -> String {
     let bare = name.trim_end_matches('\'');
     let shown = equations.notation.iter().find(|(n, _)| n == bare).map_or(bare, |(_, symbol)| symbol);
     format!("{shown}{}", &name[bare.len()..])

@@ -1,6 +1,8 @@
 //! Every key of the model file: what it is, what it defaults to, an example. The reader takes its list of known and required keys from
 //! here, and the reference (`docs/model-file.md`) is generated from here.
 
+pub mod connections;
+
 /// A pair of wordings, English and Russian.
 pub type Words = (&'static str, &'static str);
 
@@ -43,6 +45,12 @@ pub enum Type {
     Plots,
     /// A table of quantities by name.
     Guess,
+    /// A list of corners.
+    Corners,
+    /// Two lengths, or three corners.
+    LegsOrCorners,
+    /// A list of parts of a section.
+    Parts,
     /// A table of tables or values by name.
     Table,
     /// An array of tables.
@@ -71,6 +79,9 @@ impl Type {
             Type::Quantities => ("array of quantities", "массив величин"),
             Type::Plots => ("array of names, arrays of names or { x, y, title }", "массив имён, массивов имён или { x, y, title }"),
             Type::Guess => ("table of quantities by coordinate", "таблица величин по координатам"),
+            Type::Corners => ("array of corners [x, y]", "массив вершин [x, y]"),
+            Type::LegsOrCorners => ("array of 2 lengths, or of 3 corners [x, y]", "массив из 2 длин или из 3 вершин [x, y]"),
+            Type::Parts => ("array of parts", "массив частей"),
             Type::Table => ("table", "таблица"),
             Type::Array => ("array of tables", "массив таблиц"),
         }
@@ -201,7 +212,7 @@ pub const TOP: TableSpec = TableSpec {
             "[\"0\", \"0\", \"-g\"]",
         ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
-        must("coordinates", Type::Table, "", ("generalized coordinates", "обобщённые координаты"), ""),
+        may("coordinates", Type::Table, "", "", ("generalized coordinates", "обобщённые координаты"), ""),
         may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
         may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
         may("points", Type::Table, "", "", ("named points", "именованные точки"), ""),
@@ -211,8 +222,29 @@ pub const TOP: TableSpec = TableSpec {
         may("torques", Type::Table, "", "", ("applied torques", "приложенные моменты"), ""),
         may("potentials", Type::Table, "", "", ("free-form potential energies", "потенциальные энергии общего вида"), ""),
         may("dissipations", Type::Table, "", "", ("free-form Rayleigh functions", "диссипативные функции общего вида"), ""),
+        may("pins", Type::Table, "", "", ("pins", "шарниры"), ""),
+        may("welds", Type::Table, "", "", ("welds", "жёсткие соединения"), ""),
+        may("sliders", Type::Table, "", "", ("sliders", "ползуны"), ""),
+        may("slots", Type::Table, "", "", ("slots", "кулисы"), ""),
+        may("rods", Type::Table, "", "", ("massless rods", "невесомые стержни"), ""),
+        may("ropes", Type::Table, "", "", ("ropes", "канаты"), ""),
+        may("threads", Type::Table, "", "", ("threads", "нити"), ""),
+        may("belts", Type::Table, "", "", ("belts", "ремни"), ""),
+        may("chains", Type::Table, "", "", ("chains", "цепи"), ""),
+        may("gears", Type::Table, "", "", ("gear pairs", "зубчатые пары"), ""),
+        may("racks", Type::Table, "", "", ("gears on racks", "зубчатые рейки"), ""),
+        may("rolling", Type::Table, "", "", ("rolling without slip", "качение без проскальзывания"), ""),
+        may("constraints", Type::Table, "", "", ("conditions of any form", "связи общего вида"), ""),
+        may("supports", Type::Table, "", "", ("supports", "опоры"), ""),
+        may("motions", Type::Table, "", "", ("prescribed motions", "заданные движения"), ""),
+        may("motors", Type::Table, "", "", ("motors that realise motions", "двигатели, создающие движения"), ""),
+        may("stops", Type::Table, "", "", ("one-sided stops", "односторонние упоры"), ""),
+        may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
+        may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
+        may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
+        may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
     ],
 };
 
@@ -389,6 +421,17 @@ pub const SPRING: TableSpec = TableSpec {
             ("force at rest, tension positive", "усилие при rest, растяжение положительно"),
             "\"10 N\"",
         ),
+        may(
+            "backlash",
+            Type::Formula,
+            "m",
+            "0",
+            (
+                "whole play about `rest`, half on each side, in which there is no force",
+                "полный зазор около `rest`, по половине с каждой стороны; в нём усилия нет",
+            ),
+            "\"2 mm\"",
+        ),
     ],
     example: "[springs.horizontal]\nalong = \"x\"\nstiffness = \"c_x\"\n",
 };
@@ -513,16 +556,172 @@ pub const OUTPUT: TableSpec = TableSpec {
     example: "[outputs]\nomega_p = { value = \"phi'\", unit = \"rpm\" }\n",
 };
 
+const RECTANGLE: Field = may(
+    "rectangle",
+    Type::Vector,
+    "m",
+    "",
+    ("width and height; `at` is its centre", "ширина и высота; `at` — центр"),
+    "[\"12 cm\", \"20 cm\"]",
+);
+const TRIANGLE: Field = may(
+    "triangle",
+    Type::LegsOrCorners,
+    "m",
+    "",
+    (
+        "legs along x and y from the right angle, which is `at`; or three corners",
+        "катеты вдоль x и y от прямого угла, он в `at`; или три вершины",
+    ),
+    "[\"6 cm\", \"4 cm\"]",
+);
+const CIRCLE: Field = may("circle", Type::Formula, "m", "", ("radius; `at` is the centre", "радиус; `at` — центр"), "\"3 cm\"");
+const HALF_DISC: Field = may(
+    "half_disc",
+    Type::Formula,
+    "m",
+    "",
+    (
+        "radius; `at` is the middle of the diameter, the half disc lies above it (turn it by `angle`)",
+        "радиус; `at` — середина диаметра, полукруг лежит над ним (поворот — `angle`)",
+    ),
+    "\"3 cm\"",
+);
+const RING: Field = may(
+    "ring",
+    Type::Vector,
+    "m",
+    "",
+    ("outer and inner radius; `at` is the centre", "наружный и внутренний радиусы; `at` — центр"),
+    "[\"5 cm\", \"4 cm\"]",
+);
+const POLYGON: Field = may(
+    "polygon",
+    Type::Corners,
+    "m",
+    "",
+    ("corners in order; `at` is their origin", "вершины по порядку обхода; `at` — их начало отсчёта"),
+    "[[\"0\", \"0\"], [\"6 cm\", \"0\"], [\"4 cm\", \"5 cm\"]]",
+);
+const PROFILE: Field = may(
+    "profile",
+    Type::String,
+    "",
+    "",
+    (
+        "rolled-steel profile; `at` is its centroid: I10 ... I60 (GOST 8239), channels C5U ... C40U, C5P ... C40P (GOST 8240), equal angles L20x3 ... L250x20 (GOST 8509)",
+        "прокатный профиль; `at` — центр тяжести: двутавры I10 ... I60 (ГОСТ 8239), швеллеры 5У ... 40У, 5П ... 40П (ГОСТ 8240), уголки L20x3 ... L250x20 (ГОСТ 8509)",
+    ),
+    "\"I20\"",
+);
+const PART_AT: Field = may("at", Type::Vector, "m", "[0, 0]", ("place of the part", "место части"), "[\"0\", \"10 cm\"]");
+const PART_ANGLE: Field =
+    may("angle", Type::Formula, "rad", "0", ("turn of the part about `at`", "поворот части вокруг `at`"), "\"90 deg\"");
+
+/// `[sections.NAME]`.
+pub const SECTION: TableSpec = TableSpec {
+    name: "sections",
+    about: (
+        "Sections of rods: parts added and removed, or one form. A file of sections alone needs nothing else.",
+        "Сечения стержней: части добавляются и вычитаются; либо одна фигура. Файлу, где есть только сечения, больше ничего не нужно.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "parts",
+            Type::Parts,
+            "",
+            "",
+            ("parts; without it the section is the one form below", "части; без ключа сечение — одна из фигур ниже"),
+            "[{ circle = \"3 cm\" }]",
+        ),
+        RECTANGLE,
+        TRIANGLE,
+        CIRCLE,
+        HALF_DISC,
+        RING,
+        POLYGON,
+        PROFILE,
+        PART_AT,
+        PART_ANGLE,
+        LABEL,
+    ],
+    example: "[sections.girder]\nparts = [\n  { profile = \"I20\" },\n  { rectangle = [\"12 cm\", \"1 cm\"], at = [\"0\", \"10,5 cm\"] },\n  { circle = \"1 cm\", at = [\"0\", \"5 cm\"], remove = true },\n]\n",
+};
+
+/// `parts = [{ ... }]`.
+pub const PART: TableSpec = TableSpec {
+    name: "parts",
+    about: ("one part of a section", "одна часть сечения"),
+    short: None,
+    fields: &[
+        RECTANGLE,
+        TRIANGLE,
+        CIRCLE,
+        HALF_DISC,
+        RING,
+        POLYGON,
+        PROFILE,
+        PART_AT,
+        PART_ANGLE,
+        may("remove", Type::Bool, "", "false", ("whether the part is taken out", "вычитается ли часть"), "true"),
+    ],
+    example: "",
+};
+
+/// `[[phases]]`.
+pub const PHASE: TableSpec = TableSpec {
+    name: "phases",
+    about: (
+        "A schedule of parameters: each phase begins where the one before ends (the first at t = 0) and sets parameters. A value holds until another phase sets it. The switches are hit exactly. `--set phases=restarts` (or `keeps`) chooses the reading for all phases.",
+        "Расписание параметров: каждый этап начинается там, где кончается предыдущий (первый — при t = 0), и задаёт параметры. Значение действует, пока его не сменит другой этап. Моменты переключения выдерживаются точно. `--set phases=restarts` (или `keeps`) выбирает толкование для всех этапов.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "until",
+            Type::Formula,
+            "s",
+            "",
+            ("instant at which the phase ends; the last phase may do without", "момент окончания этапа; у последнего может отсутствовать"),
+            "\"2*t_s\"",
+        ),
+        may(
+            "set",
+            Type::Table,
+            "",
+            "",
+            (
+                "values of parameters from the start of the phase; the parameter's own name stands for its value in [parameters]",
+                "значения параметров с начала этапа; собственное имя параметра обозначает его значение в [parameters]",
+            ),
+            "{ M_0 = \"8 N m\" }",
+        ),
+        may(
+            "phase",
+            Type::String,
+            "",
+            "\"keeps\"",
+            (
+                "\"keeps\": forces and torques go on; \"restarts\": the time in forces and torques counts from the start of the phase; holds for later phases too",
+                "\"keeps\": силы и моменты продолжаются; \"restarts\": время в силах и моментах отсчитывается от начала этапа; действует и для следующих этапов",
+            ),
+            "\"restarts\"",
+        ),
+    ],
+    example: "[[phases]]\nuntil = \"t_s\"\n\n[[phases]]\nuntil = \"2*t_s\"\nset = { M_0 = \"8 N m\" }\n\n[[phases]]\nset = { M_0 = \"0 N m\" }\n",
+};
+
 /// `[[study]]`.
 pub const STUDY: TableSpec = TableSpec {
     name: "study",
     about: (
-        "Studies, carried out in order: `equations`, `equilibrium` (key `guess`), `simulate` (the other keys).",
-        "Расчёты, выполняются по порядку: `equations`, `equilibrium` (ключ `guess`), `simulate` (остальные ключи).",
+        "Studies, carried out in order. Which keys belong to which kind: see the page of the study.",
+        "Расчёты, выполняются по порядку. Какие ключи относятся к какому расчёту, сказано на его странице.",
     ),
     short: None,
     fields: &[
-        must("kind", Type::String, "", ("equations, equilibrium or simulate", "equations, equilibrium или simulate"), "\"simulate\""),
+        must("kind", Type::String, "", ("name of the study", "название расчёта"), "\"simulate\""),
         may(
             "until",
             Type::Formula,
@@ -565,6 +764,191 @@ pub const STUDY: TableSpec = TableSpec {
             ("where to look for the equilibrium", "откуда искать положение равновесия"),
             "{ phi = \"0.1 rad\" }",
         ),
+        may(
+            "over",
+            Type::String,
+            "",
+            "",
+            (
+                "kinematics: the driven coordinate; modes: a parameter to follow them along; response: the frequency parameter; equilibrium: the coordinate; sweep: name=linspace(first, last, number), logspace or a list of values, or an array of such strings",
+                "kinematics: ведущая координата; modes: параметр, вдоль которого прослеживаются формы; response: параметр частоты; equilibrium: координата; sweep: имя=linspace(первое, последнее, число), logspace или список значений, или массив таких строк",
+            ),
+            "\"v=linspace(1 m/s, 3 m/s, 21)\"",
+        ),
+        may(
+            "from",
+            Type::Formula,
+            "",
+            "start",
+            ("first value of the driven coordinate", "первое значение ведущей координаты"),
+            "\"0 deg\"",
+        ),
+        may("to", Type::Formula, "", "", ("last value of the driven coordinate", "последнее значение ведущей координаты"), "\"180 deg\""),
+        may(
+            "turns",
+            Type::Formula,
+            "1",
+            "1",
+            (
+                "turns of the driven angle, or of the angle in one period or cycle; negative when it falls",
+                "обороты ведущего угла или угла за период, за цикл; отрицательны, если он убывает",
+            ),
+            "2",
+        ),
+        may(
+            "points",
+            Type::Formula,
+            "1",
+            "361",
+            ("number of positions, both ends included", "число положений вместе с обоими концами"),
+            "73",
+        ),
+        may(
+            "rate",
+            Type::Formula,
+            "",
+            "starting rate, else 1",
+            ("constant rate of the driven coordinate", "постоянная скорость ведущей координаты"),
+            "\"10 rad/s\"",
+        ),
+        may(
+            "with",
+            Type::Guess,
+            "",
+            "",
+            ("further driven coordinates as formulas of the driven one", "другие ведущие координаты — формулы от ведущей"),
+            "{ phi4 = \"2*phi1\" }",
+        ),
+        may(
+            "section",
+            Type::Formula,
+            "",
+            "",
+            (
+                "where a period begins: a formula that passes zero from below, or the name of an angle, which makes `turns`; without it `period` decides",
+                "где начинается период: формула, проходящая нуль снизу, или имя угла, который совершает `turns`; без ключа решает `period`",
+            ),
+            "\"x'\"",
+        ),
+        may(
+            "period",
+            Type::Formula,
+            "s",
+            "",
+            (
+                "periodic: the period of the loads, or a guess when there is a section; cycle: time of a cycle instead of `speed`",
+                "periodic: период нагрузок, а при сечении — начальное приближение; cycle: время цикла вместо `speed`",
+            ),
+            "\"0.2568 s\"",
+        ),
+        may("settle", Type::Formula, "s", "0", ("ordinary motion before the search", "обычное движение перед поиском"), "\"5 s\""),
+        may(
+            "unknown",
+            Type::Name,
+            "",
+            "",
+            (
+                "parameter to find: from the balance of a cycle, or from the wanted period",
+                "искомый параметр: из баланса за цикл или по нужному периоду",
+            ),
+            "\"F0\"",
+        ),
+        may(
+            "wanted_period",
+            Type::Formula,
+            "s",
+            "",
+            ("period that `unknown` must give", "период, который должен дать `unknown`"),
+            "\"0.2568 s\"",
+        ),
+        may("angle", Type::Name, "", "", ("angle of the main shaft, a coordinate", "угол главного вала, координата"), "\"phi1\""),
+        may(
+            "speed",
+            Type::Formula,
+            "rad/s",
+            "starting rate",
+            ("uniform rate of that angle", "равномерная скорость этого угла"),
+            "\"1450 rpm\"",
+        ),
+        may(
+            "irregularity",
+            Type::Formula,
+            "1",
+            "",
+            ("wanted (max - min)/mean of the rate", "нужная неравномерность хода (max - min)/среднее"),
+            "0.02",
+        ),
+        may(
+            "flywheel",
+            Type::Name,
+            "",
+            "",
+            ("parameter, an inertia, found for the wanted irregularity", "параметр — момент инерции, искомый по нужной неравномерности"),
+            "\"I1\"",
+        ),
+        may(
+            "observe",
+            Type::Names,
+            "",
+            "",
+            ("results noted for each value; or one name", "результаты, записываемые для каждого значения; или одно имя"),
+            "[\"period\"]",
+        ),
+        may(
+            "of",
+            Type::Name,
+            "",
+            "first that fits",
+            ("kind of the study of the file that is repeated", "вид расчёта из файла, который повторяется"),
+            "\"periodic\"",
+        ),
+        may(
+            "normalise",
+            Type::String,
+            "",
+            "\"largest\"",
+            (
+                "scale of mode shapes: largest, first (coordinate) or mass",
+                "нормировка форм: largest (наибольшая), first (первая координата) или mass",
+            ),
+            "\"mass\"",
+        ),
+        may(
+            "frequency_variable",
+            Type::Guess,
+            "",
+            "",
+            ("unknown of the frequency equation over the frequency k", "неизвестное частотного уравнения, выраженное через частоту k"),
+            "{ z = \"m*k^2/c\" }",
+        ),
+        may(
+            "range",
+            Type::Quantities,
+            "",
+            "",
+            ("values of `over`, from and to; Hz count periods in response", "границы значений `over`; Гц в response — число периодов"),
+            "[\"1 rad/s\", \"100 rad/s\"]",
+        ),
+        may(
+            "load",
+            Type::Name,
+            "",
+            "",
+            (
+                "load of the response: a force or torque, or a coordinate for a unit load; the harmonic loads of the file without it",
+                "нагрузка в response: сила, момент или координата (единичная нагрузка); без ключа — гармонические нагрузки файла",
+            ),
+            "\"drive\"",
+        ),
+        may("log", Type::Bool, "", "false", ("logarithmic axes", "логарифмические оси"), "true"),
+        may(
+            "shapes",
+            Type::Quantities,
+            "",
+            "",
+            ("frequencies at which the forced shape is shown", "частоты, при которых показывается форма вынужденных колебаний"),
+            "[\"3 Hz\", \"20 rad/s\"]",
+        ),
     ],
     example: "[[study]]\nkind = \"simulate\"\nuntil = \"30 s\"\nplot = [\"phi'\"]\n",
 };
@@ -595,22 +979,11 @@ pub const TEXT: TableSpec = TableSpec {
 };
 
 /// Every table, in the order of the reference.
-pub const ALL: [&TableSpec; 17] = [
-    &TOP,
-    &PARAMETER,
-    &COORDINATE,
-    &FRAME,
-    &BODY,
-    &TENSOR,
-    &POINT,
-    &SPRING,
-    &DAMPER,
-    &FORCE,
-    &TORQUE,
-    &POTENTIAL,
-    &DISSIPATION,
-    &OUTPUT,
-    &STUDY,
-    &PLOT,
-    &TEXT,
-];
+pub fn all() -> impl Iterator<Item = &'static TableSpec> {
+    BEFORE.iter().chain(connections::ALL).chain(AFTER).copied()
+}
+
+const BEFORE: &[&TableSpec] =
+    &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
+
+const AFTER: &[&TableSpec] = &[&OUTPUT, &SECTION, &PART, &PHASE, &STUDY, &PLOT, &TEXT];

@@ -49,6 +49,10 @@ pub struct Model {
     pub requests: Vec<Request>,
     /// Printed symbols the user asked for: name as in formulas, symbol.
     pub notation: Vec<(String, String)>,
+    /// Sections of rods, in the user's order.
+    pub sections: Vec<crate::section::Section>,
+    /// Ends of the phases of the load schedule, ascending, s. What the phases set is already a formula of time.
+    pub phases: Vec<f64>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
 }
@@ -282,6 +286,8 @@ pub struct Spring {
     pub rest: Rest,
     /// Force at rest; tension positive.
     pub preload: Expr,
+    /// Whole play about `rest`, half on each side: the spring acts where |pathway - rest| > backlash/2, by what goes beyond.
+    pub backlash: Option<Expr>,
     /// Place in the file (its name).
     pub span: Range<usize>,
 }
@@ -475,6 +481,207 @@ pub enum StudyKind {
     },
     /// Compute a motion.
     Simulate(Simulate),
+    /// Compute the motion of a linear system in closed form.
+    Transient(Simulate),
+    /// Find the forces and torques of the motors that realise the prescribed motions.
+    Inverse(Simulate),
+    /// Find the reactions at rest.
+    Statics,
+    /// Follow a linkage over a range of a coordinate, without forces.
+    Kinematics(Kinematics),
+    /// Find a periodic motion.
+    Periodic(Periodic),
+    /// Energy balance of a machine over one turn.
+    Cycle(Cycle),
+    /// Repeat a study over values of a parameter.
+    Sweep(Sweep),
+    /// Natural frequencies and shapes.
+    Modes(Modes),
+    /// Forced oscillations over the frequency.
+    Response(Response),
+}
+
+/// Positions, velocities and accelerations over a range of one coordinate; SI.
+#[derive(Clone, Debug)]
+pub struct Kinematics {
+    /// The driven coordinate.
+    pub over: SymbolId,
+    /// Its name.
+    pub name: String,
+    /// First value; `None`: the coordinate's start.
+    pub from: Option<f64>,
+    /// Last value.
+    pub to: KinematicsEnd,
+    /// How many positions, both ends included.
+    pub points: usize,
+    /// Rate of the driven coordinate, constant, from which velocities and accelerations follow; `None`: its starting rate, or 1 when
+    /// that is zero.
+    pub rate: Option<f64>,
+    /// Further driven coordinates as formulas of the driven one, for linkages of two and more degrees of freedom.
+    pub with: Vec<(SymbolId, Expr)>,
+    /// Outputs wanted, by name (also coordinates and rates); empty means all.
+    pub outputs: Vec<String>,
+    /// Plots wanted; the horizontal axis `None` is the driven coordinate.
+    pub plots: Vec<Plot>,
+}
+
+/// Where a kinematic range ends.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum KinematicsEnd {
+    /// At this value.
+    At(f64),
+    /// After so many turns of 2π from the first value.
+    Turns(f64),
+}
+
+/// A periodic motion to find; SI.
+#[derive(Clone, Debug)]
+pub struct Periodic {
+    /// What begins a period.
+    pub section: Section,
+    /// The period, where the section is a time; otherwise a guess.
+    pub period: Option<f64>,
+    /// Duration of an ordinary motion before the search begins.
+    pub settle: f64,
+    /// Parameter that is changed so that the period becomes the second value.
+    pub tuned: Option<(String, f64)>,
+    /// Relative tolerance of the integrator.
+    pub tolerance: f64,
+    /// Times at which results are wanted, counted from the section.
+    pub times: Times,
+    /// Outputs wanted, by name (also coordinates and rates); empty means all.
+    pub outputs: Vec<String>,
+    /// Plots wanted.
+    pub plots: Vec<Plot>,
+}
+
+/// The surface at which a periodic motion begins and ends.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Section {
+    /// The loads repeat in time: the period is given, the state is what returns.
+    Time,
+    /// The formula over coordinates, rates and time passes zero from below.
+    Zero(Expr),
+    /// The angle has grown by so many turns of 2π; the section passes through its start. All other coordinates return.
+    Turns {
+        /// The angle.
+        angle: SymbolId,
+        /// How many turns; negative when it falls.
+        turns: f64,
+    },
+}
+
+/// Energy balance of a cyclic machine; SI.
+#[derive(Clone, Debug)]
+pub struct Cycle {
+    /// The angle that describes the cycle.
+    pub angle: SymbolId,
+    /// Its name.
+    pub name: String,
+    /// How many turns of 2π make a cycle (2 for a four-stroke engine); negative when it falls.
+    pub turns: f64,
+    /// Uniform rate of the angle; `None`: its starting rate.
+    pub speed: Option<f64>,
+    /// Parameter found from the balance: a drive force or torque. `None`: the balance is only drawn up.
+    pub unknown: Option<String>,
+    /// Wanted irregularity of running, (max - min)/mean of the rate.
+    pub irregularity: Option<f64>,
+    /// Parameter, an inertia, changed for the wanted irregularity.
+    pub flywheel: Option<String>,
+    /// How many positions of the tables, both ends included.
+    pub points: usize,
+    /// Plots wanted; the horizontal axis `None` is the angle.
+    pub plots: Vec<Plot>,
+}
+
+/// A study repeated over values of parameters; SI.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// What is changed, the first slowest.
+    pub over: Vec<SweepRange>,
+    /// What is noted: outputs, or results of the study (`period`).
+    pub observe: Vec<String>,
+    /// Kind of the study of the file that is repeated; `None`: the first that has the results.
+    pub of: Option<String>,
+    /// Plots wanted, of what is noted over the values.
+    pub plots: Vec<Plot>,
+}
+
+/// Values of a parameter, or of a start or starting rate of a coordinate.
+#[derive(Clone, PartialEq, Debug)]
+pub struct SweepRange {
+    /// Name as with `--set`: `v`, `phi`, `phi'`.
+    pub name: String,
+    /// Values, SI.
+    pub values: Vec<f64>,
+}
+
+/// Natural frequencies and shapes about an equilibrium.
+#[derive(Clone, Debug, Default)]
+pub struct Modes {
+    /// Where to look for the equilibrium, SI.
+    pub guess: Vec<(SymbolId, f64)>,
+    /// Scale of the shapes.
+    pub scale: Scale,
+    /// The unknown of the frequency equation; ω² without it.
+    pub variable: Option<FrequencyVariable>,
+    /// A parameter to follow the modes along.
+    pub over: Option<ParameterRange>,
+}
+
+/// How shapes are scaled.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Scale {
+    /// The largest entry is 1.
+    #[default]
+    Largest,
+    /// The first coordinate has 1.
+    First,
+    /// Modal mass 1.
+    Mass,
+}
+
+/// name = factor·ω².
+#[derive(Clone, Debug)]
+pub struct FrequencyVariable {
+    /// The user's letter.
+    pub name: String,
+    /// Over constant parameters.
+    pub factor: Expr,
+}
+
+/// A parameter that takes equidistant values, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterRange {
+    /// Its name.
+    pub name: String,
+    /// First value.
+    pub from: f64,
+    /// Last value.
+    pub to: f64,
+    /// Number of values.
+    pub points: usize,
+}
+
+/// Forced oscillations over the frequency of a harmonic load.
+#[derive(Clone, Debug, Default)]
+pub struct Response {
+    /// Where to look for the equilibrium, SI.
+    pub guess: Vec<(SymbolId, f64)>,
+    /// The load, by name: a force, a torque, or a coordinate for a unit load on it. Otherwise the harmonic loads of the file.
+    pub load: Option<String>,
+    /// The parameter that is the frequency; otherwise the one that occurs as such in the loads.
+    pub frequency: Option<String>,
+    /// Frequencies from and to, rad/s; found from the natural frequencies when absent.
+    pub range: Option<[f64; 2]>,
+    /// Number of frequencies.
+    pub points: Option<usize>,
+    /// Logarithmic axes.
+    pub log: bool,
+    /// Outputs wanted, by name; the coordinates and the user's outputs when empty.
+    pub outputs: Vec<String>,
+    /// Frequencies at which the shape of the forced motion is shown, rad/s.
+    pub shapes: Vec<f64>,
 }
 
 /// A motion to compute; SI.

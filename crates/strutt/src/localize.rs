@@ -45,7 +45,9 @@ fn russian(command: Command, path: &str) -> Command {
     }
     command = command.mut_args(|arg| {
         let key = arg.get_id().as_str().to_owned();
-        let arg = match find(&format!("{here}.{key}")).or_else(|| find(&format!(".{key}"))) {
+        // both motions are asked in the same words
+        let shared = || if here == "transient" { find(&format!("simulate.{key}")) } else { None };
+        let arg = match find(&format!("{here}.{key}")).or_else(shared).or_else(|| find(&format!(".{key}"))) {
             Some(help) => arg.help(help),
             None => arg,
         };
@@ -129,6 +131,8 @@ const VALUES: &[(&str, &str)] = &[
     ("LANG", "ru|en"),
     ("FORMAT", "full|short"),
     ("FORM", "text|latex|mathml"),
+    ("FROM,TO", "ОТ,ДО"),
+    ("SCALE", "largest|first|mass"),
 ];
 
 /// `command` or `command.argument` or `.argument` of any command; the Russian text.
@@ -138,7 +142,19 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("check", "Найти все ошибки файла модели"),
     ("equations", "Вывести уравнения движения"),
     ("simulate", "Рассчитать движение"),
+    ("transient", "Рассчитать движение линейной системы в замкнутой форме, этап за этапом"),
     ("equilibrium", "Найти положения равновесия"),
+    ("modes", "Найти собственные частоты и формы малых колебаний"),
+    ("response", "Рассчитать вынужденные колебания в зависимости от частоты нагрузки"),
+    ("response.load", "Нагрузка: сила, момент или координата (единичная нагрузка); иначе гармонические нагрузки файла"),
+    ("response.over", "Параметр, задающий частоту"),
+    ("response.range", "Частоты от и до: 1,100 (рад/с) или \"1 Гц;20 Гц\""),
+    ("response.points", "Число частот"),
+    ("response.log", "Логарифмические оси"),
+    ("response.outputs", "Величины по именам, в этом порядке: phi,phi',omega_p"),
+    ("response.shapes", "Частоты, при которых показать форму движения: 10,20 (рад/с) или \"3 Гц\""),
+    ("modes.normalise", "Нормировка форм: наибольшая компонента 1, первая координата 1 или по массе"),
+    (".guess", "Откуда искать положение равновесия: phi=0.1"),
     ("examples", "Показать список примеров или один пример"),
     ("new", "Записать файл модели, с которого можно начать"),
     ("explain", "Объяснить код сообщения"),

@@ -2,12 +2,15 @@
 
 use crate::document::{self, Extent};
 use crate::failure::{Failure, Trouble};
+use crate::small::modes::ModesFound;
+use crate::small::response::ResponseFound;
 use crate::source::Source;
 use crate::watch::Watch;
 use crate::words::Word;
-use crate::{guards, plan, provenance};
+use crate::{guards, phases, plan, provenance};
 use analysis::Dataset;
 use analysis::dataset::Audit;
+use analysis::studies::transient::{Found, Phase, Transient};
 use analysis::studies::{self, simulate::Outcome};
 use mechanics::derive::Detail;
 use mechanics::model::{Simulate, StudyKind};
@@ -38,6 +41,21 @@ pub enum Finding {
     Equilibrium(Dataset, Option<Trouble>),
     /// A motion, and the study that asked for it.
     Motion(Simulate, Dataset, Option<Trouble>),
+    /// A motion in closed form, its phases, and the study that asked for it.
+    Transient(Simulate, Dataset, Phases, Option<Trouble>),
+    /// Natural frequencies and shapes.
+    Modes(Box<ModesFound>),
+    /// Forced oscillations over the frequency.
+    Response(Box<ResponseFound>),
+}
+
+/// Phases of a motion, and the names of its state.
+#[derive(Clone, Debug)]
+pub struct Phases {
+    /// In order of time.
+    pub list: Vec<Phase>,
+    /// Coordinates, then rates.
+    pub names: Vec<String>,
 }
 
 /// Everything a file asks for.
@@ -98,7 +116,20 @@ pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault
 pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Option<Finding> {
     match kind {
         StudyKind::Equations => None,
+        // carried out by rooms that are being built
+        StudyKind::Inverse(_)
+        | StudyKind::Statics
+        | StudyKind::Kinematics(_)
+        | StudyKind::Periodic(_)
+        | StudyKind::Cycle(_)
+        | StudyKind::Sweep(_) => None,
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
+        StudyKind::Response(study) => Some(response(machine, study, watch)),
+        StudyKind::Transient(study) => {
+            let study = plan::with_plots(study, &machine.equations);
+            Some(transient(machine, &study, watch))
+        }
+        StudyKind::Modes(study) => Some(modes(machine, study, watch)),
         StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);
             let finding = simulate(machine, &study, watch);
@@ -123,6 +154,20 @@ pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> F
     Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations)))
 }
 
+/// A motion in closed form.
+pub fn transient(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
+    let options = Transient { twin: plan::options(study, watch), ends: machine.model.phases.clone() };
+    let found = match machine.system.start() {
+        Ok(start) => studies::transient::transient(&mut machine.system, &machine.equations, &start, options),
+        Err(fault) => Found { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },
+    };
+    watch.lap(Word::TimeRun);
+    let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
+    let trouble = found.outcome.fault.map(|fault| explained(fault, &machine.equations));
+    let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations) };
+    Finding::Transient(study.clone(), data, phases, trouble)
+}
+
 /// Positions of equilibrium, from the start of the motion and from a guess.
 pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut Watch) -> Finding {
     let outcome = match machine.system.start() {
@@ -137,8 +182,22 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
     Finding::Equilibrium(data, outcome.fault.map(|fault| explained(fault, &machine.equations)))
 }
 
+/// Natural frequencies and shapes.
+pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut Watch) -> Finding {
+    let found = crate::small::modes::find(machine, study);
+    watch.lap(Word::TimeRun);
+    Finding::Modes(Box::new(found))
+}
+
+/// Forced oscillations over the frequency.
+pub fn response(machine: &mut Machine, study: &mechanics::model::Response, watch: &mut Watch) -> Finding {
+    let found = crate::small::response::find(machine, study);
+    watch.lap(Word::TimeRun);
+    Finding::Response(Box::new(found))
+}
+
 /// A fault with the expression that failed in the user's symbols.
-fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
+pub(crate) fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
     let expression = fault.expression();
     let mut trouble = Trouble::from(fault);
     if let Some(e) = expression {
@@ -160,13 +219,17 @@ impl Finding {
     /// The numbers.
     pub fn data(&self) -> &Dataset {
         match self {
-            Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) => data,
+            Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) | Finding::Transient(_, data, ..) => data,
+            Finding::Modes(found) => &found.data,
+            Finding::Response(found) => &found.data,
         }
     }
     /// What ended the study early.
     pub fn trouble(&self) -> Option<&Trouble> {
         match self {
-            Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) => trouble.as_ref(),
+            Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) | Finding::Transient(_, _, _, trouble) => trouble.as_ref(),
+            Finding::Modes(found) => found.trouble.as_ref(),
+            Finding::Response(found) => found.trouble.as_ref(),
         }
     }
 }

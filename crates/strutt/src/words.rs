@@ -25,6 +25,8 @@ report::words! {
     Vector: "plot, vector", "график, векторный";
     Picture: "plot, picture", "график, растровый";
     Page: "page", "страница";
+    Modes: "Natural oscillations", "Собственные колебания";
+    Response: "Forced oscillations", "Вынужденные колебания";
     Stability: "Stability", "Устойчивость";
     Stable: "stable", "устойчиво";
     Unstable: "unstable", "неустойчиво";
@@ -34,7 +36,10 @@ report::words! {
     PotentialEnergy: "Potential energy", "Потенциальная энергия";
     DissipationFunction: "Dissipation function", "Диссипативная функция";
     WhereText: "where", "где";
+    Connections: "Equations of the connections", "Уравнения связей";
+    Reactions: "Reactions", "Реакции";
     Columns: "Quantities", "Величины";
+    ClosedForm: "Motion in closed form", "Движение в замкнутой форме";
     AtStart: "at the start", "в начале";
     Copied: "ready to run", "готово к запуску";
     TimeRead: "read", "чтение";

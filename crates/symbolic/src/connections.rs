@@ -114,6 +114,8 @@ pub struct Balance {
     pub columns: Vec<(usize, Expr)>,
     /// Applied forces less inertia terms without q''.
     pub rest: Expr,
+    /// Whether all that acts on the body is known as forces and moments; loads written as formulas of coordinates have no place.
+    pub complete: bool,
 }
 
 impl Law {

@@ -1,8 +1,9 @@
 //! Model file to [`Model`]: every table in turn, all findings collected.
 //!
-//! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads, outputs
-//! by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
+//! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads,
+//! connections, outputs by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
 
+mod connections;
 mod elements;
 mod evaluate;
 mod frames;
@@ -10,12 +11,16 @@ mod order;
 mod outputs;
 mod overrides;
 mod parameters;
+mod phases;
+mod ranges;
 mod reader;
+mod sections;
 mod shapes;
 mod studies;
 mod syntax;
 
 pub use overrides::split as split_override;
+pub use ranges::sweep_range;
 
 use crate::diagnostic::{self, Diagnostic, Severity};
 use crate::fields;
@@ -90,21 +95,33 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
 
     let raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
     let raw_parameters = parameters::collect(reader, &top, &mut notation);
-    let raw_outputs = outputs::collect(reader, &top, &mut notation);
-    overrides::check_names(reader, &raw_coordinates, &raw_parameters);
+    let parameter_names = raw_parameters.iter().map(|p| p.name.clone()).collect();
+    let raw_outputs = outputs::collect(reader, &top, &parameter_names, &mut notation);
+    let mut schedule = phases::collect(reader, &top);
+    schedule.check_names(reader, &raw_coordinates, &raw_parameters);
+    overrides::check_names(reader, &raw_coordinates, &raw_parameters, &schedule);
     parameters::declare_coordinates(reader, &raw_coordinates);
-    let mut parameters = parameters::resolve(reader, raw_parameters);
+    let mut parameters = parameters::resolve(reader, raw_parameters, &mut schedule);
+    let phases = schedule.finish(reader);
     let coordinates = parameters::starts(reader, raw_coordinates);
-    let (frames, points) = frames::read(reader, &top);
+    let (frames, mut points) = frames::read(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
+    connections::announce(reader, &top);
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
-    let forces = elements::forces(reader, &top);
-    let torques = elements::torques(reader, &top);
+    let mut forces = elements::forces(reader, &top);
+    let mut torques = elements::torques(reader, &top);
+    parameters.extend(schedule.restart(reader, &parameters, &mut forces, &mut torques, &mut notation));
     let potentials = elements::potentials(reader, &top);
     let dissipations = elements::dissipations(reader, &top);
+    let space = connections::Space::new(reader, &frames, &points, &parameters);
+    let connections = connections::read(reader, &top, &space);
+    let (resultants, places) = connections::distributed(reader, &top, &space, points.len());
+    forces.extend(resultants);
+    points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
     let studies = studies::read(reader, &top);
+    let sections = sections::read(reader, &top);
 
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
@@ -121,13 +138,15 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         points,
         springs,
         dampers,
-        connections: Vec::new(),
+        connections,
         forces,
         torques,
         potentials,
         dissipations,
         outputs,
         notation,
+        sections,
+        phases,
         studies,
     }
 }

@@ -1,0 +1,228 @@
+//! Eigenvalues of dense matrices: K x = lambda M x, and A x = lambda x.
+//!
+//! The pencil is scaled to a unit diagonal of M, reduced by M = L Lᵀ to the symmetric matrix L⁻¹ K L⁻ᵀ, and the eigenpairs are refined with
+//! residuals in twice the digits (see `refine.rs`), because the reduction alone leaves an error of 1e-16 of the *largest* eigenvalue
+//! in all of them. *Source*: G. H. Golub, C. F. Van Loan, Matrix Computations, 8.7.2.
+
+use crate::Fault;
+use crate::numerics::factor::scale;
+pub use crate::numerics::lanczos::{Counters, Lowest, Options, Sturm, lowest};
+use crate::numerics::refine::{Dense, refine};
+use crate::numerics::{kernels, trouble};
+
+/// Solutions of K x = lambda M x.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Modes {
+    /// Length of a shape.
+    pub n: usize,
+    /// Eigenvalues, ascending: squares of the angular frequencies.
+    pub values: Vec<f64>,
+    /// Shapes one after another: the j-th is `vectors[j*n..(j+1)*n]`; xᵀ M x = 1, the first entry of some size positive.
+    pub vectors: Vec<f64>,
+}
+
+impl Modes {
+    /// The j-th shape.
+    pub fn shape(&self, j: usize) -> &[f64] {
+        &self.vectors[j * self.n..(j + 1) * self.n]
+    }
+}
+
+/// A complex number as (real, imaginary) part.
+pub type Complex = (f64, f64);
+
+/// Solutions of A x = lambda x.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ComplexModes {
+    /// Length of a vector.
+    pub n: usize,
+    /// Eigenvalues by magnitude, then by real part; of a conjugate pair, which stands together, first the one with positive imaginary part.
+    pub values: Vec<Complex>,
+    /// Vectors one after another: the j-th is `vectors[j*n..(j+1)*n]`, largest entry 1.
+    pub vectors: Vec<Complex>,
+}
+
+impl ComplexModes {
+    /// The j-th vector.
+    pub fn vector(&self, j: usize) -> &[Complex] {
+        &self.vectors[j * self.n..(j + 1) * self.n]
+    }
+}
+
+/// Up to this size all modes are refined, of larger ones the first `REFINED`.
+const SMALL: usize = 96;
+const REFINED: usize = 32;
+
+/// All solutions of K x = lambda M x.
+///
+/// *Shapes*: both matrices n x n, row-major, symmetric (the mean of both triangles is taken), M positive definite.
+/// *Errors*: S021 with the row when M is not positive definite, S024 when an entry is not finite, S023 when the iteration fails.
+///
+/// ```
+/// // two equal masses between three equal springs: 1 and 3
+/// let modes = analysis::numerics::eigen::symmetric(2, &[2.0, -1.0, -1.0, 2.0], &[1.0, 0.0, 0.0, 1.0])?;
+/// assert!((modes.values[0] - 1.0).abs() < 1e-15 && (modes.values[1] - 3.0).abs() < 1e-15);
+/// # Ok::<(), analysis::Fault>(())
+/// ```
+#[doc(alias = "собственные значения")]
+pub fn symmetric(n: usize, stiffness: &[f64], mass: &[f64]) -> Result<Modes, Fault> {
+    check(n, stiffness, "K")?;
+    check(n, mass, "M")?;
+    let scales: Vec<f64> = (0..n).map(|i| scale(mass[i * n + i])).collect();
+    let scaled = |a: &[f64]| -> Vec<f64> {
+        let entry = |k: usize| scales[k / n] * (0.5 * (a[k] + a[k % n * n + k / n])) * scales[k % n];
+        (0..n * n).map(entry).collect()
+    };
+    let (k, m) = (scaled(stiffness), scaled(mass));
+    let lower = cholesky(n, &m).map_err(trouble::massless)?;
+    let (mut values, y) = kernels::self_adjoint(n, &reduced(n, &lower, &k)).ok_or_else(|| trouble::unconverged(0, n))?;
+    let mut vectors = y;
+    vectors.chunks_mut(n.max(1)).for_each(|x| back(n, &lower, x));
+    let count = if n <= SMALL { n } else { REFINED };
+    refine(Dense { n, k: &k, m: &m }, &mut values, &mut vectors, count);
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+    let mut modes = Modes { n, values: order.iter().map(|&j| values[j]).collect(), vectors: Vec::with_capacity(n * n) };
+    for j in order {
+        let x = &mut vectors[j * n..(j + 1) * n];
+        orient(x);
+        modes.vectors.extend(x.iter().zip(&scales).map(|(x, s)| x * s));
+    }
+    Ok(modes)
+}
+
+/// Makes the first entry of some size positive.
+pub(super) fn orient(x: &mut [f64]) {
+    let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    if x.iter().find(|v| v.abs() > 1e-3 * largest).is_some_and(|v| *v < 0.0) {
+        x.iter_mut().for_each(|v| *v = -*v);
+    }
+}
+
+fn check(n: usize, matrix: &[f64], name: &str) -> Result<(), Fault> {
+    if matrix.len() != n * n || matrix.iter().any(|a| !a.is_finite()) {
+        return Err(trouble::malformed(name));
+    }
+    Ok(())
+}
+
+/// Smallest pivot of M scaled to a unit diagonal.
+const MASSLESS: f64 = 1e-14;
+
+/// M = L Lᵀ; the row whose pivot is not positive otherwise.
+fn cholesky(n: usize, m: &[f64]) -> Result<Vec<f64>, usize> {
+    let mut l = vec![0.0; n * n];
+    for i in 0..n {
+        for j in 0..=i {
+            let dot: f64 = (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum();
+            let rest = m[i * n + j] - dot;
+            if i == j {
+                if rest.is_nan() || rest <= MASSLESS {
+                    return Err(i);
+                }
+                l[i * n + i] = rest.sqrt();
+            } else {
+                l[i * n + j] = rest / l[j * n + j];
+            }
+        }
+    }
+    Ok(l)
+}
+
+/// L⁻¹ K L⁻ᵀ.
+fn reduced(n: usize, l: &[f64], k: &[f64]) -> Vec<f64> {
+    let mut rows = k.to_vec();
+    // each row of K is solved from the left, which is K L⁻ᵀ; its transpose L⁻¹ K once more
+    rows.chunks_mut(n.max(1)).for_each(|row| forward(n, l, row));
+    let mut c: Vec<f64> = (0..n * n).map(|e| rows[e % n * n + e / n]).collect();
+    c.chunks_mut(n.max(1)).for_each(|row| forward(n, l, row));
+    (0..n * n).map(|e| 0.5 * (c[e] + c[e % n * n + e / n])).collect()
+}
+
+/// L y = x in place.
+fn forward(n: usize, l: &[f64], x: &mut [f64]) {
+    for i in 0..n {
+        let dot: f64 = (0..i).map(|j| l[i * n + j] * x[j]).sum();
+        x[i] = (x[i] - dot) / l[i * n + i];
+    }
+}
+
+/// Lᵀ y = x in place.
+fn back(n: usize, l: &[f64], x: &mut [f64]) {
+    for i in (0..n).rev() {
+        x[i] /= l[i * n + i];
+        let x_i = x[i];
+        (0..i).for_each(|j| x[j] -= l[i * n + j] * x_i);
+    }
+}
+
+/// All eigenvalues and right eigenvectors of a real matrix.
+///
+/// *Shapes*: n x n, row-major. *Errors*: S024 when an entry is not finite, S023 when the iteration fails.
+/// *Source* of the scaling: B. N. Parlett, C. Reinsch, Balancing a matrix, Numer. Math. 13 (1969).
+pub fn general(n: usize, a: &[f64]) -> Result<ComplexModes, Fault> {
+    check(n, a, "A")?;
+    let (balanced, scales) = balance(n, a);
+    let (values, vectors) = kernels::nonsymmetric(n, &balanced).ok_or_else(|| trouble::unconverged(0, n))?;
+    // one of each pair, so that both partners are conjugate to the last bit
+    let mut first: Vec<usize> = (0..n).filter(|&j| values[j].1 >= 0.0).collect();
+    let magnitude = |j: usize| values[j].0.hypot(values[j].1);
+    first.sort_by(|&i, &j| {
+        let parts = values[i].0.total_cmp(&values[j].0).then(values[i].1.total_cmp(&values[j].1));
+        magnitude(i).total_cmp(&magnitude(j)).then(parts).then(i.cmp(&j))
+    });
+    let mut modes = ComplexModes { n, values: Vec::with_capacity(n), vectors: Vec::with_capacity(n * n) };
+    for j in first {
+        let vector: Vec<Complex> = vectors[j * n..(j + 1) * n].iter().zip(&scales).map(|(z, s)| (z.0 * s, z.1 * s)).collect();
+        let vector = normalised(&vector);
+        modes.values.push(values[j]);
+        modes.vectors.extend(&vector);
+        if values[j].1 > 0.0 {
+            modes.values.push((values[j].0, -values[j].1));
+            modes.vectors.extend(vector.iter().map(|z| (z.0, -z.1)));
+        }
+    }
+    if modes.values.len() != n || modes.values.iter().any(|z| !z.0.is_finite() || !z.1.is_finite()) {
+        return Err(trouble::unconverged(modes.values.len().min(n), n));
+    }
+    Ok(modes)
+}
+
+/// The vector divided by its largest entry.
+fn normalised(x: &[Complex]) -> Vec<Complex> {
+    let size = |z: &Complex| z.0.hypot(z.1);
+    let largest = x.iter().fold((0.0, 0.0), |best, z| if size(z) > size(&best) * (1.0 + 1e-12) { *z } else { best });
+    let square = largest.0 * largest.0 + largest.1 * largest.1;
+    if square == 0.0 {
+        return x.to_vec();
+    }
+    let over = |z: &Complex| ((z.0 * largest.0 + z.1 * largest.1) / square, (z.1 * largest.0 - z.0 * largest.1) / square);
+    x.iter().map(over).collect()
+}
+
+/// D⁻¹ A D with rows and columns of like size, D in powers of two; and D.
+fn balance(n: usize, a: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let (mut a, mut d) = (a.to_vec(), vec![1.0; n]);
+    for _ in 0..100 {
+        let mut settled = true;
+        for i in 0..n {
+            let others = || (0..n).filter(|&j| j != i);
+            let row: f64 = others().map(|j| a[i * n + j].abs()).sum();
+            let column: f64 = others().map(|j| a[j * n + i].abs()).sum();
+            if row == 0.0 || column == 0.0 {
+                continue;
+            }
+            let factor = (0.5 * (row / column).log2()).round().exp2();
+            if column * factor + row / factor < 0.95 * (column + row) {
+                settled = false;
+                d[i] *= factor;
+                (0..n).for_each(|j| a[i * n + j] /= factor);
+                (0..n).for_each(|j| a[j * n + i] *= factor);
+            }
+        }
+        if settled {
+            break;
+        }
+    }
+    (a, d)
+}

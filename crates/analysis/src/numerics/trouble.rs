@@ -1,0 +1,166 @@
+//! What can be wrong with the matrices of a linear problem. A [`Pivot`] keeps the row, so that a caller who knows what the rows mean can
+//! name the node and the free motion; by `?` it becomes a [`Fault`] that names the row alone.
+
+use symbolic::Text;
+
+use crate::Fault;
+use crate::fault::Message;
+
+/// What the elimination met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Defect {
+    /// The pivot vanishes within rounding: a direction without stiffness.
+    Singular,
+    /// The pivot is negative: a direction of negative stiffness.
+    Negative,
+}
+
+/// A symmetric matrix is not positive definite: the first pivot that says so.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pivot {
+    /// Row of the matrix whose pivot it is.
+    pub row: usize,
+    /// What is wrong.
+    pub defect: Defect,
+    /// The motion without (or of negative) stiffness, largest entry 1 in units that give every coordinate the same stiffness.
+    pub motion: Vec<f64>,
+}
+
+impl Pivot {
+    /// The row that moves most in the free motion.
+    pub fn most(&self) -> usize {
+        let largest = |best: usize, i: usize| if self.motion[i].abs() > self.motion[best].abs() { i } else { best };
+        (0..self.motion.len()).fold(self.row, largest)
+    }
+}
+
+/// Why a matrix could not be factored.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Trouble {
+    /// It is not positive definite.
+    Pivot(Pivot),
+    /// Something else.
+    Fault(Fault),
+}
+
+impl From<Trouble> for Fault {
+    fn from(trouble: Trouble) -> Fault {
+        match trouble {
+            Trouble::Pivot(pivot) => pivot.into(),
+            Trouble::Fault(fault) => fault,
+        }
+    }
+}
+
+impl From<Fault> for Trouble {
+    fn from(fault: Fault) -> Trouble {
+        Trouble::Fault(fault)
+    }
+}
+
+impl From<Pivot> for Fault {
+    fn from(pivot: Pivot) -> Fault {
+        let row = pivot.row + 1;
+        let what = match pivot.defect {
+            Defect::Singular => {
+                Text::new(format!("the stiffness matrix is singular at row {row}"), format!("матрица жёсткости вырождена в строке {row}"))
+            }
+            Defect::Negative => Text::new(
+                format!("the stiffness matrix has a negative pivot at row {row}"),
+                format!("матрица жёсткости имеет отрицательный ведущий элемент в строке {row}"),
+            ),
+        };
+        Fault::new(Message {
+            code: "S022",
+            what,
+            why: Text::new(
+                "the structure can move without elastic resistance: it is a mechanism, a part is not supported, or a stiffness is negative",
+                "конструкция может двигаться без упругого сопротивления: это механизм, часть не закреплена или жёсткость отрицательна",
+            ),
+            help: Text::new(
+                "add a support or a rod that stops the free motion, check releases and the signs of stiffnesses",
+                "добавьте опору или стержень, препятствующий свободному движению, проверьте шарниры и знаки жёсткостей",
+            ),
+        })
+    }
+}
+
+/// The mass matrix is not positive definite; `row` is the first coordinate without inertia of its own.
+pub fn massless(row: usize) -> Fault {
+    let row = row + 1;
+    Fault::new(Message {
+        code: "S021",
+        what: Text::new(
+            format!("the mass matrix is not positive definite: row {row}"),
+            format!("матрица масс не положительно определена: строка {row}"),
+        ),
+        why: Text::new("a coordinate has no inertia, or a mass is negative", "координата не обладает инерцией, или масса отрицательна"),
+        help: Text::new(
+            "give the part a mass or a moment of inertia, or take the coordinate out (condense it, connect it rigidly)",
+            "задайте массу или момент инерции части либо исключите координату (конденсацией, жёсткой связью)",
+        ),
+    })
+}
+
+/// An entry is infinite or undefined, or the matrix has the wrong size.
+pub fn malformed(name: &str) -> Fault {
+    Fault::new(Message {
+        code: "S024",
+        what: Text::new(
+            format!("the matrix {name} has an entry that is not a finite number, or a wrong size"),
+            format!("в матрице {name} есть не конечное число, или её размер неверен"),
+        ),
+        why: Text::new(
+            "a formula was taken outside its domain, or a datum is missing or overflows",
+            "формула вышла за область определения, или данные отсутствуют либо переполняются",
+        ),
+        help: Text::new("check the data of the parts (lengths, masses, stiffnesses)", "проверьте данные частей (длины, массы, жёсткости)"),
+    })
+}
+
+/// The iteration for eigenvalues did not end.
+pub fn unconverged(found: usize, wanted: usize) -> Fault {
+    Fault::new(Message {
+        code: "S023",
+        what: Text::new(
+            format!("only {found} of {wanted} eigenvalues converged"),
+            format!("сошлись только {found} из {wanted} собственных значений"),
+        ),
+        why: Text::new(
+            "the matrices are nearly singular or very badly scaled, or the structure has fewer oscillations than were asked for",
+            "матрицы почти вырождены или очень плохо масштабированы, либо у конструкции меньше колебаний, чем запрошено",
+        ),
+        help: Text::new(
+            "ask for fewer modes; check for parts whose stiffnesses or masses differ by many orders of magnitude",
+            "запросите меньше форм; проверьте, нет ли частей, жёсткости или массы которых различаются на много порядков",
+        ),
+    })
+}
+
+/// Not enough memory for a factor.
+pub fn memory() -> Fault {
+    Fault::new(Message {
+        code: "S005",
+        what: Text::new("the factor of the matrix does not fit into memory", "разложение матрицы не помещается в память"),
+        why: Text::new("the structure is very large", "конструкция очень велика"),
+        help: Text::new("take fewer divisions of the rods", "уменьшите число делений стержней"),
+    })
+}
+
+pub(crate) const MASS_EN: &str = "The kinetic energy must be positive for every motion. A coordinate without mass or moment of inertia has no equation of motion: \
+    its acceleration is not determined. Give the part an inertia, or remove the coordinate by static condensation or a rigid connection.";
+pub(crate) const MASS_RU: &str = "Кинетическая энергия должна быть положительна при любом движении. Для координаты без массы и момента инерции уравнение движения \
+    не определяет ускорения. Задайте инерцию или исключите координату статической конденсацией либо жёсткой связью.";
+pub(crate) const SINGULAR_EN: &str = "Static displacements need a positive definite stiffness matrix. When a pivot of its elimination vanishes, the structure can move \
+    without elastic resistance: a mechanism, an unsupported part, too many releases. When it is negative, a stiffness has the wrong sign or the structure has \
+    lost its stability.";
+pub(crate) const SINGULAR_RU: &str = "Для статических перемещений матрица жёсткости должна быть положительно определена. Если ведущий элемент исключения обращается в \
+    нуль, конструкция может двигаться без упругого сопротивления: механизм, незакреплённая часть, лишние шарниры. Если он отрицателен, жёсткость имеет неверный \
+    знак или конструкция потеряла устойчивость.";
+pub(crate) const CONVERGENCE_EN: &str = "The search for eigenvalues stopped at its cap of steps. Usually stiffnesses or masses of the parts differ by more orders of \
+    magnitude than double numbers hold, or more modes are asked for than the structure has masses.";
+pub(crate) const CONVERGENCE_RU: &str = "Поиск собственных значений остановлен по пределу числа шагов. Обычно жёсткости или массы частей различаются на большее число \
+    порядков, чем позволяют числа двойной точности, либо запрошено больше форм, чем в конструкции масс.";
+pub(crate) const MALFORMED_EN: &str =
+    "An entry of a matrix is infinite or undefined: a length of zero in a denominator, a datum that overflows.";
+pub(crate) const MALFORMED_RU: &str = "Элемент матрицы бесконечен или не определён: нулевая длина в знаменателе, переполнение данных.";
