@@ -45,6 +45,12 @@ pub enum Type {
     Plots,
     /// A table of quantities by name.
     Guess,
+    /// A list of corners.
+    Corners,
+    /// Two lengths, or three corners.
+    LegsOrCorners,
+    /// A list of parts of a section.
+    Parts,
     /// A table of tables or values by name.
     Table,
     /// An array of tables.
@@ -73,6 +79,9 @@ impl Type {
             Type::Quantities => ("array of quantities", "массив величин"),
             Type::Plots => ("array of names, arrays of names or { x, y, title }", "массив имён, массивов имён или { x, y, title }"),
             Type::Guess => ("table of quantities by coordinate", "таблица величин по координатам"),
+            Type::Corners => ("array of corners [x, y]", "массив вершин [x, y]"),
+            Type::LegsOrCorners => ("array of 2 lengths, or of 3 corners [x, y]", "массив из 2 длин или из 3 вершин [x, y]"),
+            Type::Parts => ("array of parts", "массив частей"),
             Type::Table => ("table", "таблица"),
             Type::Array => ("array of tables", "массив таблиц"),
         }
@@ -239,6 +248,7 @@ pub const TOP: TableSpec = TableSpec {
         may("nodes", Type::Table, "", "", ("nodes of a frame or truss", "узлы рамы или фермы"), ""),
         may("displacements", Type::Table, "", "", ("named displacements of a structure", "именованные перемещения конструкции"), ""),
         may("structure", Type::Table, "", "", ("how the structure is computed", "как рассчитывать конструкцию"), ""),
+        may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
     ],
 };
@@ -602,6 +612,7 @@ pub const ROD: TableSpec = TableSpec {
         may("E", Type::Formula, "Pa", "", ("Young's modulus", "модуль упругости"), "\"2e11 Pa\""),
         may("I", Type::Formula, "m^4", "", ("second moment of the section", "момент инерции сечения"), "\"0.5677 cm^4\""),
         may("A", Type::Formula, "m^2", "", ("area of the section", "площадь сечения"), "\"4 cm^2\""),
+        may("section", Type::Name, "", "", ("section that gives A and I", "сечение, из которого берутся A и I"), "\"girder\""),
         may(
             "stretch",
             Type::Bool,
@@ -756,6 +767,119 @@ pub const STRUCTURE: TableSpec = TableSpec {
         ),
     ],
     example: "[structure]\naccuracy = 1e-8\nmodes = 4\n",
+};
+
+const RECTANGLE: Field = may(
+    "rectangle",
+    Type::Vector,
+    "m",
+    "",
+    ("width and height; `at` is its centre", "ширина и высота; `at` — центр"),
+    "[\"12 cm\", \"20 cm\"]",
+);
+const TRIANGLE: Field = may(
+    "triangle",
+    Type::LegsOrCorners,
+    "m",
+    "",
+    (
+        "legs along x and y from the right angle, which is `at`; or three corners",
+        "катеты вдоль x и y от прямого угла, он в `at`; или три вершины",
+    ),
+    "[\"6 cm\", \"4 cm\"]",
+);
+const CIRCLE: Field = may("circle", Type::Formula, "m", "", ("radius; `at` is the centre", "радиус; `at` — центр"), "\"3 cm\"");
+const HALF_DISC: Field = may(
+    "half_disc",
+    Type::Formula,
+    "m",
+    "",
+    (
+        "radius; `at` is the middle of the diameter, the half disc lies above it (turn it by `angle`)",
+        "радиус; `at` — середина диаметра, полукруг лежит над ним (поворот — `angle`)",
+    ),
+    "\"3 cm\"",
+);
+const RING: Field = may(
+    "ring",
+    Type::Vector,
+    "m",
+    "",
+    ("outer and inner radius; `at` is the centre", "наружный и внутренний радиусы; `at` — центр"),
+    "[\"5 cm\", \"4 cm\"]",
+);
+const POLYGON: Field = may(
+    "polygon",
+    Type::Corners,
+    "m",
+    "",
+    ("corners in order; `at` is their origin", "вершины по порядку обхода; `at` — их начало отсчёта"),
+    "[[\"0\", \"0\"], [\"6 cm\", \"0\"], [\"4 cm\", \"5 cm\"]]",
+);
+const PROFILE: Field = may(
+    "profile",
+    Type::String,
+    "",
+    "",
+    (
+        "rolled-steel profile; `at` is its centroid: I10 ... I60 (GOST 8239), channels C5U ... C40U, C5P ... C40P (GOST 8240), equal angles L20x3 ... L250x20 (GOST 8509)",
+        "прокатный профиль; `at` — центр тяжести: двутавры I10 ... I60 (ГОСТ 8239), швеллеры 5У ... 40У, 5П ... 40П (ГОСТ 8240), уголки L20x3 ... L250x20 (ГОСТ 8509)",
+    ),
+    "\"I20\"",
+);
+const PART_AT: Field = may("at", Type::Vector, "m", "[0, 0]", ("place of the part", "место части"), "[\"0\", \"10 cm\"]");
+const PART_ANGLE: Field =
+    may("angle", Type::Formula, "rad", "0", ("turn of the part about `at`", "поворот части вокруг `at`"), "\"90 deg\"");
+
+/// `[sections.NAME]`.
+pub const SECTION: TableSpec = TableSpec {
+    name: "sections",
+    about: (
+        "Sections of rods: parts added and removed, or one form. A file of sections alone needs nothing else.",
+        "Сечения стержней: части добавляются и вычитаются; либо одна фигура. Файлу, где есть только сечения, больше ничего не нужно.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "parts",
+            Type::Parts,
+            "",
+            "",
+            ("parts; without it the section is the one form below", "части; без ключа сечение — одна из фигур ниже"),
+            "[{ circle = \"3 cm\" }]",
+        ),
+        RECTANGLE,
+        TRIANGLE,
+        CIRCLE,
+        HALF_DISC,
+        RING,
+        POLYGON,
+        PROFILE,
+        PART_AT,
+        PART_ANGLE,
+        LABEL,
+    ],
+    example: "[sections.girder]\nparts = [\n  { profile = \"I20\" },\n  { rectangle = [\"12 cm\", \"1 cm\"], at = [\"0\", \"10,5 cm\"] },\n  { circle = \"1 cm\", at = [\"0\", \"5 cm\"], remove = true },\n]\n",
+};
+
+/// `parts = [{ ... }]`.
+pub const PART: TableSpec = TableSpec {
+    name: "parts",
+    about: ("one part of a section", "одна часть сечения"),
+    short: None,
+    fields: &[
+        RECTANGLE,
+        TRIANGLE,
+        CIRCLE,
+        HALF_DISC,
+        RING,
+        POLYGON,
+        PROFILE,
+        PART_AT,
+        PART_ANGLE,
+        may("remove", Type::Bool, "", "false", ("whether the part is taken out", "вычитается ли часть"), "true"),
+    ],
+    example: "",
 };
 
 /// `[[study]]`.
@@ -1032,4 +1156,5 @@ pub fn all() -> impl Iterator<Item = &'static TableSpec> {
 const BEFORE: &[&TableSpec] =
     &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
 
-const AFTER: &[&TableSpec] = &[&OUTPUT, &NODE, &ROD, &SUPPORT, &LINE_LOAD, &DISPLACEMENT, &STRUCTURE, &STUDY, &PLOT, &TEXT];
+const AFTER: &[&TableSpec] =
+    &[&OUTPUT, &SECTION, &PART, &NODE, &ROD, &SUPPORT, &LINE_LOAD, &DISPLACEMENT, &STRUCTURE, &STUDY, &PLOT, &TEXT];

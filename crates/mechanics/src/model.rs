@@ -49,6 +49,8 @@ pub struct Model {
     pub requests: Vec<Request>,
     /// Printed symbols the user asked for: name as in formulas, symbol.
     pub notation: Vec<(String, String)>,
+    /// Sections of rods, in the user's order.
+    pub sections: Vec<crate::section::Section>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
     /// Frame or truss, when the file has nodes.

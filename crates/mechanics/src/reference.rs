@@ -48,7 +48,7 @@ fn section(out: &mut String, table: &TableSpec, language: Language) {
         "" => language.pick(("Top level", "Верхний уровень")).to_owned(),
         "study" => "`[[study]]`".to_owned(),
         "parameters" | "coordinates" | "points" | "outputs" => format!("`[{}]`", table.name),
-        "inertia" | "plot" | "text" | "wound" | "circle" => {
+        "inertia" | "plot" | "text" | "wound" | "circle" | "parts" => {
             format!("`{{ {} }}`", table.fields.iter().map(|f| f.key).collect::<Vec<_>>().join(", "))
         }
         name => format!("`[{name}.NAME]`"),

@@ -40,6 +40,47 @@ fn rod_of_a_pendulum_pulls_as_the_angle_formulation_says() {
     }
 }
 
+/// Chains of rods against the same chains in angles: accelerations, and the last tension from the last point alone.
+#[test]
+fn chains_of_rods_move_as_chains_in_angles() {
+    for n in [1, 2, 3, 5, 8] {
+        let (mut rods, mut angles) = (bind(&rod_chain(n)), bind(&pendulum_chain(n)));
+        let states: Vec<f64> = (0..2 * n).map(|i| (1.3 * i as f64 + 0.4).sin() * if i < n { 2.0 } else { 3.0 }).collect();
+        let rates = angles.rates(0.0, &states, &[]).unwrap();
+        let (mut places, mut speeds, mut wanted) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut at, mut v, mut w) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        for i in 0..n {
+            let l = 0.5 + i as f64 * 0.003;
+            let (s, c) = states[i].sin_cos();
+            let (turn, change) = (states[n + i], rates[n + i]);
+            for (k, (along, across)) in [(s, c), (-c, s)].into_iter().enumerate() {
+                at[k] += l * along;
+                v[k] += l * turn * across;
+                w[k] += l * (change * across - turn * turn * along);
+            }
+            places.extend(at);
+            speeds.extend(v);
+            wanted.extend(w);
+        }
+        let (s, c) = states[n - 1].sin_cos();
+        let (ax, ay) = (wanted[2 * n - 2], wanted[2 * n - 1]);
+        // m a = weight + T towards the point before, (-sin, cos)
+        let tension = (1.0 + (n - 1) as f64 * 0.01) * (-ax * s + (ay + 9.81) * c);
+        let have = rods.rates(0.0, &[places, speeds].concat(), &[]).unwrap();
+        let size = wanted.iter().fold(1.0, |m: f64, a| m.max(a.abs()));
+        close(&have[2 * n..4 * n], &wanted, 1e-12 * size);
+        close(&have[5 * n - 1..], &[tension], 1e-12 * size);
+    }
+}
+
+/// A rod whose ends meet has no direction: the division is told, not a singular system.
+#[test]
+fn lost_direction_of_a_rod_is_a_division_by_zero() {
+    let mut bound = bind(&cartesian_pendulum());
+    assert_eq!(bound.rates(0.0, &[0.0; 4], &[]).unwrap_err().code, "P001");
+    assert_eq!(bound.jets(5).expand(0.0, &[0.0; 4], &[], 5).unwrap_err().code, "P001");
+}
+
 #[test]
 fn atwood_machine_moves_and_pulls_as_the_formula_says() {
     let mut bound = bind(&atwood(3.0, 2.0));
@@ -430,6 +471,34 @@ fn singular_position_names_a_condition() {
     assert_eq!(bound.jets(4).expand(0.0, &x, &[], 4).unwrap_err().singular, Some(singular));
 }
 
+/// Equilibrium of a pendulum of which the rod is a condition, and the derivatives by differences.
+#[test]
+fn rest_with_connections_has_loads_and_their_derivatives() {
+    let bound = bind(&cartesian_pendulum());
+    let roots = bound.program().rest_roots();
+    let mut rests = bound.evaluator(&bound.program().rests).unwrap();
+    let mut at = |x: f64, y: f64, force: f64| {
+        rests.evaluate(&Point { states: &[x, y, 5.0, 6.0], accelerations: &[0.0, 0.0, force], ..Point::default() }).unwrap().to_vec()
+    };
+    let here = at(0.0, -0.6, 0.7 * 9.81);
+    assert_eq!(here.len(), roots.forces.end);
+    close(&here[roots.loads.clone()], &[0.0, 0.7 * 9.81], 1e-15);
+    close(&here[roots.places.clone()], &[0.0], 1e-15);
+    let (x, y, force, step) = (0.4, -0.5, 3.0, 1e-5);
+    let here = at(x, y, force);
+    let length = f64::hypot(x, y);
+    close(&here[roots.jacobian.clone()], &[x / length, y / length], 1e-15);
+    close(&here[roots.forces.clone()], &[-x / length, -y / length], 1e-15);
+    for (j, (dx, dy)) in [(step, 0.0), (0.0, step)].into_iter().enumerate() {
+        let (plus, minus) = (at(x + dx, y + dy, force), at(x - dx, y - dy, force));
+        for i in 0..2 {
+            let slope = (plus[roots.loads.start + i] - minus[roots.loads.start + i]) / (2.0 * step);
+            // a central difference: third derivatives below 1000, times step²/6
+            assert!((here[roots.derivatives.start + 2 * i + j] - slope).abs() < 1e-7);
+        }
+    }
+}
+
 /// No coordinates: a beam on two supports.
 #[test]
 fn statics_without_coordinates_give_supports() {
@@ -455,7 +524,7 @@ fn statics_without_coordinates_give_supports() {
 fn tapes_of_connected_machines_read_back() {
     for e in [pressed(3.0), slider_crank(), block(), atwood(1.0, 2.0)] {
         let p = lower::equations(&e).unwrap();
-        for tape in [&p.dynamics, &p.forces, &p.outputs, &p.second, &p.connections, &p.balances] {
+        for tape in [&p.dynamics, &p.forces, &p.outputs, &p.second, &p.connections, &p.balances, &p.rests] {
             program::verify(tape).unwrap();
             let again = text::parse(&tape.to_string()).unwrap();
             assert_eq!(again.to_string(), tape.to_string());

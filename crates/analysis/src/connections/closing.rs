@@ -13,6 +13,8 @@
 use symbolic::Text;
 
 use super::{Bench, listed};
+use symbolic::connections::Law;
+
 use crate::Fault;
 use crate::fault::number;
 use crate::numerics::qr::{Qr, norm};
@@ -175,7 +177,7 @@ impl Bench<'_> {
         let free: Vec<usize> = (0..self.n).filter(|j| !given[*j]).collect();
         if let Some(x) = self.rates_from(&guess, &rows, &free)? {
             self.x = x;
-            return Ok(());
+            return self.follow_contacts(rows, &free);
         }
         let mut cures = Vec::new();
         for j in (0..self.n).rev().filter(|j| given[*j]) {
@@ -206,6 +208,27 @@ impl Bench<'_> {
             return Err(Fault::inconsistent_start(self.name(worst), &[], &cures));
         }
         Err(Fault::contradiction(&self.involved(&rows, worst), &self.configuration()))
+    }
+
+    /// Rates that nobody gives follow the contacts that are closed: a load on a taut rope starts with its drum. A contact that the given rates
+    /// open or close stays as it is.
+    fn follow_contacts(&mut self, mut rows: Vec<usize>, free: &[usize]) -> Result<(), Fault> {
+        self.evaluate(&self.x.clone())?;
+        let closed = |c: usize| {
+            let reaction = self.equations.conditions[c].reaction;
+            let contact = reaction.is_some_and(|r| matches!(self.equations.reactions[r].law, Law::Contact { .. }));
+            contact && self.place(c).abs() <= CLOSED * self.place_size(c, &self.x)
+        };
+        let contacts: Vec<usize> = (0..self.equations.conditions.len()).filter(|c| closed(*c)).collect();
+        let guess = self.x.clone();
+        for contact in contacts {
+            rows.push(contact);
+            match self.rates_from(&guess, &rows, free)? {
+                Some(x) => self.x = x,
+                None => drop(rows.pop()),
+            }
+        }
+        Ok(())
     }
 
     /// Rates of least change that meet the rows; none when there are none.

@@ -13,6 +13,7 @@ mod overrides;
 mod parameters;
 mod ranges;
 mod reader;
+mod sections;
 mod shapes;
 mod structures;
 mod studies;
@@ -102,7 +103,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let mut parameters = parameters::resolve(reader, raw_parameters);
     let coordinates = parameters::starts(reader, raw_coordinates);
     let (frames, mut points) = frames::read(reader, &top);
-    structures::nodes(reader, &top);
+    let sections = sections::read(reader, &top);
+    structures::nodes(reader, &top, &sections);
     structures::rods(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
     connections::announce(reader, &top);
@@ -143,6 +145,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         dissipations,
         outputs,
         notation,
+        sections,
         studies,
         structure,
         inertias: Vec::new(),

@@ -373,6 +373,14 @@ pub(super) fn surfaces(lowering: &mut Lowering, equations: &Equations, numbers: 
     Ok(())
 }
 
+/// Static limits and forces of frictions that stick together.
+struct Group {
+    leader: usize,
+    limits: [u32; 2],
+    capacity: Vec<(f64, Value)>,
+    load: Vec<(f64, Value)>,
+}
+
 /// Gives the guards that follow from reactions their registers; `first` is the first register of the solution.
 pub(super) fn fill(
     lowering: &mut Lowering,
@@ -386,27 +394,26 @@ pub(super) fn fill(
         let position = arrangement.solved.iter().position(|r| *r == reaction).unwrap_or(0);
         Value::Plain(Register(first.0 + (n + position) as u32))
     };
-    // static limits and forces of frictions that stick together, by their leader
-    let mut groups: Vec<(usize, [u32; 2], Vec<(f64, Value)>, Vec<(f64, Value)>)> = Vec::new();
+    let mut groups: Vec<Group> = Vec::new();
     for (reaction, numbers) in numbers.iter().enumerate() {
         match (numbers, &equations.reactions[reaction].law) {
             (Some(Numbers::Gap { force: guard, .. }), _) => lowering.define_guard(*guard, force(reaction)),
             (Some(Numbers::Sliding { leader, limits, normal, .. }), Law::Friction(friction)) => {
                 let limit = limit(lowering, friction, *normal, &force)?;
                 if *leader == reaction {
-                    groups.push((reaction, *limits, Vec::new(), Vec::new()));
+                    groups.push(Group { leader: reaction, limits: *limits, capacity: Vec::new(), load: Vec::new() });
                 }
-                if let Some(group) = groups.iter_mut().find(|g| g.0 == *leader) {
-                    group.2.push((1.0, limit));
-                    group.3.push((1.0, force(reaction)));
+                if let Some(group) = groups.iter_mut().find(|g| g.leader == *leader) {
+                    group.capacity.push((1.0, limit));
+                    group.load.push((1.0, force(reaction)));
                 }
             }
             _ => {}
         }
     }
-    for (_, limits, capacity, load) in groups {
-        let (capacity, load) = (lowering.sum(&capacity), lowering.sum(&load));
-        for (guard, sign) in limits.iter().zip([1.0, -1.0]) {
+    for group in groups {
+        let (capacity, load) = (lowering.sum(&group.capacity), lowering.sum(&group.load));
+        for (guard, sign) in group.limits.iter().zip([1.0, -1.0]) {
             let left = lowering.sum(&[(1.0, capacity), (sign, load)]);
             lowering.define_guard(*guard, left);
         }
