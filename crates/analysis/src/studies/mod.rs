@@ -9,3 +9,4 @@ pub mod simulate;
 pub mod structure_modes;
 pub mod structure_statics;
 pub mod tracks;
+pub mod transient;

@@ -12,6 +12,7 @@ mod response;
 mod run;
 mod simulate;
 mod statics;
+mod transient;
 
 use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
@@ -41,6 +42,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Check(args) => check::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
+        Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Statics(args) => statics::run(&args, console),
         Command::Response(args) => response::run(&args, console),
