@@ -95,6 +95,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
     Explanation {
         code: "S010", en: ("more steps than anybody waits for", STEPS_EN), ru: ("слишком много шагов", STEPS_RU)
     },
+    crate::studies::explain::NO_RETURN,
+    crate::studies::explain::NO_REGIME,
+    crate::studies::explain::DRIVEN,
+    crate::studies::explain::NO_PASSAGE,
     Explanation {
         code: "S021",
         en: ("mass matrix not positive definite", trouble::MASS_EN),

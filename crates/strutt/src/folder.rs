@@ -24,6 +24,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
             Finding::Motion(..) => format!("motion{number}"),
             Finding::Transient(..) => format!("transient{number}"),
             Finding::Equilibrium(..) => format!("equilibrium{number}"),
+            Finding::Study(results) => format!("{}{number}", results.kind),
             Finding::Modes(..) => format!("modes{number}"),
             Finding::Structure(found) => format!("{}{number}", found.study),
             Finding::Response(..) => format!("response{number}"),
@@ -100,6 +101,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
             own.insert("study".into(), json!("equilibrium"));
             own.insert("equilibria".into(), equilibria(finding.data()));
         }
+        Finding::Study(results) => own = results.fields(),
         Finding::Response(found) => own = crate::small::response::to_json(found),
         Finding::Modes(found) => own = crate::small::modes::to_json(found),
         Finding::Structure(found) => own = crate::structure::fields(found),

@@ -26,6 +26,7 @@ mod provenance;
 pub mod small;
 pub mod source;
 pub mod structure;
+pub mod studies;
 pub mod watch;
 pub mod words;
 

@@ -5,6 +5,7 @@ use crate::failure::{Failure, Trouble};
 use crate::small::modes::ModesFound;
 use crate::small::response::ResponseFound;
 use crate::source::Source;
+use crate::studies::{Origin, Results};
 use crate::watch::Watch;
 use crate::words::Word;
 use crate::{guards, phases, plan, provenance};
@@ -32,6 +33,16 @@ pub struct Machine {
     pub system: analysis::Machine,
     /// Hash of the file and the overrides.
     pub model_hash: String,
+    /// What it was made from.
+    pub origin: Origin,
+}
+
+impl Machine {
+    /// Names of the states: coordinates, rates, auxiliary states.
+    pub fn system_states(&self) -> Vec<String> {
+        use analysis::System;
+        self.system.states().iter().map(|q| q.name.clone()).collect()
+    }
 }
 
 /// What a study found, and what ended it early, if anything did.
@@ -43,6 +54,8 @@ pub enum Finding {
     Motion(Simulate, Dataset, Option<Trouble>),
     /// A motion in closed form, its phases, and the study that asked for it.
     Transient(Simulate, Dataset, Phases, Option<Trouble>),
+    /// Any other study.
+    Study(Box<Results>),
     /// Natural frequencies and shapes.
     Modes(Box<ModesFound>),
     /// A study of a frame or truss.
@@ -103,7 +116,8 @@ pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail,
     watch.lap(Word::TimeDerive);
     let system = lower(&equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeLower);
-    Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides) })
+    let origin = Origin { source: source.clone(), overrides: overrides.to_vec() };
+    Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides), origin })
 }
 
 /// From equations to a program with numbers.
@@ -120,7 +134,8 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Periodic(_) | StudyKind::Cycle(_) | StudyKind::Sweep(_) => None,
+        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Cycle(_) | StudyKind::Sweep(_) => None,
+        StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
         StudyKind::Statics => crate::structure::statics(machine),
         StudyKind::Response(study) => Some(response(machine, study, watch)),
@@ -223,6 +238,7 @@ impl Finding {
     pub fn data(&self) -> &Dataset {
         match self {
             Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) | Finding::Transient(_, data, ..) => data,
+            Finding::Study(results) => &results.data,
             Finding::Modes(found) => &found.data,
             Finding::Structure(found) => &found.data,
             Finding::Response(found) => &found.data,
@@ -232,6 +248,7 @@ impl Finding {
     pub fn trouble(&self) -> Option<&Trouble> {
         match self {
             Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) | Finding::Transient(_, _, _, trouble) => trouble.as_ref(),
+            Finding::Study(results) => results.trouble.as_ref(),
             Finding::Modes(found) => found.trouble.as_ref(),
             Finding::Structure(found) => found.trouble.as_ref(),
             Finding::Response(found) => found.trouble.as_ref(),

@@ -1,9 +1,11 @@
 //! Studies, one file each.
 
 pub mod equilibrium;
+pub(crate) mod explain;
 pub mod extremes;
 pub mod modes;
 pub mod peaks;
+pub mod periodic;
 pub mod response;
 pub mod simulate;
 pub mod structure_modes;

@@ -42,7 +42,7 @@ pub(super) struct Draft {
 /// `[nodes]`.
 pub(super) fn nodes<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, sections: &[Section]) {
     reader.structure.sections = sections.iter().map(|s| (s.name.clone(), (s.area(), s.inertia()))).collect();
-    for (name, fields) in top.entries(reader, "nodes", &fields::NODE) {
+    for (name, fields) in top.entries(reader, "nodes", &fields::structures::NODE) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }
@@ -116,7 +116,7 @@ pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     if reader.structure.nodes.is_empty() {
         return;
     }
-    for (name, fields) in rows(reader, top, "rods", &fields::ROD, true) {
+    for (name, fields) in rows(reader, top, "rods", &fields::structures::ROD, true) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }
@@ -400,7 +400,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Stru
 
 fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
     let mut found = Vec::new();
-    for (name, fields) in rows(reader, top, "supports", &fields::SUPPORT, true) {
+    for (name, fields) in rows(reader, top, "supports", &fields::structures::SUPPORT, true) {
         let Some((node, span)) = fields.name(reader, "at") else { continue };
         let Some(&node) = reader.structure.node_index.get(&node) else {
             unknown(reader, &node, span, false);
@@ -416,7 +416,7 @@ fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
 
 fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     let per_length = Dimension::of(0, 1, -2);
-    for (name, fields) in rows(reader, top, "distributed", &fields::LINE_LOAD, true) {
+    for (name, fields) in rows(reader, top, "distributed", &fields::structures::LINE_LOAD, true) {
         let Some((rod, span)) = fields.name(reader, "on") else { continue };
         let Some(&rod) = reader.structure.rod_index.get(&rod) else {
             unknown(reader, &rod, span, true);
@@ -431,7 +431,7 @@ fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
 
 fn displacements<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Displacement> {
     let mut found = Vec::new();
-    for (name, fields) in top.entries(reader, "displacements", &fields::DISPLACEMENT) {
+    for (name, fields) in top.entries(reader, "displacements", &fields::structures::DISPLACEMENT) {
         let label = fields.text(reader, "label").unwrap_or_else(Text::default);
         let direction = direction(reader, &fields);
         if let (Some(site), Some(direction)) = (site(reader, &fields, "at"), direction) {
@@ -474,7 +474,7 @@ fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Options {
         reader.fault(wrong_type(value.span(), "a table", "таблица", value.get_ref().type_str()));
         return Options::default();
     };
-    let fields = Fields::open(reader, &fields::STRUCTURE, table, value.span(), "structure".to_owned());
+    let fields = Fields::open(reader, &fields::structures::STRUCTURE, table, value.span(), "structure".to_owned());
     let condense = fields.has("condense").then(|| flag(reader, &fields, "condense"));
     let accuracy = fields.formula(reader, "accuracy", &Context::CONSTANT, Some(&Dimension::NONE));
     let accuracy = accuracy.and_then(|value| reader.number(&value)).map(|a| a.clamp(1e-11, 1e-1));

@@ -8,10 +8,12 @@ mod examples;
 mod explain;
 mod modes;
 mod new;
+mod periodic;
 mod response;
 mod run;
 mod simulate;
 mod statics;
+mod study;
 mod transient;
 
 use crate::args::Command;
@@ -45,6 +47,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Statics(args) => statics::run(&args, console),
+        Command::Periodic(args) => periodic::run(&args, console),
         Command::Response(args) => response::run(&args, console),
         Command::Modes(args) => modes::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),

@@ -106,6 +106,10 @@ fn value(line: &str) -> Option<Result<Claim, String>> {
     };
     let when = match when {
         "end" => Ok(When::End),
+        // `force(AB)` is a name
+        t if number(t).is_err() && t.starts_with(|c: char| c.is_alphabetic()) => {
+            return Some(Ok(Claim::Rest { name, expected, tolerance }));
+        }
         t => number(t).map(When::At),
     };
     Some(when.map(|when| Claim::Value { name: column.to_owned(), when, expected, tolerance }))

@@ -9,6 +9,7 @@ use mechanics::model::Times;
 use report::Language;
 use report::formula::{Form, Printer};
 use strutt::pipeline::{self, Finding, Machine, Phases};
+use strutt::studies::Results;
 use strutt::{Failure, Source, Watch};
 use symbolic::SymbolId;
 
@@ -39,6 +40,58 @@ pub fn check(trial: &Trial) -> Result<(), String> {
         }
     }
     if complaints.is_empty() { Ok(()) } else { Err(format!("{}:{}\n{}", trial.file.display(), trial.line, complaints.join("\n"))) }
+}
+
+/// The first study of a kind that the model itself asks for.
+fn study(machine: &mut Machine, kind: &str) -> Result<Outcome, String> {
+    for study in machine.model.studies.clone() {
+        if let Some(Finding::Study(results)) = pipeline::study(machine, &study.kind, &mut Watch::default())
+            && results.kind == kind
+        {
+            return Ok(match &results.trouble {
+                Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
+                None => Outcome::Study(results),
+            });
+        }
+    }
+    Err(format!("the model has no study `{kind}`"))
+}
+
+/// A number of a study: `period`, `multipliers.1.abs`.
+fn field(results: &Results, path: &str) -> Result<f64, String> {
+    let fields = serde_json::Value::Object(results.fields());
+    let whole = fields.get(path).cloned();
+    let found = whole.or_else(|| {
+        path.split('.').try_fold(fields.clone(), |at, key| match key.parse::<usize>() {
+            Ok(i) => at.get(i).cloned(),
+            Err(_) => at.get(key).cloned(),
+        })
+    });
+    let names = || fields.as_object().map(|o| o.keys().cloned().collect::<Vec<_>>().join(", ")).unwrap_or_default();
+    found.and_then(|v| v.as_f64()).ok_or_else(|| format!("no number `{path}`; there are {}", names()))
+}
+
+/// Values of a study's column at the places of its axis.
+fn study_claim(results: &Results, claim: &Claim) -> Result<(), String> {
+    let data = &results.data;
+    match claim {
+        Claim::Rest { name, expected, tolerance } => tolerance.check(name, field(results, name)?, *expected),
+        Claim::Value { name, when, expected, tolerance } => {
+            let axis = data.axis.and_then(|i| data.columns.get(i)).ok_or("the study has no axis")?;
+            let values = &data.column(name).ok_or_else(|| no_column(data, name))?.values;
+            let last = axis.values.len().checked_sub(1).ok_or("the study has no rows")?;
+            let range = (axis.values[last] - axis.values[0]).abs();
+            let row = match when {
+                When::End => last,
+                When::At(x) => {
+                    let near = |v: &f64| (v - x).abs() <= 1e-12 * range.max(x.abs());
+                    axis.values.iter().position(near).ok_or_else(|| format!("no row at {x}"))?
+                }
+            };
+            tolerance.check(name, values[row], *expected)
+        }
+        claim => motion(&[], data, claim),
+    }
 }
 
 /// The first line of an expectation.
@@ -85,6 +138,7 @@ impl Command {
             "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
+            kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),
         }
     }
@@ -151,7 +205,7 @@ impl Command {
         match pipeline::equilibrium(machine, &guess, &mut Watch::default()) {
             Finding::Equilibrium(data, None) => Ok(Outcome::Rest(data)),
             Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
-            Finding::Motion(..) | Finding::Transient(..) | Finding::Modes(..) => Err("an equilibrium came back as a motion".into()),
+            _ => Err("an equilibrium came back as something else".into()),
         }
     }
 }
@@ -169,6 +223,7 @@ enum Outcome {
     Motion { times: Vec<f64>, data: Dataset },
     Rest(Dataset),
     Closed { times: Vec<f64>, data: Dataset, phases: Phases },
+    Study(Box<Results>),
 }
 
 impl Outcome {
@@ -184,6 +239,7 @@ impl Outcome {
             (Outcome::Closed { phases, .. }, Claim::PhaseCase { phase, case }) => case_of(phases, *phase, case),
             (Outcome::Closed { times, data, .. }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
+            (Outcome::Study(results), claim) => study_claim(results, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
                 let column = data.column(name).ok_or_else(|| no_column(data, name))?;
                 // several equilibria may be found; the claim is about the nearest
@@ -206,6 +262,7 @@ impl Outcome {
             Outcome::Motion { .. } => "the motion was computed".into(),
             Outcome::Closed { .. } => "the closed form was found".into(),
             Outcome::Rest(_) => "an equilibrium was found".into(),
+            Outcome::Study(results) => format!("the study {} was made", results.kind),
         }
     }
 }
