@@ -1002,5 +1002,18 @@ pub fn all() -> impl Iterator<Item = &'static TableSpec> {
 const BEFORE: &[&TableSpec] =
     &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
 
-const AFTER: &[&TableSpec] =
-    &[&OUTPUT, &SECTION, &PART, &NODE, &ROD, &SUPPORT, &LINE_LOAD, &DISPLACEMENT, &STRUCTURE, &PHASE, &STUDY, &PLOT, &TEXT];
+const AFTER: &[&TableSpec] = &[
+    &OUTPUT,
+    &SECTION,
+    &PART,
+    &structures::NODE,
+    &structures::ROD,
+    &structures::SUPPORT,
+    &structures::LINE_LOAD,
+    &structures::DISPLACEMENT,
+    &structures::STRUCTURE,
+    &PHASE,
+    &STUDY,
+    &PLOT,
+    &TEXT,
+];
