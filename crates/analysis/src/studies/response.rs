@@ -160,13 +160,15 @@ impl<'m> Forced<'m> {
         match &self.source {
             Source::OfEquations(i) => {
                 let Some(load) = matrices.loads.get(*i) else { return Err(no_load()) };
-                Ok((Some(load.rate), load.cos.iter().zip(&load.sin).map(|(c, s)| (*c, -*s)).collect()))
+                let sign = load.rate.signum();
+                Ok((Some(load.rate), load.cos.iter().zip(&load.sin).map(|(c, s)| (*c, -sign * s)).collect()))
             }
             Source::Given { rate, .. } => {
                 let Some(given) = &self.given else { return Err(no_load()) };
                 let values = self.machine.values(given, &self.place)?;
                 let (head, parts) = values.split_at(usize::from(rate.is_some()));
-                Ok((head.first().copied(), (0..n).map(|i| (parts[i], -parts[n + i])).collect()))
+                let sign = head.first().map_or(1.0, |rate| rate.signum());
+                Ok((head.first().copied(), (0..n).map(|i| (parts[i], -sign * parts[n + i])).collect()))
             }
             Source::Unit(i) => Ok((None, (0..n).map(|k| (f64::from(u8::from(k == *i)), 0.0)).collect())),
         }
@@ -177,14 +179,19 @@ impl<'m> Forced<'m> {
     /// *Errors*: formulas without a value at this frequency.
     pub fn at(&mut self, omega: f64) -> Result<Point, Fault> {
         let matrices = self.matrices(omega)?;
-        let (_, load) = self.load(&matrices)?;
+        let (rate, load) = self.load(&matrices)?;
         // from here on exp(iωt) stands for the wave from which phases count: -i exp(iωt) is its sine
         let turn = |z: Complex| if self.from_sine { (-z.1, z.0) } else { z };
         let load: Vec<Complex> = load.into_iter().map(turn).collect();
         let coordinates = solve(&matrices, omega, &load);
-        let still = solve(&matrices, 0.0, &load);
+        let mut still = solve(&matrices, 0.0, &load);
+        if still.iter().any(|z| z.0.is_infinite()) {
+            // nothing restores a free motion: there is no static displacement
+            still.fill((f64::NAN, f64::NAN));
+        }
         let seen = self.machine.observe(&self.observer, &self.place)?;
-        let own = |rate: f64| (rate.abs() - omega).abs() <= 1e-9 * omega.abs() && self.follows.is_some();
+        // what oscillates with the load by itself, the motion of a base for example
+        let own = |other: f64| rate.is_some_and(|rate| (other.abs() - rate.abs()).abs() <= 1e-9 * rate.abs());
         let see = |x: &[Complex], omega: f64| -> Vec<Complex> {
             let one = |s: &crate::linear::Seen| {
                 let mut y = (0.0, 0.0);

@@ -5,6 +5,7 @@ use crate::claim::{Claim, Tolerance, When, parse};
 use analysis::Dataset;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use mechanics::Diagnostic;
+use mechanics::model::{Modes, Response, StudyKind};
 use report::Language;
 use report::formula::{Form, Printer};
 use strutt::pipeline::{self, Finding, Machine};
@@ -82,6 +83,7 @@ impl Command {
         match self.verb.as_str() {
             "simulate" => self.simulate(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
+            "modes" | "response" => Ok(self.fields(&mut machine)),
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             other => Err(format!("unknown command `{other}`")),
         }
@@ -117,6 +119,23 @@ impl Command {
         }
     }
 
+    /// The study of the file of that kind, or the one that the command makes without.
+    fn fields(&self, machine: &mut Machine) -> Outcome {
+        let of_file = machine.model.studies.iter().map(|s| s.kind.clone()).find(|kind| match kind {
+            StudyKind::Modes(_) => self.verb == "modes",
+            StudyKind::Response(_) => self.verb == "response",
+            _ => false,
+        });
+        let usual = if self.verb == "modes" { StudyKind::Modes(Modes::default()) } else { StudyKind::Response(Response::default()) };
+        match pipeline::study(machine, &of_file.unwrap_or(usual), &mut Watch::default()) {
+            Some(finding) => match finding.trouble() {
+                Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
+                None => Outcome::Fields { own: strutt::folder::own_fields(&finding).into(), data: finding.data().clone() },
+            },
+            None => Outcome::Trouble { code: "", what: "no study".into() },
+        }
+    }
+
     fn equilibrium(&self, machine: &mut Machine) -> Result<Outcome, String> {
         let mut guess = Vec::new();
         for (name, value) in &self.guess {
@@ -127,7 +146,7 @@ impl Command {
         match pipeline::equilibrium(machine, &guess, &mut Watch::default()) {
             Finding::Equilibrium(data, None) => Ok(Outcome::Rest(data)),
             Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
-            Finding::Motion(..) => Err("an equilibrium came back as a motion".into()),
+            _ => Err("an equilibrium came back as something else".into()),
         }
     }
 }
@@ -144,6 +163,7 @@ enum Outcome {
     Machine(Box<Machine>),
     Motion { times: Vec<f64>, data: Dataset },
     Rest(Dataset),
+    Fields { own: serde_json::Value, data: Dataset },
 }
 
 impl Outcome {
@@ -152,6 +172,16 @@ impl Outcome {
             (Outcome::Findings(diagnostics), Claim::Error { code, line, only }) => findings(model, diagnostics, code, *line, *only),
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
             (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
+            (Outcome::Fields { own, .. }, Claim::Rest { name, expected, tolerance }) => {
+                let found = field(own, name)?.as_f64().unwrap_or(f64::NAN);
+                tolerance.check(name, found, *expected)
+            }
+            (Outcome::Fields { own, .. }, Claim::Field { path, text }) => {
+                let found = field(own, path)?;
+                let found = found.as_str().map_or_else(|| found.to_string(), str::to_owned);
+                if found == *text { Ok(()) } else { Err(format!("{path} is {found}")) }
+            }
+            (Outcome::Fields { data, .. }, claim) => motion(&[], data, claim),
             (Outcome::Motion { times, data }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
@@ -174,6 +204,7 @@ impl Outcome {
             Outcome::Trouble { code, what } => format!("ended with {code}: {what}"),
             Outcome::Machine(_) => "the model is accepted".into(),
             Outcome::Motion { .. } => "the motion was computed".into(),
+            Outcome::Fields { .. } => "the study was made".into(),
             Outcome::Rest(_) => "an equilibrium was found".into(),
         }
     }
@@ -189,6 +220,22 @@ fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<us
         [] => Err("nothing was found".into()),
         list => Err(format!("found {}", list.join(", "))),
     }
+}
+
+/// The field at a path: `modes[1].shape.phi`, counted from 1; `length(modes)` is a number of entries.
+fn field(own: &serde_json::Value, path: &str) -> Result<serde_json::Value, String> {
+    if let Some(inner) = path.strip_prefix("length(").and_then(|p| p.strip_suffix(')')) {
+        return Ok(field(own, inner)?.as_array().map_or(0, Vec::len).into());
+    }
+    let mut at = own;
+    for step in path.split(['.', '[']) {
+        let next = match step.strip_suffix(']') {
+            Some(index) => index.parse::<usize>().ok().and_then(|i| at.get(i.wrapping_sub(1))),
+            None => at.get(step),
+        };
+        at = next.ok_or_else(|| format!("no field `{path}` (at `{step}`)"))?;
+    }
+    Ok(at.clone())
 }
 
 fn no_column(data: &Dataset, name: &str) -> String {
