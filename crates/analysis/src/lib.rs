@@ -2,6 +2,7 @@
 //! file per study. Nothing here prints, writes files or knows mechanics.
 
 pub mod audits;
+pub mod connections;
 pub mod dataset;
 pub mod events;
 pub mod fault;

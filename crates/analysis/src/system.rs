@@ -150,6 +150,17 @@ pub trait System {
     /// Values of all outputs at (t, x) in the given modes. Does not disturb the last expansion.
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault>;
 
+    /// Why an output has no value, when it has none: it uses a reaction that is not unique.
+    fn refusal(&self, output: usize) -> Option<Fault> {
+        let _ = output;
+        None
+    }
+
+    /// Remarks on the system, to be shown beside every result.
+    fn notes(&self) -> &[Text] {
+        &[]
+    }
+
     /// Modes that the values of the guards have at a state; none when undefined there. The second derivation is taken in these.
     fn modes_by_value(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
         let _ = (t, x);

@@ -45,6 +45,12 @@ pub enum Type {
     Plots,
     /// A table of quantities by name.
     Guess,
+    /// A list of corners.
+    Corners,
+    /// Two lengths, or three corners.
+    LegsOrCorners,
+    /// A list of parts of a section.
+    Parts,
     /// A table of tables or values by name.
     Table,
     /// An array of tables.
@@ -73,6 +79,9 @@ impl Type {
             Type::Quantities => ("array of quantities", "массив величин"),
             Type::Plots => ("array of names, arrays of names or { x, y, title }", "массив имён, массивов имён или { x, y, title }"),
             Type::Guess => ("table of quantities by coordinate", "таблица величин по координатам"),
+            Type::Corners => ("array of corners [x, y]", "массив вершин [x, y]"),
+            Type::LegsOrCorners => ("array of 2 lengths, or of 3 corners [x, y]", "массив из 2 длин или из 3 вершин [x, y]"),
+            Type::Parts => ("array of parts", "массив частей"),
             Type::Table => ("table", "таблица"),
             Type::Array => ("array of tables", "массив таблиц"),
         }
@@ -203,7 +212,7 @@ pub const TOP: TableSpec = TableSpec {
             "[\"0\", \"0\", \"-g\"]",
         ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
-        must("coordinates", Type::Table, "", ("generalized coordinates", "обобщённые координаты"), ""),
+        may("coordinates", Type::Table, "", "", ("generalized coordinates", "обобщённые координаты"), ""),
         may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
         may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
         may("points", Type::Table, "", "", ("named points", "именованные точки"), ""),
@@ -233,7 +242,9 @@ pub const TOP: TableSpec = TableSpec {
         may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
         may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
+        may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
+        may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
     ],
 };
 
@@ -545,6 +556,162 @@ pub const OUTPUT: TableSpec = TableSpec {
     example: "[outputs]\nomega_p = { value = \"phi'\", unit = \"rpm\" }\n",
 };
 
+const RECTANGLE: Field = may(
+    "rectangle",
+    Type::Vector,
+    "m",
+    "",
+    ("width and height; `at` is its centre", "ширина и высота; `at` — центр"),
+    "[\"12 cm\", \"20 cm\"]",
+);
+const TRIANGLE: Field = may(
+    "triangle",
+    Type::LegsOrCorners,
+    "m",
+    "",
+    (
+        "legs along x and y from the right angle, which is `at`; or three corners",
+        "катеты вдоль x и y от прямого угла, он в `at`; или три вершины",
+    ),
+    "[\"6 cm\", \"4 cm\"]",
+);
+const CIRCLE: Field = may("circle", Type::Formula, "m", "", ("radius; `at` is the centre", "радиус; `at` — центр"), "\"3 cm\"");
+const HALF_DISC: Field = may(
+    "half_disc",
+    Type::Formula,
+    "m",
+    "",
+    (
+        "radius; `at` is the middle of the diameter, the half disc lies above it (turn it by `angle`)",
+        "радиус; `at` — середина диаметра, полукруг лежит над ним (поворот — `angle`)",
+    ),
+    "\"3 cm\"",
+);
+const RING: Field = may(
+    "ring",
+    Type::Vector,
+    "m",
+    "",
+    ("outer and inner radius; `at` is the centre", "наружный и внутренний радиусы; `at` — центр"),
+    "[\"5 cm\", \"4 cm\"]",
+);
+const POLYGON: Field = may(
+    "polygon",
+    Type::Corners,
+    "m",
+    "",
+    ("corners in order; `at` is their origin", "вершины по порядку обхода; `at` — их начало отсчёта"),
+    "[[\"0\", \"0\"], [\"6 cm\", \"0\"], [\"4 cm\", \"5 cm\"]]",
+);
+const PROFILE: Field = may(
+    "profile",
+    Type::String,
+    "",
+    "",
+    (
+        "rolled-steel profile; `at` is its centroid: I10 ... I60 (GOST 8239), channels C5U ... C40U, C5P ... C40P (GOST 8240), equal angles L20x3 ... L250x20 (GOST 8509)",
+        "прокатный профиль; `at` — центр тяжести: двутавры I10 ... I60 (ГОСТ 8239), швеллеры 5У ... 40У, 5П ... 40П (ГОСТ 8240), уголки L20x3 ... L250x20 (ГОСТ 8509)",
+    ),
+    "\"I20\"",
+);
+const PART_AT: Field = may("at", Type::Vector, "m", "[0, 0]", ("place of the part", "место части"), "[\"0\", \"10 cm\"]");
+const PART_ANGLE: Field =
+    may("angle", Type::Formula, "rad", "0", ("turn of the part about `at`", "поворот части вокруг `at`"), "\"90 deg\"");
+
+/// `[sections.NAME]`.
+pub const SECTION: TableSpec = TableSpec {
+    name: "sections",
+    about: (
+        "Sections of rods: parts added and removed, or one form. A file of sections alone needs nothing else.",
+        "Сечения стержней: части добавляются и вычитаются; либо одна фигура. Файлу, где есть только сечения, больше ничего не нужно.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "parts",
+            Type::Parts,
+            "",
+            "",
+            ("parts; without it the section is the one form below", "части; без ключа сечение — одна из фигур ниже"),
+            "[{ circle = \"3 cm\" }]",
+        ),
+        RECTANGLE,
+        TRIANGLE,
+        CIRCLE,
+        HALF_DISC,
+        RING,
+        POLYGON,
+        PROFILE,
+        PART_AT,
+        PART_ANGLE,
+        LABEL,
+    ],
+    example: "[sections.girder]\nparts = [\n  { profile = \"I20\" },\n  { rectangle = [\"12 cm\", \"1 cm\"], at = [\"0\", \"10,5 cm\"] },\n  { circle = \"1 cm\", at = [\"0\", \"5 cm\"], remove = true },\n]\n",
+};
+
+/// `parts = [{ ... }]`.
+pub const PART: TableSpec = TableSpec {
+    name: "parts",
+    about: ("one part of a section", "одна часть сечения"),
+    short: None,
+    fields: &[
+        RECTANGLE,
+        TRIANGLE,
+        CIRCLE,
+        HALF_DISC,
+        RING,
+        POLYGON,
+        PROFILE,
+        PART_AT,
+        PART_ANGLE,
+        may("remove", Type::Bool, "", "false", ("whether the part is taken out", "вычитается ли часть"), "true"),
+    ],
+    example: "",
+};
+
+/// `[[phases]]`.
+pub const PHASE: TableSpec = TableSpec {
+    name: "phases",
+    about: (
+        "A schedule of parameters: each phase begins where the one before ends (the first at t = 0) and sets parameters. A value holds until another phase sets it. The switches are hit exactly. `--set phases=restarts` (or `keeps`) chooses the reading for all phases.",
+        "Расписание параметров: каждый этап начинается там, где кончается предыдущий (первый — при t = 0), и задаёт параметры. Значение действует, пока его не сменит другой этап. Моменты переключения выдерживаются точно. `--set phases=restarts` (или `keeps`) выбирает толкование для всех этапов.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "until",
+            Type::Formula,
+            "s",
+            "",
+            ("instant at which the phase ends; the last phase may do without", "момент окончания этапа; у последнего может отсутствовать"),
+            "\"2*t_s\"",
+        ),
+        may(
+            "set",
+            Type::Table,
+            "",
+            "",
+            (
+                "values of parameters from the start of the phase; the parameter's own name stands for its value in [parameters]",
+                "значения параметров с начала этапа; собственное имя параметра обозначает его значение в [parameters]",
+            ),
+            "{ M_0 = \"8 N m\" }",
+        ),
+        may(
+            "phase",
+            Type::String,
+            "",
+            "\"keeps\"",
+            (
+                "\"keeps\": forces and torques go on; \"restarts\": the time in forces and torques counts from the start of the phase; holds for later phases too",
+                "\"keeps\": силы и моменты продолжаются; \"restarts\": время в силах и моментах отсчитывается от начала этапа; действует и для следующих этапов",
+            ),
+            "\"restarts\"",
+        ),
+    ],
+    example: "[[phases]]\nuntil = \"t_s\"\n\n[[phases]]\nuntil = \"2*t_s\"\nset = { M_0 = \"8 N m\" }\n\n[[phases]]\nset = { M_0 = \"0 N m\" }\n",
+};
+
 /// `[[study]]`.
 pub const STUDY: TableSpec = TableSpec {
     name: "study",
@@ -819,4 +986,4 @@ pub fn all() -> impl Iterator<Item = &'static TableSpec> {
 const BEFORE: &[&TableSpec] =
     &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
 
-const AFTER: &[&TableSpec] = &[&OUTPUT, &STUDY, &PLOT, &TEXT];
+const AFTER: &[&TableSpec] = &[&OUTPUT, &SECTION, &PART, &PHASE, &STUDY, &PLOT, &TEXT];

@@ -10,6 +10,7 @@ pub mod formula;
 pub mod model;
 mod read;
 pub mod reference;
+pub mod section;
 pub mod units;
 
 pub use diagnostic::{Diagnostic, Severity, Source};

@@ -1,7 +1,7 @@
 //! The written calculation of a machine: title, coordinates, equations, checks, results. It arranges what was computed and computes
 //! nothing itself.
 
-use crate::pipeline::{Calculation, Finding};
+use crate::pipeline::{Calculation, Finding, Phases};
 use crate::words::{Word as Say, say};
 use analysis::Dataset;
 use analysis::dataset::Audit;
@@ -141,7 +141,7 @@ impl Writer<'_> {
     fn coordinates(&self) -> Vec<Block> {
         let language = self.language;
         let coordinates = &self.equations.coordinates;
-        let mut pieces = vec![Inline::Words(format!("{}: {}. ", self.word(Word::DegreesOfFreedom), coordinates.len()))];
+        let mut pieces = vec![Inline::Words(format!("{}: {}. ", self.word(Word::DegreesOfFreedom), self.equations.degrees_of_freedom()))];
         if coordinates.is_empty() {
             return vec![Block::Paragraph(Rich(pieces))];
         }
@@ -179,6 +179,7 @@ impl Writer<'_> {
                 }
             }
         }
+        blocks.extend(self.connections(&printer));
         let mathml = definitions(self.equations, &printer, Form::MathMl);
         let text = definitions(self.equations, &printer, Form::Text);
         if !text.is_empty() {
@@ -186,6 +187,30 @@ impl Writer<'_> {
         }
         for (mathml, text) in mathml.into_iter().zip(text) {
             blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
+        }
+        blocks
+    }
+
+    /// What the connections demand, and what the letters of their reactions mean.
+    fn connections(&self, printer: &Printer) -> Vec<Block> {
+        let [mathml, text] = [Form::MathMl, Form::Text].map(|form| conditions(self.equations, printer, form));
+        let mut blocks = Vec::new();
+        if !text.is_empty() {
+            blocks.push(Block::paragraph(say(self.language, Say::Connections)));
+        }
+        for (mathml, text) in mathml.into_iter().zip(text) {
+            blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
+        }
+        let mut pieces = Vec::new();
+        for (i, reaction) in self.equations.reactions.iter().enumerate() {
+            let before = if i == 0 { format!("{}: ", say(self.language, Say::Reactions)) } else { "; ".into() };
+            pieces.push(Inline::Words(before));
+            pieces.push(Inline::Formula(self.symbol(printer, reaction.symbol)));
+            pieces.push(Inline::Words(format!(" — {}", self.language.text(&reaction.label))));
+        }
+        if !pieces.is_empty() {
+            pieces.push(Inline::Words(".".into()));
+            blocks.push(Block::Paragraph(Rich(pieces)));
         }
         blocks
     }
@@ -265,8 +290,11 @@ impl Writer<'_> {
                 blocks.extend(crate::small::show::modes(found, self.language, self.extent == Extent::Page));
                 blocks
             }
-            Finding::Motion(study, data, _) => {
+            Finding::Motion(study, data, _) | Finding::Transient(study, data, ..) => {
                 let mut blocks = vec![self.heading(Word::Simulation)];
+                if let Finding::Transient(_, _, phases, _) = finding {
+                    blocks = self.phases(phases);
+                }
                 blocks.push(self.table(results(data, self.language), Word::Results));
                 blocks.extend(self.notes(data));
                 blocks.extend(self.events(data));
@@ -277,6 +305,17 @@ impl Writer<'_> {
                 blocks
             }
         }
+    }
+
+    /// The written solution phase by phase.
+    fn phases(&self, phases: &Phases) -> Vec<Block> {
+        let width = match self.extent {
+            Extent::Page => PAGE_WIDTH,
+            Extent::Terminal { width } => width,
+        };
+        let mut blocks = vec![Block::heading(1, say(self.language, Say::ClosedForm))];
+        blocks.extend(crate::phases::steps::blocks(self.equations, &phases.list, &phases.names, self.language, width));
+        blocks
     }
 
     fn notes(&self, data: &Dataset) -> Vec<Block> {
@@ -344,6 +383,20 @@ pub fn definitions(equations: &Equations, printer: &Printer, form: Form) -> Vec<
         }
     }
     out
+}
+
+/// The conditions of connections, `... = 0`: on positions where they exist, else on rates. Nothing when the equations are not shown.
+pub fn conditions(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
+    if equations.textbook.is_err() {
+        return Vec::new();
+    }
+    let mut graph = equations.graph.clone();
+    let right = graph.zero();
+    let write = |c: &symbolic::connections::Condition| {
+        let equality = symbolic::equations::Equality { left: c.place.unwrap_or(c.rate), right };
+        printer.equality(&graph, equality, None, form)
+    };
+    equations.conditions.iter().map(write).collect()
 }
 
 /// The written derivation as blocks.

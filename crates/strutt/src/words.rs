@@ -36,7 +36,10 @@ report::words! {
     PotentialEnergy: "Potential energy", "Потенциальная энергия";
     DissipationFunction: "Dissipation function", "Диссипативная функция";
     WhereText: "where", "где";
+    Connections: "Equations of the connections", "Уравнения связей";
+    Reactions: "Reactions", "Реакции";
     Columns: "Quantities", "Величины";
+    ClosedForm: "Motion in closed form", "Движение в замкнутой форме";
     AtStart: "at the start", "в начале";
     Copied: "ready to run", "готово к запуску";
     TimeRead: "read", "чтение";

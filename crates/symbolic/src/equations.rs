@@ -60,6 +60,14 @@ pub struct Equations {
     pub notation: Vec<(String, String)>,
 }
 
+impl Equations {
+    /// Coordinates less ideal conditions, as they stand: conditions that repeat others count too.
+    pub fn degrees_of_freedom(&self) -> usize {
+        let ideal = self.reactions.iter().filter(|r| matches!(r.law, crate::connections::Law::Ideal { .. })).count();
+        self.coordinates.len().saturating_sub(ideal)
+    }
+}
+
 /// An applied force or torque.
 #[derive(Clone, Debug)]
 pub struct Applied {

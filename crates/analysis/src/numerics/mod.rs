@@ -1,10 +1,14 @@
 //! Small numerical tools.
 
+pub mod complex;
+pub mod divided;
 pub mod eigen;
+pub mod expm;
 pub mod factor;
 mod kernels;
 pub mod lanczos;
 pub mod lu;
+pub mod qr;
 pub mod random;
 pub mod rank;
 mod refine;

@@ -7,3 +7,4 @@ pub mod peaks;
 pub mod response;
 pub mod simulate;
 pub mod tracks;
+pub mod transient;

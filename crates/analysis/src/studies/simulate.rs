@@ -245,7 +245,12 @@ impl Pace {
 impl Run {
     fn prepare<S: System + ?Sized>(system: &S, options: &Simulate<'_>) -> Result<Run, Fault> {
         check(options)?;
-        let chosen = choose(system.outputs(), options.outputs.as_deref())?;
+        let mut chosen = choose(system.outputs(), options.outputs.as_deref())?;
+        let refused: Vec<Fault> = chosen.iter().filter_map(|&i| system.refusal(i)).collect();
+        if let (true, Some(fault)) = (options.outputs.is_some(), refused.first()) {
+            return Err(fault.clone());
+        }
+        chosen.retain(|&i| system.refusal(i).is_none());
         let outputs: Vec<Quantity> = chosen.iter().map(|&i| system.outputs()[i].clone()).collect();
         let times = requested(options, outputs.len() + 1)?;
         let n_x = system.states().len();
@@ -357,7 +362,7 @@ impl Run {
         Ok(())
     }
 
-    fn dataset<S: System + ?Sized>(self, _system: &S, tolerance: f64) -> Dataset {
+    fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {
         let mut done: Vec<(usize, f64)> = self.times[..self.next].iter().map(|&(t, row)| (row, t)).collect();
         done.sort_by_key(|&(row, _)| row);
         let n = self.outputs.len();
@@ -366,7 +371,7 @@ impl Run {
         for (j, quantity) in self.outputs.into_iter().enumerate() {
             columns.push(Column { quantity, values: done.iter().map(|&(row, _)| self.table[row * n + j]).collect() });
         }
-        let mut notes = Vec::new();
+        let mut notes = system.notes().to_vec();
         if self.interrupted {
             notes.push(Text::new("interrupted: the result ends early", "прервано: результат неполон"));
             if self.pace.remaining > 0.0 {
@@ -397,7 +402,7 @@ impl Run {
 }
 
 /// Indices of the wanted outputs.
-fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<Vec<usize>, Fault> {
+pub(super) fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<Vec<usize>, Fault> {
     let Some(wanted) = wanted else { return Ok((0..outputs.len()).collect()) };
     let find = |name: &String| {
         outputs.iter().position(|q| &q.name == name).ok_or_else(|| {

@@ -86,6 +86,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) base: Vec<f64>,
     /// Largest relative violation of conditions that a projection removed.
     drift: f64,
+    /// That of the step under trial.
+    removed: f64,
     pub(crate) modes: Vec<Mode>,
     /// Guards that leave `Zero` in the present trial.
     pub(crate) leaving: Vec<bool>,
@@ -141,6 +143,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             modes_before: vec![Mode::Zero; n_g],
             base: x.to_vec(),
             drift: 0.0,
+            removed: 0.0,
             modes: vec![Mode::Zero; n_g],
             leaving: vec![false; n_g],
             rebounds: vec![false; n_g],
@@ -295,9 +298,8 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     fn correct(&mut self, at: Instant) -> Result<(), Fault> {
         self.base.copy_from_slice(&self.next_x);
         let drift = self.system.project(at.high, &mut self.next_x, &self.modes)?;
+        self.removed = drift;
         if drift > 0.0 {
-            self.work.projections += 1;
-            self.drift = self.drift.max(drift);
             for i in 0..self.base.len() {
                 if self.next_x[i] != self.base[i] {
                     self.next_low[i] = 0.0;
@@ -324,6 +326,8 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         std::mem::swap(&mut self.x, &mut self.next_x);
         std::mem::swap(&mut self.low, &mut self.next_low);
         self.deflation.fill(0);
+        self.work.projections += u64::from(self.removed > 0.0);
+        self.drift = self.drift.max(self.removed);
         self.work.steps += 1;
         self.work.orders += self.step.order as u64;
         self.work.highest_order = self.work.highest_order.max(self.step.order);

@@ -20,6 +20,8 @@ pub(super) struct Reader<'a> {
     override_index: HashMap<String, usize>,
     /// Names of formulas and where they were declared.
     pub claimed: HashMap<String, Range<usize>>,
+    /// names of outputs
+    pub results: std::collections::HashSet<String>,
     diagnostics: Vec<Diagnostic>,
     pub builder: Builder,
     pub scope: Scope,
@@ -57,6 +59,7 @@ impl<'a> Reader<'a> {
             overrides,
             override_index,
             claimed: HashMap::new(),
+            results: std::collections::HashSet::new(),
             diagnostics: Vec::new(),
             builder: Builder::new(),
             scope: Scope::default(),

@@ -48,6 +48,7 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         second: Arc::new(second(equations)?),
         places: Arc::new(places(equations)?),
         statics: Arc::new(statics(equations, &names)?),
+        rests: Arc::new(rests(equations, &names)?),
         connections: Arc::new(connections(equations, &names)?),
         balances: Arc::new(balances(equations)?),
         start: Arc::new(start(equations, &names)?),
@@ -80,6 +81,11 @@ impl<'e> Names<'e> {
     fn accelerations(&self) -> impl Iterator<Item = String> + '_ {
         let n = self.equations.coordinates.len();
         (n..2 * n).map(|i| self.rate(i))
+    }
+    /// `{letter} x/d y` for all pairs of coordinates.
+    fn by_coordinates(&self, letter: &str) -> impl Iterator<Item = String> + use<'_, 'e> {
+        let (n, letter) = (self.equations.coordinates.len(), letter.to_owned());
+        (0..n * n).map(move |k| format!("{letter} {}/d {}", self.states[k / n], self.states[k % n]))
     }
     fn reaction(&self, r: usize) -> String {
         self.equations.reactions[r].name.clone()
@@ -315,28 +321,94 @@ fn places(equations: &Equations) -> Result<Tape, Fault> {
     Lowering::new(&equations.graph, &over_accelerations(equations), Switches::Value).tape("places", &roots)
 }
 
-/// h(q, 0, s, t) and ∂h/∂q. Rates are replaced by zero before differentiation, which leaves little of most systems.
-fn statics(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
-    let mut graph = equations.graph.clone();
-    let zero = graph.zero();
-    let mut rest = Substitution::new(equations.coordinates.iter().map(|c| (c.symbols[1], zero)));
-    let force: Vec<Expr> = equations.force.iter().map(|h| rest.apply(&mut graph, *h)).collect();
-    let definitions: Vec<(SymbolId, Expr)> = equations.definitions.iter().map(|d| (d.symbol, rest.apply(&mut graph, d.formula))).collect();
-    let moving = over_coordinates(equations, &graph, &definitions);
+/// The equations with all rates zero, ready to be differentiated by coordinates. Rates are replaced before differentiation, which leaves little of
+/// most systems.
+struct AtRest<'e> {
+    equations: &'e Equations,
+    graph: Graph,
+    rest: Substitution,
+    definitions: Vec<(SymbolId, Expr)>,
+    /// Those that depend on coordinates.
+    moving: Vec<(SymbolId, Expr)>,
+}
 
-    let mut roots: Vec<(String, Expr)> = names.states.iter().map(|s| format!("h {s}")).zip(force.iter().copied()).collect();
-    let mut columns = Vec::with_capacity(force.len());
-    for coordinate in &equations.coordinates {
-        let mut derivation = chain_rule(&mut graph, coordinate.symbols[0], &moving);
-        columns.push(force.iter().map(|h| derivation.apply(&mut graph, *h)).collect::<Vec<_>>());
+impl<'e> AtRest<'e> {
+    fn new(equations: &'e Equations) -> AtRest<'e> {
+        let mut graph = equations.graph.clone();
+        let zero = graph.zero();
+        let mut rest = Substitution::new(equations.coordinates.iter().map(|c| (c.symbols[1], zero)));
+        let definitions: Vec<(SymbolId, Expr)> =
+            equations.definitions.iter().map(|d| (d.symbol, rest.apply(&mut graph, d.formula))).collect();
+        let moving = over_coordinates(equations, &graph, &definitions);
+        AtRest { equations, graph, rest, definitions, moving }
     }
-    for i in 0..force.len() {
-        for (j, column) in columns.iter().enumerate() {
-            roots.push((format!("dh {}/d {}", names.states[i], names.states[j]), column[i]));
+
+    fn value(&mut self, e: Expr) -> Expr {
+        self.rest.apply(&mut self.graph, e)
+    }
+
+    /// ∂formulas[i]/∂q_j, row by row.
+    fn jacobian(&mut self, formulas: &[Expr]) -> Vec<Expr> {
+        let n = self.equations.coordinates.len();
+        let mut entries = vec![self.graph.zero(); formulas.len() * n];
+        for (j, coordinate) in self.equations.coordinates.iter().enumerate() {
+            let mut derivation = chain_rule(&mut self.graph, coordinate.symbols[0], &self.moving);
+            for (i, formula) in formulas.iter().enumerate() {
+                entries[i * n + j] = derivation.apply(&mut self.graph, *formula);
+            }
+        }
+        entries
+    }
+
+    fn tape(self, name: &str, inputs: Inputs, roots: &[(String, Expr)]) -> Result<Tape, Fault> {
+        let inputs = Inputs { definitions: self.definitions, ..inputs };
+        Lowering::new(&self.graph, &inputs, Switches::Value).tape(name, roots)
+    }
+}
+
+/// h(q, 0, s, t) and ∂h/∂q.
+fn statics(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
+    let mut rest = AtRest::new(equations);
+    let force: Vec<Expr> = equations.force.iter().map(|h| rest.value(*h)).collect();
+    let derivatives = rest.jacobian(&force);
+    let mut roots: Vec<(String, Expr)> = names.states.iter().map(|s| format!("h {s}")).zip(force).collect();
+    roots.extend(names.by_coordinates("dh").zip(derivatives));
+    rest.tape("statics", over_states(equations), &roots)
+}
+
+/// Places, J, what reactions do and how that changes with the position: see [`crate::RestRoots`].
+fn rests(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
+    let mut rest = AtRest::new(equations);
+    let n = equations.coordinates.len();
+    let zero = rest.graph.zero();
+    let mut roots: Vec<(String, Expr)> = Vec::new();
+    for c in &equations.conditions {
+        let place = c.place.map_or(zero, |place| rest.value(place));
+        roots.push((format!("place {}", c.name.en), place));
+    }
+    for c in &equations.conditions {
+        for (entry, q) in sparse(&c.columns, n, zero).into_iter().zip(&names.states) {
+            roots.push((format!("rate {} by {q}", c.name.en), rest.value(entry)));
         }
     }
-    let inputs = Inputs { definitions, ..over_states(equations) };
-    Lowering::new(&graph, &inputs, Switches::Value).tape("statics", &roots)
+    let mut loads = vec![Vec::new(); n];
+    for r in &equations.reactions {
+        let unknown = rest.graph.symbol(r.symbol);
+        for (i, e) in &r.forces {
+            let e = rest.value(*e);
+            loads[*i].push(rest.graph.mul(e, unknown));
+        }
+    }
+    let loads: Vec<Expr> = loads.iter().map(|terms| rest.graph.sum(terms)).collect();
+    let derivatives = rest.jacobian(&loads);
+    roots.extend(names.states.iter().map(|s| format!("load {s}")).zip(loads));
+    roots.extend(names.by_coordinates("dload").zip(derivatives));
+    for r in &equations.reactions {
+        for (entry, q) in sparse(&r.forces, n, zero).into_iter().zip(&names.states) {
+            roots.push((format!("{} on {q}", r.name), rest.value(entry)));
+        }
+    }
+    rest.tape("rests", over_reactions(equations), &roots)
 }
 
 /// The definitions that depend on a coordinate, directly or through earlier ones.

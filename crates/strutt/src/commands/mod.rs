@@ -11,6 +11,7 @@ mod new;
 mod response;
 mod run;
 mod simulate;
+mod transient;
 
 use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
@@ -40,6 +41,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Check(args) => check::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
+        Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Response(args) => response::run(&args, console),
         Command::Modes(args) => modes::run(&args, console),
