@@ -14,7 +14,6 @@ use crate::Fault;
 use crate::fault::{Message, rounded};
 use crate::linear::{LinearMachine, Matrices, Observer, Place, Values};
 use crate::numerics::lu::Lu;
-use crate::studies::equilibrium::rest_near;
 use crate::studies::modes::Complex;
 
 /// What excites.
@@ -148,8 +147,7 @@ impl<'m> Forced<'m> {
     pub fn matrices(&mut self, omega: f64) -> Result<Matrices, Fault> {
         if let Some((parameter, per_rate)) = self.follows {
             self.machine.set(parameter, omega * per_rate)?;
-            let q = rest_near(self.machine, &self.place.q)?;
-            self.place = Place::rest(&q);
+            self.place = self.machine.settle(&self.place.q)?;
         }
         self.machine.at(&self.place)
     }
@@ -227,6 +225,12 @@ impl<'m> Forced<'m> {
 
 /// (C - ω² M + i ω B) X = F as a real system of twice the size; infinite where it is singular.
 pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Vec<Complex> {
+    if let Some((z, k)) = m.allowed() {
+        // X = Z Y with Zᵀ (C - ω² M + i ω B) Z Y = Zᵀ F
+        let onto = |c: usize| (0..m.n).fold((0.0, 0.0), |s, i| (s.0 + z[i * k + c] * load[i].0, s.1 + z[i * k + c] * load[i].1));
+        let y = solve(&m.reduced(&z, k), omega, &(0..k).map(onto).collect::<Vec<_>>());
+        return (0..m.n).map(|i| (0..k).fold((0.0, 0.0), |s, c| (s.0 + z[i * k + c] * y[c].0, s.1 + z[i * k + c] * y[c].1))).collect();
+    }
     let n = m.n;
     let mut a = vec![0.0; 4 * n * n];
     for i in 0..n {
