@@ -108,7 +108,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let phases = schedule.finish(reader);
     let coordinates = parameters::starts(reader, raw_coordinates);
     let (frames, mut points) = frames::read(reader, &top);
-    structures::nodes(reader, &top);
+    let sections = sections::read(reader, &top);
+    structures::nodes(reader, &top, &sections);
     structures::rods(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
     connections::announce(reader, &top);
@@ -127,7 +128,6 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let outputs = outputs::resolve(reader, raw_outputs);
     let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
-    let sections = sections::read(reader, &top);
     let variants = variants::read(reader, &top);
 
     let builder = reader.take_builder();
