@@ -50,6 +50,8 @@ pub enum Command {
     Simulate(Simulate),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
+    /// Show the properties of the sections of a file
+    Section(Section),
     /// List the example models, or print one
     Examples(Examples),
     /// Write a model file to start from
@@ -147,6 +149,18 @@ pub struct Simulate {
 pub struct Equilibrium {
     #[command(flatten)]
     pub model: Model,
+}
+
+#[derive(Args, Debug)]
+pub struct Section {
+    #[command(flatten)]
+    pub model: Model,
+    /// One section only
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+    /// Also write drawings and a table into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

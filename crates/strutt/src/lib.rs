@@ -22,6 +22,7 @@ mod near;
 pub mod pipeline;
 pub mod plan;
 mod provenance;
+pub mod sections;
 pub mod source;
 pub mod watch;
 pub mod words;

@@ -8,6 +8,7 @@ mod examples;
 mod explain;
 mod new;
 mod run;
+mod section;
 mod simulate;
 
 use crate::args::Command;
@@ -39,6 +40,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Section(args) => section::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),
         Command::Explain(args) => explain::run(&args, console),
