@@ -91,8 +91,8 @@ pub struct Event {
     pub guard: usize,
     /// Signs of the guard before and after.
     pub sides: [f64; 2],
-    /// State (continuous).
-    pub state: Vec<f64>,
+    /// State just before and just after; an impact changes rates.
+    pub states: [Vec<f64>; 2],
     /// Selected outputs just before and just after.
     pub outputs: [Vec<f64>; 2],
 }

@@ -2,9 +2,11 @@
 //! file per study. Nothing here prints, writes files or knows mechanics.
 
 pub mod audits;
+pub mod connections;
 pub mod dataset;
 pub mod events;
 pub mod fault;
+pub mod linear;
 pub mod machine;
 pub mod numerics;
 pub mod studies;
@@ -13,5 +15,6 @@ pub mod taylor;
 
 pub use dataset::Dataset;
 pub use fault::Fault;
+pub use linear::{LinearMachine, Matrices};
 pub use machine::Machine;
-pub use system::{Guard, Mode, Powers, Quantity, System};
+pub use system::{Guard, GuardKind, Mode, Powers, Quantity, System};

@@ -67,8 +67,38 @@ impl Quantity {
 pub struct Guard {
     /// What is switched, for messages: `sign(v)`.
     pub name: Text,
+    /// What role it plays.
+    pub kind: GuardKind,
     /// Instant at which a guard that is affine in time vanishes; such an instant is hit exactly instead of being searched.
     pub scheduled: Option<f64>,
+}
+
+/// The role of a guard.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub enum GuardKind {
+    /// Switches formulas. All three modes are ordinary.
+    #[default]
+    Switch,
+    /// Sliding speed of a dry friction. `Zero`: it sticks, a condition on the motion holds the speed at zero, and both `limits` (bounds:
+    /// static limit minus and plus the friction force) must not be negative. When one is crossed, or is negative when modes are decided,
+    /// the contact slides in the direction of that bound's `exit`.
+    Friction {
+        /// Guards of kind `Bound`.
+        limits: [usize; 2],
+    },
+    /// Gap of a one-sided contact. `Positive`: open. `Zero`: closed, a condition holds the gap, and `force` must not be negative; when it
+    /// falls below zero the contact opens. Never `Negative`: when the gap closes with a rate, [`System::impact`] gives the rates after it.
+    Contact {
+        /// Guard of kind `Bound`: the contact force.
+        force: usize,
+    },
+    /// Counts only while guard `of` is `Zero`; it must be positive. Its own mode is then `Positive`, otherwise without meaning.
+    Bound {
+        /// The guard it belongs to.
+        of: usize,
+        /// The mode that guard takes when the bound is crossed.
+        exit: Mode,
+    },
 }
 
 /// Powers at a state, W.
@@ -120,6 +150,17 @@ pub trait System {
     /// Values of all outputs at (t, x) in the given modes. Does not disturb the last expansion.
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault>;
 
+    /// Why an output has no value, when it has none: it uses a reaction that is not unique.
+    fn refusal(&self, output: usize) -> Option<Fault> {
+        let _ = output;
+        None
+    }
+
+    /// Remarks on the system, to be shown beside every result.
+    fn notes(&self) -> &[Text] {
+        &[]
+    }
+
     /// Modes that the values of the guards have at a state; none when undefined there. The second derivation is taken in these.
     fn modes_by_value(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
         let _ = (t, x);
@@ -144,6 +185,24 @@ pub trait System {
     fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode], residuals: &mut [f64]) -> bool {
         let _ = (t, x, accelerations, modes, residuals);
         false
+    }
+
+    /// Moves x to the nearest state that keeps all conditions of connections, and the stuck and closed contacts of these modes: positions
+    /// first, then rates. Returns the largest relative violation it found (the drift); zero when nothing had to be changed.
+    ///
+    /// *Errors*: the conditions cannot be met from here.
+    fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
+        let _ = (t, x, modes);
+        Ok(0.0)
+    }
+
+    /// Puts into x the rates after the impact at the contacts `closing` (guards of kind `Contact` whose gap has just closed), all
+    /// conditions kept; contacts that are closed already and open conditions take part as impulses. Returns the impulse of each of `closing`.
+    ///
+    /// *Errors*: the impact equations are singular.
+    fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Vec<f64>, Fault> {
+        let _ = (t, x, modes, closing);
+        Ok(Vec::new())
     }
 
     /// Generalized forces h(q, 0, s, 0) of rest at t = 0, length n, and their derivatives by the coordinates, row i = force i.

@@ -19,7 +19,7 @@ pub struct Explanation {
 }
 
 /// Every table of explanations.
-pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, crate::derive::EXPLANATIONS];
+pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, LINEAR, crate::derive::EXPLANATIONS];
 
 /// The explanation of a code; small letters will do.
 pub fn find(code: &str) -> Option<&'static Explanation> {
@@ -523,7 +523,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
     row(
         "M064",
         ("unknown study", "неизвестный расчёт"),
-        ("Studies are equations, equilibrium and simulate.", "Расчёты: equations, equilibrium и simulate."),
+        (
+            "Studies are equations, equilibrium, simulate, inverse, statics, kinematics, periodic, cycle and sweep.",
+            "Расчёты: equations, equilibrium, simulate, inverse, statics, kinematics, periodic, cycle и sweep.",
+        ),
         "kind = \"simulat\"",
         "kind = \"simulate\"",
     ),
@@ -577,6 +580,196 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "",
         "",
     ),
+    row(
+        "M070",
+        ("no range of values", "не набор значений"),
+        (
+            "A range is name=linspace(first, last, number), name=logspace(first, last, number) with positive ends, or name=value, value. With semicolons between the values commas are decimal marks.",
+            "Набор значений: имя=linspace(первое, последнее, число), имя=logspace(первое, последнее, число) с положительными концами или имя=значение, значение. Если значения разделены точкой с запятой, запятая отделяет дробную часть.",
+        ),
+        "over = \"v=1 m/s..3 m/s\"",
+        "over = \"v=linspace(1 m/s, 3 m/s, 21)\"",
+    ),
+    row(
+        "M071",
+        ("keys of a study that do not agree", "несогласованные ключи расчёта"),
+        (
+            "The study lacks a key, has two that exclude each other, or a number outside its limits: turns belong to angles, ranges are not empty, an irregularity lies between 0 and 2.",
+            "В расчёте не хватает ключа, два ключа исключают друг друга или число вне пределов: обороты бывают у углов, промежуток не пуст, неравномерность — от 0 до 2.",
+        ),
+        "kind = \"periodic\"\nunknown = \"F0\"\nsection = \"phi\"",
+        "kind = \"periodic\"\nunknown = \"F0\"\nwanted_period = \"0.2568 s\"\nsection = \"phi\"",
+    ),
+    row(
+        "M072",
+        ("no constant parameter of that name", "нет такого постоянного параметра"),
+        (
+            "What a study looks for is one number: a constant of [parameters]. A value that depends on time or on the motion contains such constants.",
+            "Расчёт ищет одно число: постоянную из [parameters]. Величина, зависящая от времени или движения, содержит такие постоянные.",
+        ),
+        "unknown = \"phi\"",
+        "unknown = \"F0\"",
+    ),
+    row(
+        "M073",
+        ("points that move as one", "точки, которые движутся как одно целое"),
+        (
+            "The ends of the connection belong to one body, or to bodies that never move against each other. The connection would hold nothing, and its reaction could have any value.",
+            "Концы связи принадлежат одному телу или телам, неподвижным друг относительно друга. Связь ничего не удерживает, а её реакция может быть любой.",
+        ),
+        "[points]\nA = { on = \"crank\", at = [0, 0] }\nB = { on = \"crank\", at = [\"r\", 0] }\n[pins.P]\nbetween = [\"A\", \"B\"]",
+        "[points]\nA = { on = \"crank\", at = [\"r\", 0] }\nB = { on = \"rod\", at = [0, 0] }\n[pins.P]\nbetween = [\"A\", \"B\"]",
+    ),
+    row(
+        "M074",
+        ("a radius or length that is not positive", "радиус или длина не положительны"),
+        (
+            "Radii of wheels and drums and lengths of rods and ropes are positive; a wheel inside a circle is smaller than the circle. Directions of turning are said by words (`crossed`, `internal`, `turns_in`), not by signs.",
+            "Радиусы колёс и барабанов, длины стержней и канатов положительны; колесо внутри окружности меньше неё. Направления вращения задаются словами (`crossed`, `internal`, `turns_in`), а не знаками.",
+        ),
+        "radii = [\"r1\", \"-r2\"]",
+        "radii = [\"r1\", \"r2\"]\ncrossed = true",
+    ),
+    row(
+        "M075",
+        ("a word that is not possible", "недопустимое слово"),
+        (
+            "The key takes one of a few words: `side` is left or right, `turns_in` is + or -, directions of a support are x, y, z, turn, turn_x, turn_y, turn_z.",
+            "Ключ принимает одно из немногих слов: `side` — left или right, `turns_in` — + или -, направления опоры — x, y, z, turn, turn_x, turn_y, turn_z.",
+        ),
+        "directions = [\"x\", \"rotation\"]",
+        "directions = [\"x\", \"turn\"]",
+    ),
+    row(
+        "M076",
+        ("a reaction where it cannot be used", "реакция там, где её нельзя использовать"),
+        (
+            "Reactions are found together with the accelerations. What decides the motion cannot depend on them, with one exception: the normal force of dry friction.",
+            "Реакции находятся вместе с ускорениями. То, что определяет движение, не может от них зависеть, за одним исключением: нормальная сила сухого трения.",
+        ),
+        "[forces.F]\nalong = \"x\"\nvalue = \"-0.2*force(guide)\"",
+        "[frictions.F]\nalong = \"x\"\ncoefficient = 0.2\nnormal = \"force(guide)\"",
+    ),
+    row(
+        "M077",
+        ("no such component of a reaction", "нет такой компоненты реакции"),
+        (
+            "Each kind of connection has its own components: pins force_x, force_y, rods and ropes force, rolling contacts normal and tangential, welds and clamps also moment. A prescribed motion has none: its motor has.",
+            "У каждого вида связи свои компоненты: у шарниров force_x, force_y, у стержней и канатов force, у катящихся колёс normal и tangential, у заделок ещё moment. У заданного движения их нет: они у двигателя.",
+        ),
+        "S = \"normal(AB)\"",
+        "S = \"force(AB)\"",
+    ),
+    row(
+        "M078",
+        ("a point that is not fixed in the frame", "точка не закреплена в системе отсчёта"),
+        (
+            "The point of a guide, a slot or a track lies on the line, which belongs to the frame under `on`; so does the centre of a circular track.",
+            "Точка направляющей, паза или опоры лежит на прямой, а прямая принадлежит системе из `on`; то же для центра круговой опоры.",
+        ),
+        "[sliders.C]\npoint = \"C\"\non = \"ground\"\nthrough = \"B\"  # on the crank",
+        "[sliders.C]\npoint = \"C\"\non = \"crank\"\nthrough = \"B\"",
+    ),
+    row(
+        "M079",
+        ("restitution outside 0 ... 1", "коэффициент восстановления вне 0 ... 1"),
+        (
+            "The restitution is the ratio of the rates after and before an impact: 0 sticks, 1 loses no energy.",
+            "Коэффициент восстановления — отношение скоростей после и до удара: 0 — прилипание, 1 — без потерь энергии.",
+        ),
+        "restitution = 1.2",
+        "restitution = 0.8",
+    ),
+    row(
+        "M080",
+        ("keys that exclude each other", "ключи, исключающие друг друга"),
+        (
+            "Exactly one of two keys is needed: `zero` or `zero_rate`, `value` or `rate`, `at_least` or `at_most`, a line or a circle, friction as a force or by a coefficient with a normal force.",
+            "Нужен ровно один из двух ключей: `zero` или `zero_rate`, `value` или `rate`, `at_least` или `at_most`, прямая или окружность, трение силой или коэффициентом с нормальной силой.",
+        ),
+        "[stops.s]\nalong = \"x\"",
+        "[stops.s]\nalong = \"x\"\nat_least = 0",
+    ),
+    row(
+        "M081",
+        ("a support that cannot be", "невозможная опора"),
+        (
+            "A support holds at least one direction, each once, at a point of a body.",
+            "Опора удерживает хотя бы одно направление, каждое один раз, в точке тела.",
+        ),
+        "directions = [\"x\", \"x\"]",
+        "directions = [\"x\", \"y\"]",
+    ),
+    row(
+        "M082",
+        ("a rope from nowhere to nowhere", "канат из ниоткуда в никуда"),
+        (
+            "The path of a rope has two points at least. A rope that winds on a drum leaves it at a point, which begins the path. Only a rope between two drums has no path.",
+            "В пути каната не меньше двух точек. Канат, наматывающийся на барабан, сходит с него в точке, с которой путь начинается. Без пути — только канат между двумя барабанами.",
+        ),
+        "[ropes.R]\npath = [\"load\"]",
+        "[ropes.R]\npath = [\"edge\", \"load\"]\nwound = [{ on = \"drum\", radius = \"R\" }]",
+    ),
+    row(
+        "M083",
+        ("a condition that is none", "условие, которое не является связью"),
+        (
+            "A constraint depends on coordinates, or linearly on rates. A constant condition holds always or never; a product of rates does not forbid a direction of motion.",
+            "Связь зависит от координат или линейно от скоростей. Постоянное условие выполнено всегда или никогда; произведение скоростей не запрещает направления движения.",
+        ),
+        "zero_rate = \"x'^2 + y'^2 - v^2\"",
+        "zero_rate = \"x'*sin(psi) - y'*cos(psi)\"",
+    ),
+    row(
+        "M084",
+        ("u has two meanings", "у u два значения"),
+        (
+            "In laws of dry friction `u` is the sliding speed. A parameter or coordinate of that name would be hidden.",
+            "В законах сухого трения `u` — скорость скольжения. Параметр или координата с этим именем были бы скрыты.",
+        ),
+        "[parameters]\nu = \"1 m/s\"\n[frictions.F]\nalong = \"x\"\nkinetic = \"F2*(1 + u/v0)\"",
+        "[parameters]\nu_1 = \"1 m/s\"",
+    ),
+    row(
+        "M085",
+        ("a normal force that is not linear", "нелинейная нормальная сила"),
+        (
+            "Friction and reactions are found together from linear equations, so that the normal force is linear in the reactions. Its magnitude is taken in any case.",
+            "Трение и реакции находятся вместе из линейных уравнений, поэтому нормальная сила линейна по реакциям. Модуль берётся в любом случае.",
+        ),
+        "normal = \"force(A)\"  # a pin: the magnitude of two components",
+        "normal = \"force_y(A)\"",
+    ),
+    row(
+        "M086",
+        ("impossible limits of friction", "невозможные пределы трения"),
+        (
+            "Friction is not negative, and the limit at rest is not below the friction while sliding: a body that broke away would be stopped at once.",
+            "Трение не отрицательно, а предел трения покоя не меньше трения скольжения: иначе сорвавшееся тело тут же остановилось бы.",
+        ),
+        "kinetic = \"600 N\"\nstatic = \"200 N\"",
+        "kinetic = \"200 N\"\nstatic = \"600 N\"",
+    ),
+    row(
+        "M087",
+        ("a load on two bodies", "нагрузка на двух телах"),
+        (
+            "A distributed load lies on the straight line between two points fixed on one body. Split it at joints.",
+            "Распределённая нагрузка лежит на прямой между двумя закреплёнными точками одного тела. У шарниров её делят.",
+        ),
+        "from = \"A\"  # on the left beam\nto = \"B\"  # on the right beam",
+        "from = \"A\"\nto = \"C\"",
+    ),
+    row(
+        "M088",
+        ("backlash", "зазор"),
+        (
+            "A backlash is not negative, and a spring with backlash has no preload: within the play there is no force.",
+            "Зазор не отрицателен, и у пружины с зазором нет предварительного усилия: внутри зазора усилия нет.",
+        ),
+        "backlash = \"2 mm\"\npreload = \"10 N\"",
+        "backlash = \"2 mm\"",
+    ),
 ];
 
 #[cfg(test)]
@@ -609,3 +802,52 @@ mod tests {
         assert_eq!(used, explained);
     }
 }
+
+/// The codes of the studies of small motions.
+pub const LINEAR: &[Explanation] = &[
+    row(
+        "M090",
+        ("unknown scale of mode shapes", "неизвестная нормировка форм"),
+        (
+            "A shape is known up to a factor. `normalise` says how it is chosen: `largest` makes the largest entry 1, `first` the entry of the first \
+             coordinate, `mass` makes xT M x = 1.",
+            "Форма колебаний определена с точностью до множителя. Ключ `normalise` задаёт его: `largest` — наибольшая компонента равна 1, `first` — \
+             компонента первой координаты равна 1, `mass` — xT M x = 1.",
+        ),
+        "normalise = \"max\"",
+        "normalise = \"largest\"",
+    ),
+    row(
+        "M091",
+        ("unknown of the frequency equation", "неизвестное частотного уравнения"),
+        (
+            "The frequency equation is written in a variable of your choice, which must be a factor times the squared frequency. The frequency \
+             itself is written k, or omega where the model uses k for something else; the factor may use constant parameters.",
+            "Частотное уравнение записывается относительно выбранной величины: квадрата частоты с множителем. Сама частота обозначается k, а если \
+             имя k занято — omega; множитель составляется из постоянных параметров.",
+        ),
+        "frequency_variable = { z = \"m*k/c\" }",
+        "frequency_variable = { z = \"m*k^2/c\" }",
+    ),
+    row(
+        "M092",
+        ("not a constant parameter", "не постоянный параметр"),
+        (
+            "A study that goes through values of something (`over`) needs a row of [parameters] that is constant: not a coordinate, not a formula of \
+             time.",
+            "Расчёту, который проходит по значениям величины (`over`), нужна постоянная из [parameters]: не координата и не формула времени.",
+        ),
+        "over = \"phi\"",
+        "over = \"Omega\"",
+    ),
+    row(
+        "M093",
+        ("range of a study", "диапазон расчёта"),
+        (
+            "A range has two ends, the first smaller than the second; frequencies are not negative. The number of points is whole, from 2 to a million.",
+            "У диапазона две границы, первая меньше второй; частоты неотрицательны. Число точек — целое от 2 до миллиона.",
+        ),
+        "range = [\"100 rad/s\", \"1 rad/s\"]",
+        "range = [\"1 rad/s\", \"100 rad/s\"]",
+    ),
+];

@@ -1,6 +1,8 @@
 //! Every key of the model file: what it is, what it defaults to, an example. The reader takes its list of known and required keys from
 //! here, and the reference (`docs/model-file.md`) is generated from here.
 
+pub mod connections;
+
 /// A pair of wordings, English and Russian.
 pub type Words = (&'static str, &'static str);
 
@@ -210,13 +212,7 @@ pub const TOP: TableSpec = TableSpec {
             "[\"0\", \"0\", \"-g\"]",
         ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
-        must(
-            "coordinates",
-            Type::Table,
-            "",
-            ("generalized coordinates; not needed beside `sections`", "обобщённые координаты; при `sections` не нужны"),
-            "",
-        ),
+        may("coordinates", Type::Table, "", "", ("generalized coordinates", "обобщённые координаты"), ""),
         may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
         may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
         may("points", Type::Table, "", "", ("named points", "именованные точки"), ""),
@@ -226,6 +222,25 @@ pub const TOP: TableSpec = TableSpec {
         may("torques", Type::Table, "", "", ("applied torques", "приложенные моменты"), ""),
         may("potentials", Type::Table, "", "", ("free-form potential energies", "потенциальные энергии общего вида"), ""),
         may("dissipations", Type::Table, "", "", ("free-form Rayleigh functions", "диссипативные функции общего вида"), ""),
+        may("pins", Type::Table, "", "", ("pins", "шарниры"), ""),
+        may("welds", Type::Table, "", "", ("welds", "жёсткие соединения"), ""),
+        may("sliders", Type::Table, "", "", ("sliders", "ползуны"), ""),
+        may("slots", Type::Table, "", "", ("slots", "кулисы"), ""),
+        may("rods", Type::Table, "", "", ("massless rods", "невесомые стержни"), ""),
+        may("ropes", Type::Table, "", "", ("ropes", "канаты"), ""),
+        may("threads", Type::Table, "", "", ("threads", "нити"), ""),
+        may("belts", Type::Table, "", "", ("belts", "ремни"), ""),
+        may("chains", Type::Table, "", "", ("chains", "цепи"), ""),
+        may("gears", Type::Table, "", "", ("gear pairs", "зубчатые пары"), ""),
+        may("racks", Type::Table, "", "", ("gears on racks", "зубчатые рейки"), ""),
+        may("rolling", Type::Table, "", "", ("rolling without slip", "качение без проскальзывания"), ""),
+        may("constraints", Type::Table, "", "", ("conditions of any form", "связи общего вида"), ""),
+        may("supports", Type::Table, "", "", ("supports", "опоры"), ""),
+        may("motions", Type::Table, "", "", ("prescribed motions", "заданные движения"), ""),
+        may("motors", Type::Table, "", "", ("motors that realise motions", "двигатели, создающие движения"), ""),
+        may("stops", Type::Table, "", "", ("one-sided stops", "односторонние упоры"), ""),
+        may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
+        may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
         may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
@@ -265,6 +280,18 @@ pub const COORDINATE: TableSpec = TableSpec {
         must("unit", Type::Unit, "", ("unit", "единица"), "\"rad\""),
         may("start", Type::Formula, "", "0", ("value at t = 0, a constant", "значение при t = 0, постоянная"), "\"15 deg\""),
         may("rate", Type::Formula, "", "0", ("rate at t = 0, a constant", "скорость при t = 0, постоянная"), "\"2 rad/s\""),
+        may(
+            "guess",
+            Type::Formula,
+            "",
+            "0",
+            (
+                "instead of `start`: where the search for the value that closes the connections begins; the nearest configuration is taken",
+                "вместо `start`: откуда начинать поиск значения, при котором связи замкнуты; берётся ближайшее положение",
+            ),
+            "\"1.7 rad\"",
+        ),
+        may("rate_guess", Type::Formula, "", "0", ("the same for `rate`", "то же для `rate`"), "\"0\""),
         SYMBOL,
         LABEL,
     ],
@@ -392,6 +419,17 @@ pub const SPRING: TableSpec = TableSpec {
             "0",
             ("force at rest, tension positive", "усилие при rest, растяжение положительно"),
             "\"10 N\"",
+        ),
+        may(
+            "backlash",
+            Type::Formula,
+            "m",
+            "0",
+            (
+                "whole play about `rest`, half on each side, in which there is no force",
+                "полный зазор около `rest`, по половине с каждой стороны; в нём усилия нет",
+            ),
+            "\"2 mm\"",
         ),
     ],
     example: "[springs.horizontal]\nalong = \"x\"\nstiffness = \"c_x\"\n",
@@ -634,12 +672,12 @@ pub const PART: TableSpec = TableSpec {
 pub const STUDY: TableSpec = TableSpec {
     name: "study",
     about: (
-        "Studies, carried out in order: `equations`, `equilibrium` (key `guess`), `simulate` (the other keys).",
-        "Расчёты, выполняются по порядку: `equations`, `equilibrium` (ключ `guess`), `simulate` (остальные ключи).",
+        "Studies, carried out in order. Which keys belong to which kind: see the page of the study.",
+        "Расчёты, выполняются по порядку. Какие ключи относятся к какому расчёту, сказано на его странице.",
     ),
     short: None,
     fields: &[
-        must("kind", Type::String, "", ("equations, equilibrium or simulate", "equations, equilibrium или simulate"), "\"simulate\""),
+        must("kind", Type::String, "", ("name of the study", "название расчёта"), "\"simulate\""),
         may(
             "until",
             Type::Formula,
@@ -682,6 +720,191 @@ pub const STUDY: TableSpec = TableSpec {
             ("where to look for the equilibrium", "откуда искать положение равновесия"),
             "{ phi = \"0.1 rad\" }",
         ),
+        may(
+            "over",
+            Type::String,
+            "",
+            "",
+            (
+                "kinematics: the driven coordinate; modes: a parameter to follow them along; response: the frequency parameter; equilibrium: the coordinate; sweep: name=linspace(first, last, number), logspace or a list of values, or an array of such strings",
+                "kinematics: ведущая координата; modes: параметр, вдоль которого прослеживаются формы; response: параметр частоты; equilibrium: координата; sweep: имя=linspace(первое, последнее, число), logspace или список значений, или массив таких строк",
+            ),
+            "\"v=linspace(1 m/s, 3 m/s, 21)\"",
+        ),
+        may(
+            "from",
+            Type::Formula,
+            "",
+            "start",
+            ("first value of the driven coordinate", "первое значение ведущей координаты"),
+            "\"0 deg\"",
+        ),
+        may("to", Type::Formula, "", "", ("last value of the driven coordinate", "последнее значение ведущей координаты"), "\"180 deg\""),
+        may(
+            "turns",
+            Type::Formula,
+            "1",
+            "1",
+            (
+                "turns of the driven angle, or of the angle in one period or cycle; negative when it falls",
+                "обороты ведущего угла или угла за период, за цикл; отрицательны, если он убывает",
+            ),
+            "2",
+        ),
+        may(
+            "points",
+            Type::Formula,
+            "1",
+            "361",
+            ("number of positions, both ends included", "число положений вместе с обоими концами"),
+            "73",
+        ),
+        may(
+            "rate",
+            Type::Formula,
+            "",
+            "starting rate, else 1",
+            ("constant rate of the driven coordinate", "постоянная скорость ведущей координаты"),
+            "\"10 rad/s\"",
+        ),
+        may(
+            "with",
+            Type::Guess,
+            "",
+            "",
+            ("further driven coordinates as formulas of the driven one", "другие ведущие координаты — формулы от ведущей"),
+            "{ phi4 = \"2*phi1\" }",
+        ),
+        may(
+            "section",
+            Type::Formula,
+            "",
+            "",
+            (
+                "where a period begins: a formula that passes zero from below, or the name of an angle, which makes `turns`; without it `period` decides",
+                "где начинается период: формула, проходящая нуль снизу, или имя угла, который совершает `turns`; без ключа решает `period`",
+            ),
+            "\"x'\"",
+        ),
+        may(
+            "period",
+            Type::Formula,
+            "s",
+            "",
+            (
+                "periodic: the period of the loads, or a guess when there is a section; cycle: time of a cycle instead of `speed`",
+                "periodic: период нагрузок, а при сечении — начальное приближение; cycle: время цикла вместо `speed`",
+            ),
+            "\"0.2568 s\"",
+        ),
+        may("settle", Type::Formula, "s", "0", ("ordinary motion before the search", "обычное движение перед поиском"), "\"5 s\""),
+        may(
+            "unknown",
+            Type::Name,
+            "",
+            "",
+            (
+                "parameter to find: from the balance of a cycle, or from the wanted period",
+                "искомый параметр: из баланса за цикл или по нужному периоду",
+            ),
+            "\"F0\"",
+        ),
+        may(
+            "wanted_period",
+            Type::Formula,
+            "s",
+            "",
+            ("period that `unknown` must give", "период, который должен дать `unknown`"),
+            "\"0.2568 s\"",
+        ),
+        may("angle", Type::Name, "", "", ("angle of the main shaft, a coordinate", "угол главного вала, координата"), "\"phi1\""),
+        may(
+            "speed",
+            Type::Formula,
+            "rad/s",
+            "starting rate",
+            ("uniform rate of that angle", "равномерная скорость этого угла"),
+            "\"1450 rpm\"",
+        ),
+        may(
+            "irregularity",
+            Type::Formula,
+            "1",
+            "",
+            ("wanted (max - min)/mean of the rate", "нужная неравномерность хода (max - min)/среднее"),
+            "0.02",
+        ),
+        may(
+            "flywheel",
+            Type::Name,
+            "",
+            "",
+            ("parameter, an inertia, found for the wanted irregularity", "параметр — момент инерции, искомый по нужной неравномерности"),
+            "\"I1\"",
+        ),
+        may(
+            "observe",
+            Type::Names,
+            "",
+            "",
+            ("results noted for each value; or one name", "результаты, записываемые для каждого значения; или одно имя"),
+            "[\"period\"]",
+        ),
+        may(
+            "of",
+            Type::Name,
+            "",
+            "first that fits",
+            ("kind of the study of the file that is repeated", "вид расчёта из файла, который повторяется"),
+            "\"periodic\"",
+        ),
+        may(
+            "normalise",
+            Type::String,
+            "",
+            "\"largest\"",
+            (
+                "scale of mode shapes: largest, first (coordinate) or mass",
+                "нормировка форм: largest (наибольшая), first (первая координата) или mass",
+            ),
+            "\"mass\"",
+        ),
+        may(
+            "frequency_variable",
+            Type::Guess,
+            "",
+            "",
+            ("unknown of the frequency equation over the frequency k", "неизвестное частотного уравнения, выраженное через частоту k"),
+            "{ z = \"m*k^2/c\" }",
+        ),
+        may(
+            "range",
+            Type::Quantities,
+            "",
+            "",
+            ("values of `over`, from and to; Hz count periods in response", "границы значений `over`; Гц в response — число периодов"),
+            "[\"1 rad/s\", \"100 rad/s\"]",
+        ),
+        may(
+            "load",
+            Type::Name,
+            "",
+            "",
+            (
+                "load of the response: a force or torque, or a coordinate for a unit load; the harmonic loads of the file without it",
+                "нагрузка в response: сила, момент или координата (единичная нагрузка); без ключа — гармонические нагрузки файла",
+            ),
+            "\"drive\"",
+        ),
+        may("log", Type::Bool, "", "false", ("logarithmic axes", "логарифмические оси"), "true"),
+        may(
+            "shapes",
+            Type::Quantities,
+            "",
+            "",
+            ("frequencies at which the forced shape is shown", "частоты, при которых показывается форма вынужденных колебаний"),
+            "[\"3 Hz\", \"20 rad/s\"]",
+        ),
     ],
     example: "[[study]]\nkind = \"simulate\"\nuntil = \"30 s\"\nplot = [\"phi'\"]\n",
 };
@@ -712,24 +935,11 @@ pub const TEXT: TableSpec = TableSpec {
 };
 
 /// Every table, in the order of the reference.
-pub const ALL: [&TableSpec; 19] = [
-    &TOP,
-    &PARAMETER,
-    &COORDINATE,
-    &FRAME,
-    &BODY,
-    &TENSOR,
-    &POINT,
-    &SPRING,
-    &DAMPER,
-    &FORCE,
-    &TORQUE,
-    &POTENTIAL,
-    &DISSIPATION,
-    &OUTPUT,
-    &SECTION,
-    &PART,
-    &STUDY,
-    &PLOT,
-    &TEXT,
-];
+pub fn all() -> impl Iterator<Item = &'static TableSpec> {
+    BEFORE.iter().chain(connections::ALL).chain(AFTER).copied()
+}
+
+const BEFORE: &[&TableSpec] =
+    &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
+
+const AFTER: &[&TableSpec] = &[&OUTPUT, &SECTION, &PART, &STUDY, &PLOT, &TEXT];

@@ -16,7 +16,7 @@ pub mod units;
 pub use diagnostic::{Diagnostic, Severity, Source};
 pub use fault::{Fault, Words};
 pub use model::Model;
-pub use read::{MAX_FILE, MAX_FINDINGS, read, split_override};
+pub use read::{MAX_FILE, MAX_FINDINGS, read, split_override, sweep_range};
 
 /// What reading a model file gives.
 #[derive(Clone, Debug)]

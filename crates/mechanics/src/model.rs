@@ -40,6 +40,8 @@ pub struct Model {
     pub potentials: Vec<Potential>,
     /// Free-form Rayleigh functions.
     pub dissipations: Vec<Dissipation>,
+    /// Connections, supports, motions, motors, stops and frictions: by table, within a table in the user's order.
+    pub connections: Vec<Connection>,
     /// Named formulas for the user, in the user's order. An output used in another one is already expanded there.
     pub outputs: Vec<OutputDecl>,
     /// What `derive` must find: placeholder symbols that occur in formulas and what they stand for. In order of first use, so that the
@@ -142,10 +144,12 @@ pub struct CoordinateDecl {
     pub symbols: [SymbolId; 3],
     /// SI unit labels of q, q', q'': `rad`, `rad/s`, `rad/s^2`.
     pub units: [String; 3],
-    /// Value at the start, over constant parameters.
+    /// Value at the start, over constant parameters; a guess when not `given`.
     pub start: Expr,
     /// Rate at the start, over constant parameters.
     pub rate: Expr,
+    /// Whether the file gives start and rate. Others are found from the connections, beginning at `start` and `rate`.
+    pub given: [bool; 2],
     /// What it is; may be empty.
     pub label: Text,
     /// Place in the file.
@@ -280,6 +284,8 @@ pub struct Spring {
     pub rest: Rest,
     /// Force at rest; tension positive.
     pub preload: Expr,
+    /// Whole play about `rest`, half on each side: the spring acts where |pathway - rest| > backlash/2, by what goes beyond.
+    pub backlash: Option<Expr>,
     /// Place in the file (its name).
     pub span: Range<usize>,
 }
@@ -432,6 +438,8 @@ pub enum RequestKind {
     ElementForce(Element),
     /// Pathway minus rest of a spring; the pathway itself for a damper: `extension(S)`.
     Extension(Element),
+    /// A component of the reaction of a connection: `force(AB)`, `force_x(O)`.
+    Reaction(usize, Part),
     /// Time derivative of an expression along the motion.
     TimeDerivative {
         /// What is differentiated: a parameter's symbol, or the formula of an output.
@@ -471,6 +479,205 @@ pub enum StudyKind {
     },
     /// Compute a motion.
     Simulate(Simulate),
+    /// Find the forces and torques of the motors that realise the prescribed motions.
+    Inverse(Simulate),
+    /// Find the reactions at rest.
+    Statics,
+    /// Follow a linkage over a range of a coordinate, without forces.
+    Kinematics(Kinematics),
+    /// Find a periodic motion.
+    Periodic(Periodic),
+    /// Energy balance of a machine over one turn.
+    Cycle(Cycle),
+    /// Repeat a study over values of a parameter.
+    Sweep(Sweep),
+    /// Natural frequencies and shapes.
+    Modes(Modes),
+    /// Forced oscillations over the frequency.
+    Response(Response),
+}
+
+/// Positions, velocities and accelerations over a range of one coordinate; SI.
+#[derive(Clone, Debug)]
+pub struct Kinematics {
+    /// The driven coordinate.
+    pub over: SymbolId,
+    /// Its name.
+    pub name: String,
+    /// First value; `None`: the coordinate's start.
+    pub from: Option<f64>,
+    /// Last value.
+    pub to: KinematicsEnd,
+    /// How many positions, both ends included.
+    pub points: usize,
+    /// Rate of the driven coordinate, constant, from which velocities and accelerations follow; `None`: its starting rate, or 1 when
+    /// that is zero.
+    pub rate: Option<f64>,
+    /// Further driven coordinates as formulas of the driven one, for linkages of two and more degrees of freedom.
+    pub with: Vec<(SymbolId, Expr)>,
+    /// Outputs wanted, by name (also coordinates and rates); empty means all.
+    pub outputs: Vec<String>,
+    /// Plots wanted; the horizontal axis `None` is the driven coordinate.
+    pub plots: Vec<Plot>,
+}
+
+/// Where a kinematic range ends.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum KinematicsEnd {
+    /// At this value.
+    At(f64),
+    /// After so many turns of 2π from the first value.
+    Turns(f64),
+}
+
+/// A periodic motion to find; SI.
+#[derive(Clone, Debug)]
+pub struct Periodic {
+    /// What begins a period.
+    pub section: Section,
+    /// The period, where the section is a time; otherwise a guess.
+    pub period: Option<f64>,
+    /// Duration of an ordinary motion before the search begins.
+    pub settle: f64,
+    /// Parameter that is changed so that the period becomes the second value.
+    pub tuned: Option<(String, f64)>,
+    /// Relative tolerance of the integrator.
+    pub tolerance: f64,
+    /// Times at which results are wanted, counted from the section.
+    pub times: Times,
+    /// Outputs wanted, by name (also coordinates and rates); empty means all.
+    pub outputs: Vec<String>,
+    /// Plots wanted.
+    pub plots: Vec<Plot>,
+}
+
+/// The surface at which a periodic motion begins and ends.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Section {
+    /// The loads repeat in time: the period is given, the state is what returns.
+    Time,
+    /// The formula over coordinates, rates and time passes zero from below.
+    Zero(Expr),
+    /// The angle has grown by so many turns of 2π; the section passes through its start. All other coordinates return.
+    Turns {
+        /// The angle.
+        angle: SymbolId,
+        /// How many turns; negative when it falls.
+        turns: f64,
+    },
+}
+
+/// Energy balance of a cyclic machine; SI.
+#[derive(Clone, Debug)]
+pub struct Cycle {
+    /// The angle that describes the cycle.
+    pub angle: SymbolId,
+    /// Its name.
+    pub name: String,
+    /// How many turns of 2π make a cycle (2 for a four-stroke engine); negative when it falls.
+    pub turns: f64,
+    /// Uniform rate of the angle; `None`: its starting rate.
+    pub speed: Option<f64>,
+    /// Parameter found from the balance: a drive force or torque. `None`: the balance is only drawn up.
+    pub unknown: Option<String>,
+    /// Wanted irregularity of running, (max - min)/mean of the rate.
+    pub irregularity: Option<f64>,
+    /// Parameter, an inertia, changed for the wanted irregularity.
+    pub flywheel: Option<String>,
+    /// How many positions of the tables, both ends included.
+    pub points: usize,
+    /// Plots wanted; the horizontal axis `None` is the angle.
+    pub plots: Vec<Plot>,
+}
+
+/// A study repeated over values of parameters; SI.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// What is changed, the first slowest.
+    pub over: Vec<SweepRange>,
+    /// What is noted: outputs, or results of the study (`period`).
+    pub observe: Vec<String>,
+    /// Kind of the study of the file that is repeated; `None`: the first that has the results.
+    pub of: Option<String>,
+    /// Plots wanted, of what is noted over the values.
+    pub plots: Vec<Plot>,
+}
+
+/// Values of a parameter, or of a start or starting rate of a coordinate.
+#[derive(Clone, PartialEq, Debug)]
+pub struct SweepRange {
+    /// Name as with `--set`: `v`, `phi`, `phi'`.
+    pub name: String,
+    /// Values, SI.
+    pub values: Vec<f64>,
+}
+
+/// Natural frequencies and shapes about an equilibrium.
+#[derive(Clone, Debug, Default)]
+pub struct Modes {
+    /// Where to look for the equilibrium, SI.
+    pub guess: Vec<(SymbolId, f64)>,
+    /// Scale of the shapes.
+    pub scale: Scale,
+    /// The unknown of the frequency equation; ω² without it.
+    pub variable: Option<FrequencyVariable>,
+    /// A parameter to follow the modes along.
+    pub over: Option<ParameterRange>,
+}
+
+/// How shapes are scaled.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Scale {
+    /// The largest entry is 1.
+    #[default]
+    Largest,
+    /// The first coordinate has 1.
+    First,
+    /// Modal mass 1.
+    Mass,
+}
+
+/// name = factor·ω².
+#[derive(Clone, Debug)]
+pub struct FrequencyVariable {
+    /// The user's letter.
+    pub name: String,
+    /// Over constant parameters.
+    pub factor: Expr,
+}
+
+/// A parameter that takes equidistant values, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterRange {
+    /// Its name.
+    pub name: String,
+    /// First value.
+    pub from: f64,
+    /// Last value.
+    pub to: f64,
+    /// Number of values.
+    pub points: usize,
+}
+
+/// Forced oscillations over the frequency of a harmonic load.
+#[derive(Clone, Debug, Default)]
+pub struct Response {
+    /// Where to look for the equilibrium, SI.
+    pub guess: Vec<(SymbolId, f64)>,
+    /// The load, by name: a force, a torque, or a coordinate for a unit load on it. Otherwise the harmonic loads of the file.
+    pub load: Option<String>,
+    /// The parameter that is the frequency; otherwise the one that occurs as such in the loads.
+    pub frequency: Option<String>,
+    /// Frequencies from and to, rad/s; found from the natural frequencies when absent.
+    pub range: Option<[f64; 2]>,
+    /// Number of frequencies.
+    pub points: Option<usize>,
+    /// Logarithmic axes.
+    pub log: bool,
+    /// Outputs wanted, by name; the coordinates and the user's outputs when empty.
+    pub outputs: Vec<String>,
+    /// Frequencies at which the shape of the forced motion is shown, rad/s.
+    pub shapes: Vec<f64>,
 }
 
 /// A motion to compute; SI.
@@ -512,3 +719,221 @@ pub struct Plot {
 
 /// The default tolerance of a simulation.
 pub const DEFAULT_TOLERANCE: f64 = 1e-12;
+
+/// Something with reactions: a joint, a support, a drive, a stop, a dry friction.
+#[derive(Clone, Debug)]
+pub struct Connection {
+    /// Name.
+    pub name: String,
+    /// Table it stands in: `pins`.
+    pub table: &'static str,
+    /// What it does.
+    pub kind: ConnectionKind,
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// What a connection does. Signs: a reaction acts on the second of two partners and opposite on the first, unless said otherwise.
+#[derive(Clone, Debug)]
+pub enum ConnectionKind {
+    /// Two points coincide. Components in `axes`, acting on the frame of the second point.
+    Pin {
+        /// The points.
+        between: [PointRef; 2],
+        /// Axes of the components.
+        axes: FrameId,
+    },
+    /// Two points coincide and their frames do not turn against each other (plane: one angle; space: three).
+    Weld {
+        /// The points.
+        between: [PointRef; 2],
+        /// Axes of the components.
+        axes: FrameId,
+    },
+    /// A point stays on a straight line of another frame (slider on a guide, pin in a slot). The normal force acts on the frame of the
+    /// point, positive towards the line's direction turned by +90 degrees.
+    Slider {
+        /// The sliding point.
+        point: PointRef,
+        /// The frame of the line.
+        on: FrameId,
+        /// A point of the line, fixed in `on`; `None`: the line passes through the point's place at the start.
+        through: Option<PointRef>,
+        /// Angle of the line from the x axis of `on`.
+        direction: Expr,
+        /// Whether the frame of the point may turn against `on`; otherwise a moment holds it.
+        turns: bool,
+    },
+    /// Massless rigid rod: the distance of two points is constant. Tension is positive.
+    Rod {
+        /// The ends.
+        between: [PointRef; 2],
+        /// Length.
+        length: Rest,
+    },
+    /// Inextensible rope or thread along points (ends, rings, axles of small pulleys), perhaps winding on drums. Tension is positive.
+    Rope {
+        /// The polygon; at least two points.
+        path: Vec<PointRef>,
+        /// Drums on which it winds, beyond the polygon.
+        wound: Vec<Wound>,
+        /// Length: polygon plus Σ winding radius · angle.
+        length: Rest,
+        /// Whether it may go slack (a contact) or is always held taut (an ideal condition).
+        slack: bool,
+        /// Restitution when it catches.
+        restitution: Expr,
+    },
+    /// Two wheels turn together: belts (open, crossed), chains, gear pairs. The force is what the belt (its tension difference) or the
+    /// tooth transmits; positive when it turns the second wheel in the positive direction.
+    Wheels {
+        /// The wheels.
+        between: [FrameId; 2],
+        /// Pitch radii.
+        radii: [Expr; 2],
+        /// Whether they turn in opposite directions (crossed belt, external gears).
+        opposite: bool,
+        /// The frame that carries both axes; angles count from it. Ground when absent.
+        carrier: Option<FrameId>,
+    },
+    /// A gear on a rack, or a wheel on a straight line, or on a circle: no slip at the contact point. `tangential` acts on the wheel along
+    /// the line's direction, `normal` on the wheel away from the line (towards its side).
+    Rolling {
+        /// The wheel.
+        wheel: FrameId,
+        /// Its centre; the wheel's origin unless given.
+        center: PointRef,
+        /// Radius of the rolling circle.
+        radius: Expr,
+        /// The frame of the track.
+        on: FrameId,
+        /// The track.
+        track: Track,
+        /// Whether the wheel is kept at the distance `radius` from the track (`normal` exists); not for racks.
+        held: bool,
+    },
+    /// A condition written as a formula.
+    Constraint {
+        /// Vanishes: over coordinates and time, or affine in rates.
+        zero: Expr,
+        /// Whether it is on rates.
+        on_rates: bool,
+    },
+    /// A point of a body (or the whole body with `Turn`) is held. The reaction acts on the body.
+    Support {
+        /// Where.
+        at: PointRef,
+        /// Directions held, in `axes`.
+        directions: Vec<SupportDirection>,
+        /// Axes of the components.
+        axes: FrameId,
+    },
+    /// A prescribed motion: pathway = value, or its rate.
+    Motion {
+        /// What moves.
+        pathway: Pathway,
+        /// Over time and constants.
+        value: Expr,
+        /// Whether `value` is the rate.
+        is_rate: bool,
+    },
+    /// An unknown force (or torque) along a pathway that realises a motion; positive increases the pathway.
+    Motor {
+        /// Where it acts: for two frames, the torque acts on the second and opposite on the first.
+        pathway: Pathway,
+    },
+    /// One-sided stop: `gap` is never negative; the force, positive, pushes it open.
+    Stop {
+        /// Over coordinates and time.
+        gap: Pathway,
+        /// Its value at contact, taken off: gap = pathway - clearance when `above`, else clearance - pathway.
+        clearance: Expr,
+        /// Whether the pathway may only grow beyond the clearance.
+        above: bool,
+        /// Restitution.
+        restitution: Expr,
+    },
+    /// Dry friction on a pathway. The force is positive when it resists a growing pathway.
+    Friction {
+        /// Pathway whose rate is the sliding speed.
+        pathway: Pathway,
+        /// Kinetic magnitude over constants, time and `u`, the sliding speed's magnitude; a coefficient when `normal` is given.
+        kinetic: Expr,
+        /// Symbol of `u` in `kinetic`.
+        speed: SymbolId,
+        /// Static limit (or coefficient); `None`: the kinetic one at u = 0.
+        fixed: Option<Expr>,
+        /// Normal force: a formula, which may contain reactions linearly; its magnitude counts.
+        normal: Option<Expr>,
+    },
+}
+
+/// A drum on which a rope winds: winding length = sense · radius · angle of the drum.
+#[derive(Clone, Copy, Debug)]
+pub struct Wound {
+    /// The drum.
+    pub on: FrameId,
+    /// Its radius.
+    pub radius: Expr,
+    /// Whether the rope gets longer on the drum (shorter elsewhere) when the drum turns in the positive direction.
+    pub positive: bool,
+}
+
+/// What a wheel rolls on.
+#[derive(Clone, Copy, Debug)]
+pub enum Track {
+    /// A straight line.
+    Line {
+        /// A point of it; `None`: a line at the distance `radius` from the centre's place at the start.
+        through: Option<PointRef>,
+        /// Its angle from the x axis of the track's frame.
+        direction: Expr,
+        /// Whether the wheel is on the side of the direction turned by +90 degrees.
+        left: bool,
+    },
+    /// A circle about a point of the track's frame.
+    Circle {
+        /// Its centre.
+        center: PointRef,
+        /// Its radius.
+        radius: Expr,
+        /// Whether the wheel is inside.
+        inside: bool,
+    },
+}
+
+/// A direction held by a support.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs)]
+pub enum SupportDirection {
+    X,
+    Y,
+    Z,
+    /// Rotation about z (`turn`), or about x, y, z in space.
+    TurnX,
+    TurnY,
+    TurnZ,
+}
+
+/// A component of a connection's reaction.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub enum Part {
+    /// The only component, or the magnitude where there are two or three: `force`.
+    Force,
+    /// `force_x`.
+    ForceX,
+    /// `force_y`.
+    ForceY,
+    /// `force_z`.
+    ForceZ,
+    /// `moment`, about z.
+    Moment,
+    /// `moment_x`.
+    MomentX,
+    /// `moment_y`.
+    MomentY,
+    /// `normal` of a rolling contact.
+    Normal,
+    /// `tangential` of a rolling contact.
+    Tangential,
+}

@@ -24,7 +24,7 @@ pub fn markdown(language: Language) -> String {
     let mut out = String::new();
     let _ = writeln!(out, "# {}\n", language.pick(("The model file", "Файл модели")));
     let _ = writeln!(out, "{}\n", language.pick(INTRODUCTION));
-    for table in fields::ALL {
+    for table in fields::all() {
         section(&mut out, table, language);
     }
     functions(&mut out, language);
@@ -48,7 +48,9 @@ fn section(out: &mut String, table: &TableSpec, language: Language) {
         "" => language.pick(("Top level", "Верхний уровень")).to_owned(),
         "study" => "`[[study]]`".to_owned(),
         "parameters" | "coordinates" | "points" | "outputs" => format!("`[{}]`", table.name),
-        "inertia" | "plot" | "text" | "parts" => format!("`{{ {} }}`", table.fields.iter().map(|f| f.key).collect::<Vec<_>>().join(", ")),
+        "inertia" | "plot" | "text" | "wound" | "circle" | "parts" => {
+            format!("`{{ {} }}`", table.fields.iter().map(|f| f.key).collect::<Vec<_>>().join(", "))
+        }
         name => format!("`[{name}.NAME]`"),
     };
     let _ = writeln!(out, "## {title}\n\n{}\n", language.pick(table.about));
@@ -83,7 +85,7 @@ fn functions(out: &mut String, language: Language) {
             Takes::Frame => "B",
             Takes::BodyOrNothing => "B",
             Takes::Nothing => "",
-            Takes::Element => "S",
+            Takes::Element | Takes::Acting => "S",
         };
         let _ = writeln!(out, "| `{}({argument})` | {} |", f.name, language.pick((f.en, f.ru)));
     }
@@ -108,7 +110,7 @@ mod tests {
     fn every_key_unit_and_function_is_in_both_references() {
         for language in [Language::English, Language::Russian] {
             let text = markdown(language);
-            for table in fields::ALL {
+            for table in fields::all() {
                 assert!(table.fields.iter().all(|f| text.contains(&format!("| `{}` |", f.key))), "{}", table.name);
             }
             assert!(text.contains("`rpm`") && text.contains("`кгс`") && text.contains("`vx(A)`"));

@@ -20,6 +20,17 @@ pub struct Details {
     pub help: Text,
     /// The expression that failed, for printing in the user's symbols, when it is known.
     pub expression: Option<Expr>,
+    /// Where equations with connections have no single solution (P013).
+    pub singular: Option<Singular>,
+}
+
+/// The place at which the equations of motion and conditions cannot be solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Singular {
+    /// Index in `Program::rows`: the first equation that follows from those before it, or contradicts them.
+    pub row: usize,
+    /// Index in `Program::unknowns`: an unknown that the equations leave open.
+    pub unknown: usize,
 }
 
 impl std::ops::Deref for Fault {
@@ -40,11 +51,17 @@ impl Fault {
             why: fill(row.1[1].0, row.1[1].1),
             help: fill(row.1[2].0, row.1[2].1),
             expression: None,
+            singular: None,
         }))
     }
 
     pub(crate) fn about(code: &'static str, subject: impl Into<String>) -> Fault {
         Fault::new(code, &Text::same(subject))
+    }
+
+    pub(crate) fn with(mut self, singular: Singular) -> Fault {
+        self.0.singular = Some(singular);
+        self
     }
 
     pub(crate) fn at(mut self, expression: Option<Expr>) -> Fault {
@@ -184,6 +201,34 @@ const CAUSES: &[(&str, [Wording; 3])] = &[
         ],
     ),
     (
+        "P013",
+        [
+            ("motion and reactions are not determined: {}", "движение и реакции не определяются: {}"),
+            (
+                "at this configuration the conditions depend on each other (a dead centre, a stretched linkage), or a motion has neither inertia nor a condition",
+                "в этом положении условия связей зависимы (мёртвая точка, вытянутый механизм), либо у движения нет ни инерции, ни условия",
+            ),
+            (
+                "start away from the dead position, give inertia to the bodies concerned, or remove a connection that repeats another",
+                "начните вне мёртвого положения, задайте инерцию этим телам или уберите повторяющую связь",
+            ),
+        ],
+    ),
+    (
+        "P014",
+        [
+            ("a reaction is not unique: {}", "реакция не единственна: {}"),
+            (
+                "more connections than needed hold the same motion, so that statics of rigid bodies cannot say how they share the load",
+                "одно и то же движение удерживают лишние связи, и статика твёрдых тел не может разделить между ними нагрузку",
+            ),
+            (
+                "remove the connections that repeat others, or ask for another quantity",
+                "уберите повторяющие связи или запросите другую величину",
+            ),
+        ],
+    ),
+    (
         "P020",
         [
             ("the tape breaks a rule: {}", "лента нарушает правило: {}"),
@@ -289,6 +334,22 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
         "P012",
         ("Inconsistent equations", "Несогласованные уравнения"),
         ("The mass matrix, the forces and the coordinates differ in number.", "Матрица масс, силы и координаты различаются по количеству."),
+    ),
+    (
+        "P013",
+        ("Motion not determined", "Движение не определяется"),
+        (
+            "Accelerations and reactions follow from M q'' = h + J' lambda and J q'' = gamma together. At this configuration these equations depend on each other: a linkage is stretched or at a dead centre, a connection repeats another, or a coordinate has neither inertia nor a condition.",
+            "Ускорения и реакции находятся из системы M q'' = h + J' lambda, J q'' = gamma. В этом положении её уравнения зависимы: механизм вытянут или в мёртвой точке, связь повторяет другую либо у координаты нет ни инерции, ни условия.",
+        ),
+    ),
+    (
+        "P014",
+        ("Reaction not unique", "Реакция не единственна"),
+        (
+            "The machine moves in a definite way, but this reaction is one of several that hold the same motion twice (a shaft in three bearings, a beam between two pins): rigid bodies leave their shares open. Motion and the other reactions are right.",
+            "Движение определено, но эта реакция - одна из нескольких, удерживающих одно и то же (вал на трёх опорах, балка между двумя неподвижными шарнирами): для твёрдых тел их доли неопределимы. Движение и остальные реакции верны.",
+        ),
     ),
     (
         "P020",

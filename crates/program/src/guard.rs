@@ -39,7 +39,7 @@ impl Mode {
     }
 }
 
-/// The construct that a guard came from first.
+/// The construct that a guard came from first. Reactions are numbered as in `Equations::reactions`, guards as in `Program::guards`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[allow(missing_docs)]
 pub enum GuardKind {
@@ -48,9 +48,42 @@ pub enum GuardKind {
     If,
     Min,
     Max,
+    /// Sliding speed of a dry friction: slides back, sticks (`Zero`: the condition holds), slides forth.
+    Sliding {
+        reaction: usize,
+        /// The guards of kind `Limit`: towards negative and towards positive sliding. Both count only while this guard is `Zero`.
+        limits: [usize; 2],
+    },
+    /// What a sticking friction has left: static limit + λ (exit `Negative`), static limit - λ (exit `Positive`).
+    Limit {
+        reaction: usize,
+        /// The guard of kind `Sliding`.
+        of: usize,
+        /// How it slides when this falls below zero.
+        exit: Mode,
+    },
+    /// The normal force of a friction, where it is computed from reactions and may have either sign; an ordinary switch.
+    Normal {
+        reaction: usize,
+    },
+    /// Gap of a contact: open (`Positive`), closed (`Zero`; `Negative` is the same).
+    Gap {
+        reaction: usize,
+        /// The guard of kind `ContactForce`. It counts only while this guard is `Zero`.
+        force: usize,
+    },
+    /// Force of a closed contact.
+    ContactForce {
+        reaction: usize,
+        /// The guard of kind `Gap`.
+        of: usize,
+    },
 }
 
 /// A guard function, left - right; handles are of the graph of the equations.
+///
+/// `Limit`, `Normal` and `ContactForce` are no expressions but follow from the solved reactions; `left` is then that of the friction's or
+/// the contact's first guard, and a name for people is made of the reaction's.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Guard {
     /// Where it first occurs.
@@ -64,32 +97,56 @@ pub struct Guard {
 /// Marks what the roots of a tape need in given modes: registers and guards.
 pub(crate) fn needed(dynamics: &Evaluator, modes: &[Mode]) -> (Vec<bool>, Vec<bool>) {
     let tape = dynamics.tape();
-    let mut wanted = vec![false; tape.registers()];
-    let mut active = vec![false; tape.guards.len()];
+    let mut needs = Needs { wanted: vec![false; tape.registers()], active: vec![false; tape.guards.len()] };
     for root in &tape.roots {
-        wanted[root.register.index()] = true;
+        needs.wanted[root.register.index()] = true;
     }
-    for instruction in tape.body.iter().rev() {
-        let first = instruction.into.index();
-        if !wanted[first..first + instruction.operation.width()].iter().any(|w| *w) {
-            continue;
-        }
-        match &instruction.operation {
-            Operation::Choose { by: By::Mode(g), sides } => {
-                let g = *g as usize;
-                active[g] = true;
-                wanted[sides[modes[g].side()].index()] = true;
-                if let Some(r) = tape.guards[g] {
-                    wanted[r.index()] = true;
+    // a guard may follow the choice that goes by it (its value needs the solved reactions), so one walk is not always enough
+    while needs.walk(dynamics, modes) {}
+    (needs.wanted, needs.active)
+}
+
+struct Needs {
+    wanted: Vec<bool>,
+    active: Vec<bool>,
+}
+
+impl Needs {
+    /// One walk backwards; true when it marked a register that it had passed already.
+    fn walk(&mut self, dynamics: &Evaluator, modes: &[Mode]) -> bool {
+        let tape = dynamics.tape();
+        let mut again = false;
+        for instruction in tape.body.iter().rev() {
+            let first = instruction.into.index();
+            if !self.wanted[first..first + instruction.operation.width()].iter().any(|w| *w) {
+                continue;
+            }
+            match &instruction.operation {
+                Operation::Choose { by: By::Mode(g), sides } => {
+                    self.wanted[sides[modes[*g as usize].side()].index()] = true;
+                    again |= self.activate(dynamics, *g as usize, instruction.into);
                 }
+                Operation::Choose { by: By::Value(r), sides } if r.index() < tape.constants() => {
+                    self.wanted[sides[Mode::of(dynamics.value(*r)).side()].index()] = true;
+                }
+                operation => operation.operands(&mut |r| self.wanted[r.index()] = true),
             }
-            Operation::Choose { by: By::Value(r), sides } if r.index() < tape.constants() => {
-                wanted[sides[Mode::of(dynamics.value(*r)).side()].index()] = true;
-            }
-            operation => operation.operands(&mut |r| wanted[r.index()] = true),
         }
+        for bound in &tape.bounds {
+            let of = bound.of as usize;
+            if self.active[of] && modes[of] == Mode::Zero {
+                again |= self.activate(dynamics, bound.guard as usize, Register(0));
+            }
+        }
+        again
     }
-    (wanted, active)
+
+    fn activate(&mut self, dynamics: &Evaluator, guard: usize, passed: Register) -> bool {
+        self.active[guard] = true;
+        let Some(r) = dynamics.tape().guards[guard] else { return false };
+        let fresh = !std::mem::replace(&mut self.wanted[r.index()], true);
+        fresh && r >= passed
+    }
 }
 
 pub(crate) fn active(dynamics: &Evaluator, modes: &[Mode]) -> Vec<bool> {

@@ -1,7 +1,8 @@
 //! The interpreter: one tape, one state, plain floating-point numbers. The oracle for every other back-end.
 
+use crate::general::General;
 use crate::solve::{self, Defect};
-use crate::{By, Coefficient, Fault, Instruction, Mode, Operation, Register, Tape, Unary};
+use crate::{By, Coefficient, Fault, Instruction, Mode, Operation, Register, Singular, Tape, Unary};
 use std::sync::Arc;
 use symbolic::Text;
 
@@ -12,7 +13,7 @@ pub struct Point<'a> {
     pub time: f64,
     /// x = [q; q'; s].
     pub states: &'a [f64],
-    /// q''.
+    /// q'', then all reactions (n + reactions values; [`crate::Program::spread`] fills them).
     pub accelerations: &'a [f64],
     /// Modes of the guards; `None` decides every switch by the value of its guard. A guard that is not a number makes its switch not a
     /// number, so that nothing is decided silently.
@@ -27,7 +28,17 @@ pub struct Evaluator {
     tape: Arc<Tape>,
     registers: Vec<f64>,
     roots: Vec<f64>,
-    scratch: solve::Factor,
+    scratch: Scratch,
+    /// Guards whose values follow from a system that they decide in.
+    late: Vec<usize>,
+}
+
+/// Memory of the systems.
+#[derive(Clone, Debug, Default)]
+struct Scratch {
+    factor: solve::Factor,
+    general: General,
+    solution: Vec<f64>,
 }
 
 impl Evaluator {
@@ -42,7 +53,8 @@ impl Evaluator {
         let mut evaluator = Evaluator {
             registers: vec![0.0; tape.registers()],
             roots: vec![0.0; tape.roots.len()],
-            scratch: solve::Factor::default(),
+            scratch: Scratch::default(),
+            late: late(tape),
             tape: Arc::clone(tape),
         };
         let point = Point::default();
@@ -83,16 +95,43 @@ impl Evaluator {
 
     /// The modes that guard values have at a point, outer guards deciding which branch feeds inner ones.
     pub(crate) fn modes(&mut self, point: &Point) -> Result<Vec<Mode>, Fault> {
-        self.run(&Point { modes: None, ..*point })?;
+        match self.run(&Point { modes: None, ..*point }) {
+            // where all signs together leave reactions open, each is still known
+            Err(fault) if fault.code != "P013" => return Err(fault),
+            _ => {}
+        }
         Ok(self.tape.guards.iter().map(|r| r.map_or(Mode::Positive, |r| Mode::of(self.value(r)))).collect())
     }
 
+    /// By value, a guard that follows from the solution is assumed positive first, and the equations are solved again until the signs agree.
     fn run(&mut self, point: &Point) -> Result<(), Fault> {
         self.check(point)?;
-        for instruction in &self.tape.body {
-            execute(instruction, &mut self.registers, &mut self.scratch, point, &[], &self.tape)?;
+        if point.modes.is_some() || self.late.is_empty() {
+            return self.pass(point);
         }
-        Ok(())
+        let late = std::mem::take(&mut self.late);
+        let registers: Vec<usize> = late.iter().filter_map(|g| self.tape.guards[*g]).map(Register::index).collect();
+        registers.iter().for_each(|r| self.registers[*r] = 1.0);
+        let signs = |e: &Evaluator| registers.iter().map(|r| Mode::of(e.registers[*r])).collect::<Vec<_>>();
+        let mut result = Ok(());
+        for _ in 0..=registers.len() {
+            let before = signs(self);
+            result = self.pass(point);
+            if result.is_err() || signs(self) == before {
+                break;
+            }
+        }
+        self.late = late;
+        result
+    }
+
+    fn pass(&mut self, point: &Point) -> Result<(), Fault> {
+        let mut result = Ok(());
+        for instruction in &self.tape.body {
+            // a system without a solution leaves not-a-numbers, and what does not depend on it is still computed
+            result = result.and(execute(instruction, &mut self.registers, &mut self.scratch, point, &[], &self.tape));
+        }
+        result
     }
 
     fn check(&self, point: &Point) -> Result<(), Fault> {
@@ -157,6 +196,8 @@ pub(crate) fn domain_code(operation: &Operation, registers: &[f64]) -> &'static 
         Operation::Unary(Unary::SquareRoot, _) => "P002",
         Operation::Unary(Unary::Log, _) => "P003",
         Operation::Unary(Unary::Asin | Unary::Acos, _) => "P004",
+        // an input that is no number: a reaction that is not unique
+        Operation::Acceleration(_) => "P014",
         _ => "P006",
     }
 }
@@ -185,7 +226,7 @@ fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Result<Mode,
 fn execute(
     instruction: &Instruction,
     registers: &mut [f64],
-    scratch: &mut solve::Factor,
+    scratch: &mut Scratch,
     point: &Point,
     parameters: &[f64],
     tape: &Tape,
@@ -219,12 +260,26 @@ fn execute(
         }
         Operation::Choose { by, sides } => decide(*by, registers, point, tape).map_or(f64::NAN, |mode| at(&sides[mode.side()])),
         Operation::Solve { matrix, right } => {
-            let entry = |r: &Option<Register>| r.map_or(0.0, |r| registers[r.index()]);
-            scratch.load(right.len(), matrix.iter().map(entry));
-            scratch.factor().map_err(|defect| defective(tape, defect))?;
-            let mut solution: Vec<f64> = right.iter().map(at).collect();
-            scratch.solve(&mut solution);
-            registers[into..into + solution.len()].copy_from_slice(&solution);
+            let Scratch { factor, solution, .. } = scratch;
+            factor.load(right.len(), matrix.iter().map(|r| r.map_or(0.0, |r| registers[r.index()])));
+            factor.factor().map_err(|defect| defective(tape, instruction.into, defect))?;
+            solution.clear();
+            solution.extend(right.iter().map(at));
+            factor.solve(solution);
+            registers[into..into + solution.len()].copy_from_slice(solution);
+            return Ok(());
+        }
+        Operation::System { matrix, right } => {
+            let Scratch { general, solution, .. } = scratch;
+            general.load(right.len(), matrix.iter().map(|r| r.map_or(0.0, |r| registers[r.index()])));
+            if let Err(defect) = general.factor() {
+                registers[into..into + right.len()].fill(f64::NAN);
+                return Err(defective(tape, instruction.into, defect));
+            }
+            solution.clear();
+            solution.extend(right.iter().map(at));
+            general.solve_refined(solution);
+            registers[into..into + solution.len()].copy_from_slice(solution);
             return Ok(());
         }
     };
@@ -232,16 +287,34 @@ fn execute(
     Ok(())
 }
 
-/// P005 or P009 naming the coordinate. Root n + i of the dynamics is the acceleration of coordinate i.
-pub(crate) fn defective(tape: &Tape, defect: Defect) -> Fault {
-    let (code, pivot) = match defect {
+/// P005, P009 or P013 naming the unknown, by the root that it is; `into` is the first register of the system.
+pub(crate) fn defective(tape: &Tape, into: Register, defect: Defect) -> Fault {
+    let (code, unknown) = match defect {
         Defect::Singular(pivot) => ("P005", pivot),
         Defect::Indefinite(pivot) => ("P009", pivot),
+        Defect::Dependent { unknown, .. } => ("P013", unknown),
     };
-    let solve = tape.body.iter().find(|i| matches!(i.operation, Operation::Solve { .. }));
-    let name = solve.and_then(|s| {
-        let register = Register(s.into.0 + pivot as u32);
-        tape.roots.iter().find(|root| root.register == register)
-    });
-    Fault::about(code, name.map_or_else(|| format!("#{pivot}"), |root| root.name.clone()))
+    let register = Register(into.0 + unknown as u32);
+    let name = tape.roots.iter().find(|root| root.register == register);
+    let fault = Fault::about(code, name.map_or_else(|| format!("#{unknown}"), |root| root.name.clone()));
+    let first = tape.body.iter().find(|i| matches!(i.operation, Operation::System { .. }));
+    match defect {
+        // the system of the supports comes second; its rows have no numbers
+        Defect::Dependent { row, unknown } if first.is_some_and(|i| i.into == into) => fault.with(Singular { row, unknown }),
+        _ => fault,
+    }
+}
+
+/// Guards whose register comes after a choice by them.
+fn late(tape: &Tape) -> Vec<usize> {
+    let mut late = Vec::new();
+    for i in &tape.body {
+        if let Operation::Choose { by: By::Mode(g), .. } = i.operation
+            && tape.guards[g as usize].is_some_and(|r| r > i.into)
+            && !late.contains(&(g as usize))
+        {
+            late.push(g as usize);
+        }
+    }
+    late
 }

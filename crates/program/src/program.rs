@@ -1,7 +1,9 @@
 //! A machine's equations as tapes, and the same with numbers for the parameters.
 
-use crate::{Evaluator, Fault, Guard, Jets, Mode, Point, Tape, passes};
+use crate::{Evaluator, Fault, Guard, GuardKind, Jets, Mode, Point, Tape, passes};
+use std::ops::Range;
 use std::sync::Arc;
+use symbolic::Text;
 
 /// Everything the studies evaluate, lowered from one [`symbolic::Equations`].
 ///
@@ -20,24 +22,120 @@ pub struct Program {
     pub values: Vec<f64>,
     /// The switching functions.
     pub guards: Vec<Guard>,
-    /// t, x, modes -> x' (one root per state) and the guard functions.
+    /// Number of conditions in the equations, dropped ones included.
+    pub conditions: usize,
+    /// Number of contacts.
+    pub contacts: usize,
+    /// Number of reactions in the equations, absent ones included: what `accelerations` of a [`Point`] hold behind the n values of q''.
+    pub reactions: usize,
+    /// Reactions (by index) that the dynamics solve for: roots 2n + s, 2n + s + 1, ... of [`Program::dynamics`].
+    pub solved: Vec<usize>,
+    /// Reactions (by index) that [`Program::forces`] gives: roots n, n + 1, ... The others are not unique.
+    pub known: Vec<usize>,
+    /// Names of the equations of the dynamics, for [`crate::Singular::row`]: kept conditions, motions, kept balances when they take part.
+    pub rows: Vec<Text>,
+    /// Names of their unknowns, for [`crate::Singular::unknown`]: q'', then `solved`.
+    pub unknowns: Vec<String>,
+    /// t, x, modes -> x' (one root per state), one root per reaction in `solved`, and the guard functions.
     pub dynamics: Arc<Tape>,
-    /// t, x, q'', modes -> the outputs of the model, in order.
+    /// t, x, modes -> q'' (n), then one root per reaction in `known`: those of supports included.
+    pub forces: Arc<Tape>,
+    /// t, x, q'' and all reactions, modes -> the outputs of the model, in order.
     pub outputs: Arc<Tape>,
-    /// t, x, q'', modes -> T, Π, Φ, dissipated, dE/dt, loads, drives ([`ENERGY`] names them).
+    /// t, x, q'' and all reactions, modes -> T, Π, Φ, dissipated, dE/dt, loads, drives ([`ENERGY`] names them).
     pub energy: Arc<Tape>,
-    /// t, x, q'' -> n residuals of the second derivation, then n residuals M q'' - h of the first. Switches go by value.
+    /// t, x, q'' and all reactions -> the residuals of the second derivation (motions, then balances), then the residuals
+    /// M q'' - Σ forces λ - h of the first and Σ columns q'' - rest - Σ released λ of the balances. Switches go by value.
     pub second: Arc<Tape>,
     /// t, x -> what places the machine and has a value only within limits. Switches go by value.
     pub places: Arc<Tape>,
     /// t, x (rates ignored, taken as 0) -> h(q, 0, s, t), then its Jacobian ∂h/∂q row by row. Switches go by value.
     pub statics: Arc<Tape>,
+    /// t, x (rates ignored, taken as 0), q'' (ignored) and all reactions -> what equilibrium with connections needs besides [`Program::statics`];
+    /// [`Program::rest_roots`] says where. Switches go by value.
+    pub rests: Arc<Tape>,
+    /// t, x -> all conditions and what assembly, projection and impacts need; [`Program::connection_roots`] says where. Switches go by value.
+    pub connections: Arc<Tape>,
+    /// t, x -> Σ released: balances x reactions, row by row. Switches go by value.
+    pub balances: Arc<Tape>,
     /// parameters -> x at the start.
     pub start: Arc<Tape>,
 }
 
+/// Where the roots of [`Program::connections`] are; n coordinates, m conditions (dropped ones included), c contacts in the order of their reactions.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct ConnectionRoots {
+    /// m: value of each condition's place, 0 for one on rates only.
+    pub places: Range<usize>,
+    /// m: its rate.
+    pub rates: Range<usize>,
+    /// m n: ∂rate/∂q', row by row.
+    pub jacobian: Range<usize>,
+    /// n(n+1)/2: lower triangle of M, row by row.
+    pub mass: Range<usize>,
+    /// c: gaps of contacts.
+    pub gaps: Range<usize>,
+    /// c: coefficients of restitution.
+    pub restitutions: Range<usize>,
+    /// reactions x n: generalized forces per unit of each reaction, row by row.
+    pub forces: Range<usize>,
+}
+
+/// Where the roots of [`Program::rests`] are; n coordinates, m conditions. At rest h + Σ forces λ = 0 and all places vanish; the derivative of the first
+/// by q is that of h plus `derivatives`.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct RestRoots {
+    /// m: value of each condition's place, 0 for one on rates only.
+    pub places: Range<usize>,
+    /// m n: ∂rate/∂q', which is ∂place/∂q where there is a place, row by row.
+    pub jacobian: Range<usize>,
+    /// n: Σ forces λ.
+    pub loads: Range<usize>,
+    /// n n: its derivatives by q, row by row.
+    pub derivatives: Range<usize>,
+    /// reactions x n: generalized forces per unit of each reaction, row by row.
+    pub forces: Range<usize>,
+}
+
 /// Names of the roots of [`Program::energy`].
 pub const ENERGY: [&str; 7] = ["kinetic", "potential", "dissipation", "dissipated", "rate", "loads", "drives"];
+
+impl Program {
+    /// Where the roots of [`Program::connections`] are.
+    pub fn connection_roots(&self) -> ConnectionRoots {
+        let (n, m, c) = (self.coordinates, self.conditions, self.contacts);
+        let [places, rates, jacobian, mass, gaps, restitutions, forces] =
+            consecutive([m, m, m * n, n * (n + 1) / 2, c, c, self.reactions * n]);
+        ConnectionRoots { places, rates, jacobian, mass, gaps, restitutions, forces }
+    }
+    /// Where the roots of [`Program::rests`] are.
+    pub fn rest_roots(&self) -> RestRoots {
+        let (n, m) = (self.coordinates, self.conditions);
+        let [places, jacobian, loads, derivatives, forces] = consecutive([m, m * n, n, n * n, self.reactions * n]);
+        RestRoots { places, jacobian, loads, derivatives, forces }
+    }
+    /// The inputs `accelerations` of outputs, energy and the second derivation, from the roots of [`Program::forces`]: q'', then every
+    /// reaction at its own index, not-a-number where it is not unique.
+    pub fn spread(&self, roots: &[f64], accelerations: &mut Vec<f64>) {
+        let n = self.coordinates.min(roots.len());
+        accelerations.clear();
+        accelerations.extend_from_slice(&roots[..n]);
+        accelerations.resize(self.coordinates + self.reactions, f64::NAN);
+        for (reaction, value) in self.known.iter().zip(&roots[n..]) {
+            if let Some(slot) = accelerations.get_mut(self.coordinates + reaction) {
+                *slot = *value;
+            }
+        }
+    }
+}
+
+fn consecutive<const N: usize>(sizes: [usize; N]) -> [Range<usize>; N] {
+    let mut end = 0;
+    sizes.map(|size| {
+        end += size;
+        end - size..end
+    })
+}
 
 /// A program with numbers for its parameters: the prologue of the dynamics has been run.
 ///
@@ -63,8 +161,14 @@ impl Bound {
     pub fn specialised(&self) -> Result<Bound, Fault> {
         let tape = |tape: &Arc<Tape>| passes::specialise(tape, &self.parameters).map(Arc::new);
         let p = &self.program;
-        let program =
-            Arc::new(Program { dynamics: tape(&p.dynamics)?, outputs: tape(&p.outputs)?, energy: tape(&p.energy)?, ..Program::clone(p) });
+        let program = Arc::new(Program {
+            dynamics: tape(&p.dynamics)?,
+            forces: tape(&p.forces)?,
+            outputs: tape(&p.outputs)?,
+            energy: tape(&p.energy)?,
+            connections: tape(&p.connections)?,
+            ..Program::clone(p)
+        });
         Bound::new(&program, &self.parameters)
     }
     /// The program.
@@ -77,7 +181,7 @@ impl Bound {
     }
     /// Length of x.
     pub fn dimension(&self) -> usize {
-        self.program.dynamics.roots.len()
+        self.program.states.len()
     }
     /// An evaluator of one of the program's tapes with these parameters.
     pub fn evaluator(&self, tape: &Arc<Tape>) -> Result<Evaluator, Fault> {
@@ -92,13 +196,22 @@ impl Bound {
         let mut start = self.evaluator(&self.program.start)?;
         Ok(start.evaluate(&Point::default())?.to_vec())
     }
-    /// x' at a state, by the interpreter.
+    /// x' at a state, then the reactions of [`Program::solved`], by the interpreter.
     pub fn rates(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> Result<&[f64], Fault> {
         self.dynamics.evaluate(&Point { time, states, modes: Some(modes), ..Point::default() })
     }
     /// The modes that the guard values at a state have. A guard that is not a number there (its branch is not active) is `Positive`.
+    ///
+    /// A friction sticks where its sliding speed is exactly zero, a contact is closed where its gap is not positive. Whether the limits hold and
+    /// the contact force pushes is not decided here: their modes are the signs of their values in the modes returned.
     pub fn modes(&mut self, time: f64, states: &[f64]) -> Result<Vec<Mode>, Fault> {
-        self.dynamics.modes(&Point { time, states, ..Point::default() })
+        let mut modes = self.dynamics.modes(&Point { time, states, ..Point::default() })?;
+        for (mode, guard) in modes.iter_mut().zip(&self.program.guards) {
+            if matches!(guard.kind, GuardKind::Gap { .. }) && *mode == Mode::Negative {
+                *mode = Mode::Zero;
+            }
+        }
+        Ok(modes)
     }
     /// Which guards matter in these modes: those that decide something on the way to x'. A crossing of another guard changes nothing.
     pub fn active(&self, modes: &[Mode]) -> Vec<bool> {

@@ -11,6 +11,8 @@ pub(crate) enum Defect {
     Singular(usize),
     /// The motions up to this row have negative energy.
     Indefinite(usize),
+    /// A row of a general system depends on those before it, and an unknown is left open.
+    Dependent { row: usize, unknown: usize },
 }
 
 /// A factored matrix; reused from call to call without allocation.

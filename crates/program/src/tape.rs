@@ -149,6 +149,13 @@ pub enum Operation {
         /// h.
         right: Box<[Register]>,
     },
+    /// n registers x with A x = b, A of any kind.
+    System {
+        /// A, row by row, n² entries; `None` is zero. Rows are eliminated in this order: what the first rows determine alone, they determine exactly.
+        matrix: Box<[Option<Register>]>,
+        /// b.
+        right: Box<[Register]>,
+    },
 }
 
 impl Operation {
@@ -156,7 +163,7 @@ impl Operation {
     pub fn width(&self) -> usize {
         match self {
             Operation::SinCos(_) | Operation::SinhCosh(_) => 2,
-            Operation::Solve { right, .. } => right.len(),
+            Operation::Solve { right, .. } | Operation::System { right, .. } => right.len(),
             _ => 1,
         }
     }
@@ -180,6 +187,7 @@ impl Operation {
             Operation::SinhCosh(_) => "sinhcosh",
             Operation::Choose { .. } => "choose",
             Operation::Solve { .. } => "solve",
+            Operation::System { .. } => "solve-general",
         }
     }
 
@@ -206,7 +214,7 @@ impl Operation {
                 }
                 sides.iter().copied().for_each(visit);
             }
-            Operation::Solve { matrix, right } => {
+            Operation::Solve { matrix, right } | Operation::System { matrix, right } => {
                 matrix.iter().flatten().copied().for_each(&mut *visit);
                 right.iter().copied().for_each(visit);
             }
@@ -242,6 +250,9 @@ impl Operation {
             Operation::Solve { matrix, right } => {
                 Operation::Solve { matrix: matrix.iter().map(|r| r.map(name)).collect(), right: right.iter().map(|r| name(*r)).collect() }
             }
+            Operation::System { matrix, right } => {
+                Operation::System { matrix: matrix.iter().map(|r| r.map(name)).collect(), right: right.iter().map(|r| name(*r)).collect() }
+            }
             leaf => leaf.clone(),
         }
     }
@@ -274,6 +285,15 @@ pub struct Root {
     pub register: Register,
 }
 
+/// A guard without a choice: its sign matters only while another guard is zero (the limits of a friction that sticks, the force of a closed contact).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Bounded {
+    /// The guard.
+    pub guard: u32,
+    /// The one that must be zero.
+    pub of: u32,
+}
+
 /// How many inputs of each kind a tape may read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Shape {
@@ -300,6 +320,8 @@ pub struct Tape {
     pub body: Vec<Instruction>,
     /// Register of each guard function whose mode is an input, by guard; `None` when this tape does not compute it.
     pub guards: Vec<Option<Register>>,
+    /// Guards that count only while another is zero.
+    pub bounds: Vec<Bounded>,
     /// Results.
     pub roots: Vec<Root>,
 }

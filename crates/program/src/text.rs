@@ -13,13 +13,16 @@
 //!   %4 %5 = sincos %2
 //!   %6 = choose mode 0 %1 %1 %4         negative, zero, positive; or: choose value %2 ...
 //!   %7 %8 = solve %0 - %3 | %4 %5       lower triangle by rows, - is zero; right sides after |
+//!   %9 = solve-general %0 | %4          the same with the whole matrix, by rows
 //! guards
 //!   %2                                  - when this tape does not compute it
+//! bounds                                absent when there are none
+//!   1 of 0                              guard 1 counts while guard 0 is zero
 //! roots
 //!   %7 NAME
 //! ```
 
-use crate::{By, Coefficient, Fault, Instruction, Operation, Register, Root, Shape, Tape, Unary, verify::verify};
+use crate::{Bounded, By, Coefficient, Fault, Instruction, Operation, Register, Root, Shape, Tape, Unary, verify::verify};
 use std::fmt::{self, Display, Write};
 
 impl Display for Register {
@@ -55,7 +58,7 @@ impl Display for Operation {
                 By::Mode(g) => write!(f, " mode {g} {n} {z} {p}"),
                 By::Value(r) => write!(f, " value {r} {n} {z} {p}"),
             },
-            Operation::Solve { matrix, right } => {
+            Operation::Solve { matrix, right } | Operation::System { matrix, right } => {
                 matrix.iter().try_for_each(|r| write!(f, " {}", Entry(*r)))?;
                 f.write_str(" |")?;
                 right.iter().try_for_each(|r| write!(f, " {r}"))
@@ -95,6 +98,10 @@ impl Display for Tape {
         self.body.iter().try_for_each(|i| writeln!(f, "  {i}"))?;
         f.write_str("guards\n")?;
         self.guards.iter().try_for_each(|g| writeln!(f, "  {}", Entry(*g)))?;
+        if !self.bounds.is_empty() {
+            f.write_str("bounds\n")?;
+            self.bounds.iter().try_for_each(|b| writeln!(f, "  {} of {}", b.guard, b.of))?;
+        }
         f.write_str("roots\n")?;
         self.roots.iter().try_for_each(|r| writeln!(f, "  {} {}", r.register, r.name))
     }
@@ -124,7 +131,7 @@ fn read_line<'t>(line: &'t str, section: &mut &'t str, tape: &mut Tape) -> Optio
         match line.split_once(' ').unwrap_or((line, "")) {
             ("tape", name) => tape.name = name.to_owned(),
             ("inputs", sizes) => tape.shape = read_shape(sizes)?,
-            ("prologue" | "body" | "guards" | "roots", "") => *section = line,
+            ("prologue" | "body" | "guards" | "bounds" | "roots", "") => *section = line,
             _ => return None,
         }
         return Some(());
@@ -133,6 +140,10 @@ fn read_line<'t>(line: &'t str, section: &mut &'t str, tape: &mut Tape) -> Optio
         "prologue" => tape.prologue.push(read_instruction(entry)?),
         "body" => tape.body.push(read_instruction(entry)?),
         "guards" => tape.guards.push(read_entry(entry)?),
+        "bounds" => {
+            let (guard, of) = entry.split_once(" of ")?;
+            tape.bounds.push(Bounded { guard: guard.parse().ok()?, of: of.parse().ok()? });
+        }
         "roots" => {
             let (register, name) = entry.split_once(' ')?;
             tape.roots.push(Root { name: name.to_owned(), register: read_register(register)? });
@@ -184,13 +195,18 @@ fn read_operation(words: &str) -> Option<Operation> {
         "sincos" => Operation::SinCos(read_register(rest)?),
         "sinhcosh" => Operation::SinhCosh(read_register(rest)?),
         "choose" => read_choice(rest)?,
-        "solve" => {
-            let (matrix, right) = rest.split_once(" | ")?;
-            let matrix = matrix.split(' ').map(read_entry).collect::<Option<_>>()?;
-            Operation::Solve { matrix, right: right.split(' ').map(read_register).collect::<Option<_>>()? }
-        }
+        "solve" => read_system(rest).map(|(matrix, right)| Operation::Solve { matrix, right })?,
+        "solve-general" => read_system(rest).map(|(matrix, right)| Operation::System { matrix, right })?,
         _ => return None,
     })
+}
+
+type SystemOperands = (Box<[Option<Register>]>, Box<[Register]>);
+
+fn read_system(rest: &str) -> Option<SystemOperands> {
+    let (matrix, right) = rest.split_once(" | ")?;
+    let matrix = matrix.split(' ').map(read_entry).collect::<Option<_>>()?;
+    Some((matrix, right.split(' ').map(read_register).collect::<Option<_>>()?))
 }
 
 fn read_linear(rest: &str) -> Option<Operation> {

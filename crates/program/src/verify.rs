@@ -3,9 +3,10 @@
 //! 1. Registers are numbered without gaps in the order of the instructions, prologue first; an operand is written before it is read.
 //! 2. The prologue reads parameters only; literals and parameters stand nowhere else; coefficients and exponents are of the prologue.
 //! 3. Slots lie within the shape; every mode has a guard entry.
-//! 4. A choice by mode comes after the register of its guard, when the tape computes it.
-//! 5. A system has n(n+1)/2 entries, n right sides and at least one row.
-//! 6. Roots and guards are registers of the tape.
+//! 4. A choice by mode comes after the register of its guard, when the tape computes it, unless a general system stands between them: such a
+//!    guard depends on the reactions that the system gives.
+//! 5. A symmetric system has n(n+1)/2 entries, a general one n², with n right sides and at least one row.
+//! 6. Roots and guards are registers of the tape; bounds name guards.
 
 use crate::{By, Coefficient, Fault, Instruction, Operation, Register, Tape};
 
@@ -51,6 +52,7 @@ fn check_section(instruction: &Instruction, prologue: bool, constants: usize) ->
             | Operation::State(_)
             | Operation::Acceleration(_)
             | Operation::Solve { .. }
+            | Operation::System { .. }
             | Operation::Choose { by: By::Mode(_), .. }
     );
     let leaf = matches!(instruction.operation, Operation::Number(_) | Operation::Parameter(_));
@@ -79,7 +81,7 @@ fn check_slots(tape: &Tape, instruction: &Instruction) -> Broken {
         Operation::Choose { by: By::Mode(g), .. } => {
             inside(g, shape.modes.min(tape.guards.len()))?;
             match tape.guards[*g as usize] {
-                Some(r) if r >= instruction.into => Err("choice before its guard"),
+                Some(r) if r >= instruction.into && !system_between(tape, instruction.into, r) => Err("choice before its guard"),
                 _ => Ok(()),
             }
         }
@@ -87,8 +89,16 @@ fn check_slots(tape: &Tape, instruction: &Instruction) -> Broken {
             let n = right.len();
             if n > 0 && matrix.len() == n * (n + 1) / 2 { Ok(()) } else { Err("system has the wrong shape") }
         }
+        Operation::System { matrix, right } => {
+            let n = right.len();
+            if n > 0 && matrix.len() == n * n { Ok(()) } else { Err("system has the wrong shape") }
+        }
         _ => Ok(()),
     }
+}
+
+fn system_between(tape: &Tape, first: Register, last: Register) -> bool {
+    tape.body.iter().any(|i| matches!(i.operation, Operation::System { .. }) && first < i.into && i.into <= last)
 }
 
 fn check_ends(tape: &Tape, registers: usize) -> Result<(), Fault> {
@@ -99,6 +109,9 @@ fn check_ends(tape: &Tape, registers: usize) -> Result<(), Fault> {
     }
     if tape.guards.iter().flatten().any(outside) {
         return fault("guard is not a register");
+    }
+    if tape.bounds.iter().any(|b| [b.guard, b.of].iter().any(|g| *g as usize >= tape.guards.len())) {
+        return fault("bound is not a guard");
     }
     if tape.roots.iter().any(|root| outside(&root.register)) {
         return fault("root is not a register");
@@ -175,6 +188,21 @@ roots
     #[test]
     fn wrong_system_is_caught() {
         assert!(broken("solve %3 | %6", "solve %3 %3 | %6").contains("shape"));
+    }
+    #[test]
+    fn wrong_general_system_is_caught() {
+        assert!(broken("solve %3 | %6", "solve-general %3 %3 | %6").contains("shape"));
+    }
+    #[test]
+    fn guard_after_a_system_may_follow_its_choice() {
+        // the guard is computed from the solution: %8 = x^p
+        let late = SOUND.replace("guards\n  %2", "guards\n  %8");
+        assert!(verify(&text::parse_unchecked(&late).unwrap()).unwrap_err().what.en.contains("before its guard"));
+        verify(&text::parse_unchecked(&late.replace("solve %3", "solve-general %3")).unwrap()).unwrap();
+    }
+    #[test]
+    fn bound_of_no_guard_is_caught() {
+        assert!(broken("roots\n", "bounds\n  0 of 1\nroots\n").contains("bound"));
     }
     #[test]
     fn ends_outside_are_caught() {

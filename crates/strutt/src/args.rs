@@ -52,6 +52,10 @@ pub enum Command {
     Equilibrium(Equilibrium),
     /// Show the properties of the sections of a file
     Section(Section),
+    /// Find natural frequencies and shapes of small motions
+    Modes(Modes),
+    /// Find forced oscillations over the frequency of a load
+    Response(Response),
     /// List the example models, or print one
     Examples(Examples),
     /// Write a model file to start from
@@ -149,6 +153,58 @@ pub struct Simulate {
 pub struct Equilibrium {
     #[command(flatten)]
     pub model: Model,
+    /// Where to look for the equilibrium: phi=0.1
+    #[arg(long = "guess", value_name = "NAME=QUANTITY")]
+    pub guess: Vec<String>,
+}
+
+#[derive(Args, Debug)]
+pub struct Modes {
+    #[command(flatten)]
+    pub model: Model,
+    /// Where to look for the equilibrium: phi=0.1
+    #[arg(long = "guess", value_name = "NAME=QUANTITY")]
+    pub guess: Vec<String>,
+    /// Scale of the shapes
+    #[arg(long, value_enum, value_name = "SCALE")]
+    pub normalise: Option<Normalise>,
+}
+
+#[derive(Args, Debug)]
+pub struct Response {
+    #[command(flatten)]
+    pub model: Model,
+    /// Where to look for the equilibrium: phi=0.1
+    #[arg(long = "guess", value_name = "NAME=QUANTITY")]
+    pub guess: Vec<String>,
+    /// The load: a force, a torque, or a coordinate for a unit load; otherwise the harmonic loads of the file
+    #[arg(long, value_name = "NAME")]
+    pub load: Option<String>,
+    /// The parameter that is the frequency
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// Frequencies from and to: 1,100 (rad/s) or "1 Hz,20 Hz"
+    #[arg(long, value_name = "FROM,TO", allow_hyphen_values = true)]
+    pub range: Option<String>,
+    /// Number of frequencies
+    #[arg(long, value_name = "N")]
+    pub points: Option<usize>,
+    /// Logarithmic axes
+    #[arg(long)]
+    pub log: bool,
+    /// Quantities by name, in this order: phi,phi',omega_p
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub outputs: Option<Vec<String>>,
+    /// Frequencies at which the shape of the motion is shown: 10,20 (rad/s) or "3 Hz"
+    #[arg(long, value_name = "W1,W2,...", allow_hyphen_values = true)]
+    pub shapes: Option<String>,
+}
+
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Normalise {
+    Largest,
+    First,
+    Mass,
 }
 
 #[derive(Args, Debug)]

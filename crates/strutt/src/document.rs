@@ -88,6 +88,15 @@ pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, lang
     figures
 }
 
+/// Figures of findings other than motions.
+pub fn other_figures(finding: &Finding, language: Language) -> Vec<Figure> {
+    match finding {
+        Finding::Response(found) => crate::small::show::response_figures(found, language),
+        Finding::Modes(found) => crate::small::show::campbell(&found.data, language).into_iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
 fn figure(plot: &Plot, data: &Dataset, language: Language) -> Option<Figure> {
     let names: Vec<&str> = plot.y.iter().map(String::as_str).collect();
     let mut figure = match plot.x.as_deref() {
@@ -138,7 +147,7 @@ impl Writer<'_> {
     fn coordinates(&self) -> Vec<Block> {
         let language = self.language;
         let coordinates = &self.equations.coordinates;
-        let mut pieces = vec![Inline::Words(format!("{}: {}. ", self.word(Word::DegreesOfFreedom), coordinates.len()))];
+        let mut pieces = vec![Inline::Words(format!("{}: {}. ", self.word(Word::DegreesOfFreedom), self.equations.degrees_of_freedom()))];
         if coordinates.is_empty() {
             return vec![Block::Paragraph(Rich(pieces))];
         }
@@ -176,6 +185,7 @@ impl Writer<'_> {
                 }
             }
         }
+        blocks.extend(self.connections(&printer));
         let mathml = definitions(self.equations, &printer, Form::MathMl);
         let text = definitions(self.equations, &printer, Form::Text);
         if !text.is_empty() {
@@ -183,6 +193,30 @@ impl Writer<'_> {
         }
         for (mathml, text) in mathml.into_iter().zip(text) {
             blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
+        }
+        blocks
+    }
+
+    /// What the connections demand, and what the letters of their reactions mean.
+    fn connections(&self, printer: &Printer) -> Vec<Block> {
+        let [mathml, text] = [Form::MathMl, Form::Text].map(|form| conditions(self.equations, printer, form));
+        let mut blocks = Vec::new();
+        if !text.is_empty() {
+            blocks.push(Block::paragraph(say(self.language, Say::Connections)));
+        }
+        for (mathml, text) in mathml.into_iter().zip(text) {
+            blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
+        }
+        let mut pieces = Vec::new();
+        for (i, reaction) in self.equations.reactions.iter().enumerate() {
+            let before = if i == 0 { format!("{}: ", say(self.language, Say::Reactions)) } else { "; ".into() };
+            pieces.push(Inline::Words(before));
+            pieces.push(Inline::Formula(self.symbol(printer, reaction.symbol)));
+            pieces.push(Inline::Words(format!(" — {}", self.language.text(&reaction.label))));
+        }
+        if !pieces.is_empty() {
+            pieces.push(Inline::Words(".".into()));
+            blocks.push(Block::Paragraph(Rich(pieces)));
         }
         blocks
     }
@@ -250,6 +284,16 @@ impl Writer<'_> {
                 let mut blocks = vec![self.heading(Word::Equilibrium)];
                 blocks.push(self.table(equilibria(data, self.language), Word::Equilibrium));
                 blocks.extend(self.notes(data));
+                blocks
+            }
+            Finding::Response(found) => {
+                let mut blocks = vec![Block::heading(1, say(self.language, Say::Response))];
+                blocks.extend(crate::small::show::response(found, self.language, self.extent == Extent::Page));
+                blocks
+            }
+            Finding::Modes(found) => {
+                let mut blocks = vec![Block::heading(1, say(self.language, Say::Modes))];
+                blocks.extend(crate::small::show::modes(found, self.language, self.extent == Extent::Page));
                 blocks
             }
             Finding::Motion(study, data, _) => {
@@ -331,6 +375,20 @@ pub fn definitions(equations: &Equations, printer: &Printer, form: Form) -> Vec<
         }
     }
     out
+}
+
+/// The conditions of connections, `... = 0`: on positions where they exist, else on rates. Nothing when the equations are not shown.
+pub fn conditions(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
+    if equations.textbook.is_err() {
+        return Vec::new();
+    }
+    let mut graph = equations.graph.clone();
+    let right = graph.zero();
+    let write = |c: &symbolic::connections::Condition| {
+        let equality = symbolic::equations::Equality { left: c.place.unwrap_or(c.rate), right };
+        printer.equality(&graph, equality, None, form)
+    };
+    equations.conditions.iter().map(write).collect()
 }
 
 /// The written derivation as blocks.

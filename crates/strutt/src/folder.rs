@@ -24,12 +24,17 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
         let stem = match finding {
             Finding::Motion(..) => format!("motion{number}"),
             Finding::Equilibrium(..) => format!("equilibrium{number}"),
+            Finding::Modes(..) => format!("modes{number}"),
+            Finding::Response(..) => format!("response{number}"),
         };
         tables(&mut shelf, finding, &stem, language)?;
         if let Finding::Motion(study, data, _) = finding {
             for figure in document::figures(calculation, study, data, language) {
                 plot(&mut shelf, &figure, &number, language)?;
             }
+        }
+        for figure in document::other_figures(finding, language) {
+            plot(&mut shelf, &figure, &number, language)?;
         }
     }
     section_files(&mut shelf, &calculation.machine.model.sections, language)?;
@@ -111,6 +116,8 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
             own.insert("study".into(), json!("equilibrium"));
             own.insert("equilibria".into(), equilibria(finding.data()));
         }
+        Finding::Response(found) => own = crate::small::response::to_json(found),
+        Finding::Modes(found) => own = crate::small::modes::to_json(found),
     }
     if let Some(trouble) = finding.trouble() {
         own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));

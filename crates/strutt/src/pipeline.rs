@@ -2,6 +2,8 @@
 
 use crate::document::{self, Extent};
 use crate::failure::{Failure, Trouble};
+use crate::small::modes::ModesFound;
+use crate::small::response::ResponseFound;
 use crate::source::Source;
 use crate::watch::Watch;
 use crate::words::Word;
@@ -14,7 +16,6 @@ use mechanics::model::{Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
 use report::formula::{Form, Printer};
 use report::{Document, Language};
-use std::sync::Arc;
 use symbolic::{Equations, SymbolId};
 
 /// A machine ready for studies.
@@ -39,6 +40,10 @@ pub enum Finding {
     Equilibrium(Dataset, Option<Trouble>),
     /// A motion, and the study that asked for it.
     Motion(Simulate, Dataset, Option<Trouble>),
+    /// Natural frequencies and shapes.
+    Modes(Box<ModesFound>),
+    /// Forced oscillations over the frequency.
+    Response(Box<ResponseFound>),
 }
 
 /// Everything a file asks for.
@@ -91,15 +96,24 @@ pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail,
 /// # Errors
 /// A formula that has no value for the parameters as given.
 pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault> {
-    let program = Arc::new(program::lower::equations(equations)?);
-    analysis::Machine::new(equations, &program, &program.values, &guards::names(equations, &program))
+    let values: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+    analysis::Machine::assembled(equations, &values, &|program| guards::names(equations, program))
 }
 
 /// One study of the file; equations are no study of numbers.
 pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Option<Finding> {
     match kind {
         StudyKind::Equations => None,
+        // carried out by rooms that are being built
+        StudyKind::Inverse(_)
+        | StudyKind::Statics
+        | StudyKind::Kinematics(_)
+        | StudyKind::Periodic(_)
+        | StudyKind::Cycle(_)
+        | StudyKind::Sweep(_) => None,
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
+        StudyKind::Response(study) => Some(response(machine, study, watch)),
+        StudyKind::Modes(study) => Some(modes(machine, study, watch)),
         StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);
             let finding = simulate(machine, &study, watch);
@@ -138,8 +152,22 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
     Finding::Equilibrium(data, outcome.fault.map(|fault| explained(fault, &machine.equations)))
 }
 
+/// Natural frequencies and shapes.
+pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut Watch) -> Finding {
+    let found = crate::small::modes::find(machine, study);
+    watch.lap(Word::TimeRun);
+    Finding::Modes(Box::new(found))
+}
+
+/// Forced oscillations over the frequency.
+pub fn response(machine: &mut Machine, study: &mechanics::model::Response, watch: &mut Watch) -> Finding {
+    let found = crate::small::response::find(machine, study);
+    watch.lap(Word::TimeRun);
+    Finding::Response(Box::new(found))
+}
+
 /// A fault with the expression that failed in the user's symbols.
-fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
+pub(crate) fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
     let expression = fault.expression();
     let mut trouble = Trouble::from(fault);
     if let Some(e) = expression {
@@ -162,12 +190,16 @@ impl Finding {
     pub fn data(&self) -> &Dataset {
         match self {
             Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) => data,
+            Finding::Modes(found) => &found.data,
+            Finding::Response(found) => &found.data,
         }
     }
     /// What ended the study early.
     pub fn trouble(&self) -> Option<&Trouble> {
         match self {
             Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) => trouble.as_ref(),
+            Finding::Modes(found) => found.trouble.as_ref(),
+            Finding::Response(found) => found.trouble.as_ref(),
         }
     }
 }

@@ -105,7 +105,11 @@ pub fn finer(study: &Simulate, data: &Dataset) -> Option<Simulate> {
     Some(Simulate { times: Times::Every(study.until / parts), ..study.clone() })
 }
 
-fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
+/// Whether the model offers an output.
+///
+/// # Errors
+/// It does not (C008).
+pub fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
     let names = || equations.outputs.iter().map(|o| o.name.as_str());
     if names().any(|n| n == name) {
         return Ok(());

@@ -16,6 +16,20 @@ pub fn times(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
     text.split(separator).map(|item| seconds(key, item.trim())).collect()
 }
 
+/// Frequencies in rad/s with commas between (semicolons where decimal commas are meant); Hz counts periods.
+pub fn frequencies(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
+    let separator = if text.contains(';') { ';' } else { ',' };
+    let one = |item: &str| {
+        let item = item.trim();
+        let value = parse_quantity(item, &Dimension::ANGULAR_RATE).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
+        let periods = ["Hz", "Гц"].iter().any(|unit| item.ends_with(unit));
+        let value = if periods { std::f64::consts::TAU * value } else { value };
+        let negative = Text::new("a frequency is not negative", "частота не бывает отрицательной");
+        if value.is_finite() && value >= 0.0 { Ok(value) } else { Err(bad(key, text, &negative, &Text::default())) }
+    };
+    text.split(separator).map(one).collect()
+}
+
 /// A pure number.
 pub fn number(key: &str, text: &str) -> Result<f64, Failure> {
     let value = parse_quantity(text, &Dimension::NONE).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
@@ -33,6 +47,29 @@ pub fn overrides(list: &[String]) -> Result<Vec<(String, String)>, Failure> {
         Ok((name.trim().to_owned(), value.trim().to_owned()))
     };
     list.iter().map(split).collect()
+}
+
+/// `phi=0.1` pairs for coordinates of a model.
+pub fn guess(list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec<(symbolic::SymbolId, f64)>, Failure> {
+    let mut found = Vec::new();
+    for text in list {
+        let (name, value) = text.split_once('=').unwrap_or((text, ""));
+        let Some(coordinate) = machine.model.coordinates.iter().find(|c| c.name == name.trim()) else {
+            let names: Vec<&str> = machine.model.coordinates.iter().map(|c| c.name.as_str()).collect();
+            let what = Text::new(format!("`{}` is no coordinate", name.trim()), format!("`{}` — не координата", name.trim()));
+            let list = names.join(", ");
+            let help =
+                Text::new(format!("write name=value with one of: {list}"), format!("напишите имя=значение, где имя одно из: {list}"));
+            return Err(bad("--guess", text, &what, &help));
+        };
+        let dimension = mechanics::units::parse_unit(&coordinate.units[0]).map(|u| u.dimension).unwrap_or(Dimension::NONE);
+        let value = parse_quantity(value.trim(), &dimension).map_err(|fault| bad("--guess", text, &fault.words.what, &fault.words.help))?;
+        if !value.is_finite() {
+            return Err(bad("--guess", text, &not_finite(), &Text::default()));
+        }
+        found.push((coordinate.symbols[0], value));
+    }
+    Ok(found)
 }
 
 fn not_finite() -> Text {

@@ -27,6 +27,8 @@ report::words! {
     Picture: "plot, picture", "график, растровый";
     Page: "page", "страница";
     SectionTable: "properties of the sections", "характеристики сечений";
+    Modes: "Natural oscillations", "Собственные колебания";
+    Response: "Forced oscillations", "Вынужденные колебания";
     Stability: "Stability", "Устойчивость";
     Stable: "stable", "устойчиво";
     Unstable: "unstable", "неустойчиво";
@@ -36,6 +38,8 @@ report::words! {
     PotentialEnergy: "Potential energy", "Потенциальная энергия";
     DissipationFunction: "Dissipation function", "Диссипативная функция";
     WhereText: "where", "где";
+    Connections: "Equations of the connections", "Уравнения связей";
+    Reactions: "Reactions", "Реакции";
     Columns: "Quantities", "Величины";
     AtStart: "at the start", "в начале";
     Copied: "ready to run", "готово к запуску";

@@ -3,13 +3,14 @@
 //! With coordinates q (n of them), multipliers and auxiliary states s:
 //!
 //! ```text
-//! M(q, t) q'' = h(q, q', s, t)        equations of motion
-//! s' = r(q, q', s, t)                 auxiliary states (turn angle of a shaft with prescribed speed, ...)
+//! M(q, t) q'' = h(q, q', s, t) + reactions   equations of motion; conditions: see [`crate::connections`]
+//! s' = r(q, q', s, t)                        auxiliary states (turn angle of a shaft with prescribed speed, ...)
 //! ```
 //!
 //! Every symbol that occurs is time, a coordinate or its derivatives, an auxiliary state, a parameter (a number), or a definition
 //! (a formula over the others, listed so that each uses earlier ones only).
 
+use crate::connections::{Balance, Condition, Reaction};
 use crate::{Expr, Graph, Matrix, SymbolId, Text};
 
 /// Equations of motion and everything that is asked of them.
@@ -33,21 +34,47 @@ pub struct Equations {
     pub mass: Matrix,
     /// Right-hand side h, length n: everything that does not contain accelerations.
     pub force: Vec<Expr>,
+    /// Unknown reactions λ of connections, supports, motors, contacts and frictions. See [`crate::connections`].
+    pub reactions: Vec<Reaction>,
+    /// Conditions on the motion.
+    pub conditions: Vec<Condition>,
+    /// Balances of released bodies: what the reactions of supports follow from.
+    pub balances: Vec<Balance>,
     /// Textbook form of each equation of motion, or the reason why it is not shown.
     pub textbook: Result<Vec<Equality>, Text>,
     /// Step-by-step derivation.
     pub steps: Vec<Step>,
-    /// Second derivation (projected Newton-Euler): n residuals over q, q', q'', which vanish exactly where M q'' = h.
+    /// Second derivation (projected Newton-Euler): n residuals over q, q', q'' and reactions, which vanish exactly where the
+    /// equations of motion hold; then the residuals of the balances.
     pub second: Vec<Expr>,
     /// What places the machine and has a value only within limits (an inverse sine, a root): the equations may stay real beyond them,
     /// because only derivatives enter, but the machine cannot be there.
     pub places: Vec<Expr>,
+    /// Generalized forces of each applied force and torque, by its name; parts of `force`.
+    pub applied: Vec<Applied>,
     /// Energies and powers.
     pub energy: Energy,
     /// Every coordinate, rate, acceleration and auxiliary, then what the user wants to see.
     pub outputs: Vec<Output>,
     /// Printed symbols the user asked for: name as in formulas, symbol.
     pub notation: Vec<(String, String)>,
+}
+
+impl Equations {
+    /// Coordinates less ideal conditions, as they stand: conditions that repeat others count too.
+    pub fn degrees_of_freedom(&self) -> usize {
+        let ideal = self.reactions.iter().filter(|r| matches!(r.law, crate::connections::Law::Ideal { .. })).count();
+        self.coordinates.len().saturating_sub(ideal)
+    }
+}
+
+/// An applied force or torque.
+#[derive(Clone, Debug)]
+pub struct Applied {
+    /// Its name in the file.
+    pub name: String,
+    /// (index of a coordinate, generalized force).
+    pub forces: Vec<(usize, Expr)>,
 }
 
 /// A generalized coordinate with its initial data.
@@ -63,6 +90,8 @@ pub struct Coordinate {
     pub start: Expr,
     /// Rate at the start, over parameters only.
     pub rate: Expr,
+    /// Whether the user gives start and rate: a given value is kept when the machine is assembled, the others are guesses.
+    pub given: [bool; 2],
 }
 
 /// An auxiliary state s with s' = rate.

@@ -2,10 +2,14 @@
 //! hand-over from mechanics to numerics. It knows no bodies, no files, no output format.
 
 mod build;
+mod characteristic;
+pub mod connections;
 mod derivative;
 pub mod equations;
 mod evaluate;
 mod graph;
+pub mod harmonics;
+pub mod linear;
 mod matrix;
 mod polynomial;
 mod rational;
@@ -15,9 +19,11 @@ mod textbook;
 mod trigonometry;
 mod walk;
 
+pub use characteristic::characteristic;
 pub use derivative::Derivation;
 pub use equations::Equations;
 pub use graph::{Expr, Function, Graph, Node, Symbol, SymbolId};
+pub use linear::Linear;
 pub use matrix::Matrix;
 pub use rational::Rational;
 pub use substitute::Substitution;

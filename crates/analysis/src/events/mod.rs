@@ -1,12 +1,16 @@
-//! Events: the first root of a guard inside a step, and the modes that hold after it.
+//! Events: the first root of a guard inside a step, impacts, and the modes that hold after it.
 
+mod impacts;
 mod modes;
-pub(crate) use modes::{STILL, size};
+mod sides;
+pub(crate) use impacts::Impact;
+pub(crate) use sides::{BoundState, STILL, size};
 pub mod roots;
+pub mod words;
 
 use crate::Mode;
 
-/// A change of mode of one guard.
+/// A change of mode of one guard, or an impact at it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Switch {
     /// When.
@@ -15,6 +19,25 @@ pub struct Switch {
     pub guard: usize,
     /// Mode before.
     pub before: Mode,
-    /// Mode after.
+    /// Mode after; that before when a contact rebounds.
     pub after: Mode,
+    /// What else happened.
+    pub change: Change,
+}
+
+/// What happens at a switch besides the change of its mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Change {
+    /// Nothing: the state is continuous.
+    Mode,
+    /// The rates of the state jump.
+    Impact {
+        /// Rate of the gap before and after.
+        rates: [f64; 2],
+    },
+    /// A contact closes after infinitely many impacts.
+    Rests {
+        /// Sum of their intervals: the instant at which they end.
+        limit: f64,
+    },
 }

@@ -1,61 +1,94 @@
 //! Which modes hold after an event, or at the start.
 //!
-//! A combination of modes is admissible when the flow *in* these modes keeps every guard on the side its mode says: a guard away from its surface has
-//! the sign of its value, a guard on its surface the sign of its first Taylor coefficient that does not vanish, and `Zero` when all
-//! vanish (sign(v) of a body that rests without force). Tried in this order: at an event every touched guard changes side, at the start everything is
-//! `Zero`; then what the flow of the last trial suggests; then all combinations of the guards on their surfaces. When none is
-//! admissible the flow is driven back from every side: the switch chatters.
+//! A combination of modes is admissible when the flow *in* these modes keeps every guard on the side its mode says (`sides.rs`). Tried in this
+//! order: first what the event suggests (a touched switch changes side, a friction that has come to rest sticks, a crossed bound releases its
+//! owner, a contact closes unless it rebounds), at the start `Zero` for everything on its surface; then what the flow of the last
+//! trial suggests; then all combinations of the guards on their surfaces, `Zero` first, so that sticking is preferred. When none is admissible
+//! the flow is driven back from every side: the switch chatters, or the friction law has no solution.
+//!
+//! Every trial begins from the state after the impacts and moves it exactly onto the conditions of its modes ([`System::project`]).
 
 use crate::taylor::Flow;
-use crate::{Fault, Mode, System};
+use crate::{Fault, GuardKind, Mode, System};
 
-use super::Switch;
+use super::{Change, Switch};
 
-/// Share of a guard's own scale below which it counts as standing still on its surface.
-pub(crate) const STILL: f64 = 1e-11;
-/// Share of the guard's change within a step below which a Taylor coefficient is rounding. Were it taken for more, the mode would be corrected by a
-/// second switch that share of a step later.
-const SIGNIFICANT: f64 = 1e-15;
 /// Most guards on their surfaces at once for which all combinations are tried (3^5 expansions).
 const COMBINED: usize = 5;
 
-/// sum |g_k| h^k.
-pub(crate) fn size(g: &[f64], h: f64) -> f64 {
-    g.iter().rev().fold(0.0, |sum, g_k| sum * h + g_k.abs())
+/// Surely longer than any chain of wishes that ends.
+fn patience(guards: usize) -> usize {
+    16 + 4 * guards
 }
 
 impl<S: System + ?Sized> Flow<'_, S> {
     /// Decides all modes at the start, where nothing is known yet.
     pub(crate) fn decide_at_start(&mut self) -> Result<(), Fault> {
+        self.before.clone_from(&self.x);
         self.touched.fill(false);
         self.modes.fill(Mode::Zero);
-        self.search()
+        if self.has_contacts() {
+            self.modes.fill(Mode::Positive);
+            self.expand_here()?;
+            self.measure()?;
+            self.sides_at_start()?;
+        }
+        self.modes_before.clone_from(&self.modes);
+        let impacts = self.collide()?;
+        self.base.clone_from(&self.x);
+        self.search()?;
+        let impacts = self.come_to_rest(impacts)?;
+        self.list(&impacts, Listed::Impacts);
+        Ok(())
     }
 
     /// Decides the modes after the guards in `touched` have reached their surfaces, and records what changed.
     pub(crate) fn decide(&mut self) -> Result<(), Fault> {
-        let before = self.modes.clone();
-        for i in 0..self.modes.len() {
-            let scheduled = self.system.guards()[i].scheduled.is_some();
-            if self.modes[i] == Mode::Zero && !scheduled && !self.system.guard(i).is_empty() {
-                self.touched[i] = true;
-            } else if self.touched[i] {
-                self.modes[i] = opposite(self.modes[i]);
-            }
-        }
+        self.before.clone_from(&self.x);
+        self.modes_before.clone_from(&self.modes);
+        let impacts = self.collide()?;
+        self.base.clone_from(&self.x);
+        self.suggest();
         self.search()?;
-        for (guard, &mode) in before.iter().enumerate() {
-            let after = self.modes[guard];
-            if after != mode {
-                self.work.switches += 1;
-                self.switches.push(Switch { t: self.now.high, guard, before: mode, after });
-            }
-        }
+        let impacts = self.come_to_rest(impacts)?;
+        self.list(&impacts, Listed::All);
         Ok(())
     }
 
-    /// Searches admissible modes, beginning with the present ones; leaves their expansion in the system.
-    fn search(&mut self) -> Result<(), Fault> {
+    /// The first trial after an event.
+    fn suggest(&mut self) {
+        for i in 0..self.modes.len() {
+            let guard = &self.system.guards()[i];
+            self.leaving[i] = false;
+            match guard.kind {
+                GuardKind::Bound { .. } => self.modes[i] = Mode::Positive,
+                GuardKind::Friction { .. } if self.touched[i] => self.modes[i] = Mode::Zero,
+                // a rebound was decided with the impact
+                GuardKind::Friction { .. } | GuardKind::Contact { .. } => {}
+                GuardKind::Switch if self.modes[i] == Mode::Zero => {
+                    self.touched[i] |= guard.scheduled.is_none() && !self.system.guard(i).is_empty();
+                }
+                GuardKind::Switch if self.touched[i] => self.modes[i] = opposite(self.modes[i]),
+                GuardKind::Switch => {}
+            }
+        }
+        for i in 0..self.modes.len() {
+            if let GuardKind::Bound { of, exit } = self.system.guards()[i].kind
+                && self.touched[i]
+                && self.modes[of] == Mode::Zero
+            {
+                self.modes[of] = exit;
+                self.leaving[of] = true;
+            }
+        }
+        for i in 0..self.modes.len() {
+            let holds = matches!(self.system.guards()[i].kind, GuardKind::Friction { .. } | GuardKind::Contact { .. });
+            self.touched[i] |= holds && self.modes[i] == Mode::Zero || self.leaving[i];
+        }
+    }
+
+    /// Searches admissible modes, beginning with the present ones; leaves their expansion in the system and their state in the flow.
+    pub(super) fn search(&mut self) -> Result<(), Fault> {
         let mut tried: Vec<Vec<Mode>> = Vec::new();
         let mut suspect = None;
         let mut fault = None;
@@ -65,14 +98,14 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 Ok(None) => return Ok(()),
                 Ok(Some(wanted)) => {
                     suspect = suspect.or_else(|| (0..wanted.len()).rev().find(|&i| self.touched[i] && wanted[i] != self.modes[i]));
-                    self.modes = wanted;
+                    self.take_wishes(wanted);
                 }
                 Err(e) => {
                     fault = Some(e);
                     break;
                 }
             }
-            if tried.len() > 16 + 4 * self.modes.len() {
+            if tried.len() > patience(self.modes.len()) {
                 break;
             }
         }
@@ -80,11 +113,29 @@ impl<S: System + ?Sized> Flow<'_, S> {
             return Ok(());
         }
         let guard = suspect.or_else(|| self.touched.iter().position(|&t| t)).unwrap_or(0);
-        Err(fault.unwrap_or_else(|| Fault::chattering(&self.system.guards()[guard].name, self.now.high)))
+        Err(fault.unwrap_or_else(|| self.no_modes(guard)))
+    }
+
+    fn no_modes(&self, guard: usize) -> Fault {
+        let Some(of) = self.system.guards().get(guard) else { return Fault::chattering(&symbolic::Text::default(), self.now.high) };
+        match of.kind {
+            GuardKind::Switch => Fault::chattering(&of.name, self.now.high),
+            GuardKind::Bound { of, .. } => Fault::no_contact_state(&self.system.guards()[of].name, self.now.high),
+            _ => Fault::no_contact_state(&of.name, self.now.high),
+        }
+    }
+
+    fn take_wishes(&mut self, wanted: Vec<Mode>) {
+        for (i, mode) in wanted.iter().enumerate() {
+            self.leaving[i] |= self.modes[i] == Mode::Zero && *mode != Mode::Zero;
+        }
+        self.modes = wanted;
     }
 
     /// Expands in the present modes. None when they are admissible, otherwise the modes that their flow suggests.
     fn attempt(&mut self) -> Result<Option<Vec<Mode>>, Fault> {
+        self.x.clone_from(&self.base);
+        self.project_here()?;
         self.expand_here()?;
         self.measure()?;
         let wanted: Vec<Mode> = (0..self.modes.len()).map(|i| self.wanted(i)).collect();
@@ -92,7 +143,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
             return Ok(Some(wanted));
         }
         for i in 0..self.modes.len() {
-            let deflates = self.touched[i] && self.modes[i] != Mode::Zero && self.system.guards()[i].scheduled.is_none();
+            let guard = &self.system.guards()[i];
+            let searched = guard.scheduled.is_none() && !matches!(guard.kind, GuardKind::Bound { .. });
+            let deflates = self.touched[i] && self.modes[i] != Mode::Zero && searched;
             self.deflation[i] = if deflates { self.leading(i).map_or(0, |(k, _)| k) } else { 0 };
         }
         Ok(None)
@@ -100,7 +153,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// All combinations of the guards on their surfaces, the others as their values say.
     fn try_all_combinations(&mut self, tried: &[Vec<Mode>]) -> bool {
-        let on: Vec<usize> = (0..self.modes.len()).filter(|&i| self.touched[i] && self.system.guards()[i].scheduled.is_none()).collect();
+        let free = |guard: &crate::Guard| guard.scheduled.is_none() && !matches!(guard.kind, GuardKind::Bound { .. });
+        let on: Vec<usize> = (0..self.modes.len()).filter(|&i| self.touched[i] && free(&self.system.guards()[i])).collect();
         if on.is_empty() || on.len() > COMBINED {
             return false;
         }
@@ -112,11 +166,14 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 self.modes[i] = [Mode::Zero, Mode::Positive, Mode::Negative][digits % 3];
                 digits /= 3;
             }
+            if on.iter().any(|&i| self.penetrates(i)) {
+                continue;
+            }
             // the others may follow the combination: once more with what they want
             for _ in 0..2 {
                 match self.attempt() {
                     Ok(None) => return true,
-                    Ok(Some(wanted)) if on.iter().all(|&i| wanted[i] == self.modes[i]) => self.modes = wanted,
+                    Ok(Some(wanted)) if on.iter().all(|&i| wanted[i] == self.modes[i]) => self.take_wishes(wanted),
                     _ => break,
                 }
             }
@@ -124,43 +181,43 @@ impl<S: System + ?Sized> Flow<'_, S> {
         false
     }
 
-    /// The side on which the flow of the last expansion keeps a guard.
-    fn wanted(&mut self, i: usize) -> Mode {
-        let g = self.system.guard(i);
-        let Some(&value) = g.first() else { return self.modes[i] };
-        if let Some(t) = self.system.guards()[i].scheduled {
-            let slope = Mode::of(g.get(1).copied().unwrap_or(0.0));
-            return if self.now.until(t) > 0.0 { opposite(slope) } else { slope };
-        }
-        if !self.touched[i] {
-            if value.abs() > self.guard_noise[i] {
-                return Mode::of(value);
-            }
-            self.touched[i] = true;
-        }
-        self.leading(i).map_or(Mode::Zero, |(_, mode)| mode)
+    fn penetrates(&self, i: usize) -> bool {
+        self.modes[i] == Mode::Negative && matches!(self.system.guards()[i].kind, GuardKind::Contact { .. })
     }
 
-    /// Order and sign of the first coefficient, after the constant one, that does not vanish.
-    fn leading(&self, i: usize) -> Option<(usize, Mode)> {
-        let g = self.system.guard(i);
-        let h = self.natural;
-        let change = size(g.get(1..)?, h) * h;
-        if change <= STILL * self.guard_scale[i] {
-            return None;
-        }
-        let mut power = 1.0;
-        for (k, &g_k) in g.iter().enumerate().skip(1) {
-            power *= h;
-            if g_k.abs() * power > SIGNIFICANT * change {
-                return Some((k, Mode::of(g_k)));
+    /// Puts the changes into [`Flow::switches`]: impacts first, in the order of the guards.
+    fn list(&mut self, impacts: &[super::Impact], listed: Listed) {
+        let t = self.now.high;
+        for impact in impacts {
+            let guard = impact.guard;
+            let after = if impact.rests.is_some() { Mode::Positive } else { self.modes[guard] };
+            let change = Change::Impact { rates: impact.rates };
+            self.switches.push(Switch { t, guard, before: self.modes_before[guard], after, change });
+            if let Some(limit) = impact.rests {
+                let change = Change::Rests { limit };
+                self.switches.push(Switch { t, guard, before: Mode::Positive, after: self.modes[guard], change });
             }
         }
-        None
+        for (guard, mode) in self.modes_before.iter().copied().enumerate() {
+            let after = self.modes[guard];
+            let told = impacts.iter().any(|impact| impact.guard == guard);
+            if after != mode && !told && listed == Listed::All {
+                self.switches.push(Switch { t, guard, before: mode, after, change: Change::Mode });
+            }
+        }
+        self.work.switches += self.switches.len() as u64;
     }
 }
 
-fn opposite(mode: Mode) -> Mode {
+/// What becomes an event.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Listed {
+    /// At the start only what changes the state.
+    Impacts,
+    All,
+}
+
+pub(super) fn opposite(mode: Mode) -> Mode {
     match mode {
         Mode::Negative => Mode::Positive,
         Mode::Zero => Mode::Zero,

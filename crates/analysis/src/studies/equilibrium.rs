@@ -13,6 +13,39 @@ use crate::{Fault, Quantity, System};
 
 use super::simulate::Outcome;
 
+/// What the search for rest asks of a machine.
+pub trait Statics {
+    /// Number n of coordinates, the first components of x.
+    fn n_coordinates(&self) -> usize;
+    /// Name of coordinate `i`.
+    fn name(&self, i: usize) -> &str;
+    /// Generalized forces of rest, length n, and their derivatives by the coordinates, row i = force i.
+    ///
+    /// *Errors*: undefined there.
+    fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault>;
+}
+
+impl<S: System + ?Sized> Statics for S {
+    fn n_coordinates(&self) -> usize {
+        System::n_coordinates(self)
+    }
+    fn name(&self, i: usize) -> &str {
+        &self.states()[i].name
+    }
+    fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {
+        System::statics(self, x, forces, derivatives)
+    }
+}
+
+/// A state of rest near `start` (the coordinates come first), also one that is not isolated.
+///
+/// *Errors*: S007 when Newton's method finds none.
+pub fn rest_near<S: Statics + ?Sized>(machine: &mut S, start: &[f64]) -> Result<Vec<f64>, Fault> {
+    let n = machine.n_coordinates();
+    let mut search = Search { system: machine, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0, neutral_is_found: true };
+    search.from(start.to_vec()).map(|rest| rest.q)
+}
+
 /// Options of the study.
 #[derive(Clone, Debug, Default)]
 pub struct Equilibrium {
@@ -31,8 +64,8 @@ const RESIDUAL: f64 = 1e-10;
 ///
 /// *Errors* beside what was found: S007 when no guess leads to an equilibrium, S008 when an equilibrium is not isolated.
 pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Equilibrium) -> Outcome {
-    let n = system.n_coordinates();
-    let mut search = Search { system, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0 };
+    let n = System::n_coordinates(system);
+    let mut search = Search { system, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0, neutral_is_found: false };
     let mut found: Vec<Rest> = Vec::new();
     let mut faults = Vec::new();
     let own = start[..n].to_vec();
@@ -78,9 +111,11 @@ struct Search<'s, S: ?Sized> {
     forces: Vec<f64>,
     jacobian: Vec<f64>,
     steps: usize,
+    /// Whether an equilibrium that is not isolated is an answer.
+    neutral_is_found: bool,
 }
 
-impl<S: System + ?Sized> Search<'_, S> {
+impl<S: Statics + ?Sized> Search<'_, S> {
     /// Newton's method with step halving on the residual measured in Newton's own metric (the length of the simplified correction), which does
     /// not depend on the units of the forces. *Source*: P. Deuflhard, Newton Methods for Nonlinear Problems, 3.3.
     fn from(&mut self, mut x: Vec<f64>) -> Result<Rest, Fault> {
@@ -90,6 +125,9 @@ impl<S: System + ?Sized> Search<'_, S> {
             let lu = Lu::new(&self.jacobian, self.n);
             let balanced = self.residual(&x) <= RESIDUAL;
             let Some(correction) = lu.solve(&self.forces) else {
+                if balanced && self.neutral_is_found {
+                    return Ok(self.rest(x));
+                }
                 return Err(if balanced { self.neutral(&lu) } else { self.failed() });
             };
             let length = norm(&correction);
@@ -146,8 +184,7 @@ impl<S: System + ?Sized> Search<'_, S> {
     fn neutral(&self, lu: &Lu) -> Fault {
         let direction = lu.null_direction().unwrap_or_default();
         let largest = direction.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let names: Vec<&str> =
-            (0..self.n).filter(|&i| direction[i].abs() > 1e-9 * largest).map(|i| self.system.states()[i].name.as_str()).collect();
+        let names: Vec<&str> = (0..self.n).filter(|&i| direction[i].abs() > 1e-9 * largest).map(|i| self.system.name(i)).collect();
         let names = names.join(", ");
         Fault::new(Message {
             code: "S008",
@@ -190,7 +227,7 @@ fn norm(v: &[f64]) -> f64 {
 }
 
 fn dataset<S: System + ?Sized>(system: &S, found: &[Rest], steps: usize) -> Dataset {
-    let n = system.n_coordinates();
+    let n = System::n_coordinates(system);
     let mut columns: Vec<Column> =
         (0..n).map(|i| Column { quantity: system.states()[i].clone(), values: found.iter().map(|r| r.q[i]).collect() }).collect();
     let labelled = |name: &str, label: Text| Quantity { label, ..Quantity::new(name, "1") };

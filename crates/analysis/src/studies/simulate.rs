@@ -6,7 +6,7 @@ use symbolic::Text;
 
 use crate::audits::{halving::tolerance_halving, power::PowerBalance, second::two_derivations};
 use crate::dataset::{Column, Counter, Dataset, Event};
-use crate::events::Switch;
+use crate::events::words::describe;
 use crate::fault::{number, rounded};
 use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance};
 use crate::{Fault, Mode, Quantity, System};
@@ -245,7 +245,12 @@ impl Pace {
 impl Run {
     fn prepare<S: System + ?Sized>(system: &S, options: &Simulate<'_>) -> Result<Run, Fault> {
         check(options)?;
-        let chosen = choose(system.outputs(), options.outputs.as_deref())?;
+        let mut chosen = choose(system.outputs(), options.outputs.as_deref())?;
+        let refused: Vec<Fault> = chosen.iter().filter_map(|&i| system.refusal(i)).collect();
+        if let (true, Some(fault)) = (options.outputs.is_some(), refused.first()) {
+            return Err(fault.clone());
+        }
+        chosen.retain(|&i| system.refusal(i).is_none());
         let outputs: Vec<Quantity> = chosen.iter().map(|&i| system.outputs()[i].clone()).collect();
         let times = requested(options, outputs.len() + 1)?;
         let n_x = system.states().len();
@@ -271,7 +276,7 @@ impl Run {
         system.placed(0.0, start)?;
         let flow_options = Options { tolerance: options.tolerance, span: end, ..Options::default() };
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
-        let result = self.follow(&mut flow, end, options);
+        let result = self.record(&mut flow).and_then(|()| self.follow(&mut flow, end, options));
         self.work = flow.work().clone();
         result
     }
@@ -341,23 +346,23 @@ impl Run {
             return Ok(());
         }
         let switches = flow.switches().to_vec();
-        let state = flow.state().to_vec();
-        let (before, after) = (flow.step().modes.clone(), flow.modes().to_vec());
+        let states = [flow.state_before().to_vec(), flow.state().to_vec()];
+        let (before, after) = (flow.modes_before().to_vec(), flow.modes().to_vec());
         let t = flow.time();
-        let mut side = |run: &mut Run, modes: &[Mode]| -> Result<Vec<f64>, Fault> {
-            flow.system().observe(t, &state, modes, &mut run.all)?;
+        let mut side = |run: &mut Run, state: &[f64], modes: &[Mode]| -> Result<Vec<f64>, Fault> {
+            flow.system().observe(t, state, modes, &mut run.all)?;
             Ok(run.chosen.iter().map(|&i| run.all[i]).collect())
         };
-        let outputs = [side(self, &before)?, side(self, &after)?];
+        let outputs = [side(self, &states[0], &before)?, side(self, &states[1], &after)?];
         for switch in &switches {
-            let what = describe(switch, &flow.system().guards()[switch.guard].name);
+            let what = describe(switch, &flow.system().guards()[switch.guard]);
             let sides = [switch.before.sign(), switch.after.sign()];
-            self.events.push(Event { t: switch.t, what, guard: switch.guard, sides, state: state.clone(), outputs: outputs.clone() });
+            self.events.push(Event { t: switch.t, what, guard: switch.guard, sides, states: states.clone(), outputs: outputs.clone() });
         }
         Ok(())
     }
 
-    fn dataset<S: System + ?Sized>(self, _system: &S, tolerance: f64) -> Dataset {
+    fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {
         let mut done: Vec<(usize, f64)> = self.times[..self.next].iter().map(|&(t, row)| (row, t)).collect();
         done.sort_by_key(|&(row, _)| row);
         let n = self.outputs.len();
@@ -366,7 +371,7 @@ impl Run {
         for (j, quantity) in self.outputs.into_iter().enumerate() {
             columns.push(Column { quantity, values: done.iter().map(|&(row, _)| self.table[row * n + j]).collect() });
         }
-        let mut notes = Vec::new();
+        let mut notes = system.notes().to_vec();
         if self.interrupted {
             notes.push(Text::new("interrupted: the result ends early", "прервано: результат неполон"));
             if self.pace.remaining > 0.0 {
@@ -406,19 +411,6 @@ fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<Vec<usize>,
         })
     };
     wanted.iter().map(find).collect()
-}
-
-fn describe(switch: &Switch, guard: &Text) -> Text {
-    let word = |mode: Mode| match mode {
-        Mode::Negative => ("minus", "минуса", "минус"),
-        Mode::Zero => ("zero", "нуля", "нуль"),
-        Mode::Positive => ("plus", "плюса", "плюс"),
-    };
-    let (before, after) = (word(switch.before), word(switch.after));
-    Text::new(
-        format!("{} changes from {} to {}", guard.en, before.0, after.0),
-        format!("{} переходит с {} на {}", guard.ru, before.1, after.2),
-    )
 }
 
 fn counters(work: &Work) -> Vec<Counter> {

@@ -60,8 +60,10 @@ pub struct Work {
     pub expansions: u64,
     /// Expansions of order 1, for the defect of steps that end at an event.
     pub probes: u64,
-    /// Changes of mode.
+    /// Changes of mode and impacts.
     pub switches: u64,
+    /// Projections that changed the state.
+    pub projections: u64,
     /// Sum of the orders of the accepted steps.
     pub orders: u64,
     /// Highest order.
@@ -76,7 +78,21 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) x: Vec<f64>,
     /// x + low is the state; low is what rounding would cut.
     low: Vec<f64>,
+    /// State before the last event; an impact changes rates.
+    pub(crate) before: Vec<f64>,
+    /// Modes before the last event.
+    pub(crate) modes_before: Vec<Mode>,
+    /// State after the impacts of an event, from which every trial of modes begins.
+    pub(crate) base: Vec<f64>,
+    /// Largest relative violation of conditions that a projection removed.
+    drift: f64,
+    /// That of the step under trial.
+    removed: f64,
     pub(crate) modes: Vec<Mode>,
+    /// Guards that leave `Zero` in the present trial.
+    pub(crate) leaving: Vec<bool>,
+    /// Contacts that have just rebounded.
+    pub(crate) rebounds: Vec<bool>,
     /// For a guard that has just been crossed: number of leading coefficients that vanish (multiplicity of its root at the step's start).
     pub(crate) deflation: Vec<usize>,
     /// Guards on their surface now.
@@ -123,7 +139,14 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             now: Instant::at(t),
             x: x.to_vec(),
             low: vec![0.0; n_x],
+            before: x.to_vec(),
+            modes_before: vec![Mode::Zero; n_g],
+            base: x.to_vec(),
+            drift: 0.0,
+            removed: 0.0,
             modes: vec![Mode::Zero; n_g],
+            leaving: vec![false; n_g],
+            rebounds: vec![false; n_g],
             deflation: vec![0; n_g],
             touched: vec![false; n_g],
             guard_scale: vec![0.0; n_g],
@@ -169,7 +192,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             self.evaluate(length);
             let finite = self.next_x.iter().all(|x| x.is_finite());
             let lands = if full && !event { Instant::at(target) } else { self.now.after(length) };
-            let probe = if !finite { Err(self.not_finite()) } else { self.probe(lands, event) };
+            let probe = if !finite { Err(self.not_finite()) } else { self.correct(lands).and_then(|()| self.probe(lands, event)) };
             if let Err(fault) = probe {
                 h = self.take_back(h, 0.25, Some(fault))?;
             } else if !defect.accept(self.defect(length), length) {
@@ -192,6 +215,18 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     /// Current state.
     pub fn state(&self) -> &[f64] {
         &self.x
+    }
+    /// State just before the last event; differs from [`Flow::state`] in the rates after an impact.
+    pub fn state_before(&self) -> &[f64] {
+        &self.before
+    }
+    /// Modes just before the last event.
+    pub fn modes_before(&self) -> &[Mode] {
+        &self.modes_before
+    }
+    /// Largest relative violation of the conditions of connections that was removed by projection.
+    pub fn drift(&self) -> f64 {
+        self.drift
     }
     /// Current modes.
     pub fn modes(&self) -> &[Mode] {
@@ -259,12 +294,40 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         }
     }
 
+    /// Moves the next state onto the conditions of the present modes.
+    fn correct(&mut self, at: Instant) -> Result<(), Fault> {
+        self.base.copy_from_slice(&self.next_x);
+        let drift = self.system.project(at.high, &mut self.next_x, &self.modes)?;
+        self.removed = drift;
+        if drift > 0.0 {
+            for i in 0..self.base.len() {
+                if self.next_x[i] != self.base[i] {
+                    self.next_low[i] = 0.0;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Moves the state onto the conditions of the present trial of modes. What it removes is no drift: a contact has just closed.
+    pub(crate) fn project_here(&mut self) -> Result<(), Fault> {
+        self.system.project(self.now.high, &mut self.x, &self.modes)?;
+        for i in 0..self.x.len() {
+            if self.x[i] != self.before[i] {
+                self.low[i] = 0.0;
+            }
+        }
+        Ok(())
+    }
+
     /// Moves to the end of the step and decides the modes there.
     fn arrive(&mut self, at: Instant, event: bool) -> Result<(), Fault> {
         self.now = at;
         std::mem::swap(&mut self.x, &mut self.next_x);
         std::mem::swap(&mut self.low, &mut self.next_low);
         self.deflation.fill(0);
+        self.work.projections += u64::from(self.removed > 0.0);
+        self.drift = self.drift.max(self.removed);
         self.work.steps += 1;
         self.work.orders += self.step.order as u64;
         self.work.highest_order = self.work.highest_order.max(self.step.order);

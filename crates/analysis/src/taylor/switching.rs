@@ -2,8 +2,9 @@
 
 use super::Flow;
 use crate::events::roots::surely_no_root;
+use crate::events::{BoundState, Change};
 use crate::numerics::sum::Instant;
-use crate::{Fault, Mode, System};
+use crate::{Fault, GuardKind, Mode, System};
 
 /// Watches for switches that accumulate.
 #[derive(Clone, Debug, Default)]
@@ -38,6 +39,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
     }
 
     pub(super) fn crossing(&mut self, i: usize, h: f64) -> Option<f64> {
+        if let GuardKind::Bound { of, .. } = self.system.guards()[i].kind {
+            return if self.modes[of] == Mode::Zero { self.bound_crossing(i, h) } else { None };
+        }
         let mode = self.modes[i];
         if mode == Mode::Zero || self.system.guards()[i].scheduled.is_some() {
             return None;
@@ -45,6 +49,19 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let c = &self.step.guards.row(i)[self.deflation[i]..];
         let decides_nothing = c.iter().all(|c_k| *c_k == 0.0);
         if decides_nothing || surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
+    }
+
+    /// Where a bound becomes negative. One that has just been reached is judged by where it goes.
+    fn bound_crossing(&mut self, i: usize, h: f64) -> Option<f64> {
+        let c = self.step.guards.row(i);
+        let deflation = match self.judge(i, c, h) {
+            BoundState::Kept => 0,
+            BoundState::Rises(k) => k,
+            BoundState::Rests => return None,
+            BoundState::Crossed => return Some(0.0),
+        };
+        let c = &self.step.guards.row(i)[deflation..];
+        if surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, 1.0) }
     }
 
     /// Marks guards whose scheduled instant is now.
@@ -83,8 +100,14 @@ impl<S: System + ?Sized> Flow<'_, S> {
     pub(super) fn is_on_wrong_side(&self, i: usize) -> bool {
         let g = self.system.guard(i);
         let Some(&value) = g.first() else { return false };
-        if self.system.guards()[i].scheduled.is_some() {
+        let guard = &self.system.guards()[i];
+        if guard.scheduled.is_some() {
             return false;
+        }
+        match guard.kind {
+            GuardKind::Bound { of, .. } => return self.modes[of] == Mode::Zero && self.judge(i, g, self.guess) == BoundState::Crossed,
+            GuardKind::Friction { .. } | GuardKind::Contact { .. } if self.modes[i] == Mode::Zero => return false,
+            _ => {}
         }
         match self.modes[i] {
             Mode::Zero => crate::events::size(g, self.guess) > crate::events::STILL * self.guard_scale[i],
@@ -95,7 +118,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
     pub(super) fn watch_crowd(&mut self) -> Result<(), Fault> {
         let gap = self.crowd.last.until(self.now.high);
         self.crowd.last = self.now;
-        if gap > CLOSE * self.natural {
+        // impacts end by their own rule
+        let impact = self.switches.iter().any(|s| s.change != Change::Mode);
+        if gap > CLOSE * self.natural || impact {
             self.crowd.close = 0;
             return Ok(());
         }

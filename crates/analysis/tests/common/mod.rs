@@ -1,7 +1,7 @@
 //! Systems with hand-written Taylor recurrences and known motions.
 #![allow(dead_code)]
 
-use analysis::{Fault, Guard, Mode, Quantity, System};
+use analysis::{Fault, Guard, GuardKind, Mode, Quantity, System};
 use symbolic::Text;
 
 /// Series during an expansion: `x[i][0..=k]` are known, the recurrence gives `x[i][k + 1]`.
@@ -28,6 +28,10 @@ impl Work {
 }
 
 type Recurrence = Box<dyn Fn(&mut Work, usize) -> Vec<f64>>;
+/// Moves (t, x) onto the conditions of the modes; returns the drift.
+type Projection = Box<dyn Fn(f64, &mut [f64], &[Mode]) -> f64>;
+/// Rates after an impact at the given guards; returns the impulses.
+type ImpactLaw = Box<dyn Fn(&mut [f64], &[Mode], &[usize]) -> Vec<f64>>;
 type GuardSeries = Box<dyn Fn(&Work, usize) -> Vec<f64>>;
 
 /// A system by its recurrence: coefficient k of the rates of all states.
@@ -38,6 +42,8 @@ pub struct Hand {
     n_aux: usize,
     rates: Recurrence,
     guard: GuardSeries,
+    project: Projection,
+    impact: ImpactLaw,
     work: Work,
     guard_values: Vec<Vec<f64>>,
     pub expansions: u64,
@@ -48,7 +54,8 @@ impl Hand {
         let states = units.iter().enumerate().map(|(i, unit)| Quantity::new(&format!("x{i}"), unit)).collect();
         let work = Work { t: 0.0, x: vec![], aux: vec![], modes: vec![] };
         let (rates, guard): (Recurrence, GuardSeries) = (Box::new(rates), Box::new(|_, _| vec![]));
-        Hand { states, n, guards: vec![], n_aux: 0, rates, guard, work, guard_values: vec![], expansions: 0 }
+        let (project, impact): (Projection, ImpactLaw) = (Box::new(|_, _, _| 0.0), Box::new(|_, _, _| vec![]));
+        Hand { states, n, guards: vec![], n_aux: 0, rates, guard, project, impact, work, guard_values: vec![], expansions: 0 }
     }
     /// Number of auxiliary series of the recurrence.
     pub fn aux(mut self, n: usize) -> Hand {
@@ -56,8 +63,20 @@ impl Hand {
         self
     }
     pub fn guarded(mut self, n_guards: usize, guard: impl Fn(&Work, usize) -> Vec<f64> + 'static) -> Hand {
-        self.guards = (0..n_guards).map(|i| Guard { name: Text::same(format!("g{i}")), scheduled: None }).collect();
+        self.guards = (0..n_guards).map(|i| Guard { name: Text::same(format!("g{i}")), ..Guard::default() }).collect();
         self.guard = Box::new(guard);
+        self
+    }
+    pub fn kinds(mut self, kinds: &[GuardKind]) -> Hand {
+        self.guards.iter_mut().zip(kinds).for_each(|(guard, kind)| guard.kind = kind.clone());
+        self
+    }
+    pub fn projected(mut self, project: impl Fn(f64, &mut [f64], &[Mode]) -> f64 + 'static) -> Hand {
+        self.project = Box::new(project);
+        self
+    }
+    pub fn colliding(mut self, impact: impl Fn(&mut [f64], &[Mode], &[usize]) -> Vec<f64> + 'static) -> Hand {
+        self.impact = Box::new(impact);
         self
     }
     pub fn scheduled(mut self, i: usize, t: f64) -> Hand {
@@ -104,6 +123,12 @@ impl System for Hand {
     }
     fn guard(&self, i: usize) -> &[f64] {
         &self.guard_values[i]
+    }
+    fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
+        Ok((self.project)(t, x, modes))
+    }
+    fn impact(&mut self, _: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Vec<f64>, Fault> {
+        Ok((self.impact)(x, modes, closing))
     }
     fn observe(&mut self, _: f64, x: &[f64], _: &[Mode], values: &mut [f64]) -> Result<(), Fault> {
         values.copy_from_slice(x);

@@ -21,10 +21,14 @@ fn blank(graph: Graph) -> Equations {
         definitions: vec![],
         mass,
         force: vec![],
+        reactions: Vec::new(),
+        conditions: Vec::new(),
+        balances: Vec::new(),
         textbook: Err(Text::default()),
         steps: vec![],
         second: vec![],
         places: vec![],
+        applied: vec![],
         energy: Energy { kinetic: zero, potential: zero, dissipation: zero, dissipated: zero, rate: zero, loads: zero, drives: zero },
         outputs: vec![],
         notation: vec![],
@@ -38,7 +42,7 @@ pub fn shaft(m: f64) -> Machine {
     for (name, unit) in [("x", "m"), ("y", "m"), ("phi", "rad")] {
         let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id(name, primes));
         let label = Text::default();
-        e.coordinates.push(Coordinate { symbols, unit: unit.into(), label: label.clone(), start: zero, rate: zero });
+        e.coordinates.push(Coordinate { symbols, unit: unit.into(), label: label.clone(), start: zero, rate: zero, given: [true; 2] });
         for (primes, symbol) in symbols.into_iter().enumerate().take(2) {
             let formula = e.graph.symbol(symbol);
             let (unit, name) = (format!("{unit}{}", "/s".repeat(primes)), format!("{name}{}", "'".repeat(primes)));
@@ -96,7 +100,7 @@ pub fn relay() -> Machine {
     let mut e = blank(Graph::new());
     let zero = e.graph.zero();
     let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id("x", primes));
-    e.coordinates.push(Coordinate { symbols, unit: "m".into(), label: Text::default(), start: zero, rate: zero });
+    e.coordinates.push(Coordinate { symbols, unit: "m".into(), label: Text::default(), start: zero, rate: zero, given: [true; 2] });
     let [x, v, a] = symbols.map(|s| e.graph.symbol(s));
     let graph = &mut e.graph;
     let one = graph.one();
@@ -125,7 +129,7 @@ pub fn single(make: impl Fn(&mut Graph, [Expr; 3]) -> (Expr, Expr)) -> Machine {
     let mut e = blank(Graph::new());
     let zero = e.graph.zero();
     let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id("x", primes));
-    e.coordinates.push(Coordinate { symbols, unit: "m".into(), label: Text::default(), start: zero, rate: zero });
+    e.coordinates.push(Coordinate { symbols, unit: "m".into(), label: Text::default(), start: zero, rate: zero, given: [true; 2] });
     let (x, v, t) = (e.graph.symbol(symbols[0]), e.graph.symbol(symbols[1]), e.graph.symbol(e.time));
     let (mass, force) = make(&mut e.graph, [x, v, t]);
     e.mass = Matrix::zeros(&mut e.graph, 1, 1);
@@ -146,7 +150,7 @@ pub fn double_pendulum() -> Machine {
     let zero = e.graph.zero();
     for name in ["a", "b"] {
         let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id(name, primes));
-        e.coordinates.push(Coordinate { symbols, unit: "rad".into(), label: Text::default(), start: zero, rate: zero });
+        e.coordinates.push(Coordinate { symbols, unit: "rad".into(), label: Text::default(), start: zero, rate: zero, given: [true; 2] });
     }
     let symbols: Vec<_> = e.coordinates.iter().map(|c| c.symbols).collect();
     let graph = &mut e.graph;

@@ -4,12 +4,14 @@
 //! (or torques) projected with the velocities of the points (or bodies) it acts on.
 
 use super::kinematics::Kinematics;
-use super::pathways::{Path, resolve};
+use super::pathways::resolve;
 use super::requests::Resolver;
 use super::scene::{Columns, Found, Scene, Vector};
+use super::wrench::Act;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Action, Pathway, PointRef, Rest};
+use crate::model::{Action, PointRef, Rest};
 use std::ops::Range;
+use symbolic::equations::Applied;
 use symbolic::{Expr, Rational, Substitution, SymbolId};
 
 /// A named term of an energy.
@@ -30,6 +32,8 @@ pub struct Loads {
     pub dissipations: Vec<Term>,
     /// Generalized forces of all other loads, per direction.
     pub applied: Vec<Columns<Expr>>,
+    /// Name of each force and torque, and its rows in `applied`.
+    pub named: Vec<(String, Range<usize>)>,
     /// Newton-Euler: generalized forces of gravity and elements with a potential, per direction.
     pub conservative: Vec<Columns<Expr>>,
     /// Newton-Euler: generalized forces of dissipative elements, per direction.
@@ -38,6 +42,8 @@ pub struct Loads {
     pub dissipated: Vec<Expr>,
     /// Power in the time direction: what moving supports and parameters that change with time put into potentials.
     pub potential_change: Vec<Expr>,
+    /// Everything that acts, as forces and moments on bodies.
+    pub acts: Vec<Act>,
     /// (force, extension) of each spring.
     pub springs: Vec<(Expr, Expr)>,
     /// (force, pathway) of each damper.
@@ -81,6 +87,7 @@ fn gravity(scene: &mut Scene, kinematics: &mut Kinematics, loads: &mut Loads) {
         let columns = kinematics.jacobian(scene, center);
         let projected = project(scene, &weight, &columns);
         loads.conservative.push(projected);
+        loads.acts.push(Act::Point { point: center, force: weight });
         let change = scene.along(energy, scene.n());
         loads.potential_change.push(change);
     }
@@ -103,20 +110,38 @@ fn spring(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
         Rest::Start => at_start(scene, path.value),
     };
     let extension = scene.graph.sub(path.value, rest);
-    let square = scene.graph.square(extension);
+    let acting = match spring.backlash {
+        Some(play) => {
+            let play = resolver.resolve(scene, kinematics, play)?;
+            beyond_play(scene, extension, play)
+        }
+        None => extension,
+    };
+    let square = scene.graph.square(acting);
     let elastic = scene.graph.monomial(Rational::HALF, &[(stiffness, Rational::ONE), (square, Rational::ONE)]);
     let constant = scene.graph.mul(preload, extension);
     let energy = scene.graph.add(elastic, constant);
     loads.potentials.push(Term { name: spring.name.clone(), energy });
-    let force = scene.graph.mul(stiffness, extension);
+    let force = scene.graph.mul(stiffness, acting);
     let force = scene.graph.add(force, preload);
     loads.springs.push((force, extension));
     let against = scene.graph.neg(force);
     let projected = scaled(scene, against, &path.geometric);
     loads.conservative.push(projected);
+    loads.act(scene, against, &path.acts);
     let change = scene.along(energy, scene.n());
     loads.potential_change.push(change);
     Ok(())
+}
+
+/// What an extension e has beyond a play of width δ: e - δ/2 above it, e + δ/2 below it, 0 within.
+fn beyond_play(scene: &mut Scene, extension: Expr, play: Expr) -> Expr {
+    let graph = &mut scene.graph;
+    let half = graph.scale(play, &Rational::HALF);
+    let (above, below, zero) = (graph.sub(extension, half), graph.add(extension, half), graph.zero());
+    let under = graph.neg(below);
+    let otherwise = graph.switch(under, true, below, zero);
+    graph.switch(above, true, above, otherwise)
 }
 
 /// factor·gradient.
@@ -125,7 +150,7 @@ fn scaled(scene: &mut Scene, factor: Expr, gradient: &Columns<Expr>) -> Columns<
 }
 
 /// The value of an expression at the start of the motion.
-fn at_start(scene: &mut Scene, e: Expr) -> Expr {
+pub fn at_start(scene: &mut Scene, e: Expr) -> Expr {
     let model = scene.model;
     let zero = scene.graph.zero();
     // formulas of time at t = 0, each over constants and earlier ones
@@ -156,6 +181,7 @@ fn damper(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
     let against = scene.graph.neg(force);
     let projected = scaled(scene, against, &path.geometric);
     loads.resisting.push(projected);
+    loads.act(scene, against, &path.acts);
     let power = scene.graph.mul(force, rate);
     loads.dissipated.push(power);
     Ok(())
@@ -172,6 +198,7 @@ fn free_forms(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Res
         loads.potential_change.push(change);
         let minus = scene.graph.int(-1);
         let projected = scaled(scene, minus, &gradient);
+        loads.acts.push(Act::Along(projected.clone()));
         loads.conservative.push(projected);
     }
     for dissipation in &model.dissipations {
@@ -187,6 +214,7 @@ fn free_forms(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Res
             power.push(scene.graph.mul(force, rate));
             projected.insert(j, scene.graph.neg(force));
         }
+        loads.acts.push(Act::Along(projected.clone()));
         loads.resisting.push(projected);
         loads.dissipated.extend(power);
     }
@@ -202,37 +230,37 @@ fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
                 let value = resolve_vector(scene, kinematics, resolver, *value)?;
                 let vector = kinematics.in_ground_axes(scene, *axes, &value);
                 let columns = kinematics.jacobian(scene, *at);
+                loads.acts.push(Act::Point { point: *at, force: vector });
                 project(scene, &vector, &columns)
             }
-            Action::OnPathway { pathway, value } => on_pathway(scene, kinematics, resolver, ((*pathway, &force.span), *value))?,
+            Action::OnPathway { pathway, value } => {
+                let path = resolve(scene, kinematics, resolver, (*pathway, &force.span))?;
+                let value = resolver.resolve(scene, kinematics, *value)?;
+                loads.act(scene, value, &path.acts);
+                scaled(scene, value, &path.gradient)
+            }
         };
         loads.applied.push(columns);
+        loads.named.push((force.name.clone(), loads.applied.len() - 1..loads.applied.len()));
     }
     for torque in &model.torques {
+        let first = loads.applied.len();
         let value = resolve_vector(scene, kinematics, resolver, torque.value)?;
         let vector = kinematics.in_ground_axes(scene, torque.axes, &value);
         let columns = kinematics.turning_in_ground_axes(scene, torque.on);
         let action = project(scene, &vector, &columns);
+        loads.acts.push(Act::Turn { on: torque.on, moment: vector });
         loads.applied.push(action);
         if let Some(body) = torque.reaction {
             let columns = kinematics.turning_in_ground_axes(scene, body);
             let opposite = vector.map(|e| scene.graph.neg(e));
             let reaction = project(scene, &opposite, &columns);
+            loads.acts.push(Act::Turn { on: body, moment: opposite });
             loads.applied.push(reaction);
         }
+        loads.named.push((torque.name.clone(), first..loads.applied.len()));
     }
     Ok(())
-}
-
-fn on_pathway(
-    scene: &mut Scene,
-    kinematics: &mut Kinematics,
-    resolver: &mut Resolver,
-    ((pathway, span), value): ((Pathway, &Range<usize>), Expr),
-) -> Found<Columns<Expr>> {
-    let Path { gradient, .. } = resolve(scene, kinematics, resolver, (pathway, span))?;
-    let value = resolver.resolve(scene, kinematics, value)?;
-    Ok(scaled(scene, value, &gradient))
 }
 
 fn resolve_vector(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, v: Vector) -> Found<Vector> {
@@ -241,6 +269,21 @@ fn resolve_vector(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut
 }
 
 impl Loads {
+    /// The generalized forces of each force and torque.
+    pub fn by_name(&self, scene: &mut Scene) -> Vec<Applied> {
+        let n = scene.n();
+        let one = |(name, rows): &(String, Range<usize>)| {
+            let rows = &self.applied[rows.clone()];
+            let forces = (0..n).map(|j| (j, Loads::in_direction(scene, rows, j))).collect::<Vec<_>>();
+            let forces = forces.into_iter().filter(|(_, e)| !scene.graph.is_zero(*e)).collect();
+            Applied { name: name.clone(), forces }
+        };
+        self.named.iter().map(one).collect()
+    }
+    /// Notes actions times a factor.
+    fn act(&mut self, scene: &mut Scene, factor: Expr, acts: &[Act]) {
+        self.acts.extend(acts.iter().map(|act| act.times(scene, factor)));
+    }
     /// Σ of the terms of a list of columns in one direction.
     pub fn in_direction(scene: &mut Scene, list: &[Columns<Expr>], direction: usize) -> Expr {
         let terms: Vec<Expr> = list.iter().filter_map(|c| c.get(&direction).copied()).collect();

@@ -5,6 +5,7 @@
 //!                     -> Newton-Euler, projected ----------------^ (second derivation)
 //! ```
 
+mod connections;
 mod explain;
 mod kinematics;
 mod lagrange;
@@ -14,11 +15,13 @@ mod pathways;
 mod requests;
 mod scene;
 mod steps;
+mod wrench;
 
 pub use explain::EXPLANATIONS;
 
 use crate::diagnostic::{Diagnostic, sort};
 use crate::model::{Class, Inertia, Model};
+use connections::Connected;
 use kinematics::Kinematics;
 use lagrange::{Kinetic, Quadratic};
 use loads::Loads;
@@ -68,14 +71,24 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
         }
     };
     let kinetic = lagrange::kinetic_energy(&mut scene, &mut kinematics, written || asks_for_bodies(model));
-    errors.extend(missing_inertia(&scene, &kinetic.total));
-    let motion = Motion::new(&mut scene, &kinetic, &loads);
-    let second = newton_euler::project(&mut scene, &mut kinematics, &loads);
-    let energy = energy(&mut scene, &kinetic.total, &loads, second.drives);
+    let connected = connections::connect(&mut scene, &mut kinematics, &mut resolver).map_err(|more| {
+        errors.extend(more);
+        sort(&mut errors);
+        errors.clone()
+    });
+    let mut connected = connected?;
+    errors.extend(missing_inertia(&scene, &kinetic.total, &connected));
+    let motion = Motion::new(&mut scene, &kinetic, &loads, &connected);
+    let inertial = if connected.releases() { newton_euler::inertial(&mut scene, &mut kinematics) } else { Vec::new() };
+    connected.balance(&mut scene, &kinematics, &loads, &inertial);
+    let mut second = newton_euler::project(&mut scene, &mut kinematics, &loads, &connected);
+    second.residuals.extend(connected.balance_residuals(&mut scene));
+    let energy = energy(&mut scene, &kinetic.total, (&loads, &connected), second.drives);
     resolver.energies = Some(EnergyTerms { kinetic: energy.kinetic, potential: energy.potential, dissipation: energy.dissipation });
     resolver.kinetic = kinetic.bodies.iter().map(|b| (!b.is_empty()).then(|| lagrange::energy_of(&mut scene, b))).collect();
-    let steps = if written { steps::write(&mut scene, &mut kinematics, (&kinetic, &loads, &motion)) } else { Vec::new() };
+    let steps = if written { steps::write(&mut scene, &mut kinematics, (&kinetic, &loads, &motion), &connected) } else { Vec::new() };
     let textbook = motion.textbook(&mut scene, shown);
+    let applied = loads.by_name(&mut scene);
     resolver.loads = Some(loads);
     let outputs = outputs(&mut scene, &mut kinematics, &mut resolver).map_err(|more| {
         errors.extend(more);
@@ -99,6 +112,8 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
         roots.extend(equalities.iter().flat_map(|e| [e.left, e.right]));
     }
     roots.extend(scene.turns.iter().map(|t| t.rate));
+    roots.extend(connected.expressions());
+    roots.extend(applied.iter().flat_map(|a| a.forces.iter().map(|f| f.1)));
     let definitions = definitions(&mut scene, &roots);
     let zero = scene.graph.zero();
     Ok(Equations {
@@ -110,10 +125,14 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
         definitions,
         mass,
         force,
+        reactions: connected.reactions,
+        conditions: connected.conditions,
+        balances: connected.balances,
         textbook,
         steps,
         second: second.residuals,
         places: scene.places,
+        applied,
         energy,
         outputs,
         notation: model.notation.clone(),
@@ -126,12 +145,15 @@ struct Motion {
     mass: Quadratic,
     gyroscopic: Vec<Expr>,
     forces: lagrange::Forces,
+    /// Generalized forces of reactions.
+    reactions: Vec<Expr>,
 }
 
 impl Motion {
-    fn new(scene: &mut Scene, kinetic: &Kinetic, loads: &Loads) -> Motion {
+    fn new(scene: &mut Scene, kinetic: &Kinetic, loads: &Loads, connected: &Connected) -> Motion {
         let gyroscopic = lagrange::gyroscopic_terms(scene, &kinetic.total);
-        Motion { mass: kinetic.total.clone(), gyroscopic, forces: lagrange::forces(scene, loads) }
+        let reactions = (0..scene.n()).map(|j| connected.force(scene, j)).collect();
+        Motion { mass: kinetic.total.clone(), gyroscopic, forces: lagrange::forces(scene, loads), reactions }
     }
 
     fn entry(&self, i: usize, j: usize) -> Option<Expr> {
@@ -176,6 +198,7 @@ impl Motion {
             }
             let left = scene.graph.sum(&terms);
             let right = self.right_side(scene, i);
+            let right = scene.graph.add(right, self.reactions[i]);
             let size = scene.graph.reachable(&[left, right]).len();
             if size > LONGEST_SHOWN {
                 return Err(Text::new(
@@ -227,10 +250,10 @@ fn plane_inertia_in_space(scene: &mut Scene, kinematics: &Kinematics) -> Vec<Dia
 }
 
 /// Every coordinate needs inertia; a zero row of M makes its acceleration undefined.
-fn missing_inertia(scene: &Scene, mass: &Quadratic) -> Vec<Diagnostic> {
+fn missing_inertia(scene: &Scene, mass: &Quadratic, connected: &Connected) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (i, coordinate) in scene.model.coordinates.iter().enumerate() {
-        if mass.contains_key(&(i, i)) {
+        if mass.contains_key(&(i, i)) || connected.holds(i) {
             continue;
         }
         let name = &coordinate.name;
@@ -256,12 +279,14 @@ fn missing_inertia(scene: &Scene, mass: &Quadratic) -> Vec<Diagnostic> {
     found
 }
 
-fn energy(scene: &mut Scene, mass: &Quadratic, loads: &Loads, drives: Expr) -> Energy {
+fn energy(scene: &mut Scene, mass: &Quadratic, (loads, connected): (&Loads, &Connected), drives: Expr) -> Energy {
     let kinetic = lagrange::energy_of(scene, mass);
     let potential = Loads::total(scene, &loads.potentials);
     let potential = scene.shortest(potential);
     let dissipation = Loads::total(scene, &loads.dissipations);
+    let (given, rubbed) = connected.powers(scene);
     let dissipated = scene.graph.sum(&loads.dissipated);
+    let dissipated = scene.graph.add(dissipated, rubbed);
     let total = scene.graph.add(kinetic, potential);
     let rate = scene.total(total);
     let mut powers = Vec::new();
@@ -270,6 +295,7 @@ fn energy(scene: &mut Scene, mass: &Quadratic, loads: &Loads, drives: Expr) -> E
         let rate = scene.rate(j);
         powers.push(scene.graph.mul(force, rate));
     }
+    powers.push(given);
     let loads = scene.graph.sum(&powers);
     Energy { kinetic, potential, dissipation, dissipated, rate, loads, drives }
 }
@@ -281,6 +307,7 @@ fn coordinates(model: &Model) -> Vec<Coordinate> {
         label: c.label.clone(),
         start: c.start,
         rate: c.rate,
+        given: c.given,
     };
     model.coordinates.iter().map(coordinate).collect()
 }

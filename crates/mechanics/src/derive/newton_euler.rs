@@ -8,10 +8,12 @@
 //! geometry. The residual vanishes where Lagrange's equations hold; in the time direction it is the power of the drives that realise
 //! the prescribed motions.
 
+use super::connections::Connected;
 use super::kinematics::{Kinematics, combine};
 use super::lagrange::inertia_parts;
 use super::loads::Loads;
 use super::scene::{Columns, Scene, Vector};
+use super::wrench::Act;
 use crate::model::{FrameId, PointRef};
 use symbolic::Expr;
 
@@ -24,8 +26,31 @@ pub struct Projected {
     pub drives: Expr,
 }
 
+/// m a and I ω' + ω × I ω of every body, as if they acted on it; ground axes.
+pub fn inertial(scene: &mut Scene, kinematics: &mut Kinematics) -> Vec<Act> {
+    let model = scene.model;
+    let mut acts = Vec::new();
+    for (i, frame) in model.frames.iter().enumerate() {
+        let Some(mass) = &frame.mass else { continue };
+        if !scene.graph.is_zero(mass.mass) {
+            let point = PointRef::Center(FrameId(i));
+            let position = kinematics.position(scene, point);
+            let velocity = scene.total_vector(position);
+            let acceleration = scene.total_vector(velocity);
+            acts.push(Act::Point { point, force: acceleration.map(|a| scene.graph.mul(mass.mass, a)) });
+        }
+        let parts = inertia_parts(scene, mass);
+        if !parts.is_empty() {
+            let turning = kinematics.frames[i].turning.clone();
+            let moment = moment(scene, &turning, &parts);
+            acts.push(Act::Turn { on: FrameId(i), moment: kinematics.in_ground_axes(scene, FrameId(i), &moment) });
+        }
+    }
+    acts
+}
+
 /// Projects the equations of all bodies.
-pub fn project(scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads) -> Projected {
+pub fn project(scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads, connected: &Connected) -> Projected {
     let n = scene.n();
     let mut inertial: Vec<Vec<Expr>> = vec![Vec::new(); n + 1];
     let model = scene.model;
@@ -54,13 +79,17 @@ pub fn project(scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads) ->
         .enumerate()
         .map(|(j, inertial)| {
             let forces = [&loads.conservative, &loads.resisting, &loads.applied].map(|l| Loads::in_direction(scene, l, j));
+            let reactions = connected.geometric_force(scene, j);
             let force = scene.graph.sum(&forces);
+            let force = scene.graph.add(force, reactions);
             scene.graph.sub(inertial, force)
         })
         .collect();
     // drives supply what inertia needs in the time direction, less what other forces give there, plus the growth of potentials by time
     let forces = [&loads.resisting, &loads.applied].map(|l| Loads::in_direction(scene, l, n));
+    let reactions = connected.geometric_force(scene, n);
     let force = scene.graph.sum(&forces);
+    let force = scene.graph.add(force, reactions);
     let change = scene.graph.sum(&loads.potential_change);
     let drives = scene.graph.sub(time_part, force);
     let drives = scene.graph.add(drives, change);

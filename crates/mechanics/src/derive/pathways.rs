@@ -6,6 +6,7 @@
 use super::kinematics::Kinematics;
 use super::requests::Resolver;
 use super::scene::{Columns, Found, Scene};
+use super::wrench::{Act, generalized};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Axis, FrameId, Pathway, PointRef};
 use std::ops::Range;
@@ -20,6 +21,8 @@ pub struct Path {
     pub gradient: Columns<Expr>,
     /// The same from velocities.
     pub geometric: Columns<Expr>,
+    /// What a unit force that increases it does to the bodies.
+    pub acts: Vec<Act>,
 }
 
 /// Finds value and gradients of a pathway.
@@ -34,7 +37,7 @@ pub fn resolve(
             let value = resolver.resolve(scene, kinematics, e)?;
             scene.must_exist(value);
             let gradient = scene.gradient(value);
-            Ok(Path { value, geometric: gradient.clone(), gradient })
+            Ok(Path { value, acts: vec![Act::Along(gradient.clone())], geometric: gradient.clone(), gradient })
         }
         Pathway::Distance(a, b) => Ok(distance(scene, kinematics, a, b)),
         Pathway::RelativeAngle(a, b) => relative_angle(scene, kinematics, (a, b), span),
@@ -49,39 +52,24 @@ fn distance(scene: &mut Scene, kinematics: &mut Kinematics, a: PointRef, b: Poin
     let square = scene.tidy(square);
     let value = scene.graph.sqrt(square);
     let gradient = scene.gradient(value);
-    let mut geometric = Columns::new();
     let unit = between.map(|e| scene.graph.div(e, value));
-    for (point, negative) in [(b, false), (a, true)] {
-        for (j, column) in kinematics.jacobian(scene, point) {
-            let mut part = scene.dot(&unit, &column);
-            if negative {
-                part = scene.graph.neg(part);
-            }
-            let zero = scene.graph.zero();
-            let sum = geometric.entry(j).or_insert(zero);
-            *sum = scene.graph.add(*sum, part);
-        }
-    }
-    Path { value, gradient, geometric }
+    let opposite = unit.map(|e| scene.graph.neg(e));
+    let acts = vec![Act::Point { point: b, force: unit }, Act::Point { point: a, force: opposite }];
+    let geometric = generalized(scene, kinematics, &acts);
+    Path { value, gradient, geometric, acts }
 }
 
 /// Angle of b minus angle of a: in the plane, or about the one axis of rotation between a parent and its child.
-fn relative_angle(scene: &mut Scene, kinematics: &Kinematics, (a, b): (FrameId, FrameId), span: &Range<usize>) -> Found<Path> {
+fn relative_angle(scene: &mut Scene, kinematics: &mut Kinematics, (a, b): (FrameId, FrameId), span: &Range<usize>) -> Found<Path> {
     let (fa, fb) = (&kinematics.frames[a.index()], &kinematics.frames[b.index()]);
     if let (Some(pa), Some(pb)) = (fa.plane_angle, fb.plane_angle) {
         let value = scene.graph.sub(pb, pa);
         let gradient = scene.gradient(value);
-        let mut geometric = Columns::new();
-        let (ta, tb) = (fa.turning.clone(), fb.turning.clone());
-        for (columns, negative) in [(tb, false), (ta, true)] {
-            for (j, column) in columns {
-                let part = if negative { scene.graph.neg(column[Axis::Z.index()]) } else { column[Axis::Z.index()] };
-                let zero = scene.graph.zero();
-                let sum = geometric.entry(j).or_insert(zero);
-                *sum = scene.graph.add(*sum, part);
-            }
-        }
-        return Ok(Path { value, gradient, geometric });
+        let axis = unit_vector(scene, Axis::Z);
+        let opposite = axis.map(|e| scene.graph.neg(e));
+        let acts = vec![Act::Turn { on: b, moment: axis }, Act::Turn { on: a, moment: opposite }];
+        let geometric = generalized(scene, kinematics, &acts);
+        return Ok(Path { value, gradient, geometric, acts });
     }
     let model = scene.model;
     let single = |child: FrameId, parent: FrameId| {
@@ -103,7 +91,24 @@ fn relative_angle(scene: &mut Scene, kinematics: &Kinematics, (a, b): (FrameId, 
     };
     let value = if negative { scene.graph.neg(angle) } else { angle };
     let gradient = scene.gradient(value);
-    Ok(Path { value, geometric: gradient.clone(), gradient })
+    // the axis stands still in the child; the moment that grows the angle turns b forwards and a backwards
+    let axis = match (frame.rotations.first(), frame.spin) {
+        (Some((axis, _)), _) => *axis,
+        (None, spin) => spin.map_or(Axis::Z, |(axis, _)| axis),
+    };
+    let along = unit_vector(scene, axis);
+    let along = kinematics.in_ground_axes(scene, child, &along);
+    let against = along.map(|e| scene.graph.neg(e));
+    let acts = vec![Act::Turn { on: b, moment: along }, Act::Turn { on: a, moment: against }];
+    Ok(Path { value, geometric: gradient.clone(), gradient, acts })
+}
+
+/// A unit vector.
+pub fn unit_vector(scene: &mut Scene, axis: Axis) -> [Expr; 3] {
+    let (zero, one) = (scene.graph.zero(), scene.graph.one());
+    let mut v = [zero; 3];
+    v[axis.index()] = one;
+    v
 }
 
 fn no_common_axis(a: &str, b: &str, span: &Range<usize>) -> Diagnostic {

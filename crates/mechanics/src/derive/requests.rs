@@ -6,7 +6,7 @@ use super::kinematics::Kinematics;
 use super::loads::Loads;
 use super::scene::{Found, Scene};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Axis, Element, FrameId, Request, RequestKind};
+use crate::model::{Axis, Element, FrameId, Part, Request, RequestKind};
 use rustc_hash::FxHashMap;
 use symbolic::{Expr, Substitution, SymbolId, Text};
 
@@ -33,6 +33,8 @@ pub struct Resolver {
     pub energies: Option<EnergyTerms>,
     /// Kinetic energy of each frame; available with `energies`.
     pub kinetic: Vec<Option<Expr>>,
+    /// Symbols of reactions; available once connections are derived.
+    pub reactions: FxHashMap<(usize, Part), Expr>,
     /// Forces and extensions of elements; available once loads are derived.
     pub loads: Option<Loads>,
 }
@@ -107,6 +109,7 @@ impl Resolver {
             RequestKind::Dissipation => self.energies.map(|e| e.dissipation).ok_or_else(|| missing(scene)),
             RequestKind::ElementForce(element) => self.element(element).map(|(force, _)| force).ok_or_else(|| missing(scene)),
             RequestKind::Extension(element) => self.element(element).map(|(_, extension)| extension).ok_or_else(|| missing(scene)),
+            RequestKind::Reaction(connection, part) => self.reaction(scene, (connection, part)).ok_or_else(|| missing(scene)),
             RequestKind::TimeDerivative { of, order } => {
                 let mut e = self.resolve(scene, kinematics, of)?;
                 for _ in 0..order {
@@ -114,6 +117,31 @@ impl Resolver {
                 }
                 Ok(e)
             }
+        }
+    }
+
+    /// A component, or the magnitude of the force where it has several.
+    fn reaction(&self, scene: &mut Scene, (connection, part): (usize, Part)) -> Option<Expr> {
+        if let Some(known) = self.reactions.get(&(connection, part)) {
+            return Some(*known);
+        }
+        let of = |part| self.reactions.get(&(connection, part)).copied();
+        match part {
+            // a moment on an angle is the drive's or friction's only component
+            Part::Moment => of(Part::Force),
+            Part::Force => {
+                let parts: Vec<Expr> = [Part::ForceX, Part::ForceY, Part::ForceZ].into_iter().filter_map(of).collect();
+                match parts[..] {
+                    [] => of(Part::Moment),
+                    [only] => Some(only),
+                    _ => {
+                        let squares: Vec<Expr> = parts.iter().map(|e| scene.graph.square(*e)).collect();
+                        let sum = scene.graph.sum(&squares);
+                        Some(scene.graph.sqrt(sum))
+                    }
+                }
+            }
+            _ => None,
         }
     }
 

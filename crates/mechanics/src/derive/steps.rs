@@ -1,6 +1,7 @@
 //! The written derivation, step by step, as it stands in a student's notebook.
 
 use super::Motion;
+use super::connections::Connected;
 use super::kinematics::{Kinematics, combine};
 use super::lagrange::{Kinetic, Quadratic, energy_of};
 use super::loads::{Loads, Term};
@@ -10,8 +11,13 @@ use symbolic::equations::{Step, StepFormula, StepName};
 use symbolic::{Expr, Rational, Text};
 
 /// Writes the steps.
-pub fn write(scene: &mut Scene, kinematics: &mut Kinematics, (kinetic, loads, motion): (&Kinetic, &Loads, &Motion)) -> Vec<Step> {
-    let mut steps = vec![coordinates(scene), kinetic_energy(scene, kinematics, kinetic)];
+pub fn write(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    (kinetic, loads, motion): (&Kinetic, &Loads, &Motion),
+    connected: &Connected,
+) -> Vec<Step> {
+    let mut steps = vec![coordinates(scene, connected), kinetic_energy(scene, kinematics, kinetic)];
     let letters = [("Π", &loads.potentials), ("Φ", &loads.dissipations)];
     let titles = [
         Text::new("Potential energy", "Потенциальная энергия"),
@@ -22,6 +28,7 @@ pub fn write(scene: &mut Scene, kinematics: &mut Kinematics, (kinetic, loads, mo
             steps.push(energy_step(scene, letter, terms, title));
         }
     }
+    steps.extend(conditions(scene, connected));
     steps.extend(generalized_forces(scene, motion));
     steps.push(derivatives(scene, kinetic, motion));
     steps
@@ -35,13 +42,18 @@ fn step(title: Text, words: Text, formulas: Vec<StepFormula>) -> Step {
     Step { title, words, formulas }
 }
 
-fn coordinates(scene: &Scene) -> Step {
-    let n = scene.n();
-    step(
-        Text::new("Generalized coordinates", "Обобщённые координаты"),
-        Text::new(format!("Degrees of freedom: {n}."), format!("Число степеней свободы: {n}.")),
-        Vec::new(),
-    )
+fn coordinates(scene: &Scene, connected: &Connected) -> Step {
+    let (n, conditions) = (scene.n(), connected.ideal());
+    let free = n.saturating_sub(conditions);
+    let words = if conditions == 0 {
+        Text::new(format!("Degrees of freedom: {n}."), format!("Число степеней свободы: {n}."))
+    } else {
+        Text::new(
+            format!("Coordinates: {n}; conditions: {conditions}; degrees of freedom: {free}."),
+            format!("Координат: {n}; уравнений связей: {conditions}; степеней свободы: {free}."),
+        )
+    };
+    step(Text::new("Generalized coordinates", "Обобщённые координаты"), words, Vec::new())
 }
 
 /// T of each body and their sum.
@@ -123,6 +135,22 @@ fn energy_step(scene: &mut Scene, letter: &str, terms: &[Term], title: Text) -> 
         formulas.push(StepFormula { left: quantity(letter, ""), right });
     }
     step(title, Text::default(), formulas)
+}
+
+/// What the connections demand: of positions where possible, else of rates.
+fn conditions(scene: &mut Scene, connected: &Connected) -> Option<Step> {
+    let zero = scene.graph.zero();
+    let mut formulas = Vec::new();
+    for condition in &connected.conditions {
+        let left = condition.place.unwrap_or(condition.rate);
+        let left = scene.tidy(left);
+        formulas.push(StepFormula { left: StepName::Formula(left), right: zero });
+    }
+    let words = Text::new(
+        "Each condition has a reaction; its generalized forces are its derivatives by the coordinates (rates).",
+        "Каждому условию отвечает реакция; её обобщённые силы — производные условия по координатам (скоростям).",
+    );
+    (!formulas.is_empty()).then(|| step(Text::new("Equations of the connections", "Уравнения связей"), words, formulas))
 }
 
 /// Q_i of loads without a potential.

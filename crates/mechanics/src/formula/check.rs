@@ -7,6 +7,7 @@ use super::kinematic::{FUNCTIONS, Where};
 use super::parse::{Ast, Formula, NodeId};
 use super::scope::{Entry, EntryKind, Scope};
 use crate::fault::{Fault, nearest};
+use crate::model::RequestKind;
 use crate::units::{Dimension, si_label};
 use std::ops::{BitOr, Range};
 use symbolic::{Function, Rational};
@@ -31,7 +32,7 @@ impl Kind {
     }
 }
 
-/// What a value depends on: time 1, coordinates 2, rates 4, accelerations 8.
+/// What a value depends on: time 1, coordinates 2, rates 4, accelerations 8, reactions 16, the sliding speed of dry friction 32.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Depends(u8);
 
@@ -41,6 +42,8 @@ impl Depends {
     pub(crate) const POSITION: Depends = Depends(3);
     pub(crate) const MOTION: Depends = Depends(7);
     pub(crate) const ALL: Depends = Depends(15);
+    pub(crate) const REACTION: Depends = Depends(23);
+    pub(crate) const SLIDING: Depends = Depends(32);
 
     /// Coordinates, rates or accelerations by the number of primes.
     pub(crate) fn coordinate(primes: u8) -> Depends {
@@ -57,7 +60,7 @@ impl Depends {
     }
     /// Of the time derivative; `None` when a third derivative of a coordinate would appear.
     pub(crate) fn derivative(self) -> Option<Depends> {
-        (self.0 & 8 == 0).then_some(Depends(self.0 | (self.0 & 6) << 1))
+        (self.0 & !7 == 0).then_some(Depends(self.0 | (self.0 & 6) << 1))
     }
 }
 
@@ -108,6 +111,12 @@ impl Context {
         "this value may depend on coordinates and time, not on rates",
         "эта величина может зависеть от координат и времени, но не от скоростей",
     );
+    pub(crate) const SECTION: Context = Context::new(
+        Depends::MOTION,
+        None,
+        "a section depends on coordinates, rates and time",
+        "сечение зависит от координат, скоростей и времени",
+    );
     pub(crate) const PARAMETER: Context = Context::new(
         Depends::MOTION,
         None,
@@ -120,8 +129,26 @@ impl Context {
         "a force may depend on time, coordinates and rates, not on accelerations",
         "сила может зависеть от времени, координат и скоростей, но не от ускорений",
     );
+    pub(crate) const RATES: Context = Context::new(
+        Depends::MOTION,
+        Some(Where::Forces),
+        "a condition may depend on time, coordinates and rates, not on accelerations",
+        "условие может зависеть от времени, координат и скоростей, но не от ускорений",
+    );
+    pub(crate) const SLIDING: Context = Context::new(
+        Depends(33),
+        None,
+        "a friction law depends on time and on the sliding speed u only",
+        "закон трения зависит только от времени и скорости скольжения u",
+    );
+    pub(crate) const NORMAL: Context = Context::new(
+        Depends::REACTION,
+        Some(Where::Reactions),
+        "a normal force may depend on time, coordinates, rates and reactions",
+        "нормальная сила может зависеть от времени, координат, скоростей и реакций",
+    );
     pub(crate) const OUTPUT: Context = Context {
-        depends: Depends::ALL,
+        depends: Depends(31),
         kinematic: Some(Where::Outputs),
         outputs: true,
         en: "an output may depend on everything",
@@ -273,6 +300,8 @@ impl Pass<'_> {
             return;
         }
         let (en, ru) = match depends.0 {
+            32.. => ("the sliding speed", "скорости скольжения"),
+            16.. => ("reactions", "реакций"),
             8.. => ("accelerations", "ускорений"),
             4.. => ("rates", "скоростей"),
             2.. => ("coordinates", "координат"),
@@ -416,23 +445,16 @@ impl Pass<'_> {
 
     fn kinematic(&mut self, row: usize, arguments: &[(Option<String>, String, Range<usize>)], span: &Range<usize>) -> Kind {
         let function = &FUNCTIONS[row];
-        if self.context.kinematic.is_none_or(|level| function.allowed > level) {
-            let fault = Fault::new(
-                "M037",
-                span.clone(),
-                format!("{}(...) cannot be used here", function.name),
-                format!("функцию {}(...) здесь использовать нельзя", function.name),
-            )
-            .why(self.context.en, self.context.ru)
-            .help(
-                "kinematic functions stand in outputs, forces, torques, pathways and potentials; energies and accelerations in outputs only",
-                "кинематические функции допустимы в outputs, forces, torques, координатах элементов и potentials; энергии и ускорения — только в outputs",
-            );
-            return self.fail(fault);
+        let request = self.scope.request(row, arguments, span);
+        let reaction = matches!(request, Ok((RequestKind::Reaction(..), _)));
+        let needed = if reaction { Where::Reactions } else { function.allowed };
+        if self.context.kinematic.is_none_or(|level| needed > level) {
+            let fault = if reaction { misplaced_reaction(function.name, span) } else { misplaced(function.name, span) };
+            return self.fail(fault.why(self.context.en, self.context.ru));
         }
-        match self.scope.request(row, arguments, span) {
+        match request {
             Ok((_, kind)) => {
-                self.use_of(function.depends, function.name, span);
+                self.use_of(if reaction { Depends::REACTION } else { function.depends }, function.name, span);
                 kind
             }
             Err(fault) => self.fail(fault),
@@ -458,6 +480,33 @@ impl Pass<'_> {
             _ => None,
         }
     }
+}
+
+fn misplaced(name: &str, span: &Range<usize>) -> Fault {
+    Fault::new(
+        "M037",
+        span.clone(),
+        format!("{name}(...) cannot be used here"),
+        format!("функцию {name}(...) здесь использовать нельзя"),
+    )
+    .help(
+        "kinematic functions stand in outputs, forces, torques, pathways and potentials; energies and accelerations in outputs only",
+        "кинематические функции допустимы в outputs, forces, torques, координатах элементов и potentials; энергии и ускорения — только в outputs",
+    )
+}
+
+/// A reaction follows from the motion; what decides the motion may not depend on it, except dry friction, which knows how.
+fn misplaced_reaction(name: &str, span: &Range<usize>) -> Fault {
+    Fault::new(
+        "M076",
+        span.clone(),
+        format!("the reaction {name}(...) cannot be used here"),
+        format!("реакцию {name}(...) здесь использовать нельзя"),
+    )
+    .help(
+        "a reaction follows from the motion: it stands in [outputs] and in `normal` of [frictions]",
+        "реакция следует из движения: она допустима в [outputs] и в `normal` таблиц [frictions]",
+    )
 }
 
 fn mismatch_inside(pass: &Pass, from: NodeId, first: &Dimension, id: NodeId, second: &Dimension, en: &str, ru: &str) -> Fault {

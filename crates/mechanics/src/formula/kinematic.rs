@@ -17,6 +17,8 @@ pub enum Takes {
     Nothing,
     /// A spring or damper.
     Element,
+    /// A spring, damper or connection.
+    Acting,
 }
 
 /// Where it may stand, from everywhere to outputs only; each level includes the ones after it.
@@ -26,6 +28,8 @@ pub enum Where {
     Pathways,
     /// Forces, torques, dissipation functions, outputs.
     Forces,
+    /// Normal forces of dry friction, outputs.
+    Reactions,
     /// Outputs.
     Outputs,
 }
@@ -78,10 +82,11 @@ const ACCELERATION: Option<Dimension> = Some(Dimension::ACCELERATION);
 const ENERGY: Option<Dimension> = Some(Dimension::ENERGY);
 
 /// Every kinematic function.
-pub const FUNCTIONS: [KinematicFunction; 17] = {
+pub const FUNCTIONS: [KinematicFunction; 26] = {
     use Depends as D;
-    use Takes::{BodyOrNothing, Element, Frame, Nothing, Point};
-    use Where::{Forces, Outputs, Pathways};
+    use Takes::{Acting, BodyOrNothing, Element, Frame, Nothing, Point};
+    use Where::{Forces, Outputs, Pathways, Reactions};
+    const FORCE: Option<Dimension> = Some(Dimension::FORCE);
     [
         row("x", Point, LENGTH, D::POSITION, Pathways, "ground coordinate x of a point", "координата x точки в неподвижных осях"),
         row("y", Point, LENGTH, D::POSITION, Pathways, "ground coordinate y of a point", "координата y точки в неподвижных осях"),
@@ -132,12 +137,12 @@ pub const FUNCTIONS: [KinematicFunction; 17] = {
         ),
         row(
             "force",
-            Element,
+            Acting,
             None,
             D::MOTION,
             Forces,
-            "force (or torque) of a spring or damper, tension positive",
-            "усилие (или момент) пружины или демпфера, растяжение положительно",
+            "force (or torque) of a spring or damper, tension positive; reaction of a connection: its only component, or the magnitude",
+            "усилие (или момент) пружины или демпфера, растяжение положительно; реакция связи: единственная компонента или модуль",
         ),
         row(
             "extension",
@@ -147,6 +152,39 @@ pub const FUNCTIONS: [KinematicFunction; 17] = {
             Forces,
             "pathway of a spring minus its rest value; pathway of a damper",
             "удлинение пружины (без начальной длины); координата демпфера",
+        ),
+        row("force_x", Acting, FORCE, D::REACTION, Reactions, "component of a reaction along x", "компонента реакции вдоль x"),
+        row("force_y", Acting, FORCE, D::REACTION, Reactions, "component of a reaction along y", "компонента реакции вдоль y"),
+        row("force_z", Acting, FORCE, D::REACTION, Reactions, "component of a reaction along z", "компонента реакции вдоль z"),
+        row("moment", Acting, ENERGY, D::REACTION, Reactions, "moment of a reaction about z", "момент реакции вокруг z"),
+        row("moment_x", Acting, ENERGY, D::REACTION, Reactions, "moment of a reaction about x", "момент реакции вокруг x"),
+        row("moment_y", Acting, ENERGY, D::REACTION, Reactions, "moment of a reaction about y", "момент реакции вокруг y"),
+        row(
+            "normal",
+            Acting,
+            FORCE,
+            D::REACTION,
+            Reactions,
+            "normal reaction of a rolling contact or a slider",
+            "нормальная реакция при качении или в ползуне",
+        ),
+        row(
+            "tangential",
+            Acting,
+            FORCE,
+            D::REACTION,
+            Reactions,
+            "tangential reaction of a rolling contact or a rack",
+            "касательная реакция при качении или в рейке",
+        ),
+        row(
+            "torque",
+            Acting,
+            ENERGY,
+            D::MOTION,
+            Forces,
+            "torque of a torsion spring, motor or friction; moment of a reaction about z",
+            "момент крутильной пружины, двигателя или трения; момент реакции вокруг z",
         ),
     ]
 };

@@ -87,7 +87,7 @@ fn build(node: &Ast, span: &Range<usize>, values: &[Expr], scope: &Scope, builde
         Ast::Kinematic { row, arguments } => {
             let (kind, dimension) = scope.request(*row, arguments, span)?;
             let names: Vec<String> = arguments.iter().map(|(_, name, _)| name.clone()).collect();
-            let name = format!("{}({})", FUNCTIONS[*row].name, shown_argument(kind, &names));
+            let name = format!("{}({})", FUNCTIONS[*row].name, shown_argument(kind, &names, scope));
             builder.request(&name, 0, kind, &dimension.or_none())
         }
         Ast::If { comparison, left, right, then, otherwise } => {
@@ -101,11 +101,12 @@ fn sign(negative: bool) -> Rational {
     if negative { Rational::MINUS_ONE } else { Rational::ONE }
 }
 
-/// A damper that shares its name with a spring keeps its table in the placeholder's name, so that both stay apart.
-fn shown_argument(kind: RequestKind, names: &[String]) -> String {
+/// What may share its name keeps its table in the placeholder's name, so that both stay apart.
+fn shown_argument(kind: RequestKind, names: &[String], scope: &Scope) -> String {
     let name = names.first().map_or("", String::as_str);
     match kind {
         RequestKind::ElementForce(crate::model::Element::Damper(_)) => format!("dampers.{name}"),
+        RequestKind::Reaction(index, _) => scope.shown_reaction(name, index),
         _ => name.to_owned(),
     }
 }

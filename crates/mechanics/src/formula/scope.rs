@@ -3,7 +3,7 @@
 use super::check::{Depends, Kind};
 use super::kinematic::{FUNCTIONS, Takes};
 use crate::fault::{Fault, nearest};
-use crate::model::{Axis, Element, FrameId, PointId, PointRef, RequestKind};
+use crate::model::{Axis, Element, FrameId, Part, PointId, PointRef, RequestKind};
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -42,9 +42,23 @@ pub(crate) struct Scope {
     listed: Vec<String>,
     places: HashMap<String, Place>,
     listed_places: Vec<String>,
-    springs: HashMap<String, (usize, Kind)>,
-    dampers: HashMap<String, (usize, Kind)>,
+    acting: HashMap<String, Vec<Acting>>,
     listed_elements: Vec<String>,
+}
+
+/// Something that acts with a force: a spring, a damper, a connection.
+struct Acting {
+    table: &'static str,
+    what: What,
+}
+
+enum What {
+    /// With the dimension of its pathway.
+    Element(Element, Kind),
+    /// Index of the connection, and the components that it has.
+    Connection(usize, Vec<(Part, Kind)>),
+    /// A connection that is not read yet, or has a fault, which is reported.
+    Announced,
 }
 
 impl Scope {
@@ -59,6 +73,26 @@ impl Scope {
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.listed.iter().map(String::as_str)
     }
+    /// Symbols of all coordinates, rates and accelerations, in order of declaration.
+    pub(crate) fn coordinates(&self) -> Vec<SymbolId> {
+        let kinds = self.listed.iter().filter_map(|name| self.names.get(name)).map(|e| e.kind);
+        kinds.filter_map(|kind| if let EntryKind::Coordinate(symbols) = kind { Some(symbols) } else { None }).flatten().collect()
+    }
+    /// Symbols of all rates, in order of declaration.
+    pub(crate) fn rates(&self) -> Vec<SymbolId> {
+        self.coordinates().chunks(3).filter_map(|q| q.get(1).copied()).collect()
+    }
+    /// Gives a name another meaning for a while; returns the one it had.
+    pub(crate) fn cover(&mut self, name: &str, entry: Entry) -> Option<Entry> {
+        self.names.insert(name.to_owned(), entry)
+    }
+    /// Gives a name the meaning back that it had before [`Scope::cover`].
+    pub(crate) fn uncover(&mut self, name: &str, entry: Option<Entry>) {
+        match entry {
+            Some(entry) => self.names.insert(name.to_owned(), entry),
+            None => self.names.remove(name),
+        };
+    }
     pub(crate) fn place(&self, name: &str) -> Option<Place> {
         self.places.get(name).copied()
     }
@@ -72,11 +106,36 @@ impl Scope {
     }
     /// Declares a spring or damper with the dimension of its pathway.
     pub(crate) fn declare_element(&mut self, name: &str, element: Element, pathway: Kind) {
-        match element {
-            Element::Spring(i) => self.springs.insert(name.to_owned(), (i, pathway)),
-            Element::Damper(i) => self.dampers.insert(name.to_owned(), (i, pathway)),
-        };
+        let table = if let Element::Spring(_) = element { "springs" } else { "dampers" };
+        self.declare_acting(name, Acting { table, what: What::Element(element, pathway) });
+    }
+    /// Makes the name of a connection known before the connection is.
+    pub(crate) fn announce_connection(&mut self, table: &'static str, name: &str) {
+        self.declare_acting(name, Acting { table, what: What::Announced });
+    }
+    /// Declares an announced connection with the components of its reaction.
+    pub(crate) fn declare_connection(&mut self, table: &'static str, name: &str, index: usize, parts: Vec<(Part, Kind)>) {
+        let announced = self.acting.get_mut(name).and_then(|all| all.iter_mut().find(|a| a.table == table));
+        if let Some(acting) = announced {
+            acting.what = What::Connection(index, parts);
+        }
+    }
+    /// Whether `force` of a connection is the magnitude of several components.
+    pub(crate) fn is_magnitude(&self, index: usize) -> bool {
+        let of = |a: &Acting| matches!(&a.what, What::Connection(i, parts) if *i == index && parts.iter().filter(|p| p.0 != Part::Moment).count() > 2);
+        self.acting.values().flatten().any(of)
+    }
+    fn declare_acting(&mut self, name: &str, acting: Acting) {
+        self.acting.entry(name.to_owned()).or_default().push(acting);
         self.listed_elements.push(name.to_owned());
+    }
+    /// The name of a connection in a placeholder: with its table when something else has the same name.
+    pub(crate) fn shown_reaction(&self, name: &str, index: usize) -> String {
+        let all = self.acting.get(name).map_or(&[][..], Vec::as_slice);
+        match all.iter().find(|a| matches!(a.what, What::Connection(i, _) if i == index)) {
+            Some(own) if all.len() > 1 => format!("{}.{name}", own.table),
+            _ => name.to_owned(),
+        }
     }
 
     /// What a kinematic function of these names asks for, and its dimension.
@@ -103,7 +162,9 @@ impl Scope {
             (Takes::BodyOrNothing, Some((table, name, span))) => {
                 RequestKind::KineticEnergy(Some(self.frame(table.as_deref(), name, span)?))
             }
-            (Takes::Element, Some((table, name, span))) => return self.element(function.name, table.as_deref(), name, span),
+            (Takes::Element | Takes::Acting, Some((table, name, span))) => {
+                return self.element(function.name, table.as_deref(), name, span);
+            }
             (Takes::BodyOrNothing, None) => RequestKind::KineticEnergy(None),
             (Takes::Nothing, _) if function.name == "dissipation" => RequestKind::Dissipation,
             (Takes::Nothing, _) => RequestKind::PotentialEnergy,
@@ -153,39 +214,115 @@ impl Scope {
     }
 
     fn element(&self, function: &str, table: Option<&str>, name: &str, span: &Range<usize>) -> Result<(RequestKind, Kind), Fault> {
-        let spring = self.springs.get(name).filter(|_| matches!(table, None | Some("springs")));
-        let damper = self.dampers.get(name).filter(|_| matches!(table, None | Some("dampers")));
-        let (element, pathway) = match (spring, damper) {
-            (Some(_), Some(_)) if function == "force" => {
-                return Err(Fault::new(
-                    "M014",
-                    span.clone(),
-                    format!("both a spring and a damper are called `{name}`"),
-                    format!("имя `{name}` носят и пружина, и демпфер"),
-                )
-                .help(
-                    format!("write force(springs.{name}) or force(dampers.{name})"),
-                    format!("напишите force(springs.{name}) или force(dampers.{name})"),
-                ));
-            }
-            (Some((i, pathway)), _) => (Element::Spring(*i), pathway),
-            (None, Some((i, pathway))) => (Element::Damper(*i), pathway),
-            (None, None) => return Err(self.unknown_element(name, span.clone())),
-        };
+        let all = self.acting.get(name).map_or(&[][..], Vec::as_slice);
+        let fits: Vec<&Acting> = all.iter().filter(|a| table.is_none_or(|t| t == a.table)).collect();
         if function == "extension" {
-            return Ok((RequestKind::Extension(element), *pathway));
+            let element = fits.iter().find_map(|a| if let What::Element(e, pathway) = a.what { Some((e, pathway)) } else { None });
+            let (element, pathway) = element.ok_or_else(|| self.unknown_element(name, span.clone()))?;
+            return Ok((RequestKind::Extension(element), pathway));
         }
-        Ok((RequestKind::ElementForce(element), pathway.conjugate()))
+        match fits.as_slice() {
+            [] => Err(self.unknown_element(name, span.clone())),
+            [one] => component(function, one, name, span),
+            several => Err(ambiguous(function, several, name, span)),
+        }
     }
 
     fn unknown_element(&self, name: &str, span: Range<usize>) -> Fault {
-        let fault =
-            Fault::new("M014", span, format!("there is no spring or damper `{name}`"), format!("нет пружины или демпфера `{name}`"));
+        let fault = Fault::new(
+            "M014",
+            span,
+            format!("there is no spring, damper or connection `{name}`"),
+            format!("нет пружины, демпфера или связи `{name}`"),
+        );
         match nearest(name, self.listed_elements.iter().map(String::as_str)) {
             Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
             None => fault,
         }
     }
+}
+
+/// The force of an element, or a component of a connection's reaction.
+fn component(function: &str, acting: &Acting, name: &str, span: &Range<usize>) -> Result<(RequestKind, Kind), Fault> {
+    let moment = |kind: Kind| !matches!(kind, Kind::Known(d) if !d.same(&Dimension::ENERGY));
+    match &acting.what {
+        What::Element(element, pathway) => {
+            let kind = pathway.conjugate();
+            if function == "force" || function == "torque" && moment(kind) {
+                return Ok((RequestKind::ElementForce(*element), kind));
+            }
+            Err(no_such_part(function, acting, name, span, &[if moment(kind) { "torque" } else { "force" }]))
+        }
+        What::Announced => Ok((RequestKind::Reaction(usize::MAX, Part::Force), Kind::Unknown)),
+        What::Connection(index, parts) => {
+            let find = |wanted: Part| parts.iter().find(|(part, _)| *part == wanted).copied();
+            let found = match function {
+                "force_x" => find(Part::ForceX),
+                "force_y" => find(Part::ForceY),
+                "force_z" => find(Part::ForceZ),
+                "moment" => find(Part::Moment),
+                "moment_x" => find(Part::MomentX),
+                "moment_y" => find(Part::MomentY),
+                "normal" => find(Part::Normal).or_else(|| find(Part::Force).filter(|_| matches!(acting.table, "sliders" | "slots"))),
+                "tangential" => find(Part::Tangential),
+                "torque" => find(Part::Moment).or_else(|| find(Part::Force).filter(|(_, kind)| moment(*kind))),
+                _ => find(Part::Force),
+            };
+            let Some((part, kind)) = found else {
+                let names: Vec<&str> = parts.iter().map(|(part, _)| part_name(*part)).collect();
+                return Err(no_such_part(function, acting, name, span, &names));
+            };
+            Ok((RequestKind::Reaction(*index, part), kind))
+        }
+    }
+}
+
+fn part_name(part: Part) -> &'static str {
+    match part {
+        Part::Force => "force",
+        Part::ForceX => "force_x",
+        Part::ForceY => "force_y",
+        Part::ForceZ => "force_z",
+        Part::Moment => "moment",
+        Part::MomentX => "moment_x",
+        Part::MomentY => "moment_y",
+        Part::Normal => "normal",
+        Part::Tangential => "tangential",
+    }
+}
+
+fn no_such_part(function: &str, acting: &Acting, name: &str, span: &Range<usize>, parts: &[&str]) -> Fault {
+    let table = acting.table;
+    let fault = Fault::new(
+        "M077",
+        span.clone(),
+        format!("`{name}` of [{table}] has no {function}"),
+        format!("у `{name}` из [{table}] нет величины {function}"),
+    );
+    if parts.is_empty() {
+        return fault
+            .why(
+                "a prescribed motion has no force of its own; motors realise it",
+                "у заданного движения нет собственной силы; его создают двигатели",
+            )
+            .help("place a motor: [motors.NAME]", "поставьте двигатель: [motors.ИМЯ]");
+    }
+    let list: Vec<String> = parts.iter().map(|part| format!("{part}({name})")).collect();
+    let list = list.join(", ");
+    fault.help(format!("there is {list}"), format!("есть {list}"))
+}
+
+fn ambiguous(function: &str, several: &[&Acting], name: &str, span: &Range<usize>) -> Fault {
+    let tables: Vec<&str> = several.iter().map(|a| a.table).collect();
+    let (tables, list) = (tables.join(", "), several.iter().map(|a| format!("{function}({}.{name})", a.table)).collect::<Vec<_>>());
+    let (first, last) = (list[..list.len() - 1].join(", "), list.last().cloned().unwrap_or_default());
+    Fault::new(
+        "M014",
+        span.clone(),
+        format!("several tables have a `{name}`: {tables}"),
+        format!("имя `{name}` есть в нескольких таблицах: {tables}"),
+    )
+    .help(format!("write {first} or {last}"), format!("напишите {first} или {last}"))
 }
 
 fn of_point(function: &str, at: PointRef) -> RequestKind {

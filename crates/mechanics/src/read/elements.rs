@@ -17,16 +17,17 @@ pub(super) fn springs<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Spri
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }
-        let path = pathway(reader, &fields);
+        let path = pathway_of(reader, &fields);
         let length = path.map_or(Kind::Unknown, |p| p.1);
         let (stiffness_unit, force_unit) = (per(length, 2, 0), per(length, 1, 0));
         let stiffness = fields.formula_or_zero(reader, "stiffness", &Context::TIME, stiffness_unit.as_ref());
         useful(reader, &fields, "stiffness", &stiffness, ("spring", "пружина"));
         let rest = rest(reader, &fields, path.map(|p| p.0), length);
         let preload = fields.formula_or_zero(reader, "preload", &Context::TIME, force_unit.as_ref()).expr;
+        let backlash = backlash(reader, &fields, length);
         reader.scope.declare_element(&name, Element::Spring(found.len()), length);
         let pathway = path.map_or(Pathway::Along(stiffness.expr), |p| p.0);
-        found.push(Spring { name, pathway, stiffness: stiffness.expr, rest, preload, span: fields.span.clone() });
+        found.push(Spring { name, pathway, stiffness: stiffness.expr, rest, preload, backlash, span: fields.span.clone() });
     }
     found
 }
@@ -61,6 +62,27 @@ fn rest<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, path: Option<Pathway>,
             Rest::Value(reader.builder.graph.zero())
         }
     }
+}
+
+fn backlash<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind) -> Option<Expr> {
+    let wanted = if let Kind::Known(d) = length { Some(d) } else { None };
+    let value = fields.formula(reader, "backlash", &Context::TIME, wanted.as_ref())?;
+    if let Some(number) = reader.number(&value).filter(|v| *v < 0.0) {
+        let (en, ru) = (format!("the backlash is {number}; it is not negative"), format!("зазор равен {number}; он не отрицателен"));
+        reader.fault(Fault::new("M088", fields.span_of("backlash"), en, ru));
+    } else if fields.has("preload") {
+        reader.fault(
+            Fault::new(
+                "M088",
+                fields.span_of("backlash"),
+                "a spring with backlash has no preload",
+                "у пружины с зазором нет предварительного усилия",
+            )
+            .why("within the play the force is zero", "внутри зазора усилие равно нулю")
+            .help("drop one of them, or add a second spring", "уберите одно из них или добавьте вторую пружину"),
+        );
+    }
+    (!reader.builder.graph.is_zero(value.expr)).then_some(value.expr)
 }
 
 /// Warns of a stiffness or damping that is zero or negative.
@@ -98,7 +120,7 @@ pub(super) fn dampers<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Damp
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }
-        let path = pathway(reader, &fields);
+        let path = pathway_of(reader, &fields);
         let length = path.map_or(Kind::Unknown, |p| p.1);
         let unit = per(length, 2, 1);
         let damping = fields.formula_or_zero(reader, "damping", &Context::PATHWAY, unit.as_ref());
@@ -118,7 +140,7 @@ fn per(pathway: Kind, powers: i64, times: i32) -> Option<Dimension> {
 }
 
 /// The pathway of an element and its dimension.
-fn pathway<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Pathway, Kind)> {
+pub(super) fn pathway_of<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Pathway, Kind)> {
     match (fields.has("along"), fields.has("between")) {
         (true, false) => {
             let along = fields.formula(reader, "along", &Context::PATHWAY, None)?;
@@ -218,7 +240,7 @@ fn action<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Action> {
         return None;
     }
     if on_path {
-        let (pathway, length) = pathway(reader, fields)?;
+        let (pathway, length) = pathway_of(reader, fields)?;
         let value = fields.formula_or_zero(reader, "value", &Context::FORCE, per(length, 1, 0).as_ref()).expr;
         return Some(Action::OnPathway { pathway, value });
     }

@@ -1,8 +1,9 @@
 //! Model file to [`Model`]: every table in turn, all findings collected.
 //!
-//! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads, outputs
-//! by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
+//! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads,
+//! connections, outputs by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
 
+mod connections;
 mod elements;
 mod evaluate;
 mod frames;
@@ -10,6 +11,7 @@ mod order;
 mod outputs;
 mod overrides;
 mod parameters;
+mod ranges;
 mod reader;
 mod sections;
 mod shapes;
@@ -17,6 +19,7 @@ mod studies;
 mod syntax;
 
 pub use overrides::split as split_override;
+pub use ranges::sweep_range;
 
 use crate::diagnostic::{self, Diagnostic, Severity};
 use crate::fields;
@@ -91,19 +94,26 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
 
     let raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
     let raw_parameters = parameters::collect(reader, &top, &mut notation);
-    let raw_outputs = outputs::collect(reader, &top, &mut notation);
+    let parameter_names = raw_parameters.iter().map(|p| p.name.clone()).collect();
+    let raw_outputs = outputs::collect(reader, &top, &parameter_names, &mut notation);
     overrides::check_names(reader, &raw_coordinates, &raw_parameters);
     parameters::declare_coordinates(reader, &raw_coordinates);
     let mut parameters = parameters::resolve(reader, raw_parameters);
     let coordinates = parameters::starts(reader, raw_coordinates);
-    let (frames, points) = frames::read(reader, &top);
+    let (frames, mut points) = frames::read(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
+    connections::announce(reader, &top);
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
-    let forces = elements::forces(reader, &top);
+    let mut forces = elements::forces(reader, &top);
     let torques = elements::torques(reader, &top);
     let potentials = elements::potentials(reader, &top);
     let dissipations = elements::dissipations(reader, &top);
+    let space = connections::Space::new(reader, &frames, &points, &parameters);
+    let connections = connections::read(reader, &top, &space);
+    let (resultants, places) = connections::distributed(reader, &top, &space, points.len());
+    forces.extend(resultants);
+    points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
     let studies = studies::read(reader, &top);
     let sections = sections::read(reader, &top);
@@ -123,6 +133,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         points,
         springs,
         dampers,
+        connections,
         forces,
         torques,
         potentials,

@@ -25,6 +25,8 @@ pub(super) struct RawCoordinate<'a> {
     scaled: Option<String>,
     start: Option<Raw<'a>>,
     rate: Option<Raw<'a>>,
+    /// guesses, where start and rate are found from the connections
+    guesses: [Option<Raw<'a>>; 2],
     label: Text,
 }
 
@@ -67,8 +69,9 @@ pub(super) fn collect_coordinates<'a>(
     notation: &mut Vec<(String, String)>,
 ) -> Vec<RawCoordinate<'a>> {
     let rows = top.rows(reader, "coordinates");
-    // a file of sections alone is no machine
-    if rows.is_empty() && !top.has("sections") {
+    // reactions of a structure at rest need no coordinate
+    let rests = ["supports", "pins", "welds", "sections", "nodes"].into_iter().any(|table| top.has(table));
+    if rows.is_empty() && !rests {
         let fault = Fault::new("M015", top.span_of("coordinates"), "the model has no coordinates", "в модели нет координат")
             .why("a machine without a degree of freedom does not move", "у машины без степеней свободы нет движения")
             .help(
@@ -89,6 +92,7 @@ pub(super) fn collect_coordinates<'a>(
             scaled: None,
             start: None,
             rate: None,
+            guesses: [None, None],
             label: Text::default(),
         };
         let unit = match value.get_ref() {
@@ -98,6 +102,7 @@ pub(super) fn collect_coordinates<'a>(
                 coordinate.label = fields.text(reader, "label").unwrap_or_default();
                 coordinate.start = fields.raw(reader, "start");
                 coordinate.rate = fields.raw(reader, "rate");
+                coordinate.guesses = ["guess", "rate_guess"].map(|key| fields.raw(reader, key));
                 fields.get("unit").and_then(|v| reader.unit(v))
             }
             _ => reader.unit(value),
@@ -130,6 +135,7 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
         _ => None,
     };
     let rate_dimension = dimension.map(|d| d.per_time(1));
+    let set: Vec<String> = [c.name.clone(), format!("{}'", c.name)].into_iter().filter(|name| reader.override_of(name).is_some()).collect();
     let mut read = |raw: Option<Raw<'a>>, name: String, wanted: Option<&Dimension>| {
         let wanted_by_hand = reader.override_of(&name).map(|snippet| by_hand(reader, snippet, wanted));
         if let Some(value) = wanted_by_hand {
@@ -151,12 +157,14 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
         warn_of_hertz(reader, &raw, wanted);
         reader.value(&raw, &Context::CONSTANT, wanted).expr
     };
-    let start = read(c.start, c.name.clone(), dimension.as_ref());
-    let rate = read(c.rate, format!("{}'", c.name), rate_dimension.as_ref());
+    let given = [(&c.start, c.name.clone()), (&c.rate, format!("{}'", c.name))].map(|(raw, name)| raw.is_some() || set.contains(&name));
+    let [guess, rate_guess] = c.guesses;
+    let start = read(c.start.or(guess), c.name.clone(), dimension.as_ref());
+    let rate = read(c.rate.or(rate_guess), format!("{}'", c.name), rate_dimension.as_ref());
     let symbols = [0, 1, 2].map(|primes| reader.builder.graph.symbol_id(&c.name, primes));
     let base = dimension.unwrap_or(Dimension::NONE);
     let units = [0, 1, 2].map(|order| si_label(&base.per_time(order)));
-    CoordinateDecl { name: c.name, symbols, units, start, rate, label: c.label, span: c.span }
+    CoordinateDecl { name: c.name, symbols, units, start, rate, given, label: c.label, span: c.span }
 }
 
 /// Hz where a turning rate is meant loses a factor of 2π.

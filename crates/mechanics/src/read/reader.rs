@@ -10,7 +10,7 @@ use crate::units::{self, Dimension, Quantity, Unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::{Expr, Rational, Text};
+use symbolic::{Expr, Rational, SymbolId, Text};
 use toml::de::DeValue;
 
 /// The state of reading.
@@ -20,6 +20,8 @@ pub(super) struct Reader<'a> {
     override_index: HashMap<String, usize>,
     /// Names of formulas and where they were declared.
     pub claimed: HashMap<String, Range<usize>>,
+    /// names of outputs
+    pub results: std::collections::HashSet<String>,
     diagnostics: Vec<Diagnostic>,
     pub builder: Builder,
     pub scope: Scope,
@@ -57,6 +59,7 @@ impl<'a> Reader<'a> {
             overrides,
             override_index,
             claimed: HashMap::new(),
+            results: std::collections::HashSet::new(),
             diagnostics: Vec::new(),
             builder: Builder::new(),
             scope: Scope::default(),
@@ -235,6 +238,18 @@ impl<'a> Reader<'a> {
                 None
             }
         }
+    }
+
+    /// The machine number of an expression over constants; `None` for anything else.
+    pub(super) fn number_of(&mut self, e: Expr) -> Option<f64> {
+        Some(self.values.of(&self.builder.graph, e)).filter(|v| v.is_finite())
+    }
+
+    /// The coordinates, their rates and accelerations that stand in an expression.
+    pub(super) fn coordinates_in(&self, e: Expr) -> Vec<SymbolId> {
+        let all = self.scope.coordinates();
+        let within = self.builder.graph.symbols_in(&[e]);
+        all.into_iter().filter(|s| within.binary_search(s).is_ok()).collect()
     }
 
     /// Whether a name may be used; reports when not.

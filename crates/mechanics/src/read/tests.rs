@@ -5,6 +5,8 @@ use crate::model::{Class, Inertia, ParameterValue, Pathway, RequestKind, StudyKi
 use crate::{Diagnostic, Reading, fields};
 
 const FULL: &str = include_str!("../../tests/full.toml");
+const STUDIES: &str = include_str!("../../tests/studies.toml");
+const CONNECTIONS: &str = include_str!("../../tests/connections.toml");
 const PENDULUM: &str = r#"
 [parameters]
 m = "2 kg"
@@ -43,10 +45,11 @@ fn findings(text: &str) -> Vec<(&'static str, String)> {
 
 #[test]
 fn every_key_of_the_tables_is_read_and_only_those() {
-    let reading = good(FULL);
-    assert_eq!(reading.warnings, []);
+    for text in [FULL, STUDIES, CONNECTIONS] {
+        assert_eq!(good(text).warnings, []);
+    }
     let asked = reader::tests::asked();
-    for table in fields::ALL {
+    for table in fields::all() {
         for field in table.fields {
             assert!(asked.contains(&(table.name, field.key)), "the reader never asks for {}.{}", table.name, field.key);
         }
@@ -212,5 +215,61 @@ fn shapes_give_the_moments_of_the_handbook() {
         }
         let got = [xx, yy, zz].map(|e| values.of(&graph, e));
         assert!(got.iter().zip(expected).all(|(a, b): (&f64, f64)| (a - b).abs() < 1e-14), "{shape}: {got:?}");
+    }
+}
+
+#[test]
+fn studies_keep_their_meaning() {
+    use crate::model::{KinematicsEnd, Section};
+    let model = good(STUDIES).model;
+    let phi = model.coordinates[0].symbols[0];
+    let kinds: Vec<&StudyKind> = model.studies.iter().map(|s| &s.kind).collect();
+    assert!(matches!(kinds[0], StudyKind::Inverse(s) if s.until == 1.0));
+    let StudyKind::Kinematics(k) = kinds[2] else { panic!() };
+    assert_eq!((k.over, k.to, k.points, k.with.len()), (phi, KinematicsEnd::Turns(2.0), 73, 1));
+    assert!(matches!(kinds[3], StudyKind::Kinematics(k) if k.to == KinematicsEnd::At(0.1) && k.from.is_none()));
+    let StudyKind::Periodic(p) = kinds[4] else { panic!() };
+    assert_eq!((p.section, p.settle, p.tuned.clone()), (Section::Turns { angle: phi, turns: -1.0 }, 5.0, Some(("F0".to_owned(), 0.2568))));
+    assert!(matches!(kinds[5], StudyKind::Periodic(p) if matches!(p.section, Section::Zero(_)) && p.period == Some(8.0)));
+    assert!(matches!(kinds[6], StudyKind::Periodic(p) if p.section == Section::Time));
+    assert!(matches!(kinds[8], StudyKind::Cycle(c) if (c.speed.unwrap() - 4.0 * std::f64::consts::PI / 0.2568).abs() < 1e-12));
+    let StudyKind::Sweep(s) = kinds[10] else { panic!() };
+    assert_eq!((s.over.len(), s.over[0].values.len(), s.over[1].values[0]), (2, 2, 1000.0));
+    let range = crate::sweep_range(&model, "v=linspace(1 m/s, 3 m/s, 21)").unwrap();
+    assert_eq!(range.values.len(), 21);
+    assert_eq!(crate::sweep_range(&model, "v=1 m").unwrap_err().code, "M024");
+    assert_eq!(crate::sweep_range(&model, "w=1 m").unwrap_err().code, "M068");
+}
+
+#[test]
+fn studies_that_do_not_agree_are_refused() {
+    for (study, code) in [
+        ("kind = \"kinematics\"", "M006"),
+        ("kind = \"kinematics\"\nover = \"m\"", "M013"),
+        ("kind = \"kinematics\"\nover = \"phi\"\nto = \"1 m\"", "M024"),
+        ("kind = \"kinematics\"\nover = \"phi\"\nto = \"1 rad\"\nturns = 1", "M071"),
+        ("kind = \"kinematics\"\nover = \"phi\"\npoints = 1", "M071"),
+        ("kind = \"kinematics\"\nover = \"phi\"\nrate = 0", "M071"),
+        ("kind = \"kinematics\"\nover = \"phi\"\nwith = { phi = \"phi\" }", "M071"),
+        ("kind = \"periodic\"", "M071"),
+        ("kind = \"periodic\"\nsection = \"phi\"\nunknown = \"m\"", "M071"),
+        ("kind = \"periodic\"\nsection = \"phi\"\nunknown = \"M\"\nwanted_period = \"1 s\"", "M072"),
+        ("kind = \"periodic\"\nsection = \"m\"", "M071"),
+        ("kind = \"periodic\"\nperiod = \"1 s\"\nturns = 2", "M071"),
+        ("kind = \"cycle\"", "M006"),
+        ("kind = \"cycle\"\nangle = \"phi\"\nspeed = 0", "M071"),
+        ("kind = \"cycle\"\nangle = \"phi\"\nirregularity = 3", "M071"),
+        ("kind = \"cycle\"\nangle = \"phi\"\nflywheel = \"m\"", "M071"),
+        ("kind = \"sweep\"", "M006"),
+        ("kind = \"sweep\"\nover = \"m\"", "M070"),
+        ("kind = \"sweep\"\nover = \"m=1 m\"", "M024"),
+        ("kind = \"sweep\"\nover = \"q=1 m\"", "M068"),
+        ("kind = \"sweep\"\nover = \"m=1 kg\"\nof = \"sweep\"", "M064"),
+        ("kind = \"statics\"\nuntil = \"1 s\"", "M005"),
+        ("kind = \"inverse\"", "M006"),
+    ] {
+        let found = findings(&format!("{PENDULUM}\n[[study]]\n{study}\n"));
+        let codes: Vec<_> = found.iter().map(|f| f.0).collect();
+        assert_eq!(codes, [code], "{study}: {found:?}");
     }
 }

@@ -74,6 +74,11 @@ impl Jets {
         self.memory.row(self.plan.states[i], self.order)
     }
 
+    /// Coefficients [0..order], one less than those of states, of the reaction `Program::solved[i]`. An expansion to order 0 gives none.
+    pub fn reaction(&self, i: usize) -> &[f64] {
+        &self.memory.row(self.plan.extra[i], self.order)[..self.order]
+    }
+
     /// Coefficients [0..=order] of guard `i`; meaningless while the guard is not active.
     pub fn guard(&self, i: usize) -> &[f64] {
         self.memory.row(self.plan.guards[i], self.order)
@@ -96,7 +101,7 @@ impl Jets {
         let (wanted, active) = needed(&self.evaluator, modes);
         self.live = self.plan.steps(modes, &wanted);
         self.tail = self.plan.guard_steps(&self.live, &active);
-        self.memory.clear(&self.plan);
+        self.memory.clear(&self.plan, modes);
         self.modes = Some(modes.to_vec());
     }
 
@@ -137,8 +142,10 @@ impl Jets {
 
     /// The cause of a failed expansion: at order 0 the interpreter knows it; above, the first step with sound operands and an unsound result.
     fn blame(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> Fault {
-        if let Some(defect) = self.memory.defect {
-            return defective(self.evaluator.tape(), defect);
+        if let Some((row, defect)) = self.memory.defect {
+            let tape = self.evaluator.tape();
+            let into = tape.body.iter().map(|i| i.into).find(|into| self.plan.row_of(*into) == Some(row));
+            return defective(tape, into.unwrap_or(crate::Register(0)), defect);
         }
         let point = Point { time, states, modes: Some(modes), ..Point::default() };
         if let Err(fault) = self.evaluator.evaluate(&point) {

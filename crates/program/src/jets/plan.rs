@@ -18,9 +18,15 @@ pub(super) struct Plan {
     pub(super) terms: Vec<(f64, Row)>,
     /// Mass matrices.
     pub(super) systems: Vec<System>,
+    /// Matrices of motion and reactions.
+    pub(super) generals: Vec<GeneralSystem>,
+    /// Sources of the row of a choice, with its guard.
+    sources: Vec<(Row, usize, [Row; 3])>,
     pub(super) time: Row,
     pub(super) states: Vec<Row>,
     pub(super) rates: Vec<Row>,
+    /// Further roots: reactions.
+    pub(super) extra: Vec<Row>,
     pub(super) guards: Vec<Row>,
 }
 
@@ -42,16 +48,40 @@ pub(super) struct System {
     pub(super) right: Vec<Row>,
 }
 
+/// A x = b with the rows that may stand in A and b.
+#[derive(Clone, Debug)]
+pub(super) struct GeneralSystem {
+    pub(super) size: usize,
+    /// By rows; `None` is zero.
+    pub(super) entries: Vec<Option<Row>>,
+    pub(super) right: Vec<Row>,
+}
+
+/// The same on the branches that some modes take: choices are replaced by what they choose, constants by numbers.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Resolved {
+    /// A at order 0: row, or a constant.
+    pub(super) entries: Vec<Result<Row, f64>>,
+    /// Entries that change in time: (i, j, row).
+    pub(super) moving: Vec<(u32, u32, Row)>,
+    /// Right sides at order 0.
+    pub(super) right: Vec<Row>,
+    /// Those that change in time: (i, row).
+    pub(super) driven: Vec<(u32, Row)>,
+}
+
 impl Plan {
     pub(super) fn new(evaluator: &Evaluator) -> Plan {
         let tape = evaluator.tape();
         let mut plan = Plan { rows: vec![None; tape.registers()], ..Plan::default() };
         plan.time = plan.fresh();
-        plan.states = (0..tape.roots.len()).map(|_| plan.fresh()).collect();
+        plan.states = (0..tape.shape.states).map(|_| plan.fresh()).collect();
         for instruction in &tape.body {
             plan.add(evaluator, instruction.into, &instruction.operation);
         }
-        plan.rates = tape.roots.iter().map(|r| plan.row(evaluator, r.register)).collect();
+        let (rates, extra) = tape.roots.split_at(tape.shape.states.min(tape.roots.len()));
+        plan.rates = rates.iter().map(|r| plan.row(evaluator, r.register)).collect();
+        plan.extra = extra.iter().map(|r| plan.row(evaluator, r.register)).collect();
         plan.guards = tape.guards.iter().map(|r| r.map_or(0, |r| plan.row(evaluator, r))).collect();
         plan
     }
@@ -97,6 +127,9 @@ impl Plan {
         let row = self.fresh();
         self.rows[into.index()] = Some(row);
         let sides = sources.map(|source| Step::Copy { row, a: source });
+        if let By::Mode(guard) = by {
+            self.sources.push((row, guard as usize, sources));
+        }
         let planned = match by {
             By::Mode(guard) => Planned::Choice { into, guard: guard as usize, sides },
             // in the dynamics only guards over parameters go by value
@@ -132,6 +165,12 @@ impl Plan {
                 let system = self.system(evaluator, matrix, right);
                 self.systems.push(system);
                 Step::Solve { row, system: self.systems.len() as u32 - 1 }
+            }
+            Operation::System { matrix, right } => {
+                let entries = matrix.iter().map(|r| r.map(|r| at(&r))).collect();
+                let right = right.iter().map(at).collect::<Vec<_>>();
+                self.generals.push(GeneralSystem { size: right.len(), entries, right });
+                Step::System { row, system: self.generals.len() as u32 - 1 }
             }
             _ => Step::Copy { row, a: row },
         }
@@ -175,6 +214,34 @@ impl Plan {
         System { size: right.len(), entries, moving, right }
     }
 
+    /// The general systems on the branches taken.
+    pub(super) fn resolve(&self, modes: &[Mode]) -> Vec<Resolved> {
+        // what stands in a row: another row, or a constant
+        let mut content: Vec<Result<Row, f64>> = (0..self.count).map(Ok).collect();
+        self.constants.iter().for_each(|(row, value)| content[*row as usize] = Err(*value));
+        for (row, guard, sources) in &self.sources {
+            content[*row as usize] = content[sources[modes[*guard].side()] as usize];
+        }
+        let system = |system: &GeneralSystem| {
+            let mut resolved = Resolved::default();
+            for (position, entry) in system.entries.iter().enumerate() {
+                let entry = entry.map_or(Err(0.0), |row| content[row as usize]);
+                if let Ok(row) = entry {
+                    resolved.moving.push(((position / system.size) as u32, (position % system.size) as u32, row));
+                }
+                resolved.entries.push(entry);
+            }
+            for (i, row) in (0..).zip(&system.right) {
+                resolved.right.push(*row);
+                if let Ok(row) = content[*row as usize] {
+                    resolved.driven.push((i, row));
+                }
+            }
+            resolved
+        };
+        self.generals.iter().map(system).collect()
+    }
+
     /// The steps on the branches taken.
     pub(super) fn steps(&self, modes: &[Mode], wanted: &[bool]) -> Vec<Step> {
         let mut steps = Vec::with_capacity(self.planned.len());
@@ -193,8 +260,9 @@ impl Plan {
         steps
     }
 
-    fn width(&self, step: &Step) -> usize {
+    pub(super) fn width(&self, step: &Step) -> usize {
         match step {
+            Step::System { system, .. } => self.generals[*system as usize].size,
             Step::SinCos { .. } => 2,
             Step::Solve { system, .. } => self.systems[*system as usize].size,
             _ => 1,
@@ -221,6 +289,7 @@ impl Plan {
 
     /// Rows of guards that steps of the tail write.
     pub(super) fn active_guards<'a>(&'a self, tail: &'a [Step]) -> impl Iterator<Item = Row> + 'a {
-        self.guards.iter().copied().filter(|g| tail.iter().any(|s| s.row() == *g))
+        let writes = |s: &Step, row: Row| (s.row()..s.row() + self.width(s) as Row).contains(&row);
+        self.guards.iter().copied().filter(move |g| tail.iter().any(|s| writes(s, *g)))
     }
 }

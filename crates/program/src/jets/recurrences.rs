@@ -4,9 +4,10 @@
 //! (f g)_k = Σ_{j=0}^{k} f_j g_{k-j}. Helper rows called *weighted* hold the coefficients of t-derivatives shifted down: w_{j-1} = j a_j,
 //! so that Σ_{j=1}^{k} j a_j b_{k-j} is again a product of runs.
 
-use super::plan::Plan;
-use crate::Unary;
+use super::plan::{Plan, Resolved};
+use crate::general::General;
 use crate::solve::{Defect, Factor};
+use crate::{Mode, Unary};
 
 /// Number of a row.
 pub(super) type Row = u32;
@@ -42,6 +43,8 @@ pub(super) enum Step {
     Atan2 { row: Row, y: Row, x: Row, helper: Row },
     /// Σ_j (M_j a_{k-j}) = h_k gives M_0 a_k = h_k - Σ_{j=1}^{k} M_j a_{k-j}
     Solve { row: Row, system: u32 },
+    /// The same with a matrix of any kind
+    System { row: Row, system: u32 },
 }
 
 impl Step {
@@ -61,7 +64,8 @@ impl Step {
             | Step::Tangent { row, .. }
             | Step::Inverse { row, .. }
             | Step::Atan2 { row, .. }
-            | Step::Solve { row, .. } => *row,
+            | Step::Solve { row, .. }
+            | Step::System { row, .. } => *row,
         }
     }
 
@@ -87,6 +91,11 @@ impl Step {
                 system.moving.iter().for_each(|m| visit(m.2));
                 system.right.iter().copied().for_each(visit);
             }
+            Step::System { system, .. } => {
+                let system = &plan.generals[*system as usize];
+                system.entries.iter().flatten().copied().for_each(&mut *visit);
+                system.right.iter().copied().for_each(visit);
+            }
         }
     }
 
@@ -105,6 +114,11 @@ impl Step {
                 let s = &plan.systems[*system as usize];
                 s.moving.iter().map(|m| if m.0 == m.1 { k } else { 2 * k }).sum::<usize>() + s.size * s.size
             }
+            // an upper bound: choices are counted as if they moved, factors as if they were full
+            Step::System { system, .. } => {
+                let s = &plan.generals[*system as usize];
+                s.entries.iter().flatten().count() * k + s.size * s.size
+            }
         }
     }
 }
@@ -118,9 +132,11 @@ pub(super) struct Memory {
     /// Largest order.
     order: usize,
     factors: Vec<Factor>,
+    generals: Vec<General>,
+    resolved: Vec<Resolved>,
     scratch: Vec<f64>,
-    /// The dependent row of a mass matrix that could not be factored.
-    pub(super) defect: Option<Defect>,
+    /// The first row of a system that could not be factored, and why.
+    pub(super) defect: Option<(Row, Defect)>,
 }
 
 /// Runs are multiplied in groups of this many.
@@ -141,19 +157,23 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 impl Memory {
     pub(super) fn new(plan: &Plan, order: usize) -> Memory {
         let stride = (order + 1).next_multiple_of(LANES) + LANES;
-        let largest = plan.systems.iter().map(|s| s.size).max().unwrap_or(0);
+        let sizes = plan.systems.iter().map(|s| s.size).chain(plan.generals.iter().map(|s| s.size));
+        let largest = sizes.max().unwrap_or(0);
         Memory {
             cells: vec![0.0; plan.count as usize * 2 * stride],
             stride,
             order,
             factors: vec![Factor::default(); plan.systems.len()],
+            generals: vec![General::default(); plan.generals.len()],
+            resolved: vec![Resolved::default(); plan.generals.len()],
             scratch: vec![0.0; largest],
             defect: None,
         }
     }
 
-    /// Forgets everything but constants.
-    pub(super) fn clear(&mut self, plan: &Plan) {
+    /// Forgets everything but constants and takes the branches of these modes.
+    pub(super) fn clear(&mut self, plan: &Plan, modes: &[Mode]) {
+        self.resolved = plan.resolve(modes);
         self.cells.fill(0.0);
         for (row, value) in &plan.constants {
             self.put(*row, 0, *value);
@@ -251,6 +271,10 @@ impl Memory {
                 self.begin_solve(row, system as usize, plan);
                 return;
             }
+            Step::System { row, system } => {
+                self.begin_system(row, system as usize);
+                return;
+            }
         };
         self.put(step.row(), 0, value);
     }
@@ -275,7 +299,7 @@ impl Memory {
         let mut factor = std::mem::take(&mut self.factors[index]);
         factor.load(system.size, system.entries.iter().map(|e| e.map_or_else(|value| value, |row| self.get(row, 0))));
         if let Err(defect) = factor.factor() {
-            self.defect = Some(defect);
+            self.defect = Some((first, defect));
         }
         self.factors[index] = factor;
         let mut h = std::mem::take(&mut self.scratch);
@@ -330,6 +354,10 @@ impl Memory {
             Step::Atan2 { y, x, helper, .. } => self.atan2(y, x, helper, k),
             Step::Solve { row, system } => {
                 self.solve(row, system as usize, k, plan);
+                return;
+            }
+            Step::System { row, system } => {
+                self.system(row, system as usize, k);
                 return;
             }
         };
@@ -405,5 +433,46 @@ impl Memory {
             }
         }
         self.finish_solve(first, index, system.size, k, h);
+    }
+
+    /// A_0 x_0 = b_0, factored for all orders.
+    fn begin_system(&mut self, first: Row, index: usize) {
+        let mut general = std::mem::take(&mut self.generals[index]);
+        let mut b = std::mem::take(&mut self.scratch);
+        let resolved = &self.resolved[index];
+        let size = resolved.right.len();
+        general.load(size, resolved.entries.iter().map(|e| e.map_or_else(|value| value, |row| self.get(row, 0))));
+        match general.factor() {
+            Ok(()) => {
+                for (value, row) in b.iter_mut().zip(&resolved.right) {
+                    *value = self.get(*row, 0);
+                }
+                general.solve_refined(&mut b[..size]);
+                (first..).zip(&b[..size]).for_each(|(row, value)| self.put(row, 0, *value));
+            }
+            Err(defect) => self.defect = Some((first, defect)),
+        }
+        self.generals[index] = general;
+        self.scratch = b;
+    }
+
+    /// A_0 x_k = b_k - Σ_{j=1}^{k} A_j x_{k-j}.
+    fn system(&mut self, first: Row, index: usize, k: usize) {
+        if self.defect.is_some() {
+            return;
+        }
+        let mut b = std::mem::take(&mut self.scratch);
+        let resolved = &self.resolved[index];
+        let size = resolved.right.len();
+        b[..size].fill(0.0);
+        for (i, row) in &resolved.driven {
+            b[*i as usize] = self.get(*row, k);
+        }
+        for (i, j, entry) in &resolved.moving {
+            b[*i as usize] -= self.cauchy(*entry, 1, first + j, k - 1);
+        }
+        self.generals[index].solve(&mut b[..size]);
+        (first..).zip(&b[..size]).for_each(|(row, value)| self.put(row, k, *value));
+        self.scratch = b;
     }
 }

@@ -147,9 +147,8 @@ impl Builder {
             return known;
         }
         let into = Register(self.constant.len() as u32);
-        let mut constant =
-            !matches!(operation, Operation::Time | Operation::State(_) | Operation::Acceleration(_) | Operation::Solve { .. })
-                && !matches!(operation, Operation::Choose { by: By::Mode(_), .. });
+        let mut constant = !matches!(operation, Operation::Time | Operation::State(_) | Operation::Acceleration(_))
+            && !matches!(operation, Operation::Solve { .. } | Operation::System { .. } | Operation::Choose { by: By::Mode(_), .. });
         operation.operands(&mut |r| constant &= self.constant[r.index()]);
         let literal = if let Operation::Number(v) = operation { Some(v.0) } else { None };
         for _ in 0..operation.width() {
@@ -161,19 +160,30 @@ impl Builder {
         into
     }
 
-    /// Marks what the roots need; a guard counts when a choice that is needed goes by it, the others are dropped from the tape.
+    /// Marks what the roots need; a guard counts when a choice that is needed goes by it, or when it bounds one that counts. The others are
+    /// dropped from the tape.
     fn wanted(&self, tape: &mut Tape) -> Vec<bool> {
         let mut wanted = vec![false; self.constant.len()];
         let mut used = vec![false; tape.guards.len()];
         tape.roots.iter().for_each(|r| wanted[r.register.index()] = true);
-        for i in self.instructions.iter().rev() {
-            if !(0..i.operation.width()).any(|k| wanted[i.into.index() + k]) {
-                continue;
+        loop {
+            for i in self.instructions.iter().rev() {
+                if !(0..i.operation.width()).any(|k| wanted[i.into.index() + k]) {
+                    continue;
+                }
+                i.operation.operands(&mut |r| wanted[r.index()] = true);
+                if let Operation::Choose { by: By::Mode(g), .. } = i.operation {
+                    used[g as usize] = true;
+                }
             }
-            i.operation.operands(&mut |r| wanted[r.index()] = true);
-            if let Operation::Choose { by: By::Mode(g), .. } = i.operation {
-                used[g as usize] = true;
-                tape.guards[g as usize].into_iter().for_each(|r| wanted[r.index()] = true);
+            tape.bounds.iter().for_each(|b| used[b.guard as usize] |= used[b.of as usize]);
+            // the value of a guard may follow the choice that goes by it
+            let mut again = false;
+            for register in tape.guards.iter().zip(&used).filter(|(_, used)| **used).filter_map(|(guard, _)| *guard) {
+                again |= !std::mem::replace(&mut wanted[register.index()], true);
+            }
+            if !again {
+                break;
             }
         }
         tape.guards.iter_mut().zip(used).filter(|(_, used)| !used).for_each(|(guard, _)| *guard = None);

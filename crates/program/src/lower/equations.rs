@@ -1,35 +1,59 @@
 //! Equations of motion into the tapes of a [`Program`].
 
+use super::connections::{Arrangement, Connected, Numbers, Selection, fill, reserve, supports, surfaces};
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
 use crate::{ENERGY, Fault, Program, Register, Root, Tape};
 use std::collections::HashSet;
 use std::sync::Arc;
+use symbolic::connections::Law;
 use symbolic::{Derivation, Equations, Expr, Graph, Substitution, SymbolId};
 
-/// Lowers equations of motion.
+/// Lowers equations of motion in which all connections take part.
 ///
-/// M q'' = h stays implicit: the dynamics solve it by one [`crate::Operation::Solve`].
+/// Without connections M q'' = h stays implicit: the dynamics solve it by one [`crate::Operation::Solve`].
 ///
-/// *Errors*: P010 for a symbol without a meaning at its place, P011 for cyclic definitions, P012 for sizes that do not match.
+/// *Errors*: see [`equations_with`].
 pub fn equations(equations: &Equations) -> Result<Program, Fault> {
+    equations_with(equations, &Selection::all(equations))
+}
+
+/// Lowers equations of motion with the connections that take part.
+///
+/// *Errors*: P010 for a symbol without a meaning at its place, P011 for cyclic definitions, P012 for sizes that do not match (as many conditions as
+/// reactions other than supports, as many balances as supports), P014 for a friction pressed by a reaction that takes no part.
+pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Program, Fault> {
     check(equations)?;
     let names = Names::new(equations);
-    let (dynamics, guards) = dynamics(equations, &names)?;
+    let arrangement = Arrangement::new(equations, selection)?;
+    let (dynamics, guards) = dynamics(equations, &names, &arrangement)?;
     let outputs = equations.outputs.iter().map(|o| (o.name.clone(), o.formula)).collect();
+    let unknowns: Vec<String> =
+        names.accelerations().chain(arrangement.solved.iter().map(|r| equations.reactions[*r].name.clone())).collect();
     Ok(Program {
         coordinates: equations.coordinates.len(),
         auxiliaries: equations.auxiliaries.len(),
         states: names.states.clone(),
         parameters: equations.parameters.iter().map(|p| names.of(p.symbol)).collect(),
         values: equations.parameters.iter().map(|p| p.value).collect(),
+        conditions: equations.conditions.len(),
+        contacts: contacts(equations).count(),
+        reactions: equations.reactions.len(),
+        known: known(&arrangement),
+        rows: arrangement.rows(equations, &unknowns),
+        unknowns,
         dynamics: Arc::new(dynamics),
+        forces: Arc::new(forces(equations, &names, &arrangement, &guards)?),
         outputs: Arc::new(observed(equations, &guards, "outputs", outputs)?),
         energy: Arc::new(observed(equations, &guards, "energy", energy(equations))?),
         second: Arc::new(second(equations)?),
         places: Arc::new(places(equations)?),
         statics: Arc::new(statics(equations, &names)?),
+        rests: Arc::new(rests(equations, &names)?),
+        connections: Arc::new(connections(equations, &names)?),
+        balances: Arc::new(balances(equations)?),
         start: Arc::new(start(equations, &names)?),
         guards: guards.guards,
+        solved: arrangement.solved,
     })
 }
 
@@ -52,6 +76,19 @@ impl<'e> Names<'e> {
     /// Name of the rate of state `i`.
     fn rate(&self, i: usize) -> String {
         format!("{}'", self.states[i])
+    }
+    /// Names of q''.
+    fn accelerations(&self) -> impl Iterator<Item = String> + '_ {
+        let n = self.equations.coordinates.len();
+        (n..2 * n).map(|i| self.rate(i))
+    }
+    /// `{letter} x/d y` for all pairs of coordinates.
+    fn by_coordinates(&self, letter: &str) -> impl Iterator<Item = String> + use<'_, 'e> {
+        let (n, letter) = (self.equations.coordinates.len(), letter.to_owned());
+        (0..n * n).map(move |k| format!("{letter} {}/d {}", self.states[k / n], self.states[k % n]))
+    }
+    fn reaction(&self, r: usize) -> String {
+        self.equations.reactions[r].name.clone()
     }
 }
 
@@ -87,9 +124,60 @@ fn over_accelerations(equations: &Equations) -> Inputs {
     Inputs { accelerations: equations.coordinates.iter().map(|c| c.symbols[2]).collect(), ..over_states(equations) }
 }
 
-fn dynamics(equations: &Equations, names: &Names) -> Result<(Tape, GuardTable), Fault> {
+/// q'' and reactions.
+fn over_reactions(equations: &Equations) -> Inputs {
+    let mut inputs = over_accelerations(equations);
+    inputs.accelerations.extend(equations.reactions.iter().map(|r| r.symbol));
+    inputs
+}
+
+fn contacts(equations: &Equations) -> impl Iterator<Item = (Expr, Expr)> + '_ {
+    equations.reactions.iter().filter_map(|r| match &r.law {
+        Law::Contact { gap, restitution, .. } => Some((*gap, *restitution)),
+        _ => None,
+    })
+}
+
+/// Reactions that have values.
+fn known(arrangement: &Arrangement) -> Vec<usize> {
+    let mut known = [&arrangement.solved[..], &arrangement.supports[..]].concat();
+    known.sort_unstable();
+    known
+}
+
+fn dynamics(equations: &Equations, names: &Names, arrangement: &Arrangement) -> Result<(Tape, GuardTable), Fault> {
     let n = equations.coordinates.len();
     let mut lowering = Lowering::new(&equations.graph, &over_states(equations), Switches::Collect);
+    let numbers = reserve(&mut lowering, equations, arrangement)?;
+    let first = solution(&mut lowering, equations, arrangement, &numbers)?;
+    let solved = |i: usize| Register(first.map_or(0, |f| f.0) + i as u32);
+    let mut rates: Vec<Register> = (0..n).map(|i| lowering.state(n + i)).collect();
+    rates.extend((0..n).map(solved));
+    for auxiliary in &equations.auxiliaries {
+        rates.push(lowering.register(auxiliary.rate)?);
+    }
+    if let Some(first) = first {
+        fill(&mut lowering, equations, arrangement, &numbers, first)?;
+    }
+    let mut roots: Vec<Root> = rates.into_iter().enumerate().map(|(i, register)| Root { name: names.rate(i), register }).collect();
+    for (i, r) in arrangement.solved.iter().enumerate() {
+        roots.push(Root { name: names.reaction(*r), register: solved(n + i) });
+    }
+    lowering.table.numbers = numbers;
+    lowering.finish("dynamics", roots)
+}
+
+/// First register of q'' and the solved reactions; none without coordinates.
+fn solution(
+    lowering: &mut Lowering,
+    equations: &Equations,
+    arrangement: &Arrangement,
+    numbers: &[Option<Numbers>],
+) -> Result<Option<Register>, Fault> {
+    let n = equations.coordinates.len();
+    if !arrangement.is_free() {
+        return Connected::new(lowering, equations, arrangement).solve(numbers);
+    }
     let mut matrix = Vec::with_capacity(n * (n + 1) / 2);
     for i in 0..n {
         for j in 0..=i {
@@ -98,21 +186,76 @@ fn dynamics(equations: &Equations, names: &Names) -> Result<(Tape, GuardTable), 
         }
     }
     let right = equations.force.iter().map(|h| lowering.register(*h)).collect::<Result<Vec<_>, _>>()?;
-    let mut rates: Vec<Register> = (0..n).map(|i| lowering.state(n + i)).collect();
-    if n > 0 {
-        let first = lowering.solve(matrix, right);
-        rates.extend((0..n).map(|i| Register(first.0 + i as u32)));
+    Ok((n > 0).then(|| lowering.solve(matrix, right)))
+}
+
+/// q'' and all reactions that have values: the system of the dynamics once more, then that of the supports.
+fn forces(equations: &Equations, names: &Names, arrangement: &Arrangement, guards: &GuardTable) -> Result<Tape, Fault> {
+    let n = equations.coordinates.len();
+    let mut lowering = Lowering::new(&equations.graph, &over_states(equations), Switches::Known(guards));
+    surfaces(&mut lowering, equations, &guards.numbers)?;
+    let first = solution(&mut lowering, equations, arrangement, &guards.numbers)?;
+    let supports = supports(&mut lowering, equations, arrangement, first)?;
+    let at = |first: Option<Register>, i: usize| Register(first.map_or(0, |f| f.0) + i as u32);
+    let mut roots: Vec<Root> = names.accelerations().enumerate().map(|(i, name)| Root { name, register: at(first, i) }).collect();
+    for r in known(arrangement) {
+        let register = match arrangement.solved.iter().position(|s| *s == r) {
+            Some(i) => at(first, n + i),
+            None => at(supports, arrangement.supports.iter().position(|s| *s == r).unwrap_or(0)),
+        };
+        roots.push(Root { name: names.reaction(r), register });
     }
-    for auxiliary in &equations.auxiliaries {
-        rates.push(lowering.register(auxiliary.rate)?);
+    Ok(lowering.finish("forces", roots)?.0)
+}
+
+/// Values and derivatives of all conditions, M, gaps, restitutions, forces: see [`crate::ConnectionRoots`].
+fn connections(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
+    let mut graph = equations.graph.clone();
+    let zero = graph.zero();
+    let n = equations.coordinates.len();
+    let conditions = || equations.conditions.iter();
+    let name = |kind: &str, c: &symbolic::connections::Condition| format!("{kind} {}", c.name.en);
+    let mut roots: Vec<(String, Expr)> = conditions().map(|c| (name("place", c), c.place.unwrap_or(zero))).collect();
+    roots.extend(conditions().map(|c| (name("rate", c), c.rate)));
+    for c in conditions() {
+        roots.extend(sparse(&c.columns, n, zero).into_iter().zip(&names.states).map(|(e, q)| (format!("{} by {q}", name("rate", c)), e)));
     }
-    let roots = rates.into_iter().enumerate().map(|(i, register)| Root { name: names.rate(i), register }).collect();
-    lowering.finish("dynamics", roots)
+    for i in 0..n {
+        roots.extend((0..=i).map(|j| (format!("mass {} {}", i + 1, j + 1), equations.mass.get(i, j))));
+    }
+    roots.extend(contacts(equations).map(|c| ("gap".to_owned(), c.0)));
+    roots.extend(contacts(equations).map(|c| ("restitution".to_owned(), c.1)));
+    for r in &equations.reactions {
+        roots.extend(sparse(&r.forces, n, zero).into_iter().zip(&names.states).map(|(e, q)| (format!("{} on {q}", r.name), e)));
+    }
+    Lowering::new(&graph, &over_states(equations), Switches::Value).tape("connections", &roots)
+}
+
+fn sparse(entries: &[(usize, Expr)], length: usize, zero: Expr) -> Vec<Expr> {
+    let mut row = vec![zero; length];
+    for (i, e) in entries {
+        row[*i] = *e;
+    }
+    row
+}
+
+/// Σ released, balances x reactions.
+fn balances(equations: &Equations) -> Result<Tape, Fault> {
+    let mut graph = equations.graph.clone();
+    let zero = graph.zero();
+    let mut roots = Vec::with_capacity(equations.balances.len() * equations.reactions.len());
+    for (b, balance) in equations.balances.iter().enumerate() {
+        for r in &equations.reactions {
+            let entry = r.released.iter().find(|(k, _)| *k == b).map_or(zero, |(_, e)| *e);
+            roots.push((format!("{} in {}", r.name, balance.name.en), entry));
+        }
+    }
+    Lowering::new(&graph, &over_states(equations), Switches::Value).tape("balances", &roots)
 }
 
 /// A tape over t, x, q'' that takes the modes of the dynamics where it meets their guards.
 fn observed(equations: &Equations, guards: &GuardTable, name: &str, roots: Vec<(String, Expr)>) -> Result<Tape, Fault> {
-    Lowering::new(&equations.graph, &over_accelerations(equations), Switches::Known(guards)).tape(name, &roots)
+    Lowering::new(&equations.graph, &over_reactions(equations), Switches::Known(guards)).tape(name, &roots)
 }
 
 fn energy(equations: &Equations) -> Vec<(String, Expr)> {
@@ -121,20 +264,55 @@ fn energy(equations: &Equations) -> Vec<(String, Expr)> {
     ENERGY.iter().map(|n| (*n).to_owned()).zip(formulas).collect()
 }
 
-/// Residuals of the second derivation, then M q'' - h.
+/// Residuals of the second derivation, then those of the first: M q'' - Σ forces λ - h and Σ columns q'' - rest - Σ released λ.
 fn second(equations: &Equations) -> Result<Tape, Fault> {
     let n = equations.coordinates.len();
-    let mut lowering = Lowering::new(&equations.graph, &over_accelerations(equations), Switches::Value);
+    let mut lowering = Lowering::new(&equations.graph, &over_reactions(equations), Switches::Value);
     let mut roots = Vec::with_capacity(2 * n);
     for (i, e) in equations.second.iter().enumerate() {
         roots.push(Root { name: format!("second {}", i + 1), register: lowering.register(*e)? });
     }
     for i in 0..n {
-        let entries: Vec<Expr> = (0..n).map(|j| equations.mass.get(i.max(j), i.min(j))).collect();
-        let register = lowering.residual(&entries, equations.force[i])?;
+        let inertia: Vec<(usize, Expr)> = (0..n).map(|j| (j, equations.mass.get(i.max(j), i.min(j)))).collect();
+        let loads = equations.reactions.iter().map(|r| &r.forces[..]);
+        let register = residual(&mut lowering, &inertia, equations.force[i], n, loads, i)?;
         roots.push(Root { name: format!("first {}", i + 1), register });
     }
+    for (i, balance) in equations.balances.iter().enumerate() {
+        let loads = equations.reactions.iter().map(|r| &r.released[..]);
+        let register = residual(&mut lowering, &balance.columns, balance.rest, n, loads, i)?;
+        roots.push(Root { name: format!("balance {}", i + 1), register });
+    }
     Ok(lowering.finish("second", roots)?.0)
+}
+
+/// Σ inertia q'' - force - Σ load λ, with λ behind the n accelerations; loads are lists by row, of which `row` is taken.
+fn residual<'e>(
+    lowering: &mut Lowering,
+    inertia: &[(usize, Expr)],
+    force: Expr,
+    n: usize,
+    loads: impl Iterator<Item = &'e [(usize, Expr)]>,
+    row: usize,
+) -> Result<Register, Fault> {
+    let mut items = Vec::with_capacity(inertia.len() + 1);
+    let mut add = |lowering: &mut Lowering, sign: f64, factor: Expr, slot: usize| {
+        let factor = lowering.value(factor)?;
+        let input = lowering.acceleration(slot);
+        items.push((sign, lowering.times(factor, input)));
+        Ok::<(), Fault>(())
+    };
+    for (j, e) in inertia {
+        add(lowering, 1.0, *e, *j)?;
+    }
+    for (r, load) in loads.enumerate() {
+        for (_, e) in load.iter().filter(|(i, _)| *i == row) {
+            add(lowering, -1.0, *e, n + r)?;
+        }
+    }
+    items.push((-1.0, lowering.value(force)?));
+    let sum = lowering.sum(&items);
+    Ok(lowering.whole(sum))
 }
 
 /// What must exist wherever the machine goes.
@@ -143,28 +321,94 @@ fn places(equations: &Equations) -> Result<Tape, Fault> {
     Lowering::new(&equations.graph, &over_accelerations(equations), Switches::Value).tape("places", &roots)
 }
 
-/// h(q, 0, s, t) and ∂h/∂q. Rates are replaced by zero before differentiation, which leaves little of most systems.
-fn statics(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
-    let mut graph = equations.graph.clone();
-    let zero = graph.zero();
-    let mut rest = Substitution::new(equations.coordinates.iter().map(|c| (c.symbols[1], zero)));
-    let force: Vec<Expr> = equations.force.iter().map(|h| rest.apply(&mut graph, *h)).collect();
-    let definitions: Vec<(SymbolId, Expr)> = equations.definitions.iter().map(|d| (d.symbol, rest.apply(&mut graph, d.formula))).collect();
-    let moving = over_coordinates(equations, &graph, &definitions);
+/// The equations with all rates zero, ready to be differentiated by coordinates. Rates are replaced before differentiation, which leaves little of
+/// most systems.
+struct AtRest<'e> {
+    equations: &'e Equations,
+    graph: Graph,
+    rest: Substitution,
+    definitions: Vec<(SymbolId, Expr)>,
+    /// Those that depend on coordinates.
+    moving: Vec<(SymbolId, Expr)>,
+}
 
-    let mut roots: Vec<(String, Expr)> = names.states.iter().map(|s| format!("h {s}")).zip(force.iter().copied()).collect();
-    let mut columns = Vec::with_capacity(force.len());
-    for coordinate in &equations.coordinates {
-        let mut derivation = chain_rule(&mut graph, coordinate.symbols[0], &moving);
-        columns.push(force.iter().map(|h| derivation.apply(&mut graph, *h)).collect::<Vec<_>>());
+impl<'e> AtRest<'e> {
+    fn new(equations: &'e Equations) -> AtRest<'e> {
+        let mut graph = equations.graph.clone();
+        let zero = graph.zero();
+        let mut rest = Substitution::new(equations.coordinates.iter().map(|c| (c.symbols[1], zero)));
+        let definitions: Vec<(SymbolId, Expr)> =
+            equations.definitions.iter().map(|d| (d.symbol, rest.apply(&mut graph, d.formula))).collect();
+        let moving = over_coordinates(equations, &graph, &definitions);
+        AtRest { equations, graph, rest, definitions, moving }
     }
-    for i in 0..force.len() {
-        for (j, column) in columns.iter().enumerate() {
-            roots.push((format!("dh {}/d {}", names.states[i], names.states[j]), column[i]));
+
+    fn value(&mut self, e: Expr) -> Expr {
+        self.rest.apply(&mut self.graph, e)
+    }
+
+    /// ∂formulas[i]/∂q_j, row by row.
+    fn jacobian(&mut self, formulas: &[Expr]) -> Vec<Expr> {
+        let n = self.equations.coordinates.len();
+        let mut entries = vec![self.graph.zero(); formulas.len() * n];
+        for (j, coordinate) in self.equations.coordinates.iter().enumerate() {
+            let mut derivation = chain_rule(&mut self.graph, coordinate.symbols[0], &self.moving);
+            for (i, formula) in formulas.iter().enumerate() {
+                entries[i * n + j] = derivation.apply(&mut self.graph, *formula);
+            }
+        }
+        entries
+    }
+
+    fn tape(self, name: &str, inputs: Inputs, roots: &[(String, Expr)]) -> Result<Tape, Fault> {
+        let inputs = Inputs { definitions: self.definitions, ..inputs };
+        Lowering::new(&self.graph, &inputs, Switches::Value).tape(name, roots)
+    }
+}
+
+/// h(q, 0, s, t) and ∂h/∂q.
+fn statics(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
+    let mut rest = AtRest::new(equations);
+    let force: Vec<Expr> = equations.force.iter().map(|h| rest.value(*h)).collect();
+    let derivatives = rest.jacobian(&force);
+    let mut roots: Vec<(String, Expr)> = names.states.iter().map(|s| format!("h {s}")).zip(force).collect();
+    roots.extend(names.by_coordinates("dh").zip(derivatives));
+    rest.tape("statics", over_states(equations), &roots)
+}
+
+/// Places, J, what reactions do and how that changes with the position: see [`crate::RestRoots`].
+fn rests(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
+    let mut rest = AtRest::new(equations);
+    let n = equations.coordinates.len();
+    let zero = rest.graph.zero();
+    let mut roots: Vec<(String, Expr)> = Vec::new();
+    for c in &equations.conditions {
+        let place = c.place.map_or(zero, |place| rest.value(place));
+        roots.push((format!("place {}", c.name.en), place));
+    }
+    for c in &equations.conditions {
+        for (entry, q) in sparse(&c.columns, n, zero).into_iter().zip(&names.states) {
+            roots.push((format!("rate {} by {q}", c.name.en), rest.value(entry)));
         }
     }
-    let inputs = Inputs { definitions, ..over_states(equations) };
-    Lowering::new(&graph, &inputs, Switches::Value).tape("statics", &roots)
+    let mut loads = vec![Vec::new(); n];
+    for r in &equations.reactions {
+        let unknown = rest.graph.symbol(r.symbol);
+        for (i, e) in &r.forces {
+            let e = rest.value(*e);
+            loads[*i].push(rest.graph.mul(e, unknown));
+        }
+    }
+    let loads: Vec<Expr> = loads.iter().map(|terms| rest.graph.sum(terms)).collect();
+    let derivatives = rest.jacobian(&loads);
+    roots.extend(names.states.iter().map(|s| format!("load {s}")).zip(loads));
+    roots.extend(names.by_coordinates("dload").zip(derivatives));
+    for r in &equations.reactions {
+        for (entry, q) in sparse(&r.forces, n, zero).into_iter().zip(&names.states) {
+            roots.push((format!("{} on {q}", r.name), rest.value(entry)));
+        }
+    }
+    rest.tape("rests", over_reactions(equations), &roots)
 }
 
 /// The definitions that depend on a coordinate, directly or through earlier ones.

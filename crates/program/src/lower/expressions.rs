@@ -1,9 +1,10 @@
 //! Any expressions into a tape, by an iterative walk: the depth of the graph is bounded by memory, not by the stack.
 
 use super::builder::Builder;
+use super::connections::Numbers;
 use super::forms::Value;
 use crate::verify::verified;
-use crate::{By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Tape};
+use crate::{Bounded, By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Tape};
 use rustc_hash::FxHashMap;
 use symbolic::{Expr, Function, Graph, Node, Rational, SymbolId};
 
@@ -56,6 +57,8 @@ pub(super) enum Switches<'t> {
 #[derive(Default)]
 pub(super) struct GuardTable {
     pub(super) guards: Vec<Guard>,
+    /// Numbers of the guards of contacts and frictions, by reaction.
+    pub(super) numbers: Vec<Option<Numbers>>,
     /// Guard and sign by the function divided by the absolute factor of its first term, taken positive.
     index: FxHashMap<GuardKey, (u32, bool)>,
 }
@@ -77,6 +80,7 @@ pub(super) struct Lowering<'g, 't> {
     switches: Switches<'t>,
     pub(super) table: GuardTable,
     guard_registers: Vec<Option<Register>>,
+    bounds: Vec<Bounded>,
 }
 
 impl<'g, 't> Lowering<'g, 't> {
@@ -108,6 +112,7 @@ impl<'g, 't> Lowering<'g, 't> {
             switches,
             table: GuardTable::default(),
             guard_registers: vec![None; shape.modes],
+            bounds: Vec::new(),
         }
     }
 
@@ -131,22 +136,74 @@ impl<'g, 't> Lowering<'g, 't> {
         self.builder.push(Operation::Solve { matrix: matrix.into(), right: right.into() })
     }
 
+    /// x with A x = b.
+    pub(super) fn system(&mut self, matrix: Vec<Option<Register>>, right: Vec<Register>) -> Register {
+        self.builder.push(Operation::System { matrix: matrix.into(), right: right.into() })
+    }
+
+    pub(super) fn literal(&mut self, value: f64) -> Value {
+        Value::Constant(self.builder.number(value))
+    }
+
+    pub(super) fn sum(&mut self, items: &[(f64, Value)]) -> Value {
+        self.builder.sum(0.0, items)
+    }
+
+    pub(super) fn times(&mut self, a: Value, b: Value) -> Value {
+        self.builder.times(a, b)
+    }
+
+    pub(super) fn negative(&mut self, e: Expr) -> Result<Value, Fault> {
+        let value = self.value(e)?;
+        Ok(self.sum(&[(-1.0, value)]))
+    }
+
+    pub(super) fn branch(&mut self, by: By, sides: [Value; 3]) -> Value {
+        self.builder.branch(by, sides)
+    }
+
+    pub(super) fn whole(&mut self, value: Value) -> Register {
+        self.builder.whole(value)
+    }
+
+    /// An input of that slot.
+    pub(super) fn acceleration(&mut self, slot: usize) -> Value {
+        Value::Plain(self.builder.push(Operation::Acceleration(slot as u32)))
+    }
+
+    /// The number that the next guard gets.
+    pub(super) fn next_guard(&self) -> usize {
+        self.table.guards.len()
+    }
+
+    /// A guard whose function is computed later.
+    pub(super) fn reserve(&mut self, guard: Guard) -> u32 {
+        self.table.guards.push(guard);
+        self.guard_registers.push(None);
+        self.table.guards.len() as u32 - 1
+    }
+
+    /// A guard of its own at that register. Formulas that switch on the same function share it.
+    pub(super) fn surface(&mut self, guard: Guard, register: Register) -> u32 {
+        let (key, positive) = guard_key(self.graph, &guard);
+        let number = self.reserve(guard);
+        self.guard_registers[number as usize] = Some(register);
+        self.table.index.entry(key).or_insert((number, positive));
+        number
+    }
+
+    pub(super) fn bound(&mut self, bound: Bounded) {
+        self.bounds.push(bound);
+    }
+
+    pub(super) fn define_guard(&mut self, guard: u32, value: Value) {
+        let register = self.builder.whole(value);
+        self.guard_registers[guard as usize] = Some(register);
+    }
+
     /// Whether the register is known to hold zero.
     pub(super) fn is_zero(&self, r: Register) -> bool {
         self.builder.literal(r) == Some(0.0)
-    }
-
-    /// Σ entry·acceleration - force.
-    pub(super) fn residual(&mut self, entries: &[Expr], force: Expr) -> Result<Register, Fault> {
-        let mut items = Vec::with_capacity(entries.len() + 1);
-        for (slot, entry) in (0..).zip(entries) {
-            let entry = self.value(*entry)?;
-            let acceleration = Value::Plain(self.builder.push(Operation::Acceleration(slot)));
-            items.push((1.0, self.builder.times(entry, acceleration)));
-        }
-        items.push((-1.0, self.value(force)?));
-        let sum = self.builder.sum(0.0, &items);
-        Ok(self.builder.whole(sum))
     }
 
     /// The state of that slot.
@@ -159,12 +216,12 @@ impl<'g, 't> Lowering<'g, 't> {
         let mut shape = self.shape;
         let guards = self.guard_registers;
         shape.modes = guards.len();
-        let tape = Tape { name: name.to_owned(), shape, guards, roots, ..Tape::default() };
+        let tape = Tape { name: name.to_owned(), shape, guards, bounds: self.bounds, roots, ..Tape::default() };
         Ok((verified(self.builder.finish(tape))?, self.table))
     }
 
     /// Values of everything below `e`, operands first.
-    fn value(&mut self, root: Expr) -> Result<Value, Fault> {
+    pub(super) fn value(&mut self, root: Expr) -> Result<Value, Fault> {
         let mut stack = vec![root];
         while let Some(&e) = stack.last() {
             if self.values[e.index()].is_some() {

@@ -1,9 +1,11 @@
 //! Lowering: from the expression graph to tapes.
 
 pub(crate) mod builder;
+mod connections;
 mod equations;
 mod expressions;
 mod forms;
 
-pub use equations::equations;
+pub use connections::Selection;
+pub use equations::{equations, equations_with};
 pub use expressions::{Inputs, expressions};

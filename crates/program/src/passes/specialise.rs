@@ -86,13 +86,22 @@ impl Rewriting {
             }
             Operation::Choose { by, sides } => self.choose(*by, sides),
             Operation::Solve { matrix, right } => {
-                let entry = |r: &Option<Register>| r.map(|r| self.name(r)).filter(|r| self.builder.literal(*r) != Some(0.0));
-                let (matrix, right) = (matrix.iter().map(entry).collect(), right.iter().map(|r| self.name(*r)).collect());
+                let (matrix, right) = self.system(matrix, right);
                 self.builder.push(Operation::Solve { matrix, right })
+            }
+            Operation::System { matrix, right } => {
+                let (matrix, right) = self.system(matrix, right);
+                self.builder.push(Operation::System { matrix, right })
             }
             other => self.builder.push(other.rename(&|r| self.names[r.index()])),
         };
         (0..operation.width() as u32).map(|k| Register(one.0 + k)).collect()
+    }
+
+    /// Entries that are zero for these parameters are left out.
+    fn system(&self, matrix: &[Option<Register>], right: &[Register]) -> (Box<[Option<Register>]>, Box<[Register]>) {
+        let entry = |r: &Option<Register>| r.map(|r| self.name(r)).filter(|r| self.builder.literal(*r) != Some(0.0));
+        (matrix.iter().map(entry).collect(), right.iter().map(|r| self.name(*r)).collect())
     }
 
     /// constant + Σ c·r with literals added to the constant and equal registers collected.

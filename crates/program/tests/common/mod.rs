@@ -1,6 +1,8 @@
 //! Equations built by hand.
 #![allow(dead_code)]
 
+pub mod mechanisms;
+
 use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Output, Parameter, Role};
 use symbolic::{Equations, Expr, Function, Graph, Matrix, Rational, SymbolId, Text};
 
@@ -20,10 +22,14 @@ pub fn empty(mut graph: Graph) -> Equations {
         definitions: vec![],
         mass,
         force: vec![],
+        reactions: Vec::new(),
+        conditions: Vec::new(),
+        balances: Vec::new(),
         textbook: Err(Text::default()),
         steps: vec![],
         second: vec![],
         places: vec![],
+        applied: vec![],
         energy,
         outputs: vec![],
         notation: vec![],
@@ -40,7 +46,7 @@ pub fn parameter(e: &mut Equations, name: &str, value: f64) -> Expr {
 pub fn coordinate(e: &mut Equations, name: &str) -> (Expr, Expr) {
     let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id(name, primes));
     let zero = e.graph.zero();
-    e.coordinates.push(Coordinate { symbols, unit: String::new(), label: Text::default(), start: zero, rate: zero });
+    e.coordinates.push(Coordinate { symbols, unit: String::new(), label: Text::default(), start: zero, rate: zero, given: [true; 2] });
     (e.graph.symbol(symbols[0]), e.graph.symbol(symbols[1]))
 }
 

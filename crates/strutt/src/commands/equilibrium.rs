@@ -13,7 +13,7 @@ pub fn run(args: &args::Equilibrium, console: &mut Console) -> Result<Exit, Fail
         StudyKind::Equilibrium { guess } => Some(guess.clone()),
         _ => None,
     });
-    let guess = of_file.unwrap_or_default();
+    let guess = if args.guess.is_empty() { of_file.unwrap_or_default() } else { crate::quantities::guess(&args.guess, &machine)? };
     let finding = console.watched(|watch| pipeline::equilibrium(&mut machine, &guess, watch));
     let (data, language) = (finding.data(), console.language);
     match console.shape {

@@ -6,7 +6,9 @@ mod equations;
 mod equilibrium;
 mod examples;
 mod explain;
+mod modes;
 mod new;
+mod response;
 mod run;
 mod section;
 mod simulate;
@@ -41,6 +43,8 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Section(args) => section::run(&args, console),
+        Command::Response(args) => response::run(&args, console),
+        Command::Modes(args) => modes::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),
         Command::Explain(args) => explain::run(&args, console),

@@ -10,7 +10,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<S
     Some(StudyKind::Equilibrium { guess: guess(reader, fields) })
 }
 
-fn guess<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<(SymbolId, f64)> {
+pub(super) fn guess<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<(SymbolId, f64)> {
     let mut found = Vec::new();
     for (name, span, value) in fields.rows(reader, "guess") {
         let entry = reader.scope.get(name).map(|e| (e.kind, e.dimension));

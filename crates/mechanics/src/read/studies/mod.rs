@@ -1,16 +1,25 @@
 //! `[[study]]`: one file per kind and one line in [`KINDS`].
 
+mod cycle;
 mod equilibrium;
+mod inverse;
+mod kinematics;
+mod linear;
+mod periodic;
 mod plot;
 mod simulate;
+mod statics;
+mod sweep;
 
+use super::parameters::names;
 use super::reader::{Fields, Reader, string, wrong_type};
 use crate::fault::{Fault, nearest};
 use crate::fields;
-use crate::formula::{Context, EntryKind};
+use crate::formula::{Context, EntryKind, Kind};
 use crate::model::{DEFAULT_TOLERANCE, Study, StudyKind};
 use crate::units::Dimension;
 use std::ops::Range;
+use symbolic::SymbolId;
 use toml::de::DeValue;
 
 /// A kind of study: its name, the keys that belong to it, how it is read.
@@ -23,7 +32,23 @@ struct Row {
 const KINDS: &[Row] = &[
     Row { name: "equations", keys: &[], read: |_, _| Some(StudyKind::Equations) },
     Row { name: "equilibrium", keys: &["guess"], read: equilibrium::read },
+    Row { name: "modes", keys: &["guess", "normalise", "frequency_variable", "over", "range", "points"], read: linear::modes },
+    Row { name: "response", keys: &["guess", "load", "over", "range", "points", "log", "outputs", "shapes"], read: linear::response },
     Row { name: "simulate", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: simulate::read },
+    Row { name: "inverse", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: inverse::read },
+    Row { name: "statics", keys: &[], read: statics::read },
+    Row { name: "kinematics", keys: &["over", "from", "to", "turns", "points", "rate", "with", "outputs", "plot"], read: kinematics::read },
+    Row {
+        name: "periodic",
+        keys: &["section", "turns", "period", "settle", "unknown", "wanted_period", "every", "at", "tolerance", "outputs", "plot"],
+        read: periodic::read,
+    },
+    Row {
+        name: "cycle",
+        keys: &["angle", "turns", "speed", "period", "unknown", "irregularity", "flywheel", "points", "plot"],
+        read: cycle::read,
+    },
+    Row { name: "sweep", keys: &["over", "observe", "of", "plot"], read: sweep::read },
 ];
 
 /// The studies, in order.
@@ -119,6 +144,101 @@ fn tolerance<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> f64 {
     number
 }
 
+/// The names under `outputs`.
+fn outputs<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<String> {
+    let listed = fields.get("outputs").map(|v| names(reader, v)).unwrap_or_default();
+    listed.into_iter().filter_map(|(n, span)| known(reader, n, span)).collect()
+}
+
+/// A coordinate named by a key.
+struct Named {
+    name: String,
+    symbol: SymbolId,
+    dimension: Option<Dimension>,
+}
+
+fn coordinate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<Named> {
+    if !fields.has(key) {
+        let path = &fields.path;
+        reader.fault(
+            Fault::new("M006", fields.span.clone(), format!("{path} lacks `{key}`"), format!("в {path} не хватает `{key}`"))
+                .help(format!("add {key} = \"phi\", the name of a coordinate"), format!("добавьте {key} = \"phi\" — имя координаты")),
+        );
+    }
+    let (name, span) = fields.name(reader, key)?;
+    match reader.scope.get(name.trim()).map(|e| (e.kind, e.dimension)) {
+        Some((EntryKind::Coordinate(symbols), kind)) => {
+            let dimension = if let Kind::Known(d) = kind { Some(d) } else { None };
+            Some(Named { name: name.trim().to_owned(), symbol: symbols[0], dimension })
+        }
+        _ => {
+            let shown = super::reader::short(&name);
+            reader.fault(Fault::new("M013", span, format!("`{shown}` is not a coordinate"), format!("`{shown}` — не координата")));
+            None
+        }
+    }
+}
+
+/// A parameter with a constant value, named by a key.
+fn constant_parameter<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<String> {
+    let (name, span) = fields.name(reader, key)?;
+    let name = name.trim().to_owned();
+    match reader.scope.get(&name).map(|e| (e.kind, e.depends)) {
+        Some((EntryKind::Parameter(_), depends)) if depends.is_constant() => return Some(name),
+        Some((EntryKind::Parameter(_), _)) => reader.fault(
+            Fault::new("M072", span, format!("`{name}` is not constant"), format!("`{name}` — не постоянная"))
+                .why("what is looked for is one number", "ищется одно число"),
+        ),
+        _ => {
+            let shown = super::reader::short(&name);
+            let fault = Fault::new("M072", span, format!("there is no parameter `{shown}`"), format!("нет параметра `{shown}`"));
+            let fault = match nearest(&name, reader.scope.names()) {
+                Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+                None => fault.help("name a constant of [parameters]", "укажите постоянную из [parameters]"),
+            };
+            reader.fault(fault);
+        }
+    }
+    None
+}
+
+/// How many positions a table has.
+fn points<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, usual: usize) -> usize {
+    let Some(value) = fields.formula(reader, "points", &Context::CONSTANT, Some(&Dimension::NONE)) else { return usual };
+    let Some(number) = reader.number(&value) else { return usual };
+    if number.fract() != 0.0 || !(2.0..=1e6).contains(&number) {
+        reader.fault(Fault::new(
+            "M071",
+            fields.span_of("points"),
+            format!("`points` is {number}; a whole number from 2 to 1000000 is needed"),
+            format!("`points` равно {number}; нужно целое от 2 до 1000000"),
+        ));
+        return usual;
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let points = number as usize;
+    points
+}
+
+/// The fault of a number of a study outside its limits.
+fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, value: f64) {
+    let limits = if key == "irregularity" { ("between 0 and 2", "от 0 до 2") } else { ("different from 0", "отлично от 0") };
+    reader.fault(Fault::new(
+        "M071",
+        fields.span_of(key),
+        format!("`{key}` is {value}; it must be {}", limits.0),
+        format!("`{key}` равно {value}; должно быть {}", limits.1),
+    ));
+}
+
+/// The fault of turns of what is no angle.
+fn angular<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) {
+    reader.fault(
+        Fault::new("M071", fields.span_of(key), format!("`{key}` needs an angle"), format!("ключу `{key}` нужен угол"))
+            .why("only an angle makes turns", "обороты совершает только угол"),
+    );
+}
+
 /// A name of a result: coordinate with primes, or output.
 fn known(reader: &mut Reader, name: String, span: Range<usize>) -> Option<String> {
     let base = name.trim_end_matches('\'');
@@ -128,6 +248,7 @@ fn known(reader: &mut Reader, name: String, span: Range<usize>) -> Option<String
         Some(EntryKind::Output(_)) => primes == 0,
         _ => false,
     };
+    let fits = fits || reader.results.contains(&name);
     if fits {
         return Some(name);
     }

@@ -6,10 +6,26 @@ use crate::model::Plot;
 use crate::read::parameters::names;
 use crate::read::reader::{Fields, Reader, string, wrong_type};
 use crate::read::syntax::Value;
+use std::ops::Range;
 use symbolic::Text;
 use toml::de::DeValue;
 
+/// What the horizontal axis is when nothing is said, and which names may be drawn.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Axis {
+    /// Time; names are results of a motion.
+    Time,
+    /// What the study goes over; it may have results of its own, which only the study knows.
+    Over,
+}
+
+/// Plots over time.
 pub(super) fn plots<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Vec<Plot> {
+    plots_over(reader, value, Axis::Time)
+}
+
+/// Plots of a study.
+pub(super) fn plots_over<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, axis: Axis) -> Vec<Plot> {
     let Some(items) = value.get_ref().as_array() else {
         reader.fault(
             wrong_type(value.span(), "an array of plots", "массив графиков", value.get_ref().type_str())
@@ -17,10 +33,10 @@ pub(super) fn plots<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Vec<Pl
         );
         return Vec::new();
     };
-    items.iter().filter_map(|item| plot(reader, item)).collect()
+    items.iter().filter_map(|item| plot(reader, item, axis)).collect()
 }
 
-fn plot<'a>(reader: &mut Reader<'a>, item: &'a Value<'a>) -> Option<Plot> {
+fn plot<'a>(reader: &mut Reader<'a>, item: &'a Value<'a>, axis: Axis) -> Option<Plot> {
     let mut result = Plot { title: Text::default(), x: None, y: Vec::new() };
     let mut wanted = Vec::new();
     match item.get_ref() {
@@ -30,7 +46,7 @@ fn plot<'a>(reader: &mut Reader<'a>, item: &'a Value<'a>) -> Option<Plot> {
             let fields = Fields::open(reader, &fields::PLOT, table, item.span(), "plot".to_owned());
             result.title = fields.text(reader, "title").unwrap_or_default();
             let x = fields.name(reader, "x").filter(|(name, _)| name != "t");
-            result.x = x.and_then(|(name, span)| known(reader, name, span));
+            result.x = x.and_then(|(name, span)| drawn(reader, axis, name, span));
             wanted = match fields.get("y") {
                 Some(v) if v.get_ref().as_str().is_some() => string(reader, v, "a name", "имя").into_iter().collect(),
                 Some(v) => names(reader, v),
@@ -47,6 +63,13 @@ fn plot<'a>(reader: &mut Reader<'a>, item: &'a Value<'a>) -> Option<Plot> {
             return None;
         }
     }
-    result.y = wanted.into_iter().filter_map(|(name, span)| known(reader, name, span)).collect();
+    result.y = wanted.into_iter().filter_map(|(name, span)| drawn(reader, axis, name, span)).collect();
     (!result.y.is_empty()).then_some(result)
+}
+
+fn drawn(reader: &mut Reader, axis: Axis, name: String, span: Range<usize>) -> Option<String> {
+    match axis {
+        Axis::Time => known(reader, name, span),
+        Axis::Over => Some(name),
+    }
 }

@@ -1,11 +1,10 @@
 //! The study `simulate`.
 
 use super::plot::plots;
-use super::{duration, known, tolerance};
+use super::{duration, outputs, tolerance};
 use crate::fault::Fault;
 use crate::formula::Context;
 use crate::model::{Simulate, StudyKind, Times};
-use crate::read::parameters::names;
 use crate::read::reader::{Fields, Reader, wrong_type};
 use crate::read::syntax::Value;
 use crate::units::Dimension;
@@ -14,17 +13,24 @@ use crate::units::Dimension;
 const MAX_ROWS: f64 = 1e7;
 
 pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
-    simulate(reader, fields).map(StudyKind::Simulate)
+    simulate(reader, fields, "simulate").map(StudyKind::Simulate)
 }
 
-fn simulate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Simulate> {
+pub(super) fn simulate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &str) -> Option<Simulate> {
     let until = duration(reader, fields, "until");
     if !fields.has("until") {
-        reader.fault(
-            Fault::new("M006", fields.span.clone(), "the study simulate lacks `until`", "в расчёте simulate не хватает `until`")
-                .help("add until = \"30 s\"", "добавьте until = \"30 с\""),
-        );
+        let (en, ru) = (format!("the study {kind} lacks `until`"), format!("в расчёте {kind} не хватает `until`"));
+        reader.fault(Fault::new("M006", fields.span.clone(), en, ru).help("add until = \"30 s\"", "добавьте until = \"30 с\""));
     }
+    let times = grid(reader, fields, until);
+    let tolerance = tolerance(reader, fields);
+    let outputs = outputs(reader, fields);
+    let plots = fields.get("plot").map(|v| plots(reader, v)).unwrap_or_default();
+    Some(Simulate { until: until?, times, tolerance, outputs, plots })
+}
+
+/// `every` or `at`.
+pub(super) fn grid<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, until: Option<f64>) -> Times {
     if fields.has("every") && fields.has("at") {
         reader.fault(
             Fault::new("M065", fields.span_of("at"), "both `every` and `at` are given", "заданы и `every`, и `at`")
@@ -46,16 +52,11 @@ fn simulate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Simulate
             .help("take a larger step", "возьмите больший шаг"),
         );
     }
-    let times = match (fields.get("at"), every) {
+    match (fields.get("at"), every) {
         (Some(value), _) => Times::At(moments(reader, value, until)),
         (None, Some(step)) => Times::Every(step),
         (None, None) => Times::Automatic,
-    };
-    let tolerance = tolerance(reader, fields);
-    let outputs = fields.get("outputs").map(|v| names(reader, v)).unwrap_or_default();
-    let outputs = outputs.into_iter().filter_map(|(n, span)| known(reader, n, span)).collect();
-    let plots = fields.get("plot").map(|v| plots(reader, v)).unwrap_or_default();
-    Some(Simulate { until: until?, times, tolerance, outputs, plots })
+    }
 }
 
 fn moments<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, until: Option<f64>) -> Vec<f64> {

@@ -28,6 +28,7 @@ fn machine() -> Equations {
             label: nothing(),
             start: zero,
             rate: zero,
+            given: [true; 2],
         })
         .to_vec();
     let time = graph.symbol_id("t", 0);
@@ -54,10 +55,14 @@ fn machine() -> Equations {
         definitions,
         mass,
         force: vec![zero; 2],
+        reactions: Vec::new(),
+        conditions: Vec::new(),
+        balances: Vec::new(),
         textbook: Ok(vec![]),
         steps: vec![],
         second: vec![zero; 2],
         places: vec![],
+        applied: vec![],
         energy,
         outputs: vec![],
         notation: vec![("mass".into(), "m".into())],

@@ -1,0 +1,223 @@
+//! The side of its surface on which the flow of a trial keeps a guard.
+//!
+//! A guard away from its surface has the sign of its value, a guard on its surface the sign of its first Taylor coefficient that does not vanish.
+//! What follows depends on the role:
+//!
+//! | role | mode | kept | else it wants |
+//! |---|---|---|---|
+//! | switch | any | side of the flow; `Zero` when all coefficients vanish (sign(v) of a body that rests without force) | that side |
+//! | friction | sticks | both limits are not negative and do not become so | to slide in the direction of the exceeded limit |
+//! | friction | slides | the flow leaves the surface in the direction of sliding | to stick |
+//! | contact | closed | the force is not negative and does not become so | to open |
+//! | contact | open | the gap opens | to close |
+
+use crate::taylor::Flow;
+use crate::{Fault, GuardKind, Mode, System};
+
+use super::modes::opposite;
+
+/// Share of a guard's own scale below which it counts as standing still on its surface.
+pub(crate) const STILL: f64 = 1e-11;
+/// Share of the guard's change within a step below which a Taylor coefficient is rounding. Were it taken for more, the mode would be corrected by a
+/// second switch that share of a step later.
+const SIGNIFICANT: f64 = 1e-15;
+/// The same for a guard that leaves `Zero`: the instant of the crossed limit is rounded, and what vanishes there (the acceleration of a break-away
+/// with equal limits, of a contact that opens) is left over as rounding of the time times the next coefficient.
+const SIGNIFICANT_LEAVING: f64 = 1e-10;
+/// Share of the limits of a friction, or of the size of a contact force, below which a limit counts as just reached: the reaction comes from a
+/// linear solve in which larger forces may meet.
+const REACHED: f64 = 1e-12;
+/// Rounding of a guard at the start, in units of the last place of the states that meet in it.
+const START: f64 = 64.0 * f64::EPSILON;
+
+/// sum |g_k| h^k.
+pub(crate) fn size(g: &[f64], h: f64) -> f64 {
+    g.iter().rev().fold(0.0, |sum, g_k| sum * h + g_k.abs())
+}
+
+/// Order and sign of the first coefficient, after the constant one, whose term exceeds `share` of the change.
+fn leading_term(g: &[f64], h: f64, share: f64) -> Option<(usize, Mode)> {
+    let change = size(g.get(1..)?, h) * h;
+    let mut power = 1.0;
+    for (k, &g_k) in g.iter().enumerate().skip(1) {
+        power *= h;
+        if g_k.abs() * power > share * change {
+            return Some((k, Mode::of(g_k)));
+        }
+    }
+    None
+}
+
+/// What a bound does from here on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum BoundState {
+    /// Positive, away from zero.
+    Kept,
+    /// Just reached, but it rises with the coefficient of this order.
+    Rises(usize),
+    /// Just reached, and it stays there.
+    Rests,
+    /// Negative, or about to become so.
+    Crossed,
+}
+
+/// Judges a bound by its coefficients over a step h; `scale` is the size of what it bounds.
+pub(crate) fn judge_bound(g: &[f64], h: f64, scale: f64) -> BoundState {
+    let Some(&value) = g.first() else { return BoundState::Rests };
+    if value > REACHED * scale {
+        return BoundState::Kept;
+    }
+    if value < -REACHED * scale {
+        return BoundState::Crossed;
+    }
+    if size(&g[1..], h) * h <= REACHED * scale {
+        return BoundState::Rests;
+    }
+    match leading_term(g, h, SIGNIFICANT_LEAVING) {
+        Some((k, Mode::Positive)) => BoundState::Rises(k),
+        Some((_, Mode::Negative)) => BoundState::Crossed,
+        _ => BoundState::Rests,
+    }
+}
+
+impl<S: System + ?Sized> Flow<'_, S> {
+    pub(super) fn has_contacts(&self) -> bool {
+        self.system.guards().iter().any(|g| matches!(g.kind, GuardKind::Friction { .. } | GuardKind::Contact { .. }))
+    }
+
+    /// Sides of frictions and contacts at the start, by the values of the last expansion; the other guards are left to the search.
+    pub(super) fn sides_at_start(&mut self) -> Result<(), Fault> {
+        let n = self.system.n_coordinates();
+        let largest = |part: &[f64]| part.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let (places, rates) = (largest(&self.x[..n]), largest(&self.x[n..2 * n]));
+        for i in 0..self.modes.len() {
+            let guard = &self.system.guards()[i];
+            let (around, contact) = match guard.kind {
+                GuardKind::Switch => {
+                    self.modes[i] = Mode::Zero;
+                    continue;
+                }
+                GuardKind::Bound { .. } => continue,
+                GuardKind::Friction { .. } => (rates, false),
+                GuardKind::Contact { .. } => (places, true),
+            };
+            let value = self.system.guard(i).first().copied().unwrap_or(0.0);
+            let noise = START * self.guard_scale[i].max(around);
+            self.guard_noise[i] = noise;
+            self.touched[i] = value.abs() <= noise;
+            self.modes[i] = if self.touched[i] && !contact { Mode::Zero } else { Mode::of(value) };
+            if contact && value < -noise {
+                return Err(Fault::penetrates(&guard.name, value, self.now.high));
+            }
+            if contact && self.touched[i] {
+                // closed, unless an impact or the flow opens it
+                let rate = self.system.guard(i).get(1).copied().unwrap_or(0.0);
+                self.modes[i] = if rate.abs() <= START * self.guard_scale[i].max(rates) { Mode::Zero } else { Mode::Positive };
+            }
+        }
+        Ok(())
+    }
+
+    /// The mode that the flow of the last expansion asks for.
+    pub(super) fn wanted(&mut self, i: usize) -> Mode {
+        match self.system.guards()[i].kind {
+            GuardKind::Switch => self.wanted_switch(i),
+            GuardKind::Bound { .. } => Mode::Positive,
+            GuardKind::Friction { limits } if self.modes[i] == Mode::Zero => self.wanted_sticking(limits),
+            GuardKind::Friction { .. } => self.wanted_leaving(i),
+            GuardKind::Contact { force } if self.modes[i] == Mode::Zero => self.wanted_closed(force),
+            GuardKind::Contact { .. } => self.wanted_leaving(i),
+        }
+    }
+
+    fn wanted_switch(&mut self, i: usize) -> Mode {
+        let g = self.system.guard(i);
+        let Some(&value) = g.first() else { return self.modes[i] };
+        if let Some(t) = self.system.guards()[i].scheduled {
+            let slope = Mode::of(g.get(1).copied().unwrap_or(0.0));
+            return if self.now.until(t) > 0.0 { opposite(slope) } else { slope };
+        }
+        if !self.touched[i] {
+            if value.abs() > self.guard_noise[i] {
+                return Mode::of(value);
+            }
+            self.touched[i] = true;
+        }
+        self.leading(i).map_or(Mode::Zero, |(_, mode)| mode)
+    }
+
+    /// Of two exceeded limits (a static limit that is negative) the further one decides.
+    fn wanted_sticking(&self, limits: [usize; 2]) -> Mode {
+        let judged = limits.map(|b| self.judge(b, self.system.guard(b), self.natural));
+        let value = |b: usize| self.system.guard(b).first().copied().unwrap_or(0.0);
+        let crossed = match judged.map(|state| state == BoundState::Crossed) {
+            [false, false] => return Mode::Zero,
+            [true, false] => limits[0],
+            [false, true] => limits[1],
+            [true, true] if value(limits[1]) < value(limits[0]) => limits[1],
+            [true, true] => limits[0],
+        };
+        self.exit_of(crossed)
+    }
+
+    fn wanted_closed(&self, force: usize) -> Mode {
+        match self.judge(force, self.system.guard(force), self.natural) {
+            BoundState::Crossed => self.exit_of(force),
+            _ => Mode::Zero,
+        }
+    }
+
+    fn exit_of(&self, bound: usize) -> Mode {
+        match self.system.guards()[bound].kind {
+            GuardKind::Bound { exit, .. } => exit,
+            _ => Mode::Positive,
+        }
+    }
+
+    /// A friction that slides, a contact that is open.
+    fn wanted_leaving(&mut self, i: usize) -> Mode {
+        let contact = matches!(self.system.guards()[i].kind, GuardKind::Contact { .. });
+        let Some(&value) = self.system.guard(i).first() else { return self.modes[i] };
+        if !self.touched[i] {
+            // a contact never penetrates: what lies below the surface by rounding is on it
+            if value.abs() > self.guard_noise[i] && !(contact && value < 0.0) {
+                return Mode::of(value);
+            }
+            self.touched[i] = true;
+        }
+        match self.leading(i) {
+            Some((_, mode)) if mode == self.modes[i] => mode,
+            _ => Mode::Zero,
+        }
+    }
+
+    /// State of bound `b` with these coefficients over a step h.
+    pub(crate) fn judge(&self, b: usize, g: &[f64], h: f64) -> BoundState {
+        judge_bound(g, h, self.bound_scale(b, g, h))
+    }
+
+    /// Both limits of a friction together are twice its static limit. A contact force is compared with the largest it has had.
+    fn bound_scale(&self, b: usize, g: &[f64], h: f64) -> f64 {
+        let GuardKind::Bound { of, .. } = self.system.guards()[b].kind else { return 0.0 };
+        let value = |i: usize| self.system.guard(i).first().map_or(0.0, |v| v.abs());
+        match self.system.guards()[of].kind {
+            GuardKind::Friction { limits: [a, b] } => value(a) + value(b),
+            _ => self.guard_scale[b].max(size(g, h)),
+        }
+    }
+
+    /// Order and sign of the first coefficient, after the constant one, that does not vanish.
+    pub(super) fn leading(&self, i: usize) -> Option<(usize, Mode)> {
+        let g = self.system.guard(i);
+        let h = self.natural;
+        // the rate after an impact is known, however small it is
+        if self.rebounds[i] && g.get(1).is_some_and(|rate| *rate > 0.0) {
+            return Some((1, Mode::Positive));
+        }
+        let change = size(g.get(1..)?, h) * h;
+        if change <= STILL * self.guard_scale[i] {
+            return None;
+        }
+        leading_term(g, h, if self.leaving[i] { SIGNIFICANT_LEAVING } else { SIGNIFICANT })
+    }
+}

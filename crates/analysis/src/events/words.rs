@@ -1,0 +1,68 @@
+//! What happened at a switch, in words.
+
+use symbolic::Text;
+
+use super::{Change, Switch};
+use crate::fault::number;
+use crate::{Guard, GuardKind, Mode};
+
+/// One line for the table of events.
+pub fn describe(switch: &Switch, guard: &Guard) -> Text {
+    let name = &guard.name;
+    let told = |en: String, ru: String| Text::new(format!("{}: {en}", name.en), format!("{}: {ru}", name.ru));
+    match (&guard.kind, switch.change) {
+        (_, Change::Impact { rates }) => impact(switch, rates, told),
+        (_, Change::Rests { limit }) => {
+            let n = number(limit);
+            told(
+                format!("closes after infinitely many impacts, which end at t = {} s", n.en),
+                format!("замыкается после бесконечного числа ударов, которые кончаются при t = {} с", n.ru),
+            )
+        }
+        (GuardKind::Friction { .. }, Change::Mode) => friction(switch, told),
+        (GuardKind::Contact { .. }, Change::Mode) if switch.after == Mode::Zero => told("closes".into(), "замыкается".into()),
+        (GuardKind::Contact { .. }, Change::Mode) => told("opens".into(), "размыкается".into()),
+        _ => change_of_side(switch, name),
+    }
+}
+
+fn impact(switch: &Switch, rates: [f64; 2], told: impl Fn(String, String) -> Text) -> Text {
+    let [before, after] = rates.map(short);
+    let (mut en, mut ru) = (format!("impact, rate {} -> {}", before.en, after.en), format!("удар, скорость {} -> {}", before.ru, after.ru));
+    if switch.after == Mode::Zero {
+        en += ", closes";
+        ru += ", замыкается";
+    }
+    told(en, ru)
+}
+
+fn friction(switch: &Switch, told: impl Fn(String, String) -> Text) -> Text {
+    let (en, ru) = match switch.after {
+        Mode::Positive => ("slides forward", "скользит вперёд"),
+        Mode::Negative => ("slides backward", "скользит назад"),
+        Mode::Zero => return told("sticks".into(), "залипает".into()),
+    };
+    match switch.before {
+        Mode::Zero => told(format!("breaks away, {en}"), format!("срывается, {ru}")),
+        _ => told(format!("reverses, {en}"), format!("меняет направление, {ru}")),
+    }
+}
+
+fn change_of_side(switch: &Switch, name: &Text) -> Text {
+    let word = |mode: Mode| match mode {
+        Mode::Negative => ("minus", "минуса", "минус"),
+        Mode::Zero => ("zero", "нуля", "нуль"),
+        Mode::Positive => ("plus", "плюса", "плюс"),
+    };
+    let (before, after) = (word(switch.before), word(switch.after));
+    Text::new(
+        format!("{} changes from {} to {}", name.en, before.0, after.0),
+        format!("{} переходит с {} на {}", name.ru, before.1, after.2),
+    )
+}
+
+/// Six digits: enough to recognise an impact; the full numbers stand beside the event.
+fn short(value: f64) -> Text {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    number(rounded)
+}

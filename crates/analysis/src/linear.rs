@@ -1,0 +1,367 @@
+//! A machine near a state, in numbers: M δq'' + B δq' + C δq = Σ c cos ν t + s sin ν t.
+//!
+//! [`symbolic::linear`] makes the expressions; here they become a tape over q (and q', q'' about a motion) whose parameters can be changed
+//! one by one, so that a study may follow a frequency, a speed or a stiffness. Derivatives are exact: nothing is differenced.
+
+use std::sync::Arc;
+
+use program::lower::{self, Inputs};
+use program::{Evaluator, Point, Tape};
+use symbolic::linear::{About, HarmonicLoad, Timing};
+use symbolic::{Equations, Expr, Linear, SymbolId, Text};
+
+use crate::fault::Message;
+use crate::machine::notation;
+use crate::studies::equilibrium::Statics;
+use crate::{Fault, Quantity};
+
+/// The matrices of small motions, row-major n x n, SI.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Matrices {
+    /// Number of coordinates.
+    pub n: usize,
+    /// M, symmetric.
+    pub mass: Vec<f64>,
+    /// B; its antisymmetric part is gyroscopic.
+    pub damping: Vec<f64>,
+    /// C; its antisymmetric part is circulatory.
+    pub stiffness: Vec<f64>,
+    /// Mean force at the state: zero at an equilibrium.
+    pub force: Vec<f64>,
+    /// Harmonic loads.
+    pub loads: Vec<Harmonic>,
+}
+
+/// A harmonic load: c cos ν t + s sin ν t on each coordinate.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Harmonic {
+    /// ν, rad/s.
+    pub rate: f64,
+    /// c.
+    pub cos: Vec<f64>,
+    /// s.
+    pub sin: Vec<f64>,
+}
+
+impl Matrices {
+    /// The same in coordinates y with q = Z y: Zᵀ M Z and so on; `z` is row-major n x k. For constraints Z is an orthonormal basis of the
+    /// motions they allow.
+    pub fn reduced(&self, z: &[f64], k: usize) -> Matrices {
+        let n = self.n;
+        let square = |a: &[f64]| -> Vec<f64> {
+            let az: Vec<f64> = (0..n * k).map(|p| (0..n).map(|j| a[(p / k) * n + j] * z[j * k + p % k]).sum()).collect();
+            (0..k * k).map(|p| (0..n).map(|i| z[i * k + p / k] * az[i * k + p % k]).sum()).collect()
+        };
+        let vector = |v: &[f64]| -> Vec<f64> { (0..k).map(|c| (0..n).map(|i| z[i * k + c] * v[i]).sum()).collect() };
+        Matrices {
+            n: k,
+            mass: square(&self.mass),
+            damping: square(&self.damping),
+            stiffness: square(&self.stiffness),
+            force: vector(&self.force),
+            loads: self.loads.iter().map(|l| Harmonic { rate: l.rate, cos: vector(&l.cos), sin: vector(&l.sin) }).collect(),
+        }
+    }
+
+    /// The same with the stiffness of constraint forces added: C + Σ λ_k ∂²c_k/∂q², row-major n x n.
+    pub fn with_geometric(mut self, term: &[f64]) -> Matrices {
+        self.stiffness.iter_mut().zip(term).for_each(|(c, g)| *c += g);
+        self
+    }
+}
+
+/// (A + Aᵀ)/2 and (A - Aᵀ)/2 of a row-major square matrix.
+pub fn parts(a: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
+    let turned = |p: usize| a[(p % n) * n + p / n];
+    ((0..n * n).map(|p| 0.5 * (a[p] + turned(p))).collect(), (0..n * n).map(|p| 0.5 * (a[p] - turned(p))).collect())
+}
+
+/// Largest absolute entry.
+pub fn largest(a: &[f64]) -> f64 {
+    a.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
+}
+
+/// A linearised machine with parameters that can be changed.
+#[derive(Clone, Debug)]
+pub struct LinearMachine {
+    linear: Linear,
+    equations: Arc<Equations>,
+    tape: Arc<Tape>,
+    evaluator: Evaluator,
+    inputs: Inputs,
+    names: Vec<Quantity>,
+    parameters: Vec<Quantity>,
+    values: Vec<f64>,
+}
+
+/// A place of linearisation: q and, about a motion, q' and q''.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Place {
+    /// q.
+    pub q: Vec<f64>,
+    /// q'; zeros at rest.
+    pub rates: Vec<f64>,
+    /// q''; zeros at rest.
+    pub accelerations: Vec<f64>,
+}
+
+impl Place {
+    /// At rest.
+    pub fn rest(q: &[f64]) -> Place {
+        Place { q: q.to_vec(), rates: vec![0.0; q.len()], accelerations: vec![0.0; q.len()] }
+    }
+    fn states(&self) -> Vec<f64> {
+        self.q.iter().chain(&self.rates).copied().collect()
+    }
+}
+
+impl LinearMachine {
+    /// Linearises equations of motion; parameters have the values of the model.
+    ///
+    /// *Errors*: formulas outside their domain for the parameters.
+    pub fn new(equations: &Arc<Equations>, about: About) -> Result<LinearMachine, Fault> {
+        let linear = Linear::new(equations, about);
+        let symbols = |k: usize| linear.coordinates.iter().map(move |c| c[k]);
+        let inputs = Inputs {
+            parameters: equations.parameters.iter().map(|p| p.symbol).collect(),
+            states: symbols(0).chain(symbols(1)).collect(),
+            accelerations: symbols(2).collect(),
+            definitions: linear.definitions.clone(),
+            ..Inputs::default()
+        };
+        let tape = Arc::new(lower::expressions(&linear.graph, "linear", &inputs, &roots(&linear))?);
+        let values: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+        let quantity = |symbol: SymbolId, unit: &str, label: &Text| {
+            let name = &equations.graph.symbol_info(symbol).name;
+            Quantity { label: label.clone(), symbol: notation(equations, name), ..Quantity::new(name, unit) }
+        };
+        Ok(LinearMachine {
+            evaluator: Evaluator::new(&tape, &values)?,
+            names: equations.coordinates.iter().map(|c| quantity(c.symbols[0], &c.unit, &c.label)).collect(),
+            parameters: equations.parameters.iter().map(|p| quantity(p.symbol, &p.unit, &p.label)).collect(),
+            equations: Arc::clone(equations),
+            tape,
+            inputs,
+            values,
+            linear,
+        })
+    }
+
+    /// The expressions.
+    pub fn linear(&self) -> &Linear {
+        &self.linear
+    }
+    /// The equations that were linearised.
+    pub fn equations(&self) -> &Arc<Equations> {
+        &self.equations
+    }
+    /// How time was treated.
+    pub fn timing(&self) -> Timing {
+        self.linear.timing
+    }
+    /// The coordinates.
+    pub fn coordinates(&self) -> &[Quantity] {
+        &self.names
+    }
+    /// The parameters.
+    pub fn parameters(&self) -> &[Quantity] {
+        &self.parameters
+    }
+    /// The number of a parameter now.
+    pub fn value(&self, parameter: usize) -> f64 {
+        self.values[parameter]
+    }
+    /// The position of a parameter by its name.
+    pub fn parameter(&self, name: &str) -> Option<usize> {
+        self.parameters.iter().position(|p| p.name == name)
+    }
+
+    /// Gives a parameter another number.
+    ///
+    /// *Errors*: a formula over parameters has no value for it.
+    pub fn set(&mut self, parameter: usize, value: f64) -> Result<(), Fault> {
+        self.values[parameter] = value;
+        self.evaluator = Evaluator::new(&self.tape, &self.values)?;
+        Ok(())
+    }
+
+    /// The matrices at a place.
+    ///
+    /// *Errors*: an entry has no finite value there.
+    pub fn at(&mut self, place: &Place) -> Result<Matrices, Fault> {
+        let n = self.names.len();
+        let states = place.states();
+        let values = self.evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
+        let (mass, rest) = values.split_at(n * n);
+        let (damping, rest) = rest.split_at(n * n);
+        let (stiffness, rest) = rest.split_at(n * n);
+        let (force, rest) = rest.split_at(n);
+        let loads = rest.chunks_exact(2 * n + 1).map(|l| Harmonic { rate: l[0], cos: l[1..=n].to_vec(), sin: l[n + 1..].to_vec() });
+        Ok(Matrices {
+            n,
+            loads: loads.collect(),
+            mass: mass.to_vec(),
+            damping: damping.to_vec(),
+            stiffness: stiffness.to_vec(),
+            force: force.to_vec(),
+        })
+    }
+
+    /// Values of further expressions of [`Linear::graph`] at a place, with the parameters as they are now.
+    ///
+    /// *Errors*: one of them has no finite value.
+    pub fn values_of(&self, list: &[Expr], place: &Place) -> Result<Vec<f64>, Fault> {
+        self.values(&self.prepare(list)?, place)
+    }
+
+    /// Expressions of [`Linear::graph`] as a tape, to be evaluated often.
+    ///
+    /// *Errors*: a symbol without a meaning here.
+    pub fn prepare(&self, list: &[Expr]) -> Result<Values, Fault> {
+        let named: Vec<(String, Expr)> = list.iter().enumerate().map(|(i, e)| (format!("value {}", i + 1), *e)).collect();
+        Ok(Values(Arc::new(lower::expressions(&self.linear.graph, "values", &self.inputs, &named)?)))
+    }
+
+    /// The values of prepared expressions.
+    ///
+    /// *Errors*: one of them has no finite value.
+    pub fn values(&self, prepared: &Values, place: &Place) -> Result<Vec<f64>, Fault> {
+        let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
+        let states = place.states();
+        Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
+    }
+
+    /// A zero of [`Linear::graph`] for each coordinate.
+    pub fn zeros(&mut self) -> Vec<Expr> {
+        let zero = self.linear.graph.zero();
+        vec![zero; self.names.len()]
+    }
+
+    /// The harmonics of generalized forces (by coordinate) of the equations that were linearised; none when they are not harmonic.
+    pub fn harmonics_of(&mut self, forces: &[(usize, Expr)]) -> Option<(Vec<Expr>, Vec<HarmonicLoad>)> {
+        self.linear.harmonics_of(&self.equations, forces)
+    }
+
+    /// An observer of formulas of the equations near the state.
+    ///
+    /// *Errors*: a formula that cannot be lowered.
+    pub fn observer(&mut self, formulas: &[Expr]) -> Result<Observer, Fault> {
+        let mut roots = Vec::new();
+        let (mut rows, mut frozen) = (Vec::new(), false);
+        for (k, formula) in formulas.iter().enumerate() {
+            let output = self.linear.output(&self.equations, *formula);
+            frozen |= output.frozen;
+            let mut push = |what: &str, e: Expr| roots.push((format!("output {} {what}", k + 1), e));
+            push("mean", output.mean);
+            output.by_place.iter().for_each(|e| push("by q", *e));
+            output.by_rate.iter().for_each(|e| push("by q'", *e));
+            output.by_acceleration.iter().for_each(|e| push("by q''", *e));
+            for wave in &output.waves {
+                push("rate", wave.rate);
+                push("cos", wave.cos);
+                push("sin", wave.sin);
+            }
+            rows.push(output.waves.len());
+        }
+        let tape = Arc::new(lower::expressions(&self.linear.graph, "observer", &self.inputs, &roots)?);
+        Ok(Observer { n: self.names.len(), tape, rows, frozen })
+    }
+
+    /// What an observer sees at a place, with the parameters as they are now.
+    ///
+    /// *Errors*: an output has no finite value there.
+    pub fn observe(&self, observer: &Observer, place: &Place) -> Result<Vec<Seen>, Fault> {
+        let mut evaluator = Evaluator::new(&observer.tape, &self.values)?;
+        let states = place.states();
+        let values = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
+        let n = observer.n;
+        let mut rest = values;
+        let mut take = |k: usize| {
+            let (head, tail) = rest.split_at(k);
+            rest = tail;
+            head.to_vec()
+        };
+        let seen = observer.rows.iter().map(|waves| Seen {
+            mean: take(1)[0],
+            by_place: take(n),
+            by_rate: take(n),
+            by_acceleration: take(n),
+            waves: (0..*waves).map(|_| take(3)).map(|w| (w[0], w[1], w[2])).collect(),
+        });
+        Ok(seen.collect())
+    }
+}
+
+/// Prepared expressions.
+#[derive(Clone, Debug)]
+pub struct Values(Arc<Tape>);
+
+/// Formulas near a state as a tape.
+#[derive(Clone, Debug)]
+pub struct Observer {
+    n: usize,
+    tape: Arc<Tape>,
+    /// Number of harmonics of each formula.
+    rows: Vec<usize>,
+    /// Whether a formula had to be taken at t = 0.
+    pub frozen: bool,
+}
+
+/// An output near a state: mean + by_place·δq + by_rate·δq' + by_acceleration·δq'' + Σ c cos ν t + s sin ν t.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Seen {
+    /// Value at the state.
+    pub mean: f64,
+    /// ∂y/∂q.
+    pub by_place: Vec<f64>,
+    /// ∂y/∂q'.
+    pub by_rate: Vec<f64>,
+    /// ∂y/∂q''.
+    pub by_acceleration: Vec<f64>,
+    /// (ν, c, s).
+    pub waves: Vec<(f64, f64, f64)>,
+}
+
+fn roots(linear: &Linear) -> Vec<(String, Expr)> {
+    let mut roots: Vec<(String, Expr)> = Vec::new();
+    let mut push = |name: &str, list: &[Expr]| roots.extend(list.iter().enumerate().map(|(i, e)| (format!("{name} {}", i + 1), *e)));
+    push("M", linear.mass.entries());
+    push("B", linear.damping.entries());
+    push("C", linear.stiffness.entries());
+    push("force", &linear.force);
+    for load in &linear.loads {
+        push("rate", &[load.rate]);
+        push("cos", &load.cos);
+        push("sin", &load.sin);
+    }
+    roots
+}
+
+impl Statics for LinearMachine {
+    fn n_coordinates(&self) -> usize {
+        self.names.len()
+    }
+    fn name(&self, i: usize) -> &str {
+        &self.names[i].name
+    }
+    /// The mean force at rest and its derivatives.
+    fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {
+        let found = self.at(&Place::rest(&x[..self.names.len()]))?;
+        forces.copy_from_slice(&found.force);
+        derivatives.iter_mut().zip(&found.stiffness).for_each(|(d, c)| *d = -c);
+        Ok(())
+    }
+}
+
+impl Fault {
+    /// A load, output or parameter that the model does not have.
+    pub fn unknown(what: Text, names: &[String]) -> Fault {
+        let list = names.join(", ");
+        Fault::new(Message {
+            code: "S030",
+            what,
+            why: Text::new(format!("the model offers: {list}"), format!("в модели есть: {list}")),
+            help: Text::new("correct the name", "исправьте имя"),
+        })
+    }
+}

@@ -1,0 +1,458 @@
+//! Natural frequencies and shapes of small motions M q'' + B q' + C q = 0.
+//!
+//! Without damping: (C - ω² M) x = 0, a symmetric problem. Damping that the shapes of the undamped machine diagonalise (classical) gives each
+//! of them a ratio ζ = xᵀ B x / 2ω. Everything else, also gyroscopic and circulatory forces, goes to the first-order form in the
+//! undamped shapes Φ (xᵀ M x = 1), q = Φ z:
+//!
+//! ```text
+//! d/dt (z, z') = [ 0  E; -Φᵀ C Φ  -Φᵀ B Φ ] (z, z'),      roots λ = -ζ ω ± i ω √(1 - ζ²)
+//! ```
+//!
+//! *Source*: P. C. Müller, W. Schiehlen, Linear Vibrations, ch. 4; L. Meirovitch, Methods of Analytical Dynamics, ch. 9.
+
+use symbolic::Text;
+
+use crate::dataset::Audit;
+use crate::fault::Message;
+use crate::linear::{Matrices, largest, parts};
+use crate::numerics::eigen;
+use crate::{Fault, Quantity};
+
+/// How shapes are scaled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Normalisation {
+    /// The largest entry is 1.
+    #[default]
+    Largest,
+    /// The entry of the first coordinate is 1.
+    First,
+    /// xᵀ M x = 1.
+    Mass,
+}
+
+/// What a mode does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Oscillates with a decay, without one, or (negative damping) with growth.
+    Oscillation,
+    /// Decays without oscillation.
+    Aperiodic,
+    /// Free motion: nothing restores it.
+    RigidBody,
+    /// Grows without oscillation.
+    Divergence,
+}
+
+impl Kind {
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Kind::Oscillation => "oscillation",
+            Kind::Aperiodic => "aperiodic",
+            Kind::RigidBody => "rigid_body",
+            Kind::Divergence => "divergence",
+        }
+    }
+}
+
+/// A complex number as (real, imaginary) part.
+pub type Complex = (f64, f64);
+
+/// A mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// What it does.
+    pub kind: Kind,
+    /// Natural frequency |λ|, rad/s; for classical damping the one of the undamped machine; 0 for a free motion and for divergence.
+    pub omega: f64,
+    /// Frequency with damping |Im λ|, rad/s.
+    pub damped: f64,
+    /// ζ; negative for growth, NaN where there is no frequency.
+    pub ratio: f64,
+    /// λ with the positive imaginary part; of two real roots the slower.
+    pub root: Complex,
+    /// The shape, a complex number for each coordinate; real without damping.
+    pub shape: Vec<Complex>,
+}
+
+impl Mode {
+    /// Logarithmic decrement ln(x(t)/x(t + T)) = 2π ζ/√(1 - ζ²); none without oscillation.
+    pub fn decrement(&self) -> Option<f64> {
+        (self.kind == Kind::Oscillation && self.damped > 0.0).then(|| -self.root.0 * 2.0 * std::f64::consts::PI / self.damped)
+    }
+    /// Whether it grows.
+    pub fn grows(&self) -> bool {
+        self.root.0 > 0.0
+    }
+}
+
+/// How resistance enters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Damping {
+    /// There is none, and no gyroscopic or circulatory force.
+    None,
+    /// The shapes of the undamped machine diagonalise it.
+    Classical,
+    /// Damping that couples the shapes, gyroscopic or circulatory forces.
+    General,
+}
+
+/// All modes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    /// By natural frequency, free motions first.
+    pub modes: Vec<Mode>,
+    /// How resistance enters.
+    pub damping: Damping,
+    /// Whether gyroscopic forces act.
+    pub gyroscopic: bool,
+    /// Whether circulatory forces act.
+    pub circulatory: bool,
+    /// Frequencies of the machine without damping, gyroscopic and circulatory forces; 0 for free motions, NaN where C is negative.
+    pub undamped: Vec<f64>,
+    /// Orthogonality of the shapes, or the residual of the quadratic problem.
+    pub audits: Vec<Audit>,
+    /// Remarks.
+    pub notes: Vec<Text>,
+}
+
+/// Sums that cancel to this share of their terms are zero.
+const CANCELLED: f64 = 1e-12;
+/// Coupling of undamped shapes by damping that counts as none.
+const UNCOUPLED: f64 = 1e-10;
+/// Largest residual of eigenpairs relative to its terms.
+const RESIDUAL: f64 = 1e-9;
+
+/// The modes of a linear system; `names` for messages.
+///
+/// *Errors*: S031 for a mass matrix that is not positive, faults of the eigensolver.
+pub fn modes(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> Result<Modes, Fault> {
+    let n = system.n;
+    check_mass(&system.mass, n, names)?;
+    let (damping, gyroscopic) = parts(&system.damping, n);
+    let (stiffness, circulatory) = parts(&system.stiffness, n);
+    let undamped = eigen::symmetric(n, &stiffness, &system.mass)?;
+    let values: Vec<f64> = (0..n).map(|j| settled(undamped.values[j], undamped.shape(j), &stiffness)).collect();
+    let present = |part: &[f64], whole: &[f64]| largest(part) > CANCELLED * largest(whole);
+    let (turns, follows) = (present(&gyroscopic, &system.damping), present(&circulatory, &system.stiffness));
+    let basis = Basis { n, shapes: &undamped.vectors };
+    let modal = basis.project(&system.damping);
+    let kind = match () {
+        () if turns || follows => Damping::General,
+        () if largest(&damping) == 0.0 => Damping::None,
+        () if uncoupled(&modal, n) => Damping::Classical,
+        () => Damping::General,
+    };
+    let mut list: Vec<Mode> = match kind {
+        Damping::General => general(system, &basis, &values)?,
+        _ => (0..n).map(|j| classical(values[j], modal[j * n + j], undamped.shape(j))).collect(),
+    };
+    if largest(&damping) == 0.0 && !follows {
+        list.iter_mut().for_each(conservative);
+    }
+    let mut notes = Vec::new();
+    for (i, mode) in list.iter_mut().enumerate() {
+        notes.extend(normalise(mode, &system.mass, normalisation).map(|what| what(i + 1)));
+    }
+    notes.extend(remarks(&list));
+    let audits = match kind {
+        Damping::General => vec![residual(system, &list)],
+        _ => vec![orthogonality(system, &stiffness, &list)],
+    };
+    let frequency = |v: &f64| if *v < 0.0 { f64::NAN } else { v.sqrt() };
+    let undamped = values.iter().map(frequency).collect();
+    Ok(Modes { modes: list, damping: kind, gyroscopic: turns, circulatory: follows, undamped, audits, notes })
+}
+
+/// ω², or zero when xᵀ C x is rounding of its terms.
+fn settled(value: f64, shape: &[f64], stiffness: &[f64]) -> f64 {
+    let n = shape.len();
+    let terms: f64 = (0..n * n).map(|p| (shape[p / n] * stiffness[p] * shape[p % n]).abs()).sum();
+    if value.abs() <= CANCELLED * terms { 0.0 } else { value }
+}
+
+/// Undamped shapes as a basis, xᵀ M x = 1.
+struct Basis<'a> {
+    n: usize,
+    /// Shape after shape.
+    shapes: &'a [f64],
+}
+
+impl Basis<'_> {
+    /// Φᵀ A Φ.
+    fn project(&self, a: &[f64]) -> Vec<f64> {
+        let n = self.n;
+        let shape = |j: usize| &self.shapes[j * n..(j + 1) * n];
+        let product = |i: usize, x: &[f64]| -> f64 { (0..n).map(|j| a[i * n + j] * x[j]).sum() };
+        let mut out = vec![0.0; n * n];
+        for c in 0..n {
+            let ax: Vec<f64> = (0..n).map(|i| product(i, shape(c))).collect();
+            for r in 0..n {
+                out[r * n + c] = shape(r).iter().zip(&ax).map(|(x, y)| x * y).sum();
+            }
+        }
+        out
+    }
+
+    /// Φ z.
+    fn expand(&self, z: &[Complex]) -> Vec<Complex> {
+        let n = self.n;
+        let sum = |i: usize, part: fn(&Complex) -> f64| z.iter().enumerate().map(|(j, z)| self.shapes[j * n + i] * part(z)).sum();
+        (0..n).map(|i| (sum(i, |z| z.0), sum(i, |z| z.1))).collect()
+    }
+}
+
+fn uncoupled(modal: &[f64], n: usize) -> bool {
+    let size = largest(modal);
+    (0..n * n).all(|p| p / n == p % n || modal[p].abs() <= UNCOUPLED * size)
+}
+
+/// z'' + d z' + v z = 0.
+fn classical(v: f64, d: f64, shape: &[f64]) -> Mode {
+    let shape = shape.iter().map(|x| (*x, 0.0)).collect();
+    let omega = if v > 0.0 { v.sqrt() } else { 0.0 };
+    let ratio = if v > 0.0 { d / (2.0 * omega) } else { f64::NAN };
+    let discriminant = 0.25 * d * d - v;
+    // of critical damping only rounding is left
+    let close = discriminant.abs() <= 1e-14 * (0.25 * d * d).max(v.abs());
+    let (root, kind) = match () {
+        () if v == 0.0 => ((0.0, 0.0), Kind::RigidBody),
+        () if close => ((-0.5 * d, 0.0), if d >= 0.0 { Kind::Aperiodic } else { Kind::Divergence }),
+        () if discriminant < 0.0 => ((-0.5 * d, (-discriminant).sqrt()), Kind::Oscillation),
+        () => {
+            let far = -0.5 * d - discriminant.sqrt().copysign(d);
+            let near = if far == 0.0 { 0.0 } else { v / far };
+            let slow = if v < 0.0 { near.max(far) } else { near };
+            ((slow, 0.0), if slow > 0.0 { Kind::Divergence } else { Kind::Aperiodic })
+        }
+    };
+    Mode { kind, omega, damped: root.1, ratio, root, shape }
+}
+
+fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>, Fault> {
+    let n = system.n;
+    let (c, b) = (basis.project(&system.stiffness), basis.project(&system.damping));
+    let mut a = vec![0.0; 4 * n * n];
+    for i in 0..n {
+        a[i * 2 * n + n + i] = 1.0;
+        for j in 0..n {
+            a[(n + i) * 2 * n + j] = -c[i * n + j];
+            a[(n + i) * 2 * n + n + j] = -b[i * n + j];
+        }
+    }
+    let found = eigen::general(2 * n, &a)?;
+    let fastest = found.values.iter().fold(0.0_f64, |m, v| m.max(v.0.hypot(v.1)));
+    let free = values.iter().filter(|v| **v == 0.0).count();
+    // a free motion is a double root at zero, which rounding splits by the root of 1e-16
+    let is_free = |v: &Complex| free > 0 && v.0.hypot(v.1) <= 1e-6 * fastest;
+    let mut modes = Vec::with_capacity(n);
+    let mut frees = 0;
+    for (j, root) in found.values.iter().enumerate() {
+        if is_free(root) {
+            frees += 1;
+            continue;
+        }
+        if root.1 < 0.0 {
+            continue;
+        }
+        let shape = basis.expand(&found.vector(j)[..n]);
+        let omega = root.0.hypot(root.1);
+        let kind = match () {
+            () if root.1 > 0.0 => Kind::Oscillation,
+            () if root.0 > 0.0 => Kind::Divergence,
+            () => Kind::Aperiodic,
+        };
+        let omega = if kind == Kind::Divergence { 0.0 } else { omega };
+        let ratio = if kind == Kind::Divergence { f64::NAN } else { -root.0 / omega };
+        modes.push(Mode { kind, omega, damped: root.1, ratio, root: *root, shape });
+    }
+    for j in (0..n).filter(|&j| values[j] == 0.0).take(frees.min(free)) {
+        modes.push(classical(0.0, 0.0, &basis.shapes[j * n..(j + 1) * n]));
+    }
+    let order = |m: &Mode| (m.kind != Kind::RigidBody, m.omega);
+    modes.sort_by(|a, b| order(a).0.cmp(&order(b).0).then(a.omega.total_cmp(&b.omega)).then(a.root.0.total_cmp(&b.root.0)));
+    Ok(modes)
+}
+
+/// Without damping an oscillation neither grows nor decays, up to rounding.
+fn conservative(mode: &mut Mode) {
+    if mode.kind == Kind::Oscillation && mode.root.0.abs() <= 1e-9 * mode.omega {
+        mode.root.0 = 0.0;
+        mode.ratio = 0.0;
+        mode.omega = mode.omega.max(mode.root.1);
+    }
+}
+
+type Remark = Box<dyn Fn(usize) -> Text>;
+
+/// Scales a shape; a remark when it cannot be scaled as asked.
+fn normalise(mode: &mut Mode, mass: &[f64], how: Normalisation) -> Option<Remark> {
+    let n = mode.shape.len();
+    let size = |z: &Complex| z.0.hypot(z.1);
+    let biggest = mode.shape.iter().map(size).fold(0.0, f64::max);
+    // rounding decides no sign: the first of equally large entries is taken
+    let peak = *mode.shape.iter().find(|z| size(z) >= biggest * (1.0 - 1e-9))?;
+    let mut remark: Option<Remark> = None;
+    let divisor = match how {
+        Normalisation::Largest => peak,
+        Normalisation::First if size(&mode.shape[0]) > 1e-9 * biggest => mode.shape[0],
+        Normalisation::First => {
+            remark = Some(Box::new(|i| {
+                Text::new(
+                    format!("mode {i}: the first coordinate is at rest, so its largest entry is 1"),
+                    format!("форма {i}: первая координата неподвижна, поэтому единице равна наибольшая"),
+                )
+            }));
+            peak
+        }
+        Normalisation::Mass => {
+            let term = |p: usize| {
+                let (x, y) = (mode.shape[p / n], mode.shape[p % n]);
+                mass[p] * (x.0 * y.0 + x.1 * y.1)
+            };
+            let root = (0..n * n).map(term).sum::<f64>().sqrt();
+            let real = mode.shape.iter().find(|z| size(z) > 1e-3 * biggest).copied().unwrap_or(peak);
+            let phase = size(&real);
+            (real.0 / phase * root, real.1 / phase * root)
+        }
+    };
+    mode.shape.iter_mut().for_each(|z| *z = divided(*z, divisor));
+    let noise = 1e-14 * mode.shape.iter().map(size).fold(0.0, f64::max);
+    for z in &mut mode.shape {
+        if z.0.abs() < noise {
+            z.0 = 0.0;
+        }
+        if z.1.abs() < noise {
+            z.1 = 0.0;
+        }
+    }
+    remark
+}
+
+/// a/b of complex numbers.
+pub fn divided(a: Complex, b: Complex) -> Complex {
+    let square = b.0 * b.0 + b.1 * b.1;
+    if b.1 == 0.0 { (a.0 / b.0, a.1 / b.0) } else { ((a.0 * b.0 + a.1 * b.1) / square, (a.1 * b.0 - a.0 * b.1) / square) }
+}
+
+fn remarks(list: &[Mode]) -> Vec<Text> {
+    let mut notes = Vec::new();
+    let free = list.iter().filter(|m| m.kind == Kind::RigidBody).count();
+    if free > 0 {
+        notes.push(Text::new(
+            format!("{free} free motion(s): nothing restores them, their frequency is zero"),
+            format!("свободных движений без восстанавливающей силы: {free}; их частота равна нулю"),
+        ));
+    }
+    for (i, mode) in list.iter().enumerate().filter(|(_, m)| m.grows()) {
+        let rate = crate::fault::rounded(mode.root.0);
+        let how = if mode.kind == Kind::Divergence {
+            ("without oscillation", "без колебаний")
+        } else {
+            ("with oscillation", "с колебаниями")
+        };
+        notes.push(Text::new(
+            format!("unstable: mode {} grows {} as exp({} t)", i + 1, how.0, rate.en),
+            format!("неустойчиво: движение по форме {} растёт {} как exp({} t)", i + 1, how.1, rate.ru),
+        ));
+    }
+    let same =
+        |a: &Mode, b: &Mode| a.omega > 0.0 && (a.omega - b.omega).abs() <= 1e-9 * a.omega && (a.damped - b.damped).abs() <= 1e-9 * a.omega;
+    for (i, pair) in list.windows(2).enumerate().filter(|(_, p)| same(&p[0], &p[1])) {
+        let _ = pair;
+        notes.push(Text::new(
+            format!("modes {} and {} have one frequency: any combination of their shapes is a shape", i + 1, i + 2),
+            format!("у форм {} и {} общая частота: любая их комбинация тоже форма", i + 1, i + 2),
+        ));
+    }
+    notes
+}
+
+/// max |x_iᵀ A x_j| relative to the sum of the absolute terms, over A = M, C and i ≠ j.
+fn orthogonality(system: &Matrices, stiffness: &[f64], list: &[Mode]) -> Audit {
+    let n = system.n;
+    let mut worst: f64 = 0.0;
+    for a in [&system.mass[..], stiffness] {
+        let product = |x: &Mode, y: &Mode| -> f64 { (0..n * n).map(|p| x.shape[p / n].0 * a[p] * y.shape[p % n].0).sum() };
+        let size = |x: &Mode| -> f64 { (0..n * n).map(|p| (x.shape[p / n].0 * a[p] * x.shape[p % n].0).abs()).sum() };
+        let sizes: Vec<f64> = list.iter().map(size).collect();
+        for i in 0..list.len() {
+            for j in 0..i {
+                let scale = (sizes[i] * sizes[j]).sqrt();
+                if scale > 0.0 {
+                    worst = worst.max(product(&list[i], &list[j]).abs() / scale);
+                }
+            }
+        }
+    }
+    let name = Text::new("modes: orthogonality of the shapes in M and C", "формы колебаний: ортогональность по M и C");
+    Audit::at_most("orthogonality", name, worst, RESIDUAL)
+}
+
+/// max |(λ² M + λ B + C) x| relative to the terms.
+fn residual(system: &Matrices, list: &[Mode]) -> Audit {
+    let n = system.n;
+    let mut worst: f64 = 0.0;
+    for mode in list {
+        let (re, im) = mode.root;
+        let square = (re * re - im * im, 2.0 * re * im);
+        let (mut sum, mut size) = (vec![(0.0, 0.0); n], 0.0_f64);
+        for (i, row) in sum.iter_mut().enumerate() {
+            let mut terms = 0.0;
+            for (j, x) in mode.shape.iter().enumerate() {
+                let (m, b, c) = (system.mass[i * n + j], system.damping[i * n + j], system.stiffness[i * n + j]);
+                let z = (square.0 * m + re * b + c, square.1 * m + im * b);
+                row.0 += z.0 * x.0 - z.1 * x.1;
+                row.1 += z.0 * x.1 + z.1 * x.0;
+                let r = re.hypot(im);
+                terms += (r * r * m.abs() + r * b.abs() + c.abs()) * x.0.hypot(x.1);
+            }
+            size = size.max(terms);
+        }
+        if size > 0.0 {
+            worst = sum.iter().fold(worst, |w, z| w.max(z.0.hypot(z.1) / size));
+        }
+    }
+    let name = Text::new("modes: residual of (λ² M + λ B + C) x = 0", "формы колебаний: невязка уравнения (λ² M + λ B + C) x = 0");
+    Audit::at_most("mode_residual", name, worst, RESIDUAL)
+}
+
+/// Cholesky's pivots of the mass matrix scaled to a unit diagonal must be positive.
+pub fn check_mass(mass: &[f64], n: usize, names: &[Quantity]) -> Result<(), Fault> {
+    let scale = |i: usize| mass[i * n + i].abs().sqrt().max(f64::MIN_POSITIVE);
+    let mut l = vec![0.0; n * n];
+    for i in 0..n {
+        for j in 0..=i {
+            let entry = mass[i * n + j] / (scale(i) * scale(j));
+            let rest = entry - (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum::<f64>();
+            if i == j {
+                if rest.is_nan() || rest <= 1e-13 {
+                    return Err(massless(names.get(i).map_or("?", |q| q.name.as_str()), rest));
+                }
+                l[i * n + i] = rest.sqrt();
+            } else {
+                l[i * n + j] = rest / l[j * n + j];
+            }
+        }
+    }
+    Ok(())
+}
+
+fn massless(name: &str, pivot: f64) -> Fault {
+    let what = if pivot < -1e-13 { ("negative", "отрицательна") } else { ("zero", "равна нулю") };
+    Fault::new(Message {
+        code: "S031",
+        what: Text::new(
+            format!("the inertia of a motion with `{name}` is {} here: there are no modes", what.0),
+            format!("инерция движения с координатой `{name}` здесь {}: собственных форм нет", what.1),
+        ),
+        why: Text::new(
+            "a body without mass or inertia moves alone along this coordinate, or two coordinates move the same thing here",
+            "вдоль этой координаты движется одно тело без массы и момента инерции, либо две координаты задают здесь одно и то же движение",
+        ),
+        help: Text::new(
+            "give that body a mass or an inertia, or remove the coordinate",
+            "задайте телу массу или момент инерции либо уберите координату",
+        ),
+    })
+}

@@ -1,0 +1,394 @@
+//! What each kind of connection demands and gives, component by component. Signs as in [`ConnectionKind`].
+
+use super::{path, tracks};
+use crate::derive::kinematics::{Kinematics, combine};
+use crate::derive::loads::at_start;
+use crate::derive::pathways::{Path, unit_vector};
+use crate::derive::requests::Resolver;
+use crate::derive::scene::{Found, Scene, Vector};
+use crate::derive::wrench::{Act, frame_of};
+use crate::model::{Axis, Connection, ConnectionKind, FrameId, Part, Pathway, PointRef, Rest, SupportDirection, Wound};
+use symbolic::{Expr, Function, SymbolId, Text};
+
+/// A scalar condition with a scalar reaction.
+pub struct Component {
+    /// Name of the reaction; none when it has none.
+    pub part: Option<Part>,
+    /// Letter of the reaction's symbol.
+    pub letter: &'static str,
+    /// SI unit of the reaction; empty when it depends on the user's formula.
+    pub unit: &'static str,
+    /// What it is.
+    pub label: Text,
+    /// Vanishes.
+    pub place: Option<Expr>,
+    /// Vanishes; d/dt of `place` when absent.
+    pub rate: Option<Expr>,
+    /// Whether the reaction's generalized force is minus the derivative of the rate.
+    pub negative: bool,
+    /// What a unit of the reaction does to the bodies.
+    pub acts: Vec<Act>,
+    /// When it acts.
+    pub nature: Nature,
+}
+
+/// When a component acts.
+pub enum Nature {
+    /// Always.
+    Ideal,
+    /// While the gap is closed.
+    Contact { gap: Expr, restitution: Expr },
+    /// Dry friction.
+    Friction { speed: SymbolId, kinetic: Expr, fixed: Option<Expr>, normal: Option<Expr> },
+    /// A prescribed motion.
+    Motion,
+    /// An unknown drive.
+    Motor,
+}
+
+impl Component {
+    /// An ideal component.
+    pub fn ideal((part, letter, unit): (Part, &'static str, &'static str), label: Text, acts: Vec<Act>) -> Component {
+        Component { part: Some(part), letter, unit, label, place: None, rate: None, negative: false, acts, nature: Nature::Ideal }
+    }
+}
+
+/// The components of a connection.
+pub fn of(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, connection: &Connection) -> Found<Vec<Component>> {
+    let name = &connection.name;
+    Ok(match &connection.kind {
+        ConnectionKind::Pin { between, axes } => pin(scene, kinematics, (name, *between, *axes)),
+        ConnectionKind::Weld { between, axes } => {
+            let mut list = pin(scene, kinematics, (name, *between, *axes));
+            let frames = between.map(|p| frame_of(scene, p));
+            list.extend(no_turning(scene, kinematics, name, frames));
+            list
+        }
+        ConnectionKind::Slider { point, on, through, direction, turns } => {
+            let direction = resolver.resolve(scene, kinematics, *direction)?;
+            slider(scene, kinematics, name, (*point, *on, *through, direction, *turns))
+        }
+        ConnectionKind::Rod { between, length } => {
+            let length = rest(scene, kinematics, resolver, *length)?;
+            vec![rod(scene, kinematics, resolver, (connection, *between, length))?]
+        }
+        ConnectionKind::Rope { path, wound, length, slack, restitution } => {
+            let length = rest(scene, kinematics, resolver, *length)?;
+            let restitution = resolver.resolve(scene, kinematics, *restitution)?;
+            vec![rope(scene, kinematics, resolver, (name, path, wound, length, slack.then_some(restitution)))?]
+        }
+        ConnectionKind::Wheels { .. } => vec![tracks::wheels(scene, kinematics, resolver, connection)?],
+        ConnectionKind::Rolling { .. } => tracks::rolling(scene, kinematics, resolver, connection)?,
+        ConnectionKind::Constraint { zero, on_rates } => {
+            let zero = resolver.resolve(scene, kinematics, *zero)?;
+            vec![constraint(scene, name, zero, *on_rates)]
+        }
+        ConnectionKind::Support { at, directions, axes } => support(scene, kinematics, name, (*at, directions, *axes)),
+        ConnectionKind::Motion { pathway, value, is_rate } => {
+            let path = path(scene, kinematics, resolver, connection, *pathway)?;
+            let value = resolver.resolve(scene, kinematics, *value)?;
+            vec![motion(scene, name, &path, value, *is_rate)]
+        }
+        ConnectionKind::Motor { pathway } => {
+            let (letter, unit) = effort(*pathway, "M", "Q");
+            let path = path(scene, kinematics, resolver, connection, *pathway)?;
+            let label = Text::new(format!("drive {name}"), format!("привод {name}"));
+            vec![Component { nature: Nature::Motor, ..Component::ideal((Part::Force, letter, unit), label, path.acts) }]
+        }
+        ConnectionKind::Stop { gap, clearance, above, restitution } => {
+            let path = path(scene, kinematics, resolver, connection, *gap)?;
+            let clearance = resolver.resolve(scene, kinematics, *clearance)?;
+            let restitution = resolver.resolve(scene, kinematics, *restitution)?;
+            vec![stop(scene, (name, *gap), &path, (clearance, *above, restitution))]
+        }
+        ConnectionKind::Friction { pathway, kinetic, speed, fixed, normal } => {
+            let path = path(scene, kinematics, resolver, connection, *pathway)?;
+            let (letter, unit) = effort(*pathway, "M", "F");
+            let label = Text::new(format!("dry friction {name}"), format!("сухое трение {name}"));
+            let minus = scene.graph.int(-1);
+            let acts = path.acts.iter().map(|act| act.times(scene, minus)).collect();
+            let nature = Nature::Friction { speed: *speed, kinetic: *kinetic, fixed: *fixed, normal: *normal };
+            let rate = Some(scene.rate_of(&path.gradient));
+            vec![Component { rate, negative: true, nature, ..Component::ideal((Part::Force, letter, unit), label, acts) }]
+        }
+    })
+}
+
+/// Letter and unit of a force on a pathway: a moment where it is an angle.
+fn effort(pathway: Pathway, moment: &'static str, force: &'static str) -> (&'static str, &'static str) {
+    match pathway {
+        Pathway::RelativeAngle(..) => (moment, "N m"),
+        Pathway::Distance(..) => (force, "N"),
+        Pathway::Along(_) => (force, ""),
+    }
+}
+
+fn rest(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, rest: Rest) -> Found<Option<Expr>> {
+    match rest {
+        Rest::Value(e) => Ok(Some(resolver.resolve(scene, kinematics, e)?)),
+        Rest::Start => Ok(None),
+    }
+}
+
+/// The axes of a frame in ground components.
+pub fn axes_of(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId) -> [Vector; 3] {
+    [Axis::X, Axis::Y, Axis::Z].map(|axis| {
+        let unit = unit_vector(scene, axis);
+        kinematics.in_ground_axes(scene, frame, &unit)
+    })
+}
+
+fn in_axis(axis: usize) -> (Text, Part, &'static str) {
+    let part = [Part::ForceX, Part::ForceY, Part::ForceZ][axis];
+    let letter = ["X", "Y", "Z"][axis];
+    let name = ["x", "y", "z"][axis];
+    (Text::new(format!("along {name}"), format!("вдоль {name}")), part, letter)
+}
+
+fn moment_about(axis: usize) -> (Text, Part, &'static str) {
+    let part = [Part::MomentX, Part::MomentY, Part::Moment][axis];
+    let letter = ["M_x", "M_y", "M"][axis];
+    let name = ["x", "y", "z"][axis];
+    (Text::new(format!("moment about {name}"), format!("момент относительно {name}")), part, letter)
+}
+
+fn labelled(en: &str, ru: &str, name: &str, what: &Text) -> Text {
+    Text::new(format!("{en} {name}, {}", what.en), format!("{ru} {name}, {}", what.ru))
+}
+
+/// r_Q - r_P along the axes.
+fn pin(scene: &mut Scene, kinematics: &mut Kinematics, (name, [p, q], axes): (&str, [PointRef; 2], FrameId)) -> Vec<Component> {
+    let (rp, rq) = (kinematics.position(scene, p), kinematics.position(scene, q));
+    let between = scene.minus(&rq, &rp);
+    let directions = axes_of(scene, kinematics, axes);
+    let count = if super::is_spatial(scene.model) { 3 } else { 2 };
+    (0..count)
+        .map(|i| {
+            let (what, part, letter) = in_axis(i);
+            let e = directions[i];
+            let opposite = e.map(|c| scene.graph.neg(c));
+            let place = scene.dot(&e, &between);
+            let acts = vec![Act::Point { point: q, force: e }, Act::Point { point: p, force: opposite }];
+            Component { place: Some(place), ..Component::ideal((part, letter, "N"), labelled("pin", "шарнир", name, &what), acts) }
+        })
+        .collect()
+}
+
+/// ω_b - ω_a = 0, about z in the plane, about all axes of the ground in space.
+fn no_turning(scene: &mut Scene, kinematics: &mut Kinematics, name: &str, [a, b]: [FrameId; 2]) -> Vec<Component> {
+    let axes: &[usize] = if super::is_spatial(scene.model) { &[0, 1, 2] } else { &[2] };
+    let turning = [a, b].map(|f| {
+        let columns = kinematics.turning_in_ground_axes(scene, f);
+        combine(scene, &columns)
+    });
+    axes.iter()
+        .map(|&i| {
+            let (what, part, letter) = moment_about(i);
+            let axis = unit_vector(scene, [Axis::X, Axis::Y, Axis::Z][i]);
+            let opposite = axis.map(|c| scene.graph.neg(c));
+            let rate = scene.graph.sub(turning[1][i], turning[0][i]);
+            let acts = vec![Act::Turn { on: b, moment: axis }, Act::Turn { on: a, moment: opposite }];
+            Component {
+                rate: Some(rate), ..Component::ideal((part, letter, "N m"), labelled("joint", "соединение", name, &what), acts)
+            }
+        })
+        .collect()
+}
+
+/// Unit vectors along and across (turned by +90 degrees) a line of a frame, ground components.
+pub fn line(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId, direction: Expr) -> (Vector, Vector) {
+    let (c, s) = (scene.graph.call(Function::Cos, &[direction]), scene.graph.call(Function::Sin, &[direction]));
+    let (m, zero) = (scene.graph.neg(s), scene.graph.zero());
+    // in the plane one rotation by the sum of the angles
+    if let Some(angle) = kinematics.frames[frame.index()].plane_angle {
+        let total = scene.graph.add(angle, direction);
+        let (c, s) = (scene.graph.call(Function::Cos, &[total]), scene.graph.call(Function::Sin, &[total]));
+        let m = scene.graph.neg(s);
+        return ([c, s, zero], [m, c, zero]);
+    }
+    (kinematics.in_ground_axes(scene, frame, &[c, s, zero]), kinematics.in_ground_axes(scene, frame, &[m, c, zero]))
+}
+
+/// n·(r_P - r_T) for a line through T; n·(r_P - r_O) stays as it was for a line without a given point.
+fn slider(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    name: &str,
+    (point, on, through, direction, turns): (PointRef, FrameId, Option<PointRef>, Expr, bool),
+) -> Vec<Component> {
+    let (_, normal) = line(scene, kinematics, on, direction);
+    let at = kinematics.position(scene, point);
+    let anchor = kinematics.position(scene, through.unwrap_or(PointRef::Origin(on)));
+    let between = scene.minus(&at, &anchor);
+    let distance = scene.dot(&normal, &between);
+    let distance = scene.tidy(distance);
+    let against = normal.map(|e| scene.graph.neg(e));
+    let acts = vec![Act::Point { point, force: normal }, Act::Place { on, at, force: against }];
+    let label = Text::new(format!("slider {name}, normal force"), format!("ползун {name}, нормальная реакция"));
+    let (place, rate) = match through {
+        Some(_) => (Some(distance), None),
+        None => (None, Some(scene.total(distance))),
+    };
+    let mut list = vec![Component { place, rate, ..Component::ideal((Part::Force, "N", "N"), label, acts) }];
+    if !turns {
+        let frames = [on, frame_of(scene, point)];
+        list.extend(no_turning(scene, kinematics, name, frames));
+    }
+    list
+}
+
+/// |r_B - r_A| - length.
+fn rod(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    resolver: &mut Resolver,
+    (connection, [a, b], length): (&Connection, [PointRef; 2], Option<Expr>),
+) -> Found<Component> {
+    let path = path(scene, kinematics, resolver, connection, Pathway::Distance(a, b))?;
+    let length = length.unwrap_or_else(|| at_start(scene, path.value));
+    let place = scene.graph.sub(path.value, length);
+    let minus = scene.graph.int(-1);
+    // tension pulls the ends together
+    let acts = path.acts.iter().map(|act| act.times(scene, minus)).collect();
+    let name = &connection.name;
+    let label = Text::new(format!("rod {name}, tension"), format!("стержень {name}, усилие (растяжение +)"));
+    Ok(Component { place: Some(place), negative: true, ..Component::ideal((Part::Force, "S", "N"), label, acts) })
+}
+
+/// Polygon + Σ ± radius · angle - length; as a contact when it may go slack.
+fn rope(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    resolver: &mut Resolver,
+    (name, corners, wound, length, restitution): (&str, &[PointRef], &[Wound], Option<Expr>, Option<Expr>),
+) -> Found<Component> {
+    let (mut parts, mut acts) = (Vec::new(), Vec::new());
+    for pair in corners.windows(2) {
+        let (ra, rb) = (kinematics.position(scene, pair[0]), kinematics.position(scene, pair[1]));
+        let between = scene.minus(&rb, &ra);
+        let square = scene.dot(&between, &between);
+        let square = scene.tidy(square);
+        let distance = scene.graph.sqrt(square);
+        let unit = between.map(|e| scene.graph.div(e, distance));
+        let opposite = unit.map(|e| scene.graph.neg(e));
+        acts.push(Act::Point { point: pair[0], force: unit });
+        acts.push(Act::Point { point: pair[1], force: opposite });
+        parts.push(distance);
+    }
+    for drum in wound {
+        let radius = resolver.resolve(scene, kinematics, drum.radius)?;
+        let Some(angle) = kinematics.frames[drum.on.index()].plane_angle else { continue };
+        let arc = scene.graph.mul(radius, angle);
+        let signed = if drum.positive { arc } else { scene.graph.neg(arc) };
+        parts.push(signed);
+        // the wound length grows against the pull
+        let pull = if drum.positive { scene.graph.neg(radius) } else { radius };
+        let zero = scene.graph.zero();
+        acts.push(Act::Turn { on: drum.on, moment: [zero, zero, pull] });
+    }
+    let total = scene.graph.sum(&parts);
+    let length = length.unwrap_or_else(|| at_start(scene, total));
+    let label = Text::new(format!("rope {name}, tension"), format!("нить {name}, натяжение"));
+    let of = (Part::Force, "S", "N");
+    Ok(match restitution {
+        None => {
+            let place = scene.graph.sub(total, length);
+            Component { place: Some(place), negative: true, ..Component::ideal(of, label, acts) }
+        }
+        Some(restitution) => {
+            let gap = scene.graph.sub(length, total);
+            Component { place: Some(gap), nature: Nature::Contact { gap, restitution }, ..Component::ideal(of, label, acts) }
+        }
+    })
+}
+
+fn constraint(scene: &mut Scene, name: &str, zero: Expr, on_rates: bool) -> Component {
+    let label = Text::new(format!("constraint {name}"), format!("связь {name}"));
+    let mut columns = crate::derive::scene::Columns::new();
+    if on_rates {
+        for j in 0..scene.n() {
+            let e = scene.by_rate(zero, j);
+            if !scene.graph.is_zero(e) {
+                columns.insert(j, e);
+            }
+        }
+    } else {
+        columns = scene.gradient(zero);
+    }
+    let (place, rate) = if on_rates { (None, Some(zero)) } else { (Some(zero), None) };
+    Component { place, rate, ..Component::ideal((Part::Force, "λ", ""), label, vec![Act::Along(columns)]) }
+}
+
+/// Velocity components of the point, or angular velocities of its body, are held.
+fn support(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    name: &str,
+    (at, directions, axes): (PointRef, &[SupportDirection], FrameId),
+) -> Vec<Component> {
+    let axes = axes_of(scene, kinematics, axes);
+    let columns = kinematics.jacobian(scene, at);
+    let velocity = combine(scene, &columns);
+    let body = frame_of(scene, at);
+    let turning = kinematics.turning_in_ground_axes(scene, body);
+    let turning = combine(scene, &turning);
+    let mut list = Vec::new();
+    for direction in directions {
+        let (turns, i) = match direction {
+            SupportDirection::X => (false, 0),
+            SupportDirection::Y => (false, 1),
+            SupportDirection::Z => (false, 2),
+            SupportDirection::TurnX => (true, 0),
+            SupportDirection::TurnY => (true, 1),
+            SupportDirection::TurnZ => (true, 2),
+        };
+        let axis = axes[i];
+        let (moving, acts) = if turns {
+            (turning, vec![Act::Turn { on: body, moment: axis }])
+        } else {
+            (velocity, vec![Act::Point { point: at, force: axis }])
+        };
+        let (what, part, letter) = if turns { moment_about(i) } else { in_axis(i) };
+        let rate = scene.dot(&axis, &moving);
+        let rate = scene.tidy(rate);
+        let unit = if turns { "N m" } else { "N" };
+        let label = labelled("support", "опора", name, &what);
+        list.push(Component { rate: Some(rate), ..Component::ideal((part, letter, unit), label, acts) });
+    }
+    list
+}
+
+/// pathway - value(t), or its rate.
+fn motion(scene: &mut Scene, name: &str, path: &Path, value: Expr, is_rate: bool) -> Component {
+    let label = Text::new(format!("prescribed motion {name}"), format!("заданное движение {name}"));
+    let (place, rate) = if is_rate {
+        let rate = scene.rate_of(&path.gradient);
+        (None, Some(scene.graph.sub(rate, value)))
+    } else {
+        (Some(scene.graph.sub(path.value, value)), None)
+    };
+    Component { part: None, letter: "", unit: "", label, place, rate, negative: false, acts: Vec::new(), nature: Nature::Motion }
+}
+
+/// gap = pathway - clearance, or clearance - pathway.
+fn stop(
+    scene: &mut Scene,
+    (name, pathway): (&str, Pathway),
+    path: &Path,
+    (clearance, above, restitution): (Expr, bool, Expr),
+) -> Component {
+    let gap = if above { scene.graph.sub(path.value, clearance) } else { scene.graph.sub(clearance, path.value) };
+    let acts = if above {
+        path.acts.clone()
+    } else {
+        let minus = scene.graph.int(-1);
+        path.acts.iter().map(|act| act.times(scene, minus)).collect()
+    };
+    let (letter, unit) = effort(pathway, "M", "N");
+    let label = Text::new(format!("stop {name}"), format!("упор {name}"));
+    Component {
+        place: Some(gap),
+        nature: Nature::Contact { gap, restitution },
+        ..Component::ideal((Part::Force, letter, unit), label, acts)
+    }
+}

@@ -1,0 +1,467 @@
+//! Connections: what each demands of the motion and what its reactions do.
+//!
+//! Every connection is a list of [`Component`]s, each a scalar condition with a scalar reaction (`components.rs`: one function per kind).
+//! Lagrange's side takes the generalized force of a reaction from the condition by differentiation; Newton-Euler's side from the forces
+//! and moments on the bodies. A condition that holds by the choice of the coordinates (a crank turned by its own angle stays on its
+//! axle anyway) has no place among the conditions of the motion: its reaction follows from the balance of the body when it is
+//! released there (`release.rs`).
+
+mod components;
+mod release;
+mod tracks;
+
+use super::kinematics::Kinematics;
+use super::loads::Loads;
+use super::pathways;
+use super::requests::Resolver;
+use super::scene::{Columns, Scene};
+use super::wrench::{Act, generalized};
+use crate::diagnostic::Diagnostic;
+use crate::model::{Connection, ConnectionKind, FrameId, Part};
+use components::{Component, Nature};
+use std::collections::BTreeSet;
+use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction};
+use symbolic::{Expr, Substitution, SymbolId, Text};
+
+pub use release::is_spatial;
+
+/// What connections add to the equations.
+#[derive(Debug, Default)]
+pub struct Connected {
+    /// As in the equations.
+    pub reactions: Vec<Reaction>,
+    /// As in the equations.
+    pub conditions: Vec<Condition>,
+    /// As in the equations.
+    pub balances: Vec<Balance>,
+    /// Newton-Euler: generalized force of each reaction per unit, per direction.
+    pub geometric: Vec<Columns<Expr>>,
+    /// Actions of each reaction per unit.
+    acts: Vec<Vec<Act>>,
+    released: BTreeSet<FrameId>,
+    taken: BTreeSet<String>,
+}
+
+/// Finds conditions and reactions of all connections; balances come later, when the loads are known.
+pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Connected, Vec<Diagnostic>> {
+    let model = scene.model;
+    let mut connected = Connected { taken: taken_names(scene), ..Connected::default() };
+    let mut errors = Vec::new();
+    // frictions ask for reactions of others
+    let (frictions, others): (Vec<usize>, Vec<usize>) =
+        (0..model.connections.len()).partition(|i| matches!(model.connections[*i].kind, ConnectionKind::Friction { .. }));
+    for i in others.into_iter().chain(frictions) {
+        let connection = &model.connections[i];
+        match components::of(scene, kinematics, resolver, connection) {
+            Ok(list) => {
+                for component in list {
+                    errors.extend(connected.add(scene, kinematics, resolver, (i, connection, component)).err().map(|d| *d));
+                }
+            }
+            Err(diagnostic) => errors.push(*diagnostic),
+        }
+    }
+    errors.extend(motors_match(model));
+    if errors.is_empty() { Ok(connected) } else { Err(errors) }
+}
+
+/// Names that formulas use already.
+fn taken_names(scene: &Scene) -> BTreeSet<String> {
+    let model = scene.model;
+    (model.parameters.iter().map(|p| p.name.clone()))
+        .chain(model.coordinates.iter().map(|c| c.name.clone()))
+        .chain(model.outputs.iter().map(|o| o.name.clone()))
+        .collect()
+}
+
+/// A component as its rates show it.
+struct Shape {
+    rate: Expr,
+    columns: Vec<(usize, Expr)>,
+}
+
+impl Connected {
+    fn add(
+        &mut self,
+        scene: &mut Scene,
+        kinematics: &mut Kinematics,
+        resolver: &mut Resolver,
+        (index, connection, component): (usize, &Connection, Component),
+    ) -> super::scene::Found<()> {
+        let shape = shape(scene, &component);
+        let symbol = component.part.map(|_| self.name(scene, component.letter, &connection.name));
+        let acting = self.reactions.len();
+        let law = match component.nature {
+            Nature::Motor => Law::Motor,
+            Nature::Motion => {
+                if shape.columns.is_empty() {
+                    return Err(no_coordinate(connection));
+                }
+                self.condition(scene, (&component, shape), None);
+                return Ok(());
+            }
+            Nature::Ideal if shape.columns.is_empty() => {
+                if component.acts.iter().all(|act| matches!(act, Act::Along(_))) {
+                    return Err(no_coordinate(connection));
+                }
+                self.release(scene, &component.acts);
+                Law::Support
+            }
+            _ if shape.columns.is_empty() => return Err(no_coordinate(connection)),
+            Nature::Ideal => Law::Ideal { condition: self.conditions.len() },
+            Nature::Contact { gap, restitution } => Law::Contact { condition: self.conditions.len(), gap, restitution },
+            Nature::Friction { speed, kinetic, fixed, normal } => {
+                self.friction(scene, kinematics, resolver, (shape.rate, speed, kinetic, fixed, normal))?
+            }
+        };
+        let forces = match law {
+            Law::Support => Vec::new(),
+            Law::Motor => {
+                let columns = generalized(scene, kinematics, &component.acts);
+                columns.into_iter().filter(|(j, _)| *j < scene.n()).collect()
+            }
+            _ => signed(scene, &shape.columns, component.negative),
+        };
+        if law.condition().is_some() {
+            self.condition(scene, (&component, shape), Some(acting));
+        }
+        let geometric = generalized(scene, kinematics, &component.acts);
+        let (Some(symbol), Some(part)) = (symbol, component.part) else { return Ok(()) };
+        let value = scene.graph.symbol(symbol);
+        resolver.reactions.insert((index, part), value);
+        let name = format!("{}({})", part.name(), connection.name);
+        self.reactions.push(Reaction {
+            symbol,
+            name,
+            unit: component.unit.to_owned(),
+            label: component.label.clone(),
+            forces,
+            released: Vec::new(),
+            law,
+        });
+        self.geometric.push(geometric);
+        self.acts.push(component.acts);
+        Ok(())
+    }
+
+    /// X_A, or the first of X_A2, X_A3, ... that is free.
+    fn name(&mut self, scene: &mut Scene, letter: &str, name: &str) -> SymbolId {
+        let mut wanted = format!("{letter}_{name}");
+        let mut k = 2;
+        while !self.taken.insert(wanted.clone()) {
+            wanted = format!("{letter}_{name}{k}");
+            k += 1;
+        }
+        scene.graph.symbol_id(&wanted, 0)
+    }
+
+    fn condition(&mut self, scene: &mut Scene, (component, shape): (&Component, Shape), reaction: Option<usize>) {
+        let remainder = without_accelerations(scene, shape.rate);
+        self.conditions.push(Condition {
+            name: component.label.clone(),
+            place: component.place.map(|e| scene.tidy(e)),
+            rate: shape.rate,
+            columns: shape.columns,
+            remainder,
+            reaction,
+        });
+    }
+
+    /// Releases the bodies that the actions hold together.
+    fn release(&mut self, scene: &Scene, acts: &[Act]) {
+        let frames: Vec<FrameId> = acts.iter().filter_map(|act| act.frame(scene)).collect();
+        let first = frames.first().copied().unwrap_or(FrameId::GROUND);
+        let second = frames.iter().copied().find(|f| *f != first).unwrap_or(FrameId::GROUND);
+        self.released.extend(release::parted(scene, first, second));
+    }
+
+    fn friction(
+        &self,
+        scene: &mut Scene,
+        kinematics: &mut Kinematics,
+        resolver: &mut Resolver,
+        (sliding, speed, kinetic, fixed, normal): (Expr, SymbolId, Expr, Option<Expr>, Option<Expr>),
+    ) -> super::scene::Found<Law> {
+        let zero = scene.graph.zero();
+        let minus = scene.graph.neg(sliding);
+        let at = |scene: &mut Scene, e: Expr, u: Expr| Substitution::new([(speed, u)]).apply(&mut scene.graph, e);
+        let kinetic = resolver.resolve(scene, kinematics, kinetic)?;
+        let sides = [at(scene, kinetic, minus), at(scene, kinetic, sliding)];
+        let fixed = match fixed {
+            Some(e) => resolver.resolve(scene, kinematics, e)?,
+            None => at(scene, kinetic, zero),
+        };
+        let normal = match normal {
+            None => None,
+            Some(e) => Some(resolver.resolve(scene, kinematics, e)?),
+        };
+        let (mut kinetic, mut limit) = (sides, fixed);
+        let mut law = None;
+        if let Some(normal) = normal {
+            let mut terms = Vec::new();
+            for (k, reaction) in self.reactions.iter().enumerate() {
+                let factor = scene.graph.derivative(normal, reaction.symbol);
+                if !scene.graph.is_zero(factor) {
+                    terms.push((k, factor));
+                }
+            }
+            let rest = Substitution::new(self.reactions.iter().map(|r| (r.symbol, zero))).apply(&mut scene.graph, normal);
+            if terms.is_empty() {
+                let size = scene.graph.call(symbolic::Function::Abs, &[rest]);
+                kinetic = kinetic.map(|e| scene.graph.mul(e, size));
+                limit = scene.graph.mul(limit, size);
+            } else {
+                law = Some(Normal { constant: rest, terms });
+            }
+        }
+        Ok(Law::Friction(Box::new(Friction { condition: self.conditions.len(), sliding, kinetic, fixed: limit, normal: law })))
+    }
+
+    /// The balances of released bodies, and what each reaction gives there.
+    pub fn balance(&mut self, scene: &mut Scene, kinematics: &Kinematics, loads: &Loads, inertial: &[Act]) {
+        let frames: Vec<FrameId> = self.released.iter().copied().collect();
+        for frame in frames {
+            release::balance(scene, kinematics, frame, (loads, inertial), self);
+        }
+    }
+
+    /// Σ λ · generalized force, by differentiation, on coordinate j.
+    pub fn force(&self, scene: &mut Scene, j: usize) -> Expr {
+        let mut terms = Vec::new();
+        for reaction in &self.reactions {
+            for (_, e) in reaction.forces.iter().filter(|(i, _)| *i == j) {
+                let symbol = scene.graph.symbol(reaction.symbol);
+                terms.push(scene.graph.mul(*e, symbol));
+            }
+        }
+        scene.graph.sum(&terms)
+    }
+
+    /// Σ λ · generalized force, from geometry, in a direction.
+    pub fn geometric_force(&self, scene: &mut Scene, j: usize) -> Expr {
+        let mut terms = Vec::new();
+        for (reaction, columns) in self.reactions.iter().zip(&self.geometric) {
+            if matches!(reaction.law, Law::Support) && j < scene.n() {
+                continue;
+            }
+            if let Some(e) = columns.get(&j) {
+                let symbol = scene.graph.symbol(reaction.symbol);
+                terms.push(scene.graph.mul(*e, symbol));
+            }
+        }
+        scene.graph.sum(&terms)
+    }
+
+    /// Power of reactions on the motion: what frictions take, and what all others give (nothing, unless something moves in a prescribed way).
+    pub fn powers(&self, scene: &mut Scene) -> (Expr, Expr) {
+        let (mut given, mut taken) = (Vec::new(), Vec::new());
+        for (reaction, columns) in self.reactions.iter().zip(&self.geometric) {
+            let support = matches!(reaction.law, Law::Support);
+            let n = scene.n();
+            let mut terms = Vec::new();
+            for (j, e) in columns.iter().filter(|(j, _)| !support || **j == n) {
+                let rate = scene.rate(*j);
+                terms.push(scene.graph.mul(*e, rate));
+            }
+            let speed = scene.graph.sum(&terms);
+            let symbol = scene.graph.symbol(reaction.symbol);
+            let power = scene.graph.mul(symbol, speed);
+            match reaction.law {
+                Law::Friction(_) => taken.push(scene.graph.neg(power)),
+                _ => given.push(power),
+            }
+        }
+        (scene.graph.sum(&given), scene.graph.sum(&taken))
+    }
+
+    /// Number of ideal conditions.
+    pub fn ideal(&self) -> usize {
+        self.reactions.iter().filter(|r| matches!(r.law, Law::Ideal { .. })).count()
+    }
+
+    /// Whether some body is released.
+    pub fn releases(&self) -> bool {
+        !self.released.is_empty()
+    }
+
+    /// Σ columns q'' - rest - Σ released λ of every balance that is complete.
+    pub fn balance_residuals(&self, scene: &mut Scene) -> Vec<Expr> {
+        let mut residuals = Vec::new();
+        for (row, balance) in self.balances.iter().enumerate().filter(|(_, b)| b.complete) {
+            let mut terms = vec![scene.graph.neg(balance.rest)];
+            for (j, e) in &balance.columns {
+                terms.push(scene.graph.mul(*e, scene.q[*j][2]));
+            }
+            for reaction in &self.reactions {
+                for (_, e) in reaction.released.iter().filter(|(i, _)| *i == row) {
+                    let symbol = scene.graph.symbol(reaction.symbol);
+                    let product = scene.graph.mul(*e, symbol);
+                    terms.push(scene.graph.neg(product));
+                }
+            }
+            residuals.push(scene.graph.sum(&terms));
+        }
+        residuals
+    }
+
+    /// Everything that must be known to evaluate it.
+    pub fn expressions(&self) -> Vec<Expr> {
+        let mut list = Vec::new();
+        for condition in &self.conditions {
+            list.extend(condition.place);
+            list.extend([condition.rate, condition.remainder]);
+            list.extend(condition.columns.iter().map(|(_, e)| *e));
+        }
+        for reaction in &self.reactions {
+            list.extend(reaction.forces.iter().chain(&reaction.released).map(|(_, e)| *e));
+            match &reaction.law {
+                Law::Contact { gap, restitution, .. } => list.extend([*gap, *restitution]),
+                Law::Friction(friction) => {
+                    list.extend([friction.sliding, friction.fixed]);
+                    list.extend(friction.kinetic);
+                    if let Some(normal) = &friction.normal {
+                        list.push(normal.constant);
+                        list.extend(normal.terms.iter().map(|(_, e)| *e));
+                    }
+                }
+                Law::Ideal { .. } | Law::Support | Law::Motor => {}
+            }
+        }
+        for balance in &self.balances {
+            list.push(balance.rest);
+            list.extend(balance.columns.iter().map(|(_, e)| *e));
+        }
+        list
+    }
+
+    /// Whether a condition moves the coordinate: it then needs no inertia.
+    pub fn holds(&self, j: usize) -> bool {
+        self.conditions.iter().any(|c| c.columns.iter().any(|(i, _)| *i == j))
+    }
+}
+
+/// Rate and columns of a component, in textbook form, so that what cancels is seen to vanish.
+fn shape(scene: &mut Scene, component: &Component) -> Shape {
+    let mut columns = Vec::new();
+    let rate = match (component.rate, component.place) {
+        (Some(rate), _) => scene.open(rate),
+        (None, Some(place)) => scene.total(place),
+        (None, None) => scene.graph.zero(),
+    };
+    match component.place {
+        Some(place) if component.rate.is_none() => {
+            for (j, e) in scene.gradient(place) {
+                let e = scene.tidy(e);
+                if j < scene.n() && !scene.graph.is_zero(e) {
+                    columns.push((j, e));
+                }
+            }
+        }
+        _ => {
+            for j in 0..scene.n() {
+                let e = scene.by_rate(rate, j);
+                let e = scene.tidy(e);
+                if !scene.graph.is_zero(e) {
+                    columns.push((j, e));
+                }
+            }
+        }
+    }
+    Shape { rate, columns }
+}
+
+fn signed(scene: &mut Scene, columns: &[(usize, Expr)], negative: bool) -> Vec<(usize, Expr)> {
+    columns.iter().map(|(j, e)| (*j, if negative { scene.graph.neg(*e) } else { *e })).collect()
+}
+
+/// d(rate)/dt with q'' = 0.
+fn without_accelerations(scene: &mut Scene, rate: Expr) -> Expr {
+    let derivative = scene.total(rate);
+    let zero = scene.graph.zero();
+    let still: Vec<(SymbolId, Expr)> = scene.model.coordinates.iter().map(|c| (c.symbols[2], zero)).collect();
+    let rest = Substitution::new(still).apply(&mut scene.graph, derivative);
+    scene.tidy(rest)
+}
+
+impl Part {
+    /// The function that asks for it in formulas.
+    pub fn name(self) -> &'static str {
+        match self {
+            Part::Force => "force",
+            Part::ForceX => "force_x",
+            Part::ForceY => "force_y",
+            Part::ForceZ => "force_z",
+            Part::Moment => "moment",
+            Part::MomentX => "moment_x",
+            Part::MomentY => "moment_y",
+            Part::Normal => "normal",
+            Part::Tangential => "tangential",
+        }
+    }
+}
+
+fn no_coordinate(connection: &Connection) -> Box<Diagnostic> {
+    let name = &connection.name;
+    Box::new(
+        Diagnostic::error(
+            "M104",
+            connection.span.clone(),
+            Text::new(
+                format!("`{}.{name}` demands something that no coordinate can change", connection.table),
+                format!("`{}.{name}` требует того, что не зависит ни от одной координаты", connection.table),
+            ),
+        )
+        .why(Text::new(
+            "everything it connects stands still or moves in a prescribed way",
+            "всё, что она соединяет, неподвижно или движется заданным образом",
+        ))
+        .help(Text::new(
+            "let a coordinate move one of the partners, or remove it",
+            "пусть одно из соединяемых тел движется по координате, или уберите связь",
+        )),
+    )
+}
+
+/// As many motors as prescribed motions.
+fn motors_match(model: &crate::model::Model) -> Option<Diagnostic> {
+    let of = |wanted: fn(&ConnectionKind) -> bool| model.connections.iter().filter(move |c| wanted(&c.kind));
+    let motions: Vec<&Connection> = of(|k| matches!(k, ConnectionKind::Motion { .. })).collect();
+    let motors: Vec<&Connection> = of(|k| matches!(k, ConnectionKind::Motor { .. })).collect();
+    if motions.len() == motors.len() {
+        return None;
+    }
+    let (n, m) = (motions.len(), motors.len());
+    let last = motions.last().or(motors.last())?;
+    let names = |list: &[&Connection]| list.iter().map(|c| format!("`{}`", c.name)).collect::<Vec<_>>().join(", ");
+    let none = |s: String| if s.is_empty() { "-".to_owned() } else { s };
+    let (prescribed, driven) = (none(names(&motions)), none(names(&motors)));
+    Some(
+        Diagnostic::error(
+            "M105",
+            last.span.clone(),
+            Text::new(
+                format!("{n} prescribed motion(s), {m} motor(s): the numbers must be equal"),
+                format!("заданных движений: {n}, двигателей: {m}; их должно быть поровну"),
+            ),
+        )
+        .why(Text::new(
+            format!("each prescribed motion takes one degree of freedom and one unknown force or torque realises it; motions: {prescribed}; motors: {driven}"),
+            format!("каждое заданное движение отнимает степень свободы, и его осуществляет одна неизвестная сила или момент; движения: {prescribed}; двигатели: {driven}"),
+        ))
+        .help(Text::new(
+            if n > m { "add a motor to [motors] or remove a motion" } else { "prescribe one more motion in [motions] or remove a motor" },
+            if n > m { "добавьте двигатель в [motors] или уберите движение" } else { "задайте ещё одно движение в [motions] или уберите двигатель" },
+        )),
+    )
+}
+
+/// A pathway for the components.
+fn path(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    resolver: &mut Resolver,
+    connection: &Connection,
+    pathway: crate::model::Pathway,
+) -> super::scene::Found<pathways::Path> {
+    pathways::resolve(scene, kinematics, resolver, (pathway, &connection.span))
+}

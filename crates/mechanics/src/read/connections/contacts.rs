@@ -1,0 +1,223 @@
+//! `[stops]`, `[frictions]`.
+
+use super::Found;
+use super::common::{Space, one_of, pathway, restitution};
+use crate::fault::Fault;
+use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
+use crate::model::{ConnectionKind, Part, RequestKind};
+use crate::read::reader::{Checked, Fields, Reader};
+use crate::units::si_label;
+use symbolic::{Expr, Substitution, SymbolId};
+
+pub(super) fn stop<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) -> Option<Found> {
+    let path = pathway(reader, fields);
+    let restitution = restitution(reader, fields);
+    let key = one_of(reader, fields, ["at_least", "at_most"], "at_least = \"0 m\"")?;
+    let wanted = match path {
+        Some((_, Kind::Known(d))) => Some(d),
+        _ => None,
+    };
+    let clearance = fields.formula(reader, key, &Context::TIME, wanted.as_ref())?;
+    let (gap, kind) = path?;
+    let found = ConnectionKind::Stop { gap, clearance: clearance.expr, above: key == "at_least", restitution };
+    clearance.good.then(|| Found { kind: found, force: kind.conjugate() })
+}
+
+pub(super) fn friction<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) -> Option<Found> {
+    let path = pathway(reader, fields);
+    let length = path.map_or(Kind::Unknown, |p| p.1);
+    let force = length.conjugate();
+    let [law, limit] = keys(reader, fields)?;
+    let normal = fields.formula(reader, "normal", &Context::NORMAL, None);
+    let normal = match normal {
+        Some(normal) => Some(linear_normal(reader, fields, normal)?),
+        None => None,
+    };
+    let wanted = match (force, &normal) {
+        (Kind::Known(f), None) => Some(f),
+        (Kind::Known(f), Some(Checked { kind: Kind::Known(n), .. })) => f.div(n),
+        _ => None,
+    };
+    let speed = sliding_speed(reader, fields, length, [law, limit])?;
+    let kinetic = with_speed(reader, speed, |reader| fields.formula(reader, law, &Context::SLIDING, wanted.as_ref()));
+    let fixed = fields.formula(reader, limit, &Context::TIME, wanted.as_ref());
+    let kinetic = kinetic?;
+    let sound = limits(reader, fields, (law, &kinetic), fixed.as_ref().map(|f| (limit, f)), speed.0);
+    let good = sound && kinetic.good && fixed.is_none_or(|f| f.good);
+    let pathway = path?.0;
+    let kind = ConnectionKind::Friction {
+        pathway,
+        kinetic: kinetic.expr,
+        speed: speed.0,
+        fixed: fixed.map(|f| f.expr),
+        normal: normal.map(|n| n.expr),
+    };
+    good.then_some(Found { kind, force })
+}
+
+/// The keys of the law and of the limit at rest: a force, or coefficients of a normal force.
+fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<[&'static str; 2]> {
+    let laws: Vec<&'static str> = ["kinetic", "curve", "coefficient"].into_iter().filter(|key| fields.has(key)).collect();
+    let &[law] = laws.as_slice() else {
+        let path = &fields.path;
+        let fault = Fault::new(
+            "M080",
+            laws.get(1).map_or(fields.span.clone(), |key| fields.span_of(key)),
+            format!("{path} needs one of `kinetic`, `curve`, `coefficient`"),
+            format!("в {path} нужно одно из `kinetic`, `curve`, `coefficient`"),
+        );
+        reader.fault(fault.help(
+            "kinetic = \"F2\" is a force; coefficient = 0.2 needs normal = \"N\"",
+            "kinetic = \"F2\" — сила; к coefficient = 0.2 нужно normal = \"N\"",
+        ));
+        return None;
+    };
+    let by_coefficient = law == "coefficient";
+    let (own, foreign) = if by_coefficient { ("static_coefficient", "static") } else { ("static", "static_coefficient") };
+    let missing = by_coefficient && !fields.has("normal");
+    let surplus = [foreign, "normal"].into_iter().find(|key| fields.has(key) && !(by_coefficient && *key == "normal"));
+    if missing || surplus.is_some() {
+        let span = surplus.map_or(fields.span.clone(), |key| fields.span_of(key));
+        reader.fault(Fault::new("M080", span, "forces and coefficients are mixed", "смешаны силы и коэффициенты").help(
+            "either kinetic and static, or coefficient, static_coefficient and normal",
+            "либо kinetic и static, либо coefficient, static_coefficient и normal",
+        ));
+        return None;
+    }
+    Some([law, own])
+}
+
+/// The symbol u and its dimension. A name `u` of the model must not be meant by the same letter.
+fn sliding_speed<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind, keys: [&'static str; 2]) -> Option<(SymbolId, Kind)> {
+    let uses_u = keys.into_iter().filter_map(|key| fields.get(key)).filter_map(|v| v.get_ref().as_str()).any(mentions_u);
+    if uses_u && reader.scope.get("u").is_some() {
+        reader.fault(
+            Fault::new(
+                "M084",
+                fields.span_of(keys[0]),
+                "`u` is the sliding speed here, and a name of the model",
+                "`u` здесь — скорость скольжения и имя из модели",
+            )
+            .help("give the parameter or coordinate `u` another name", "переименуйте параметр или координату `u`"),
+        );
+        return None;
+    }
+    let rate = match length {
+        Kind::Known(d) => Kind::Known(d.per_time(1)),
+        other => other,
+    };
+    Some((reader.builder.graph.symbol_id("u", 0), rate))
+}
+
+fn mentions_u(text: &str) -> bool {
+    crate::formula::parse(text).is_ok_and(|f| f.names().any(|(name, _)| name == "u"))
+}
+
+/// Reads with the name `u` known.
+fn with_speed<'a, T>(reader: &mut Reader<'a>, (symbol, dimension): (SymbolId, Kind), read: impl FnOnce(&mut Reader<'a>) -> T) -> T {
+    let entry = Entry { kind: EntryKind::Parameter(symbol), dimension, depends: Depends::SLIDING };
+    let hidden = reader.scope.cover("u", entry);
+    let result = read(reader);
+    reader.scope.uncover("u", hidden);
+    result
+}
+
+/// A normal force: a magnitude of two components is not linear in them.
+fn linear_normal<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, normal: Checked) -> Option<Checked> {
+    if !normal.good {
+        return None;
+    }
+    let within = reader.builder.graph.symbols_in(&[normal.expr]);
+    let reactions: Vec<(SymbolId, RequestKind)> = reader
+        .builder
+        .requests
+        .iter()
+        .filter(|r| matches!(r.kind, RequestKind::Reaction(..)) && within.binary_search(&r.symbol).is_ok())
+        .map(|r| (r.symbol, r.kind))
+        .collect();
+    let magnitude =
+        reactions.iter().any(|(_, kind)| matches!(kind, RequestKind::Reaction(i, Part::Force) if reader.scope.is_magnitude(*i)));
+    let graph = &mut reader.builder.graph;
+    let linear = reactions.iter().all(|(symbol, _)| {
+        let slope = graph.derivative(normal.expr, *symbol);
+        !graph.contains(slope, |s| reactions.iter().any(|(r, _)| *r == s))
+    });
+    if magnitude || !linear {
+        reader.fault(
+            Fault::new(
+                "M085",
+                fields.span_of("normal"),
+                "the normal force is not linear in the reactions",
+                "нормальная сила не линейна по реакциям",
+            )
+            .why(
+                "friction and reactions are found together from linear equations; the magnitude of the normal force is taken anyway",
+                "трение и реакции находятся вместе из линейных уравнений; модуль нормальной силы берётся и так",
+            )
+            .help(
+                "use one component: force_x(A), normal(F), force of a slider",
+                "используйте одну компоненту: force_x(A), normal(F), force ползуна",
+            ),
+        );
+        return None;
+    }
+    Some(normal)
+}
+
+/// Friction is not negative, and not weaker at rest than at the slowest sliding.
+fn limits<'a>(
+    reader: &mut Reader<'a>,
+    fields: &Fields<'a>,
+    (law, kinetic): (&'static str, &Checked),
+    fixed: Option<(&'static str, &Checked)>,
+    speed: SymbolId,
+) -> bool {
+    let slow = at_rest(reader, kinetic.expr, speed);
+    let slow = reader.number_of(slow);
+    let fixed = fixed.map(|(key, value)| (key, reader.number(value)));
+    let unit = if let Kind::Known(d) = kinetic.kind { si_label(&d) } else { String::new() };
+    let negative = |key: &'static str, value: f64| {
+        Fault::new(
+            "M086",
+            fields.span_of(key),
+            format!("the friction `{key}` is {value} {unit}"),
+            format!("трение `{key}` равно {value} {unit}"),
+        )
+        .why(
+            "it would push a body on instead of holding it; the sign comes from the sliding",
+            "оно подталкивало бы тело; знак берётся от скольжения",
+        )
+    };
+    if let Some(value) = slow.filter(|v| *v < 0.0) {
+        reader.fault(negative(law, value));
+        return false;
+    }
+    let Some((key, Some(limit))) = fixed else { return true };
+    if limit < 0.0 {
+        reader.fault(negative(key, limit));
+        return false;
+    }
+    if let Some(value) = slow.filter(|v| limit < *v * (1.0 - 1e-12)) {
+        reader.fault(
+            Fault::new(
+                "M086",
+                fields.span_of(key),
+                format!("friction at rest is {limit} {unit}, but {value} {unit} as soon as it slides"),
+                format!("трение покоя {limit} {unit}, а при начале скольжения {value} {unit}"),
+            )
+            .why(
+                "a body that broke away would be stopped at once: the limit at rest is not below the friction while sliding",
+                "сорвавшееся тело тут же остановилось бы: предел трения покоя не меньше трения скольжения",
+            )
+            .help(format!("raise `{key}`, or leave it out"), format!("увеличьте `{key}` или не задавайте")),
+        );
+        return false;
+    }
+    true
+}
+
+fn at_rest(reader: &mut Reader, kinetic: Expr, speed: SymbolId) -> Expr {
+    let graph = &mut reader.builder.graph;
+    let zero = graph.zero();
+    Substitution::new([(speed, zero)]).apply(graph, kinetic)
+}

@@ -1,0 +1,92 @@
+//! `[pins]`, `[welds]`, `[sliders]`, `[slots]`, `[supports]`.
+
+use super::Found;
+use super::common::{Space, choose, direction, fixed_in, flag, frame, point, rigid, two_points};
+use crate::fault::Fault;
+use crate::model::{ConnectionKind, FrameId, PointRef, SupportDirection};
+use crate::read::parameters::names;
+use crate::read::reader::{Fields, Reader};
+
+pub(super) fn pin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
+    let (between, axes) = (two_points(reader, fields, space), frame(reader, fields, "axes"));
+    Some(ConnectionKind::Pin { between: between?, axes: axes? }.into())
+}
+
+pub(super) fn weld<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
+    let (between, axes) = (two_points(reader, fields, space), frame(reader, fields, "axes"));
+    Some(ConnectionKind::Weld { between: between?, axes: axes? }.into())
+}
+
+pub(super) fn slider<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
+    let turns = flag(reader, fields, "turns", true);
+    sliding(reader, fields, space, "point", turns)
+}
+
+pub(super) fn slot<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
+    sliding(reader, fields, space, "pin", true)
+}
+
+fn sliding<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, key: &'static str, turns: bool) -> Option<Found> {
+    let (point, on) = (point(reader, fields, key), frame(reader, fields, "on"));
+    let direction = direction(reader, fields);
+    let (point, on) = (point?, on?);
+    let through = fixed_in(reader, fields, "through", space, on)?;
+    if space.carrier(reader, point) == Some(space.root(on)) {
+        let name = |key: &'static str| fields.get(key).and_then(|v| v.get_ref().as_str()).unwrap_or("ground");
+        let fault = rigid(fields.span_of(key), [name(key), name("on")]);
+        reader.fault(fault);
+        return None;
+    }
+    Some(ConnectionKind::Slider { point, on, through, direction, turns }.into())
+}
+
+/// Words of `directions`; `turn` is about z.
+const DIRECTIONS: [&str; 7] = ["x", "y", "z", "turn", "turn_x", "turn_y", "turn_z"];
+
+pub(super) fn support<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
+    let (at, axes) = (point(reader, fields, "at"), frame(reader, fields, "axes"));
+    let mut directions = Vec::new();
+    let listed = fields.get("directions").map(|v| names(reader, v))?;
+    let complete = listed.iter().all(|(word, span)| {
+        let Some(number) = choose(reader, word, span.clone(), &DIRECTIONS) else { return false };
+        let found = direction_of(number);
+        if directions.contains(&found) {
+            reader.fault(Fault::new(
+                "M081",
+                span.clone(),
+                format!("the direction `{word}` is given twice"),
+                format!("направление `{word}` задано дважды"),
+            ));
+            return false;
+        }
+        directions.push(found);
+        true
+    });
+    if complete && directions.is_empty() {
+        reader.fault(
+            Fault::new("M081", fields.span_of("directions"), "a support that holds nothing", "опора, которая ничего не держит")
+                .help("write directions = [\"x\", \"y\"]", "напишите directions = [\"x\", \"y\"]"),
+        );
+        return None;
+    }
+    let (at, axes) = (at?, axes?);
+    if of_ground(reader, space, at) {
+        reader.fault(
+            Fault::new("M081", fields.span_of("at"), "this point belongs to the ground", "эта точка принадлежит неподвижной системе")
+                .why("a support acts on a body", "опора действует на тело")
+                .help("name a point of the body that is supported", "укажите точку тела, которое опирается"),
+        );
+        return None;
+    }
+    complete.then(|| ConnectionKind::Support { at, directions, axes }.into())
+}
+
+/// A body that stands still has reactions, too, so only the ground itself is refused.
+fn of_ground(reader: &mut Reader, space: &Space, at: PointRef) -> bool {
+    space.place_in(reader, at).0 == FrameId::GROUND
+}
+
+fn direction_of(number: usize) -> SupportDirection {
+    use SupportDirection as D;
+    [D::X, D::Y, D::Z, D::TurnZ, D::TurnX, D::TurnY, D::TurnZ].get(number).copied().unwrap_or(D::X)
+}

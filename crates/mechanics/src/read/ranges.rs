@@ -1,0 +1,210 @@
+//! Ranges of values: `v=linspace(1 m/s, 3 m/s, 21)`, `c=logspace(1 N/m, 1 kN/m, 4)`, `m=1 kg, 2 kg, 5 kg`.
+//!
+//! Commas separate; where a semicolon is found, semicolons do, and commas are decimal marks.
+
+use crate::fault::Fault;
+use crate::model::{Model, SweepRange};
+use crate::units::{Dimension, parse_number_or_quantity, parse_unit, si_label};
+use std::ops::Range as Span;
+
+/// More values than this are a slip.
+const MAX_VALUES: usize = 1_000_000;
+
+/// A range as written; values in SI.
+#[derive(Clone, Debug)]
+pub(super) struct Range {
+    pub name: String,
+    pub values: Vec<f64>,
+    /// Of the values with a unit; `None` when all are bare numbers, which are SI.
+    pub dimension: Option<Dimension>,
+    whole: Span<usize>,
+}
+
+impl Range {
+    /// Whether the values have the dimension of what they are given to.
+    pub(super) fn fits(&self, wanted: &Dimension) -> Result<(), Fault> {
+        match self.dimension {
+            Some(d) if !d.same(wanted) => {
+                let (got, wanted) = (si_label(&d), si_label(wanted));
+                let (en, ru) = (
+                    format!("the values are {got}, but {} is {wanted}", self.name),
+                    format!("значения в {got}, а {} — в {wanted}", self.name),
+                );
+                Err(Fault::new("M024", self.whole.clone(), en, ru))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A range for a parameter, a start or a starting rate of a model, as on the command line.
+///
+/// # Errors
+/// The text is no range (M070), the model has no such name (M068), or the dimension is another (M024).
+pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Fault> {
+    let range = parse(text)?;
+    let parameter = model.parameters.iter().find(|p| p.name == range.name).map(|p| p.unit.as_str());
+    let coordinate = || {
+        let base = range.name.trim_end_matches('\'');
+        let order = range.name.len() - base.len();
+        let found = model.coordinates.iter().find(|c| c.name == base)?;
+        found.units.get(order).filter(|_| order <= 1).map(String::as_str)
+    };
+    let Some(unit) = parameter.or_else(coordinate) else {
+        let names = model.parameters.iter().map(|p| p.name.as_str()).chain(model.coordinates.iter().map(|c| c.name.as_str()));
+        return Err(unknown_name(&range.name, crate::fault::nearest(&range.name, names)));
+    };
+    if let Ok(unit) = parse_unit(unit) {
+        range.fits(&unit.dimension)?;
+    }
+    Ok(SweepRange { name: range.name, values: range.values })
+}
+
+/// The fault of a name that cannot be swept.
+pub(super) fn unknown_name(name: &str, near: Option<&str>) -> Fault {
+    let shown = super::reader::short(name);
+    let fault = Fault::new(
+        "M068",
+        0..name.len(),
+        format!("the model has no parameter or coordinate `{shown}`"),
+        format!("в модели нет параметра или координаты `{shown}`"),
+    );
+    match near {
+        Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        None => fault,
+    }
+}
+
+/// Reads a range.
+pub(super) fn parse(text: &str) -> Result<Range, Fault> {
+    let whole = 0..text.len();
+    let Some((name, list)) = text.split_once('=').filter(|(name, _)| !name.trim().is_empty()) else {
+        return Err(no_range(whole));
+    };
+    let (name, list) = (name.trim().to_owned(), list.trim());
+    let (kind, inner) = match list.strip_suffix(')').and_then(|l| l.split_once('(')) {
+        Some((kind, inner)) => (kind.trim(), inner),
+        None => ("", list),
+    };
+    let inner = inner.trim_matches(['[', ']']);
+    let separator = if inner.contains(';') { ';' } else { ',' };
+    if inner.contains("..") {
+        return Err(no_range(whole));
+    }
+    let items: Vec<&str> = inner.split(separator).map(str::trim).collect();
+    let (values, dimension) = match (kind, items.as_slice()) {
+        ("linspace" | "logspace", [from, to, count]) => {
+            let ([from, to], dimension) = two(from, to, &whole)?;
+            (spaced(kind == "logspace", from, to, number_of(count, &whole)?, &whole)?, dimension)
+        }
+        ("", items) => {
+            let mut dimension = None;
+            let values = items.iter().map(|item| quantity(item, &mut dimension, &whole)).collect::<Result<Vec<f64>, Fault>>()?;
+            (values, dimension)
+        }
+        _ => return Err(no_range(whole)),
+    };
+    Ok(Range { name, values, dimension, whole })
+}
+
+fn two(from: &str, to: &str, whole: &Span<usize>) -> Result<([f64; 2], Option<Dimension>), Fault> {
+    let mut dimension = None;
+    let from = quantity(from, &mut dimension, whole)?;
+    let to = quantity(to, &mut dimension, whole)?;
+    Ok(([from, to], dimension))
+}
+
+/// A quantity of the same dimension as the ones before it.
+fn quantity(text: &str, dimension: &mut Option<Dimension>, whole: &Span<usize>) -> Result<f64, Fault> {
+    let quantity = parse_number_or_quantity(text).map_err(|mut fault| {
+        fault.span = whole.clone();
+        fault
+    })?;
+    let own = quantity.unit.dimension;
+    match dimension {
+        _ if !quantity.has_unit => {}
+        None => *dimension = Some(own),
+        Some(first) if !first.same(&own) => {
+            let (a, b) = (si_label(first), si_label(&own));
+            return Err(Fault::new(
+                "M025",
+                whole.clone(),
+                format!("the values differ in dimension: {a} and {b}"),
+                format!("значения разной размерности: {a} и {b}"),
+            ));
+        }
+        Some(_) => {}
+    }
+    let value = quantity.to_f64();
+    if value.is_finite() { Ok(value) } else { Err(crate::units::out_of_range(whole.clone())) }
+}
+
+fn number_of(text: &str, whole: &Span<usize>) -> Result<usize, Fault> {
+    text.parse().ok().filter(|n| (2..=MAX_VALUES).contains(n)).ok_or_else(|| {
+        Fault::new(
+            "M070",
+            whole.clone(),
+            format!("`{}` is no number of values: 2 ... {MAX_VALUES}", super::reader::short(text)),
+            format!("`{}` — не число значений: от 2 до {MAX_VALUES}", super::reader::short(text)),
+        )
+    })
+}
+
+/// Both ends exactly as written.
+fn spaced(logarithmic: bool, from: f64, to: f64, count: usize, whole: &Span<usize>) -> Result<Vec<f64>, Fault> {
+    if logarithmic && !(from > 0.0 && to > 0.0) {
+        return Err(Fault::new("M070", whole.clone(), "logspace needs positive ends", "у logspace концы положительны"));
+    }
+    let last = count - 1;
+    #[allow(clippy::cast_precision_loss)]
+    let at = |i: usize| {
+        let part = i as f64 / last as f64;
+        match i {
+            0 => from,
+            i if i == last => to,
+            _ if logarithmic => (from.ln() + (to.ln() - from.ln()) * part).exp(),
+            _ => from + (to - from) * part,
+        }
+    };
+    Ok((0..count).map(at).collect())
+}
+
+fn no_range(span: Span<usize>) -> Fault {
+    Fault::new("M070", span, "this is no range of values", "это не набор значений").help(
+        "write \"v=linspace(1 m/s, 3 m/s, 21)\", \"v=logspace(1 N/m, 1 kN/m, 4)\" or \"m=1 kg, 2 kg\"",
+        "напишите \"v=linspace(1 м/с, 3 м/с, 21)\", \"c=logspace(1 Н/м, 1 кН/м, 4)\" или \"m=1 кг, 2 кг\"",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parse;
+
+    #[test]
+    fn ranges_hit_both_ends_exactly() {
+        let range = parse("v=linspace(1 m/s, 3 m/s, 21)").unwrap();
+        assert_eq!((range.name.as_str(), range.values.len(), range.values[0], range.values[20]), ("v", 21, 1.0, 3.0));
+        assert!((range.values[1] - 1.1).abs() < 1e-15);
+        assert_eq!(parse("c = logspace(1 N/m; 1 kN/m; 4)").unwrap().values[3], 1000.0);
+        assert_eq!(parse("m=1,5 kg; 2 kg").unwrap().values, [1.5, 2.0]);
+        assert_eq!(parse("phi'=[0.1, 0.2]").unwrap().name, "phi'");
+    }
+
+    #[test]
+    fn what_is_no_range_is_refused() {
+        for (text, code) in [
+            ("v", "M070"),
+            ("=1", "M070"),
+            ("v=linspace(1, 2)", "M070"),
+            ("v=linspace(1, 2, 1)", "M070"),
+            ("v=linspace(1, 2, 99999999999999)", "M070"),
+            ("v=logspace(0, 2, 3)", "M070"),
+            ("v=range(0, 2, 3)", "M070"),
+            ("v=linspace(1 m, 2 s, 3)", "M025"),
+            ("v=1 kq", "M021"),
+            ("v=", "M020"),
+        ] {
+            assert_eq!(parse(text).err().map(|f| f.code), Some(code), "{text}");
+        }
+    }
+}

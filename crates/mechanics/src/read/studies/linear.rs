@@ -1,0 +1,195 @@
+//! The studies of small motions: `modes` and `response`.
+
+use super::equilibrium::guess;
+use super::known;
+use crate::fault::{Fault, nearest};
+use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind};
+use crate::model::{FrequencyVariable, Modes, ParameterRange, Response, Scale, StudyKind};
+use crate::read::parameters::names;
+use crate::read::reader::{Fields, Reader, short, string, wrong_type};
+use crate::read::syntax::Value;
+use crate::units::Dimension;
+use std::f64::consts::TAU;
+use std::ops::Range;
+use symbolic::Rational;
+
+/// Fewest and most points of a sweep.
+const POINTS: std::ops::RangeInclusive<f64> = 2.0..=1e6;
+/// Names that may stand for the frequency in `frequency_variable`; the first that the model does not use otherwise is meant.
+const FREQUENCIES: [&str; 3] = ["k", "omega", "ω"];
+
+pub(super) fn modes<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
+    let guess = guess(reader, fields);
+    let scale = scale(reader, fields);
+    let variable = variable(reader, fields);
+    let over = sweep(reader, fields);
+    Some(StudyKind::Modes(Modes { guess, scale, variable, over }))
+}
+
+pub(super) fn response<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
+    let guess = guess(reader, fields);
+    let frequency = fields.name(reader, "over").and_then(|(name, span)| parameter(reader, &name, span).map(|_| name));
+    let range = fields.get("range").and_then(|value| range(reader, value, Some(&Dimension::ANGULAR_RATE)));
+    if let Some([from, to]) = range
+        && (from < 0.0 || to <= from)
+    {
+        reader.fault(bad_range(fields.span_of("range"), from, to));
+    }
+    let points = points(reader, fields);
+    let shapes = fields.get("shapes").map(|v| quantities(reader, v, Some(&Dimension::ANGULAR_RATE))).unwrap_or_default();
+    let load = fields.name(reader, "load").map(|(name, _)| name);
+    let outputs = fields.get("outputs").map(|v| names(reader, v)).unwrap_or_default();
+    let outputs = outputs.into_iter().filter_map(|(name, span)| known(reader, name, span)).collect();
+    let log = fields.get("log").and_then(|v| v.get_ref().as_bool()).unwrap_or(false);
+    Some(StudyKind::Response(Response { guess, load, frequency, range, points, log, outputs, shapes }))
+}
+
+fn scale<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Scale {
+    let Some((word, span)) = fields.get("normalise").and_then(|v| string(reader, v, "a string", "строка")) else {
+        return Scale::Largest;
+    };
+    match word.as_str() {
+        "largest" => Scale::Largest,
+        "first" => Scale::First,
+        "mass" => Scale::Mass,
+        _ => {
+            reader.fault(
+                Fault::new(
+                    "M090",
+                    span,
+                    format!("unknown scale of shapes `{}`", short(&word)),
+                    format!("неизвестная нормировка `{}`", short(&word)),
+                )
+                .help("largest, first or mass", "largest, first или mass"),
+            );
+            Scale::Largest
+        }
+    }
+}
+
+/// `frequency_variable = { z = "m*l^3*k^2/(72*E*I)" }`.
+fn variable<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<FrequencyVariable> {
+    let rows = fields.rows(reader, "frequency_variable");
+    let (name, _, value) = rows.first()?;
+    let name = (*name).to_owned();
+    let raw = reader.raw(value)?;
+    let used: Vec<String> = raw.formula.as_ref().map(|f: &Formula| f.names().map(|(n, _)| n.to_owned()).collect()).unwrap_or_default();
+    let free = FREQUENCIES.iter().find(|f| reader.scope.get(f).is_none() && used.iter().any(|u| u == *f));
+    let Some(frequency) = free else {
+        reader.fault(no_frequency(value.span()));
+        return None;
+    };
+    let symbol = reader.builder.graph.symbol_id(frequency, 0);
+    let entry = Entry { kind: EntryKind::Parameter(symbol), dimension: Kind::Known(Dimension::ANGULAR_RATE), depends: Depends::TIME };
+    reader.scope.declare(frequency, entry);
+    let checked = reader.value(&raw, &Context::TIME, None);
+    if !checked.good {
+        return None;
+    }
+    let graph = &mut reader.builder.graph;
+    let omega = graph.symbol(symbol);
+    let inverse = graph.pow(omega, &Rational::from(-2));
+    let factor = graph.mul(checked.expr, inverse);
+    if graph.contains(factor, |s| s == symbol) || graph.is_zero(factor) {
+        reader.fault(no_frequency(value.span()));
+        return None;
+    }
+    Some(FrequencyVariable { name, factor })
+}
+
+fn no_frequency(span: Range<usize>) -> Fault {
+    Fault::new("M091", span, "this is no multiple of the squared frequency", "это не квадрат частоты с множителем")
+        .why(
+            "the frequency is written k, or omega where k is the name of something else, and must occur squared",
+            "частота обозначается k, а если имя k занято — omega, и входит в квадрате",
+        )
+        .help("write frequency_variable = { z = \"m*k^2/c\" }", "напишите frequency_variable = { z = \"m*k^2/c\" }")
+}
+
+/// `over`, `range`, `points`.
+fn sweep<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<ParameterRange> {
+    let (name, span) = fields.name(reader, "over")?;
+    let dimension = parameter(reader, &name, span.clone())?;
+    let Some(value) = fields.get("range") else {
+        reader.fault(
+            Fault::new("M006", span, "`over` needs `range`", "к `over` нужен `range`")
+                .help("add range = [\"0 rad/s\", \"300 rad/s\"]", "добавьте range = [\"0 рад/с\", \"300 рад/с\"]"),
+        );
+        return None;
+    };
+    let [from, to] = range(reader, value, dimension.as_ref())?;
+    if to <= from {
+        reader.fault(bad_range(value.span(), from, to));
+        return None;
+    }
+    Some(ParameterRange { name, from, to, points: points(reader, fields).unwrap_or(101) })
+}
+
+/// A parameter with a number, and its dimension.
+fn parameter(reader: &mut Reader, name: &str, span: Range<usize>) -> Option<Option<Dimension>> {
+    if let Some(Entry { kind: EntryKind::Parameter(_), dimension, depends }) = reader.scope.get(name)
+        && depends.is_constant()
+    {
+        return Some(if let Kind::Known(d) = dimension { Some(*d) } else { None });
+    }
+    let fault = Fault::new("M092", span, format!("`{}` is not a parameter", short(name)), format!("`{}` — не параметр", short(name)))
+        .why("what is changed step by step must be a constant parameter", "шаг за шагом можно менять только постоянный параметр");
+    let fault = match nearest(name, reader.scope.names()) {
+        Some(near) if near != name => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        _ => fault.help("name a row of [parameters]", "укажите имя из [parameters]"),
+    };
+    reader.fault(fault);
+    None
+}
+
+fn bad_range(span: Range<usize>, from: f64, to: f64) -> Fault {
+    Fault::new("M093", span, format!("the range {from} ... {to} has no meaning"), format!("диапазон {from} ... {to} не имеет смысла"))
+        .why("it must ascend, and frequencies are not negative", "границы должны возрастать, а частоты неотрицательны")
+        .help("write range = [\"1 rad/s\", \"100 rad/s\"]", "напишите range = [\"1 рад/с\", \"100 рад/с\"]")
+}
+
+/// Two quantities.
+pub(super) fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dimension>) -> Option<[f64; 2]> {
+    let list = quantities(reader, value, wanted);
+    if let [from, to] = list[..] {
+        return Some([from, to]);
+    }
+    let n = value.get_ref().as_array().map_or(0, |a| a.len());
+    if n != 2 {
+        reader.fault(
+            Fault::new("M093", value.span(), format!("a range has two ends, {n} given"), format!("у диапазона две границы, дано: {n}"))
+                .help("write range = [\"1 rad/s\", \"100 rad/s\"]", "напишите range = [\"1 рад/с\", \"100 рад/с\"]"),
+        );
+    }
+    None
+}
+
+/// Quantities; periods per second become radians per second where these are wanted.
+fn quantities<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dimension>) -> Vec<f64> {
+    let Some(items) = value.get_ref().as_array() else {
+        reader.fault(wrong_type(value.span(), "an array of quantities", "массив величин", value.get_ref().type_str()));
+        return Vec::new();
+    };
+    let mut found = Vec::with_capacity(items.len());
+    for item in items.iter() {
+        let Some(raw) = reader.raw(item) else { continue };
+        let periods = wanted.is_some_and(Dimension::is_angular) && raw.formula.as_ref().is_some_and(Formula::counts_periods);
+        let checked = reader.value(&raw, &Context::CONSTANT, wanted);
+        let number = reader.number(&checked);
+        found.extend(number.map(|v| if periods { TAU * v } else { v }));
+    }
+    found
+}
+
+fn points<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<usize> {
+    let value = fields.formula(reader, "points", &Context::CONSTANT, Some(&Dimension::NONE))?;
+    let number = reader.number(&value)?;
+    if !POINTS.contains(&number) || number.fract() != 0.0 {
+        reader.fault(
+            Fault::new("M093", fields.span_of("points"), format!("`points` is {number}"), format!("`points` равно {number}"))
+                .why("a whole number from 2 to 1000000 is needed", "нужно целое число от 2 до 1000000"),
+        );
+        return None;
+    }
+    Some(number as usize)
+}

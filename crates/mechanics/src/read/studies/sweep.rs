@@ -1,0 +1,88 @@
+//! The study `sweep`: another study repeated over values of parameters.
+
+use super::plot::{Axis, plots_over};
+use crate::fault::{Fault, nearest};
+use crate::formula::{EntryKind, Kind};
+use crate::model::{StudyKind, Sweep, SweepRange};
+use crate::read::parameters::names;
+use crate::read::ranges;
+use crate::read::reader::{Fields, Reader, short, string};
+use crate::read::syntax::Value;
+use crate::units::Dimension;
+
+/// What a study may be repeated.
+const REPEATED: [&str; 6] = ["equilibrium", "simulate", "inverse", "statics", "periodic", "cycle"];
+
+pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
+    let value = fields.get("over");
+    if value.is_none() {
+        reader.fault(
+            Fault::new("M006", fields.span.clone(), "the study sweep lacks `over`", "в расчёте sweep не хватает `over`")
+                .help("add over = \"v=linspace(1 m/s, 3 m/s, 21)\"", "добавьте over = \"v=linspace(1 м/с, 3 м/с, 21)\""),
+        );
+    }
+    let items: Vec<&Value> = match value.map(|v| (v, v.get_ref().as_array())) {
+        Some((_, Some(items))) => items.iter().collect(),
+        Some((one, None)) => vec![one],
+        None => Vec::new(),
+    };
+    let over: Vec<SweepRange> = items.into_iter().filter_map(|item| range(reader, item)).collect();
+    let observe = fields.get("observe").map(|v| one_or_many(reader, v)).unwrap_or_default();
+    let of = fields.name(reader, "of").and_then(|(kind, span)| repeated(reader, kind, span));
+    let plots = fields.get("plot").map(|v| plots_over(reader, v, Axis::Over)).unwrap_or_default();
+    (!over.is_empty()).then_some(StudyKind::Sweep(Sweep { over, observe, of, plots }))
+}
+
+fn one_or_many<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Vec<String> {
+    if value.get_ref().as_str().is_some() {
+        return string(reader, value, "a name", "имя").map(|(name, _)| vec![name]).unwrap_or_default();
+    }
+    names(reader, value).into_iter().map(|(name, _)| name).collect()
+}
+
+fn repeated(reader: &mut Reader, kind: String, span: std::ops::Range<usize>) -> Option<String> {
+    if REPEATED.contains(&kind.as_str()) {
+        return Some(kind);
+    }
+    let shown = short(&kind);
+    let fault = Fault::new("M064", span, format!("no study `{shown}` can be repeated"), format!("расчёт `{shown}` повторять нельзя"));
+    let list = REPEATED.join(", ");
+    reader.fault(fault.help(format!("studies to repeat: {list}"), format!("повторять можно: {list}")));
+    None
+}
+
+fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Option<SweepRange> {
+    string(reader, value, "a string such as \"v=linspace(1 m/s, 3 m/s, 21)\"", "строка вида \"v=linspace(1 м/с, 3 м/с, 21)\"")?;
+    let snippet = reader.snippet(value)?;
+    let range = match ranges::parse(&snippet.text) {
+        Ok(range) => range,
+        Err(fault) => {
+            reader.report(snippet.diagnose(fault));
+            return None;
+        }
+    };
+    let base = range.name.trim_end_matches('\'');
+    let primes = range.name.len() - base.len();
+    let wanted = match reader.scope.get(base).map(|e| (e.kind, e.dimension)) {
+        Some((EntryKind::Parameter(_), kind)) if primes == 0 => kind,
+        Some((EntryKind::Coordinate(_), Kind::Known(d))) if primes <= 1 => Kind::Known(if primes == 1 { d.per_time(1) } else { d }),
+        Some((EntryKind::Coordinate(_), kind)) if primes <= 1 => kind,
+        _ => {
+            let fault = ranges::unknown_name(&range.name, nearest(base, reader.scope.names()));
+            reader.report(snippet.diagnose(fault));
+            return None;
+        }
+    };
+    if let Err(fault) = range.fits(&known(wanted).unwrap_or(range.dimension.unwrap_or(Dimension::NONE))) {
+        reader.report(snippet.diagnose(fault));
+        return None;
+    }
+    Some(SweepRange { name: range.name, values: range.values })
+}
+
+fn known(kind: Kind) -> Option<Dimension> {
+    match kind {
+        Kind::Known(d) => Some(d),
+        _ => None,
+    }
+}

@@ -1,0 +1,272 @@
+//! Systems A x = b of any kind: motion and reactions together.
+//!
+//! A is neither symmetric (motors, friction that follows a normal force) nor positive. Rows are eliminated in the given order, each with the
+//! largest remaining entry of the row as its pivot, entries being compared after scaling of rows and columns: Gaussian elimination with partial
+//! pivoting of the transposed matrix (Golub and Van Loan, Matrix Computations, section 3.4), hence as stable. The order of the rows is kept because the
+//! conditions come first: accelerations that conditions alone determine are then found from these alone, and a block that is held stays at exactly 0
+//! whatever the forces on it are.
+//!
+//! L and U are kept as lists of entries that are not zero: a row of a mechanism has few.
+
+use crate::solve::Defect;
+
+/// A factored matrix; reused from call to call without allocation.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct General {
+    size: usize,
+    /// A by rows.
+    matrix: Vec<f64>,
+    /// Largest entry of each row and, after division by it, of each column.
+    rows: Vec<f64>,
+    columns: Vec<f64>,
+    /// Column and value of the pivot of each row.
+    pivots: Vec<(usize, f64)>,
+    used: Vec<bool>,
+    /// Multipliers of earlier rows, then what stands right of the pivot: (index, value) by row; ends of both lists by row.
+    lower: Vec<(u32, f64)>,
+    upper: Vec<(u32, f64)>,
+    ends: Vec<(usize, usize)>,
+    /// Row under elimination, later the solution.
+    row: Vec<f64>,
+    rest: Vec<f64>,
+}
+
+/// A pivot below this part, times n, of its scale has lost all digits to cancellation.
+const SINGULAR: f64 = 4.0 * f64::EPSILON;
+
+impl General {
+    /// Takes the matrix, by rows.
+    pub(crate) fn load(&mut self, size: usize, entries: impl Iterator<Item = f64>) {
+        self.size = size;
+        self.matrix.clear();
+        self.matrix.extend(entries);
+        self.row.resize(size, 0.0);
+        self.rest.resize(size, 0.0);
+    }
+
+    /// Entries that are not finite pass through and spoil the solution, which is reported where it is used.
+    pub(crate) fn factor(&mut self) -> Result<(), Defect> {
+        let n = self.size;
+        self.measure();
+        self.pivots.clear();
+        self.used.clear();
+        self.used.resize(n, false);
+        self.lower.clear();
+        self.upper.clear();
+        self.ends.clear();
+        let mut failed = None;
+        for i in 0..n {
+            self.eliminate(i);
+            match self.choose(i) {
+                Some(column) => self.keep(column),
+                None => {
+                    failed = failed.or(Some(i));
+                    self.pivots.push((0, f64::NAN));
+                }
+            }
+            self.ends.push((self.lower.len(), self.upper.len()));
+        }
+        match failed {
+            None => Ok(()),
+            Some(row) => Err(Defect::Dependent { row, unknown: self.used.iter().position(|u| !u).unwrap_or(0) }),
+        }
+    }
+
+    fn measure(&mut self) {
+        let n = self.size;
+        self.rows.clear();
+        self.columns.clear();
+        self.columns.resize(n, 0.0);
+        for row in self.matrix.chunks_exact(n) {
+            let largest = row.iter().fold(0.0_f64, |m, a| m.max(a.abs()));
+            self.rows.push(largest);
+            for (column, a) in self.columns.iter_mut().zip(row) {
+                let scaled = a.abs() / largest;
+                if scaled > *column {
+                    *column = scaled;
+                }
+            }
+        }
+    }
+
+    /// Subtracts multiples of the rows before from row i.
+    fn eliminate(&mut self, i: usize) {
+        let n = self.size;
+        self.row.copy_from_slice(&self.matrix[i * n..(i + 1) * n]);
+        let mut start = 0;
+        for (p, &(column, pivot)) in self.pivots.iter().enumerate() {
+            let end = self.ends[p].1;
+            let entry = self.row[column];
+            // a row that failed has no pivot
+            if entry != 0.0 && !pivot.is_nan() {
+                let l = entry / pivot;
+                self.lower.push((p as u32, l));
+                for &(j, u) in &self.upper[start..end] {
+                    self.row[j as usize] -= l * u;
+                }
+            }
+            start = end;
+        }
+    }
+
+    /// The column of the pivot; none when nothing but rounding is left.
+    fn choose(&self, i: usize) -> Option<usize> {
+        let limit = SINGULAR * self.size as f64 * self.rows[i];
+        let (mut best, mut largest) = (None, 0.0);
+        for j in (0..self.size).filter(|j| !self.used[*j]) {
+            let scaled = self.row[j].abs() / self.columns[j];
+            if self.row[j].is_nan() || limit.is_infinite() {
+                return Some(j);
+            }
+            if scaled > limit && scaled > largest {
+                (best, largest) = (Some(j), scaled);
+            }
+        }
+        best
+    }
+
+    fn keep(&mut self, column: usize) {
+        self.used[column] = true;
+        self.pivots.push((column, self.row[column]));
+        for j in 0..self.size {
+            if !self.used[j] && self.row[j] != 0.0 {
+                self.upper.push((j as u32, self.row[j]));
+            }
+        }
+    }
+
+    /// Replaces b by A⁻¹ b.
+    pub(crate) fn solve(&mut self, b: &mut [f64]) {
+        let mut start = 0;
+        for i in 0..self.size {
+            let end = self.ends[i].0;
+            let mut value = b[i];
+            for &(p, l) in &self.lower[start..end] {
+                value -= l * b[p as usize];
+            }
+            b[i] = value;
+            start = end;
+        }
+        let mut end = self.upper.len();
+        for i in (0..self.size).rev() {
+            let start = if i == 0 { 0 } else { self.ends[i - 1].1 };
+            let mut value = b[i];
+            for &(j, u) in &self.upper[start..end] {
+                value -= u * self.row[j as usize];
+            }
+            let (column, pivot) = self.pivots[i];
+            self.row[column] = value / pivot;
+            end = start;
+        }
+        b.copy_from_slice(&self.row[..self.size]);
+    }
+
+    /// The same with one step of refinement, x + A⁻¹(b - A x): each equation is then met to its own rounding (Skeel 1980).
+    pub(crate) fn solve_refined(&mut self, b: &mut [f64]) {
+        let n = self.size;
+        let mut rest = std::mem::take(&mut self.rest);
+        rest.copy_from_slice(b);
+        self.solve(b);
+        for (value, row) in rest.iter_mut().zip(self.matrix.chunks_exact(n)) {
+            for (a, x) in row.iter().zip(b.iter()) {
+                *value -= a * x;
+            }
+        }
+        self.solve(&mut rest);
+        for (x, correction) in b.iter_mut().zip(&rest) {
+            *x += correction;
+        }
+        self.rest = rest;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::General;
+    use crate::solve::Defect;
+    use proptest::prelude::*;
+    use symbolic::Rational;
+
+    fn solved(matrix: &[f64], b: &[f64]) -> Result<Vec<f64>, Defect> {
+        let mut general = General::default();
+        general.load(b.len(), matrix.iter().copied());
+        general.factor()?;
+        let mut x = b.to_vec();
+        general.solve_refined(&mut x);
+        Ok(x)
+    }
+
+    /// Rows in any scale, a zero on the diagonal: x = (1, 2, 3).
+    #[test]
+    fn unsymmetric_system_is_solved() {
+        let x = solved(&[0.0, 2e9, -1e9, 1e-7, 1e-7, 0.0, 4.0, 0.0, 1.0], &[1e9, 3e-7, 7.0]).unwrap();
+        assert!(x.iter().zip([1.0, 2.0, 3.0]).all(|(x, want)| (x - want).abs() < 1e-15 * want * 4.0), "{x:?}");
+    }
+
+    /// x'' = 0 from the condition whatever the weight is: [1, 0; m, 1] (x'', λ) = (0, m g sin a).
+    #[test]
+    fn held_block_has_exactly_no_acceleration() {
+        for force in [0.1, 1.0 / 3.0, 123.456e7] {
+            assert_eq!(solved(&[1.0, 0.0, 0.7, 1.0], &[0.0, force]).unwrap(), [0.0, force]);
+        }
+    }
+
+    #[test]
+    fn dependent_rows_and_open_unknowns_are_named() {
+        let matrix = [1.0, 1.0, 0.0, 2.0, 2.0, 0.0, 0.0, 0.0, 1.0];
+        assert_eq!(solved(&matrix, &[0.0; 3]), Err(Defect::Dependent { row: 1, unknown: 1 }));
+        assert_eq!(solved(&[0.0], &[0.0]), Err(Defect::Dependent { row: 0, unknown: 0 }));
+    }
+
+    #[test]
+    fn a_lost_number_is_no_dependence() {
+        for lost in [f64::NAN, f64::INFINITY] {
+            assert!(solved(&[lost, 1.0, 1.0, 1.0], &[1.0, 1.0]).unwrap().iter().any(|x| !x.is_finite()));
+        }
+    }
+
+    /// x of A x = b in exact arithmetic, and whether there is one.
+    fn exact(matrix: &[i64], b: &[i64]) -> Option<Vec<f64>> {
+        let n = b.len();
+        let number = |v: &i64| Rational::new(*v, 1).unwrap();
+        let mut rows: Vec<Vec<Rational>> =
+            (0..n).map(|i| matrix[i * n..(i + 1) * n].iter().chain(&b[i..=i]).map(number).collect()).collect();
+        for i in 0..n {
+            let pivot = (i..n).find(|r| !rows[*r][i].is_zero())?;
+            rows.swap(i, pivot);
+            let row: Vec<Rational> = rows[i].iter().map(|a| a / &rows[i][i]).collect();
+            for (_, other) in rows.iter_mut().enumerate().filter(|(r, _)| *r != i) {
+                let factor = other[i].clone();
+                other.iter_mut().zip(&row).for_each(|(a, b)| *a = &*a - &(&factor * b));
+            }
+            rows[i] = row;
+        }
+        Some(rows.iter().map(|row| row[n].to_f64()).collect())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Whole numbers, half of them zero, rows in powers of ten: condition numbers of such matrices stay below 1e6 or they are singular.
+        #[test]
+        fn agrees_with_exact_arithmetic(
+            n in 1usize..9,
+            entries in proptest::collection::vec(prop_oneof![Just(0i64), -4i64..5], 64),
+            b in proptest::collection::vec(-9i64..10, 8),
+            scales in proptest::collection::vec(-6i32..7, 8),
+        ) {
+            let (matrix, b) = (&entries[..n * n], &b[..n]);
+            let scale = |i: usize| 10_f64.powi(scales[i]);
+            let numbers: Vec<f64> = matrix.iter().enumerate().map(|(k, a)| *a as f64 * scale(k / n)).collect();
+            let right: Vec<f64> = b.iter().enumerate().map(|(i, b)| *b as f64 * scale(i)).collect();
+            match (exact(matrix, b), solved(&numbers, &right)) {
+                (Some(want), Ok(have)) => {
+                    let size = want.iter().fold(1.0, |m: f64, v| m.max(v.abs()));
+                    prop_assert!(have.iter().zip(&want).all(|(h, w)| (h - w).abs() < 1e-10 * size), "{:?} {:?}", have, want);
+                }
+                (None, Err(Defect::Dependent { row, unknown })) => prop_assert!(row < n && unknown < n),
+                (want, have) => prop_assert!(false, "{:?} against {:?}", want, have),
+            }
+        }
+    }
+}

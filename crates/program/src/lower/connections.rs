@@ -1,0 +1,480 @@
+//! Equations with connections: one general system for accelerations and reactions.
+//!
+//! ```text
+//! rows                                    unknowns: q'', then reactions λ
+//! conditions   J q''              = -remainder        (or the alternative of a contact or a friction)
+//! motions      M q'' - Σ forces λ = h
+//! balances     m q'' - Σ released λ = rest            (here only when a friction presses with the force of a support)
+//! ```
+//!
+//! Conditions come first, so that what they hold is held exactly ([`crate::Operation::System`]). The alternatives stand in the same rows: each entry is
+//! a choice by the mode of the contact's gap or of the sliding speed, so that the modes select the equations and a jet stays on one smooth piece.
+//! Limits, normal forces and contact forces are guards whose values follow from the solution.
+//!
+//! Frictions with one sliding speed (two brakes on a shaft, two feet of a block) stick and slide together: the first leads, the others share its guards.
+//! While they stick only the sum of their forces is determined; it is compared with the sum of the limits, and shared in proportion to these. Where
+//! normal forces from reactions make the limits unknown, the first takes all.
+
+use super::expressions::Lowering;
+use super::forms::Value;
+use crate::{Bounded, By, Fault, Guard, GuardKind, Mode, Register};
+use symbolic::connections::{Balance, Condition, Friction, Law};
+use symbolic::{Equations, Expr, Text};
+
+/// What takes part of the connections of some equations. A condition that repeats others is dropped together with the reaction that owns it.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Selection {
+    /// Conditions that are equations.
+    pub conditions: Vec<bool>,
+    /// Reactions that are unknowns.
+    pub reactions: Vec<bool>,
+    /// Balances that are equations.
+    pub balances: Vec<bool>,
+}
+
+impl Selection {
+    /// Everything takes part.
+    pub fn all(equations: &Equations) -> Selection {
+        Selection {
+            conditions: vec![true; equations.conditions.len()],
+            reactions: vec![true; equations.reactions.len()],
+            balances: vec![true; equations.balances.len()],
+        }
+    }
+}
+
+/// Rows and unknowns of the dynamics and of the supports, by index.
+#[derive(Clone, Debug)]
+pub(super) struct Arrangement {
+    pub(super) conditions: Vec<usize>,
+    /// Unknown in the dynamics.
+    pub(super) solved: Vec<usize>,
+    /// Balances among the rows of the dynamics.
+    pub(super) joined: Vec<usize>,
+    /// Supports that follow from `balances` afterwards.
+    pub(super) supports: Vec<usize>,
+    pub(super) balances: Vec<usize>,
+}
+
+/// Numbers of the guards of one reaction. Frictions that slide together have one leader, whose limits they share.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Numbers {
+    Sliding { leader: usize, sliding: u32, limits: [u32; 2], normal: Option<u32> },
+    Gap { gap: u32, force: u32 },
+}
+
+impl Arrangement {
+    /// *Errors*: P012 when equations and unknowns differ in number, P014 for a friction that is pressed by a reaction that was dropped.
+    pub(super) fn new(equations: &Equations, selection: &Selection) -> Result<Arrangement, Fault> {
+        let sizes = |a: usize, b: usize| if a == b { Ok(()) } else { Err(Fault::about("P012", format!("{a} != {b}"))) };
+        sizes(selection.conditions.len(), equations.conditions.len())?;
+        sizes(selection.reactions.len(), equations.reactions.len())?;
+        sizes(selection.balances.len(), equations.balances.len())?;
+        let chosen = |flags: &[bool]| -> Vec<usize> { (0..flags.len()).filter(|i| flags[*i]).collect() };
+        let (conditions, reactions, balances) = (chosen(&selection.conditions), chosen(&selection.reactions), chosen(&selection.balances));
+        for &r in &reactions {
+            let owned = equations.reactions[r].law.condition();
+            if owned.is_some_and(|c| selection.conditions.get(c) != Some(&true)) {
+                return Err(Fault::about("P012", equations.reactions[r].name.clone()));
+            }
+            if let Some(lost) = pressing(equations, r).find(|k| selection.reactions.get(*k) != Some(&true)) {
+                return Err(Fault::about("P014", equations.reactions.get(lost).map_or("?", |r| &r.name)));
+            }
+        }
+        let support = |r: &usize| matches!(equations.reactions[*r].law, Law::Support);
+        let joins = reactions.iter().any(|r| pressing(equations, *r).any(|k| support(&k)));
+        let (supports, solved): (Vec<usize>, Vec<usize>) = reactions.iter().partition(|r| support(r) && !joins);
+        let (joined, balances) = if joins { (balances, Vec::new()) } else { (Vec::new(), balances) };
+        let mismatch = |rows: usize, unknowns: usize| {
+            let en = format!("{rows} conditions for {unknowns} unknown reactions and motors");
+            let ru = format!("условий {rows}, неизвестных реакций и моторов {unknowns}");
+            if rows == unknowns { Ok(()) } else { Err(Fault::new("P012", &Text::new(en, ru))) }
+        };
+        mismatch(conditions.len() + joined.len(), solved.len())?;
+        mismatch(balances.len(), supports.len())?;
+        Ok(Arrangement { conditions, solved, joined, supports, balances })
+    }
+
+    /// Whether the equations of motion stand alone.
+    pub(super) fn is_free(&self) -> bool {
+        self.solved.is_empty()
+    }
+
+    /// Names of the rows of the dynamics.
+    pub(super) fn rows(&self, equations: &Equations, unknowns: &[String]) -> Vec<Text> {
+        let conditions = self.conditions.iter().map(|c| equations.conditions[*c].name.clone());
+        let motion = |a: &String| Text::new(format!("equation of motion for {a}"), format!("уравнение движения для {a}"));
+        let motions = unknowns[..equations.coordinates.len()].iter().map(motion);
+        conditions.chain(motions).chain(self.joined.iter().map(|b| equations.balances[*b].name.clone())).collect()
+    }
+}
+
+/// Reactions that a friction's normal force consists of.
+fn pressing(equations: &Equations, reaction: usize) -> impl Iterator<Item = usize> + '_ {
+    let normal = match &equations.reactions[reaction].law {
+        Law::Friction(friction) => friction.normal.as_ref(),
+        _ => None,
+    };
+    normal.into_iter().flat_map(|n| n.terms.iter().map(|t| t.0))
+}
+
+/// A row under construction: entries by column, right side.
+type Row = (Vec<(usize, Value)>, Value);
+
+/// The system of the dynamics on a tape.
+pub(super) struct Connected<'e, 'a, 'g, 't> {
+    pub(super) lowering: &'a mut Lowering<'g, 't>,
+    equations: &'e Equations,
+    arrangement: &'e Arrangement,
+    /// Column of each reaction.
+    columns: Vec<Option<usize>>,
+    size: usize,
+    matrix: Vec<Option<Register>>,
+    right: Vec<Register>,
+}
+
+impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
+    pub(super) fn new(lowering: &'a mut Lowering<'g, 't>, equations: &'e Equations, arrangement: &'e Arrangement) -> Self {
+        let n = equations.coordinates.len();
+        let mut columns = vec![None; equations.reactions.len()];
+        for (i, r) in arrangement.solved.iter().enumerate() {
+            columns[*r] = Some(n + i);
+        }
+        let size = n + arrangement.solved.len();
+        Connected {
+            lowering,
+            equations,
+            arrangement,
+            columns,
+            size,
+            matrix: Vec::with_capacity(size * size),
+            right: Vec::with_capacity(size),
+        }
+    }
+
+    /// First register of q'', then the solved reactions; none without unknowns.
+    pub(super) fn solve(mut self, numbers: &[Option<Numbers>]) -> Result<Option<Register>, Fault> {
+        if self.size == 0 {
+            return Ok(None);
+        }
+        for c in &self.arrangement.conditions {
+            self.condition(&self.equations.conditions[*c], numbers)?;
+        }
+        for i in 0..self.equations.coordinates.len() {
+            self.motion(i)?;
+        }
+        for b in &self.arrangement.joined {
+            self.balance(*b)?;
+        }
+        Ok(Some(self.lowering.system(self.matrix, self.right)))
+    }
+
+    fn push(&mut self, (entries, right): Row) {
+        let mut row = vec![None; self.size];
+        for (column, value) in entries {
+            let register = self.lowering.whole(value);
+            row[column] = (!self.lowering.is_zero(register)).then_some(register);
+        }
+        self.matrix.extend(row);
+        let right = self.lowering.whole(right);
+        self.right.push(right);
+    }
+
+    fn motion(&mut self, i: usize) -> Result<(), Fault> {
+        let n = self.equations.coordinates.len();
+        let mut row = Vec::new();
+        for j in 0..n {
+            row.push((j, self.lowering.value(self.equations.mass.get(i.max(j), i.min(j)))?));
+        }
+        for (column, e) in self.loads(|r| &r.forces, i) {
+            row.push((column, self.lowering.negative(e)?));
+        }
+        let right = self.lowering.value(self.equations.force[i])?;
+        self.push((row, right));
+        Ok(())
+    }
+
+    fn balance(&mut self, b: usize) -> Result<(), Fault> {
+        let Balance { columns, rest, .. } = &self.equations.balances[b];
+        let mut row = Vec::new();
+        for (j, e) in columns {
+            row.push((*j, self.lowering.value(*e)?));
+        }
+        for (column, e) in self.loads(|r| &r.released, b) {
+            row.push((column, self.lowering.negative(e)?));
+        }
+        let right = self.lowering.value(*rest)?;
+        self.push((row, right));
+        Ok(())
+    }
+
+    /// (column, factor) of the solved reactions in row `i` of `part`.
+    fn loads(&self, part: impl Fn(&symbolic::connections::Reaction) -> &Vec<(usize, Expr)>, i: usize) -> Vec<(usize, Expr)> {
+        let mut found = Vec::new();
+        for r in &self.arrangement.solved {
+            let column = self.columns[*r].unwrap_or(0);
+            found.extend(part(&self.equations.reactions[*r]).iter().filter(|(k, _)| *k == i).map(|(_, e)| (column, *e)));
+        }
+        found
+    }
+
+    fn condition(&mut self, condition: &Condition, numbers: &[Option<Numbers>]) -> Result<(), Fault> {
+        let mut entries = Vec::new();
+        for (j, e) in &condition.columns {
+            entries.push((*j, self.lowering.value(*e)?));
+        }
+        let held = (entries, self.lowering.negative(condition.remainder)?);
+        let owner = condition.reaction.and_then(|r| Some((r, self.columns[r]?, (*numbers.get(r)?)?)));
+        let Some((reaction, column, numbers)) = owner else {
+            self.push(held);
+            return Ok(());
+        };
+        match (&self.equations.reactions[reaction].law, numbers) {
+            (Law::Friction(friction), Numbers::Sliding { leader, sliding, normal, .. }) => {
+                let held = if leader == reaction { held } else { self.share(friction, column, leader)? };
+                let back = self.slip(friction, column, -1.0, normal)?;
+                let forth = self.slip(friction, column, 1.0, normal)?;
+                self.alternatives(sliding, [back, held, forth]);
+            }
+            (_, Numbers::Gap { gap, .. }) => {
+                let open = (vec![(column, self.lowering.literal(1.0))], self.lowering.literal(0.0));
+                self.alternatives(gap, [held.clone(), held, open]);
+            }
+            _ => self.push(held),
+        }
+        Ok(())
+    }
+
+    /// λ - s kinetic |N| = 0; |N| = σ N with the sign σ of N by its mode.
+    fn slip(&mut self, friction: &Friction, column: usize, s: f64, normal: Option<u32>) -> Result<Row, Fault> {
+        let kinetic = self.lowering.value(friction.kinetic[usize::from(s > 0.0)])?;
+        let mut entries = vec![(column, self.lowering.literal(1.0))];
+        let (Some(normal), Some(number)) = (&friction.normal, normal) else {
+            return Ok((entries, self.lowering.sum(&[(s, kinetic)])));
+        };
+        let signs = [-1.0, 0.0, 1.0].map(|sign| self.lowering.literal(sign));
+        let sign = self.lowering.branch(By::Mode(number), signs);
+        let factor = self.lowering.times(kinetic, sign);
+        for (k, e) in &normal.terms {
+            let term = self.lowering.value(*e)?;
+            let term = self.lowering.times(factor, term);
+            entries.push((self.columns[*k].unwrap_or(0), self.lowering.sum(&[(-s, term)])));
+        }
+        let constant = self.lowering.value(normal.constant)?;
+        let constant = self.lowering.times(factor, constant);
+        Ok((entries, self.lowering.sum(&[(s, constant)])))
+    }
+
+    /// λ fixed(leader) - λ(leader) fixed = 0; λ = 0 where both limits vanish, or are not known beforehand.
+    fn share(&mut self, friction: &Friction, column: usize, leader: usize) -> Result<Row, Fault> {
+        let (one, zero) = (self.lowering.literal(1.0), self.lowering.literal(0.0));
+        let Some((first, lead)) = friction_of(self.equations, leader).zip(self.columns[leader]) else {
+            return Ok((vec![(column, one)], zero));
+        };
+        if friction.normal.is_some() || first.normal.is_some() {
+            return Ok((vec![(column, one)], zero));
+        }
+        let (mut own, own_limit) = (self.lowering.value(first.fixed)?, self.lowering.value(friction.fixed)?);
+        let sum = self.lowering.sum(&[(1.0, own), (1.0, own_limit)]);
+        if let Value::Constant(sum) = sum {
+            own = self.lowering.branch(By::Value(sum), [one, one, own]);
+        }
+        let other = self.lowering.sum(&[(-1.0, own_limit)]);
+        Ok((vec![(column, own), (lead, other)], zero))
+    }
+
+    fn alternatives(&mut self, guard: u32, sides: [Row; 3]) {
+        let mut row = Vec::new();
+        for column in 0..self.size {
+            let values = sides.each_ref().map(|(entries, _)| {
+                let items: Vec<(f64, Value)> = entries.iter().filter(|e| e.0 == column).map(|e| (1.0, e.1)).collect();
+                self.lowering.sum(&items)
+            });
+            if sides.iter().any(|(entries, _)| entries.iter().any(|e| e.0 == column)) {
+                row.push((column, self.lowering.branch(By::Mode(guard), values)));
+            }
+        }
+        let right = self.lowering.branch(By::Mode(guard), sides.map(|side| side.1));
+        self.push((row, right));
+    }
+}
+
+/// Reserves the numbers of the guards of contacts and frictions and finds their surfaces; formulas that follow share these guards.
+pub(super) fn reserve(lowering: &mut Lowering, equations: &Equations, arrangement: &Arrangement) -> Result<Vec<Option<Numbers>>, Fault> {
+    let mut numbers = vec![None; equations.reactions.len()];
+    for &reaction in &arrangement.solved {
+        numbers[reaction] = match &equations.reactions[reaction].law {
+            Law::Contact { gap, .. } => Some(contact(lowering, reaction, *gap)?),
+            Law::Friction(friction) => {
+                let leader = leader(equations, arrangement, friction.sliding).unwrap_or(reaction);
+                Some(sliding(lowering, reaction, friction, numbers[leader])?)
+            }
+            _ => None,
+        };
+    }
+    Ok(numbers)
+}
+
+fn friction_of(equations: &Equations, reaction: usize) -> Option<&Friction> {
+    match &equations.reactions.get(reaction)?.law {
+        Law::Friction(friction) => Some(friction),
+        _ => None,
+    }
+}
+
+/// The first friction with that sliding speed.
+fn leader(equations: &Equations, arrangement: &Arrangement, sliding: Expr) -> Option<usize> {
+    arrangement.solved.iter().copied().find(|r| friction_of(equations, *r).is_some_and(|f| f.sliding == sliding))
+}
+
+fn contact(lowering: &mut Lowering, reaction: usize, left: Expr) -> Result<Numbers, Fault> {
+    let surface = lowering.register(left)?;
+    let of = lowering.next_guard();
+    let force = of + 1;
+    let gap = lowering.surface(Guard { kind: GuardKind::Gap { reaction, force }, left, right: None }, surface);
+    let force = lowering.reserve(Guard { kind: GuardKind::ContactForce { reaction, of }, left, right: None });
+    lowering.bound(Bounded { guard: force, of: gap });
+    Ok(Numbers::Gap { gap, force })
+}
+
+fn sliding(lowering: &mut Lowering, reaction: usize, friction: &Friction, led: Option<Numbers>) -> Result<Numbers, Fault> {
+    let left = friction.sliding;
+    if let Some(Numbers::Sliding { leader, sliding, limits, .. }) = led {
+        return Ok(Numbers::Sliding { leader, sliding, limits, normal: normal_guard(lowering, reaction, friction) });
+    }
+    let surface = lowering.register(left)?;
+    let of = lowering.next_guard();
+    let kind = GuardKind::Sliding { reaction, limits: [of + 1, of + 2] };
+    let sliding = lowering.surface(Guard { kind, left, right: None }, surface);
+    let limits = [Mode::Negative, Mode::Positive].map(|exit| {
+        let limit = lowering.reserve(Guard { kind: GuardKind::Limit { reaction, of, exit }, left, right: None });
+        lowering.bound(Bounded { guard: limit, of: sliding });
+        limit
+    });
+    Ok(Numbers::Sliding { leader: reaction, sliding, limits, normal: normal_guard(lowering, reaction, friction) })
+}
+
+fn normal_guard(lowering: &mut Lowering, reaction: usize, friction: &Friction) -> Option<u32> {
+    let guard = Guard { kind: GuardKind::Normal { reaction }, left: friction.sliding, right: None };
+    friction.normal.as_ref().map(|_| lowering.reserve(guard))
+}
+
+/// Computes the surfaces of numbered guards in another tape, before the choices that go by them.
+pub(super) fn surfaces(lowering: &mut Lowering, equations: &Equations, numbers: &[Option<Numbers>]) -> Result<(), Fault> {
+    for (reaction, numbers) in equations.reactions.iter().zip(numbers) {
+        let (guard, surface) = match (&reaction.law, numbers) {
+            (Law::Contact { gap, .. }, Some(Numbers::Gap { gap: guard, .. })) => (*guard, *gap),
+            (Law::Friction(friction), Some(Numbers::Sliding { sliding, .. })) => (*sliding, friction.sliding),
+            _ => continue,
+        };
+        let surface = lowering.value(surface)?;
+        lowering.define_guard(guard, surface);
+    }
+    Ok(())
+}
+
+/// Static limits and forces of frictions that stick together.
+struct Group {
+    leader: usize,
+    limits: [u32; 2],
+    capacity: Vec<(f64, Value)>,
+    load: Vec<(f64, Value)>,
+}
+
+/// Gives the guards that follow from reactions their registers; `first` is the first register of the solution.
+pub(super) fn fill(
+    lowering: &mut Lowering,
+    equations: &Equations,
+    arrangement: &Arrangement,
+    numbers: &[Option<Numbers>],
+    first: Register,
+) -> Result<(), Fault> {
+    let n = equations.coordinates.len();
+    let force = |reaction: usize| {
+        let position = arrangement.solved.iter().position(|r| *r == reaction).unwrap_or(0);
+        Value::Plain(Register(first.0 + (n + position) as u32))
+    };
+    let mut groups: Vec<Group> = Vec::new();
+    for (reaction, numbers) in numbers.iter().enumerate() {
+        match (numbers, &equations.reactions[reaction].law) {
+            (Some(Numbers::Gap { force: guard, .. }), _) => lowering.define_guard(*guard, force(reaction)),
+            (Some(Numbers::Sliding { leader, limits, normal, .. }), Law::Friction(friction)) => {
+                let limit = limit(lowering, friction, *normal, &force)?;
+                if *leader == reaction {
+                    groups.push(Group { leader: reaction, limits: *limits, capacity: Vec::new(), load: Vec::new() });
+                }
+                if let Some(group) = groups.iter_mut().find(|g| g.leader == *leader) {
+                    group.capacity.push((1.0, limit));
+                    group.load.push((1.0, force(reaction)));
+                }
+            }
+            _ => {}
+        }
+    }
+    for group in groups {
+        let (capacity, load) = (lowering.sum(&group.capacity), lowering.sum(&group.load));
+        for (guard, sign) in group.limits.iter().zip([1.0, -1.0]) {
+            let left = lowering.sum(&[(1.0, capacity), (sign, load)]);
+            lowering.define_guard(*guard, left);
+        }
+    }
+    Ok(())
+}
+
+/// The static limit; |N| by the sign of N, whose guard gets its register here.
+fn limit(lowering: &mut Lowering, friction: &Friction, guard: Option<u32>, force: &dyn Fn(usize) -> Value) -> Result<Value, Fault> {
+    let fixed = lowering.value(friction.fixed)?;
+    let (Some(guard), Some(normal)) = (guard, &friction.normal) else { return Ok(fixed) };
+    let mut items = vec![(1.0, lowering.value(normal.constant)?)];
+    for (k, e) in &normal.terms {
+        let factor = lowering.value(*e)?;
+        items.push((1.0, lowering.times(factor, force(*k))));
+    }
+    let pressure = lowering.sum(&items);
+    lowering.define_guard(guard, pressure);
+    let sides = [lowering.sum(&[(-1.0, pressure)]), lowering.literal(0.0), pressure];
+    let magnitude = lowering.branch(By::Mode(guard), sides);
+    Ok(lowering.times(fixed, magnitude))
+}
+
+/// Registers of the supports, from the balances: Σ released λ = columns q'' - rest - Σ released (solved) λ.
+pub(super) fn supports(
+    lowering: &mut Lowering,
+    equations: &Equations,
+    arrangement: &Arrangement,
+    first: Option<Register>,
+) -> Result<Option<Register>, Fault> {
+    let n = equations.coordinates.len();
+    let solution = |i: usize| Value::Plain(Register(first.map_or(0, |f| f.0) + i as u32));
+    let (mut matrix, mut right) = (Vec::new(), Vec::new());
+    for &b in &arrangement.balances {
+        let balance = &equations.balances[b];
+        let entry = |r: &usize| equations.reactions[*r].released.iter().filter(move |(k, _)| *k == b).map(|(_, e)| *e);
+        for r in &arrangement.supports {
+            let mut items = Vec::new();
+            for e in entry(r) {
+                items.push((1.0, lowering.value(e)?));
+            }
+            let sum = lowering.sum(&items);
+            let register = lowering.whole(sum);
+            matrix.push((!lowering.is_zero(register)).then_some(register));
+        }
+        let mut items = vec![(-1.0, lowering.value(balance.rest)?)];
+        for (j, e) in &balance.columns {
+            let inertia = lowering.value(*e)?;
+            items.push((1.0, lowering.times(inertia, solution(*j))));
+        }
+        for (i, r) in arrangement.solved.iter().enumerate() {
+            for e in entry(r) {
+                let factor = lowering.value(e)?;
+                items.push((-1.0, lowering.times(factor, solution(n + i))));
+            }
+        }
+        let sum = lowering.sum(&items);
+        right.push(lowering.whole(sum));
+    }
+    if right.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(lowering.system(matrix, right)))
+}

@@ -1,0 +1,53 @@
+//! `strutt modes FILE`: natural frequencies, shapes, the frequency equation.
+
+use super::{Exit, judge, open};
+use crate::args::{self, Normalise};
+use crate::console::{Console, Shape};
+use crate::quantities;
+use mechanics::derive::Detail;
+use mechanics::model::{Modes, Scale, StudyKind};
+use report::Document;
+use strutt::words::Word;
+use strutt::{Failure, folder, pipeline, small};
+
+pub fn run(args: &args::Modes, console: &mut Console) -> Result<Exit, Failure> {
+    let (_, mut machine) = open(&args.model, Detail::Equations, console)?;
+    let of_file = machine.model.studies.iter().find_map(|s| match &s.kind {
+        StudyKind::Modes(study) => Some(study.clone()),
+        _ => None,
+    });
+    let mut study: Modes = of_file.unwrap_or_default();
+    if !args.guess.is_empty() {
+        study.guess = quantities::guess(&args.guess, &machine)?;
+    }
+    if let Some(scale) = args.normalise {
+        study.scale = match scale {
+            Normalise::Largest => Scale::Largest,
+            Normalise::First => Scale::First,
+            Normalise::Mass => Scale::Mass,
+        };
+    }
+    let finding = console.watched(|watch| pipeline::modes(&mut machine, &study, watch));
+    let (data, language) = (finding.data(), console.language);
+    match console.shape {
+        Shape::Json => console.out(report::json::write(data, &folder::own_fields(&finding), language))?,
+        Shape::Csv => console.out(report::csv::write(data, report::csv::Dialect::Plain))?,
+        Shape::Text => {
+            if let pipeline::Finding::Modes(found) = &finding {
+                let blocks = small::show::modes(found, language, false);
+                let title = language.text(&machine.model.title).to_owned();
+                let document = Document {
+                    language,
+                    title,
+                    description: String::new(),
+                    blocks,
+                    version: strutt::VERSION.into(),
+                    model_hash: machine.model_hash.clone(),
+                };
+                console.out(report::terminal::write(&document, console.width()))?;
+            }
+            console.talk(&format!("{} strutt run {}", console.say(Word::Next), args.model.file));
+        }
+    }
+    Ok(judge(&finding, console))
+}

@@ -1,0 +1,219 @@
+//! The study `modes`: natural frequencies, shapes, the frequency equation, modes followed along a parameter.
+
+use crate::failure::Trouble;
+use crate::pipeline::Machine;
+use crate::provenance;
+use crate::small::equation::{self, FrequencyEquation};
+use crate::small::{Small, about_rest, timing_notes};
+use analysis::dataset::Column;
+use analysis::linear::Matrices;
+use analysis::studies::modes::{self, Damping, Kind, Modes, Normalisation};
+use analysis::studies::tracks::{self, Tracks};
+use analysis::{Dataset, Fault, Quantity};
+use mechanics::model::{Modes as Study, Scale};
+use serde_json::{Map, Value, json};
+use std::f64::consts::TAU;
+use symbolic::Text;
+
+/// What the study found.
+#[derive(Clone, Debug)]
+pub struct ModesFound {
+    /// The study.
+    pub study: Study,
+    /// One row per mode; along a parameter one row per value.
+    pub data: Dataset,
+    /// What ended it early.
+    pub trouble: Option<Trouble>,
+    /// Everything about the place; none when there is no equilibrium.
+    pub found: Option<Found>,
+}
+
+/// Modes at a place.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The linear machine and its place.
+    pub small: Small,
+    /// Numbers of M, B, C.
+    pub matrices: Matrices,
+    /// The modes.
+    pub modes: Modes,
+    /// The frequency equation, where it exists.
+    pub equation: Option<FrequencyEquation>,
+    /// Modes along the parameter of the study.
+    pub tracks: Option<Tracks>,
+}
+
+/// Makes the study.
+pub fn find(machine: &Machine, study: &Study) -> ModesFound {
+    let result = about_rest(machine, &study.guess).and_then(|small| at(machine, study, small));
+    let (found, fault) = match result {
+        Ok(found) => (Some(found), None),
+        Err(fault) => (None, Some(fault)),
+    };
+    let data = found.as_ref().map(dataset).unwrap_or_else(|| Dataset { partial: true, ..Dataset::default() });
+    let data = provenance::stamp(data, &machine.equations, &machine.model_hash);
+    ModesFound { study: study.clone(), data, trouble: fault.map(|f| crate::pipeline::explained(f, &machine.equations)), found }
+}
+
+fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault> {
+    let matrices = small.machine.at(&small.place)?;
+    let names = small.machine.coordinates().to_vec();
+    let modes = modes::modes(&matrices, &names, normalisation(study.scale))?;
+    let equation = (modes.damping != Damping::General).then(|| equation::find(machine, &small, study.variable.as_ref())).flatten();
+    let tracks = match &study.over {
+        Some(sweep) => Some(along(&mut small, sweep)?),
+        None => None,
+    };
+    Ok(Found { small, matrices, modes, equation: equation.map(|e| e.0), tracks })
+}
+
+fn along(small: &mut Small, sweep: &mechanics::model::ParameterRange) -> Result<Tracks, Fault> {
+    let names: Vec<String> = small.machine.parameters().iter().map(|p| p.name.clone()).collect();
+    let Some(parameter) = small.machine.parameter(&sweep.name) else {
+        let what = Text::new(
+            format!("`{}` is given by a formula, so it cannot be changed by itself", sweep.name),
+            format!("величина `{}` задана формулой, менять её отдельно нельзя", sweep.name),
+        );
+        return Err(Fault::unknown(what, &names));
+    };
+    let own = small.machine.value(parameter);
+    let tracks = tracks::tracks(&mut small.machine, parameter, [sweep.from, sweep.to], sweep.points, &small.place);
+    small.machine.set(parameter, own)?;
+    tracks
+}
+
+/// The scale of shapes.
+pub fn normalisation(scale: Scale) -> Normalisation {
+    match scale {
+        Scale::Largest => Normalisation::Largest,
+        Scale::First => Normalisation::First,
+        Scale::Mass => Normalisation::Mass,
+    }
+}
+
+fn dataset(found: &Found) -> Dataset {
+    let mut data = match &found.tracks {
+        Some(tracks) => tracks.data.clone(),
+        None => Dataset { columns: columns(found), ..Dataset::default() },
+    };
+    data.audits.extend(found.modes.audits.iter().cloned());
+    data.notes.extend(found.modes.notes.iter().cloned());
+    data.notes.extend(timing_notes(&found.small.machine));
+    data
+}
+
+/// The table of modes.
+pub fn columns(found: &Found) -> Vec<Column> {
+    let modes = &found.modes.modes;
+    let column = |name: &str, unit: &str, en: &str, ru: &str, values: Vec<f64>| Column {
+        quantity: Quantity { label: Text::new(en, ru), ..Quantity::new(name, unit) },
+        values,
+    };
+    let over = |a: f64, b: f64| if b == 0.0 { f64::INFINITY } else { a / b };
+    let mut list = vec![
+        column("mode", "1", "number", "номер", (1..=modes.len()).map(|i| i as f64).collect()),
+        column("omega", "rad/s", "natural frequency", "собственная частота", modes.iter().map(|m| m.omega).collect()),
+        column("f", "1/s", "natural frequency", "собственная частота", modes.iter().map(|m| m.omega / TAU).collect()),
+        column("T", "s", "period", "период", modes.iter().map(|m| over(TAU, m.omega)).collect()),
+        column("damping_ratio", "1", "damping ratio", "относительное затухание", modes.iter().map(|m| m.ratio).collect()),
+    ];
+    if found.modes.damping != Damping::None {
+        let decrement = modes.iter().map(|m| m.decrement().unwrap_or(f64::NAN)).collect();
+        list.push(column(
+            "omega_d",
+            "rad/s",
+            "frequency with damping",
+            "частота с учётом затухания",
+            modes.iter().map(|m| m.damped).collect(),
+        ));
+        list.push(column("decrement", "1", "logarithmic decrement", "логарифмический декремент", decrement));
+    }
+    if modes.iter().any(|m| m.root.0 != 0.0) {
+        list.push(column("growth", "1/s", "real part of the root", "вещественная часть корня", modes.iter().map(|m| m.root.0).collect()));
+    }
+    let complex = is_complex(&found.modes);
+    for (i, q) in found.small.machine.coordinates().iter().enumerate() {
+        list.push(Column { quantity: Quantity { unit: "1".into(), ..q.clone() }, values: modes.iter().map(|m| m.shape[i].0).collect() });
+        if complex {
+            let quantity = Quantity { name: format!("{}_im", q.name), symbol: format!("{}_im", q.symbol), unit: "1".into(), ..q.clone() };
+            list.push(Column { quantity, values: modes.iter().map(|m| m.shape[i].1).collect() });
+        }
+    }
+    list
+}
+
+/// Whether shapes have phases.
+pub fn is_complex(modes: &Modes) -> bool {
+    modes.modes.iter().any(|m| m.shape.iter().any(|z| z.1 != 0.0))
+}
+
+/// Whether the equilibrium is stable: none where free motions leave it open.
+pub fn stability(modes: &Modes) -> Option<bool> {
+    match () {
+        () if modes.modes.iter().any(modes::Mode::grows) => Some(false),
+        () if modes.modes.iter().any(|m| m.kind == Kind::RigidBody) => None,
+        () => Some(true),
+    }
+}
+
+/// The fields of the study in JSON.
+pub fn to_json(found: &ModesFound) -> Map<String, Value> {
+    let mut own = Map::new();
+    own.insert("study".into(), json!("modes"));
+    let Some(f) = &found.found else {
+        own.insert("modes".into(), json!([]));
+        return own;
+    };
+    let names = f.small.machine.coordinates();
+    let complex = is_complex(&f.modes);
+    own.insert("modes".into(), f.modes.modes.iter().map(|m| mode(m, names, complex)).collect());
+    own.insert("frequency_equation".into(), json!(f.equation.as_ref().map(|e| e.text.clone())));
+    if let Some(e) = &f.equation {
+        let digits = |r: &symbolic::Rational| {
+            let (top, bottom) = r.digits();
+            if bottom == "1" { top } else { format!("{top}/{bottom}") }
+        };
+        let list: Vec<String> = e.coefficients.iter().map(digits).collect();
+        own.insert("frequency_coefficients".into(), json!({"variable": e.variable, "ascending": list}));
+    }
+    let place: Map<String, Value> = names.iter().zip(&f.small.place.q).map(|(q, v)| (q.name.clone(), json!(v))).collect();
+    own.insert("equilibrium".into(), Value::Object(place));
+    own.insert("stable".into(), json!(stability(&f.modes)));
+    let damping = match f.modes.damping {
+        Damping::None => "none",
+        Damping::Classical => "classical",
+        Damping::General => "general",
+    };
+    own.insert("damping".into(), json!(damping));
+    own.insert("gyroscopic".into(), json!(f.modes.gyroscopic));
+    own.insert("circulatory".into(), json!(f.modes.circulatory));
+    own.insert("undamped".into(), json!(f.modes.undamped));
+    let rows = |a: &[f64]| a.chunks(f.matrices.n.max(1)).map(<[f64]>::to_vec).collect::<Vec<_>>();
+    let m = &f.matrices;
+    own.insert("matrices".into(), json!({"mass": rows(&m.mass), "damping": rows(&m.damping), "stiffness": rows(&m.stiffness)}));
+    if let Some(tracks) = &f.tracks {
+        own.insert("tracks".into(), tracks_json(tracks));
+    }
+    own
+}
+
+fn mode(m: &modes::Mode, names: &[Quantity], complex: bool) -> Value {
+    let part = |pick: fn(&(f64, f64)) -> f64| -> Map<String, Value> {
+        names.iter().zip(&m.shape).map(|(q, z)| (q.name.clone(), json!(pick(z)))).collect()
+    };
+    let period = if m.omega > 0.0 { json!(TAU / m.omega) } else { Value::Null };
+    let mut out = json!({
+        "omega": m.omega, "f": m.omega / TAU, "T": period, "damping_ratio": m.ratio, "decrement": m.decrement(),
+        "omega_d": m.damped, "root": [m.root.0, m.root.1], "kind": m.kind.key(), "shape": part(|z| z.0),
+    });
+    if complex {
+        out["shape_imag"] = Value::Object(part(|z| z.1));
+    }
+    out
+}
+
+fn tracks_json(tracks: &Tracks) -> Value {
+    let critical: Vec<Value> = tracks.critical.iter().map(|c| json!({"mode": c.mode + 1, "value": c.value, "order": c.order})).collect();
+    json!({"parameter": tracks.parameter, "values": tracks.values, "omega": tracks.omega, "damping_ratio": tracks.ratio, "critical": critical,
+        "unstable_from": tracks.unstable_from})
+}

@@ -1,0 +1,279 @@
+//! Modes and responses as tables, figures and sentences.
+
+use crate::small::modes::{Found, ModesFound, columns};
+use crate::small::response::ResponseFound;
+use analysis::Dataset;
+use report::document::Rich;
+use report::figure::{Axis, Kind, Mark, Series};
+use report::table::Column;
+use report::unit::Scale;
+use report::{Block, Cell, Figure, Language, Table, Word};
+
+/// Significant digits.
+const DIGITS: usize = 6;
+
+/// A dataset as a table, column for column.
+pub fn plain_table(data: &[analysis::dataset::Column], language: Language) -> Table {
+    let heads = data.iter().map(|c| {
+        let unit = if c.quantity.unit == "1/s" && c.quantity.name == "f" { "Hz" } else { &c.quantity.unit };
+        Column::with_unit(Rich::symbol(symbol(&c.quantity)), unit, language)
+    });
+    let mut table = Table::new(heads.collect());
+    let n = data.first().map_or(0, |c| c.values.len());
+    let cells: Vec<Vec<Cell>> = data.iter().map(|c| cells(&c.quantity.name, &c.values, language)).collect();
+    for i in 0..n {
+        table.row(cells.iter().map(|column| column[i].clone()).collect());
+    }
+    table
+}
+
+/// The printed symbol of a column.
+fn symbol(quantity: &analysis::Quantity) -> String {
+    match quantity.name.as_str() {
+        "mode" => "№".into(),
+        "omega" => "ω".into(),
+        "omega_d" => "ω_d".into(),
+        "damping_ratio" => "ζ".into(),
+        "decrement" => "δ".into(),
+        "growth" => "Re λ".into(),
+        _ => quantity.symbol.clone(),
+    }
+}
+
+fn cells(name: &str, values: &[f64], language: Language) -> Vec<Cell> {
+    if name == "mode" {
+        return values.iter().map(|v| Cell::words(format!("{v}"))).collect();
+    }
+    let finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    let mut shown = Cell::column(&finite, DIGITS, language).into_iter();
+    values.iter().map(|v| if v.is_finite() { shown.next().unwrap_or(Cell::Empty) } else { Cell::words("–") }).collect()
+}
+
+/// The equilibrium about which the motions are small, in one line.
+pub fn place(found: &Found, language: Language) -> String {
+    let value = |(q, v): (&analysis::Quantity, &f64)| {
+        let unit = report::unit::print(&q.unit, language);
+        let number = report::number::short(*v, 4, language);
+        format!("{} = {}", report::symbol::plain(&q.symbol, language), report::number::with_unit(&number, &unit))
+    };
+    let list: Vec<String> = found.small.machine.coordinates().iter().zip(&found.small.place.q).map(value).collect();
+    format!("{}: {}", language.word(Word::Equilibrium), list.join(", "))
+}
+
+/// Everything about modes.
+pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
+    let Some(f) = &found.found else { return Vec::new() };
+    let mut blocks = vec![Block::paragraph(place(f, language))];
+    blocks.push(Block::Table(plain_table(&columns(f), language)));
+    if let Some(equation) = &f.equation {
+        let of = language.pick("Frequency equation", "Частотное уравнение");
+        let meaning = match &found.study.variable {
+            Some(_) => String::new(),
+            None => ", z = ω²".to_owned(),
+        };
+        blocks.push(Block::paragraph(format!("{of}: {}{meaning}", equation.text)));
+    }
+    if let Some(tracks) = &f.tracks {
+        blocks.push(Block::Table(plain_table(&thinned(&tracks.data), language)));
+        for c in &tracks.critical {
+            let value = report::number::short(c.value, DIGITS, language);
+            let words = language.pick("Critical speed", "Критическая скорость");
+            let mode = language.pick("mode", "форма");
+            blocks.push(Block::paragraph(format!("{words}: {value} ({mode} {})", c.mode + 1)));
+        }
+        if page {
+            blocks.extend(campbell(&found.data, language).map(Block::Figure));
+        }
+    }
+    for note in &found.data.notes {
+        blocks.push(Block::paragraph(language.text(note)));
+    }
+    blocks
+}
+
+/// Frequencies over the parameter.
+pub fn campbell(data: &Dataset, language: Language) -> Option<Figure> {
+    let names: Vec<&str> = data.columns.iter().map(|c| c.quantity.name.as_str()).filter(|n| n.starts_with("omega_")).collect();
+    let mut figure = Figure::over_axis(data, &names, language)?;
+    figure.name = "campbell".into();
+    figure.y.log = false;
+    Some(figure)
+}
+
+/// At most a dozen rows of a long dataset, the ends among them.
+fn thinned(data: &Dataset) -> Vec<analysis::dataset::Column> {
+    let n = data.columns.first().map_or(0, |c| c.values.len());
+    let rows = 11.min(n);
+    let pick = |k: usize| if rows > 1 { k * (n - 1) / (rows - 1) } else { k };
+    let thin = |c: &analysis::dataset::Column| analysis::dataset::Column {
+        quantity: c.quantity.clone(),
+        values: (0..rows).map(|k| c.values[pick(k)]).collect(),
+    };
+    data.columns.iter().map(thin).collect()
+}
+
+/// Everything about a response.
+pub fn response(found: &ResponseFound, language: Language, page: bool) -> Vec<Block> {
+    let mut blocks = vec![Block::paragraph(format!("{}: {}", language.pick("Load", "Нагрузка"), language.text(&found.load)))];
+    if let Some(own) = &found.own {
+        blocks.push(Block::Table(own_table(found, own, language)));
+    }
+    for shape in &found.shapes {
+        blocks.push(Block::Table(shape_table(found, shape, language)));
+    }
+    if !found.resonances.is_empty() {
+        blocks.push(Block::Table(resonances(found, language)));
+    } else if found.trouble.is_none() {
+        let none = language.pick(
+            "No resonance: no amplitude has a largest value in the range.",
+            "Резонансов нет: ни одна амплитуда не имеет максимума в диапазоне.",
+        );
+        blocks.push(Block::paragraph(none));
+    }
+    if !found.antiresonances.is_empty() {
+        blocks.push(Block::Table(antiresonances(found, language)));
+    }
+    for note in &found.data.notes {
+        blocks.push(Block::paragraph(language.text(note)));
+    }
+    if page {
+        blocks.extend(response_figures(found, language).into_iter().map(Block::Figure));
+    }
+    blocks
+}
+
+fn heads(list: &[(&str, &str)], language: Language) -> Vec<Column> {
+    list.iter().map(|(words, unit)| if unit.is_empty() { Column::new(*words) } else { Column::with_unit(*words, unit, language) }).collect()
+}
+
+fn number(x: f64, language: Language) -> Cell {
+    match () {
+        () if x.is_nan() => Cell::words("–"),
+        () if x.is_infinite() => Cell::words("∞"),
+        () => Cell::number(x, DIGITS, language),
+    }
+}
+
+/// Amplitude, phase, static displacement and dynamic coefficient at the frequency of the file.
+fn own_table(found: &ResponseFound, own: &analysis::studies::response::Point, language: Language) -> Table {
+    use analysis::studies::response::{magnitude, phase};
+    let omega = report::number::short(own.omega, DIGITS, language);
+    let title = format!("ω = {}", report::number::with_unit(&omega, &report::unit::print("rad/s", language)));
+    let words = language.pick(["amplitude", "phase", "static", "coefficient"], ["амплитуда", "фаза", "статически", "коэффициент"]);
+    let mut table = Table::new(heads(&[(&title, ""), (words[0], ""), (words[1], "rad"), (words[2], ""), (words[3], "")], language));
+    for (k, q) in found.outputs.iter().enumerate() {
+        let (z, still) = (own.outputs[k], magnitude(own.still[k]));
+        let unit = report::unit::print(&q.unit, language);
+        let name = if unit.is_empty() { q.symbol.clone() } else { q.symbol.clone() };
+        let mut row = vec![Cell::symbol(name), number(magnitude(z), language), number(phase(z), language), number(still, language)];
+        row.push(number(if still > 0.0 { magnitude(z) / still } else { f64::NAN }, language));
+        table.row(row);
+    }
+    table
+}
+
+fn shape_table(found: &ResponseFound, shape: &analysis::studies::response::Point, language: Language) -> Table {
+    use analysis::studies::response::{magnitude, phase};
+    let omega = report::number::short(shape.omega, DIGITS, language);
+    let title = format!(
+        "{} ω = {}",
+        language.pick("shape at", "форма при"),
+        report::number::with_unit(&omega, &report::unit::print("rad/s", language))
+    );
+    let words = language.pick(["amplitude", "phase"], ["амплитуда", "фаза"]);
+    let mut table = Table::new(heads(&[(&title, ""), (words[0], ""), (words[1], "rad")], language));
+    for (q, z) in found.coordinates.iter().zip(&shape.coordinates) {
+        table.row(vec![Cell::symbol(q.symbol.clone()), number(magnitude(*z), language), number(phase(*z), language)]);
+    }
+    table
+}
+
+fn resonances(found: &ResponseFound, language: Language) -> Table {
+    let words = language.pick(
+        ["resonance of", "amplitude", "phase", "coefficient", "quality"],
+        ["резонанс", "амплитуда", "фаза", "коэффициент", "добротность"],
+    );
+    let columns = [(words[0], ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "rad"), (words[3], ""), (words[4], "")];
+    let mut table = Table::new(heads(&columns, language));
+    for r in &found.resonances {
+        let mut row = vec![Cell::symbol(found.outputs[r.output].symbol.clone())];
+        row.extend([r.omega, r.omega / std::f64::consts::TAU, r.amplitude, r.phase, r.gain, r.quality].map(|x| number(x, language)));
+        table.row(row);
+    }
+    table
+}
+
+fn antiresonances(found: &ResponseFound, language: Language) -> Table {
+    let words = language.pick(["antiresonance of", "amplitude", "absorbed by"], ["антирезонанс", "амплитуда", "поглощает"]);
+    let mut table = Table::new(heads(&[(words[0], ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "")], language));
+    for a in &found.antiresonances {
+        let name = |(i, share): &(usize, f64)| {
+            let symbol = report::symbol::plain(&found.coordinates[*i].symbol, language);
+            format!("{symbol} {} %", report::number::short(100.0 * share, 3, language))
+        };
+        let absorbs: Vec<String> = a.absorbs.iter().map(name).collect();
+        let mut row = vec![Cell::symbol(found.outputs[a.output].symbol.clone())];
+        row.extend([a.omega, a.omega / std::f64::consts::TAU, a.amplitude].map(|x| number(x, language)));
+        row.push(Cell::words(absorbs.join(", ")));
+        table.row(row);
+    }
+    table
+}
+
+/// Amplitudes, phases and Nyquist's curve.
+pub fn response_figures(found: &ResponseFound, language: Language) -> Vec<Figure> {
+    let data = &found.data;
+    let mut figures = Vec::new();
+    for (tail, log) in [("amplitude", found.study.log), ("phase", false)] {
+        let names: Vec<String> = found.outputs.iter().map(|q| format!("{}_{tail}", q.name)).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let Some(mut figure) = Figure::over_axis(data, &names, language) else { continue };
+        figure.name = format!("response-{tail}");
+        figure.title = language
+            .pick(if log || tail == "amplitude" { "Amplitudes" } else { "Phases" }, if tail == "amplitude" { "Амплитуды" } else { "Фазы" })
+            .into();
+        (figure.x.log, figure.y.log) = (found.study.log, log);
+        for r in found.resonances.iter().filter(|_| tail == "amplitude") {
+            let label = report::number::short(r.omega, 4, language);
+            let mark = Mark::Vertical { x: r.omega, label };
+            if !figure.marks.contains(&mark) {
+                figure.marks.push(mark);
+            }
+        }
+        figures.push(figure);
+    }
+    figures.extend(nyquist(found, language));
+    figures
+}
+
+fn nyquist(found: &ResponseFound, language: Language) -> Option<Figure> {
+    let data = &found.data;
+    let column = |q: &analysis::Quantity, tail: &str| data.column(&format!("{}_{tail}", q.name)).map(|c| c.values.clone());
+    let series: Vec<Series> = found
+        .outputs
+        .iter()
+        .filter_map(|q| {
+            let (x, y) = (column(q, "re")?, column(q, "im")?);
+            // a curve on the real axis says nothing
+            y.iter().any(|v| v.abs() > 0.0).then(|| Series { name: q.symbol.clone(), label: language.text(&q.label).into(), x, y })
+        })
+        .collect();
+    let units: Vec<&str> = found.outputs.iter().map(|q| q.unit.as_str()).collect();
+    if series.is_empty() || units.iter().any(|u| *u != units[0]) {
+        return None;
+    }
+    let largest = series.iter().flat_map(|s| s.x.iter().chain(&s.y)).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
+    let axis =
+        |symbol: &str| Axis { symbols: vec![symbol.into()], units: Vec::new(), scale: Scale::of_column(units[0], largest), log: false };
+    Some(Figure {
+        name: "nyquist".into(),
+        title: language.pick("Nyquist plot", "Годограф (амплитудно-фазовая характеристика)").into(),
+        kind: Kind::Plane { equal: true },
+        x: axis("Re"),
+        y: axis("Im"),
+        series,
+        marks: Vec::new(),
+        along: data.columns.first().map(|c| (Axis::of_columns(&[c]), c.values.clone())),
+        strip: Vec::new(),
+    })
+}

@@ -1,0 +1,130 @@
+//! Connections in the hand-over: unknown reactions, conditions on the motion, balances of released bodies.
+//!
+//! With coordinates q (n of them) and reactions λ:
+//!
+//! ```text
+//! M q'' = h + Σ_k forces_k λ_k            equations of motion; forces_k is sparse, by coordinate
+//! J_c q'' + remainder_c = 0               one for each condition, from d/dt of `rate`, which itself is d/dt of `place`
+//! m_b q'' = rest_b + Σ_k released_k λ_k   balances: what a released body needs in a direction in which it cannot move
+//! ```
+//!
+//! The unknowns other than supports are as many as the conditions. A condition owned by a contact or a friction has an alternative:
+//!
+//! | law | mode of its guard | equation in place of the condition |
+//! |---|---|---|
+//! | `Contact` | open (gap > 0) | λ = 0 |
+//! | `Contact` | closed (gap = 0) | the condition; λ >= 0 must hold |
+//! | `Friction` | slides with sign s of `sliding` | λ = s · kinetic, with |N| as a factor where the normal force is a reaction |
+//! | `Friction` | sticks | the condition (sliding = 0); |λ| <= static limit must hold |
+
+use crate::{Expr, SymbolId, Text};
+
+/// An unknown scalar force or moment.
+#[derive(Clone, Debug)]
+pub struct Reaction {
+    /// Its symbol λ in outputs and in the second derivation.
+    pub symbol: SymbolId,
+    /// As users write it: `force(AB)`, `force_x(O)`.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+    /// What it is: "pin O, along x".
+    pub label: Text,
+    /// Generalized force on each coordinate per unit of the reaction, by differentiation of the condition.
+    pub forces: Vec<(usize, Expr)>,
+    /// Force in each balance per unit of the reaction.
+    pub released: Vec<(usize, Expr)>,
+    /// What decides it.
+    pub law: Law,
+}
+
+/// What decides a reaction.
+#[derive(Clone, Debug)]
+pub enum Law {
+    /// A condition that always holds.
+    Ideal {
+        /// Index in `Equations::conditions`.
+        condition: usize,
+    },
+    /// The condition holds by the choice of the coordinates; the reaction follows from balances alone.
+    Support,
+    /// An unknown drive that realises prescribed motions; it owns no condition.
+    Motor,
+    /// One-sided: the force is not negative, and vanishes while the gap is open.
+    Contact {
+        /// Index in `Equations::conditions`.
+        condition: usize,
+        /// Gap, at least 0; its rate is that of the condition.
+        gap: Expr,
+        /// Ratio of the rate after an impact to that before, 0 ... 1.
+        restitution: Expr,
+    },
+    /// Dry friction: λ acts against positive sliding.
+    Friction(Box<Friction>),
+}
+
+/// Dry friction in one direction. λ > 0 resists sliding in the positive direction: its generalized force is -λ ∂sliding/∂q'.
+#[derive(Clone, Debug)]
+pub struct Friction {
+    /// Index in `Equations::conditions`; the condition says that the sliding speed does not change.
+    pub condition: usize,
+    /// Sliding speed v.
+    pub sliding: Expr,
+    /// Magnitude while v < 0 and while v > 0, not negative; a coefficient of |N| where `normal` is given.
+    pub kinetic: [Expr; 2],
+    /// Largest magnitude while sticking; a coefficient of |N| where `normal` is given.
+    pub fixed: Expr,
+    /// Normal force where it depends on reactions.
+    pub normal: Option<Normal>,
+}
+
+/// N = constant + Σ factor λ_k.
+#[derive(Clone, Debug)]
+pub struct Normal {
+    /// Part free of reactions.
+    pub constant: Expr,
+    /// (index of a reaction, its factor).
+    pub terms: Vec<(usize, Expr)>,
+}
+
+/// A scalar condition on the motion.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// What it is: "rod AB: length".
+    pub name: Text,
+    /// Vanishes at all times, over q, t; none for a condition on rates only.
+    pub place: Option<Expr>,
+    /// Vanishes at all times: Σ J_j q'_j + explicit change in time.
+    pub rate: Expr,
+    /// J: ∂rate/∂q'_j, nonzero entries only.
+    pub columns: Vec<(usize, Expr)>,
+    /// d(rate)/dt without the terms with q''.
+    pub remainder: Expr,
+    /// The reaction that owns it; none for a prescribed motion, which motors realise.
+    pub reaction: Option<usize>,
+}
+
+/// Newton-Euler balance of a released body (and all that stands on it) in one direction of its displacement:
+/// Σ columns_j q''_j = rest + Σ released λ.
+#[derive(Clone, Debug)]
+pub struct Balance {
+    /// "crank, along x".
+    pub name: Text,
+    /// Inertia coefficients of q''.
+    pub columns: Vec<(usize, Expr)>,
+    /// Applied forces less inertia terms without q''.
+    pub rest: Expr,
+    /// Whether all that acts on the body is known as forces and moments; loads written as formulas of coordinates have no place.
+    pub complete: bool,
+}
+
+impl Law {
+    /// The condition that the reaction owns.
+    pub fn condition(&self) -> Option<usize> {
+        match self {
+            Law::Ideal { condition } | Law::Contact { condition, .. } => Some(*condition),
+            Law::Friction(friction) => Some(friction.condition),
+            Law::Support | Law::Motor => None,
+        }
+    }
+}

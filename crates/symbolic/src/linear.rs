@@ -1,0 +1,375 @@
+//! Small motions about a state: M δq'' + B δq' + C δq = F(t).
+//!
+//! With h(q, q', t) of the equations of motion M q'' = h and the state (q, q', q'') about which is linearised:
+//!
+//! ```text
+//! B = -∂h/∂q'          symmetric part damping, antisymmetric part gyroscopic
+//! C = -∂h/∂q           symmetric part stiffness, antisymmetric part circulatory      (at rest)
+//! C = ∂(M q'' - h)/∂q                                                                (about a motion)
+//! ```
+//!
+//! Loads in time are split into their mean, which decides the equilibrium, and harmonics c cos ν t + s sin ν t, which force small
+//! oscillations. Turn angles of prescribed speed are speed·t. *Source*: D. R. Merkin, Introduction to the Theory of Stability, ch. 6.
+
+use crate::harmonics::{Decomposition, Harmonics};
+use crate::{Derivation, Equations, Expr, Graph, Matrix, Rational, Substitution, SymbolId};
+
+/// About what the equations are linearised.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum About {
+    /// A state of rest: q' = q'' = 0.
+    #[default]
+    Rest,
+    /// A steady motion: q' and q'' stay as symbols.
+    Motion,
+}
+
+/// The linearised equations over q (and q', q'' about a motion), parameters and definitions; numbers for q come in later.
+#[derive(Clone, Debug)]
+pub struct Linear {
+    /// Owner of the expressions.
+    pub graph: Graph,
+    /// About what.
+    pub about: About,
+    /// q, q', q'' of each coordinate.
+    pub coordinates: Vec<[SymbolId; 3]>,
+    /// M, averaged over the oscillations of the loads.
+    pub mass: Matrix,
+    /// B = -∂h/∂q'.
+    pub damping: Matrix,
+    /// C.
+    pub stiffness: Matrix,
+    /// The mean of h - M q'': zero at an equilibrium.
+    pub force: Vec<Expr>,
+    /// Harmonic loads, by rate.
+    pub loads: Vec<HarmonicLoad>,
+    /// Symbols that stand for formulas over parameters.
+    pub definitions: Vec<(SymbolId, Expr)>,
+    /// Replaces time-dependent definitions and turn angles; what outputs need.
+    moving: Vec<(SymbolId, Expr)>,
+    time: SymbolId,
+    /// How time was treated.
+    pub timing: Timing,
+}
+
+/// How the time in the equations was treated.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Timing {
+    /// The loads are no sum of harmonics: everything was taken at t = 0.
+    pub frozen: bool,
+    /// Switches of time were settled as they stand at t = 0.
+    pub settled: bool,
+    /// M, B or C contain harmonics, of which the mean was taken (parametric excitation).
+    pub varying: bool,
+}
+
+/// Σ_i e_i (c_i cos ν t + s_i sin ν t), one entry for each equation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct HarmonicLoad {
+    /// ν.
+    pub rate: Expr,
+    /// c.
+    pub cos: Vec<Expr>,
+    /// s.
+    pub sin: Vec<Expr>,
+}
+
+/// A quantity y(q, q', q'', t) near the state: y0 + ∂y/∂q δq + ∂y/∂q' δq' + ∂y/∂q'' δq'' + harmonics.
+#[derive(Clone, Debug)]
+pub struct LinearOutput {
+    /// The mean at the state.
+    pub mean: Expr,
+    /// ∂y/∂q.
+    pub by_place: Vec<Expr>,
+    /// ∂y/∂q'.
+    pub by_rate: Vec<Expr>,
+    /// ∂y/∂q''.
+    pub by_acceleration: Vec<Expr>,
+    /// (rate, cos, sin) of what time does to it directly.
+    pub waves: Vec<crate::harmonics::Wave>,
+    /// Whether it had to be taken at t = 0.
+    pub frozen: bool,
+}
+
+impl Linear {
+    /// Linearises equations of motion.
+    pub fn new(equations: &Equations, about: About) -> Linear {
+        let mut graph = equations.graph.clone();
+        let moving = moving(equations, &mut graph);
+        let mut inline = Substitution::new(moving.iter().copied());
+        let n = equations.coordinates.len();
+        let mass: Vec<Expr> = equations.mass.entries().iter().map(|e| inline.apply(&mut graph, *e)).collect();
+        let force: Vec<Expr> = equations.force.iter().map(|e| inline.apply(&mut graph, *e)).collect();
+        let coordinates: Vec<[SymbolId; 3]> = equations.coordinates.iter().map(|c| c.symbols).collect();
+
+        let mut timing = Timing::default();
+        let all: Vec<Expr> = force.iter().chain(&mass).copied().collect();
+        let split = split(equations, &mut graph, &all, &mut timing);
+        let (split_force, split_mass) = split.split_at(n);
+        timing.varying = split_mass.iter().any(|h| !h.waves.is_empty());
+        let mean: Vec<Expr> = split_force.iter().map(|h| h.mean).collect();
+        let mass = Matrix::from_rows(&rows(split_mass.iter().map(|h| h.mean).collect(), n));
+
+        let mut linear = Linear {
+            about,
+            mass,
+            damping: Matrix::zeros(&mut graph, n, n),
+            stiffness: Matrix::zeros(&mut graph, n, n),
+            force: Vec::new(),
+            loads: Vec::new(),
+            definitions: still(equations, &moving),
+            coordinates,
+            moving,
+            time: equations.time,
+            timing,
+            graph,
+        };
+        linear.differentiate(&mean);
+        linear.gather_loads(split_force);
+        linear
+    }
+
+    /// B, C and the mean force.
+    fn differentiate(&mut self, mean: &[Expr]) {
+        let n = mean.len();
+        let graph = &mut self.graph;
+        let zero = graph.zero();
+        let mut rest = Substitution::new(match self.about {
+            About::Rest => self.coordinates.iter().flat_map(|[_, v, a]| [(*v, zero), (*a, zero)]).collect::<Vec<_>>(),
+            About::Motion => Vec::new(),
+        });
+        for j in 0..n {
+            let mut by_rate = Derivation::partial(graph, self.coordinates[j][1]);
+            for (i, h) in mean.iter().enumerate() {
+                let d = by_rate.apply(graph, *h);
+                let d = rest.apply(graph, d);
+                let d = graph.neg(d);
+                self.damping.set(i, j, d);
+            }
+        }
+        for (i, h) in mean.iter().enumerate() {
+            let at_rest = rest.apply(graph, *h);
+            let force = match self.about {
+                About::Rest => at_rest,
+                About::Motion => {
+                    let mut terms = vec![at_rest];
+                    for j in 0..n {
+                        let a = graph.symbol(self.coordinates[j][2]);
+                        let term = graph.mul(self.mass.get(i, j), a);
+                        terms.push(graph.neg(term));
+                    }
+                    graph.sum(&terms)
+                }
+            };
+            self.force.push(force);
+        }
+        for j in 0..n {
+            let mut by_place = Derivation::partial(graph, self.coordinates[j][0]);
+            for (i, r) in self.force.iter().enumerate() {
+                let d = by_place.apply(graph, *r);
+                let d = graph.neg(d);
+                self.stiffness.set(i, j, d);
+            }
+        }
+    }
+
+    /// Harmonics of all equations sorted by rate, at rest; those that depend on q or q' vary the coefficients.
+    fn gather_loads(&mut self, split: &[Harmonics]) {
+        let n = split.len();
+        let graph = &mut self.graph;
+        let zero = graph.zero();
+        let mut rest = Substitution::new(match self.about {
+            About::Rest => self.coordinates.iter().map(|[_, v, _]| (*v, zero)).collect::<Vec<_>>(),
+            About::Motion => Vec::new(),
+        });
+        for (i, harmonics) in split.iter().enumerate() {
+            for wave in &harmonics.waves {
+                for part in [wave.cos, wave.sin] {
+                    self.timing.varying |= graph.contains(part, |s| self.coordinates.iter().any(|c| c.contains(&s)));
+                }
+                let (cos, sin) = (rest.apply(graph, wave.cos), rest.apply(graph, wave.sin));
+                if graph.is_zero(cos) && graph.is_zero(sin) {
+                    continue;
+                }
+                let place = match self.loads.iter().position(|l| l.rate == wave.rate) {
+                    Some(place) => place,
+                    None => {
+                        self.loads.push(HarmonicLoad { rate: wave.rate, cos: vec![zero; n], sin: vec![zero; n] });
+                        self.loads.len() - 1
+                    }
+                };
+                self.loads[place].cos[i] = cos;
+                self.loads[place].sin[i] = sin;
+            }
+        }
+    }
+
+    /// An output near the state. `formula` is one of the equations that were linearised.
+    pub fn output(&mut self, equations: &Equations, formula: Expr) -> LinearOutput {
+        let graph = &mut self.graph;
+        let formula = Substitution::new(self.moving.iter().copied()).apply(graph, formula);
+        let mut timing = Timing::default();
+        let harmonics = split(equations, graph, &[formula], &mut timing).remove(0);
+        let zero = graph.zero();
+        let mut rest = Substitution::new(match self.about {
+            About::Rest => self.coordinates.iter().flat_map(|[_, v, a]| [(*v, zero), (*a, zero)]).collect::<Vec<_>>(),
+            About::Motion => Vec::new(),
+        });
+        let mut by = |graph: &mut Graph, level: usize| -> Vec<Expr> {
+            let derive = |c: &[SymbolId; 3]| {
+                let d = graph.derivative(harmonics.mean, c[level]);
+                rest.apply(graph, d)
+            };
+            self.coordinates.iter().map(derive).collect()
+        };
+        let (by_place, by_rate, by_acceleration) = (by(graph, 0), by(graph, 1), by(graph, 2));
+        let mean = rest.apply(graph, harmonics.mean);
+        let waves =
+            harmonics.waves.iter().map(|w| crate::harmonics::Wave { cos: rest.apply(graph, w.cos), sin: rest.apply(graph, w.sin), ..*w });
+        LinearOutput { mean, by_place, by_rate, by_acceleration, waves: waves.collect(), frozen: timing.frozen }
+    }
+
+    /// Mean and harmonics of further generalized forces (index of a coordinate, force), at rest; none when they are not harmonic.
+    pub fn harmonics_of(&mut self, equations: &Equations, forces: &[(usize, Expr)]) -> Option<(Vec<Expr>, Vec<HarmonicLoad>)> {
+        let n = self.coordinates.len();
+        let zero = self.graph.zero();
+        let mut all = vec![zero; n];
+        let mut inline = Substitution::new(self.moving.iter().copied());
+        let mut rest = Substitution::new(self.coordinates.iter().flat_map(|[_, v, a]| [(*v, zero), (*a, zero)]));
+        for (i, force) in forces {
+            let force = inline.apply(&mut self.graph, *force);
+            let force = rest.apply(&mut self.graph, force);
+            all[*i] = self.graph.add(all[*i], force);
+        }
+        let mut timing = Timing::default();
+        let found = split(equations, &mut self.graph, &all, &mut timing);
+        if timing.frozen {
+            return None;
+        }
+        let loads = std::mem::take(&mut self.loads);
+        let varying = self.timing.varying;
+        self.gather_loads(&found);
+        self.timing.varying = varying;
+        let own = std::mem::replace(&mut self.loads, loads);
+        Some((found.iter().map(|h| h.mean).collect(), own))
+    }
+
+    /// The same with expressions in place of the coordinates (and definitions), for print.
+    pub fn at(&self, place: &[(SymbolId, Expr)]) -> Linear {
+        let mut at = self.clone();
+        let mut substitution = Substitution::new(place.iter().copied());
+        let graph = &mut at.graph;
+        for matrix in [&mut at.mass, &mut at.damping, &mut at.stiffness] {
+            for i in 0..matrix.rows() {
+                for j in 0..matrix.columns() {
+                    let e = substitution.apply(graph, matrix.get(i, j));
+                    matrix.set(i, j, e);
+                }
+            }
+        }
+        at.force.iter_mut().for_each(|e| *e = substitution.apply(graph, *e));
+        for load in &mut at.loads {
+            load.rate = substitution.apply(graph, load.rate);
+            load.cos.iter_mut().chain(&mut load.sin).for_each(|e| *e = substitution.apply(graph, *e));
+        }
+        at
+    }
+
+    /// The symmetric and the antisymmetric part of a square matrix of this graph.
+    pub fn parts(&mut self, matrix: &Matrix) -> (Matrix, Matrix) {
+        let n = matrix.rows();
+        let graph = &mut self.graph;
+        let (mut even, mut odd) = (matrix.clone(), Matrix::zeros(graph, n, n));
+        for i in 0..n {
+            for j in 0..n {
+                let (a, b) = (matrix.get(i, j), matrix.get(j, i));
+                if a == b {
+                    continue;
+                }
+                let (sum, difference) = (graph.add(a, b), graph.sub(a, b));
+                let (sum, difference) = (graph.scale(sum, &Rational::HALF), graph.scale(difference, &Rational::HALF));
+                even.set(i, j, sum);
+                odd.set(i, j, difference);
+            }
+        }
+        (even, odd)
+    }
+
+    /// The symbol of time, which occurs in no expression here.
+    pub fn time(&self) -> SymbolId {
+        self.time
+    }
+}
+
+/// Definitions and turn angles that depend on time, as formulas of time, definitions and parameters that do not.
+fn moving(equations: &Equations, graph: &mut Graph) -> Vec<(SymbolId, Expr)> {
+    let mut moving: Vec<(SymbolId, Expr)> = Vec::new();
+    for definition in &equations.definitions {
+        let formula = Substitution::new(moving.iter().copied()).apply(graph, definition.formula);
+        if graph.contains(formula, |s| s == equations.time) {
+            moving.push((definition.symbol, formula));
+        }
+    }
+    for auxiliary in &equations.auxiliaries {
+        let rate = Substitution::new(moving.iter().copied()).apply(graph, auxiliary.rate);
+        let time = graph.symbol(equations.time);
+        // a rate that changes with time leaves no harmonic behind, and the angle is taken at the start
+        let turned = graph.mul(rate, time);
+        let angle = graph.add(auxiliary.start, turned);
+        moving.push((auxiliary.symbol, angle));
+    }
+    moving
+}
+
+/// The definitions that are left.
+fn still(equations: &Equations, moving: &[(SymbolId, Expr)]) -> Vec<(SymbolId, Expr)> {
+    let list = equations.definitions.iter().filter(|d| moving.iter().all(|(s, _)| *s != d.symbol));
+    list.map(|d| (d.symbol, d.formula)).collect()
+}
+
+/// Splits expressions into harmonics; when one of them is none, all are taken at t = 0.
+fn split(equations: &Equations, graph: &mut Graph, list: &[Expr], timing: &mut Timing) -> Vec<Harmonics> {
+    let mut settled = false;
+    let mut decide = |graph: &mut Graph, guard: Expr| {
+        let value = at_start(equations, graph, guard)?;
+        settled = true;
+        Some(value >= 0.0)
+    };
+    let mut decomposition = Decomposition::new(equations.time, &mut decide);
+    let found: Option<Vec<Harmonics>> = list.iter().map(|e| decomposition.apply(graph, *e)).collect();
+    timing.settled |= settled;
+    found.unwrap_or_else(|| {
+        timing.frozen = true;
+        let zero = graph.zero();
+        let mut start = Substitution::new([(equations.time, zero)]);
+        list.iter().map(|e| Harmonics { mean: start.apply(graph, *e), waves: Vec::new() }).collect()
+    })
+}
+
+/// The value of a guard over time and parameters just after t = 0.
+fn at_start(equations: &Equations, graph: &mut Graph, guard: Expr) -> Option<f64> {
+    let known = |s: SymbolId| {
+        s == equations.time || equations.parameters.iter().any(|p| p.symbol == s) || equations.definitions.iter().any(|d| d.symbol == s)
+    };
+    if graph.contains(guard, |s| !known(s)) {
+        return None;
+    }
+    let rate = graph.derivative(guard, equations.time);
+    let mut values: Vec<(SymbolId, f64)> = vec![(equations.time, 0.0)];
+    values.extend(equations.parameters.iter().map(|p| (p.symbol, p.value)));
+    for definition in &equations.definitions {
+        let value = graph.evaluate(&[definition.formula], &|s| find(&values, s))[0];
+        values.push((definition.symbol, value));
+    }
+    let at = graph.evaluate(&[guard, rate], &|s| find(&values, s));
+    let value = if at[0] == 0.0 { at[1] } else { at[0] };
+    value.is_finite().then_some(value)
+}
+
+fn find(values: &[(SymbolId, f64)], symbol: SymbolId) -> f64 {
+    values.iter().find(|(s, _)| *s == symbol).map_or(f64::NAN, |(_, v)| *v)
+}
+
+fn rows(entries: Vec<Expr>, n: usize) -> Vec<Vec<Expr>> {
+    entries.chunks(n.max(1)).map(<[Expr]>::to_vec).collect()
+}
