@@ -47,11 +47,13 @@ struct Command {
     tolerance: f64,
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
+    /// Name of a section.
+    name: String,
 }
 
 impl Command {
     fn parse(words: &[String]) -> Result<Command, String> {
-        let mut command = Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new() };
+        let mut command = Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new(), name: String::new() };
         let mut list = None;
         for word in &words[1..] {
             if word == "set" || word == "guess" {
@@ -64,6 +66,7 @@ impl Command {
                 (Some("set"), _) => command.set.push(pair),
                 (Some(_), _) => command.guess.push(pair),
                 (None, "until") => command.until = quantity(value)?,
+                (None, "name") => value.clone_into(&mut command.name),
                 (None, "tolerance") => command.tolerance = value.parse().map_err(|_| format!("not a number: {value}"))?,
                 (None, _) => return Err(format!("unknown option `{word}`")),
             }
@@ -82,6 +85,10 @@ impl Command {
         match self.verb.as_str() {
             "simulate" => self.simulate(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
+            "section" => {
+                let found = machine.model.sections.iter().find(|s| s.name == self.name).cloned();
+                found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
+            }
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             other => Err(format!("unknown command `{other}`")),
         }
@@ -127,7 +134,7 @@ impl Command {
         match pipeline::equilibrium(machine, &guess, &mut Watch::default()) {
             Finding::Equilibrium(data, None) => Ok(Outcome::Rest(data)),
             Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
-            Finding::Motion(..) => Err("an equilibrium came back as a motion".into()),
+            _ => Err("an equilibrium came back as something else".into()),
         }
     }
 }
@@ -144,6 +151,7 @@ enum Outcome {
     Machine(Box<Machine>),
     Motion { times: Vec<f64>, data: Dataset },
     Rest(Dataset),
+    Section(Box<mechanics::section::Section>),
 }
 
 impl Outcome {
@@ -154,6 +162,10 @@ impl Outcome {
             (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
             (Outcome::Motion { times, data }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
+            (Outcome::Section(section), Claim::Rest { name, expected, tolerance }) => {
+                let found = strutt::sections::property(section, name).ok_or_else(|| format!("no property `{name}`"))?;
+                tolerance.check(name, found, *expected)
+            }
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
                 let column = data.column(name).ok_or_else(|| no_column(data, name))?;
                 // several equilibria may be found; the claim is about the nearest
@@ -174,6 +186,7 @@ impl Outcome {
             Outcome::Trouble { code, what } => format!("ended with {code}: {what}"),
             Outcome::Machine(_) => "the model is accepted".into(),
             Outcome::Motion { .. } => "the motion was computed".into(),
+            Outcome::Section(_) => "the section was computed".into(),
             Outcome::Rest(_) => "an equilibrium was found".into(),
         }
     }
