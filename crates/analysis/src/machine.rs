@@ -38,6 +38,8 @@ pub struct Machine {
     observing: Switches,
     /// q'', then all reactions.
     accelerations: Vec<f64>,
+    /// Rows of `second` that hold with the reactions; none without reactions.
+    balanced: Vec<usize>,
     /// State at the start, when it was assembled.
     start: Option<Vec<f64>>,
     /// For each output a reaction in it that is not unique.
@@ -108,6 +110,7 @@ impl Machine {
             observing: Switches::default(),
             accelerations: vec![0.0; program.coordinates + program.reactions],
             guards,
+            balanced: if program.reactions > 0 { (0..equations.second.len()).collect() } else { Vec::new() },
             start: None,
             refused: vec![None; program.outputs.roots.len()],
             notes: Vec::new(),
@@ -124,6 +127,8 @@ impl Machine {
         let mut machine = Machine::new(equations, &program, parameters, &guard_names(&program))?;
         machine.refused = refused(equations, &program, &assembly.open);
         machine.notes = assembly.notes;
+        let n = equations.coordinates.len();
+        machine.balanced.retain(|&i| i < n || assembly.selection.balances.get(i - n) == Some(&true));
         machine.start = Some(assembly.start);
         Ok(machine)
     }
@@ -192,17 +197,26 @@ fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q f64)>) -> T
     Text::new(en.join(", "), ru.join(", "))
 }
 
-/// The outputs that read a reaction without a unique value.
+/// For each output the first reaction in it that has no unique value.
 fn refused(equations: &Equations, program: &Program, open: &[usize]) -> Vec<Option<String>> {
-    let n = program.coordinates;
     let unknown = |r: &usize| open.contains(r) || !program.known.contains(r);
     let unknown: Vec<usize> = (0..program.reactions).filter(unknown).collect();
-    let read_by = |output: usize| {
-        let tape = passes::select(&program.outputs, &[output]);
-        let reads = |r: &&usize| tape.body.iter().any(|i| matches!(i.operation, Operation::Acceleration(k) if k as usize == n + **r));
-        unknown.iter().find(reads).map(|&r| equations.reactions[r].name.clone())
-    };
-    (0..program.outputs.roots.len()).map(|output| if unknown.is_empty() { None } else { read_by(output) }).collect()
+    let mut touched: Vec<Option<String>> = vec![None; equations.outputs.len()];
+    for r in unknown {
+        let reaction = &equations.reactions[r];
+        let mut symbols = vec![reaction.symbol];
+        for definition in &equations.definitions {
+            if equations.graph.contains(definition.formula, |s| symbols.contains(&s)) {
+                symbols.push(definition.symbol);
+            }
+        }
+        for (slot, output) in touched.iter_mut().zip(&equations.outputs) {
+            if slot.is_none() && equations.graph.contains(output.formula, |s| symbols.contains(&s)) {
+                *slot = Some(reaction.name.clone());
+            }
+        }
+    }
+    touched
 }
 
 fn reads_accelerations(tape: &Tape) -> bool {
@@ -346,6 +360,42 @@ impl System for Machine {
         }
         residuals.copy_from_slice(&values[..residuals.len()]);
         true
+    }
+
+    fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+        self.observing.set(modes, &self.bound);
+        // neither reads accelerations
+        self.accelerations.fill(0.0);
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
+        let [kinetic, potential, ..] = *self.energy.evaluate(&point).ok()? else { return None };
+        Some([kinetic, potential])
+    }
+
+    fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
+        let rows = self.balanced.clone();
+        if rows.is_empty() {
+            return None;
+        }
+        self.observing.set(modes, &self.bound);
+        self.take_accelerations(t, x, accelerations).ok()?;
+        let inputs = self.accelerations.clone();
+        let mut residual = |inputs: &[f64]| -> Option<Vec<f64>> {
+            let values = self.second.evaluate(&Point { time: t, states: x, accelerations: inputs, ..Point::default() }).ok()?;
+            rows.iter().map(|&i| values.get(i).copied()).collect()
+        };
+        // linear in accelerations and reactions: each term by its own
+        let whole = residual(&inputs)?;
+        let mut trial = vec![0.0; inputs.len()];
+        let constant = residual(&trial)?;
+        let mut out: Vec<[f64; 2]> = whole.iter().zip(&constant).map(|(r, c)| [*r, c.abs()]).collect();
+        for (k, input) in inputs.iter().enumerate().filter(|(_, input)| **input != 0.0) {
+            trial[k] = *input;
+            let term = residual(&trial)?;
+            trial[k] = 0.0;
+            out.iter_mut().zip(&term).zip(&constant).for_each(|((row, t), c)| row[1] += (t - c).abs());
+        }
+        Some(out)
     }
 
     fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {

@@ -173,6 +173,19 @@ pub trait System {
         None
     }
 
+    /// Kinetic and potential energy at (t, x); none when the system has no energies.
+    fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+        let _ = (t, x, modes);
+        None
+    }
+
+    /// Balances of the second derivation (motions, then released bodies) with given accelerations and the reactions of this state: residual and size of
+    /// the terms that met in it. None when there are no reactions or no second derivation.
+    fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
+        let _ = (t, x, accelerations, modes);
+        None
+    }
+
     /// Whether the machine can be at (t, x): everything that places it has a value there.
     ///
     /// *Errors*: what has no value.

@@ -51,8 +51,23 @@ pub struct Model {
     pub notation: Vec<(String, String)>,
     /// Sections of rods, in the user's order.
     pub sections: Vec<crate::section::Section>,
+    /// Ends of the phases of the load schedule, ascending, s. What the phases set is already a formula of time.
+    pub phases: Vec<f64>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
+    /// Frame or truss, when the file has nodes.
+    pub structure: Option<crate::structure::Structure>,
+    /// Inertia that no body carries: that of a structure over its displacements.
+    pub inertias: Vec<ConstantInertia>,
+}
+
+/// A term M_ij q_i' q_j' of the kinetic energy (half of it for i = j).
+#[derive(Clone, Debug)]
+pub struct ConstantInertia {
+    /// Indices in [`Model::coordinates`], ascending.
+    pub between: [usize; 2],
+    /// Over constant parameters.
+    pub value: Expr,
 }
 
 /// Index of a frame or body in [`Model::frames`].
@@ -479,6 +494,8 @@ pub enum StudyKind {
     },
     /// Compute a motion.
     Simulate(Simulate),
+    /// Compute the motion of a linear system in closed form.
+    Transient(Simulate),
     /// Find the forces and torques of the motors that realise the prescribed motions.
     Inverse(Simulate),
     /// Find the reactions at rest.

@@ -48,12 +48,18 @@ pub enum Command {
     Equations(Equations),
     /// Compute a motion
     Simulate(Simulate),
+    /// Compute the motion of a linear system in closed form, phase by phase
+    Transient(Simulate),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
     /// Show the properties of the sections of a file
     Section(Section),
+    /// Find the exact periodic regime: period, multipliers, motion over one period
+    Periodic(Periodic),
     /// Find natural frequencies and shapes of small motions
     Modes(Modes),
+    /// Find reactions and internal forces at rest
+    Statics(Statics),
     /// Find forced oscillations over the frequency of a load
     Response(Response),
     /// List the example models, or print one
@@ -159,6 +165,12 @@ pub struct Equilibrium {
 }
 
 #[derive(Args, Debug)]
+pub struct Statics {
+    #[command(flatten)]
+    pub model: Model,
+}
+
+#[derive(Args, Debug)]
 pub struct Modes {
     #[command(flatten)]
     pub model: Model,
@@ -215,6 +227,52 @@ pub struct Section {
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
     /// Also write drawings and a table into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct Periodic {
+    #[command(flatten)]
+    pub model: Model,
+    /// What begins a period: an angle (one turn) or a formula that passes zero from below
+    #[arg(long, value_name = "FORMULA", allow_hyphen_values = true)]
+    pub section: Option<String>,
+    /// Turns of the angle in a period
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub turns: Option<String>,
+    /// Period of a forced motion
+    #[arg(long, value_name = "TIME")]
+    pub period: Option<String>,
+    /// Ordinary motion before the search
+    #[arg(long, value_name = "TIME")]
+    pub settle: Option<String>,
+    /// Parameter that is changed until the period is the wanted one
+    #[arg(long, value_name = "NAME", requires = "wanted_period")]
+    pub unknown: Option<String>,
+    /// Wanted period
+    #[arg(long, value_name = "TIME", requires = "unknown")]
+    pub wanted_period: Option<String>,
+    #[command(flatten)]
+    pub table: Table,
+}
+
+/// What a table of results shall hold.
+#[derive(Args, Debug)]
+pub struct Table {
+    /// Results exactly at these times: 0,0.5,10
+    #[arg(long, value_name = "T1,T2,...", conflicts_with = "every", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Results at equal intervals
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub every: Option<String>,
+    /// Columns by name, in this order: phi,phi',omega_p
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub outputs: Option<Vec<String>>,
+    /// Relative tolerance of a step, 1e-15 ... 1e-3
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub tolerance: Option<String>,
+    /// Also write tables, plots and a page into this folder
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

@@ -1,7 +1,7 @@
 //! The written calculation of a machine: title, coordinates, equations, checks, results. It arranges what was computed and computes
 //! nothing itself.
 
-use crate::pipeline::{Calculation, Finding};
+use crate::pipeline::{Calculation, Finding, Phases};
 use crate::words::{Word as Say, say};
 use analysis::Dataset;
 use analysis::dataset::Audit;
@@ -73,12 +73,20 @@ pub fn printer(equations: &Equations, language: Language, width: usize) -> Print
 
 /// Figures of a simulation: those the file asks for, otherwise one per coordinate. Their names differ.
 pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, language: Language) -> Vec<Figure> {
-    let mut figures: Vec<Figure> = if study.plots.is_empty() {
+    if study.plots.is_empty() {
         let coordinates = calculation.machine.equations.outputs.iter().filter(|o| o.role == Role::Coordinate);
-        coordinates.filter_map(|o| Figure::over_axis(data, &[&o.name], language)).collect()
+        distinct(coordinates.filter_map(|o| Figure::over_axis(data, &[&o.name], language)).collect())
     } else {
-        study.plots.iter().filter_map(|plot| figure(plot, data, language)).collect()
-    };
+        plots(&study.plots, data, language)
+    }
+}
+
+/// Figures that a study asks for. Their names differ.
+pub fn plots(plots: &[Plot], data: &Dataset, language: Language) -> Vec<Figure> {
+    distinct(plots.iter().filter_map(|plot| figure(plot, data, language)).collect())
+}
+
+fn distinct(mut figures: Vec<Figure>) -> Vec<Figure> {
     for i in 1..figures.len() {
         let (before, rest) = figures.split_at_mut(i);
         if before.iter().any(|f| f.name == rest[0].name) {
@@ -91,7 +99,9 @@ pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, lang
 /// Figures of findings other than motions.
 pub fn other_figures(finding: &Finding, language: Language) -> Vec<Figure> {
     match finding {
+        Finding::Structure(found) => crate::structure::figures(found, language),
         Finding::Response(found) => crate::small::show::response_figures(found, language),
+        Finding::Study(results) => results.figures(language),
         Finding::Modes(found) => crate::small::show::campbell(&found.data, language).into_iter().collect(),
         _ => Vec::new(),
     }
@@ -286,6 +296,20 @@ impl Writer<'_> {
                 blocks.extend(self.notes(data));
                 blocks
             }
+            Finding::Structure(found) => {
+                let heading = crate::structure::heading(found, self.language);
+                let mut blocks = vec![Block::heading(1, heading)];
+                blocks.extend(crate::structure::blocks(found, self.language, self.extent == Extent::Page));
+                blocks
+            }
+            Finding::Study(results) => {
+                let mut blocks = of_results(results, self.extent == Extent::Page, self.language);
+                if self.extent == Extent::Page {
+                    blocks.extend(results.figures(self.language).into_iter().map(Block::Figure));
+                }
+                blocks.extend(self.counters(&results.data));
+                blocks
+            }
             Finding::Response(found) => {
                 let mut blocks = vec![Block::heading(1, say(self.language, Say::Response))];
                 blocks.extend(crate::small::show::response(found, self.language, self.extent == Extent::Page));
@@ -296,8 +320,11 @@ impl Writer<'_> {
                 blocks.extend(crate::small::show::modes(found, self.language, self.extent == Extent::Page));
                 blocks
             }
-            Finding::Motion(study, data, _) => {
+            Finding::Motion(study, data, _) | Finding::Transient(study, data, ..) => {
                 let mut blocks = vec![self.heading(Word::Simulation)];
+                if let Finding::Transient(_, _, phases, _) = finding {
+                    blocks = self.phases(phases);
+                }
                 blocks.push(self.table(results(data, self.language), Word::Results));
                 blocks.extend(self.notes(data));
                 blocks.extend(self.events(data));
@@ -310,29 +337,23 @@ impl Writer<'_> {
         }
     }
 
+    /// The written solution phase by phase.
+    fn phases(&self, phases: &Phases) -> Vec<Block> {
+        let width = match self.extent {
+            Extent::Page => PAGE_WIDTH,
+            Extent::Terminal { width } => width,
+        };
+        let mut blocks = vec![Block::heading(1, say(self.language, Say::ClosedForm))];
+        blocks.extend(crate::phases::steps::blocks(self.equations, &phases.list, &phases.names, self.language, width));
+        blocks
+    }
+
     fn notes(&self, data: &Dataset) -> Vec<Block> {
-        data.notes.iter().map(|note| Block::paragraph(self.language.text(note))).collect()
+        notes(data, self.language)
     }
 
     fn events(&self, data: &Dataset) -> Vec<Block> {
-        if data.events.is_empty() {
-            return Vec::new();
-        }
-        let language = self.language;
-        let columns = vec![Column::with_unit(self.word(Word::Time), "s", language), Column::new(self.word(Word::Event))];
-        let mut table = Table::new(columns);
-        let listed = &data.events[..data.events.len().min(EVENTS)];
-        let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
-        for (time, event) in Cell::column(&times, 6, language).into_iter().zip(listed) {
-            table.row(vec![time, Cell::words(language.text(&event.what))]);
-        }
-        let mut blocks = vec![self.table(table, Word::Events)];
-        let more = data.events.len() - listed.len();
-        if more > 0 {
-            let (en, ru) = (format!("and {more} more events: see the JSON file"), format!("и ещё событий: {more}, см. файл JSON"));
-            blocks.push(Block::paragraph(language.pick(en, ru)));
-        }
-        blocks
+        events(data, self.extent == Extent::Page, self.language)
     }
 
     fn counters(&self, data: &Dataset) -> Vec<Block> {
@@ -354,6 +375,47 @@ impl Writer<'_> {
         };
         vec![self.heading(Word::Downloads), Block::Downloads(files.iter().map(download).collect())]
     }
+}
+
+/// Remarks beside a result.
+fn notes(data: &Dataset, language: Language) -> Vec<Block> {
+    data.notes.iter().map(|note| Block::paragraph(language.text(note))).collect()
+}
+
+/// What happened, and when.
+fn events(data: &Dataset, captions: bool, language: Language) -> Vec<Block> {
+    if data.events.is_empty() {
+        return Vec::new();
+    }
+    let columns = vec![Column::with_unit(language.word(Word::Time), "s", language), Column::new(language.word(Word::Event))];
+    let mut table = Table::new(columns);
+    let listed = &data.events[..data.events.len().min(EVENTS)];
+    let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
+    for (time, event) in Cell::column(&times, 6, language).into_iter().zip(listed) {
+        table.row(vec![time, Cell::words(language.text(&event.what))]);
+    }
+    let mut blocks = vec![Block::Table(if captions { table.with_caption(language.word(Word::Events)) } else { table })];
+    let more = data.events.len() - listed.len();
+    if more > 0 {
+        let (en, ru) = (format!("and {more} more events: see the JSON file"), format!("и ещё событий: {more}, см. файл JSON"));
+        blocks.push(Block::paragraph(language.pick(en, ru)));
+    }
+    blocks
+}
+
+/// The results of a study, without plots.
+pub fn of_results(results: &crate::studies::Results, captions: bool, language: Language) -> Vec<Block> {
+    let mut blocks = results.blocks(captions, language);
+    blocks.extend(notes(&results.data, language));
+    blocks.extend(events(&results.data, captions, language));
+    blocks
+}
+
+/// Blocks as text for a terminal.
+pub fn in_terminal(blocks: Vec<Block>, language: Language, width: usize) -> String {
+    let none = String::new;
+    let document = Document { language, title: none(), description: none(), blocks, version: none(), model_hash: none() };
+    report::terminal::write(&document, width)
 }
 
 /// What stands behind "where": definitions, and the rates of prescribed turning angles, ψ' = ω. Nothing when the equations are not shown.
@@ -440,7 +502,7 @@ pub fn results(data: &Dataset, language: Language) -> Table {
 }
 
 /// The user's unit of display, otherwise SI with a prefix.
-fn scale(quantity: &analysis::Quantity, largest: f64) -> report::unit::Scale {
+pub fn scale(quantity: &analysis::Quantity, largest: f64) -> report::unit::Scale {
     match &quantity.display {
         Some((label, size)) => report::unit::Scale { size: *size, label: label.clone() },
         None => report::unit::Scale::of_column(&quantity.unit, largest),

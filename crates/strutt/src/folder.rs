@@ -23,12 +23,15 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
         let number = if several { format!("-{}", i + 1) } else { String::new() };
         let stem = match finding {
             Finding::Motion(..) => format!("motion{number}"),
+            Finding::Transient(..) => format!("transient{number}"),
             Finding::Equilibrium(..) => format!("equilibrium{number}"),
+            Finding::Study(results) => format!("{}{number}", results.kind),
             Finding::Modes(..) => format!("modes{number}"),
+            Finding::Structure(found) => format!("{}{number}", found.study),
             Finding::Response(..) => format!("response{number}"),
         };
         tables(&mut shelf, finding, &stem, language)?;
-        if let Finding::Motion(study, data, _) = finding {
+        if let Finding::Motion(study, data, _) | Finding::Transient(study, data, ..) = finding {
             for figure in document::figures(calculation, study, data, language) {
                 plot(&mut shelf, &figure, &number, language)?;
             }
@@ -112,12 +115,19 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
             own.insert("until".into(), json!(study.until));
             own.insert("tolerance".into(), json!(study.tolerance));
         }
+        Finding::Transient(study, _, phases, _) => {
+            own.insert("study".into(), json!("transient"));
+            own.insert("until".into(), json!(study.until));
+            own.insert("phases".into(), crate::phases::to_json(&phases.list, &phases.names));
+        }
         Finding::Equilibrium(..) => {
             own.insert("study".into(), json!("equilibrium"));
             own.insert("equilibria".into(), equilibria(finding.data()));
         }
+        Finding::Study(results) => own = results.fields(),
         Finding::Response(found) => own = crate::small::response::to_json(found),
         Finding::Modes(found) => own = crate::small::modes::to_json(found),
+        Finding::Structure(found) => own = crate::structure::fields(found),
     }
     if let Some(trouble) = finding.trouble() {
         own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));

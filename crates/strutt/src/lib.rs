@@ -19,12 +19,15 @@ pub mod folder;
 pub mod gallery;
 pub mod guards;
 mod near;
+pub mod phases;
 pub mod pipeline;
 pub mod plan;
 mod provenance;
 pub mod sections;
 pub mod small;
 pub mod source;
+pub mod structure;
+pub mod studies;
 pub mod watch;
 pub mod words;
 

@@ -5,11 +5,13 @@ use crate::failure::{Failure, Trouble};
 use crate::small::modes::ModesFound;
 use crate::small::response::ResponseFound;
 use crate::source::Source;
+use crate::studies::{Origin, Results};
 use crate::watch::Watch;
 use crate::words::Word;
-use crate::{guards, plan, provenance};
+use crate::{guards, phases, plan, provenance};
 use analysis::Dataset;
 use analysis::dataset::Audit;
+use analysis::studies::transient::{Found, Phase, Transient};
 use analysis::studies::{self, simulate::Outcome};
 use mechanics::derive::Detail;
 use mechanics::model::{Simulate, StudyKind};
@@ -31,6 +33,16 @@ pub struct Machine {
     pub system: analysis::Machine,
     /// Hash of the file and the overrides.
     pub model_hash: String,
+    /// What it was made from.
+    pub origin: Origin,
+}
+
+impl Machine {
+    /// Names of the states: coordinates, rates, auxiliary states.
+    pub fn system_states(&self) -> Vec<String> {
+        use analysis::System;
+        self.system.states().iter().map(|q| q.name.clone()).collect()
+    }
 }
 
 /// What a study found, and what ended it early, if anything did.
@@ -40,10 +52,25 @@ pub enum Finding {
     Equilibrium(Dataset, Option<Trouble>),
     /// A motion, and the study that asked for it.
     Motion(Simulate, Dataset, Option<Trouble>),
+    /// A motion in closed form, its phases, and the study that asked for it.
+    Transient(Simulate, Dataset, Phases, Option<Trouble>),
+    /// Any other study.
+    Study(Box<Results>),
     /// Natural frequencies and shapes.
     Modes(Box<ModesFound>),
+    /// A study of a frame or truss.
+    Structure(Box<crate::structure::StructureFound>),
     /// Forced oscillations over the frequency.
     Response(Box<ResponseFound>),
+}
+
+/// Phases of a motion, and the names of its state.
+#[derive(Clone, Debug)]
+pub struct Phases {
+    /// In order of time.
+    pub list: Vec<Phase>,
+    /// Coordinates, then rates.
+    pub names: Vec<String>,
 }
 
 /// Everything a file asks for.
@@ -82,13 +109,15 @@ pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch)
 /// Findings about the model.
 pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail, watch: &mut Watch) -> Result<Machine, Failure> {
     let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
-    let reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    let mut reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    crate::structure::mount::mount(&mut reading.model)?;
     watch.lap(Word::TimeRead);
     let equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
     watch.lap(Word::TimeDerive);
     let system = lower(&equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeLower);
-    Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides) })
+    let origin = Origin { source: source.clone(), overrides: overrides.to_vec() };
+    Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides), origin })
 }
 
 /// From equations to a program with numbers.
@@ -105,14 +134,15 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_)
-        | StudyKind::Statics
-        | StudyKind::Kinematics(_)
-        | StudyKind::Periodic(_)
-        | StudyKind::Cycle(_)
-        | StudyKind::Sweep(_) => None,
+        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Cycle(_) | StudyKind::Sweep(_) => None,
+        StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
+        StudyKind::Statics => crate::structure::statics(machine),
         StudyKind::Response(study) => Some(response(machine, study, watch)),
+        StudyKind::Transient(study) => {
+            let study = plan::with_plots(study, &machine.equations);
+            Some(transient(machine, &study, watch))
+        }
         StudyKind::Modes(study) => Some(modes(machine, study, watch)),
         StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);
@@ -138,6 +168,20 @@ pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> F
     Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations)))
 }
 
+/// A motion in closed form.
+pub fn transient(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
+    let options = Transient { twin: plan::options(study, watch), ends: machine.model.phases.clone() };
+    let found = match machine.system.start() {
+        Ok(start) => studies::transient::transient(&mut machine.system, &machine.equations, &start, options),
+        Err(fault) => Found { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },
+    };
+    watch.lap(Word::TimeRun);
+    let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
+    let trouble = found.outcome.fault.map(|fault| explained(fault, &machine.equations));
+    let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations) };
+    Finding::Transient(study.clone(), data, phases, trouble)
+}
+
 /// Positions of equilibrium, from the start of the motion and from a guess.
 pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut Watch) -> Finding {
     let outcome = match machine.system.start() {
@@ -154,6 +198,10 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
 
 /// Natural frequencies and shapes.
 pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut Watch) -> Finding {
+    if let Some(finding) = crate::structure::modes(machine, study) {
+        watch.lap(Word::TimeRun);
+        return finding;
+    }
     let found = crate::small::modes::find(machine, study);
     watch.lap(Word::TimeRun);
     Finding::Modes(Box::new(found))
@@ -189,16 +237,20 @@ impl Finding {
     /// The numbers.
     pub fn data(&self) -> &Dataset {
         match self {
-            Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) => data,
+            Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) | Finding::Transient(_, data, ..) => data,
+            Finding::Study(results) => &results.data,
             Finding::Modes(found) => &found.data,
+            Finding::Structure(found) => &found.data,
             Finding::Response(found) => &found.data,
         }
     }
     /// What ended the study early.
     pub fn trouble(&self) -> Option<&Trouble> {
         match self {
-            Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) => trouble.as_ref(),
+            Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) | Finding::Transient(_, _, _, trouble) => trouble.as_ref(),
+            Finding::Study(results) => results.trouble.as_ref(),
             Finding::Modes(found) => found.trouble.as_ref(),
+            Finding::Structure(found) => found.trouble.as_ref(),
             Finding::Response(found) => found.trouble.as_ref(),
         }
     }

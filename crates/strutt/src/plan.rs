@@ -5,7 +5,7 @@ use crate::near::nearest;
 use crate::watch::Watch;
 use analysis::Dataset;
 use mechanics::Model;
-use mechanics::model::{DEFAULT_TOLERANCE, Simulate, StudyKind, Times};
+use mechanics::model::{DEFAULT_TOLERANCE, Plot, Simulate, StudyKind, Times};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
 
@@ -34,6 +34,28 @@ pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Resul
         StudyKind::Simulate(study) => Some(study.clone()),
         _ => None,
     });
+    motion(of_file, equations, wishes, "simulate")
+}
+
+/// The motion in closed form to find: the study `transient` of the file, otherwise its study `simulate`.
+///
+/// # Errors
+/// As [`simulation`].
+pub fn transient(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Simulate, Failure> {
+    let own = model.studies.iter().find_map(|s| match &s.kind {
+        StudyKind::Transient(study) => Some(study.clone()),
+        _ => None,
+    });
+    let simulated = || {
+        model.studies.iter().find_map(|s| match &s.kind {
+            StudyKind::Simulate(study) => Some(study.clone()),
+            _ => None,
+        })
+    };
+    motion(own.or_else(simulated), equations, wishes, "transient")
+}
+
+fn motion(of_file: Option<Simulate>, equations: &Equations, wishes: Wishes, name: &str) -> Result<Simulate, Failure> {
     let mut study = of_file.clone().unwrap_or_else(|| Simulate {
         until: 0.0,
         times: Times::Automatic,
@@ -49,7 +71,7 @@ pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Resul
         (Some(until), ..) => until,
         (None, Some(file), last) => last.map_or(file.until, |t| t.max(file.until)),
         (None, None, Some(last)) => last,
-        (None, None, None) => return Err(no_end()),
+        (None, None, None) => return Err(no_end(name)),
     };
     if wishes.times.is_none()
         && let Times::At(times) = &mut study.times
@@ -82,17 +104,19 @@ pub fn usual_columns(equations: &Equations) -> Vec<String> {
 
 /// The study with every column that its plots need.
 pub fn with_plots(study: &Simulate, equations: &Equations) -> Simulate {
-    let mut study = study.clone();
-    if study.outputs.is_empty() {
-        study.outputs = usual_columns(equations);
-    }
-    let drawn: Vec<String> = study.plots.iter().flat_map(|p| p.x.iter().chain(&p.y)).filter(|n| *n != "t").cloned().collect();
+    Simulate { outputs: columns_with_plots(&study.outputs, &study.plots, equations), ..study.clone() }
+}
+
+/// The wanted columns, or the usual ones, and every column that the plots need.
+pub fn columns_with_plots(wanted: &[String], plots: &[Plot], equations: &Equations) -> Vec<String> {
+    let mut columns = if wanted.is_empty() { usual_columns(equations) } else { wanted.to_vec() };
+    let drawn = plots.iter().flat_map(|p| p.x.iter().chain(&p.y)).filter(|n| *n != "t");
     for name in drawn {
-        if !study.outputs.contains(&name) {
-            study.outputs.push(name);
+        if !columns.contains(name) {
+            columns.push(name.clone());
         }
     }
-    study
+    columns
 }
 
 /// The same study with more times, when the file leaves the times open and the motion is too quick for the usual 1001.
@@ -103,6 +127,14 @@ pub fn finer(study: &Simulate, data: &Dataset) -> Option<Simulate> {
     }
     let parts = [2000.0, 5000.0, 10_000.0].into_iter().find(|parts| *parts >= rows).unwrap_or(20_000.0);
     Some(Simulate { times: Times::Every(study.until / parts), ..study.clone() })
+}
+
+/// Whether every column that is asked for exists.
+///
+/// # Errors
+/// A column that does not (C008).
+pub fn known_columns(names: &[String], equations: &Equations) -> Result<(), Failure> {
+    names.iter().try_for_each(|name| known(name, equations))
 }
 
 /// Whether the model offers an output.
@@ -127,9 +159,12 @@ pub fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
     .misuse())
 }
 
-fn no_end() -> Failure {
+fn no_end(name: &str) -> Failure {
     Trouble::new("C007", "how long shall the motion be?", "до какого момента считать движение?")
-        .why("the file has no study `simulate`, and no --until was given", "в файле нет расчёта `simulate`, а ключ --until не задан")
+        .why(
+            format!("the file has no study `{name}`, and no --until was given"),
+            format!("в файле нет расчёта `{name}`, а ключ --until не задан"),
+        )
         .help("add --until 10 (seconds), or a study to the file", "добавьте --until 10 (секунд) или расчёт в файл")
         .misuse()
 }

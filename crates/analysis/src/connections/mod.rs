@@ -56,6 +56,8 @@ struct Bench<'e> {
     values: Vec<f64>,
     /// Typical effect of each coordinate on the conditions, so that changes of angles and lengths can be compared.
     reach: Vec<f64>,
+    /// Typical size of the terms of each condition's place.
+    sizes: Vec<f64>,
 }
 
 impl<'e> Bench<'e> {
@@ -78,6 +80,7 @@ impl<'e> Bench<'e> {
             x,
             values: Vec::new(),
             reach: vec![1.0; n],
+            sizes: vec![0.0; equations.conditions.len()],
         };
         bench.measure_reach();
         Ok(bench)
@@ -113,10 +116,11 @@ impl<'e> Bench<'e> {
         (0..self.equations.conditions.len()).filter(lasts).collect()
     }
 
-    /// Largest entries of the columns of J around the start: a single configuration may hide a lever.
+    /// Largest entries of the columns of J around the start, and the sizes of its rows: a single configuration may hide a lever.
     fn measure_reach(&mut self) {
         let mut random = crate::numerics::random::Random::new(7);
         let mut reach = vec![0.0_f64; self.n];
+        let mut sizes = vec![0.0_f64; self.equations.conditions.len()];
         for trial in 0..5 {
             let mut x = self.x.clone();
             if trial > 0 {
@@ -131,17 +135,23 @@ impl<'e> Bench<'e> {
             for c in self.lasting() {
                 let row = self.row(c);
                 reach.iter_mut().zip(row).for_each(|(r, j)| *r = r.max(j.abs()));
+                sizes[c] = sizes[c].max(self.place_size_here(c, &x));
             }
         }
         self.reach = reach.into_iter().map(|r| if r > 0.0 && r.is_finite() { r } else { 1.0 }).collect();
+        self.sizes = sizes;
     }
 
     /// How large the terms are that meet in the place of a condition.
     fn place_size(&self, condition: usize, x: &[f64]) -> f64 {
+        self.place_size_here(condition, x).max(self.sizes[condition]).max(f64::MIN_POSITIVE)
+    }
+
+    fn place_size_here(&self, condition: usize, x: &[f64]) -> f64 {
         let largest = (0..self.n).filter(|j| !self.is_angle(*j)).fold(0.0_f64, |m, j| m.max(x[j].abs()));
         let size: f64 = self.row(condition).iter().enumerate().map(|(j, a)| a.abs() * if self.is_angle(j) { 1.0 } else { largest }).sum();
         // a slider at zero with nothing that turns: its reach is all there is
-        if size > 0.0 { size } else { self.row(condition).iter().fold(f64::MIN_POSITIVE, |m, a| m.max(a.abs())) }
+        if size > 0.0 { size } else { self.row(condition).iter().fold(0.0_f64, |m, a| m.max(a.abs())) }
     }
 
     fn rate_size(&self, condition: usize, x: &[f64]) -> f64 {

@@ -49,6 +49,8 @@ pub(super) struct Conditions {
     values: Vec<f64>,
     /// Rows in force.
     active: Vec<usize>,
+    /// Largest terms of each row's place so far: in some positions all levers vanish.
+    arms: Vec<f64>,
     /// Largest terms of each row's rate so far: a machine that stops for an instant has rates of its own size all the same.
     moved: Vec<f64>,
 }
@@ -109,6 +111,7 @@ impl Conditions {
             angles: equations.coordinates.iter().map(|c| c.unit == "rad").collect(),
             values: Vec::new(),
             active: Vec::with_capacity(rows.len()),
+            arms: vec![0.0; rows.len()],
             moved: vec![0.0; rows.len()],
             rows,
         }))
@@ -157,7 +160,7 @@ impl Conditions {
     fn violation(&self, row: usize, x: &[f64], of: Level) -> f64 {
         let (q, rates) = (&x[..self.n], &x[self.n..2 * self.n]);
         let (value, size) = match of {
-            Level::Place => (self.place(row).abs(), self.place_size(row, q)),
+            Level::Place => (self.place(row).abs(), self.place_size(row, q).max(self.arms[row])),
             Level::Rate => (self.rate(row).abs(), self.rate_size(row, rates).max(STILL * self.moved[row])),
         };
         if value == 0.0 { 0.0 } else { value / size }
@@ -168,8 +171,21 @@ impl Conditions {
         self.active.iter().fold(0.0_f64, |worst, &row| worst.max(self.violation(row, x, of)))
     }
 
+    /// Violation of a rate, relative to the rates that the machine has had.
+    fn slip(&self, row: usize, x: &[f64]) -> f64 {
+        let size = self.rate_size(row, &x[self.n..2 * self.n]).max(self.moved[row]);
+        if size > 0.0 { self.rate(row).abs() / size } else { 0.0 }
+    }
+
     fn is_sticking(&self, row: usize) -> bool {
         matches!(self.rows[row].holds, Holds::Sticking(_))
+    }
+
+    fn remember_arms(&mut self, x: &[f64]) {
+        for k in 0..self.active.len() {
+            let row = self.active[k];
+            self.arms[row] = self.arms[row].max(self.place_size(row, &x[..self.n]));
+        }
     }
 
     fn remember_rates(&mut self, x: &[f64]) {
@@ -189,14 +205,14 @@ impl Conditions {
             return Ok(0.0);
         }
         self.evaluate(t, x)?;
+        self.remember_arms(x);
         let place = self.worst(x, Level::Place);
         if place > ROUNDING {
             self.close(t, x, Level::Place, place)?;
         }
         self.remember_rates(x);
         let rate = self.worst(x, Level::Rate);
-        let drift =
-            self.active.iter().filter(|row| !self.is_sticking(**row)).fold(place, |m, &row| m.max(self.violation(row, x, Level::Rate)));
+        let drift = self.active.iter().filter(|row| !self.is_sticking(**row)).fold(place, |m, &row| m.max(self.slip(row, x)));
         if rate > ROUNDING {
             self.close(t, x, Level::Rate, rate)?;
         }

@@ -4,9 +4,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use symbolic::Text;
 
+use crate::audits::bodies::BodyBalance;
+use crate::audits::impacts::{ImpactEnergy, drift};
 use crate::audits::{halving::tolerance_halving, power::PowerBalance, second::two_derivations};
 use crate::dataset::{Column, Counter, Dataset, Event};
 use crate::events::words::describe;
+use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
 use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance};
 use crate::{Fault, Mode, Quantity, System};
@@ -209,6 +212,10 @@ struct Run {
     all: Vec<f64>,
     events: Vec<Event>,
     power: PowerBalance,
+    bodies: BodyBalance,
+    impacts: ImpactEnergy,
+    /// Largest drift of conditions that was removed.
+    drift: f64,
     work: Work,
     interrupted: bool,
     pace: Pace,
@@ -264,6 +271,9 @@ impl Run {
             all: vec![0.0; system.outputs().len()],
             events: Vec::new(),
             power: PowerBalance::new(n_x),
+            bodies: BodyBalance::new(n_x),
+            impacts: ImpactEnergy::default(),
+            drift: 0.0,
             work: Work::default(),
             interrupted: false,
             pace: Pace::default(),
@@ -278,6 +288,7 @@ impl Run {
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
         let result = self.record(&mut flow).and_then(|()| self.follow(&mut flow, end, options));
         self.work = flow.work().clone();
+        self.drift = flow.drift();
         result
     }
 
@@ -295,6 +306,7 @@ impl Run {
             self.record(flow)?;
             let (step, system) = flow.step_and_system();
             self.power.look(step, system);
+            self.bodies.look(step, system);
             step.state_at(step.start.after(step.length).high, &mut self.x);
             system.placed(step.start.after(step.length).high, &self.x)?;
             outcome?;
@@ -354,12 +366,36 @@ impl Run {
             Ok(run.chosen.iter().map(|&i| run.all[i]).collect())
         };
         let outputs = [side(self, &states[0], &before)?, side(self, &states[1], &after)?];
+        let mut lost = self.loss(flow, &switches, &states, [&before, &after]);
         for switch in &switches {
-            let what = describe(switch, &flow.system().guards()[switch.guard]);
+            let mut what = describe(switch, &flow.system().guards()[switch.guard]);
+            if matches!(switch.change, Change::Impact { .. })
+                && let Some(lost) = lost.take()
+            {
+                let n = rounded(lost);
+                what = Text::new(format!("{}, {} J lost", what.en, n.en), format!("{}, потеряно {} Дж", what.ru, n.ru));
+            }
             let sides = [switch.before.sign(), switch.after.sign()];
             self.events.push(Event { t: switch.t, what, guard: switch.guard, sides, states: states.clone(), outputs: outputs.clone() });
         }
         Ok(())
+    }
+
+    /// Energy that the impacts of this instant take, together.
+    fn loss<S: System + ?Sized>(
+        &mut self,
+        flow: &mut Flow<'_, S>,
+        switches: &[Switch],
+        states: &[Vec<f64>; 2],
+        modes: [&[Mode]; 2],
+    ) -> Option<f64> {
+        if !switches.iter().any(|s| matches!(s.change, Change::Impact { .. })) {
+            return None;
+        }
+        let t = flow.time();
+        let [kinetic, potential] = flow.system().energies(t, &states[0], modes[0])?;
+        let after: f64 = flow.system().energies(t, &states[1], modes[1])?.iter().sum();
+        Some(self.impacts.record(kinetic + potential, after, kinetic))
     }
 
     fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {
@@ -388,21 +424,20 @@ impl Run {
                 format!("перечислены только первые {EVENTS} событий"),
             ));
         }
-        Dataset {
-            axis: Some(0),
-            columns,
-            audits: self.power.audit(tolerance).into_iter().collect(),
-            events: self.events,
-            counters: counters(&self.work),
-            notes,
-            partial: self.interrupted,
-            ..Dataset::default()
-        }
+        let counters = counters(&self.work, &self.impacts);
+        let audits = [
+            self.power.audit(tolerance),
+            self.bodies.audit(tolerance),
+            self.impacts.audit(),
+            drift(self.drift, self.work.projections, tolerance),
+        ];
+        let audits = audits.into_iter().flatten().collect();
+        Dataset { axis: Some(0), columns, audits, events: self.events, counters, notes, partial: self.interrupted, ..Dataset::default() }
     }
 }
 
 /// Indices of the wanted outputs.
-fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<Vec<usize>, Fault> {
+pub(super) fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<Vec<usize>, Fault> {
     let Some(wanted) = wanted else { return Ok((0..outputs.len()).collect()) };
     let find = |name: &String| {
         outputs.iter().position(|q| &q.name == name).ok_or_else(|| {
@@ -413,15 +448,22 @@ fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<Vec<usize>,
     wanted.iter().map(find).collect()
 }
 
-fn counters(work: &Work) -> Vec<Counter> {
+fn counters(work: &Work, impacts: &ImpactEnergy) -> Vec<Counter> {
     let mean = if work.steps > 0 { work.orders as f64 / work.steps as f64 } else { 0.0 };
     let row = |key, en: &str, ru: &str, value: f64| Counter { key, name: Text::new(en, ru), value };
-    vec![
+    let mut rows = vec![
         row("steps", "steps", "шагов", work.steps as f64),
         row("rejected", "steps taken back", "шагов отвергнуто", work.rejected as f64),
         row("mean_order", "mean order", "средний порядок", mean),
         row("highest_order", "highest order", "наибольший порядок", work.highest_order as f64),
         row("evaluations", "Taylor expansions", "тейлоровских разложений", (work.expansions + work.probes) as f64),
         row("events", "switches", "переключений", work.switches as f64),
-    ]
+    ];
+    if work.projections > 0 {
+        rows.push(row("projections", "steps moved back onto the connections", "шагов, возвращённых на связи", work.projections as f64));
+    }
+    if impacts.lost() != 0.0 {
+        rows.push(row("impact_loss", "energy lost in impacts, J", "энергия, потерянная при ударах, Дж", impacts.lost()));
+    }
+    rows
 }

@@ -11,10 +11,12 @@ mod order;
 mod outputs;
 mod overrides;
 mod parameters;
+mod phases;
 mod ranges;
 mod reader;
 mod sections;
 mod shapes;
+mod structures;
 mod studies;
 mod syntax;
 
@@ -92,21 +94,28 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let description = top.text(reader, "description").unwrap_or_default();
     let mut notation = Vec::new();
 
-    let raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
+    let mut raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
+    raw_coordinates.extend(parameters::collect_displacements(reader, &top, &mut notation));
     let raw_parameters = parameters::collect(reader, &top, &mut notation);
     let parameter_names = raw_parameters.iter().map(|p| p.name.clone()).collect();
     let raw_outputs = outputs::collect(reader, &top, &parameter_names, &mut notation);
-    overrides::check_names(reader, &raw_coordinates, &raw_parameters);
+    let mut schedule = phases::collect(reader, &top);
+    schedule.check_names(reader, &raw_coordinates, &raw_parameters);
+    overrides::check_names(reader, &raw_coordinates, &raw_parameters, &schedule);
     parameters::declare_coordinates(reader, &raw_coordinates);
-    let mut parameters = parameters::resolve(reader, raw_parameters);
+    let mut parameters = parameters::resolve(reader, raw_parameters, &mut schedule);
+    let phases = schedule.finish(reader);
     let coordinates = parameters::starts(reader, raw_coordinates);
     let (frames, mut points) = frames::read(reader, &top);
+    structures::nodes(reader, &top);
+    structures::rods(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
     connections::announce(reader, &top);
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
     let mut forces = elements::forces(reader, &top);
-    let torques = elements::torques(reader, &top);
+    let mut torques = elements::torques(reader, &top);
+    parameters.extend(schedule.restart(reader, &parameters, &mut forces, &mut torques, &mut notation));
     let potentials = elements::potentials(reader, &top);
     let dissipations = elements::dissipations(reader, &top);
     let space = connections::Space::new(reader, &frames, &points, &parameters);
@@ -115,6 +124,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     forces.extend(resultants);
     points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
+    let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
     let sections = sections::read(reader, &top);
 
@@ -141,7 +151,10 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         outputs,
         notation,
         sections,
+        phases,
         studies,
+        structure,
+        inertias: Vec::new(),
     }
 }
 

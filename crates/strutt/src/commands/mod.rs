@@ -8,10 +8,14 @@ mod examples;
 mod explain;
 mod modes;
 mod new;
+mod periodic;
 mod response;
 mod run;
 mod section;
 mod simulate;
+mod statics;
+mod study;
+mod transient;
 
 use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
@@ -41,8 +45,11 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Check(args) => check::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
+        Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Section(args) => section::run(&args, console),
+        Command::Statics(args) => statics::run(&args, console),
+        Command::Periodic(args) => periodic::run(&args, console),
         Command::Response(args) => response::run(&args, console),
         Command::Modes(args) => modes::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),

@@ -5,9 +5,11 @@ use crate::claim::{Claim, Tolerance, When, parse};
 use analysis::Dataset;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use mechanics::Diagnostic;
+use mechanics::model::Times;
 use report::Language;
 use report::formula::{Form, Printer};
-use strutt::pipeline::{self, Finding, Machine};
+use strutt::pipeline::{self, Finding, Machine, Phases};
+use strutt::studies::Results;
 use strutt::{Failure, Source, Watch};
 use symbolic::SymbolId;
 
@@ -40,6 +42,58 @@ pub fn check(trial: &Trial) -> Result<(), String> {
     if complaints.is_empty() { Ok(()) } else { Err(format!("{}:{}\n{}", trial.file.display(), trial.line, complaints.join("\n"))) }
 }
 
+/// The first study of a kind that the model itself asks for.
+fn study(machine: &mut Machine, kind: &str) -> Result<Outcome, String> {
+    for study in machine.model.studies.clone() {
+        if let Some(Finding::Study(results)) = pipeline::study(machine, &study.kind, &mut Watch::default())
+            && results.kind == kind
+        {
+            return Ok(match &results.trouble {
+                Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
+                None => Outcome::Study(results),
+            });
+        }
+    }
+    Err(format!("the model has no study `{kind}`"))
+}
+
+/// A number of a study: `period`, `multipliers.1.abs`.
+fn field(results: &Results, path: &str) -> Result<f64, String> {
+    let fields = serde_json::Value::Object(results.fields());
+    let whole = fields.get(path).cloned();
+    let found = whole.or_else(|| {
+        path.split('.').try_fold(fields.clone(), |at, key| match key.parse::<usize>() {
+            Ok(i) => at.get(i).cloned(),
+            Err(_) => at.get(key).cloned(),
+        })
+    });
+    let names = || fields.as_object().map(|o| o.keys().cloned().collect::<Vec<_>>().join(", ")).unwrap_or_default();
+    found.and_then(|v| v.as_f64()).ok_or_else(|| format!("no number `{path}`; there are {}", names()))
+}
+
+/// Values of a study's column at the places of its axis.
+fn study_claim(results: &Results, claim: &Claim) -> Result<(), String> {
+    let data = &results.data;
+    match claim {
+        Claim::Rest { name, expected, tolerance } => tolerance.check(name, field(results, name)?, *expected),
+        Claim::Value { name, when, expected, tolerance } => {
+            let axis = data.axis.and_then(|i| data.columns.get(i)).ok_or("the study has no axis")?;
+            let values = &data.column(name).ok_or_else(|| no_column(data, name))?.values;
+            let last = axis.values.len().checked_sub(1).ok_or("the study has no rows")?;
+            let range = (axis.values[last] - axis.values[0]).abs();
+            let row = match when {
+                When::End => last,
+                When::At(x) => {
+                    let near = |v: &f64| (v - x).abs() <= 1e-12 * range.max(x.abs());
+                    axis.values.iter().position(near).ok_or_else(|| format!("no row at {x}"))?
+                }
+            };
+            tolerance.check(name, values[row], *expected)
+        }
+        claim => motion(&[], data, claim),
+    }
+}
+
 /// The first line of an expectation.
 struct Command {
     verb: String,
@@ -53,7 +107,8 @@ struct Command {
 
 impl Command {
     fn parse(words: &[String]) -> Result<Command, String> {
-        let mut command = Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new(), name: String::new() };
+        let mut command =
+            Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new(), name: String::new() };
         let mut list = None;
         for word in &words[1..] {
             if word == "set" || word == "guess" {
@@ -84,17 +139,20 @@ impl Command {
         };
         match self.verb.as_str() {
             "simulate" => self.simulate(&mut machine, claims),
+            "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
             "section" => {
                 let found = machine.model.sections.iter().find(|s| s.name == self.name).cloned();
                 found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
             }
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
+            kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),
         }
     }
 
-    fn simulate(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
+    /// Instants of the whole motion, then those of the claims.
+    fn times(&self, claims: &[&Claim]) -> Vec<f64> {
         let mut times: Vec<f64> = (0..=INSTANTS).map(|k| self.until * k as f64 / INSTANTS as f64).collect();
         for claim in claims {
             match claim {
@@ -103,6 +161,27 @@ impl Command {
                 _ => {}
             }
         }
+        times
+    }
+
+    fn transient(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
+        let times = self.times(claims);
+        let study = mechanics::model::Simulate {
+            until: self.until,
+            times: Times::At(times.clone()),
+            tolerance: self.tolerance,
+            outputs: machine.equations.outputs.iter().map(|o| o.name.clone()).collect(),
+            plots: Vec::new(),
+        };
+        match pipeline::transient(machine, &study, &mut Watch::default()) {
+            Finding::Transient(_, data, phases, None) => Ok(Outcome::Closed { times, data, phases }),
+            Finding::Transient(_, _, _, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
+            _ => Err("the closed form came back as something else".into()),
+        }
+    }
+
+    fn simulate(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
+        let times = self.times(claims);
         // only what is claimed: another output may be undefined with the values that are set
         let wanted = claims.iter().filter_map(|claim| match claim {
             Claim::Value { name, .. } | Claim::Bounded { name, .. } | Claim::Constant { name, .. } | Claim::MeanRate { name, .. } => {
@@ -152,6 +231,8 @@ enum Outcome {
     Motion { times: Vec<f64>, data: Dataset },
     Rest(Dataset),
     Section(Box<mechanics::section::Section>),
+    Closed { times: Vec<f64>, data: Dataset, phases: Phases },
+    Study(Box<Results>),
 }
 
 impl Outcome {
@@ -161,11 +242,17 @@ impl Outcome {
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
             (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
             (Outcome::Motion { times, data }, claim) => motion(times, data, claim),
+            (Outcome::Closed { phases, .. }, Claim::PhaseConstant { phase, key, expected, tolerance }) => {
+                tolerance.check(key, constant_of(phases, *phase, key)?, *expected)
+            }
+            (Outcome::Closed { phases, .. }, Claim::PhaseCase { phase, case }) => case_of(phases, *phase, case),
+            (Outcome::Closed { times, data, .. }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
             (Outcome::Section(section), Claim::Rest { name, expected, tolerance }) => {
                 let found = strutt::sections::property(section, name).ok_or_else(|| format!("no property `{name}`"))?;
                 tolerance.check(name, found, *expected)
             }
+            (Outcome::Study(results), claim) => study_claim(results, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
                 let column = data.column(name).ok_or_else(|| no_column(data, name))?;
                 // several equilibria may be found; the claim is about the nearest
@@ -187,9 +274,34 @@ impl Outcome {
             Outcome::Machine(_) => "the model is accepted".into(),
             Outcome::Motion { .. } => "the motion was computed".into(),
             Outcome::Section(_) => "the section was computed".into(),
+            Outcome::Closed { .. } => "the closed form was found".into(),
             Outcome::Rest(_) => "an equilibrium was found".into(),
+            Outcome::Study(results) => format!("the study {} was made", results.kind),
         }
     }
+}
+
+/// A constant of a phase as the JSON of the study names it; of the first mode when there are several.
+fn constant_of(phases: &Phases, number: usize, key: &str) -> Result<f64, String> {
+    let phase = phases.list.get(number.wrapping_sub(1)).ok_or_else(|| format!("there are {} phases", phases.list.len()))?;
+    match key {
+        "start" => return Ok(phase.start),
+        "end" => return Ok(phase.end),
+        _ => {}
+    }
+    let (mode, key) = key.split_once('.').map_or((1, key), |(mode, key)| (mode.parse().unwrap_or(1), key));
+    let listed = phase.listed();
+    let mode = listed.get(mode - 1).ok_or_else(|| format!("there are {} modes", listed.len()))?;
+    let named = mode.named();
+    let found = named.iter().find(|(name, _)| *name == key).map(|(_, value)| *value);
+    found.ok_or_else(|| format!("constants: {}", named.iter().map(|n| n.0).collect::<Vec<_>>().join(", ")))
+}
+
+fn case_of(phases: &Phases, number: usize, case: &str) -> Result<(), String> {
+    let phase = phases.list.get(number.wrapping_sub(1)).ok_or_else(|| format!("there are {} phases", phases.list.len()))?;
+    let listed = phase.listed();
+    let name = listed.first().map_or("coupled", |l| if l.constants.resonance { "resonance" } else { l.constants.case.name() });
+    if name == case { Ok(()) } else { Err(format!("the case is {name}")) }
 }
 
 fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<usize>, only: bool) -> Result<(), String> {
