@@ -52,6 +52,8 @@ pub enum Command {
     Transient(Simulate),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
+    /// Show the properties of the sections of a file
+    Section(Section),
     /// Find the exact periodic regime: period, multipliers, motion over one period
     Periodic(Periodic),
     /// Find natural frequencies and shapes of small motions
@@ -218,6 +220,18 @@ pub enum Normalise {
     Largest,
     First,
     Mass,
+}
+
+#[derive(Args, Debug)]
+pub struct Section {
+    #[command(flatten)]
+    pub model: Model,
+    /// One section only
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+    /// Also write drawings and a table into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

@@ -111,6 +111,14 @@ const OWN: &[(&str, Wording, Wording)] = &[
     ),
     ("C006", ("File exists", "Файл уже есть"), ("`strutt new` never overwrites a file.", "`strutt new` никогда не перезаписывает файл.")),
     (
+        "C020",
+        ("No such section", "Нет такого сечения"),
+        (
+            "`section` shows the tables [sections.NAME] of a file; the file has none, or none of the name given by --name.",
+            "Команда `section` показывает таблицы [sections.ИМЯ] файла; в файле их нет или нет сечения с именем из --name.",
+        ),
+    ),
+    (
         "C007",
         ("No end of the motion", "Не задан конец движения"),
         (

@@ -23,6 +23,7 @@ pub mod phases;
 pub mod pipeline;
 pub mod plan;
 mod provenance;
+pub mod sections;
 pub mod small;
 pub mod source;
 pub mod structure;

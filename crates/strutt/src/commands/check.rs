@@ -35,7 +35,7 @@ pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {
 }
 
 /// Word for people, key for machines, number.
-fn rows(machine: &Machine) -> [(Word, &'static str, usize); 5] {
+fn rows(machine: &Machine) -> [(Word, &'static str, usize); 6] {
     let model = &machine.model;
     [
         (Word::Bodies, "bodies", model.frames.iter().filter(|f| f.is_body).count()),
@@ -43,12 +43,14 @@ fn rows(machine: &Machine) -> [(Word, &'static str, usize); 5] {
         (Word::Parameters, "parameters", model.parameters.len()),
         (Word::Outputs, "outputs", model.outputs.len()),
         (Word::Studies, "studies", model.studies.len()),
+        (Word::Sections, "sections", model.sections.len()),
     ]
 }
 
 fn summary(machine: &Machine, console: &Console) -> String {
-    let words = rows(machine).map(|(word, _, n)| format!("{} {n}", console.say(word)));
-    words.join(", ")
+    // what few models have is told only where it is
+    let rows = rows(machine).into_iter().filter(|(word, _, n)| *n > 0 || *word != Word::Sections);
+    rows.map(|(word, _, n)| format!("{} {n}", console.say(word))).collect::<Vec<_>>().join(", ")
 }
 
 fn counts(machine: &Machine) -> serde_json::Value {

@@ -11,6 +11,7 @@ mod new;
 mod periodic;
 mod response;
 mod run;
+mod section;
 mod simulate;
 mod statics;
 mod study;
@@ -46,6 +47,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Section(args) => section::run(&args, console),
         Command::Statics(args) => statics::run(&args, console),
         Command::Periodic(args) => periodic::run(&args, console),
         Command::Response(args) => response::run(&args, console),

@@ -46,6 +46,10 @@ fn tell(calculation: &Calculation, paths: &[PathBuf], file: &str, console: &Cons
     let heading = console.say(if partial { Word::WrittenPartly } else { Word::Written });
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
     console.talk(&format!("\n{heading}{list}"));
+    let model = &calculation.machine.model;
+    if model.coordinates.is_empty() && !model.sections.is_empty() {
+        return console.talk(&format!("{} strutt section {file}", console.say(Word::Next)));
+    }
     let next = match has_numbers(&calculation.machine) {
         true => format!("strutt equations {file} --steps"),
         false => format!("strutt simulate {file} --until 10"),

@@ -101,11 +101,14 @@ struct Command {
     tolerance: f64,
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
+    /// Name of a section.
+    name: String,
 }
 
 impl Command {
     fn parse(words: &[String]) -> Result<Command, String> {
-        let mut command = Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new() };
+        let mut command =
+            Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new(), name: String::new() };
         let mut list = None;
         for word in &words[1..] {
             if word == "set" || word == "guess" {
@@ -118,6 +121,7 @@ impl Command {
                 (Some("set"), _) => command.set.push(pair),
                 (Some(_), _) => command.guess.push(pair),
                 (None, "until") => command.until = quantity(value)?,
+                (None, "name") => value.clone_into(&mut command.name),
                 (None, "tolerance") => command.tolerance = value.parse().map_err(|_| format!("not a number: {value}"))?,
                 (None, _) => return Err(format!("unknown option `{word}`")),
             }
@@ -138,6 +142,10 @@ impl Command {
             "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
             "modes" | "response" => Ok(self.fields(&mut machine)),
+            "section" => {
+                let found = machine.model.sections.iter().find(|s| s.name == self.name).cloned();
+                found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
+            }
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),
@@ -241,6 +249,7 @@ enum Outcome {
     Motion { times: Vec<f64>, data: Dataset },
     Rest(Dataset),
     Fields { own: serde_json::Value, data: Dataset },
+    Section(Box<mechanics::section::Section>),
     Closed { times: Vec<f64>, data: Dataset, phases: Phases },
     Study(Box<Results>),
 }
@@ -268,6 +277,10 @@ impl Outcome {
             (Outcome::Closed { phases, .. }, Claim::PhaseCase { phase, case }) => case_of(phases, *phase, case),
             (Outcome::Closed { times, data, .. }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
+            (Outcome::Section(section), Claim::Rest { name, expected, tolerance }) => {
+                let found = strutt::sections::property(section, name).ok_or_else(|| format!("no property `{name}`"))?;
+                tolerance.check(name, found, *expected)
+            }
             (Outcome::Study(results), claim) => study_claim(results, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
                 let column = data.column(name).ok_or_else(|| no_column(data, name))?;
@@ -290,6 +303,7 @@ impl Outcome {
             Outcome::Machine(_) => "the model is accepted".into(),
             Outcome::Motion { .. } => "the motion was computed".into(),
             Outcome::Fields { .. } => "the study was made".into(),
+            Outcome::Section(_) => "the section was computed".into(),
             Outcome::Closed { .. } => "the closed form was found".into(),
             Outcome::Rest(_) => "an equilibrium was found".into(),
             Outcome::Study(results) => format!("the study {} was made", results.kind),
