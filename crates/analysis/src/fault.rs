@@ -119,6 +119,25 @@ pub const EXPLANATIONS: &[Explanation] = &[
         en: ("matrix with an undefined entry", trouble::MALFORMED_EN),
         ru: ("матрица с неопределённым элементом", trouble::MALFORMED_RU),
     },
+    Explanation {
+        code: "S030",
+        en: ("no closed form: not linear", NOT_LINEAR_EN),
+        ru: ("нет замкнутого решения: нелинейность", NOT_LINEAR_RU),
+    },
+    Explanation {
+        code: "S031",
+        en: ("no closed form: coefficients change with time", VARYING_EN),
+        ru: ("нет замкнутого решения: переменные коэффициенты", VARYING_RU),
+    },
+    Explanation {
+        code: "S032", en: ("no closed form: the load", LOAD_EN), ru: ("нет замкнутого решения: вид нагрузки", LOAD_RU)
+    },
+    Explanation {
+        code: "S033", en: ("singular mass matrix", MASSLESS_EN), ru: ("вырожденная матрица масс", MASSLESS_RU)
+    },
+    Explanation {
+        code: "S034", en: ("no closed form: connections", CONNECTED_EN), ru: ("нет замкнутого решения: связи", CONNECTED_RU)
+    },
 ];
 
 /// One row of [`EXPLANATIONS`]: (title, body) in both languages.
@@ -202,6 +221,30 @@ const NEUTRAL_RU: &str =
 const OUTPUT_EN: &str = "The study asks for an output that the model does not define. Coordinates and rates are always available by name.";
 const OUTPUT_RU: &str = "Расчёт запрашивает величину, которой нет в модели. Координаты и скорости всегда доступны по имени.";
 
+const NOT_LINEAR_EN: &str = "The study transient solves M q'' + B q' + C q = f(t) in closed form; the coordinates and rates may enter the forces only to the first \
+    power, and M must not depend on the position. The message shows the first term that does. Nothing is linearised silently: write the model for small \
+    motions (x = l*phi instead of l*sin(phi)), or use the study simulate.";
+const NOT_LINEAR_RU: &str = "Расчёт transient решает M q'' + B q' + C q = f(t) в замкнутой форме; координаты и скорости могут входить в силы только в первой степени, а M не \
+    должна зависеть от положения. В сообщении показан первый член, где это не так. Молча ничего не линеаризуется: составьте модель для малых движений \
+    (x = l*phi вместо l*sin(phi)) или примените расчёт simulate.";
+const VARYING_EN: &str = "A mass, a damping or a stiffness is a formula of time (parametric excitation, a rotating frame with unequal stiffnesses). Such systems have no closed \
+    form. A change at the switches of phases is allowed.";
+const VARYING_RU: &str = "Масса, сопротивление или жёсткость — функция времени (параметрическое возбуждение, вращающаяся система с неравными жёсткостями). Замкнутого решения у \
+    таких систем нет. Изменение при переключении этапов допустимо.";
+const LOAD_EN: &str = "Closed forms exist for loads made of constants, powers of t, sines and cosines of p t + d, exponentials of t, and products of these. A run-up \
+    sin(e*t^2/2), an amplitude like 1/(1 + t), or a switch at instants that follow from a sine are not of this kind. Within a phase the frequency must be \
+    constant; another phase may have another one.";
+const LOAD_RU: &str = "Замкнутое решение есть для нагрузок из постоянных, степеней t, синусов и косинусов от p t + d, экспонент и их произведений. Разгон sin(e*t^2/2), \
+    амплитуда вида 1/(1 + t) и переключения по знаку синуса к ним не относятся. В пределах этапа частота должна быть постоянной; на другом этапе она \
+    может быть другой.";
+const CONNECTED_EN: &str = "Pins, rods, stops, dry friction and motors keep reactions as unknowns beside the coordinates. The closed form is found for independent coordinates: \
+    place the bodies by formulas of these (origin = [\"0\", \"l*phi\"]), or use the study simulate.";
+const CONNECTED_RU: &str = "При шарнирах, стержнях, упорах, сухом трении и двигателях неизвестными, кроме координат, остаются реакции. Замкнутое решение находится для независимых \
+    координат: задайте через них положения тел (origin = [\"0\", \"l*phi\"]) или примените расчёт simulate.";
+const MASSLESS_EN: &str =
+    "Some change of the coordinates moves no mass, so its acceleration is undefined. Give it an inertia or remove the coordinate.";
+const MASSLESS_RU: &str =
+    "При некотором изменении координат масса не движется, и ускорение не определено. Придайте инерцию или уберите координату.";
 const STEPS_EN: &str = "The step follows the quickest part of the motion, even when that part has died out (a stiff system: the step is bounded by the \
     fastest decay, not by the accuracy). After some ten thousand steps the pace shows that more than 1e10 would be needed, hours to days.";
 const STEPS_RU: &str = "Шаг определяется самой быстрой частью движения, даже если она уже затухла (жёсткая система: шаг ограничен самым быстрым \

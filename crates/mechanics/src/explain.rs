@@ -770,6 +770,38 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "backlash = \"2 mm\"\npreload = \"10 N\"",
         "backlash = \"2 mm\"",
     ),
+    row(
+        "M096",
+        ("phases out of order", "этапы не по порядку"),
+        (
+            "Each phase of [[phases]] begins where the one before ends, the first at t = 0; `until` is an instant, not a duration, so it must grow.",
+            "Каждый этап [[phases]] начинается там, где кончается предыдущий, первый — при t = 0; `until` — момент, а не длительность, поэтому он должен возрастать.",
+        ),
+        "[[phases]]\nuntil = \"2 s\"\n[[phases]]\nuntil = \"1 s\"",
+        "[[phases]]\nuntil = \"2 s\"\n[[phases]]\nuntil = \"3 s\"",
+    ),
+    row(
+        "M097",
+        ("a phase sets what is no parameter", "этап задаёт то, чего нет среди параметров"),
+        (
+            "A phase changes parameters of [parameters]. Coordinates follow from the motion; they and their rates go through a switch without a jump.",
+            "Этап меняет параметры из [parameters]. Координаты следуют из движения; они и их скорости проходят переключение без скачка.",
+        ),
+        "[[phases]]\nset = { M0 = \"8 N m\" }",
+        "[[phases]]\nset = { M_0 = \"8 N m\" }",
+    ),
+    row(
+        "M098",
+        ("unknown reading of the forcing's phase", "неизвестное толкование фазы возбуждения"),
+        (
+            "At a switch a harmonic load either keeps its phase, as a motor that goes on turning does, or restarts it: its time counts from the switch, as \
+             some textbooks solve it.",
+            "При переключении гармоническая нагрузка либо сохраняет фазу, как двигатель, который продолжает вращаться, либо начинает её заново: время \
+             отсчитывается от переключения, как решают в некоторых учебниках.",
+        ),
+        "phase = \"anew\"",
+        "phase = \"restarts\"",
+    ),
 ];
 
 #[cfg(test)]
@@ -796,8 +828,9 @@ mod tests {
         sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut text);
         let codes = text.match_indices("\"M0").filter_map(|(i, _)| text.get(i + 1..i + 5)).filter(|c| c[1..].parse::<u16>().is_ok());
         let used: BTreeSet<&str> = codes.collect();
-        let explained: BTreeSet<&str> = EXPLANATIONS.iter().map(|e| e.code).collect();
-        assert_eq!(explained.len(), EXPLANATIONS.len(), "a code has two rows");
+        let rows = || EXPLANATIONS.iter().chain(super::LINEAR);
+        let explained: BTreeSet<&str> = rows().map(|e| e.code).collect();
+        assert_eq!(explained.len(), rows().count(), "a code has two rows");
         let used: BTreeSet<&str> = used.into_iter().filter(|c| *c < "M100").collect();
         assert_eq!(used, explained);
     }

@@ -244,6 +244,7 @@ pub const TOP: TableSpec = TableSpec {
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
         may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
+        may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
     ],
 };
 
@@ -668,6 +669,49 @@ pub const PART: TableSpec = TableSpec {
     example: "",
 };
 
+/// `[[phases]]`.
+pub const PHASE: TableSpec = TableSpec {
+    name: "phases",
+    about: (
+        "A schedule of parameters: each phase begins where the one before ends (the first at t = 0) and sets parameters. A value holds until another phase sets it. The switches are hit exactly. `--set phases=restarts` (or `keeps`) chooses the reading for all phases.",
+        "Расписание параметров: каждый этап начинается там, где кончается предыдущий (первый — при t = 0), и задаёт параметры. Значение действует, пока его не сменит другой этап. Моменты переключения выдерживаются точно. `--set phases=restarts` (или `keeps`) выбирает толкование для всех этапов.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "until",
+            Type::Formula,
+            "s",
+            "",
+            ("instant at which the phase ends; the last phase may do without", "момент окончания этапа; у последнего может отсутствовать"),
+            "\"2*t_s\"",
+        ),
+        may(
+            "set",
+            Type::Table,
+            "",
+            "",
+            (
+                "values of parameters from the start of the phase; the parameter's own name stands for its value in [parameters]",
+                "значения параметров с начала этапа; собственное имя параметра обозначает его значение в [parameters]",
+            ),
+            "{ M_0 = \"8 N m\" }",
+        ),
+        may(
+            "phase",
+            Type::String,
+            "",
+            "\"keeps\"",
+            (
+                "\"keeps\": forces and torques go on; \"restarts\": the time in forces and torques counts from the start of the phase; holds for later phases too",
+                "\"keeps\": силы и моменты продолжаются; \"restarts\": время в силах и моментах отсчитывается от начала этапа; действует и для следующих этапов",
+            ),
+            "\"restarts\"",
+        ),
+    ],
+    example: "[[phases]]\nuntil = \"t_s\"\n\n[[phases]]\nuntil = \"2*t_s\"\nset = { M_0 = \"8 N m\" }\n\n[[phases]]\nset = { M_0 = \"0 N m\" }\n",
+};
+
 /// `[[study]]`.
 pub const STUDY: TableSpec = TableSpec {
     name: "study",
@@ -942,4 +986,4 @@ pub fn all() -> impl Iterator<Item = &'static TableSpec> {
 const BEFORE: &[&TableSpec] =
     &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
 
-const AFTER: &[&TableSpec] = &[&OUTPUT, &SECTION, &PART, &STUDY, &PLOT, &TEXT];
+const AFTER: &[&TableSpec] = &[&OUTPUT, &SECTION, &PART, &PHASE, &STUDY, &PLOT, &TEXT];

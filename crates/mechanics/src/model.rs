@@ -51,6 +51,8 @@ pub struct Model {
     pub notation: Vec<(String, String)>,
     /// Sections of rods, in the user's order.
     pub sections: Vec<crate::section::Section>,
+    /// Ends of the phases of the load schedule, ascending, s. What the phases set is already a formula of time.
+    pub phases: Vec<f64>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
 }
@@ -479,6 +481,8 @@ pub enum StudyKind {
     },
     /// Compute a motion.
     Simulate(Simulate),
+    /// Compute the motion of a linear system in closed form.
+    Transient(Simulate),
     /// Find the forces and torques of the motors that realise the prescribed motions.
     Inverse(Simulate),
     /// Find the reactions at rest.

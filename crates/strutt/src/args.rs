@@ -48,6 +48,8 @@ pub enum Command {
     Equations(Equations),
     /// Compute a motion
     Simulate(Simulate),
+    /// Compute the motion of a linear system in closed form, phase by phase
+    Transient(Simulate),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
     /// Find the exact periodic regime: period, multipliers, motion over one period

@@ -1,7 +1,7 @@
 //! The written calculation of a machine: title, coordinates, equations, checks, results. It arranges what was computed and computes
 //! nothing itself.
 
-use crate::pipeline::{Calculation, Finding};
+use crate::pipeline::{Calculation, Finding, Phases};
 use crate::words::{Word as Say, say};
 use analysis::Dataset;
 use analysis::dataset::Audit;
@@ -307,8 +307,11 @@ impl Writer<'_> {
                 blocks.extend(crate::small::show::modes(found, self.language, self.extent == Extent::Page));
                 blocks
             }
-            Finding::Motion(study, data, _) => {
+            Finding::Motion(study, data, _) | Finding::Transient(study, data, ..) => {
                 let mut blocks = vec![self.heading(Word::Simulation)];
+                if let Finding::Transient(_, _, phases, _) = finding {
+                    blocks = self.phases(phases);
+                }
                 blocks.push(self.table(results(data, self.language), Word::Results));
                 blocks.extend(self.notes(data));
                 blocks.extend(self.events(data));
@@ -319,6 +322,17 @@ impl Writer<'_> {
                 blocks
             }
         }
+    }
+
+    /// The written solution phase by phase.
+    fn phases(&self, phases: &Phases) -> Vec<Block> {
+        let width = match self.extent {
+            Extent::Page => PAGE_WIDTH,
+            Extent::Terminal { width } => width,
+        };
+        let mut blocks = vec![Block::heading(1, say(self.language, Say::ClosedForm))];
+        blocks.extend(crate::phases::steps::blocks(self.equations, &phases.list, &phases.names, self.language, width));
+        blocks
     }
 
     fn notes(&self, data: &Dataset) -> Vec<Block> {

@@ -22,13 +22,14 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
         let number = if several { format!("-{}", i + 1) } else { String::new() };
         let stem = match finding {
             Finding::Motion(..) => format!("motion{number}"),
+            Finding::Transient(..) => format!("transient{number}"),
             Finding::Equilibrium(..) => format!("equilibrium{number}"),
             Finding::Study(results) => format!("{}{number}", results.kind),
             Finding::Modes(..) => format!("modes{number}"),
             Finding::Response(..) => format!("response{number}"),
         };
         tables(&mut shelf, finding, &stem, language)?;
-        if let Finding::Motion(study, data, _) = finding {
+        if let Finding::Motion(study, data, _) | Finding::Transient(study, data, ..) = finding {
             for figure in document::figures(calculation, study, data, language) {
                 plot(&mut shelf, &figure, &number, language)?;
             }
@@ -89,6 +90,11 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
             own.insert("study".into(), json!("simulate"));
             own.insert("until".into(), json!(study.until));
             own.insert("tolerance".into(), json!(study.tolerance));
+        }
+        Finding::Transient(study, _, phases, _) => {
+            own.insert("study".into(), json!("transient"));
+            own.insert("until".into(), json!(study.until));
+            own.insert("phases".into(), crate::phases::to_json(&phases.list, &phases.names));
         }
         Finding::Equilibrium(..) => {
             own.insert("study".into(), json!("equilibrium"));

@@ -19,6 +19,7 @@ pub mod folder;
 pub mod gallery;
 pub mod guards;
 mod near;
+pub mod phases;
 pub mod pipeline;
 pub mod plan;
 mod provenance;

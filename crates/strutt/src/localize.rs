@@ -45,7 +45,9 @@ fn russian(command: Command, path: &str) -> Command {
     }
     command = command.mut_args(|arg| {
         let key = arg.get_id().as_str().to_owned();
-        let arg = match find(&format!("{here}.{key}")).or_else(|| find(&format!(".{key}"))) {
+        // both motions are asked in the same words
+        let shared = || if here == "transient" { find(&format!("simulate.{key}")) } else { None };
+        let arg = match find(&format!("{here}.{key}")).or_else(shared).or_else(|| find(&format!(".{key}"))) {
             Some(help) => arg.help(help),
             None => arg,
         };
@@ -141,6 +143,7 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("check", "Найти все ошибки файла модели"),
     ("equations", "Вывести уравнения движения"),
     ("simulate", "Рассчитать движение"),
+    ("transient", "Рассчитать движение линейной системы в замкнутой форме, этап за этапом"),
     ("equilibrium", "Найти положения равновесия"),
     ("periodic", "Найти точный периодический режим: период, мультипликаторы, движение за период"),
     ("modes", "Найти собственные частоты и формы малых колебаний"),

@@ -8,9 +8,10 @@ use crate::source::Source;
 use crate::studies::{Origin, Results};
 use crate::watch::Watch;
 use crate::words::Word;
-use crate::{guards, plan, provenance};
+use crate::{guards, phases, plan, provenance};
 use analysis::Dataset;
 use analysis::dataset::Audit;
+use analysis::studies::transient::{Found, Phase, Transient};
 use analysis::studies::{self, simulate::Outcome};
 use mechanics::derive::Detail;
 use mechanics::model::{Simulate, StudyKind};
@@ -53,10 +54,21 @@ pub enum Finding {
     Motion(Simulate, Dataset, Option<Trouble>),
     /// Any other study.
     Study(Box<Results>),
+    /// A motion in closed form, its phases, and the study that asked for it.
+    Transient(Simulate, Dataset, Phases, Option<Trouble>),
     /// Natural frequencies and shapes.
     Modes(Box<ModesFound>),
     /// Forced oscillations over the frequency.
     Response(Box<ResponseFound>),
+}
+
+/// Phases of a motion, and the names of its state.
+#[derive(Clone, Debug)]
+pub struct Phases {
+    /// In order of time.
+    pub list: Vec<Phase>,
+    /// Coordinates, then rates.
+    pub names: Vec<String>,
 }
 
 /// Everything a file asks for.
@@ -123,6 +135,10 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
         StudyKind::Response(study) => Some(response(machine, study, watch)),
+        StudyKind::Transient(study) => {
+            let study = plan::with_plots(study, &machine.equations);
+            Some(transient(machine, &study, watch))
+        }
         StudyKind::Modes(study) => Some(modes(machine, study, watch)),
         StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);
@@ -146,6 +162,20 @@ pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> F
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations)))
+}
+
+/// A motion in closed form.
+pub fn transient(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
+    let options = Transient { twin: plan::options(study, watch), ends: machine.model.phases.clone() };
+    let found = match machine.system.start() {
+        Ok(start) => studies::transient::transient(&mut machine.system, &machine.equations, &start, options),
+        Err(fault) => Found { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },
+    };
+    watch.lap(Word::TimeRun);
+    let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
+    let trouble = found.outcome.fault.map(|fault| explained(fault, &machine.equations));
+    let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations) };
+    Finding::Transient(study.clone(), data, phases, trouble)
 }
 
 /// Positions of equilibrium, from the start of the motion and from a guess.
@@ -199,8 +229,8 @@ impl Finding {
     /// The numbers.
     pub fn data(&self) -> &Dataset {
         match self {
-            Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) => data,
             Finding::Study(results) => &results.data,
+            Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) | Finding::Transient(_, data, ..) => data,
             Finding::Modes(found) => &found.data,
             Finding::Response(found) => &found.data,
         }
@@ -208,8 +238,8 @@ impl Finding {
     /// What ended the study early.
     pub fn trouble(&self) -> Option<&Trouble> {
         match self {
-            Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) => trouble.as_ref(),
             Finding::Study(results) => results.trouble.as_ref(),
+            Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) | Finding::Transient(_, _, _, trouble) => trouble.as_ref(),
             Finding::Modes(found) => found.trouble.as_ref(),
             Finding::Response(found) => found.trouble.as_ref(),
         }

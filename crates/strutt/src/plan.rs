@@ -34,6 +34,28 @@ pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Resul
         StudyKind::Simulate(study) => Some(study.clone()),
         _ => None,
     });
+    motion(of_file, equations, wishes, "simulate")
+}
+
+/// The motion in closed form to find: the study `transient` of the file, otherwise its study `simulate`.
+///
+/// # Errors
+/// As [`simulation`].
+pub fn transient(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Simulate, Failure> {
+    let own = model.studies.iter().find_map(|s| match &s.kind {
+        StudyKind::Transient(study) => Some(study.clone()),
+        _ => None,
+    });
+    let simulated = || {
+        model.studies.iter().find_map(|s| match &s.kind {
+            StudyKind::Simulate(study) => Some(study.clone()),
+            _ => None,
+        })
+    };
+    motion(own.or_else(simulated), equations, wishes, "transient")
+}
+
+fn motion(of_file: Option<Simulate>, equations: &Equations, wishes: Wishes, name: &str) -> Result<Simulate, Failure> {
     let mut study = of_file.clone().unwrap_or_else(|| Simulate {
         until: 0.0,
         times: Times::Automatic,
@@ -49,7 +71,7 @@ pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Resul
         (Some(until), ..) => until,
         (None, Some(file), last) => last.map_or(file.until, |t| t.max(file.until)),
         (None, None, Some(last)) => last,
-        (None, None, None) => return Err(no_end()),
+        (None, None, None) => return Err(no_end(name)),
     };
     if wishes.times.is_none()
         && let Times::At(times) = &mut study.times
@@ -137,9 +159,12 @@ pub fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
     .misuse())
 }
 
-fn no_end() -> Failure {
+fn no_end(name: &str) -> Failure {
     Trouble::new("C007", "how long shall the motion be?", "до какого момента считать движение?")
-        .why("the file has no study `simulate`, and no --until was given", "в файле нет расчёта `simulate`, а ключ --until не задан")
+        .why(
+            format!("the file has no study `{name}`, and no --until was given"),
+            format!("в файле нет расчёта `{name}`, а ключ --until не задан"),
+        )
         .help("add --until 10 (seconds), or a study to the file", "добавьте --until 10 (секунд) или расчёт в файл")
         .misuse()
 }

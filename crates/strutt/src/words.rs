@@ -39,6 +39,7 @@ report::words! {
     Connections: "Equations of the connections", "Уравнения связей";
     Reactions: "Reactions", "Реакции";
     Columns: "Quantities", "Величины";
+    ClosedForm: "Motion in closed form", "Движение в замкнутой форме";
     AtStart: "at the start", "в начале";
     Copied: "ready to run", "готово к запуску";
     TimeRead: "read", "чтение";

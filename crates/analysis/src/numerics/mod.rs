@@ -1,6 +1,9 @@
 //! Small numerical tools.
 
+pub mod complex;
+pub mod divided;
 pub mod eigen;
+pub mod expm;
 pub mod factor;
 mod kernels;
 pub mod lanczos;

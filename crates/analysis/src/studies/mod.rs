@@ -9,3 +9,4 @@ pub mod periodic;
 pub mod response;
 pub mod simulate;
 pub mod tracks;
+pub mod transient;

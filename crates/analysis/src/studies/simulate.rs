@@ -437,7 +437,7 @@ impl Run {
 }
 
 /// Indices of the wanted outputs.
-fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<Vec<usize>, Fault> {
+pub(super) fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<Vec<usize>, Fault> {
     let Some(wanted) = wanted else { return Ok((0..outputs.len()).collect()) };
     let find = |name: &String| {
         outputs.iter().position(|q| &q.name == name).ok_or_else(|| {

@@ -11,6 +11,7 @@ mod order;
 mod outputs;
 mod overrides;
 mod parameters;
+mod phases;
 mod ranges;
 mod reader;
 mod sections;
@@ -96,9 +97,12 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let raw_parameters = parameters::collect(reader, &top, &mut notation);
     let parameter_names = raw_parameters.iter().map(|p| p.name.clone()).collect();
     let raw_outputs = outputs::collect(reader, &top, &parameter_names, &mut notation);
-    overrides::check_names(reader, &raw_coordinates, &raw_parameters);
+    let mut schedule = phases::collect(reader, &top);
+    schedule.check_names(reader, &raw_coordinates, &raw_parameters);
+    overrides::check_names(reader, &raw_coordinates, &raw_parameters, &schedule);
     parameters::declare_coordinates(reader, &raw_coordinates);
-    let mut parameters = parameters::resolve(reader, raw_parameters);
+    let mut parameters = parameters::resolve(reader, raw_parameters, &mut schedule);
+    let phases = schedule.finish(reader);
     let coordinates = parameters::starts(reader, raw_coordinates);
     let (frames, mut points) = frames::read(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
@@ -106,7 +110,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
     let mut forces = elements::forces(reader, &top);
-    let torques = elements::torques(reader, &top);
+    let mut torques = elements::torques(reader, &top);
+    parameters.extend(schedule.restart(reader, &parameters, &mut forces, &mut torques, &mut notation));
     let potentials = elements::potentials(reader, &top);
     let dissipations = elements::dissipations(reader, &top);
     let space = connections::Space::new(reader, &frames, &points, &parameters);
@@ -141,6 +146,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         outputs,
         notation,
         sections,
+        phases,
         studies,
     }
 }

@@ -4,6 +4,7 @@
 //! (its rate). Bare numbers are SI.
 
 use super::parameters::{RawCoordinate, RawParameter};
+use super::phases::{self, Schedule};
 use super::reader::Reader;
 use crate::diagnostic::{Diagnostic, Severity, Source};
 use crate::fault::{Fault, nearest};
@@ -30,11 +31,12 @@ pub fn split(text: &str, index: usize) -> Result<(String, String), Box<Diagnosti
 }
 
 /// Reports overrides of names that are no parameter, coordinate or rate.
-pub(super) fn check_names(reader: &mut Reader, coordinates: &[RawCoordinate], parameters: &[RawParameter]) {
+pub(super) fn check_names(reader: &mut Reader, coordinates: &[RawCoordinate], parameters: &[RawParameter], schedule: &Schedule) {
     if reader.overrides.is_empty() {
         return;
     }
     let mut known: Vec<String> = parameters.iter().map(|p| p.name.clone()).collect();
+    known.extend((!schedule.is_empty()).then(|| phases::READING.to_owned()));
     known.extend(coordinates.iter().flat_map(|c| [c.name.clone(), format!("{}'", c.name)]));
     let set: HashSet<&str> = known.iter().map(String::as_str).collect();
     let mut findings = Vec::new();

@@ -1,6 +1,7 @@
 //! `[parameters]` and `[coordinates]`.
 
 use super::order::topological;
+use super::phases::Schedule;
 use super::reader::{Checked, Fields, Raw, Reader, short, string};
 use crate::diagnostic::Diagnostic;
 use crate::fault::{Fault, Site, Snippet};
@@ -229,9 +230,9 @@ fn nowhere<'a>(span: Range<usize>) -> Snippet<'a> {
 }
 
 /// Checks the parameters in the order of their dependence.
-pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawParameter<'a>>) -> Vec<ParameterDecl> {
+pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawParameter<'a>>, schedule: &mut Schedule<'a>) -> Vec<ParameterDecl> {
     let index: HashMap<&str, usize> = raw.iter().enumerate().map(|(i, p)| (p.name.as_str(), i)).collect();
-    let uses = |p: &RawParameter| p.raw.formula.iter().flat_map(Formula::names).filter_map(|(n, _)| index.get(n).copied()).collect();
+    let uses = |p: &RawParameter| names_of(&p.raw).chain(schedule.dependencies(&p.name)).filter_map(|n| index.get(n).copied()).collect();
     let dependencies: Vec<Vec<usize>> = raw.iter().map(uses).collect();
     let (order, cycles) = topological(&dependencies);
     for cycle in &cycles {
@@ -252,10 +253,15 @@ pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawParameter<'a>>) -
         if let Some(p) = raw[i].take()
             && !cyclic.contains(&i)
         {
-            declared.push(declare(reader, p));
+            declared.push(declare(reader, p, schedule));
         }
     }
     declared
+}
+
+/// The names that a formula uses.
+pub(super) fn names_of<'r>(raw: &'r Raw) -> impl Iterator<Item = &'r str> {
+    raw.formula.iter().flat_map(Formula::names).map(|(name, _)| name)
 }
 
 /// The fault of definitions that need each other.
@@ -266,7 +272,7 @@ pub(super) fn cycle_fault(span: Range<usize>, names: &[&str]) -> Fault {
         .help("give one of them as a number, or solve the relation by hand", "задайте одну из них числом или разрешите зависимость вручную")
 }
 
-fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>) -> ParameterDecl {
+fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut Schedule<'a>) -> ParameterDecl {
     apply_unit(reader, &mut p);
     let by_hand_snippet = reader.override_of(&p.name);
     let mut written = p.raw.snippet.text.trim().to_owned();
@@ -290,6 +296,10 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>) -> ParameterDec
         let kind = if wanted.is_some() { value.kind } else { set.kind };
         value = Checked { kind, ..set };
         symbol_free = true;
+    }
+    if let Some(over_time) = schedule.scheduled(reader, &p.name, value) {
+        value = over_time;
+        symbol_free = false;
     }
     finish(reader, p, value, written, symbol_free)
 }

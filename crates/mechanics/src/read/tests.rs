@@ -85,7 +85,7 @@ fn the_full_file_keeps_its_meaning() {
     assert_eq!(last.times, Times::At(vec![1.0, 2.5]));
     assert_eq!(
         model.notation,
-        [("x".to_owned(), "x_1".to_owned()), ("m".to_owned(), "m_p".to_owned()), ("omega_p".to_owned(), "\\omega_p".to_owned())]
+        [("x", "x_1"), ("m", "m_p"), ("omega_p", "\\omega_p"), ("t_phase", "τ")].map(|(name, symbol)| (name.to_owned(), symbol.to_owned()))
     );
     assert_eq!(model.outputs[0].unit, "rad/s");
 }

@@ -29,7 +29,7 @@ mod text;
 
 pub use crate::Language;
 pub use classes::SymbolClass;
-pub use layout::{Bracket, Identifier, Index, Layout, Relation, Row, Shape, Sign};
+pub use layout::{Bare, Bracket, Identifier, Index, Layout, Relation, Row, Shape, Sign};
 pub use printer::{Form, Placement, Printer};
 
 /// A math font for pages (WOFF2, 32 kB): without one, browsers lose the dots over letters and the growing brackets of MathML.

@@ -13,6 +13,7 @@ mod response;
 mod run;
 mod simulate;
 mod study;
+mod transient;
 
 use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
@@ -42,6 +43,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Check(args) => check::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
+        Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Periodic(args) => periodic::run(&args, console),
         Command::Response(args) => response::run(&args, console),

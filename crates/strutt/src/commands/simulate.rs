@@ -31,7 +31,7 @@ pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure
     Ok(exit)
 }
 
-fn wishes(args: &args::Simulate) -> Result<Wishes, Failure> {
+pub(super) fn wishes(args: &args::Simulate) -> Result<Wishes, Failure> {
     let until = args.until.as_deref().map(|text| quantities::seconds("--until", text)).transpose()?;
     let tolerance = args.tolerance.as_deref().map(|text| quantities::number("--tolerance", text)).transpose()?;
     let times = match (&args.at, &args.every) {
@@ -45,7 +45,7 @@ fn wishes(args: &args::Simulate) -> Result<Wishes, Failure> {
 }
 
 /// CSV in pipes, a summary on terminals, unless said otherwise.
-fn show(finding: &Finding, args: &args::Simulate, console: &Console) -> Result<(), Failure> {
+pub(super) fn show(finding: &Finding, args: &args::Simulate, console: &Console) -> Result<(), Failure> {
     let data = finding.data();
     if data.columns.is_empty() && console.shape != Shape::Json {
         return Ok(());
@@ -64,7 +64,7 @@ fn show(finding: &Finding, args: &args::Simulate, console: &Console) -> Result<(
 }
 
 /// The checks of the run, beside the data.
-fn tell_checks(finding: &Finding, console: &Console) {
+pub(super) fn tell_checks(finding: &Finding, console: &Console) {
     let number = |x| report::number::short(x, 2, console.language);
     let passed = finding.data().audits.iter().filter(|a| a.ok);
     let lines: Vec<String> = passed.map(|a| format!("✓ {}: {}", console.language.text(&a.name), number(a.value))).collect();
@@ -73,7 +73,7 @@ fn tell_checks(finding: &Finding, console: &Console) {
     }
 }
 
-fn write(machine: Machine, finding: Finding, out: &std::path::Path, console: &mut Console) -> Result<(), Failure> {
+pub(super) fn write(machine: Machine, finding: Finding, out: &std::path::Path, console: &mut Console) -> Result<(), Failure> {
     let mut calculation = Calculation { machine, findings: vec![finding], files: Vec::new() };
     let language = console.language;
     let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, out, language))?;

@@ -34,6 +34,8 @@ pub enum Claim {
     Error { code: String, line: Option<usize>, only: bool },
     Warning { code: String, line: Option<usize> },
     Fails(String),
+    PhaseConstant { phase: usize, key: String, expected: f64, tolerance: Tolerance },
+    PhaseCase { phase: usize, case: String },
 }
 
 /// Reads a claim.
@@ -81,6 +83,7 @@ pub fn parse(line: &str) -> Result<Claim, String> {
             };
             Ok(if kind == "error" { Claim::Error { code, line, only } } else { Claim::Warning { code, line } })
         }
+        "phase" => phase(line).ok_or_else(unknown)?,
         "mean" => mean_rate(line).ok_or_else(unknown)?,
         "fails" => Ok(Claim::Fails(word(1).to_owned())),
         _ if line.contains(" constant ") => {
@@ -122,6 +125,21 @@ fn mean_rate(line: &str) -> Option<Result<Claim, String>> {
     let ["mean", "rate", "of", name, "from", a, "to", b] = words[..] else { return None };
     let claim = |from, to| Claim::MeanRate { name: name.to_owned(), from, to, expected, tolerance };
     Some(number(a).and_then(|from| Ok(claim(from, number(b)?))))
+}
+
+/// `phase N case NAME` or `phase N KEY = V ± TOL [rel]`.
+fn phase(line: &str) -> Option<Result<Claim, String>> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    if let ["phase", n, "case", case] = words[..] {
+        return Some(integer(n).map(|phase| Claim::PhaseCase { phase, case: case.to_owned() }));
+    }
+    let (left, expected, tolerance) = match equality(line)? {
+        Ok(parts) => parts,
+        Err(e) => return Some(Err(e)),
+    };
+    let words: Vec<&str> = left.split_whitespace().collect();
+    let ["phase", n, key] = words[..] else { return None };
+    Some(integer(n).map(|phase| Claim::PhaseConstant { phase, key: key.to_owned(), expected, tolerance }))
 }
 
 type Equality = Result<(String, f64, Tolerance), String>;

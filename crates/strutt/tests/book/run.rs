@@ -5,9 +5,10 @@ use crate::claim::{Claim, Tolerance, When, parse};
 use analysis::Dataset;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use mechanics::Diagnostic;
+use mechanics::model::Times;
 use report::Language;
 use report::formula::{Form, Printer};
-use strutt::pipeline::{self, Finding, Machine};
+use strutt::pipeline::{self, Finding, Machine, Phases};
 use strutt::studies::Results;
 use strutt::{Failure, Source, Watch};
 use symbolic::SymbolId;
@@ -134,6 +135,7 @@ impl Command {
         };
         match self.verb.as_str() {
             "simulate" => self.simulate(&mut machine, claims),
+            "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
@@ -141,7 +143,8 @@ impl Command {
         }
     }
 
-    fn simulate(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
+    /// Instants of the whole motion, then those of the claims.
+    fn times(&self, claims: &[&Claim]) -> Vec<f64> {
         let mut times: Vec<f64> = (0..=INSTANTS).map(|k| self.until * k as f64 / INSTANTS as f64).collect();
         for claim in claims {
             match claim {
@@ -150,6 +153,27 @@ impl Command {
                 _ => {}
             }
         }
+        times
+    }
+
+    fn transient(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
+        let times = self.times(claims);
+        let study = mechanics::model::Simulate {
+            until: self.until,
+            times: Times::At(times.clone()),
+            tolerance: self.tolerance,
+            outputs: machine.equations.outputs.iter().map(|o| o.name.clone()).collect(),
+            plots: Vec::new(),
+        };
+        match pipeline::transient(machine, &study, &mut Watch::default()) {
+            Finding::Transient(_, data, phases, None) => Ok(Outcome::Closed { times, data, phases }),
+            Finding::Transient(_, _, _, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
+            _ => Err("the closed form came back as something else".into()),
+        }
+    }
+
+    fn simulate(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
+        let times = self.times(claims);
         // only what is claimed: another output may be undefined with the values that are set
         let wanted = claims.iter().filter_map(|claim| match claim {
             Claim::Value { name, .. } | Claim::Bounded { name, .. } | Claim::Constant { name, .. } | Claim::MeanRate { name, .. } => {
@@ -199,6 +223,7 @@ enum Outcome {
     Motion { times: Vec<f64>, data: Dataset },
     Rest(Dataset),
     Study(Box<Results>),
+    Closed { times: Vec<f64>, data: Dataset, phases: Phases },
 }
 
 impl Outcome {
@@ -208,6 +233,11 @@ impl Outcome {
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
             (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
             (Outcome::Motion { times, data }, claim) => motion(times, data, claim),
+            (Outcome::Closed { phases, .. }, Claim::PhaseConstant { phase, key, expected, tolerance }) => {
+                tolerance.check(key, constant_of(phases, *phase, key)?, *expected)
+            }
+            (Outcome::Closed { phases, .. }, Claim::PhaseCase { phase, case }) => case_of(phases, *phase, case),
+            (Outcome::Closed { times, data, .. }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
             (Outcome::Study(results), claim) => study_claim(results, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
@@ -230,10 +260,34 @@ impl Outcome {
             Outcome::Trouble { code, what } => format!("ended with {code}: {what}"),
             Outcome::Machine(_) => "the model is accepted".into(),
             Outcome::Motion { .. } => "the motion was computed".into(),
+            Outcome::Closed { .. } => "the closed form was found".into(),
             Outcome::Rest(_) => "an equilibrium was found".into(),
             Outcome::Study(results) => format!("the study {} was made", results.kind),
         }
     }
+}
+
+/// A constant of a phase as the JSON of the study names it; of the first mode when there are several.
+fn constant_of(phases: &Phases, number: usize, key: &str) -> Result<f64, String> {
+    let phase = phases.list.get(number.wrapping_sub(1)).ok_or_else(|| format!("there are {} phases", phases.list.len()))?;
+    match key {
+        "start" => return Ok(phase.start),
+        "end" => return Ok(phase.end),
+        _ => {}
+    }
+    let (mode, key) = key.split_once('.').map_or((1, key), |(mode, key)| (mode.parse().unwrap_or(1), key));
+    let listed = phase.listed();
+    let mode = listed.get(mode - 1).ok_or_else(|| format!("there are {} modes", listed.len()))?;
+    let named = mode.named();
+    let found = named.iter().find(|(name, _)| *name == key).map(|(_, value)| *value);
+    found.ok_or_else(|| format!("constants: {}", named.iter().map(|n| n.0).collect::<Vec<_>>().join(", ")))
+}
+
+fn case_of(phases: &Phases, number: usize, case: &str) -> Result<(), String> {
+    let phase = phases.list.get(number.wrapping_sub(1)).ok_or_else(|| format!("there are {} phases", phases.list.len()))?;
+    let listed = phase.listed();
+    let name = listed.first().map_or("coupled", |l| if l.constants.resonance { "resonance" } else { l.constants.case.name() });
+    if name == case { Ok(()) } else { Err(format!("the case is {name}")) }
 }
 
 fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<usize>, only: bool) -> Result<(), String> {

@@ -1,0 +1,112 @@
+//! The constants of the textbook formula by name, for tables and files.
+
+use super::motion::{Mode, Motion};
+use super::oscillator::{Case, Constants, Harmonic};
+use super::{Phase, form::Form};
+
+/// The time that a harmonic load is written over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Clock {
+    /// t, from the start of the motion: sin(p t + delta).
+    Motion,
+    /// τ, from the start of the phase: sin(p τ + delta).
+    Phase,
+}
+
+/// A harmonic with its initial phase over the clock that suits it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Forcing {
+    /// The harmonic; its `delta` belongs to τ.
+    pub harmonic: Harmonic,
+    /// The clock of `delta`.
+    pub clock: Clock,
+    /// Initial phase over that clock, -π..π.
+    pub delta: f64,
+}
+
+/// A mode with its constants.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Listed<'p> {
+    /// Shape and equation.
+    pub mode: &'p Mode,
+    /// The textbook formula.
+    pub constants: Constants,
+    /// Harmonic loads.
+    pub forcing: Vec<Forcing>,
+    /// Factor of the inverse inertia: a of a q'' + b q' + c q = H sin pt with one degree of freedom, 1 for a mode.
+    pub inertia: f64,
+}
+
+impl Phase {
+    /// The textbook constants: one entry with one degree of freedom, one for each mode with several; none when modes do not uncouple.
+    pub fn listed(&self) -> Vec<Listed<'_>> {
+        let Motion::Modes(modes) = &self.motion else { return Vec::new() };
+        modes.iter().map(|mode| listed(mode, &self.form, self.start)).collect()
+    }
+}
+
+fn listed<'p>(mode: &'p Mode, form: &Form, start: f64) -> Listed<'p> {
+    let constants = mode.oscillator.constants();
+    let forcing = constants.harmonics.iter().map(|h| forcing(*h, start)).collect();
+    Listed { mode, constants, forcing, inertia: if form.n == 1 { form.mass[0] } else { 1.0 } }
+}
+
+/// A load that goes on is written over t, one that restarts over τ.
+fn forcing(harmonic: Harmonic, start: f64) -> Forcing {
+    use std::f64::consts::{PI, TAU};
+    let rounding = 1e-13 * (1.0 + harmonic.p * start);
+    let tidy = |delta: f64| {
+        let turned = delta - TAU * (delta / TAU).round();
+        if turned.abs() <= rounding {
+            0.0
+        } else if PI - turned.abs() <= rounding {
+            PI
+        } else {
+            turned
+        }
+    };
+    let (own, whole) = (tidy(harmonic.delta), tidy(harmonic.delta - harmonic.p * start));
+    let clock = if own == 0.0 && whole != 0.0 { Clock::Phase } else { Clock::Motion };
+    Forcing { harmonic, clock, delta: if clock == Clock::Phase { own } else { whole } }
+}
+
+impl Listed<'_> {
+    /// Names as in a textbook, ASCII, and values; what does not exist (the lag of no load, roots that are complex) is left out.
+    pub fn named(&self) -> Vec<(&'static str, f64)> {
+        let (o, c) = (&self.mode.oscillator, &self.constants);
+        let k = o.k2.max(0.0).sqrt();
+        let mut list =
+            vec![("a", self.inertia), ("b", 2.0 * o.n * self.inertia), ("c", o.k2 * self.inertia), ("n", o.n), ("k", k), ("k1", c.k1)];
+        match c.case {
+            Case::Undamped | Case::Underdamped => {
+                let period = std::f64::consts::TAU / c.k1;
+                list.extend([("T1", period), ("decrement", o.n * period)]);
+            }
+            _ => list.extend([("r1", c.roots[0].re), ("r2", c.roots[1].re)]),
+        }
+        list.extend([("C1", c.free[0]), ("C2", c.free[1]), ("static", c.rest)]);
+        match self.forcing.as_slice() {
+            [] => list.extend([("H", 0.0), ("h", 0.0), ("D", 0.0)]),
+            [one] => list.extend(one.named(self.inertia, o.k2)),
+            // several frequencies stand in a list of their own
+            _ => {}
+        }
+        list
+    }
+}
+
+impl Forcing {
+    /// Names and values of one harmonic; without D in resonance without damping.
+    pub fn named(&self, inertia: f64, k2: f64) -> Vec<(&'static str, f64)> {
+        let h = &self.harmonic;
+        let mut list = vec![("H", inertia * h.h), ("h", h.h), ("p", h.p), ("delta", self.delta)];
+        if let Some(amplitude) = h.amplitude {
+            list.extend([("D", amplitude), ("epsilon", h.lag)]);
+            if k2 > 0.0 {
+                // against the displacement under a constant load of the same size
+                list.extend([("static_displacement", h.h / k2), ("dynamic_coefficient", amplitude * k2 / h.h)]);
+            }
+        }
+        list
+    }
+}

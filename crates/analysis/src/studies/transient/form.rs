@@ -1,0 +1,364 @@
+//! Equations of motion as M q'' + B q' + C q = f(t), exactly, where they are linear.
+//!
+//! Every expression is evaluated as a first-order form over the states whose coefficients are [`Load`]s. Nothing is approximated: a product
+//! of two motions, a function of a motion or a coefficient that changes with time is a fault that names the expression. Loads that switch at
+//! scheduled instants are taken as they are in the middle of the phase.
+
+use super::load::Load;
+use crate::Fault;
+use crate::fault::Message;
+use std::collections::HashMap;
+use symbolic::{Equations, Expr, Function, Node, SymbolId, Text};
+
+/// M q'' + B q' + C q = f(t) within a phase; matrices row-major.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Form {
+    /// Number of coordinates.
+    pub n: usize,
+    /// M.
+    pub mass: Vec<f64>,
+    /// B.
+    pub damping: Vec<f64>,
+    /// C.
+    pub stiffness: Vec<f64>,
+    /// f over the time t of the model.
+    pub loads: Vec<Load>,
+    /// Auxiliary states (angles of prescribed turning) over t.
+    pub turns: Vec<Load>,
+}
+
+/// constant + Σ coefficient · state.
+#[derive(Clone, Debug, Default)]
+struct Value {
+    constant: Load,
+    /// By state, ascending; q then q'.
+    slopes: Vec<(usize, Load)>,
+}
+
+/// Why an expression has no place in a linear system, and the expression.
+#[derive(Clone, Copy, Debug)]
+struct Obstacle(Reason, Expr);
+
+#[derive(Clone, Copy, Debug)]
+enum Reason {
+    NotLinear,
+    Varying,
+    NoClosedForm,
+}
+
+type Result<T> = std::result::Result<T, Obstacle>;
+
+/// Forms of the phases between the given instants. `from` and `to` bound the phases: phase k lasts from instants[k] to instants[k + 1].
+///
+/// *Errors*: S034 connections, S030 not linear, S031 coefficients change with time, S032 a load without a closed form.
+pub fn forms(equations: &Equations, instants: &[f64]) -> std::result::Result<Vec<Form>, Fault> {
+    if !equations.conditions.is_empty() || !equations.reactions.is_empty() {
+        return Err(connected());
+    }
+    let mut turns: Vec<f64> = Vec::new();
+    let mut found = Vec::new();
+    for span in instants.windows(2) {
+        let mut walk = Walk::new(equations, 0.5 * (span[0] + span[1]));
+        let form = walk.phase(span, &mut turns).map_err(|o| o.fault(span[0]))?;
+        found.push(form);
+    }
+    Ok(found)
+}
+
+fn connected() -> Fault {
+    Fault::new(Message {
+        code: "S034",
+        what: Text::new("the machine has connections", "в машине есть связи"),
+        why: Text::new(
+            "the closed form needs independent coordinates; connections, stops and friction keep reactions as unknowns",
+            "замкнутое решение требует независимых координат; связи, упоры и трение оставляют реакции неизвестными",
+        ),
+        help: Text::new(
+            "place the bodies by formulas of independent coordinates, or use the study simulate",
+            "задайте положения тел формулами независимых координат или примените расчёт simulate",
+        ),
+    })
+}
+
+/// One phase.
+struct Walk<'e> {
+    equations: &'e Equations,
+    /// An instant inside the phase, which decides the switches.
+    inside: f64,
+    values: HashMap<Expr, Result<Value>>,
+    symbols: HashMap<SymbolId, Result<Value>>,
+}
+
+impl<'e> Walk<'e> {
+    fn new(equations: &'e Equations, inside: f64) -> Walk<'e> {
+        let mut symbols = HashMap::new();
+        symbols.insert(equations.time, Ok(Value::of(Load::time())));
+        let n = equations.coordinates.len();
+        for (i, c) in equations.coordinates.iter().enumerate() {
+            symbols.insert(c.symbols[0], Ok(Value::state(i)));
+            symbols.insert(c.symbols[1], Ok(Value::state(n + i)));
+        }
+        for p in &equations.parameters {
+            symbols.insert(p.symbol, Ok(Value::just(p.value)));
+        }
+        Walk { equations, inside, values: HashMap::new(), symbols }
+    }
+
+    /// `turns` are the auxiliary states at the start of the phase, on return at its end; empty before the first phase.
+    fn phase(&mut self, span: &[f64], turns: &mut Vec<f64>) -> Result<Form> {
+        let equations = self.equations;
+        for d in &equations.definitions {
+            let value = self.of(d.formula);
+            self.symbols.insert(d.symbol, value);
+        }
+        if turns.is_empty() {
+            for a in &equations.auxiliaries {
+                let start = self.of(a.start)?;
+                turns.push(start.constant.as_constant().unwrap_or(0.0));
+            }
+        }
+        let mut angles = Vec::new();
+        for (a, turn) in equations.auxiliaries.iter().zip(turns.iter_mut()) {
+            let rate = self.of(a.rate)?;
+            if !rate.slopes.is_empty() {
+                return Err(Obstacle(Reason::NotLinear, a.rate));
+            }
+            let mut angle = rate.constant.integral();
+            angle.add(&Load::constant(*turn - angle.at(span[0])), 1.0);
+            *turn = angle.at(span[1]);
+            self.symbols.insert(a.symbol, Ok(Value::of(angle.clone())));
+            angles.push(angle);
+        }
+        Ok(Form { turns: angles, ..self.form()? })
+    }
+
+    fn form(&mut self) -> Result<Form> {
+        let equations = self.equations;
+        let n = equations.coordinates.len();
+        let zeros = vec![0.0; n * n];
+        let mut form = Form { n, mass: zeros.clone(), damping: zeros.clone(), stiffness: zeros, loads: Vec::new(), turns: Vec::new() };
+        for i in 0..n {
+            for j in 0..n {
+                let e = equations.mass.get(i, j);
+                let value = self.of(e)?;
+                if !value.slopes.is_empty() {
+                    return Err(Obstacle(Reason::NotLinear, e));
+                }
+                form.mass[i * n + j] = value.constant.as_constant().ok_or(Obstacle(Reason::Varying, e))?;
+            }
+        }
+        for (i, &force) in equations.force.iter().enumerate() {
+            let value = self.of(force)?;
+            for (state, slope) in value.slopes {
+                let number = slope.as_constant().ok_or(Obstacle(Reason::Varying, force))?;
+                let matrix = if state < n { &mut form.stiffness } else { &mut form.damping };
+                // h stands on the right, C and B on the left
+                matrix[i * n + state % n] = -number;
+            }
+            form.loads.push(value.constant);
+        }
+        Ok(form)
+    }
+
+    /// The value of an expression, that of its parts first.
+    fn of(&mut self, root: Expr) -> Result<Value> {
+        for e in self.equations.graph.reachable(&[root]) {
+            if !self.values.contains_key(&e) {
+                let value = self.node(e);
+                self.values.insert(e, value);
+            }
+        }
+        self.known(root)
+    }
+
+    fn known(&self, e: Expr) -> Result<Value> {
+        self.values.get(&e).cloned().unwrap_or(Err(Obstacle(Reason::NoClosedForm, e)))
+    }
+
+    fn node(&self, e: Expr) -> Result<Value> {
+        let graph = &self.equations.graph;
+        match graph.node(e) {
+            Node::Number(r) => Ok(Value::just(r.to_f64())),
+            Node::Pi => Ok(Value::just(std::f64::consts::PI)),
+            Node::Symbol(s) => self.symbols.get(s).cloned().unwrap_or(Err(Obstacle(Reason::NotLinear, e))),
+            Node::Sum { constant, terms } => {
+                let mut sum = Value::just(constant.to_f64());
+                for (term, factor) in terms {
+                    sum.add(&self.known(*term)?, factor.to_f64());
+                }
+                Ok(sum)
+            }
+            Node::Product { coefficient, factors } => {
+                let mut product = Value::just(coefficient.to_f64());
+                for (base, exponent) in factors {
+                    let power = self.known(*base)?.power(exponent.to_f64()).map_err(|r| Obstacle(r, e))?;
+                    product = product.times(&power).ok_or(Obstacle(Reason::NotLinear, e))?;
+                }
+                Ok(product)
+            }
+            Node::Power { base, exponent } => {
+                let exponent = self.known(*exponent)?;
+                let exponent = exponent.number().ok_or(Obstacle(exponent.reason(), e))?;
+                self.known(*base)?.power(exponent).map_err(|r| Obstacle(r, e))
+            }
+            Node::Call { function, arguments } => {
+                let arguments: Vec<Value> = arguments.iter().map(|a| self.known(*a)).collect::<Result<_>>()?;
+                self.call(*function, &arguments).map_err(|r| Obstacle(r, e))
+            }
+            Node::Switch { guard, strict, then, otherwise } => {
+                let side = self.decide(&self.known(*guard)?).map_err(|r| Obstacle(r, e))?;
+                self.known(if side > 0.0 || side == 0.0 && !strict { *then } else { *otherwise })
+            }
+        }
+    }
+
+    /// The sign of a guard within the phase.
+    fn decide(&self, guard: &Value) -> std::result::Result<f64, Reason> {
+        if !guard.slopes.is_empty() {
+            return Err(Reason::NotLinear);
+        }
+        // an affine guard changes its sign at a scheduled instant only, and phases end there
+        let (a, b) = guard.constant.as_affine().ok_or(Reason::NoClosedForm)?;
+        Ok(a * self.inside + b)
+    }
+
+    fn call(&self, function: Function, x: &[Value]) -> std::result::Result<Value, Reason> {
+        if let Some(numbers) = x.iter().map(Value::number).collect::<Option<Vec<f64>>>() {
+            return Ok(Value::just(function.value(numbers[0], numbers.get(1).copied().unwrap_or(0.0))));
+        }
+        if x.iter().any(|v| !v.slopes.is_empty()) {
+            return Err(Reason::NotLinear);
+        }
+        let affine = || x[0].constant.as_affine().ok_or(Reason::NoClosedForm);
+        let half_sum = |sign: f64, (a, b): (f64, f64)| {
+            let mut sum = Load::default();
+            sum.add(&Load::growth(a, b), 0.5);
+            sum.add(&Load::growth(-a, -b), 0.5 * sign);
+            sum
+        };
+        Ok(Value::of(match function {
+            Function::Sin => affine().map(|(a, b)| Load::sine(a, b))?,
+            Function::Cos => affine().map(|(a, b)| Load::cosine(a, b))?,
+            Function::Exp => affine().map(|(a, b)| Load::growth(a, b))?,
+            Function::Sinh => half_sum(-1.0, affine()?),
+            Function::Cosh => half_sum(1.0, affine()?),
+            Function::Sign => Load::constant(Function::Sign.value(self.decide(&x[0])?, 0.0)),
+            Function::Abs => {
+                let mut value = Load::default();
+                value.add(&x[0].constant, Function::Sign.value(self.decide(&x[0])?, 0.0));
+                value
+            }
+            Function::Min | Function::Max => {
+                let mut difference = x[0].clone();
+                difference.add(&x[1], -1.0);
+                let first_is_less = self.decide(&difference)? < 0.0;
+                x[usize::from(first_is_less != (function == Function::Min))].constant.clone()
+            }
+            _ => return Err(Reason::NoClosedForm),
+        }))
+    }
+}
+
+impl Obstacle {
+    fn fault(self, start: f64) -> Fault {
+        let Obstacle(reason, e) = self;
+        let at = crate::fault::number(start);
+        let message = match reason {
+            Reason::NotLinear => Message {
+                code: "S030",
+                what: Text::new("the system is not linear, so it has no closed form", "система нелинейна, и замкнутого решения у неё нет"),
+                why: Text::new(
+                    "this term contains a product or a function of coordinates or rates",
+                    "этот член содержит произведение или функцию координат или скоростей",
+                ),
+                help: Text::new(
+                    "use the study simulate, or write the model for small motions (sin phi -> phi)",
+                    "примените расчёт simulate или составьте модель для малых движений (sin phi -> phi)",
+                ),
+            },
+            Reason::Varying => Message {
+                code: "S031",
+                what: Text::new("a coefficient of the system changes with time", "коэффициент системы меняется со временем"),
+                why: Text::new(
+                    "mass, damping or stiffness may change at switches only, not within a phase",
+                    "масса, сопротивление и жёсткость могут меняться только при переключениях, но не внутри этапа",
+                ),
+                help: Text::new("use the study simulate", "примените расчёт simulate"),
+            },
+            Reason::NoClosedForm => Message {
+                code: "S032",
+                what: Text::new(
+                    format!("a load has no closed form within the phase from {} s", at.en),
+                    format!("нагрузка на этапе с {} с не имеет замкнутого решения", at.ru),
+                ),
+                why: Text::new(
+                    "loads are sums of constants, powers of t, sin(p t + d) with a constant frequency p, exp(-a t), and their products",
+                    "нагрузки — это суммы постоянных, степеней t, sin(p t + d) с постоянной частотой p, exp(-a t) и их произведений",
+                ),
+                help: Text::new(
+                    "keep the frequency constant within a phase (phases may change it), or use the study simulate",
+                    "задайте на каждом этапе постоянную частоту (её может сменить следующий этап) или примените расчёт simulate",
+                ),
+            },
+        };
+        Fault::new(message).about(Some(e))
+    }
+}
+
+impl Value {
+    fn of(constant: Load) -> Value {
+        Value { constant, slopes: Vec::new() }
+    }
+    fn just(c: f64) -> Value {
+        Value::of(Load::constant(c))
+    }
+    /// The number, when it is one.
+    fn number(&self) -> Option<f64> {
+        if self.slopes.is_empty() { self.constant.as_constant() } else { None }
+    }
+    /// Why it is no number.
+    fn reason(&self) -> Reason {
+        if self.slopes.is_empty() { Reason::NoClosedForm } else { Reason::NotLinear }
+    }
+    fn state(i: usize) -> Value {
+        Value { constant: Load::default(), slopes: vec![(i, Load::constant(1.0))] }
+    }
+
+    fn add(&mut self, other: &Value, factor: f64) {
+        self.constant.add(&other.constant, factor);
+        for (state, slope) in &other.slopes {
+            let i = self.slopes.partition_point(|(s, _)| s < state);
+            if self.slopes.get(i).is_none_or(|(s, _)| s != state) {
+                self.slopes.insert(i, (*state, Load::default()));
+            }
+            self.slopes[i].1.add(slope, factor);
+        }
+        self.slopes.retain(|(_, slope)| !slope.is_zero());
+    }
+
+    /// None when both contain the motion.
+    fn times(&self, other: &Value) -> Option<Value> {
+        let (plain, moving) = if self.slopes.is_empty() { (self, other) } else { (other, self) };
+        if !plain.slopes.is_empty() {
+            return None;
+        }
+        let scaled = moving.slopes.iter().map(|(s, slope)| (*s, slope.times(&plain.constant)));
+        Some(Value { constant: moving.constant.times(&plain.constant), slopes: scaled.filter(|(_, c)| !c.is_zero()).collect() })
+    }
+
+    fn power(&self, exponent: f64) -> std::result::Result<Value, Reason> {
+        if exponent == 1.0 {
+            return Ok(self.clone());
+        }
+        if !self.slopes.is_empty() {
+            return Err(Reason::NotLinear);
+        }
+        if let Some(number) = self.number() {
+            return Ok(Value::just(if exponent.fract() == 0.0 { number.powi(exponent as i32) } else { number.powf(exponent) }));
+        }
+        if exponent.fract() != 0.0 || !(2.0..=64.0).contains(&exponent) {
+            return Err(Reason::NoClosedForm);
+        }
+        Ok(Value::of((1..exponent as u32).fold(self.constant.clone(), |p, _| p.times(&self.constant))))
+    }
+}

@@ -1,0 +1,249 @@
+//! Closed-form motion of a linear system, phase by phase.
+//!
+//! Between the scheduled switches of the loads the system is M q'' + B q' + C q = f(t) with constant matrices and an exponential polynomial
+//! f ([`form`]); its motion is known ([`motion`]), and the state at a switch joins the phases. Beside it stands the numeric twin: the same
+//! motion by [`simulate`](super::simulate), and the difference of both as a check.
+
+pub mod constants;
+pub mod form;
+pub mod load;
+pub mod motion;
+pub mod oscillator;
+
+use super::simulate::{self, Grid, Outcome, Simulate};
+use crate::dataset::{Audit, Column, Dataset};
+use crate::fault::Message;
+use crate::{Fault, Mode, Quantity, System};
+use form::Form;
+use motion::Motion;
+use symbolic::{Equations, Text};
+
+/// Options of the study.
+pub struct Transient<'a> {
+    /// What the numeric twin is asked; its times and outputs are those of the result.
+    pub twin: Simulate<'a>,
+    /// Ends of the phases that the model names; switches of its formulas are found besides.
+    pub ends: Vec<f64>,
+}
+
+/// One phase of the motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Phase {
+    /// Start, s.
+    pub start: f64,
+    /// End, s.
+    pub end: f64,
+    /// The system within it.
+    pub form: Form,
+    /// Its motion over τ = t - start.
+    pub motion: Motion,
+    /// (q, q') at the start.
+    pub state_at_start: Vec<f64>,
+    /// (q, q') at the end.
+    pub state_at_end: Vec<f64>,
+}
+
+/// A result: the outcome and the phases.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Found {
+    /// Columns over time, checks, what ended the study.
+    pub outcome: Outcome,
+    /// Phases with their constants.
+    pub phases: Vec<Phase>,
+}
+
+/// Closed form and twin may differ by this share of the largest value of a column.
+const TWIN: f64 = 1e-9;
+/// Steps of the twin after which it is given up.
+const TWIN_STEPS: f64 = 2e6;
+const AUTO: usize = 1000;
+
+/// The motion from `start` (q, q') at t = 0.
+///
+/// *Errors* beside what was found: see [`form::forms`] and [`Motion::new`]; options without meaning.
+pub fn transient<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], options: Transient<'_>) -> Found {
+    match solve(system, equations, start, &options) {
+        Ok((mut dataset, phases)) => {
+            twin(system, start, &phases, options.twin, &mut dataset);
+            Found { outcome: Outcome { dataset, fault: None }, phases }
+        }
+        Err(fault) => {
+            let dataset = Dataset { partial: true, ..Dataset::default() };
+            Found { outcome: Outcome { dataset, fault: Some(fault) }, phases: Vec::new() }
+        }
+    }
+}
+
+fn solve<S: System + ?Sized>(
+    system: &mut S,
+    equations: &Equations,
+    start: &[f64],
+    options: &Transient<'_>,
+) -> Result<(Dataset, Vec<Phase>), Fault> {
+    let until = options.twin.until;
+    let times = times(&options.twin)?;
+    let phases = phases(system, equations, start, until, &options.ends)?;
+    let dataset = table(system, &phases, &times, options)?;
+    Ok((dataset, phases))
+}
+
+/// The phases up to `until`, joined at the switches.
+fn phases<S: System + ?Sized>(system: &S, equations: &Equations, start: &[f64], until: f64, ends: &[f64]) -> Result<Vec<Phase>, Fault> {
+    let scheduled: Vec<f64> = system.guards().iter().filter_map(|g| g.scheduled).collect();
+    // a guard and the end of its phase are one instant, computed on two ways
+    let same = |t: f64, s: f64| (t - s).abs() <= 8.0 * f64::EPSILON * t.abs();
+    let named = |t: f64| ends.iter().any(|e| same(t, *e));
+    let silent = ends.iter().copied().filter(|e| !scheduled.iter().any(|s| same(*e, *s)));
+    let mut instants: Vec<f64> = scheduled.iter().copied().chain(silent).collect();
+    instants.retain(|t| *t > 0.0 && *t < until);
+    instants.sort_by(f64::total_cmp);
+    instants.dedup_by(|a, b| same(*a, *b));
+    let instants: Vec<f64> = std::iter::once(0.0).chain(instants).chain([until]).collect();
+    let forms = form::forms(equations, &instants)?;
+    let mut found: Vec<Phase> = Vec::new();
+    let mut state = start[..2 * system.n_coordinates()].to_vec();
+    let mut i = 0;
+    while i < forms.len() {
+        // a switch of a formula that changes nothing in the equations is no phase
+        let mut last = i;
+        while last + 1 < forms.len() && forms[last + 1] == forms[i] && !named(instants[last + 1]) {
+            last += 1;
+        }
+        let (begin, end) = (instants[i], instants[last + 1]);
+        let motion = Motion::new(&forms[i], &state, begin)?;
+        let state_at_end = motion.states(&[end - begin]).pop().unwrap_or_default();
+        let phase = Phase { start: begin, end, form: forms[i].clone(), motion, state_at_start: state, state_at_end: state_at_end.clone() };
+        found.push(phase);
+        state = state_at_end;
+        i = last + 1;
+    }
+    Ok(found)
+}
+
+/// Requested times.
+fn times(options: &Simulate<'_>) -> Result<Vec<f64>, Fault> {
+    let until = options.until;
+    if !(until >= 0.0 && until.is_finite()) {
+        return Err(unusable(format!("until = {until} s"), format!("until = {until} с")));
+    }
+    let even = |count: usize, step: f64| (0..=count).map(|i| (i as f64 * step).min(until)).collect();
+    Ok(match &options.grid {
+        Grid::At(times) => {
+            if times.iter().any(|t| !(0.0..=until).contains(t)) {
+                return Err(unusable("a time outside the motion".into(), "момент вне движения".into()));
+            }
+            times.clone()
+        }
+        Grid::Every(step) => {
+            if !(*step > 0.0) || until / step * 8.0 > options.memory {
+                return Err(unusable(format!("every = {step} s"), format!("every = {step} с")));
+            }
+            let count = (until / step * (1.0 + 4.0 * f64::EPSILON)).floor() as usize;
+            let mut times: Vec<f64> = even(count, *step);
+            if times.last().is_some_and(|t| *t < until) {
+                times.push(until);
+            }
+            times
+        }
+        Grid::Auto => even(AUTO, until / AUTO as f64),
+    })
+}
+
+fn unusable(en: String, ru: String) -> Fault {
+    Fault::new(Message {
+        code: "S006",
+        what: Text::new(format!("unusable option: {en}"), format!("недопустимый параметр: {ru}")),
+        why: Text::new("times lie between 0 and the end of the motion", "моменты лежат между 0 и концом движения"),
+        help: Text::new("correct the times", "исправьте моменты времени"),
+    })
+}
+
+/// The columns, evaluated on the closed form. At a switch the values after it are shown.
+fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], options: &Transient<'_>) -> Result<Dataset, Fault> {
+    let all = system.outputs().to_vec();
+    let chosen = simulate::choose(&all, options.twin.outputs.as_deref())?;
+    system.show(&chosen)?;
+    let mut values = vec![0.0; all.len()];
+    let mut rows: Vec<Vec<f64>> = vec![vec![f64::NAN; times.len()]; chosen.len()];
+    let mut at = 0;
+    each_row(phases, times, |row, x| {
+        while phases.get(at + 1).is_some_and(|p| times[row] >= p.start) {
+            at += 1;
+        }
+        let (phase, t) = (&phases[at], times[row]);
+        let x: Vec<f64> = x.iter().copied().chain(phase.form.turns.iter().map(|turn| turn.at(t))).collect();
+        let modes = modes(system, phase, t, &x);
+        system.observe(t, &x, &modes, &mut values)?;
+        for (column, i) in rows.iter_mut().zip(&chosen) {
+            column[row] = values[*i];
+        }
+        Ok(())
+    })?;
+    let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
+    let mut columns = vec![Column { quantity: time, values: times.to_vec() }];
+    columns.extend(chosen.iter().zip(rows).map(|(i, values)| Column { quantity: all[*i].clone(), values }));
+    Ok(Dataset { axis: Some(0), columns, ..Dataset::default() })
+}
+
+/// Visits the closed form at the given times in ascending order: row of the time, state (q, q'). At a switch the later phase is meant.
+fn each_row(phases: &[Phase], times: &[f64], mut visit: impl FnMut(usize, &[f64]) -> Result<(), Fault>) -> Result<(), Fault> {
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
+    for (k, phase) in phases.iter().enumerate() {
+        let later = phases.get(k + 1).map_or(f64::INFINITY, |p| p.start);
+        let own: Vec<usize> = order.iter().copied().filter(|i| times[*i] >= phase.start && times[*i] < later).collect();
+        let taus: Vec<f64> = own.iter().map(|i| times[*i] - phase.start).collect();
+        for (row, x) in own.into_iter().zip(phase.motion.states(&taus)) {
+            visit(row, &x)?;
+        }
+    }
+    Ok(())
+}
+
+/// Scheduled switches as inside the phase, others by their values.
+fn modes<S: System + ?Sized>(system: &mut S, phase: &Phase, t: f64, x: &[f64]) -> Vec<Mode> {
+    let inside = 0.5 * (phase.start + phase.end);
+    let count = system.guards().len();
+    let plain = || vec![Mode::Positive; count];
+    let (scheduled, own) = (system.modes_by_value(inside, x).unwrap_or_else(plain), system.modes_by_value(t, x).unwrap_or_else(plain));
+    let choose = |(guard, (s, o)): (&crate::Guard, (Mode, Mode))| if guard.scheduled.is_some() { s } else { o };
+    system.guards().iter().zip(scheduled.into_iter().zip(own)).map(choose).collect()
+}
+
+/// The same motion by integration: its checks, and the largest difference of a coordinate or rate, relative to the largest value of its kind.
+fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], phases: &[Phase], mut options: Simulate<'_>, dataset: &mut Dataset) {
+    let states: Vec<Quantity> = system.states()[..2 * system.n_coordinates()].to_vec();
+    options.outputs = Some(states.iter().map(|q| q.name.clone()).collect());
+    options.most_steps = options.most_steps.min(TWIN_STEPS);
+    let times = dataset.columns[0].values.clone();
+    options.grid = Grid::At(times.clone());
+    let outcome = simulate::simulate(system, start, options);
+    if outcome.fault.is_some() || outcome.dataset.partial {
+        dataset.notes.push(Text::new(
+            "the motion was not integrated numerically for comparison: that would take too many steps",
+            "численное интегрирование для сравнения не выполнено: потребовалось бы слишком много шагов",
+        ));
+        return;
+    }
+    let largest = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let numeric = &outcome.dataset.columns[1..];
+    // a coordinate that stays at rest is rounding only: the others of its unit set the scale
+    let size = |unit: &str| numeric.iter().filter(|c| c.quantity.unit == unit).map(|c| largest(&c.values)).fold(0.0, f64::max);
+    let mut worst = 0.0_f64;
+    each_row(phases, &times, |row, x| {
+        for (value, column) in x.iter().zip(numeric) {
+            let difference = (value - column.values[row]).abs();
+            if difference > 0.0 {
+                worst = worst.max(difference / size(&column.quantity.unit));
+            }
+        }
+        Ok(())
+    })
+    .ok();
+    let name =
+        Text::new("closed form against integration: largest difference", "замкнутое решение и интегрирование: наибольшее расхождение");
+    dataset.audits = outcome.dataset.audits;
+    dataset.audits.push(Audit::at_most("closed_form", name, worst, TWIN));
+    dataset.events = outcome.dataset.events;
+    dataset.counters = outcome.dataset.counters;
+}

@@ -1,0 +1,356 @@
+//! The motion of a linear system within a phase: by modes where they uncouple it, otherwise by the matrix exponential.
+//!
+//! M q'' + B q' + C q = f(τ). With symmetric M > 0 and C, and a B that the modes of (C, M) make diagonal (proportional damping), each principal
+//! coordinate is an [`Oscillator`] of its own. Otherwise (q, q') and the load, itself the solution of a linear system, are carried by one
+//! exponential of the joint matrix: exact in resonance and with multiple roots, since nothing is diagonalised.
+
+use super::form::Form;
+use super::load::Load;
+use super::oscillator::Oscillator;
+use crate::Fault;
+use crate::fault::Message;
+use crate::numerics::complex::Complex;
+use crate::numerics::expm;
+use crate::numerics::lu::Lu;
+use symbolic::Text;
+
+/// The motion within a phase, τ from its start.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Motion {
+    /// q = Σ shape_i x_i.
+    Modes(Vec<Mode>),
+    /// The joint exponential.
+    Exponential(Joint),
+}
+
+/// A principal coordinate; the shape has the mass 1, with one degree of freedom the displacement 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// Displacements of the coordinates for x = 1.
+    pub shape: Vec<f64>,
+    /// The equation of x.
+    pub oscillator: Oscillator,
+}
+
+/// z' = A z for z = (ω q, q', load).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    n: usize,
+    size: usize,
+    /// Scale of q, so that both halves of the state are velocities.
+    omega: f64,
+    matrix: Vec<f64>,
+    start: Vec<f64>,
+}
+
+impl Motion {
+    /// The motion from a state (q, q') at the start of a phase; `start` is that instant in the time of the loads.
+    ///
+    /// *Errors*: S033 the mass matrix is singular.
+    pub fn new(form: &Form, state: &[f64], start: f64) -> Result<Motion, Fault> {
+        let loads: Vec<Load> = form.loads.iter().map(|f| f.from(start)).collect();
+        if let Some(modes) = principal(form, &loads, state) {
+            return Ok(Motion::Modes(modes));
+        }
+        Joint::new(form, &loads, state).map(Motion::Exponential).ok_or_else(singular)
+    }
+
+    /// States (q, q') at each τ.
+    pub fn states(&self, taus: &[f64]) -> Vec<Vec<f64>> {
+        match self {
+            Motion::Modes(modes) => taus.iter().map(|tau| superpose(modes, *tau)).collect(),
+            Motion::Exponential(joint) => joint.states(taus),
+        }
+    }
+}
+
+fn superpose(modes: &[Mode], tau: f64) -> Vec<f64> {
+    let n = modes.first().map_or(0, |m| m.shape.len());
+    let mut state = vec![0.0; 2 * n];
+    for mode in modes {
+        let [x, v] = mode.oscillator.at(tau);
+        for (i, s) in mode.shape.iter().enumerate() {
+            state[i] += s * x;
+            state[n + i] += s * v;
+        }
+    }
+    state
+}
+
+/// Off-diagonal damping below this share of the diagonal is rounding.
+const PROPORTIONAL: f64 = 1e-12;
+
+/// The principal coordinates; none when they do not uncouple the system.
+fn principal(form: &Form, loads: &[Load], state: &[f64]) -> Option<Vec<Mode>> {
+    let n = form.n;
+    let symmetric = |a: &[f64]| (0..n).all(|i| (0..i).all(|j| near(a[i * n + j], a[j * n + i], a[i * n + i].abs() + a[j * n + j].abs())));
+    if !symmetric(&form.mass) || !symmetric(&form.stiffness) || !symmetric(&form.damping) {
+        return None;
+    }
+    if let ([a], [b], [c]) = (form.mass.as_slice(), form.damping.as_slice(), form.stiffness.as_slice()) {
+        return (*a > 0.0).then(|| vec![single([*a, *b, *c], &loads[0], state)]);
+    }
+    let (k2, shapes) = generalized(&form.mass, &form.stiffness, n)?;
+    let modal = |a: &[f64], u: &[f64], v: &[f64]| -> f64 { (0..n).map(|i| u[i] * (0..n).map(|j| a[i * n + j] * v[j]).sum::<f64>()).sum() };
+    let damping: Vec<f64> = shapes.iter().map(|s| modal(&form.damping, s, s)).collect();
+    for i in 0..n {
+        for j in 0..i {
+            if modal(&form.damping, &shapes[i], &shapes[j]).abs() > PROPORTIONAL * (damping[i].abs() + damping[j].abs()) {
+                return None;
+            }
+        }
+    }
+    let mode = |((shape, k2), b): ((Vec<f64>, f64), f64)| {
+        let mut load = Load::default();
+        for (f, s) in loads.iter().zip(&shape) {
+            load.add(f, *s);
+        }
+        // x = sᵀ M q, since sᵀ M s = 1
+        let x0 = modal(&form.mass, &shape, &state[..n]);
+        let v0 = modal(&form.mass, &shape, &state[n..]);
+        Mode { oscillator: Oscillator { n: 0.5 * b, k2, load, x0, v0 }, shape }
+    };
+    Some(shapes.into_iter().zip(k2).zip(damping).map(mode).collect())
+}
+
+fn near(a: f64, b: f64, size: f64) -> bool {
+    (a - b).abs() <= PROPORTIONAL * (size + a.abs() + b.abs())
+}
+
+/// a q'' + b q' + c q = f, the coordinate itself being the principal one.
+fn single([a, b, c]: [f64; 3], load: &Load, state: &[f64]) -> Mode {
+    let mut per_inertia = Load::default();
+    per_inertia.add(load, 1.0 / a);
+    let oscillator = Oscillator { n: b / (2.0 * a), k2: c / a, load: per_inertia, x0: state[0], v0: state[1] };
+    Mode { shape: vec![1.0], oscillator }
+}
+
+/// C v = k² M v with vᵀ M v = 1, ascending; none when M is not positive definite. Jacobi's rotations on L⁻¹ C L⁻ᵀ, M = L Lᵀ.
+/// *Source*: G. H. Golub, C. F. Van Loan, Matrix Computations, 8.5 and 8.7.
+fn generalized(mass: &[f64], stiffness: &[f64], n: usize) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
+    let l = cholesky(mass, n)?;
+    let forward = |b: &mut [f64]| {
+        for i in 0..n {
+            for j in 0..i {
+                b[i] -= l[i * n + j] * b[j];
+            }
+            b[i] /= l[i * n + i];
+        }
+    };
+    let mut a = stiffness.to_vec();
+    // columns, then rows
+    for _ in 0..2 {
+        for j in 0..n {
+            let mut column: Vec<f64> = (0..n).map(|i| a[i * n + j]).collect();
+            forward(&mut column);
+            (0..n).for_each(|i| a[i * n + j] = column[i]);
+        }
+        for i in 0..n {
+            for j in 0..i {
+                a.swap(i * n + j, j * n + i);
+            }
+        }
+    }
+    let vectors = jacobi(&mut a, n);
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|i, j| a[i * n + i].total_cmp(&a[j * n + j]));
+    let shape = |k: usize| -> Vec<f64> {
+        let mut v: Vec<f64> = (0..n).map(|i| vectors[i * n + k]).collect();
+        for i in (0..n).rev() {
+            for j in i + 1..n {
+                v[i] -= l[j * n + i] * v[j];
+            }
+            v[i] /= l[i * n + i];
+        }
+        v
+    };
+    let size = (0..n).map(|i| a[i * n + i].abs()).fold(0.0, f64::max);
+    let square = |k: usize| Some(a[k * n + k]).filter(|v| v.abs() > 4.0 * f64::EPSILON * size).unwrap_or(0.0);
+    Some((order.iter().map(|k| square(*k)).collect(), order.iter().map(|k| shape(*k)).collect()))
+}
+
+fn cholesky(a: &[f64], n: usize) -> Option<Vec<f64>> {
+    let mut l = vec![0.0; n * n];
+    for i in 0..n {
+        for j in 0..=i {
+            let sum = a[i * n + j] - (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum::<f64>();
+            if i == j {
+                if sum <= 1e-13 * a[i * n + i].abs() {
+                    return None;
+                }
+                l[i * n + i] = sum.sqrt();
+            } else {
+                l[i * n + j] = sum / l[j * n + j];
+            }
+        }
+    }
+    Some(l)
+}
+
+/// Diagonalises a symmetric matrix in place; the columns of the result are its eigenvectors.
+fn jacobi(a: &mut [f64], n: usize) -> Vec<f64> {
+    let mut v: Vec<f64> = (0..n * n).map(|k| if k % (n + 1) == 0 { 1.0 } else { 0.0 }).collect();
+    for _ in 0..60 {
+        let mut done = true;
+        for p in 0..n {
+            for q in p + 1..n {
+                let apq = a[p * n + q];
+                if apq.abs() <= 1e-17 * (a[p * n + p].abs() * a[q * n + q].abs()).sqrt() || apq == 0.0 {
+                    continue;
+                }
+                done = false;
+                let theta = 0.5 * (a[q * n + q] - a[p * n + p]) / apq;
+                let t = if theta == 0.0 { 1.0 } else { theta.signum() / (theta.abs() + theta.hypot(1.0)) };
+                let c = 1.0 / t.hypot(1.0);
+                let s = t * c;
+                for k in 0..n {
+                    let (x, y) = (a[k * n + p], a[k * n + q]);
+                    (a[k * n + p], a[k * n + q]) = (c * x - s * y, s * x + c * y);
+                }
+                for k in 0..n {
+                    let (x, y) = (a[p * n + k], a[q * n + k]);
+                    (a[p * n + k], a[q * n + k]) = (c * x - s * y, s * x + c * y);
+                    let (x, y) = (v[k * n + p], v[k * n + q]);
+                    (v[k * n + p], v[k * n + q]) = (c * x - s * y, s * x + c * y);
+                }
+                (a[p * n + q], a[q * n + p]) = (0.0, 0.0);
+            }
+        }
+        if done {
+            break;
+        }
+    }
+    v
+}
+
+/// Functions g_j = τ^j/j! e^(λτ), of which loads are made: g_j' = λ g_j + g_(j-1), g_0(0) = 1, the others begin at 0.
+struct Chain {
+    rate: Complex,
+    powers: usize,
+}
+
+impl Joint {
+    fn new(form: &Form, loads: &[Load], state: &[f64]) -> Option<Joint> {
+        let n = form.n;
+        let lu = Lu::new(&form.mass, n);
+        let mut chains: Vec<Chain> = Vec::new();
+        for term in loads.iter().flat_map(|l| &l.0).filter(|t| t.rate.im >= 0.0) {
+            match chains.iter_mut().find(|c| c.rate == term.rate) {
+                Some(chain) => chain.powers = chain.powers.max(term.power as usize),
+                None => chains.push(Chain { rate: term.rate, powers: term.power as usize }),
+            }
+        }
+        let width = |c: &Chain| (c.powers + 1) * if c.rate.im == 0.0 { 1 } else { 2 };
+        let size = 2 * n + chains.iter().map(width).sum::<usize>();
+        let mut matrix = vec![0.0; size * size];
+        let columns =
+            |a: &[f64]| -> Option<Vec<Vec<f64>>> { (0..n).map(|j| lu.solve(&(0..n).map(|i| a[i * n + j]).collect::<Vec<_>>())).collect() };
+        let (damping, stiffness) = (columns(&form.damping)?, columns(&form.stiffness)?);
+        let largest = stiffness.iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let omega = if largest > 0.0 { largest.sqrt() } else { 1.0 };
+        for i in 0..n {
+            matrix[i * size + n + i] = omega;
+            for j in 0..n {
+                matrix[(n + i) * size + j] = -stiffness[j][i] / omega;
+                matrix[(n + i) * size + n + j] = -damping[j][i];
+            }
+        }
+        let mut start: Vec<f64> = state[..n].iter().map(|q| q * omega).chain(state[n..].iter().copied()).collect();
+        start.resize(size, 0.0);
+        let mut joint = Joint { n, size, omega, matrix, start };
+        let mut at = 2 * n;
+        for chain in &chains {
+            joint.couple(chain, at, loads, &lu)?;
+            at += width(chain);
+        }
+        Some(joint)
+    }
+
+    /// Adds the functions of a chain and what they do to the accelerations.
+    fn couple(&mut self, chain: &Chain, at: usize, loads: &[Load], lu: &Lu) -> Option<()> {
+        let (n, size) = (self.n, self.size);
+        let real = chain.rate.im == 0.0;
+        let width = if real { 1 } else { 2 };
+        let mut factorial = 1.0;
+        for j in 0..=chain.powers {
+            let place = at + j * width;
+            factorial *= (j as f64).max(1.0);
+            let factor = |l: &Load| {
+                let term = l.0.iter().find(|t| t.rate == chain.rate && t.power as usize == j);
+                term.map_or(Complex::ZERO, |t| t.factor).scale(factorial)
+            };
+            let weights: Vec<Complex> = loads.iter().map(factor).collect();
+            // a conjugate pair: 2 Re(c g) = 2 re(c) Re g - 2 im(c) Im g
+            let parts: Vec<Vec<f64>> = if real {
+                vec![weights.iter().map(|c| c.re).collect()]
+            } else {
+                vec![weights.iter().map(|c| 2.0 * c.re).collect(), weights.iter().map(|c| -2.0 * c.im).collect()]
+            };
+            for (k, part) in parts.iter().enumerate() {
+                for (i, value) in lu.solve(part)?.into_iter().enumerate() {
+                    self.matrix[(n + i) * size + place + k] = value;
+                }
+                self.matrix[(place + k) * size + place + k] = chain.rate.re;
+                if j > 0 {
+                    self.matrix[(place + k) * size + place + k - width] = 1.0;
+                }
+            }
+            if !real {
+                self.matrix[place * size + place + 1] = -chain.rate.im;
+                self.matrix[(place + 1) * size + place] = chain.rate.im;
+            }
+        }
+        self.scale(at, (chain.powers + 1) * width);
+        Some(())
+    }
+
+    /// Loads far larger than the system's own rates would cost digits in the exponential: the functions carry the size instead.
+    fn scale(&mut self, at: usize, width: usize) {
+        let (n, size) = (self.n, self.size);
+        let largest = (n..2 * n)
+            .flat_map(|i| (at..at + width).map(move |j| (i, j)))
+            .fold(0.0_f64, |m, (i, j)| m.max(self.matrix[i * size + j].abs()));
+        let factor = if largest > 0.0 { self.omega / largest } else { 1.0 };
+        for i in n..2 * n {
+            for j in at..at + width {
+                self.matrix[i * size + j] *= factor;
+            }
+        }
+        self.start[at] = 1.0 / factor;
+    }
+
+    /// Equal steps are propagated by one matrix; others have an exponential each.
+    fn states(&self, taus: &[f64]) -> Vec<Vec<f64>> {
+        let mut found = Vec::with_capacity(taus.len());
+        let mut step: Option<(f64, Vec<f64>)> = None;
+        let (mut before, mut z) = (0.0, self.start.clone());
+        for &tau in taus {
+            let delta = tau - before;
+            if delta != 0.0 {
+                let known = step.as_ref().is_some_and(|(d, _)| (d - delta).abs() <= 1e-13 * tau.abs());
+                if !known {
+                    step = expm::exponential(&self.matrix, self.size, delta).map(|e| (delta, e));
+                }
+                let Some((_, e)) = &step else {
+                    z.fill(f64::NAN);
+                    found.push(z[..2 * self.n].to_vec());
+                    continue;
+                };
+                z = (0..self.size).map(|i| (0..self.size).map(|j| e[i * self.size + j] * z[j]).sum()).collect();
+                before = tau;
+            }
+            let q = z[..self.n].iter().map(|q| q / self.omega);
+            found.push(q.chain(z[self.n..2 * self.n].iter().copied()).collect());
+        }
+        found
+    }
+}
+
+fn singular() -> Fault {
+    Fault::new(Message {
+        code: "S033",
+        what: Text::new("the mass matrix is singular", "матрица масс вырождена"),
+        why: Text::new("some motion of the coordinates moves no mass", "при некотором изменении координат масса не движется"),
+        help: Text::new("give every coordinate an inertia, or remove it", "придайте каждой координате инерцию или уберите её"),
+    })
+}

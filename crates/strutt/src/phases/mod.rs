@@ -1,0 +1,72 @@
+//! The phases of a closed-form motion: as JSON here, as a written solution in [`steps`].
+
+mod setting;
+pub mod steps;
+
+use analysis::studies::transient::Phase;
+use analysis::studies::transient::constants::{Clock, Listed};
+use serde_json::{Map, Value, json};
+
+/// `[{start, end, case, resonance, constants: {C1, C2, D, epsilon, k, n, h, ...}, state_at_start: {phi, phi'}, state_at_end}]`.
+///
+/// With several degrees of freedom `modes` takes the place of `constants`; where modes do not uncouple, `case` is `coupled`.
+pub fn to_json(phases: &[Phase], names: &[String]) -> Value {
+    phases.iter().map(|phase| one(phase, names)).collect()
+}
+
+fn one(phase: &Phase, names: &[String]) -> Value {
+    let mut out = Map::new();
+    out.insert("start".into(), json!(phase.start));
+    out.insert("end".into(), json!(phase.end));
+    let listed = phase.listed();
+    match listed.as_slice() {
+        [] => {
+            out.insert("case".into(), json!("coupled"));
+        }
+        [only] if phase.form.n == 1 => out.extend(constants(only)),
+        modes => {
+            out.insert("case".into(), json!("modes"));
+            let mode = |m: &Listed| {
+                let shape: Map<String, Value> = names.iter().cloned().zip(m.mode.shape.iter().map(|s| json!(s))).collect();
+                let mut own = constants(m);
+                own.insert("shape".into(), json!(shape));
+                own
+            };
+            out.insert("modes".into(), modes.iter().map(|m| Value::Object(mode(m))).collect());
+        }
+    }
+    let state = |values: &[f64]| -> Map<String, Value> { names.iter().cloned().zip(values.iter().map(|v| json!(v))).collect() };
+    out.insert("state_at_start".into(), json!(state(&phase.state_at_start)));
+    out.insert("state_at_end".into(), json!(state(&phase.state_at_end)));
+    Value::Object(out)
+}
+
+fn constants(listed: &Listed) -> Map<String, Value> {
+    let object =
+        |list: Vec<(&'static str, f64)>| -> Map<String, Value> { list.into_iter().map(|(k, v)| (k.to_owned(), json!(v))).collect() };
+    let mut out = Map::new();
+    out.insert("case".into(), json!(listed.constants.case.name()));
+    out.insert("resonance".into(), json!(listed.constants.resonance));
+    out.insert("constants".into(), json!(object(listed.named())));
+    let clock = |c: Clock| if c == Clock::Phase { "tau" } else { "t" };
+    let harmonics: Vec<Value> = listed
+        .forcing
+        .iter()
+        .map(|f| {
+            let mut one = object(f.named(listed.inertia, listed.mode.oscillator.k2));
+            one.insert("time".into(), json!(clock(f.clock)));
+            Value::Object(one)
+        })
+        .collect();
+    out.insert("harmonics".into(), json!(harmonics));
+    out
+}
+
+/// Names of the coordinates, then of their rates.
+pub fn state_names(equations: &symbolic::Equations) -> Vec<String> {
+    let name = |primes: &str| {
+        let primes = primes.to_owned();
+        equations.coordinates.iter().map(move |c| format!("{}{primes}", equations.graph.symbol_info(c.symbols[0]).name))
+    };
+    name("").chain(name("'")).collect()
+}

@@ -1,0 +1,546 @@
+//! The written solution of each phase: formula, substitution, result.
+//!
+//! ```text
+//! a q'' + b q' + c q = H sin pt;   n = b/(2a),  k = sqrt(c/a),  h = H/a
+//! q = e^(-nτ)(C1 cos k1 τ + C2 sin k1 τ) + D sin(pt - ε),   D = h/sqrt((k² - p²)² + 4 n² p²),  tg ε = 2 n p/(k² - p²)
+//! ```
+//!
+//! The letters are those of the textbooks (A. A. Yablonskii, S. S. Noreiko, Course of the theory of vibrations); they belong to this section
+//! only and may differ from the user's.
+
+use super::setting::{Setting, exponential, fence, fraction, minus, negative, plus, power, product, root, square, whole};
+use analysis::studies::transient::Phase;
+use analysis::studies::transient::constants::{Clock, Forcing, Listed};
+use analysis::studies::transient::load::{Load, Term};
+use analysis::studies::transient::oscillator::Case;
+use report::formula::{Layout, Printer, Sign};
+use report::table::Column;
+use report::{Block, Cell, Language, Table};
+use symbolic::Equations;
+
+/// Digits of states in tables.
+const DIGITS: usize = 6;
+
+/// The solution of all phases.
+pub fn blocks(equations: &Equations, phases: &[Phase], names: &[String], language: Language, width: usize) -> Vec<Block> {
+    let setting = Setting { printer: Printer::of(equations, language).with_width(width), language };
+    let mut blocks = Vec::new();
+    let mut before: Option<&Phase> = None;
+    for (i, phase) in phases.iter().enumerate() {
+        let span = |t: f64| report::number::short(t, DIGITS, language);
+        let (start, end) = (span(phase.start), span(phase.end));
+        blocks.push(Block::heading(
+            2,
+            language.pick(format!("Phase {}: {start} ... {end} s", i + 1), format!("Этап {}: {start} ... {end} с", i + 1)),
+        ));
+        let listed = phase.listed();
+        match listed.as_slice() {
+            [] => blocks.push(Block::paragraph(language.pick(
+                "The modes do not uncouple the equations (damping that is not proportional, gyroscopic or follower forces): the state and the loads are carried by one matrix exponential, which is exact.",
+                "Собственные формы не разделяют уравнения (непропорциональное сопротивление, гироскопические или следящие силы): состояние и нагрузки переносит одна матричная экспонента, это точное решение.",
+            ))),
+            [only] if phase.form.n == 1 => {
+                let coordinate = Writer::new(&setting, equations, only, phase);
+                let same = before.is_some_and(|b| b.form.mass == phase.form.mass && b.form.damping == phase.form.damping && b.form.stiffness == phase.form.stiffness);
+                blocks.extend(coordinate.solution(same));
+            }
+            modes => {
+                blocks.push(Block::paragraph(language.pick(
+                    "Principal coordinates (modes of mass 1), each an oscillator of its own: x'' + 2 n x' + k² x = h(t).",
+                    "Главные координаты (формы с единичной массой), каждая колеблется независимо: x'' + 2 n x' + k² x = h(t).",
+                )));
+                blocks.push(Block::Table(mode_table(modes, names, language)));
+            }
+        }
+        before = Some(phase);
+    }
+    if !phases.is_empty() {
+        blocks.push(Block::heading(2, language.pick("States at the switches", "Состояния при переключениях")));
+        blocks.push(Block::Table(state_table(equations, phases, names, language)));
+    }
+    blocks
+}
+
+fn state_table(equations: &Equations, phases: &[Phase], names: &[String], language: Language) -> Table {
+    let mut columns = vec![Column::with_unit("t", "s", language)];
+    let outputs = &equations.outputs;
+    columns.extend(names.iter().map(|n| {
+        let unit = outputs.iter().find(|o| &o.name == n).map_or("", |o| o.unit.as_str());
+        Column::with_unit(report::document::Rich::symbol(n.clone()), unit, language)
+    }));
+    let mut table = Table::new(columns);
+    let mut row = |t: f64, state: &[f64]| {
+        let mut cells = vec![Cell::number(t, DIGITS, language)];
+        cells.extend(state.iter().map(|v| Cell::number(*v, DIGITS, language)));
+        table.row(cells);
+    };
+    phases.iter().for_each(|p| row(p.start, &p.state_at_start));
+    if let Some(last) = phases.last() {
+        row(last.end, &last.state_at_end);
+    }
+    table
+}
+
+fn mode_table(modes: &[Listed], names: &[String], language: Language) -> Table {
+    let single = modes.iter().all(|m| m.forcing.len() <= 1);
+    let mut heads = vec![("", ""), ("k", "rad/s"), ("n", "1/s"), ("C1", ""), ("C2", "")];
+    if single {
+        heads.extend([("h", ""), ("p", "rad/s"), ("D", ""), ("epsilon", "rad")]);
+    }
+    let mut columns: Vec<Column> =
+        heads.into_iter().map(|(name, unit)| Column::with_unit(report::document::Rich::symbol(name), unit, language)).collect();
+    columns.extend(names.iter().take(modes.len()).map(|n| Column::new(report::document::Rich::symbol(n.clone()))));
+    let mut table = Table::new(columns);
+    for (i, mode) in modes.iter().enumerate() {
+        let named = mode.named();
+        let value = |key: &str| named.iter().find(|(k, _)| *k == key).map(|(_, v)| *v);
+        let cell = |key: &str| value(key).map_or(Cell::Empty, |v| Cell::number(v, DIGITS, language));
+        let mut cells = vec![Cell::words((i + 1).to_string())];
+        let keys = ["k", "n", "C1", "C2", "h", "p", "D", "epsilon"];
+        cells.extend(keys.iter().take(if single { 8 } else { 4 }).map(|k| cell(k)));
+        cells.extend(mode.mode.shape.iter().map(|s| Cell::number(*s, 4, language)));
+        table.row(cells);
+    }
+    table
+}
+
+/// Writes the solution of one degree of freedom in one phase.
+struct Writer<'a> {
+    set: &'a Setting,
+    listed: &'a Listed<'a>,
+    /// q, q', q''.
+    q: [Layout; 3],
+    units: [String; 2],
+    /// Start of the phase.
+    start: f64,
+    state: [f64; 2],
+    /// Factor a times the load per unit of inertia that is neither constant nor harmonic.
+    rest: Load,
+}
+
+impl<'a> Writer<'a> {
+    fn new(set: &'a Setting, equations: &'a Equations, listed: &'a Listed<'a>, phase: &Phase) -> Writer<'a> {
+        let coordinate = &equations.coordinates[0];
+        let q = coordinate.symbols.map(|s| Layout::Symbol(set.printer.identifier(equations.graph.symbol_info(s))));
+        let unit = coordinate.unit.clone();
+        let rate = if unit == "1" { "1/s".to_owned() } else { format!("{unit}/s") };
+        let plain = |t: &&Term| t.power == 0 && t.rate.re == 0.0;
+        let rest = listed.mode.oscillator.load.0.iter().filter(|t| !plain(t)).copied().collect();
+        let state = [phase.state_at_start[0], phase.state_at_start[1]];
+        Writer { set, listed, q, units: [unit, rate], start: phase.start, state, rest: Load(rest) }
+    }
+
+    fn line(&self, parts: Vec<Layout>) -> Block {
+        Block::Equation { formula: self.set.chain(parts), numbered: false }
+    }
+    fn letter(&self, name: &str) -> Layout {
+        self.set.letter(name)
+    }
+    fn words(&self, en: &str, ru: &str) -> Block {
+        Block::paragraph(self.set.language.pick(en, ru).to_owned())
+    }
+
+    /// `same`: the system is that of the phase before, and its constants were written there.
+    fn solution(&self, same: bool) -> Vec<Block> {
+        let mut blocks = vec![self.equation(false), self.equation(true)];
+        if !same {
+            blocks.extend(self.system());
+        }
+        for (i, forcing) in self.listed.forcing.iter().enumerate() {
+            blocks.extend(self.forced(forcing, self.index(i)));
+        }
+        blocks.extend(self.statics());
+        blocks.push(self.words("General solution:", "Общее решение:"));
+        blocks.push(self.line(vec![self.q[0].clone(), self.general()]));
+        if self.start > 0.0 {
+            blocks.push(self.line(vec![self.letter("τ"), minus(self.letter("t"), self.set.size(self.start))]));
+        }
+        blocks.extend(self.constants());
+        blocks.push(self.words("The motion on this phase:", "Движение на этом этапе:"));
+        blocks.push(self.line(vec![self.q[0].clone(), self.numeric()]));
+        blocks
+    }
+
+    /// Index of a harmonic when there are several.
+    fn index(&self, i: usize) -> String {
+        if self.listed.forcing.len() > 1 { (i + 1).to_string() } else { String::new() }
+    }
+
+    /// a q'' + b q' + c q = H sin pt, in letters or in numbers.
+    fn equation(&self, numbers: bool) -> Block {
+        let o = &self.listed.mode.oscillator;
+        let a = self.listed.inertia;
+        let coefficients = [("a", a, 2), ("b", 2.0 * o.n * a, 1), ("c", o.k2 * a, 0)];
+        let left = coefficients.iter().filter(|(_, x, _)| *x != 0.0).map(|(name, x, order)| {
+            let q = self.q[*order].clone();
+            if numbers { self.set.term(*x, vec![q]) } else { (Sign::Plus, product(vec![self.letter(name), q])) }
+        });
+        let mut right = Vec::new();
+        for (i, f) in self.listed.forcing.iter().enumerate() {
+            let index = self.index(i);
+            let wave = self.wave(f, &index, numbers, 0.0);
+            let size = a * f.harmonic.h;
+            right.push(if numbers {
+                self.set.term(size, vec![wave])
+            } else {
+                (Sign::Plus, product(vec![self.letter(&format!("H{index}")), wave]))
+            });
+        }
+        let constant = a * self.constant();
+        if constant != 0.0 {
+            right.push(if numbers { self.set.term(constant, vec![]) } else { (Sign::Plus, self.letter("F_0")) });
+        }
+        if !self.rest.is_zero() {
+            let terms = self.load_terms(&self.rest, a);
+            right.extend(if numbers { terms } else { vec![(Sign::Plus, self.function("f"))] });
+        }
+        if right.is_empty() {
+            right.push((Sign::Plus, whole(0)));
+        }
+        self.line(vec![Layout::Sum(left.collect()), Layout::Sum(right)])
+    }
+
+    fn function(&self, name: &str) -> Layout {
+        Layout::Row(vec![self.letter(name), fence(self.letter("τ"))])
+    }
+
+    fn constant(&self) -> f64 {
+        let terms = self.listed.mode.oscillator.load.0.iter().filter(|t| t.power == 0 && t.rate.re == 0.0 && t.rate.im == 0.0);
+        terms.map(|t| t.factor.re).sum()
+    }
+
+    /// sin(p t + δ - lag).
+    fn wave(&self, f: &Forcing, index: &str, numbers: bool, lag: f64) -> Layout {
+        let clock = self.letter(if f.clock == Clock::Phase { "τ" } else { "t" });
+        let p = if numbers { self.set.size(f.harmonic.p) } else { self.letter(&format!("p{index}")) };
+        let angle = product(vec![p, clock]);
+        let mut terms = vec![(Sign::Plus, angle)];
+        if f.delta != 0.0 {
+            terms.push(if numbers { self.set.term(f.delta, vec![]) } else { (Sign::Plus, self.letter(&format!("delta{index}"))) });
+        }
+        if lag != 0.0 {
+            terms.push(if numbers { self.set.term(-lag, vec![]) } else { (Sign::Minus, self.letter(&format!("epsilon{index}"))) });
+        }
+        let argument = if terms.len() == 1 { terms.remove(0).1 } else { Layout::Sum(terms) };
+        self.set.wave("sin", argument)
+    }
+
+    /// n, k, the kind of damping, k1 or the roots.
+    fn system(&self) -> Vec<Block> {
+        let (set, o, c) = (self.set, &self.listed.mode.oscillator, &self.listed.constants);
+        let a = self.listed.inertia;
+        let mut blocks = vec![self.line(vec![
+            self.letter("n"),
+            fraction(self.letter("b"), product(vec![whole(2), self.letter("a")])),
+            fraction(set.number(2.0 * o.n * a), product(vec![whole(2), set.size(a)])),
+            set.result(o.n, "1/s"),
+        ])];
+        if o.k2 >= 0.0 {
+            blocks.push(self.line(vec![
+                self.letter("k"),
+                root(fraction(self.letter("c"), self.letter("a"))),
+                root(fraction(set.size(o.k2 * a), set.size(a))),
+                set.result(o.k2.sqrt(), "rad/s"),
+            ]));
+        }
+        let (en, ru) = match c.case {
+            Case::Undamped => ("n = 0: no damping.", "n = 0: сопротивления нет."),
+            Case::Underdamped => ("n < k: small damping, decaying oscillations.", "n < k: малое сопротивление, затухающие колебания."),
+            Case::Critical => ("n = k: critical damping.", "n = k: критическое (граничное) сопротивление."),
+            Case::Overdamped => ("n > k: large damping, aperiodic motion.", "n > k: большое сопротивление, апериодическое движение."),
+            Case::Free => ("c = 0: nothing pulls back to the equilibrium.", "c = 0: восстанавливающей силы нет."),
+            Case::Unstable => ("c < 0: the equilibrium is unstable.", "c < 0: положение равновесия неустойчиво."),
+        };
+        blocks.push(self.words(en, ru));
+        let (n2, k2) = (square(self.letter("n")), square(self.letter("k")));
+        let k = o.k2.max(0.0).sqrt();
+        match c.case {
+            Case::Underdamped => {
+                let numbers = minus(square(set.size(k)), square(set.factor(o.n)));
+                blocks.push(self.line(vec![self.letter("k1"), root(minus(k2, n2)), root(numbers), set.result(c.k1, "rad/s")]));
+                let period = std::f64::consts::TAU / c.k1;
+                let two_pi = product(vec![whole(2), self.letter("π")]);
+                blocks.push(self.line(vec![self.letter("T1"), fraction(two_pi, self.letter("k1")), set.result(period, "s")]));
+                let decrement = product(vec![self.letter("n"), self.letter("T1")]);
+                blocks.push(self.line(vec![self.letter("Λ"), decrement, set.result(o.n * period, "1")]));
+            }
+            Case::Overdamped => {
+                let numbers = minus(square(set.factor(o.n)), square(set.size(k)));
+                blocks.push(self.line(vec![self.letter("k1"), root(minus(n2, k2)), root(numbers), set.result(c.k1, "1/s")]));
+                blocks.push(self.line(vec![
+                    self.letter("r1"),
+                    Layout::Sum(vec![(Sign::Minus, self.letter("n")), (Sign::Plus, self.letter("k1"))]),
+                    set.result(c.roots[0].re, "1/s"),
+                ]));
+                blocks.push(self.line(vec![
+                    self.letter("r2"),
+                    Layout::Sum(vec![(Sign::Minus, self.letter("n")), (Sign::Minus, self.letter("k1"))]),
+                    set.result(c.roots[1].re, "1/s"),
+                ]));
+            }
+            Case::Free | Case::Unstable if c.roots[0] != c.roots[1] => {
+                blocks.push(self.line(vec![self.letter("r1"), set.result(c.roots[0].re, "1/s")]));
+                blocks.push(self.line(vec![self.letter("r2"), set.result(c.roots[1].re, "1/s")]));
+            }
+            _ => {}
+        }
+        blocks
+    }
+
+    /// h, D and ε of a harmonic.
+    fn forced(&self, f: &Forcing, index: String) -> Vec<Block> {
+        let (set, o, a) = (self.set, &self.listed.mode.oscillator, self.listed.inertia);
+        let letter = |name: &str| self.letter(&format!("{name}{index}"));
+        let (h, p, k) = (f.harmonic.h, f.harmonic.p, o.k2.max(0.0).sqrt());
+        let unit = if self.units[0] == "1" { "1/s^2".to_owned() } else { format!("{}/s^2", self.units[0]) };
+        let mut blocks = vec![self.line(vec![
+            letter("h"),
+            fraction(letter("H"), self.letter("a")),
+            fraction(set.size(a * h), set.size(a)),
+            set.result(h, &unit),
+        ])];
+        let Some(amplitude) = f.harmonic.amplitude else {
+            blocks.push(self.words(
+                "p = k without damping: resonance, the forced motion grows in proportion to time.",
+                "p = k без сопротивления: резонанс, вынужденные колебания растут пропорционально времени.",
+            ));
+            return blocks;
+        };
+        let difference = minus(square(self.letter("k")), square(letter("p")));
+        let damping = product(vec![whole(4), square(self.letter("n")), square(letter("p"))]);
+        let numbers = minus(square(set.size(k)), square(set.size(p)));
+        let damping_number = product(vec![whole(4), square(set.factor(o.n)), square(set.size(p))]);
+        if o.n == 0.0 {
+            let bars = |x: Layout| Layout::Fence(report::formula::Bracket::Bar, Box::new(x));
+            blocks.push(self.line(vec![
+                letter("D"),
+                fraction(letter("h"), bars(difference)),
+                fraction(set.size(h), bars(numbers)),
+                set.result(amplitude, &self.units[0]),
+            ]));
+            let (en, ru) = if p > k {
+                (
+                    "p > k: the forced motion is opposite to the load, ε = π.",
+                    "p > k: вынужденные колебания в противофазе с нагрузкой, ε = π.",
+                )
+            } else {
+                ("p < k: the forced motion follows the load, ε = 0.", "p < k: вынужденные колебания в фазе с нагрузкой, ε = 0.")
+            };
+            blocks.push(self.words(en, ru));
+            return blocks;
+        }
+        blocks.push(self.line(vec![
+            letter("D"),
+            fraction(letter("h"), root(plus(vec![square(fence(difference.clone())), damping]))),
+            fraction(set.size(h), root(plus(vec![square(fence(numbers.clone())), damping_number]))),
+            set.result(amplitude, &self.units[0]),
+        ]));
+        let tangent = Layout::Row(vec![Layout::Words(set.language.pick("tan ", "tg ").into()), letter("epsilon")]);
+        blocks.push(self.line(vec![
+            tangent,
+            fraction(product(vec![whole(2), self.letter("n"), letter("p")]), difference),
+            fraction(product(vec![whole(2), set.factor(o.n), set.size(p)]), numbers),
+        ]));
+        blocks.push(self.line(vec![letter("epsilon"), set.result(f.harmonic.lag, "rad")]));
+        blocks
+    }
+
+    fn statics(&self) -> Vec<Block> {
+        let (set, o) = (self.set, &self.listed.mode.oscillator);
+        let (a, constant) = (self.listed.inertia, self.constant());
+        if constant == 0.0 || o.k2 == 0.0 {
+            return Vec::new();
+        }
+        vec![self.line(vec![
+            self.static_letter(),
+            fraction(self.letter("F_0"), self.letter("c")),
+            fraction(set.number(a * constant), set.number(a * o.k2)),
+            set.result(constant / o.k2, &self.units[0]),
+        ])]
+    }
+
+    fn static_letter(&self) -> Layout {
+        self.letter(self.set.language.pick("q_st", "q_ст"))
+    }
+
+    /// The parts of the forced motion, in letters: D sin(pt - ε), the static one, the rest.
+    fn forced_terms(&self) -> Vec<(Sign, Layout)> {
+        let mut terms = Vec::new();
+        for (i, f) in self.listed.forcing.iter().enumerate() {
+            let index = self.index(i);
+            if f.harmonic.amplitude.is_some() {
+                let wave = self.wave(f, &index, false, f.harmonic.lag);
+                terms.push((Sign::Plus, product(vec![self.letter(&format!("D{index}")), wave])));
+            }
+        }
+        let static_part = self.constant() != 0.0 && self.listed.mode.oscillator.k2 != 0.0;
+        terms.extend(static_part.then(|| (Sign::Plus, self.static_letter())));
+        terms.extend((!self.other_forced().is_zero()).then(|| (Sign::Plus, self.function("f_*"))));
+        terms
+    }
+
+    /// What the forced motion has besides D sin(pt - ε) and the static displacement.
+    fn other_forced(&self) -> Load {
+        let o = &self.listed.mode.oscillator;
+        let shown = |t: &Term| {
+            let harmonic = self.listed.forcing.iter().any(|f| f.harmonic.amplitude.is_some() && f.harmonic.p == t.rate.im.abs());
+            t.power == 0 && t.rate.re == 0.0 && (harmonic || t.rate.im == 0.0 && o.k2 != 0.0)
+        };
+        Load(self.listed.constants.forced.0.iter().filter(|t| !shown(t)).copied().collect())
+    }
+
+    fn general(&self) -> Layout {
+        let tau = || self.letter(if self.start > 0.0 { "τ" } else { "t" });
+        let (c1, c2) = (self.letter("C1"), self.letter("C2"));
+        let decay = || exponential(negative(product(vec![self.letter("n"), tau()])));
+        let free = match self.listed.constants.case {
+            Case::Undamped | Case::Underdamped => {
+                let k1 = if self.listed.constants.case == Case::Undamped { "k" } else { "k1" };
+                let angle = || product(vec![self.letter(k1), tau()]);
+                let waves = vec![
+                    (Sign::Plus, product(vec![c1, self.set.wave("cos", angle())])),
+                    (Sign::Plus, product(vec![c2, self.set.wave("sin", angle())])),
+                ];
+                if self.listed.constants.case == Case::Undamped {
+                    waves
+                } else {
+                    vec![(Sign::Plus, product(vec![decay(), fence(Layout::Sum(waves))]))]
+                }
+            }
+            Case::Critical => vec![(Sign::Plus, product(vec![decay(), fence(plus(vec![c1, product(vec![c2, tau()])]))]))],
+            _ if self.listed.constants.roots[0] == self.listed.constants.roots[1] => {
+                vec![(Sign::Plus, c1), (Sign::Plus, product(vec![c2, tau()]))]
+            }
+            _ => {
+                let e = |r: &str| exponential(product(vec![self.letter(r), tau()]));
+                vec![(Sign::Plus, product(vec![c1, e("r1")])), (Sign::Plus, product(vec![c2, e("r2")]))]
+            }
+        };
+        Layout::Sum(free.into_iter().chain(self.forced_terms()).collect())
+    }
+
+    /// C1 and C2 from the state at the start of the phase.
+    fn constants(&self) -> Vec<Block> {
+        let (set, c, o) = (self.set, &self.listed.constants, &self.listed.mode.oscillator);
+        let [q0, v0] = self.state;
+        let (f0, w0) = (c.forced.at(0.0), c.forced.derivative().at(0.0));
+        let zero = if self.start > 0.0 { "τ = 0" } else { "t = 0" };
+        let mut blocks = vec![self.words(
+            &format!("Constants from the state at {zero}, A and B being displacement and rate of the free motion there, q_f the forced motion:"),
+            &format!("Постоянные из состояния при {zero}; A и B — отклонение и скорость свободного движения в этот момент, q_в — вынужденное движение:"),
+        )];
+        let difference =
+            |x: f64, y: f64| Layout::Sum(vec![(if x < 0.0 { Sign::Minus } else { Sign::Plus }, set.size(x)), set.term(-y, vec![])]);
+        let at = |name: &str| self.letter(name);
+        blocks.push(self.line(vec![
+            at("A"),
+            minus(self.initial(0), at(set.language.pick("q_f", "q_в"))),
+            difference(q0, f0),
+            set.result(q0 - f0, &self.units[0]),
+        ]));
+        blocks.push(self.line(vec![
+            at("B"),
+            minus(self.initial(1), at(set.language.pick("q_f'", "q_в'"))),
+            difference(v0, w0),
+            set.result(v0 - w0, &self.units[1]),
+        ]));
+        let (a, b) = (q0 - f0, v0 - w0);
+        let [c1, c2] = c.free;
+        let n_a = || product(vec![at("n"), at("A")]);
+        let n_a_number = || product(vec![set.factor(o.n), set.factor(a)]);
+        let sum_number = || Layout::Sum(vec![(if b < 0.0 { Sign::Minus } else { Sign::Plus }, set.size(b)), (Sign::Plus, n_a_number())]);
+        match c.case {
+            Case::Undamped | Case::Underdamped => {
+                let (top, top_number) = if o.n == 0.0 { (at("B"), set.number(b)) } else { (plus(vec![at("B"), n_a()]), sum_number()) };
+                let k1 = if c.case == Case::Undamped { "k" } else { "k1" };
+                blocks.push(self.line(vec![at("C1"), at("A"), set.result(c1, &self.units[0])]));
+                blocks.push(self.line(vec![
+                    at("C2"),
+                    fraction(top, at(k1)),
+                    fraction(top_number, set.size(c.k1)),
+                    set.result(c2, &self.units[0]),
+                ]));
+            }
+            _ if c.roots[0] == c.roots[1] => {
+                blocks.push(self.line(vec![at("C1"), at("A"), set.result(c1, &self.units[0])]));
+                blocks.push(self.line(vec![at("C2"), plus(vec![at("B"), n_a()]), sum_number(), set.result(c2, &self.units[1])]));
+            }
+            _ => {
+                let (r1, r2) = (c.roots[0].re, c.roots[1].re);
+                let top = minus(at("B"), product(vec![at("r2"), at("A")]));
+                let top_number = minus(set.number(b), product(vec![set.factor(r2), set.factor(a)]));
+                let below = minus(at("r1"), at("r2"));
+                blocks.push(self.line(vec![
+                    at("C1"),
+                    fraction(top, below),
+                    fraction(top_number, set.number(r1 - r2)),
+                    set.result(c1, &self.units[0]),
+                ]));
+                blocks.push(self.line(vec![at("C2"), minus(at("A"), at("C1")), set.result(c2, &self.units[0])]));
+            }
+        }
+        blocks
+    }
+
+    /// q(0) or q'(0) of the phase.
+    fn initial(&self, order: usize) -> Layout {
+        Layout::Row(vec![self.q[order].clone(), fence(whole(0))])
+    }
+
+    /// The solution with its numbers.
+    fn numeric(&self) -> Layout {
+        let (set, c, o) = (self.set, &self.listed.constants, &self.listed.mode.oscillator);
+        let tau = || self.letter(if self.start > 0.0 { "τ" } else { "t" });
+        let [c1, c2] = c.free;
+        let decay = |rate: f64| exponential(Layout::Sum(vec![set.term(rate, vec![tau()])]));
+        let mut terms = match c.case {
+            Case::Undamped | Case::Underdamped => {
+                let angle = || product(vec![set.size(c.k1), tau()]);
+                let waves = vec![set.term(c1, vec![set.wave("cos", angle())]), set.term(c2, vec![set.wave("sin", angle())])];
+                if o.n == 0.0 { waves } else { vec![(Sign::Plus, product(vec![decay(-o.n), fence(Layout::Sum(waves))]))] }
+            }
+            _ if c.roots[0] == c.roots[1] => {
+                let inner = vec![set.term(c1, vec![]), set.term(c2, vec![tau()])];
+                if o.n == 0.0 { inner } else { vec![(Sign::Plus, product(vec![decay(-o.n), fence(Layout::Sum(inner))]))] }
+            }
+            _ => vec![set.term(c1, vec![decay(c.roots[0].re)]), set.term(c2, vec![decay(c.roots[1].re)])],
+        };
+        for f in &self.listed.forcing {
+            if let Some(amplitude) = f.harmonic.amplitude {
+                terms.push(set.term(amplitude, vec![self.wave(f, "", true, f.harmonic.lag)]));
+            }
+        }
+        let constant = self.constant();
+        if constant != 0.0 && o.k2 != 0.0 {
+            terms.push(set.term(constant / o.k2, vec![]));
+        }
+        terms.extend(self.load_terms(&self.other_forced(), 1.0));
+        Layout::Sum(terms)
+    }
+
+    /// factor · Σ c τ^k e^(στ) cos(pτ + δ) with numbers.
+    fn load_terms(&self, load: &Load, factor: f64) -> Vec<(Sign, Layout)> {
+        let set = self.set;
+        let tau = || self.letter(if self.start > 0.0 { "τ" } else { "t" });
+        let mut terms = Vec::new();
+        for t in load.0.iter().filter(|t| t.rate.im >= 0.0) {
+            let mut parts = match t.power {
+                0 => vec![],
+                1 => vec![tau()],
+                n => vec![power(tau(), n)],
+            };
+            if t.rate.re != 0.0 {
+                parts.push(exponential(Layout::Sum(vec![set.term(t.rate.re, vec![tau()])])));
+            }
+            let size = if t.rate.im == 0.0 {
+                t.factor.re
+            } else {
+                let angle = product(vec![set.size(t.rate.im), tau()]);
+                parts.push(set.wave("cos", set.shifted(angle, t.factor.arg())));
+                2.0 * t.factor.abs()
+            };
+            terms.push(set.term(factor * size, parts));
+        }
+        terms
+    }
+}
