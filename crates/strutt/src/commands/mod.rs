@@ -13,6 +13,7 @@ mod response;
 mod run;
 mod simulate;
 mod study;
+mod sweep;
 mod transient;
 
 use crate::args::Command;
@@ -45,6 +46,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Sweep(args) => sweep::run(&args, console),
         Command::Periodic(args) => periodic::run(&args, console),
         Command::Response(args) => response::run(&args, console),
         Command::Modes(args) => modes::run(&args, console),
