@@ -103,7 +103,7 @@ impl Machine {
             needs_accelerations: reads_accelerations(observed.tape()),
             observed,
             forces: bound.evaluator(&bound.program().forces)?,
-            conditions: Conditions::new(equations, &bound, &program.guards)?,
+            conditions: Conditions::new(equations, &bound)?,
             shown: (0..program.outputs.roots.len()).collect(),
             energy: bound.evaluator(&bound.program().energy)?,
             second: general.evaluator(&program.second)?,
