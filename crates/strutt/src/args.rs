@@ -52,8 +52,12 @@ pub enum Command {
     Transient(Simulate),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
+    /// Show the properties of the sections of a file
+    Section(Section),
     /// Find the exact periodic regime: period, multipliers, motion over one period
     Periodic(Periodic),
+    /// Repeat a study over values of parameters
+    Sweep(Sweep),
     /// Find natural frequencies and shapes of small motions
     Modes(Modes),
     /// Find reactions and internal forces at rest
@@ -78,6 +82,9 @@ pub struct Model {
     /// Replace a parameter (m="10 g"), a start (phi=0.1) or a starting rate ("phi'=30")
     #[arg(long = "set", value_name = "NAME=QUANTITY")]
     pub overrides: Vec<String>,
+    /// Take the values of this row of the table of variants; --set counts more
+    #[arg(long, value_name = "NAME")]
+    pub variant: Option<String>,
 }
 
 #[derive(Args, Debug)]
@@ -218,6 +225,18 @@ pub enum Normalise {
 }
 
 #[derive(Args, Debug)]
+pub struct Section {
+    #[command(flatten)]
+    pub model: Model,
+    /// One section only
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+    /// Also write drawings and a table into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
 pub struct Periodic {
     #[command(flatten)]
     pub model: Model,
@@ -241,6 +260,24 @@ pub struct Periodic {
     pub wanted_period: Option<String>,
     #[command(flatten)]
     pub table: Table,
+}
+
+#[derive(Args, Debug)]
+pub struct Sweep {
+    #[command(flatten)]
+    pub model: Model,
+    /// Values of a parameter or start: v=linspace(1 m/s, 3 m/s, 21), c=logspace(1 N/m, 1 kN/m, 4), m=1 kg, 2 kg; may be repeated
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub over: Vec<String>,
+    /// What is noted: period, multipliers.1.abs, events, max(x), min(x), amplitude(x), mean(x), last(x)
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub observe: Option<Vec<String>>,
+    /// The study that is repeated, when the file has several
+    #[arg(long, value_name = "STUDY")]
+    pub of: Option<String>,
+    /// Also write tables, plots and a page into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 /// What a table of results shall hold.
