@@ -894,4 +894,14 @@ pub const LINEAR: &[Explanation] = &[
         "range = [\"100 rad/s\", \"1 rad/s\"]",
         "range = [\"1 rad/s\", \"100 rad/s\"]",
     ),
+    row(
+        "M094",
+        ("an unknown with a formula", "неизвестное с формулой"),
+        (
+            "The parameters in [unknowns] are found from statics so that the start is a place of rest. Their values are guesses, plain quantities.",
+            "Параметры из [unknowns] находятся из условий равновесия в начальном положении. Их значения — начальные приближения, простые величины.",
+        ),
+        "[unknowns]\nM = \"m*g*l\"",
+        "[unknowns]\nM = \"2 N m\"",
+    ),
 ];

@@ -216,6 +216,17 @@ pub const TOP: TableSpec = TableSpec {
             "[\"0\", \"0\", \"-g\"]",
         ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
+        may(
+            "unknowns",
+            Type::Table,
+            "",
+            "",
+            (
+                "parameters found from statics so that the start is a place of rest; the values are guesses",
+                "параметры, которые находятся из условий равновесия в начальном положении; значения — приближения",
+            ),
+            "",
+        ),
         may("coordinates", Type::Table, "", "", ("generalized coordinates", "обобщённые координаты"), ""),
         may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
         may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),

@@ -53,6 +53,8 @@ pub struct Model {
     pub sections: Vec<crate::section::Section>,
     /// Ends of the phases of the load schedule, ascending, s. What the phases set is already a formula of time.
     pub phases: Vec<f64>,
+    /// Parameters that are found so that the start is a place of rest; their numbers are guesses.
+    pub unknowns: Vec<SymbolId>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
     /// Frame or truss, when the file has nodes.
@@ -517,6 +519,8 @@ pub enum StudyKind {
     Equilibrium {
         /// Initial guess of coordinates, SI; the start value for those not named.
         guess: Vec<(SymbolId, f64)>,
+        /// Find all equilibria with a coordinate between two values.
+        over: Option<Between>,
     },
     /// Compute a motion.
     Simulate(Simulate),
@@ -653,6 +657,17 @@ pub struct SweepRange {
     pub name: String,
     /// Values, SI.
     pub values: Vec<f64>,
+}
+
+/// A coordinate between two values, SI.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Between {
+    /// The coordinate.
+    pub coordinate: SymbolId,
+    /// Least value.
+    pub from: f64,
+    /// Largest value.
+    pub to: f64,
 }
 
 /// Natural frequencies and shapes about an equilibrium.

@@ -167,6 +167,12 @@ pub struct Equilibrium {
     /// Where to look for the equilibrium: phi=0.1
     #[arg(long = "guess", value_name = "NAME=QUANTITY")]
     pub guess: Vec<String>,
+    /// Find all equilibria with this coordinate in a range
+    #[arg(long, value_name = "NAME", requires = "range")]
+    pub over: Option<String>,
+    /// The range: "-180 deg,180 deg"
+    #[arg(long, value_name = "FROM,TO", requires = "over", allow_hyphen_values = true)]
+    pub range: Option<String>,
 }
 
 #[derive(Args, Debug)]

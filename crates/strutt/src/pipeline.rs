@@ -14,7 +14,7 @@ use analysis::dataset::Audit;
 use analysis::studies::transient::{Found, Phase, Transient};
 use analysis::studies::{self, simulate::Outcome};
 use mechanics::derive::Detail;
-use mechanics::model::{Simulate, StudyKind};
+use mechanics::model::{Between, Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
 use report::formula::{Form, Printer};
 use report::{Document, Language};
@@ -112,7 +112,8 @@ pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail,
     let mut reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
     crate::structure::mount::mount(&mut reading.model)?;
     watch.lap(Word::TimeRead);
-    let equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
+    let mut equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
+    crate::small::solve_unknowns(&reading.model, &mut equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeDerive);
     let system = lower(&equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeLower);
@@ -137,7 +138,7 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
         StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Cycle(_) => None,
         StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
-        StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
+        StudyKind::Equilibrium { guess, over } => Some(equilibrium_over(machine, guess, *over, watch)),
         StudyKind::Statics => crate::structure::statics(machine),
         StudyKind::Response(study) => Some(response(machine, study, watch)),
         StudyKind::Transient(study) => {
@@ -189,10 +190,19 @@ pub fn transient(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> 
 
 /// Positions of equilibrium, from the start of the motion and from a guess.
 pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut Watch) -> Finding {
+    equilibrium_over(machine, guess, None, watch)
+}
+
+/// The same, or all with a coordinate between two values.
+pub fn equilibrium_over(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>, watch: &mut Watch) -> Finding {
     let outcome = match machine.system.start() {
         Ok(start) => {
-            let options = plan::guesses(&machine.equations, &start, guess);
-            studies::equilibrium::equilibrium(&mut machine.system, &start, &options)
+            let mut options = plan::guesses(&machine.equations, &start, guess);
+            options.over = over.and_then(|between| plan::range(&machine.equations, between));
+            let mut outcome = studies::equilibrium::equilibrium(&mut machine.system, &start, &options);
+            crate::small::add_roots(machine, &mut outcome.dataset);
+            outcome.dataset.notes.extend(crate::small::unknown_notes(machine));
+            outcome
         }
         Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
     };

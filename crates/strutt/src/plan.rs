@@ -189,6 +189,12 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
     }
 }
 
+/// A range of a coordinate by its index.
+pub fn range(equations: &Equations, between: mechanics::model::Between) -> Option<analysis::studies::equilibrium::Range> {
+    let coordinate = equations.coordinates.iter().position(|c| c.symbols[0] == between.coordinate)?;
+    Some(analysis::studies::equilibrium::Range { coordinate, from: between.from, to: between.to })
+}
+
 /// The start of the motion with some coordinates replaced, as a place to search from.
 pub fn guesses(equations: &Equations, start: &[f64], guess: &[(SymbolId, f64)]) -> analysis::studies::equilibrium::Equilibrium {
     let mut place = start[..equations.coordinates.len().min(start.len())].to_vec();
@@ -198,5 +204,5 @@ pub fn guesses(equations: &Equations, start: &[f64], guess: &[(SymbolId, f64)]) 
         }
     }
     let guesses = if guess.is_empty() { Vec::new() } else { vec![place] };
-    analysis::studies::equilibrium::Equilibrium { guesses }
+    analysis::studies::equilibrium::Equilibrium { guesses, ..Default::default() }
 }

@@ -72,6 +72,20 @@ pub fn guess(list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec
     Ok(found)
 }
 
+/// A coordinate and the ends of its range, `-180 deg,180 deg`.
+pub fn between(name: &str, text: &str, machine: &strutt::pipeline::Machine) -> Result<mechanics::model::Between, Failure> {
+    let separator = if text.contains(';') { ';' } else { ',' };
+    let ends: Vec<String> = text.split(separator).map(|end| format!("{}={}", name, end.trim())).collect();
+    let values = guess(&ends, machine)?;
+    match values[..] {
+        [(coordinate, from), (_, to)] if from < to => Ok(mechanics::model::Between { coordinate, from, to }),
+        _ => {
+            let what = Text::new("two values are needed, the first smaller", "нужны два значения, первое меньше второго");
+            Err(bad("--range", text, &what, &Text::default()))
+        }
+    }
+}
+
 fn not_finite() -> Text {
     Text::new("the value is not finite", "значение не конечно")
 }

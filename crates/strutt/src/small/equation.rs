@@ -75,7 +75,9 @@ fn numbers(machine: &Machine) -> Vec<(SymbolId, Expr)> {
         ParameterValue::Number { si } => Some((p.symbol, si)),
         ParameterValue::Formula(_) => None,
     };
-    machine.model.parameters.iter().filter_map(number).collect()
+    // a number that was found has no exact form
+    let known = |p: &&mechanics::model::ParameterDecl| !machine.model.unknowns.contains(&p.symbol);
+    machine.model.parameters.iter().filter(known).filter_map(number).collect()
 }
 
 /// Highest power first. In the user's variable whole numbers; in ω² decimals with the leading coefficient 1 when these are shorter.

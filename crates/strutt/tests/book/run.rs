@@ -141,7 +141,7 @@ impl Command {
             "simulate" => self.simulate(&mut machine, claims),
             "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
-            "modes" | "response" => Ok(self.fields(&mut machine)),
+            "modes" | "response" | "equilibria" => Ok(self.fields(&mut machine)),
             "section" => {
                 let found = machine.model.sections.iter().find(|s| s.name == self.name).cloned();
                 found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
@@ -208,14 +208,26 @@ impl Command {
     fn fields(&self, machine: &mut Machine) -> Outcome {
         let of_file = machine.model.studies.iter().map(|s| s.kind.clone()).find(|kind| match kind {
             StudyKind::Modes(_) => self.verb == "modes",
+            StudyKind::Equilibrium { .. } => self.verb == "equilibria",
             StudyKind::Response(_) => self.verb == "response",
             _ => false,
         });
-        let usual = if self.verb == "modes" { StudyKind::Modes(Modes::default()) } else { StudyKind::Response(Response::default()) };
+        let usual = match self.verb.as_str() {
+            "modes" => StudyKind::Modes(Modes::default()),
+            "equilibria" => StudyKind::Equilibrium { guess: Vec::new(), over: None },
+            _ => StudyKind::Response(Response::default()),
+        };
         match pipeline::study(machine, &of_file.unwrap_or(usual), &mut Watch::default()) {
             Some(finding) => match finding.trouble() {
                 Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
-                None => Outcome::Fields { own: strutt::folder::own_fields(&finding).into(), data: finding.data().clone() },
+                None => {
+                    let data = finding.data().clone();
+                    let mut own = strutt::folder::own_fields(&finding);
+                    let parameters: serde_json::Map<String, serde_json::Value> =
+                        data.provenance.parameters.iter().map(|p| (p.quantity.name.clone(), p.value.into())).collect();
+                    own.insert("parameters".into(), parameters.into());
+                    Outcome::Fields { own: own.into(), data }
+                }
             },
             None => Outcome::Trouble { code: "", what: "no study".into() },
         }

@@ -142,7 +142,7 @@ fn parameter(reader: &mut Reader, name: &str, span: Range<usize>) -> Option<Opti
     None
 }
 
-fn bad_range(span: Range<usize>, from: f64, to: f64) -> Fault {
+pub(super) fn bad_range(span: Range<usize>, from: f64, to: f64) -> Fault {
     Fault::new("M093", span, format!("the range {from} ... {to} has no meaning"), format!("диапазон {from} ... {to} не имеет смысла"))
         .why("it must ascend, and frequencies are not negative", "границы должны возрастать, а частоты неотрицательны")
         .help("write range = [\"1 rad/s\", \"100 rad/s\"]", "напишите range = [\"1 рад/с\", \"100 рад/с\"]")
