@@ -132,6 +132,8 @@ const VALUES: &[(&str, &str)] = &[
     ("FORMAT", "full|short"),
     ("FORM", "text|latex|mathml"),
     ("FORMULA", "ФОРМУЛА"),
+    ("RANGE", "ЗНАЧЕНИЯ"),
+    ("STUDY", "РАСЧЁТ"),
     ("FROM,TO", "ОТ,ДО"),
     ("SCALE", "largest|first|mass"),
 ];
@@ -184,6 +186,13 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("simulate.outputs", "Столбцы по именам, в этом порядке: phi,phi',omega_p"),
     (".halve_tolerance", "Повторить каждый расчёт с половинной точностью шага и показать расхождение"),
     ("simulate.out", "Записать также таблицы, графики и страницу в эту папку"),
+    ("sweep", "Повторить расчёт для ряда значений параметров"),
+    (
+        "sweep.over",
+        "Значения параметра или начального условия: v=linspace(1 м/с, 3 м/с, 21), c=logspace(1 Н/м, 1 кН/м, 4), \"m=1 кг; 2 кг\"; ключ можно повторять",
+    ),
+    ("sweep.observe", "Что записывать: period, multipliers.1.abs, events, max(x), min(x), amplitude(x), mean(x), last(x)"),
+    ("sweep.of", "Повторяемый расчёт, если в файле их несколько"),
     ("periodic.section", "Начало периода: угол (один оборот) или формула, переходящая через нуль снизу вверх"),
     ("periodic.turns", "Число оборотов угла за период"),
     ("periodic.period", "Период вынужденного движения"),

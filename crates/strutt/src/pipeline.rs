@@ -134,7 +134,8 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Cycle(_) | StudyKind::Sweep(_) => None,
+        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Cycle(_) => None,
+        StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
         StudyKind::Statics => crate::structure::statics(machine),
