@@ -138,6 +138,7 @@ impl Command {
             "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
             "modes" | "response" => Ok(self.fields(&mut machine)),
+            "statics" if machine.model.structure.is_some() => Ok(self.fields(&mut machine)),
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),
@@ -201,9 +202,14 @@ impl Command {
         let of_file = machine.model.studies.iter().map(|s| s.kind.clone()).find(|kind| match kind {
             StudyKind::Modes(_) => self.verb == "modes",
             StudyKind::Response(_) => self.verb == "response",
+            StudyKind::Statics => self.verb == "statics",
             _ => false,
         });
-        let usual = if self.verb == "modes" { StudyKind::Modes(Modes::default()) } else { StudyKind::Response(Response::default()) };
+        let usual = match self.verb.as_str() {
+            "modes" => StudyKind::Modes(Modes::default()),
+            "statics" => StudyKind::Statics,
+            _ => StudyKind::Response(Response::default()),
+        };
         match pipeline::study(machine, &of_file.unwrap_or(usual), &mut Watch::default()) {
             Some(finding) => match finding.trouble() {
                 Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
