@@ -146,6 +146,7 @@ impl Command {
                 let found = machine.model.sections.iter().find(|s| s.name == self.name).cloned();
                 found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
             }
+            "statics" if machine.model.structure.is_some() => Ok(self.fields(&mut machine)),
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),
@@ -210,11 +211,13 @@ impl Command {
             StudyKind::Modes(_) => self.verb == "modes",
             StudyKind::Equilibrium { .. } => self.verb == "equilibria",
             StudyKind::Response(_) => self.verb == "response",
+            StudyKind::Statics => self.verb == "statics",
             _ => false,
         });
         let usual = match self.verb.as_str() {
             "modes" => StudyKind::Modes(Modes::default()),
             "equilibria" => StudyKind::Equilibrium { guess: Vec::new(), over: None },
+            "statics" => StudyKind::Statics,
             _ => StudyKind::Response(Response::default()),
         };
         match pipeline::study(machine, &of_file.unwrap_or(usual), &mut Watch::default()) {
