@@ -117,6 +117,11 @@ pub const EXPLANATIONS: &[Explanation] = &[
     Explanation {
         code: "S034", en: ("no closed form: connections", CONNECTED_EN), ru: ("нет замкнутого решения: связи", CONNECTED_RU)
     },
+    Explanation {
+        code: "S035",
+        en: ("no equilibrium to linearise about", NOWHERE_EN),
+        ru: ("нет равновесия для линеаризации", NOWHERE_RU),
+    },
 ];
 
 /// One row of [`EXPLANATIONS`]: (title, body) in both languages.
@@ -191,6 +196,10 @@ const CONNECTED_EN: &str = "Pins, rods, stops, dry friction and motors keep reac
     place the bodies by formulas of these (origin = [\"0\", \"l*phi\"]), or use the study simulate.";
 const CONNECTED_RU: &str = "При шарнирах, стержнях, упорах, сухом трении и двигателях неизвестными, кроме координат, остаются реакции. Замкнутое решение находится для независимых \
     координат: задайте через них положения тел (origin = [\"0\", \"l*phi\"]) или примените расчёт simulate.";
+const NOWHERE_EN: &str = "Small motions are motions about an equilibrium under the mean loads. From the start of the motion none was found, or the stiffness there is singular \
+    (a free direction). The study equilibrium shows what there is.";
+const NOWHERE_RU: &str = "Малые движения — это движения около равновесия при средних нагрузках. От начала движения оно не найдено, или матрица жёсткости в нём вырождена \
+    (свободное направление). Расчёт equilibrium покажет, какие положения равновесия есть.";
 const SINGULAR_EN: &str =
     "Some change of the coordinates moves no mass, so its acceleration is undefined. Give it an inertia or remove the coordinate.";
 const SINGULAR_RU: &str =

@@ -142,6 +142,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         outputs,
         notation,
         phases,
+        restarts: schedule.restarts,
         studies,
     }
 }

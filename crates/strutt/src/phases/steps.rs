@@ -9,6 +9,7 @@
 //! only and may differ from the user's.
 
 use super::setting::{Setting, exponential, fence, fraction, minus, negative, plus, power, product, root, square, whole};
+use crate::pipeline::Phases;
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Forcing, Listed};
 use analysis::studies::transient::load::{Load, Term};
@@ -22,9 +23,10 @@ use symbolic::Equations;
 const DIGITS: usize = 6;
 
 /// The solution of all phases.
-pub fn blocks(equations: &Equations, phases: &[Phase], names: &[String], language: Language, width: usize) -> Vec<Block> {
+pub fn blocks(equations: &Equations, found: &Phases, language: Language, width: usize) -> Vec<Block> {
+    let (phases, names) = (&found.list, &found.names);
     let setting = Setting { printer: Printer::of(equations, language).with_width(width), language };
-    let mut blocks = Vec::new();
+    let mut blocks: Vec<Block> = reading(found, language).into_iter().collect();
     let mut before: Option<&Phase> = None;
     for (i, phase) in phases.iter().enumerate() {
         let span = |t: f64| report::number::short(t, DIGITS, language);
@@ -59,6 +61,28 @@ pub fn blocks(equations: &Equations, phases: &[Phase], names: &[String], languag
         blocks.push(Block::Table(state_table(equations, phases, names, language)));
     }
     blocks
+}
+
+/// How the loads pass the switches, when there are switches and harmonic loads.
+fn reading(found: &Phases, language: Language) -> Option<Block> {
+    let harmonic = |p: &Phase| p.form.loads.iter().flat_map(|l| &l.0).any(|t| t.rate.im != 0.0);
+    let later = found.list.get(1..)?.iter().filter(|p| harmonic(p));
+    let restarts: Vec<bool> = later.map(|p| found.restarts(p)).collect();
+    let (first, mixed) = (*restarts.first()?, restarts.iter().any(|r| *r != restarts[0]));
+    Some(Block::paragraph(match (first, mixed) {
+        (_, true) => language.pick(
+            "At some switches the loads keep their phase, at others they begin anew.",
+            "При одних переключениях нагрузки сохраняют фазу, при других начинаются заново.",
+        ),
+        (false, _) => language.pick(
+            "The loads keep their phase at the switches (other reading: --set phases=restarts).",
+            "При переключениях нагрузки сохраняют фазу (другое толкование: --set phases=restarts).",
+        ),
+        (true, _) => language.pick(
+            "The loads begin anew at the switches (other reading: --set phases=keeps).",
+            "При переключениях нагрузки начинаются заново (другое толкование: --set phases=keeps).",
+        ),
+    }))
 }
 
 fn state_table(equations: &Equations, phases: &[Phase], names: &[String], language: Language) -> Table {

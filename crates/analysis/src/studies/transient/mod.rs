@@ -10,9 +10,11 @@ pub mod load;
 pub mod motion;
 pub mod oscillator;
 
+use super::equilibrium::{self, Equilibrium};
 use super::simulate::{self, Grid, Outcome, Simulate};
 use crate::dataset::{Audit, Column, Dataset, Event};
-use crate::fault::Message;
+use crate::fault::{Message, rounded};
+use crate::numerics::lu::Lu;
 use crate::{Fault, Mode, Quantity, System};
 use form::Form;
 use motion::Motion;
@@ -24,6 +26,8 @@ pub struct Transient<'a> {
     pub twin: Simulate<'a>,
     /// Ends of the phases that the model names; switches of its formulas are found besides.
     pub ends: Vec<f64>,
+    /// Small motions about the equilibrium next to the start, instead of a fault, when the system is not linear.
+    pub linearise: bool,
 }
 
 /// One phase of the motion.
@@ -63,8 +67,8 @@ const AUTO: usize = 1000;
 /// *Errors* beside what was found: see [`form::forms`] and [`Motion::new`]; options without meaning.
 pub fn transient<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], options: Transient<'_>) -> Found {
     match solve(system, equations, start, &options) {
-        Ok((mut dataset, phases)) => {
-            twin(system, start, &phases, options.twin, &mut dataset);
+        Ok((mut dataset, phases, rest)) => {
+            twin(system, start, &phases, options.twin, &mut dataset, rest.is_some());
             Found { outcome: Outcome { dataset, fault: None }, phases }
         }
         Err(fault) => {
@@ -79,29 +83,116 @@ fn solve<S: System + ?Sized>(
     equations: &Equations,
     start: &[f64],
     options: &Transient<'_>,
-) -> Result<(Dataset, Vec<Phase>), Fault> {
+) -> Result<(Dataset, Vec<Phase>, Option<Vec<f64>>), Fault> {
     let until = options.twin.until;
     let times = times(&options.twin)?;
-    let phases = phases(system, equations, start, until, &options.ends)?;
-    let dataset = table(system, &phases, &times, options)?;
-    Ok((dataset, phases))
+    let instants = instants(system, until, &options.ends);
+    let rest = match form::forms(equations, &instants, None) {
+        Err(_) if options.linearise => Some(place(system, equations, start, &instants[..2])?),
+        _ => None,
+    };
+    let phases = phases(equations, &start[..2 * system.n_coordinates()], &instants, &options.ends, rest.as_deref())?;
+    let mut dataset = table(system, &phases, &times, options)?;
+    if let Some(q) = &rest {
+        dataset.notes.push(linearised(system, q));
+    }
+    Ok((dataset, phases, rest))
 }
 
-/// The phases up to `until`, joined at the switches.
-fn phases<S: System + ?Sized>(system: &S, equations: &Equations, start: &[f64], until: f64, ends: &[f64]) -> Result<Vec<Phase>, Fault> {
+/// The start, the switches and the end.
+fn instants<S: System + ?Sized>(system: &S, until: f64, ends: &[f64]) -> Vec<f64> {
     let scheduled: Vec<f64> = system.guards().iter().filter_map(|g| g.scheduled).collect();
-    // a guard and the end of its phase are one instant, computed on two ways
-    let same = |t: f64, s: f64| (t - s).abs() <= 8.0 * f64::EPSILON * t.abs();
-    let named = |t: f64| ends.iter().any(|e| same(t, *e));
     let silent = ends.iter().copied().filter(|e| !scheduled.iter().any(|s| same(*e, *s)));
     let mut instants: Vec<f64> = scheduled.iter().copied().chain(silent).collect();
     instants.retain(|t| *t > 0.0 && *t < until);
     instants.sort_by(f64::total_cmp);
     instants.dedup_by(|a, b| same(*a, *b));
-    let instants: Vec<f64> = std::iter::once(0.0).chain(instants).chain([until]).collect();
-    let forms = form::forms(equations, &instants)?;
+    std::iter::once(0.0).chain(instants).chain([until]).collect()
+}
+
+/// A guard and the end of its phase are one instant, computed on two ways.
+fn same(t: f64, s: f64) -> bool {
+    (t - s).abs() <= 8.0 * f64::EPSILON * t.abs()
+}
+
+/// The equilibrium under the mean loads of the first phase: where the search from the start ends, then Newton's method on the forms.
+fn place<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], span: &[f64]) -> Result<Vec<f64>, Fault> {
+    let n = system.n_coordinates();
+    let found = equilibrium::equilibrium(system, start, &Equilibrium::default());
+    let row = found.dataset.columns.iter().take(n).map(|c| c.values.first().copied()).collect::<Option<Vec<f64>>>();
+    let mut q = row.unwrap_or_else(|| start[..n].to_vec());
+    let failed = || found.fault.clone().unwrap_or_else(nowhere);
+    for _ in 0..100 {
+        let form = form::forms(equations, span, Some(&q))?.pop().ok_or_else(nowhere)?;
+        // h(q0) - C (q - q0) = 0, and the mean load is h(q0) + C q0
+        let mean: Vec<f64> = form.loads.iter().map(load::Load::mean).collect();
+        if balanced(&form, &mean, &q) && Lu::new(&form.stiffness, n).solve(&mean).is_none() {
+            // along a free motion any place is as good
+            return Ok(q);
+        }
+        let step = newton(&form, &mean, &q).ok_or_else(failed)?;
+        q.iter_mut().zip(&step).for_each(|(q, d)| *q += d);
+        let largest = |v: &[f64]| v.iter().fold(0.0_f64, |m, a| m.max(a.abs()));
+        if !largest(&step).is_finite() {
+            break;
+        }
+        if largest(&step) <= 8.0 * f64::EPSILON * largest(&q).max(1e-9) {
+            return Ok(q);
+        }
+    }
+    Err(failed())
+}
+
+/// C δ = mean - C q; where C is singular, C with a little of M, which leaves free motions alone when nothing acts along them.
+fn newton(form: &Form, mean: &[f64], q: &[f64]) -> Option<Vec<f64>> {
+    let n = form.n;
+    let rest: Vec<f64> = (0..n).map(|i| mean[i] - (0..n).map(|j| form.stiffness[i * n + j] * q[j]).sum::<f64>()).collect();
+    Lu::new(&form.stiffness, n).solve(&rest).or_else(|| {
+        let size = |a: &[f64]| a.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let share = 1e-9 * size(&form.stiffness) / size(&form.mass);
+        let c: Vec<f64> = form.stiffness.iter().zip(&form.mass).map(|(c, m)| c + share * m).collect();
+        Lu::new(&c, n).solve(&rest)
+    })
+}
+
+/// Whether C q equals the mean load within rounding of its terms.
+fn balanced(form: &Form, mean: &[f64], q: &[f64]) -> bool {
+    mean.iter().enumerate().all(|(i, load)| {
+        let terms = q.iter().zip(&form.stiffness[i * form.n..]).map(|(q, c)| c * q);
+        let (sum, size) = terms.fold((-load, load.abs()), |(sum, size), t| (sum + t, size + t.abs()));
+        sum.abs() <= 1e-10 * size
+    })
+}
+
+fn nowhere() -> Fault {
+    Fault::new(Message {
+        code: "S035",
+        what: Text::new("no equilibrium to linearise about", "нет положения равновесия, около которого линеаризовать"),
+        why: Text::new(
+            "under the mean loads of the first phase the machine has no isolated equilibrium near its start",
+            "при средних нагрузках первого этапа вблизи начала движения нет изолированного положения равновесия",
+        ),
+        help: Text::new("begin nearer to the equilibrium; see the study equilibrium", "начните ближе к равновесию; см. расчёт equilibrium"),
+    })
+}
+
+fn linearised<S: System + ?Sized>(system: &S, q: &[f64]) -> Text {
+    let list = |language: fn(&Text) -> &str| -> String {
+        let one = |(state, value): (&Quantity, &f64)| format!("{} = {}", state.symbol, language(&rounded(*value)));
+        system.states().iter().zip(q).map(one).collect::<Vec<_>>().join(", ")
+    };
+    Text::new(
+        format!("small motions about the equilibrium {}; products of motions and of loads with motions are dropped", list(|t| &t.en)),
+        format!("малые движения около равновесия {}; произведения движений и произведения нагрузок на движения отброшены", list(|t| &t.ru)),
+    )
+}
+
+/// The phases, joined at the switches.
+fn phases(equations: &Equations, start: &[f64], instants: &[f64], ends: &[f64], rest: Option<&[f64]>) -> Result<Vec<Phase>, Fault> {
+    let named = |t: f64| ends.iter().any(|e| same(t, *e));
+    let forms = form::forms(equations, instants, rest)?;
     let mut found: Vec<Phase> = Vec::new();
-    let mut state = start[..2 * system.n_coordinates()].to_vec();
+    let mut state = start.to_vec();
     let mut i = 0;
     while i < forms.len() {
         // a switch of a formula that changes nothing in the equations is no phase
@@ -220,8 +311,16 @@ fn modes<S: System + ?Sized>(system: &mut S, phase: &Phase, t: f64, x: &[f64]) -
     system.guards().iter().zip(scheduled.into_iter().zip(own)).map(choose).collect()
 }
 
-/// The same motion by integration: its checks, and the largest difference of a coordinate or rate, relative to the largest value of its kind.
-fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], phases: &[Phase], mut options: Simulate<'_>, dataset: &mut Dataset) {
+/// The same motion by integration: its checks, and the largest difference of a coordinate or rate, relative to the largest value of its kind; a
+/// check where both solve one system, a remark where the closed form is that of small motions.
+fn twin<S: System + ?Sized>(
+    system: &mut S,
+    start: &[f64],
+    phases: &[Phase],
+    mut options: Simulate<'_>,
+    dataset: &mut Dataset,
+    linearised: bool,
+) {
     let states: Vec<Quantity> = system.states()[..2 * system.n_coordinates()].to_vec();
     options.outputs = Some(states.iter().map(|q| q.name.clone()).collect());
     options.most_steps = options.most_steps.min(TWIN_STEPS);
@@ -254,6 +353,14 @@ fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], phases: &[Phase], mut
     let name =
         Text::new("closed form against integration: largest difference", "замкнутое решение и интегрирование: наибольшее расхождение");
     dataset.audits = outcome.dataset.audits;
-    dataset.audits.push(Audit::at_most("closed_form", name, worst, TWIN));
+    if linearised {
+        let share = rounded(worst);
+        dataset.notes.push(Text::new(
+            format!("largest difference from the nonlinear motion: {} of the largest value", share.en),
+            format!("наибольшее отличие от нелинейного движения: {} от наибольшего значения", share.ru),
+        ));
+    } else {
+        dataset.audits.push(Audit::at_most("closed_form", name, worst, TWIN));
+    }
     dataset.counters = outcome.dataset.counters;
 }
