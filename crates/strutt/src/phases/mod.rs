@@ -2,6 +2,7 @@
 
 mod setting;
 pub mod steps;
+mod tables;
 
 use crate::pipeline::Phases;
 use analysis::studies::transient::Phase;

@@ -6,10 +6,11 @@
 //! scheduled instants are taken as they are in the middle of the phase.
 
 use super::load::Load;
+use super::obstacle::{Obstacle, Reason, Result, connected};
+use super::value::{Value, slope};
 use crate::Fault;
-use crate::fault::Message;
 use std::collections::HashMap;
-use symbolic::{Equations, Expr, Function, Node, SymbolId, Text};
+use symbolic::{Equations, Expr, Function, Node, SymbolId};
 
 /// M q'' + B q' + C q = f(t) within a phase; matrices row-major.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,28 +29,7 @@ pub struct Form {
     pub turns: Vec<Load>,
 }
 
-/// constant + Σ coefficient · state.
-#[derive(Clone, Debug, Default)]
-struct Value {
-    constant: Load,
-    /// By state, ascending; q then q'.
-    slopes: Vec<(usize, Load)>,
-}
-
-/// Why an expression has no place in a linear system, and the expression.
-#[derive(Clone, Copy, Debug)]
-struct Obstacle(Reason, Expr);
-
-#[derive(Clone, Copy, Debug)]
-enum Reason {
-    NotLinear,
-    Varying,
-    NoClosedForm,
-}
-
-type Result<T> = std::result::Result<T, Obstacle>;
-
-/// Forms of the phases between the given instants. `from` and `to` bound the phases: phase k lasts from instants[k] to instants[k + 1].
+/// Forms of the phases between the given instants: phase k lasts from instants[k] to instants[k + 1].
 ///
 /// *Errors*: S034 connections, S030 not linear, S031 coefficients change with time, S032 a load without a closed form.
 ///
@@ -67,21 +47,6 @@ pub fn forms(equations: &Equations, instants: &[f64], rest: Option<&[f64]>) -> s
         found.push(form);
     }
     Ok(found)
-}
-
-fn connected() -> Fault {
-    Fault::new(Message {
-        code: "S034",
-        what: Text::new("the machine has connections", "в машине есть связи"),
-        why: Text::new(
-            "the closed form needs independent coordinates; connections, stops and friction keep reactions as unknowns",
-            "замкнутое решение требует независимых координат; связи, упоры и трение оставляют реакции неизвестными",
-        ),
-        help: Text::new(
-            "place the bodies by formulas of independent coordinates, or use the study simulate",
-            "задайте положения тел формулами независимых координат или примените расчёт simulate",
-        ),
-    })
 }
 
 /// One phase.
@@ -339,119 +304,5 @@ impl<'e> Walk<'e> {
             _ => return Err(Reason::NoClosedForm),
         }
         Ok(sum)
-    }
-}
-
-/// f'(x); none at a corner.
-fn slope(function: Function, x: f64) -> Option<f64> {
-    Some(match function {
-        Function::Sin => x.cos(),
-        Function::Cos => -x.sin(),
-        Function::Tan => 1.0 / x.cos().powi(2),
-        Function::Asin => 1.0 / (1.0 - x * x).sqrt(),
-        Function::Acos => -1.0 / (1.0 - x * x).sqrt(),
-        Function::Atan => 1.0 / (1.0 + x * x),
-        Function::Sinh => x.cosh(),
-        Function::Cosh => x.sinh(),
-        Function::Tanh => 1.0 / x.cosh().powi(2),
-        Function::Exp => x.exp(),
-        Function::Log => 1.0 / x,
-        Function::Abs if x != 0.0 => x.signum(),
-        Function::Sign if x != 0.0 => 0.0,
-        _ => return None,
-    })
-}
-
-impl Obstacle {
-    fn fault(self, start: f64) -> Fault {
-        let Obstacle(reason, e) = self;
-        let at = crate::fault::number(start);
-        let message = match reason {
-            Reason::NotLinear => Message {
-                code: "S030",
-                what: Text::new("the system is not linear, so it has no closed form", "система нелинейна, и замкнутого решения у неё нет"),
-                why: Text::new(
-                    "this term contains a product or a function of coordinates or rates",
-                    "этот член содержит произведение или функцию координат или скоростей",
-                ),
-                help: Text::new(
-                    "use the study simulate, or ask for small motions about the equilibrium: linearise = true, --linearise",
-                    "примените расчёт simulate или запросите малые движения около равновесия: linearise = true, --linearise",
-                ),
-            },
-            Reason::Varying => Message {
-                code: "S031",
-                what: Text::new("a coefficient of the system changes with time", "коэффициент системы меняется со временем"),
-                why: Text::new(
-                    "mass, damping or stiffness may change at switches only, not within a phase",
-                    "масса, сопротивление и жёсткость могут меняться только при переключениях, но не внутри этапа",
-                ),
-                help: Text::new("use the study simulate", "примените расчёт simulate"),
-            },
-            Reason::NoClosedForm => Message {
-                code: "S032",
-                what: Text::new(
-                    format!("a load has no closed form within the phase from {} s", at.en),
-                    format!("нагрузка на этапе с {} с не имеет замкнутого решения", at.ru),
-                ),
-                why: Text::new(
-                    "loads are sums of constants, powers of t, sin(p t + d) with a constant frequency p, exp(-a t), and their products",
-                    "нагрузки — это суммы постоянных, степеней t, sin(p t + d) с постоянной частотой p, exp(-a t) и их произведений",
-                ),
-                help: Text::new(
-                    "keep the frequency constant within a phase (phases may change it), or use the study simulate",
-                    "задайте на каждом этапе постоянную частоту (её может сменить следующий этап) или примените расчёт simulate",
-                ),
-            },
-        };
-        Fault::new(message).about(Some(e))
-    }
-}
-
-impl Value {
-    fn of(constant: Load) -> Value {
-        Value { constant, slopes: Vec::new() }
-    }
-    fn just(c: f64) -> Value {
-        Value::of(Load::constant(c))
-    }
-    /// The number, when it is one.
-    fn number(&self) -> Option<f64> {
-        if self.slopes.is_empty() { self.constant.as_constant() } else { None }
-    }
-    /// Why it is no number.
-    fn reason(&self) -> Reason {
-        if self.slopes.is_empty() { Reason::NoClosedForm } else { Reason::NotLinear }
-    }
-    fn state(i: usize, at: f64) -> Value {
-        Value { constant: Load::constant(at), slopes: vec![(i, Load::constant(1.0))] }
-    }
-
-    fn add(&mut self, other: &Value, factor: f64) {
-        self.constant.add(&other.constant, factor);
-        for (state, slope) in &other.slopes {
-            let i = self.slopes.partition_point(|(s, _)| s < state);
-            if self.slopes.get(i).is_none_or(|(s, _)| s != state) {
-                self.slopes.insert(i, (*state, Load::default()));
-            }
-            self.slopes[i].1.add(slope, factor);
-        }
-        self.slopes.retain(|(_, slope)| !slope.is_zero());
-    }
-
-    fn power(&self, exponent: f64) -> std::result::Result<Value, Reason> {
-        if exponent == 1.0 {
-            return Ok(self.clone());
-        }
-        if !self.slopes.is_empty() {
-            return Err(Reason::NotLinear);
-        }
-        if let Some(number) = self.number() {
-            return Ok(Value::just(if exponent.fract() == 0.0 { number.powi(exponent as i32) } else { number.powf(exponent) }));
-        }
-        if exponent.fract() != 0.0 || !(2.0..=64.0).contains(&exponent) {
-            return Err(Reason::NoClosedForm);
-        }
-        Ok(Value::of((1..exponent as u32).fold(self.constant.clone(), |p, _| p.times(&self.constant))))
     }
 }

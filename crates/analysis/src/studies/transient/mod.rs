@@ -8,13 +8,14 @@ pub mod constants;
 pub mod form;
 pub mod load;
 pub mod motion;
+mod obstacle;
 pub mod oscillator;
+mod rest;
+mod value;
 
-use super::equilibrium::{self, Equilibrium};
 use super::simulate::{self, Grid, Outcome, Simulate};
 use crate::dataset::{Audit, Column, Dataset, Event};
-use crate::fault::{Message, rounded};
-use crate::numerics::lu::Lu;
+use crate::fault::rounded;
 use crate::{Fault, Mode, Quantity, System};
 use form::Form;
 use motion::Motion;
@@ -60,16 +61,15 @@ pub struct Found {
 const TWIN: f64 = 1e-9;
 /// Steps of the twin after which it is given up.
 const TWIN_STEPS: f64 = 2e6;
-const AUTO: usize = 1000;
 
 /// The motion from `start` (q, q') at t = 0.
 ///
 /// *Errors* beside what was found: see [`form::forms`] and [`Motion::new`]; options without meaning.
 pub fn transient<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], options: Transient<'_>) -> Found {
     match solve(system, equations, start, &options) {
-        Ok((mut dataset, phases, rest)) => {
-            twin(system, start, &phases, options.twin, &mut dataset, rest.is_some());
-            Found { outcome: Outcome { dataset, fault: None }, phases }
+        Ok(mut solved) => {
+            twin(system, start, &mut solved, options.twin);
+            Found { outcome: Outcome { dataset: solved.dataset, fault: None }, phases: solved.phases }
         }
         Err(fault) => {
             let dataset = Dataset { partial: true, ..Dataset::default() };
@@ -78,17 +78,20 @@ pub fn transient<S: System + ?Sized>(system: &mut S, equations: &Equations, star
     }
 }
 
-fn solve<S: System + ?Sized>(
-    system: &mut S,
-    equations: &Equations,
-    start: &[f64],
-    options: &Transient<'_>,
-) -> Result<(Dataset, Vec<Phase>, Option<Vec<f64>>), Fault> {
+/// The closed form.
+struct Solved {
+    dataset: Dataset,
+    phases: Vec<Phase>,
+    linearised: bool,
+}
+
+fn solve<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], options: &Transient<'_>) -> Result<Solved, Fault> {
     let until = options.twin.until;
-    let times = times(&options.twin)?;
+    let columns = simulate::choose(system.outputs(), options.twin.outputs.as_deref())?.len() + 1;
+    let times = times(&options.twin, columns)?;
     let instants = instants(system, until, &options.ends);
     let rest = match form::forms(equations, &instants, None) {
-        Err(_) if options.linearise => Some(place(system, equations, start, &instants[..2])?),
+        Err(_) if options.linearise => Some(rest::place(system, equations, start, &instants[..2])?),
         _ => None,
     };
     let phases = phases(equations, &start[..2 * system.n_coordinates()], &instants, &options.ends, rest.as_deref())?;
@@ -96,7 +99,7 @@ fn solve<S: System + ?Sized>(
     if let Some(q) = &rest {
         dataset.notes.push(linearised(system, q));
     }
-    Ok((dataset, phases, rest))
+    Ok(Solved { dataset, phases, linearised: rest.is_some() })
 }
 
 /// The start, the switches and the end.
@@ -113,67 +116,6 @@ fn instants<S: System + ?Sized>(system: &S, until: f64, ends: &[f64]) -> Vec<f64
 /// A guard and the end of its phase are one instant, computed on two ways.
 fn same(t: f64, s: f64) -> bool {
     (t - s).abs() <= 8.0 * f64::EPSILON * t.abs()
-}
-
-/// The equilibrium under the mean loads of the first phase: where the search from the start ends, then Newton's method on the forms.
-fn place<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], span: &[f64]) -> Result<Vec<f64>, Fault> {
-    let n = system.n_coordinates();
-    let found = equilibrium::equilibrium(system, start, &Equilibrium::default());
-    let row = found.dataset.columns.iter().take(n).map(|c| c.values.first().copied()).collect::<Option<Vec<f64>>>();
-    let mut q = row.unwrap_or_else(|| start[..n].to_vec());
-    let failed = || found.fault.clone().unwrap_or_else(nowhere);
-    for _ in 0..100 {
-        let form = form::forms(equations, span, Some(&q))?.pop().ok_or_else(nowhere)?;
-        // h(q0) - C (q - q0) = 0, and the mean load is h(q0) + C q0
-        let mean: Vec<f64> = form.loads.iter().map(load::Load::mean).collect();
-        if balanced(&form, &mean, &q) && Lu::new(&form.stiffness, n).solve(&mean).is_none() {
-            // along a free motion any place is as good
-            return Ok(q);
-        }
-        let step = newton(&form, &mean, &q).ok_or_else(failed)?;
-        q.iter_mut().zip(&step).for_each(|(q, d)| *q += d);
-        let largest = |v: &[f64]| v.iter().fold(0.0_f64, |m, a| m.max(a.abs()));
-        if !largest(&step).is_finite() {
-            break;
-        }
-        if largest(&step) <= 8.0 * f64::EPSILON * largest(&q).max(1e-9) {
-            return Ok(q);
-        }
-    }
-    Err(failed())
-}
-
-/// C δ = mean - C q; where C is singular, C with a little of M, which leaves free motions alone when nothing acts along them.
-fn newton(form: &Form, mean: &[f64], q: &[f64]) -> Option<Vec<f64>> {
-    let n = form.n;
-    let rest: Vec<f64> = (0..n).map(|i| mean[i] - (0..n).map(|j| form.stiffness[i * n + j] * q[j]).sum::<f64>()).collect();
-    Lu::new(&form.stiffness, n).solve(&rest).or_else(|| {
-        let size = |a: &[f64]| a.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let share = 1e-9 * size(&form.stiffness) / size(&form.mass);
-        let c: Vec<f64> = form.stiffness.iter().zip(&form.mass).map(|(c, m)| c + share * m).collect();
-        Lu::new(&c, n).solve(&rest)
-    })
-}
-
-/// Whether C q equals the mean load within rounding of its terms.
-fn balanced(form: &Form, mean: &[f64], q: &[f64]) -> bool {
-    mean.iter().enumerate().all(|(i, load)| {
-        let terms = q.iter().zip(&form.stiffness[i * form.n..]).map(|(q, c)| c * q);
-        let (sum, size) = terms.fold((-load, load.abs()), |(sum, size), t| (sum + t, size + t.abs()));
-        sum.abs() <= 1e-10 * size
-    })
-}
-
-fn nowhere() -> Fault {
-    Fault::new(Message {
-        code: "S035",
-        what: Text::new("no equilibrium to linearise about", "нет положения равновесия, около которого линеаризовать"),
-        why: Text::new(
-            "under the mean loads of the first phase the machine has no isolated equilibrium near its start",
-            "при средних нагрузках первого этапа вблизи начала движения нет изолированного положения равновесия",
-        ),
-        help: Text::new("begin nearer to the equilibrium; see the study equilibrium", "начните ближе к равновесию; см. расчёт equilibrium"),
-    })
 }
 
 fn linearised<S: System + ?Sized>(system: &S, q: &[f64]) -> Text {
@@ -211,42 +153,12 @@ fn phases(equations: &Equations, start: &[f64], instants: &[f64], ends: &[f64], 
     Ok(found)
 }
 
-/// Requested times.
-fn times(options: &Simulate<'_>) -> Result<Vec<f64>, Fault> {
-    let until = options.until;
-    if !(until >= 0.0 && until.is_finite()) {
-        return Err(unusable(format!("until = {until} s"), format!("until = {until} с")));
-    }
-    let even = |count: usize, step: f64| (0..=count).map(|i| (i as f64 * step).min(until)).collect();
-    Ok(match &options.grid {
-        Grid::At(times) => {
-            if times.iter().any(|t| !(0.0..=until).contains(t)) {
-                return Err(unusable("a time outside the motion".into(), "момент вне движения".into()));
-            }
-            times.clone()
-        }
-        Grid::Every(step) => {
-            if !(*step > 0.0) || until / step * 8.0 > options.memory {
-                return Err(unusable(format!("every = {step} s"), format!("every = {step} с")));
-            }
-            let count = (until / step * (1.0 + 4.0 * f64::EPSILON)).floor() as usize;
-            let mut times: Vec<f64> = even(count, *step);
-            if times.last().is_some_and(|t| *t < until) {
-                times.push(until);
-            }
-            times
-        }
-        Grid::Auto => even(AUTO, until / AUTO as f64),
-    })
-}
-
-fn unusable(en: String, ru: String) -> Fault {
-    Fault::new(Message {
-        code: "S006",
-        what: Text::new(format!("unusable option: {en}"), format!("недопустимый параметр: {ru}")),
-        why: Text::new("times lie between 0 and the end of the motion", "моменты лежат между 0 и концом движения"),
-        help: Text::new("correct the times", "исправьте моменты времени"),
-    })
+/// Requested times, in the order of the rows.
+fn times(options: &Simulate<'_>, columns: usize) -> Result<Vec<f64>, Fault> {
+    simulate::check(options)?;
+    let mut requested = simulate::requested(options, columns)?;
+    requested.sort_by_key(|(_, row)| *row);
+    Ok(requested.into_iter().map(|(t, _)| t).collect())
 }
 
 /// The columns, evaluated on the closed form. At a switch the values after it are shown.
@@ -313,14 +225,8 @@ fn modes<S: System + ?Sized>(system: &mut S, phase: &Phase, t: f64, x: &[f64]) -
 
 /// The same motion by integration: its checks, and the largest difference of a coordinate or rate, relative to the largest value of its kind; a
 /// check where both solve one system, a remark where the closed form is that of small motions.
-fn twin<S: System + ?Sized>(
-    system: &mut S,
-    start: &[f64],
-    phases: &[Phase],
-    mut options: Simulate<'_>,
-    dataset: &mut Dataset,
-    linearised: bool,
-) {
+fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], solved: &mut Solved, mut options: Simulate<'_>) {
+    let Solved { dataset, phases, linearised } = solved;
     let states: Vec<Quantity> = system.states()[..2 * system.n_coordinates()].to_vec();
     options.outputs = Some(states.iter().map(|q| q.name.clone()).collect());
     options.most_steps = options.most_steps.min(TWIN_STEPS);
@@ -353,7 +259,7 @@ fn twin<S: System + ?Sized>(
     let name =
         Text::new("closed form against integration: largest difference", "замкнутое решение и интегрирование: наибольшее расхождение");
     dataset.audits = outcome.dataset.audits;
-    if linearised {
+    if *linearised {
         let share = rounded(worst);
         dataset.notes.push(Text::new(
             format!("largest difference from the nonlinear motion: {} of the largest value", share.en),
