@@ -2,12 +2,15 @@
 //! file per study. Nothing here prints, writes files or knows mechanics.
 
 pub mod audits;
+pub mod connections;
 pub mod dataset;
 pub mod events;
 pub mod fault;
 pub mod linear;
 pub mod machine;
 pub mod numerics;
+pub mod reduce;
+pub mod structure;
 pub mod studies;
 pub mod system;
 pub mod taylor;

@@ -2,23 +2,32 @@
 
 use std::sync::Arc;
 
+mod conditions;
+
 use program::{Bound, Evaluator, Jets, Operation, Point, Program, Tape, passes};
 use symbolic::{Equations, Text};
 
+use crate::connections::assemble;
 use crate::fault::Message;
-use crate::{Fault, Guard, Mode, Powers, Quantity, System};
+use crate::{Fault, Guard, GuardKind, Mode, Powers, Quantity, System};
+use conditions::Conditions;
 
 /// A program with parameters, seen by studies.
 #[derive(Clone, Debug)]
 pub struct Machine {
     states: Vec<Quantity>,
+    /// Which coordinates only turn.
+    turning: Vec<bool>,
     outputs: Vec<Quantity>,
     guards: Vec<Guard>,
     /// Specialised for the parameters; [`Machine::new`] keeps the general tapes for what is asked rarely.
     bound: Bound,
     jets: Jets,
     observed: Evaluator,
-    /// Which outputs the roots of `observed` are, and whether one of them needs q''.
+    /// q'' and reactions.
+    forces: Evaluator,
+    conditions: Option<Conditions>,
+    /// Which outputs the roots of `observed` are, and whether one of them needs q'' or a reaction.
     shown: Vec<usize>,
     needs_accelerations: bool,
     energy: Evaluator,
@@ -29,7 +38,15 @@ pub struct Machine {
     expanded: Switches,
     /// Of the last output.
     observing: Switches,
+    /// q'', then all reactions.
     accelerations: Vec<f64>,
+    /// Rows of `second` that hold with the reactions; none without reactions.
+    balanced: Vec<usize>,
+    /// State at the start, when it was assembled.
+    start: Option<Vec<f64>>,
+    /// For each output a reaction in it that is not unique.
+    refused: Vec<Option<String>>,
+    notes: Vec<Text>,
 }
 
 /// Modes as the program has them.
@@ -70,7 +87,8 @@ impl Machine {
         let mut guards: Vec<Guard> = (0..program.guards.len())
             .map(|i| {
                 let unnamed = || Text::new(format!("switch {}", i + 1), format!("переключатель {}", i + 1));
-                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), ..Guard::default() }
+                let kind = kind(&program.guards[i].kind);
+                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), kind, ..Guard::default() }
             })
             .collect();
         for (guard, t) in bound.scheduled() {
@@ -79,10 +97,13 @@ impl Machine {
         let observed = bound.evaluator(&bound.program().outputs)?;
         Ok(Machine {
             states: states(equations, program),
+            turning: (0..equations.coordinates.len()).map(|i| equations.turns_freely(i)).collect(),
             outputs: outputs(equations),
             jets: bound.jets(1),
             needs_accelerations: reads_accelerations(observed.tape()),
             observed,
+            forces: bound.evaluator(&bound.program().forces)?,
+            conditions: Conditions::new(equations, &bound)?,
             shown: (0..program.outputs.roots.len()).collect(),
             energy: bound.evaluator(&bound.program().energy)?,
             second: general.evaluator(&program.second)?,
@@ -90,16 +111,115 @@ impl Machine {
             statics: general.evaluator(&program.statics)?,
             expanded: Switches::default(),
             observing: Switches::default(),
-            accelerations: vec![0.0; program.coordinates],
+            accelerations: vec![0.0; program.coordinates + program.reactions],
             guards,
+            balanced: if program.reactions > 0 { (0..equations.second.len()).collect() } else { Vec::new() },
+            start: None,
+            refused: vec![None; program.outputs.roots.len()],
+            notes: Vec::new(),
             bound,
         })
     }
 
-    /// The state at the start as the model gives it.
-    pub fn start(&self) -> Result<Vec<f64>, Fault> {
-        Ok(self.bound.start()?)
+    /// Puts a machine together, with or without connections; `guard_names` gives the names of the guards of a program.
+    ///
+    /// *Errors*: those of [`assemble`] and of [`Machine::new`], and a number of motors that does not match.
+    pub fn assembled(equations: &Equations, parameters: &[f64], guard_names: &dyn Fn(&Program) -> Vec<Text>) -> Result<Machine, Fault> {
+        let assembly = assemble(equations, parameters)?;
+        let program = Arc::new(program::lower::equations_with(equations, &assembly.selection)?);
+        let mut machine = Machine::new(equations, &program, parameters, &guard_names(&program))?;
+        machine.refused = refused(equations, &program, &assembly.open);
+        machine.notes = assembly.notes;
+        let n = equations.coordinates.len();
+        machine.balanced.retain(|&i| i < n || assembly.selection.balances.get(i - n) == Some(&true));
+        machine.start = Some(assembly.start);
+        Ok(machine)
     }
+
+    /// The state at the start: as assembled, or as the model gives it.
+    pub fn start(&self) -> Result<Vec<f64>, Fault> {
+        match &self.start {
+            Some(start) => Ok(start.clone()),
+            None => Ok(self.bound.start()?),
+        }
+    }
+
+    /// Puts q'' and the reactions at (t, x), in the modes of `observing`, into `accelerations`; reactions that are not unique are not numbers.
+    fn solve_forces(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, modes: Some(modes), active: Some(active), ..Point::default() };
+        let roots = self.forces.evaluate(&point)?;
+        self.bound.program().spread(roots, &mut self.accelerations);
+        Ok(())
+    }
+
+    /// The same with given q''. A reaction that is not unique is one of those that hold the motion: that of a connection left out is zero.
+    fn take_accelerations(&mut self, t: f64, x: &[f64], accelerations: &[f64]) -> Result<(), Fault> {
+        let n = self.bound.program().coordinates;
+        if self.accelerations.len() > n {
+            self.solve_forces(t, x)?;
+            self.accelerations[n..].iter_mut().filter(|r| r.is_nan()).for_each(|r| *r = 0.0);
+        }
+        self.accelerations[..n].copy_from_slice(&accelerations[..n]);
+        Ok(())
+    }
+
+    fn singular(&self, fault: Fault, x: &[f64]) -> Fault {
+        let places = self.states.iter().zip(x).take(self.bound.program().coordinates);
+        fault.in_configuration(&configuration(places))
+    }
+}
+
+fn kind(kind: &program::GuardKind) -> GuardKind {
+    use program::GuardKind as Kind;
+    match *kind {
+        Kind::Sliding { limits, .. } => GuardKind::Friction { limits },
+        Kind::Limit { of, exit, .. } => GuardKind::Bound { of, exit: returned(exit) },
+        Kind::Gap { force, .. } => GuardKind::Contact { force },
+        Kind::ContactForce { of, .. } => GuardKind::Bound { of, exit: Mode::Positive },
+        _ => GuardKind::Switch,
+    }
+}
+
+fn returned(mode: program::Mode) -> Mode {
+    match mode {
+        program::Mode::Negative => Mode::Negative,
+        program::Mode::Zero => Mode::Zero,
+        program::Mode::Positive => Mode::Positive,
+    }
+}
+
+/// `phi1 = 1.5708 rad, x = 0.3 m`.
+fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q f64)>) -> Text {
+    let (mut en, mut ru) = (Vec::new(), Vec::new());
+    for (state, value) in places {
+        let n = crate::fault::rounded(*value);
+        en.push(format!("{} = {} {}", state.name, n.en, state.unit));
+        ru.push(format!("{} = {} {}", state.name, n.ru, state.unit));
+    }
+    Text::new(en.join(", "), ru.join(", "))
+}
+
+/// For each output the first reaction in it that has no unique value.
+fn refused(equations: &Equations, program: &Program, open: &[usize]) -> Vec<Option<String>> {
+    let unknown = |r: &usize| open.contains(r) || !program.known.contains(r);
+    let unknown: Vec<usize> = (0..program.reactions).filter(unknown).collect();
+    let mut touched: Vec<Option<String>> = vec![None; equations.outputs.len()];
+    for r in unknown {
+        let reaction = &equations.reactions[r];
+        let mut symbols = vec![reaction.symbol];
+        for definition in &equations.definitions {
+            if equations.graph.contains(definition.formula, |s| symbols.contains(&s)) {
+                symbols.push(definition.symbol);
+            }
+        }
+        for (slot, output) in touched.iter_mut().zip(&equations.outputs) {
+            if slot.is_none() && equations.graph.contains(output.formula, |s| symbols.contains(&s)) {
+                *slot = Some(reaction.name.clone());
+            }
+        }
+    }
+    touched
 }
 
 fn reads_accelerations(tape: &Tape) -> bool {
@@ -152,7 +272,10 @@ impl System for Machine {
         &self.states
     }
     fn n_coordinates(&self) -> usize {
-        self.accelerations.len()
+        self.bound.program().coordinates
+    }
+    fn turns_freely(&self, i: usize) -> bool {
+        self.turning.get(i) == Some(&true)
     }
     fn guards(&self) -> &[Guard] {
         &self.guards
@@ -163,7 +286,8 @@ impl System for Machine {
 
     fn expand(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault> {
         self.expanded.set(modes, &self.bound);
-        Ok(self.jets.expand(t, x, &self.expanded.modes, order)?)
+        let expanded = self.jets.expand(t, x, &self.expanded.modes, order);
+        expanded.map_err(|fault| if fault.singular.is_some() { self.singular(fault.into(), x) } else { fault.into() })
     }
 
     fn state(&self, i: usize) -> &[f64] {
@@ -176,12 +300,10 @@ impl System for Machine {
 
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault> {
         self.observing.set(modes, &self.bound);
-        let Switches { modes, active, .. } = &self.observing;
         if self.needs_accelerations {
-            let n = self.accelerations.len();
-            let rates = self.bound.rates(t, x, modes)?;
-            self.accelerations.copy_from_slice(&rates[n..2 * n]);
+            self.solve_forces(t, x)?;
         }
+        let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
         for (value, &i) in self.observed.evaluate(&point)?.iter().zip(&self.shown) {
             values[i] = *value;
@@ -201,20 +323,25 @@ impl System for Machine {
         Ok(())
     }
 
+    fn refusal(&self, output: usize) -> Option<Fault> {
+        let reaction = self.refused[output].as_ref()?;
+        Some(Fault::open_reaction(&self.outputs[output].name, reaction))
+    }
+
+    fn notes(&self) -> &[Text] {
+        &self.notes
+    }
+
     fn modes_by_value(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
         let modes = self.bound.modes(t, x).ok()?;
-        let back = |m: program::Mode| match m {
-            program::Mode::Negative => Mode::Negative,
-            program::Mode::Zero => Mode::Zero,
-            program::Mode::Positive => Mode::Positive,
-        };
-        Some(modes.into_iter().map(back).collect())
+        Some(modes.into_iter().map(returned).collect())
     }
 
     fn powers(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Powers> {
         self.observing.set(modes, &self.bound);
+        self.take_accelerations(t, x, accelerations).ok()?;
         let Switches { modes, active, .. } = &self.observing;
-        let point = Point { time: t, states: x, accelerations, modes: Some(modes), active: Some(active) };
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
         // the order is that of program::ENERGY
         let [_, _, _, dissipated, rate, loads, drives] = *self.energy.evaluate(&point).ok()? else { return None };
         Some(Powers { rate, loads, drives, dissipated })
@@ -227,14 +354,67 @@ impl System for Machine {
         Ok(())
     }
 
-    fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], _modes: &[Mode], residuals: &mut [f64]) -> bool {
-        let point = Point { time: t, states: x, accelerations, ..Point::default() };
+    fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode], residuals: &mut [f64]) -> bool {
+        self.observing.set(modes, &self.bound);
+        if self.take_accelerations(t, x, accelerations).is_err() {
+            return false;
+        }
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, ..Point::default() };
         let Ok(values) = self.second.evaluate(&point) else { return false };
         if residuals.is_empty() || values.len() < residuals.len() {
             return false;
         }
         residuals.copy_from_slice(&values[..residuals.len()]);
         true
+    }
+
+    fn kinetic_energy(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<f64> {
+        self.observing.set(modes, &self.bound);
+        // it reads no accelerations
+        self.accelerations.fill(0.0);
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
+        self.energy.evaluate(&point).ok()?.first().copied()
+    }
+
+    fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
+        let rows = self.balanced.clone();
+        if rows.is_empty() {
+            return None;
+        }
+        self.observing.set(modes, &self.bound);
+        self.take_accelerations(t, x, accelerations).ok()?;
+        let inputs = self.accelerations.clone();
+        let mut residual = |inputs: &[f64]| -> Option<Vec<f64>> {
+            let values = self.second.evaluate(&Point { time: t, states: x, accelerations: inputs, ..Point::default() }).ok()?;
+            rows.iter().map(|&i| values.get(i).copied()).collect()
+        };
+        // linear in accelerations and reactions: each term by its own
+        let whole = residual(&inputs)?;
+        let mut trial = vec![0.0; inputs.len()];
+        let constant = residual(&trial)?;
+        let mut out: Vec<[f64; 2]> = whole.iter().zip(&constant).map(|(r, c)| [*r, c.abs()]).collect();
+        for (k, input) in inputs.iter().enumerate().filter(|(_, input)| **input != 0.0) {
+            trial[k] = *input;
+            let term = residual(&trial)?;
+            trial[k] = 0.0;
+            out.iter_mut().zip(&term).zip(&constant).for_each(|((row, t), c)| row[1] += (t - c).abs());
+        }
+        Some(out)
+    }
+
+    fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
+        match &mut self.conditions {
+            Some(conditions) => conditions.project(t, x, modes),
+            None => Ok(0.0),
+        }
+    }
+
+    fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Vec<f64>, Fault> {
+        match &mut self.conditions {
+            Some(conditions) => conditions.impact(t, x, modes, closing),
+            None => Ok(Vec::new()),
+        }
     }
 
     fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {

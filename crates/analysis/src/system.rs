@@ -122,6 +122,13 @@ pub trait System {
     /// Number n of coordinates; states n..2n are their rates.
     fn n_coordinates(&self) -> usize;
 
+    /// Whether state `i` is an angle whose full turns change nothing in the motion. The integrator then keeps it small, so that an angle of
+    /// thousands of turns has the digits of the first one; outside it the turns are counted.
+    fn turns_freely(&self, i: usize) -> bool {
+        let _ = i;
+        false
+    }
+
     /// Guards.
     fn guards(&self) -> &[Guard];
 
@@ -150,6 +157,17 @@ pub trait System {
     /// Values of all outputs at (t, x) in the given modes. Does not disturb the last expansion.
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault>;
 
+    /// Why an output has no value, when it has none: it uses a reaction that is not unique.
+    fn refusal(&self, output: usize) -> Option<Fault> {
+        let _ = output;
+        None
+    }
+
+    /// Remarks on the system, to be shown beside every result.
+    fn notes(&self) -> &[Text] {
+        &[]
+    }
+
     /// Modes that the values of the guards have at a state; none when undefined there. The second derivation is taken in these.
     fn modes_by_value(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
         let _ = (t, x);
@@ -158,6 +176,19 @@ pub trait System {
 
     /// Powers at (t, x) with given accelerations q''; none when the system has no energies.
     fn powers(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Powers> {
+        let _ = (t, x, accelerations, modes);
+        None
+    }
+
+    /// Kinetic energy at (t, x); none when the system has no energies.
+    fn kinetic_energy(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<f64> {
+        let _ = (t, x, modes);
+        None
+    }
+
+    /// Balances of the second derivation (motions, then released bodies) with given accelerations and the reactions of this state: residual and size of
+    /// the terms that met in it. None when there are no reactions or no second derivation.
+    fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
         let _ = (t, x, accelerations, modes);
         None
     }

@@ -2,6 +2,7 @@
 //! here, and the reference (`docs/model-file.md`) is generated from here.
 
 pub mod connections;
+pub mod structures;
 
 /// A pair of wordings, English and Russian.
 pub type Words = (&'static str, &'static str);
@@ -45,6 +46,12 @@ pub enum Type {
     Plots,
     /// A table of quantities by name.
     Guess,
+    /// A list of corners.
+    Corners,
+    /// Two lengths, or three corners.
+    LegsOrCorners,
+    /// A list of parts of a section.
+    Parts,
     /// A table of tables or values by name.
     Table,
     /// An array of tables.
@@ -73,6 +80,9 @@ impl Type {
             Type::Quantities => ("array of quantities", "массив величин"),
             Type::Plots => ("array of names, arrays of names or { x, y, title }", "массив имён, массивов имён или { x, y, title }"),
             Type::Guess => ("table of quantities by coordinate", "таблица величин по координатам"),
+            Type::Corners => ("array of corners [x, y]", "массив вершин [x, y]"),
+            Type::LegsOrCorners => ("array of 2 lengths, or of 3 corners [x, y]", "массив из 2 длин или из 3 вершин [x, y]"),
+            Type::Parts => ("array of parts", "массив частей"),
             Type::Table => ("table", "таблица"),
             Type::Array => ("array of tables", "массив таблиц"),
         }
@@ -182,6 +192,9 @@ const SPIN: Field = may(
     "\"1450 rpm\"",
 );
 
+const DISTANCE: Field =
+    may("distance", Type::Formula, "m", "0", ("distance from the start of the rod", "расстояние от начала стержня"), "\"l/2\"");
+
 /// Top level.
 pub const TOP: TableSpec = TableSpec {
     name: "",
@@ -203,7 +216,7 @@ pub const TOP: TableSpec = TableSpec {
             "[\"0\", \"0\", \"-g\"]",
         ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
-        must("coordinates", Type::Table, "", ("generalized coordinates", "обобщённые координаты"), ""),
+        may("coordinates", Type::Table, "", "", ("generalized coordinates", "обобщённые координаты"), ""),
         may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
         may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
         may("points", Type::Table, "", "", ("named points", "именованные точки"), ""),
@@ -233,8 +246,13 @@ pub const TOP: TableSpec = TableSpec {
         may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
         may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
-        may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
+        may("nodes", Type::Table, "", "", ("nodes of a frame or truss", "узлы рамы или фермы"), ""),
+        may("displacements", Type::Table, "", "", ("named displacements of a structure", "именованные перемещения конструкции"), ""),
+        may("structure", Type::Table, "", "", ("how the structure is computed", "как рассчитывать конструкцию"), ""),
+        may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
+        may("variants", Type::Table, "", "", ("table of variants", "таблица вариантов"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
+        may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
     ],
 };
 
@@ -454,7 +472,15 @@ pub const FORCE: TableSpec = TableSpec {
     ),
     short: None,
     fields: &[
-        may("at", Type::Name, "", "", ("point, or body for its mass centre", "точка или тело (тогда центр масс)"), "\"A\""),
+        may(
+            "at",
+            Type::Name,
+            "",
+            "",
+            ("point, body for its mass centre, node or rod", "точка, тело (тогда центр масс), узел или стержень"),
+            "\"A\"",
+        ),
+        DISTANCE,
         ALONG,
         BETWEEN,
         must(
@@ -475,7 +501,8 @@ pub const TORQUE: TableSpec = TableSpec {
     about: ("Applied torques.", "Приложенные моменты."),
     short: None,
     fields: &[
-        must("on", Type::Name, "", ("body it acts on", "тело, на которое действует"), "\"crank\""),
+        must("on", Type::Name, "", ("body, node or rod it acts on", "тело, узел или стержень, на который действует"), "\"crank\""),
+        DISTANCE,
         must(
             "value",
             Type::FormulaOrVector,
@@ -546,6 +573,119 @@ pub const OUTPUT: TableSpec = TableSpec {
     example: "[outputs]\nomega_p = { value = \"phi'\", unit = \"rpm\" }\n",
 };
 
+const RECTANGLE: Field = may(
+    "rectangle",
+    Type::Vector,
+    "m",
+    "",
+    ("width and height; `at` is its centre", "ширина и высота; `at` — центр"),
+    "[\"12 cm\", \"20 cm\"]",
+);
+const TRIANGLE: Field = may(
+    "triangle",
+    Type::LegsOrCorners,
+    "m",
+    "",
+    (
+        "legs along x and y from the right angle, which is `at`; or three corners",
+        "катеты вдоль x и y от прямого угла, он в `at`; или три вершины",
+    ),
+    "[\"6 cm\", \"4 cm\"]",
+);
+const CIRCLE: Field = may("circle", Type::Formula, "m", "", ("radius; `at` is the centre", "радиус; `at` — центр"), "\"3 cm\"");
+const HALF_DISC: Field = may(
+    "half_disc",
+    Type::Formula,
+    "m",
+    "",
+    (
+        "radius; `at` is the middle of the diameter, the half disc lies above it (turn it by `angle`)",
+        "радиус; `at` — середина диаметра, полукруг лежит над ним (поворот — `angle`)",
+    ),
+    "\"3 cm\"",
+);
+const RING: Field = may(
+    "ring",
+    Type::Vector,
+    "m",
+    "",
+    ("outer and inner radius; `at` is the centre", "наружный и внутренний радиусы; `at` — центр"),
+    "[\"5 cm\", \"4 cm\"]",
+);
+const POLYGON: Field = may(
+    "polygon",
+    Type::Corners,
+    "m",
+    "",
+    ("corners in order; `at` is their origin", "вершины по порядку обхода; `at` — их начало отсчёта"),
+    "[[\"0\", \"0\"], [\"6 cm\", \"0\"], [\"4 cm\", \"5 cm\"]]",
+);
+const PROFILE: Field = may(
+    "profile",
+    Type::String,
+    "",
+    "",
+    (
+        "rolled-steel profile; `at` is its centroid: I10 ... I60 (GOST 8239), channels C5U ... C40U, C5P ... C40P (GOST 8240), equal angles L20x3 ... L250x20 (GOST 8509)",
+        "прокатный профиль; `at` — центр тяжести: двутавры I10 ... I60 (ГОСТ 8239), швеллеры 5У ... 40У, 5П ... 40П (ГОСТ 8240), уголки L20x3 ... L250x20 (ГОСТ 8509)",
+    ),
+    "\"I20\"",
+);
+const PART_AT: Field = may("at", Type::Vector, "m", "[0, 0]", ("place of the part", "место части"), "[\"0\", \"10 cm\"]");
+const PART_ANGLE: Field =
+    may("angle", Type::Formula, "rad", "0", ("turn of the part about `at`", "поворот части вокруг `at`"), "\"90 deg\"");
+
+/// `[sections.NAME]`.
+pub const SECTION: TableSpec = TableSpec {
+    name: "sections",
+    about: (
+        "Sections of rods: parts added and removed, or one form. A file of sections alone needs nothing else.",
+        "Сечения стержней: части добавляются и вычитаются; либо одна фигура. Файлу, где есть только сечения, больше ничего не нужно.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "parts",
+            Type::Parts,
+            "",
+            "",
+            ("parts; without it the section is the one form below", "части; без ключа сечение — одна из фигур ниже"),
+            "[{ circle = \"3 cm\" }]",
+        ),
+        RECTANGLE,
+        TRIANGLE,
+        CIRCLE,
+        HALF_DISC,
+        RING,
+        POLYGON,
+        PROFILE,
+        PART_AT,
+        PART_ANGLE,
+        LABEL,
+    ],
+    example: "[sections.girder]\nparts = [\n  { profile = \"I20\" },\n  { rectangle = [\"12 cm\", \"1 cm\"], at = [\"0\", \"10,5 cm\"] },\n  { circle = \"1 cm\", at = [\"0\", \"5 cm\"], remove = true },\n]\n",
+};
+
+/// `parts = [{ ... }]`.
+pub const PART: TableSpec = TableSpec {
+    name: "parts",
+    about: ("one part of a section", "одна часть сечения"),
+    short: None,
+    fields: &[
+        RECTANGLE,
+        TRIANGLE,
+        CIRCLE,
+        HALF_DISC,
+        RING,
+        POLYGON,
+        PROFILE,
+        PART_AT,
+        PART_ANGLE,
+        may("remove", Type::Bool, "", "false", ("whether the part is taken out", "вычитается ли часть"), "true"),
+    ],
+    example: "",
+};
+
 /// `[[phases]]`.
 pub const PHASE: TableSpec = TableSpec {
     name: "phases",
@@ -604,7 +744,7 @@ pub const STUDY: TableSpec = TableSpec {
             Type::Formula,
             "s",
             "",
-            ("end of the motion; required by simulate and transient", "конец движения; обязателен для simulate и transient"),
+            ("end of the motion; required to simulate", "конец движения; обязателен для simulate"),
             "\"30 s\"",
         ),
         may("every", Type::Formula, "s", "", ("step of the results", "шаг вывода результатов"), "\"10 ms\""),
@@ -841,6 +981,45 @@ pub const STUDY: TableSpec = TableSpec {
     example: "[[study]]\nkind = \"simulate\"\nuntil = \"30 s\"\nplot = [\"phi'\"]\n",
 };
 
+/// `[variants]`.
+pub const VARIANTS: TableSpec = TableSpec {
+    name: "variants",
+    about: (
+        "Variants: a CSV table whose rows replace values of the file, chosen by --variant NAME. A header is the name of a parameter, of a coordinate (its start) or phi' (its rate), with a unit in brackets if the numbers are not SI: `m [g]`. Commas, semicolons or tabs separate; with semicolons commas are decimal marks; lines with # are remarks; an empty cell changes nothing. Formulas in the number of the variant are parameters: `k = \"kr*(1 + 0.01*N)\"`.",
+        "Варианты: таблица CSV, строки которой заменяют величины файла; строку выбирают ключом --variant ИМЯ. Заголовок столбца — имя параметра, координаты (начальное значение) или phi' (начальная скорость), с единицей в скобках, если числа не в СИ: `m [г]`. Разделители: запятая, точка с запятой или табуляция; при точке с запятой запятая — десятичная; строки с # — примечания; пустая клетка ничего не меняет. Формулы от номера варианта — это параметры: `k = \"kr*(1 + 0.01*N)\"`.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "table",
+            Type::String,
+            "",
+            "",
+            ("file with the table, beside the model file", "файл таблицы рядом с файлом модели"),
+            "\"variants.csv\"",
+        ),
+        may("rows", Type::String, "", "", ("the table itself, instead of `table`", "сама таблица вместо `table`"), "\"\"\"...\"\"\""),
+        may("key", Type::String, "", "first column", ("column that names the variant", "столбец с названием варианта"), "\"variant\""),
+        may(
+            "columns",
+            Type::Names,
+            "",
+            "all others",
+            ("columns that are used; the others are for the reader", "используемые столбцы; остальные — для читателя"),
+            "[\"m\", \"c\", \"v\"]",
+        ),
+        may(
+            "number",
+            Type::Name,
+            "",
+            "",
+            ("parameter that gets the number of the variant", "параметр, получающий номер варианта"),
+            "\"N\"",
+        ),
+    ],
+    example: "[variants]\ntable = \"variants.csv\"\nnumber = \"N\"\n",
+};
+
 /// `plot = [{ ... }]`.
 pub const PLOT: TableSpec = TableSpec {
     name: "plot",
@@ -874,4 +1053,19 @@ pub fn all() -> impl Iterator<Item = &'static TableSpec> {
 const BEFORE: &[&TableSpec] =
     &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
 
-const AFTER: &[&TableSpec] = &[&OUTPUT, &PHASE, &STUDY, &PLOT, &TEXT];
+const AFTER: &[&TableSpec] = &[
+    &OUTPUT,
+    &SECTION,
+    &PART,
+    &structures::NODE,
+    &structures::ROD,
+    &structures::SUPPORT,
+    &structures::LINE_LOAD,
+    &structures::DISPLACEMENT,
+    &structures::STRUCTURE,
+    &PHASE,
+    &STUDY,
+    &VARIANTS,
+    &PLOT,
+    &TEXT,
+];

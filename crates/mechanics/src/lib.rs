@@ -10,6 +10,8 @@ pub mod formula;
 pub mod model;
 mod read;
 pub mod reference;
+pub mod section;
+pub mod structure;
 pub mod units;
 
 pub use diagnostic::{Diagnostic, Severity, Source};

@@ -49,12 +49,53 @@ pub struct Model {
     pub requests: Vec<Request>,
     /// Printed symbols the user asked for: name as in formulas, symbol.
     pub notation: Vec<(String, String)>,
+    /// Sections of rods, in the user's order.
+    pub sections: Vec<crate::section::Section>,
     /// Ends of the phases of the load schedule, ascending, s. What the phases set is already a formula of time.
     pub phases: Vec<f64>,
     /// Instants of these at which the time of forces and torques begins anew, s.
     pub restarts: Vec<f64>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
+    /// Frame or truss, when the file has nodes.
+    pub structure: Option<crate::structure::Structure>,
+    /// Inertia that no body carries: that of a structure over its displacements.
+    pub inertias: Vec<ConstantInertia>,
+    /// A table of values that replace those of the file, one row a variant.
+    pub variants: Option<Variants>,
+}
+
+/// A term M_ij q_i' q_j' of the kinetic energy (half of it for i = j).
+#[derive(Clone, Debug)]
+pub struct ConstantInertia {
+    /// Indices in [`Model::coordinates`], ascending.
+    pub between: [usize; 2],
+    /// Over constant parameters.
+    pub value: Expr,
+}
+
+/// A table of variants. Each row replaces values as `--set` does.
+#[derive(Clone, Debug)]
+pub struct Variants {
+    /// The table.
+    pub table: VariantTable,
+    /// Column that names the variant; the first without it.
+    pub key: Option<String>,
+    /// Columns that are used, by the names of parameters, starts (`phi`) and starting rates (`phi'`); without it all must be such names.
+    pub columns: Option<Vec<String>>,
+    /// Parameter that gets the name of the variant as a number, unless the table has such a column.
+    pub number: Option<String>,
+    /// Place in the file.
+    pub span: Range<usize>,
+}
+
+/// Where a table of variants is.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum VariantTable {
+    /// In a file, relative to the model file.
+    File(String),
+    /// In the model file itself.
+    Text(String),
 }
 
 /// Index of a frame or body in [`Model::frames`].

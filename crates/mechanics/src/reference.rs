@@ -47,8 +47,10 @@ fn section(out: &mut String, table: &TableSpec, language: Language) {
     let title = match table.name {
         "" => language.pick(("Top level", "Верхний уровень")).to_owned(),
         "study" | "phases" => format!("`[[{}]]`", table.name),
-        "parameters" | "coordinates" | "points" | "outputs" => format!("`[{}]`", table.name),
-        "inertia" | "plot" | "text" => format!("`{{ {} }}`", table.fields.iter().map(|f| f.key).collect::<Vec<_>>().join(", ")),
+        "parameters" | "coordinates" | "points" | "outputs" | "variants" => format!("`[{}]`", table.name),
+        "inertia" | "plot" | "text" | "wound" | "circle" | "parts" => {
+            format!("`{{ {} }}`", table.fields.iter().map(|f| f.key).collect::<Vec<_>>().join(", "))
+        }
         name => format!("`[{name}.NAME]`"),
     };
     let _ = writeln!(out, "## {title}\n\n{}\n", language.pick(table.about));

@@ -4,6 +4,8 @@ use mechanics::{Diagnostic, read};
 use proptest::prelude::*;
 
 const FULL: &str = include_str!("full.toml");
+const CONNECTIONS: &str = include_str!("connections.toml");
+const STUDIES: &str = include_str!("studies.toml");
 
 fn check(text: &str) -> Result<(), TestCaseError> {
     let findings: Vec<Diagnostic> = match read(text, "model.toml", &[]) {
@@ -51,11 +53,16 @@ proptest! {
         check(&FULL.replace("400 kN/m", &formula))?;
         check(&FULL.replace("box(0.1 [m], 0.2 [m])", &formula))?;
         check(&FULL.replace("z: phi", &formula))?;
+        check(&CONNECTIONS.replace("200 [N]*exp(-u/v)", &formula))?;
+        check(&CONNECTIONS.replace("force(sliders.B) - F0 + normal(F)", &formula))?;
+        check(&CONNECTIONS.replace("vx(B)*sin(phi2)", &formula))?;
+        check(&STUDIES.replace("v=linspace(1 m/s, 3 m/s, 21)", &formula))?;
+        check(&STUDIES.replace("x - v*1 [s]", &formula))?;
     }
 
     #[test]
-    fn mutated_files(cuts in prop::collection::vec((0usize..4000, 0usize..40, 0usize..4000, 0u8..3), 1..5)) {
-        let mut text = FULL.to_owned();
+    fn mutated_files(which in 0usize..3, cuts in prop::collection::vec((0usize..4000, 0usize..40, 0usize..4000, 0u8..3), 1..5)) {
+        let mut text = [FULL, CONNECTIONS, STUDIES][which].to_owned();
         for (at, length, from, how) in cuts {
             let start = floor(&text, at.min(text.len()));
             let end = floor(&text, (start + length).min(text.len()));

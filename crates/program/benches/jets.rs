@@ -20,6 +20,14 @@ fn states(n: usize) -> Vec<f64> {
     (0..2 * n).map(|i| (i as f64 * 1.7).sin()).collect()
 }
 
+/// The same chain of rods as points with conditions: 2n coordinates, n tensions.
+fn connected(n: usize) -> (Bound, Vec<f64>) {
+    let program = Arc::new(lower::equations(&common::mechanisms::rod_chain(n)).expect("the rods lower"));
+    let values = program.values.clone();
+    let x = (0..n).flat_map(|i| [0.3, -0.4].map(|c| c * (i + 1) as f64)).chain((0..2 * n).map(|i| (i as f64).cos())).collect();
+    (Bound::new(&program, &values).expect("the rods bind"), x)
+}
+
 fn main() {
     println!("{:>3} {:>6} {:>6} {:>12} {:>16} {:>10}", "n", "order", "steps", "us/expand", "ns/(step order)", "mults");
     for (n, order) in [(1, 20), (2, 20), (3, 14), (3, 20), (10, 20), (30, 20)] {
@@ -43,6 +51,19 @@ fn expand_20(bencher: divan::Bencher, n: usize) {
     let bound = bound(n);
     let (mut jets, x) = (bound.jets(20), states(n));
     bencher.bench_local(|| jets.expand(0.0, black_box(&x), &[], 20));
+}
+
+#[divan::bench(args = [1, 3, 5, 10])]
+fn expand_20_with_reactions(bencher: divan::Bencher, n: usize) {
+    let (bound, x) = connected(n);
+    let mut jets = bound.jets(20);
+    bencher.bench_local(|| jets.expand(0.0, black_box(&x), &[], 20));
+}
+
+#[divan::bench(args = [1, 3, 5, 10])]
+fn interpret_with_reactions(bencher: divan::Bencher, n: usize) {
+    let (mut bound, x) = connected(n);
+    bencher.bench_local(|| bound.rates(0.0, black_box(&x), &[]).map(|r| r[0]));
 }
 
 #[divan::bench(args = [1, 3, 10])]

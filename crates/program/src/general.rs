@@ -115,7 +115,7 @@ impl General {
         let (mut best, mut largest) = (None, 0.0);
         for j in (0..self.size).filter(|j| !self.used[*j]) {
             let scaled = self.row[j].abs() / self.columns[j];
-            if self.row[j].is_nan() {
+            if self.row[j].is_nan() || limit.is_infinite() {
                 return Some(j);
             }
             if scaled > limit && scaled > largest {
@@ -184,6 +184,8 @@ impl General {
 mod tests {
     use super::General;
     use crate::solve::Defect;
+    use proptest::prelude::*;
+    use symbolic::Rational;
 
     fn solved(matrix: &[f64], b: &[f64]) -> Result<Vec<f64>, Defect> {
         let mut general = General::default();
@@ -218,6 +220,53 @@ mod tests {
 
     #[test]
     fn a_lost_number_is_no_dependence() {
-        assert!(solved(&[f64::NAN, 1.0, 1.0, 1.0], &[1.0, 1.0]).unwrap().iter().any(|x| x.is_nan()));
+        for lost in [f64::NAN, f64::INFINITY] {
+            assert!(solved(&[lost, 1.0, 1.0, 1.0], &[1.0, 1.0]).unwrap().iter().any(|x| !x.is_finite()));
+        }
+    }
+
+    /// x of A x = b in exact arithmetic, and whether there is one.
+    fn exact(matrix: &[i64], b: &[i64]) -> Option<Vec<f64>> {
+        let n = b.len();
+        let number = |v: &i64| Rational::new(*v, 1).unwrap();
+        let mut rows: Vec<Vec<Rational>> =
+            (0..n).map(|i| matrix[i * n..(i + 1) * n].iter().chain(&b[i..=i]).map(number).collect()).collect();
+        for i in 0..n {
+            let pivot = (i..n).find(|r| !rows[*r][i].is_zero())?;
+            rows.swap(i, pivot);
+            let row: Vec<Rational> = rows[i].iter().map(|a| a / &rows[i][i]).collect();
+            for (_, other) in rows.iter_mut().enumerate().filter(|(r, _)| *r != i) {
+                let factor = other[i].clone();
+                other.iter_mut().zip(&row).for_each(|(a, b)| *a = &*a - &(&factor * b));
+            }
+            rows[i] = row;
+        }
+        Some(rows.iter().map(|row| row[n].to_f64()).collect())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Whole numbers, half of them zero, rows in powers of ten: condition numbers of such matrices stay below 1e6 or they are singular.
+        #[test]
+        fn agrees_with_exact_arithmetic(
+            n in 1usize..9,
+            entries in proptest::collection::vec(prop_oneof![Just(0i64), -4i64..5], 64),
+            b in proptest::collection::vec(-9i64..10, 8),
+            scales in proptest::collection::vec(-6i32..7, 8),
+        ) {
+            let (matrix, b) = (&entries[..n * n], &b[..n]);
+            let scale = |i: usize| 10_f64.powi(scales[i]);
+            let numbers: Vec<f64> = matrix.iter().enumerate().map(|(k, a)| *a as f64 * scale(k / n)).collect();
+            let right: Vec<f64> = b.iter().enumerate().map(|(i, b)| *b as f64 * scale(i)).collect();
+            match (exact(matrix, b), solved(&numbers, &right)) {
+                (Some(want), Ok(have)) => {
+                    let size = want.iter().fold(1.0, |m: f64, v| m.max(v.abs()));
+                    prop_assert!(have.iter().zip(&want).all(|(h, w)| (h - w).abs() < 1e-10 * size), "{:?} {:?}", have, want);
+                }
+                (None, Err(Defect::Dependent { row, unknown })) => prop_assert!(row < n && unknown < n),
+                (want, have) => prop_assert!(false, "{:?} against {:?}", want, have),
+            }
+        }
     }
 }

@@ -95,7 +95,11 @@ impl Evaluator {
 
     /// The modes that guard values have at a point, outer guards deciding which branch feeds inner ones.
     pub(crate) fn modes(&mut self, point: &Point) -> Result<Vec<Mode>, Fault> {
-        self.run(&Point { modes: None, ..*point })?;
+        match self.run(&Point { modes: None, ..*point }) {
+            // where all signs together leave reactions open, each is still known
+            Err(fault) if fault.code != "P013" => return Err(fault),
+            _ => {}
+        }
         Ok(self.tape.guards.iter().map(|r| r.map_or(Mode::Positive, |r| Mode::of(self.value(r)))).collect())
     }
 
@@ -122,10 +126,12 @@ impl Evaluator {
     }
 
     fn pass(&mut self, point: &Point) -> Result<(), Fault> {
+        let mut result = Ok(());
         for instruction in &self.tape.body {
-            execute(instruction, &mut self.registers, &mut self.scratch, point, &[], &self.tape)?;
+            // a system without a solution leaves not-a-numbers, and what does not depend on it is still computed
+            result = result.and(execute(instruction, &mut self.registers, &mut self.scratch, point, &[], &self.tape));
         }
-        Ok(())
+        result
     }
 
     fn check(&self, point: &Point) -> Result<(), Fault> {
@@ -266,7 +272,10 @@ fn execute(
         Operation::System { matrix, right } => {
             let Scratch { general, solution, .. } = scratch;
             general.load(right.len(), matrix.iter().map(|r| r.map_or(0.0, |r| registers[r.index()])));
-            general.factor().map_err(|defect| defective(tape, instruction.into, defect))?;
+            if let Err(defect) = general.factor() {
+                registers[into..into + right.len()].fill(f64::NAN);
+                return Err(defective(tape, instruction.into, defect));
+            }
             solution.clear();
             solution.extend(right.iter().map(at));
             general.solve_refined(solution);

@@ -4,7 +4,8 @@
 //! Equations --lower::equations--> Program (tapes) --Bound::new--> Bound (parameters in) --> Evaluator (a value), Jets (a series)
 //! ```
 //!
-//! A [`Program`] holds one [`Tape`] for each question (dynamics, outputs, energy, second derivation, statics, start). The [`Evaluator`]
+//! A [`Program`] holds one [`Tape`] for each question (dynamics, forces of connections, outputs, energy, second derivation,
+//! statics, conditions, start). The [`Evaluator`]
 //! interprets any of them and is the oracle; [`Jets`] expands the motion in a Taylor series. Switches are [`Guard`]s with [`Mode`]s.
 //! Everything that can go wrong is a [`Fault`] with code, cause and cure.
 //!
@@ -65,6 +66,6 @@ pub use fault::{Details, EXPLANATIONS, Fault, Singular};
 pub use guard::{Guard, GuardKind, Mode};
 pub use interpret::{Evaluator, Point};
 pub use jets::Jets;
-pub use program::{Bound, ConnectionRoots, ENERGY, Program};
+pub use program::{Bound, ConnectionRoots, ENERGY, Program, RestRoots};
 pub use tape::{Bounded, By, Coefficient, Instruction, Operation, Real, Register, Root, Shape, Tape, Unary};
 pub use verify::verify;

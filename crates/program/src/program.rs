@@ -22,6 +22,8 @@ pub struct Program {
     pub values: Vec<f64>,
     /// The switching functions.
     pub guards: Vec<Guard>,
+    /// Guard of kind `Sliding` or `Gap` by which each reaction goes, by reaction. Frictions with one sliding speed go by one guard.
+    pub switches: Vec<Option<usize>>,
     /// Number of conditions in the equations, dropped ones included.
     pub conditions: usize,
     /// Number of contacts.
@@ -51,6 +53,9 @@ pub struct Program {
     pub places: Arc<Tape>,
     /// t, x (rates ignored, taken as 0) -> h(q, 0, s, t), then its Jacobian ∂h/∂q row by row. Switches go by value.
     pub statics: Arc<Tape>,
+    /// t, x (rates ignored, taken as 0), q'' (ignored) and all reactions -> what equilibrium with connections needs besides [`Program::statics`];
+    /// [`Program::rest_roots`] says where. Switches go by value.
+    pub rests: Arc<Tape>,
     /// t, x -> all conditions and what assembly, projection and impacts need; [`Program::connection_roots`] says where. Switches go by value.
     pub connections: Arc<Tape>,
     /// t, x -> Σ released: balances x reactions, row by row. Switches go by value.
@@ -60,6 +65,7 @@ pub struct Program {
 }
 
 /// Where the roots of [`Program::connections`] are; n coordinates, m conditions (dropped ones included), c contacts in the order of their reactions.
+/// A machine without conditions and reactions has none.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ConnectionRoots {
     /// m: value of each condition's place, 0 for one on rates only.
@@ -78,28 +84,41 @@ pub struct ConnectionRoots {
     pub forces: Range<usize>,
 }
 
+/// Where the roots of [`Program::rests`] are; n coordinates, m conditions. At rest h + Σ forces λ = 0 and all places vanish; the derivative of the first
+/// by q is that of h plus `derivatives`. A machine without conditions and reactions has none.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct RestRoots {
+    /// m: value of each condition's place, 0 for one on rates only.
+    pub places: Range<usize>,
+    /// m n: ∂rate/∂q', which is ∂place/∂q where there is a place, row by row.
+    pub jacobian: Range<usize>,
+    /// n: Σ forces λ.
+    pub loads: Range<usize>,
+    /// n n: its derivatives by q, row by row.
+    pub derivatives: Range<usize>,
+    /// reactions x n: generalized forces per unit of each reaction, row by row.
+    pub forces: Range<usize>,
+}
+
 /// Names of the roots of [`Program::energy`].
 pub const ENERGY: [&str; 7] = ["kinetic", "potential", "dissipation", "dissipated", "rate", "loads", "drives"];
 
 impl Program {
     /// Where the roots of [`Program::connections`] are.
     pub fn connection_roots(&self) -> ConnectionRoots {
-        let n = self.coordinates;
-        let (m, c) = (self.conditions, self.contacts);
-        let mut end = 0;
-        let mut next = |count: usize| {
-            end += count;
-            end - count..end
-        };
-        ConnectionRoots {
-            places: next(m),
-            rates: next(m),
-            jacobian: next(m * n),
-            mass: next(n * (n + 1) / 2),
-            gaps: next(c),
-            restitutions: next(c),
-            forces: next(self.reactions * n),
-        }
+        let (n, m, c) = (self.connected_coordinates(), self.conditions, self.contacts);
+        let [places, rates, jacobian, mass, gaps, restitutions, forces] =
+            consecutive([m, m, m * n, n * (n + 1) / 2, c, c, self.reactions * n]);
+        ConnectionRoots { places, rates, jacobian, mass, gaps, restitutions, forces }
+    }
+    fn connected_coordinates(&self) -> usize {
+        if self.conditions + self.reactions > 0 { self.coordinates } else { 0 }
+    }
+    /// Where the roots of [`Program::rests`] are.
+    pub fn rest_roots(&self) -> RestRoots {
+        let (n, m) = (self.connected_coordinates(), self.conditions);
+        let [places, jacobian, loads, derivatives, forces] = consecutive([m, m * n, n, n * n, self.reactions * n]);
+        RestRoots { places, jacobian, loads, derivatives, forces }
     }
     /// The inputs `accelerations` of outputs, energy and the second derivation, from the roots of [`Program::forces`]: q'', then every
     /// reaction at its own index, not-a-number where it is not unique.
@@ -114,6 +133,14 @@ impl Program {
             }
         }
     }
+}
+
+fn consecutive<const N: usize>(sizes: [usize; N]) -> [Range<usize>; N] {
+    let mut end = 0;
+    sizes.map(|size| {
+        end += size;
+        end - size..end
+    })
 }
 
 /// A program with numbers for its parameters: the prologue of the dynamics has been run.

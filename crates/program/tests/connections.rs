@@ -40,6 +40,47 @@ fn rod_of_a_pendulum_pulls_as_the_angle_formulation_says() {
     }
 }
 
+/// Chains of rods against the same chains in angles: accelerations, and the last tension from the last point alone.
+#[test]
+fn chains_of_rods_move_as_chains_in_angles() {
+    for n in [1, 2, 3, 5, 8] {
+        let (mut rods, mut angles) = (bind(&rod_chain(n)), bind(&pendulum_chain(n)));
+        let states: Vec<f64> = (0..2 * n).map(|i| (1.3 * i as f64 + 0.4).sin() * if i < n { 2.0 } else { 3.0 }).collect();
+        let rates = angles.rates(0.0, &states, &[]).unwrap();
+        let (mut places, mut speeds, mut wanted) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut at, mut v, mut w) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        for i in 0..n {
+            let l = 0.5 + i as f64 * 0.003;
+            let (s, c) = states[i].sin_cos();
+            let (turn, change) = (states[n + i], rates[n + i]);
+            for (k, (along, across)) in [(s, c), (-c, s)].into_iter().enumerate() {
+                at[k] += l * along;
+                v[k] += l * turn * across;
+                w[k] += l * (change * across - turn * turn * along);
+            }
+            places.extend(at);
+            speeds.extend(v);
+            wanted.extend(w);
+        }
+        let (s, c) = states[n - 1].sin_cos();
+        let (ax, ay) = (wanted[2 * n - 2], wanted[2 * n - 1]);
+        // m a = weight + T towards the point before, (-sin, cos)
+        let tension = (1.0 + (n - 1) as f64 * 0.01) * (-ax * s + (ay + 9.81) * c);
+        let have = rods.rates(0.0, &[places, speeds].concat(), &[]).unwrap();
+        let size = wanted.iter().fold(1.0, |m: f64, a| m.max(a.abs()));
+        close(&have[2 * n..4 * n], &wanted, 1e-12 * size);
+        close(&have[5 * n - 1..], &[tension], 1e-12 * size);
+    }
+}
+
+/// A rod whose ends meet has no direction: the division is told, not a singular system.
+#[test]
+fn lost_direction_of_a_rod_is_a_division_by_zero() {
+    let mut bound = bind(&cartesian_pendulum());
+    assert_eq!(bound.rates(0.0, &[0.0; 4], &[]).unwrap_err().code, "P001");
+    assert_eq!(bound.jets(5).expand(0.0, &[0.0; 4], &[], 5).unwrap_err().code, "P001");
+}
+
 #[test]
 fn atwood_machine_moves_and_pulls_as_the_formula_says() {
     let mut bound = bind(&atwood(3.0, 2.0));
@@ -321,6 +362,54 @@ fn a_ball_falls_while_the_gap_is_open_and_rests_while_it_is_closed() {
     assert_eq!(values, [1.5, -3.0, 1.0, 2.0, 1.5, 0.5, 1.0]);
 }
 
+/// Two brakes on one block: they stick up to the sum of their limits, in shares, and slide each with its own force.
+#[test]
+fn frictions_of_one_speed_stick_and_slide_together() {
+    for (fixed, load) in [([6.0, 2.0], 7.0), ([0.0, 0.0], 0.0), ([0.0, 9.0], -7.0)] {
+        let mut e = empty(Graph::new());
+        let [m, f, a, b, k] = [("m", 2.0), ("F", load), ("a", fixed[0]), ("b", fixed[1]), ("k", 1.5)].map(|(n, v)| parameter(&mut e, n, v));
+        let (_, v) = coordinate(&mut e, "x");
+        masses(&mut e, &[m]);
+        e.force = vec![f];
+        friction(&mut e, "first", v, [k, k], a, None);
+        friction(&mut e, "second", v, [k, a], b, None);
+        for special in [false, true] {
+            let mut bound = bind(&e);
+            if special {
+                bound = bound.specialised().unwrap();
+            }
+            assert_eq!(bound.program().guards.len(), 3);
+            assert_eq!(bound.program().switches, [Some(0), Some(0)]);
+            let GuardKind::Sliding { reaction: 0, limits } = bound.program().guards[0].kind else { panic!() };
+            let modes = bound.modes(0.0, &[0.0, 0.0]).unwrap();
+            assert_eq!(modes[0], Mode::Zero);
+            let sum = fixed[0] + fixed[1];
+            let share = if sum > 0.0 { fixed.map(|f| load * f / sum) } else { [load, 0.0] };
+            close(bound.rates(0.0, &[0.0, 0.0], &modes).unwrap(), &[0.0, 0.0, share[0], share[1]], 1e-15);
+            let mut jets = bound.jets(2);
+            jets.expand(0.0, &[0.0, 0.0], &modes, 2).unwrap();
+            close(&limits.map(|l| jets.guard(l)[0]), &[sum + load, sum - load], 1e-15);
+            let modes = bound.modes(0.0, &[0.0, 1.0]).unwrap();
+            close(bound.rates(0.0, &[0.0, 1.0], &modes).unwrap(), &[1.0, (load - 1.5 - fixed[0]) / 2.0, 1.5, fixed[0]], 1e-15);
+        }
+    }
+}
+
+/// Where the modes by value cannot hold together, each is still told.
+#[test]
+fn modes_are_known_where_the_reactions_are_not() {
+    let mut e = atwood(1.0, 1.0);
+    let fifty = e.graph.int(50);
+    for i in 0..2 {
+        let v = e.graph.symbol(e.coordinates[i].symbols[1]);
+        friction(&mut e, &format!("brake {i}"), v, [fifty, fifty], fifty, None);
+    }
+    let mut bound = bind(&e);
+    let modes = bound.modes(0.0, &[1.0, 2.0, 0.0, 0.0]).unwrap();
+    assert_eq!((modes[0], modes[3]), (Mode::Zero, Mode::Zero));
+    assert_eq!(bound.rates(0.0, &[1.0, 2.0, 0.0, 0.0], &modes).unwrap_err().code, "P013");
+}
+
 /// A formula that switches on the sliding speed goes by the friction's own guard, with the sign of its own.
 #[test]
 fn formulas_share_the_guard_of_sliding() {
@@ -383,6 +472,34 @@ fn singular_position_names_a_condition() {
     assert_eq!(bound.jets(4).expand(0.0, &x, &[], 4).unwrap_err().singular, Some(singular));
 }
 
+/// Equilibrium of a pendulum of which the rod is a condition, and the derivatives by differences.
+#[test]
+fn rest_with_connections_has_loads_and_their_derivatives() {
+    let bound = bind(&cartesian_pendulum());
+    let roots = bound.program().rest_roots();
+    let mut rests = bound.evaluator(&bound.program().rests).unwrap();
+    let mut at = |x: f64, y: f64, force: f64| {
+        rests.evaluate(&Point { states: &[x, y, 5.0, 6.0], accelerations: &[0.0, 0.0, force], ..Point::default() }).unwrap().to_vec()
+    };
+    let here = at(0.0, -0.6, 0.7 * 9.81);
+    assert_eq!(here.len(), roots.forces.end);
+    close(&here[roots.loads.clone()], &[0.0, 0.7 * 9.81], 1e-15);
+    close(&here[roots.places.clone()], &[0.0], 1e-15);
+    let (x, y, force, step) = (0.4, -0.5, 3.0, 1e-5);
+    let here = at(x, y, force);
+    let length = f64::hypot(x, y);
+    close(&here[roots.jacobian.clone()], &[x / length, y / length], 1e-15);
+    close(&here[roots.forces.clone()], &[-x / length, -y / length], 1e-15);
+    for (j, (dx, dy)) in [(step, 0.0), (0.0, step)].into_iter().enumerate() {
+        let (plus, minus) = (at(x + dx, y + dy, force), at(x - dx, y - dy, force));
+        for i in 0..2 {
+            let slope = (plus[roots.loads.start + i] - minus[roots.loads.start + i]) / (2.0 * step);
+            // a central difference: third derivatives below 1000, times step²/6
+            assert!((here[roots.derivatives.start + 2 * i + j] - slope).abs() < 1e-7);
+        }
+    }
+}
+
 /// No coordinates: a beam on two supports.
 #[test]
 fn statics_without_coordinates_give_supports() {
@@ -408,7 +525,7 @@ fn statics_without_coordinates_give_supports() {
 fn tapes_of_connected_machines_read_back() {
     for e in [pressed(3.0), slider_crank(), block(), atwood(1.0, 2.0)] {
         let p = lower::equations(&e).unwrap();
-        for tape in [&p.dynamics, &p.forces, &p.outputs, &p.second, &p.connections, &p.balances] {
+        for tape in [&p.dynamics, &p.forces, &p.outputs, &p.second, &p.connections, &p.balances, &p.rests] {
             program::verify(tape).unwrap();
             let again = text::parse(&tape.to_string()).unwrap();
             assert_eq!(again.to_string(), tape.to_string());

@@ -52,8 +52,18 @@ pub enum Command {
     Transient(Transient),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
+    /// Show the properties of the sections of a file
+    Section(Section),
+    /// Find the exact periodic regime: period, multipliers, motion over one period
+    Periodic(Periodic),
+    /// Repeat a study over values of parameters
+    Sweep(Sweep),
     /// Find natural frequencies and shapes of small motions
     Modes(Modes),
+    /// Find reactions and internal forces at rest
+    Statics(Statics),
+    /// Find forced oscillations over the frequency of a load
+    Response(Response),
     /// List the example models, or print one
     Examples(Examples),
     /// Write a model file to start from
@@ -72,6 +82,9 @@ pub struct Model {
     /// Replace a parameter (m="10 g"), a start (phi=0.1) or a starting rate ("phi'=30")
     #[arg(long = "set", value_name = "NAME=QUANTITY")]
     pub overrides: Vec<String>,
+    /// Take the values of this row of the table of variants; --set counts more
+    #[arg(long, value_name = "NAME")]
+    pub variant: Option<String>,
 }
 
 #[derive(Args, Debug)]
@@ -166,6 +179,12 @@ pub struct Equilibrium {
 }
 
 #[derive(Args, Debug)]
+pub struct Statics {
+    #[command(flatten)]
+    pub model: Model,
+}
+
+#[derive(Args, Debug)]
 pub struct Modes {
     #[command(flatten)]
     pub model: Model,
@@ -177,11 +196,117 @@ pub struct Modes {
     pub normalise: Option<Normalise>,
 }
 
+#[derive(Args, Debug)]
+pub struct Response {
+    #[command(flatten)]
+    pub model: Model,
+    /// Where to look for the equilibrium: phi=0.1
+    #[arg(long = "guess", value_name = "NAME=QUANTITY")]
+    pub guess: Vec<String>,
+    /// The load: a force, a torque, or a coordinate for a unit load; otherwise the harmonic loads of the file
+    #[arg(long, value_name = "NAME")]
+    pub load: Option<String>,
+    /// The parameter that is the frequency
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// Frequencies from and to: 1,100 (rad/s) or "1 Hz,20 Hz"
+    #[arg(long, value_name = "FROM,TO", allow_hyphen_values = true)]
+    pub range: Option<String>,
+    /// Number of frequencies
+    #[arg(long, value_name = "N")]
+    pub points: Option<usize>,
+    /// Logarithmic axes
+    #[arg(long)]
+    pub log: bool,
+    /// Quantities by name, in this order: phi,phi',omega_p
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub outputs: Option<Vec<String>>,
+    /// Frequencies at which the shape of the motion is shown: 10,20 (rad/s) or "3 Hz"
+    #[arg(long, value_name = "W1,W2,...", allow_hyphen_values = true)]
+    pub shapes: Option<String>,
+}
+
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Normalise {
     Largest,
     First,
     Mass,
+}
+
+#[derive(Args, Debug)]
+pub struct Section {
+    #[command(flatten)]
+    pub model: Model,
+    /// One section only
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+    /// Also write drawings and a table into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct Periodic {
+    #[command(flatten)]
+    pub model: Model,
+    /// What begins a period: an angle (one turn) or a formula that passes zero from below
+    #[arg(long, value_name = "FORMULA", allow_hyphen_values = true)]
+    pub section: Option<String>,
+    /// Turns of the angle in a period
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub turns: Option<String>,
+    /// Period of a forced motion
+    #[arg(long, value_name = "TIME")]
+    pub period: Option<String>,
+    /// Ordinary motion before the search
+    #[arg(long, value_name = "TIME")]
+    pub settle: Option<String>,
+    /// Parameter that is changed until the period is the wanted one
+    #[arg(long, value_name = "NAME", requires = "wanted_period")]
+    pub unknown: Option<String>,
+    /// Wanted period
+    #[arg(long, value_name = "TIME", requires = "unknown")]
+    pub wanted_period: Option<String>,
+    #[command(flatten)]
+    pub table: Table,
+}
+
+#[derive(Args, Debug)]
+pub struct Sweep {
+    #[command(flatten)]
+    pub model: Model,
+    /// Values of a parameter or start: v=linspace(1 m/s, 3 m/s, 21), c=logspace(1 N/m, 1 kN/m, 4), m=1 kg, 2 kg; may be repeated
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub over: Vec<String>,
+    /// What is noted: period, multipliers.1.abs, events, max(x), min(x), amplitude(x), mean(x), last(x)
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub observe: Option<Vec<String>>,
+    /// The study that is repeated, when the file has several
+    #[arg(long, value_name = "STUDY")]
+    pub of: Option<String>,
+    /// Also write tables, plots and a page into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// What a table of results shall hold.
+#[derive(Args, Debug)]
+pub struct Table {
+    /// Results exactly at these times: 0,0.5,10
+    #[arg(long, value_name = "T1,T2,...", conflicts_with = "every", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Results at equal intervals
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub every: Option<String>,
+    /// Columns by name, in this order: phi,phi',omega_p
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub outputs: Option<Vec<String>>,
+    /// Relative tolerance of a step, 1e-15 ... 1e-3
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub tolerance: Option<String>,
+    /// Also write tables, plots and a page into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

@@ -35,8 +35,13 @@ pub enum Extent {
 /// The document of a calculation.
 pub fn compose(calculation: &Calculation, extent: Extent, language: Language) -> Document {
     let writer = Writer { calculation, equations: &calculation.machine.equations, extent, language };
-    let mut blocks = writer.coordinates();
-    blocks.extend(writer.equations());
+    let sections = &calculation.machine.model.sections;
+    // sections alone have no motion
+    let machine = sections.is_empty() || !writer.equations.coordinates.is_empty();
+    let mut blocks = if machine { writer.coordinates() } else { Vec::new() };
+    if machine {
+        blocks.extend(writer.equations());
+    }
     if extent == Extent::Page {
         blocks.extend(writer.derivation());
         blocks.extend(writer.parameters());
@@ -45,6 +50,7 @@ pub fn compose(calculation: &Calculation, extent: Extent, language: Language) ->
     for finding in &calculation.findings {
         blocks.extend(writer.finding(finding));
     }
+    blocks.extend(crate::sections::blocks(sections, extent == Extent::Page, language));
     if extent == Extent::Page {
         blocks.extend(writer.downloads());
     }
@@ -67,12 +73,20 @@ pub fn printer(equations: &Equations, language: Language, width: usize) -> Print
 
 /// Figures of a simulation: those the file asks for, otherwise one per coordinate. Their names differ.
 pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, language: Language) -> Vec<Figure> {
-    let mut figures: Vec<Figure> = if study.plots.is_empty() {
+    if study.plots.is_empty() {
         let coordinates = calculation.machine.equations.outputs.iter().filter(|o| o.role == Role::Coordinate);
-        coordinates.filter_map(|o| Figure::over_axis(data, &[&o.name], language)).collect()
+        distinct(coordinates.filter_map(|o| Figure::over_axis(data, &[&o.name], language)).collect())
     } else {
-        study.plots.iter().filter_map(|plot| figure(plot, data, language)).collect()
-    };
+        plots(&study.plots, data, language)
+    }
+}
+
+/// Figures that a study asks for. Their names differ.
+pub fn plots(plots: &[Plot], data: &Dataset, language: Language) -> Vec<Figure> {
+    distinct(plots.iter().filter_map(|plot| figure(plot, data, language)).collect())
+}
+
+fn distinct(mut figures: Vec<Figure>) -> Vec<Figure> {
     for i in 1..figures.len() {
         let (before, rest) = figures.split_at_mut(i);
         if before.iter().any(|f| f.name == rest[0].name) {
@@ -85,6 +99,9 @@ pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, lang
 /// Figures of findings other than motions.
 pub fn other_figures(finding: &Finding, language: Language) -> Vec<Figure> {
     match finding {
+        Finding::Structure(found) => crate::structure::figures(found, language),
+        Finding::Response(found) => crate::small::show::response_figures(found, language),
+        Finding::Study(results) => results.figures(language),
         Finding::Modes(found) => crate::small::show::campbell(&found.data, language).into_iter().collect(),
         _ => Vec::new(),
     }
@@ -140,7 +157,7 @@ impl Writer<'_> {
     fn coordinates(&self) -> Vec<Block> {
         let language = self.language;
         let coordinates = &self.equations.coordinates;
-        let mut pieces = vec![Inline::Words(format!("{}: {}. ", self.word(Word::DegreesOfFreedom), coordinates.len()))];
+        let mut pieces = vec![Inline::Words(format!("{}: {}. ", self.word(Word::DegreesOfFreedom), self.equations.degrees_of_freedom()))];
         if coordinates.is_empty() {
             return vec![Block::Paragraph(Rich(pieces))];
         }
@@ -178,6 +195,7 @@ impl Writer<'_> {
                 }
             }
         }
+        blocks.extend(self.connections(&printer));
         let mathml = definitions(self.equations, &printer, Form::MathMl);
         let text = definitions(self.equations, &printer, Form::Text);
         if !text.is_empty() {
@@ -185,6 +203,30 @@ impl Writer<'_> {
         }
         for (mathml, text) in mathml.into_iter().zip(text) {
             blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
+        }
+        blocks
+    }
+
+    /// What the connections demand, and what the letters of their reactions mean.
+    fn connections(&self, printer: &Printer) -> Vec<Block> {
+        let [mathml, text] = [Form::MathMl, Form::Text].map(|form| conditions(self.equations, printer, form));
+        let mut blocks = Vec::new();
+        if !text.is_empty() {
+            blocks.push(Block::paragraph(say(self.language, Say::Connections)));
+        }
+        for (mathml, text) in mathml.into_iter().zip(text) {
+            blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
+        }
+        let mut pieces = Vec::new();
+        for (i, reaction) in self.equations.reactions.iter().enumerate() {
+            let before = if i == 0 { format!("{}: ", say(self.language, Say::Reactions)) } else { "; ".into() };
+            pieces.push(Inline::Words(before));
+            pieces.push(Inline::Formula(self.symbol(printer, reaction.symbol)));
+            pieces.push(Inline::Words(format!(" — {}", self.language.text(&reaction.label))));
+        }
+        if !pieces.is_empty() {
+            pieces.push(Inline::Words(".".into()));
+            blocks.push(Block::Paragraph(Rich(pieces)));
         }
         blocks
     }
@@ -254,6 +296,25 @@ impl Writer<'_> {
                 blocks.extend(self.notes(data));
                 blocks
             }
+            Finding::Structure(found) => {
+                let heading = crate::structure::heading(found, self.language);
+                let mut blocks = vec![Block::heading(1, heading)];
+                blocks.extend(crate::structure::blocks(found, self.language, self.extent == Extent::Page));
+                blocks
+            }
+            Finding::Study(results) => {
+                let mut blocks = of_results(results, self.extent == Extent::Page, self.language);
+                if self.extent == Extent::Page {
+                    blocks.extend(results.figures(self.language).into_iter().map(Block::Figure));
+                }
+                blocks.extend(self.counters(&results.data));
+                blocks
+            }
+            Finding::Response(found) => {
+                let mut blocks = vec![Block::heading(1, say(self.language, Say::Response))];
+                blocks.extend(crate::small::show::response(found, self.language, self.extent == Extent::Page));
+                blocks
+            }
             Finding::Modes(found) => {
                 let mut blocks = vec![Block::heading(1, say(self.language, Say::Modes))];
                 blocks.extend(crate::small::show::modes(found, self.language, self.extent == Extent::Page));
@@ -288,28 +349,11 @@ impl Writer<'_> {
     }
 
     fn notes(&self, data: &Dataset) -> Vec<Block> {
-        data.notes.iter().map(|note| Block::paragraph(self.language.text(note))).collect()
+        notes(data, self.language)
     }
 
     fn events(&self, data: &Dataset) -> Vec<Block> {
-        if data.events.is_empty() {
-            return Vec::new();
-        }
-        let language = self.language;
-        let columns = vec![Column::with_unit(self.word(Word::Time), "s", language), Column::new(self.word(Word::Event))];
-        let mut table = Table::new(columns);
-        let listed = &data.events[..data.events.len().min(EVENTS)];
-        let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
-        for (time, event) in Cell::column(&times, 6, language).into_iter().zip(listed) {
-            table.row(vec![time, Cell::words(language.text(&event.what))]);
-        }
-        let mut blocks = vec![self.table(table, Word::Events)];
-        let more = data.events.len() - listed.len();
-        if more > 0 {
-            let (en, ru) = (format!("and {more} more events: see the JSON file"), format!("и ещё событий: {more}, см. файл JSON"));
-            blocks.push(Block::paragraph(language.pick(en, ru)));
-        }
-        blocks
+        events(data, self.extent == Extent::Page, self.language)
     }
 
     fn counters(&self, data: &Dataset) -> Vec<Block> {
@@ -333,6 +377,47 @@ impl Writer<'_> {
     }
 }
 
+/// Remarks beside a result.
+fn notes(data: &Dataset, language: Language) -> Vec<Block> {
+    data.notes.iter().map(|note| Block::paragraph(language.text(note))).collect()
+}
+
+/// What happened, and when.
+fn events(data: &Dataset, captions: bool, language: Language) -> Vec<Block> {
+    if data.events.is_empty() {
+        return Vec::new();
+    }
+    let columns = vec![Column::with_unit(language.word(Word::Time), "s", language), Column::new(language.word(Word::Event))];
+    let mut table = Table::new(columns);
+    let listed = &data.events[..data.events.len().min(EVENTS)];
+    let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
+    for (time, event) in Cell::column(&times, 6, language).into_iter().zip(listed) {
+        table.row(vec![time, Cell::words(language.text(&event.what))]);
+    }
+    let mut blocks = vec![Block::Table(if captions { table.with_caption(language.word(Word::Events)) } else { table })];
+    let more = data.events.len() - listed.len();
+    if more > 0 {
+        let (en, ru) = (format!("and {more} more events: see the JSON file"), format!("и ещё событий: {more}, см. файл JSON"));
+        blocks.push(Block::paragraph(language.pick(en, ru)));
+    }
+    blocks
+}
+
+/// The results of a study, without plots.
+pub fn of_results(results: &crate::studies::Results, captions: bool, language: Language) -> Vec<Block> {
+    let mut blocks = results.blocks(captions, language);
+    blocks.extend(notes(&results.data, language));
+    blocks.extend(events(&results.data, captions, language));
+    blocks
+}
+
+/// Blocks as text for a terminal.
+pub fn in_terminal(blocks: Vec<Block>, language: Language, width: usize) -> String {
+    let none = String::new;
+    let document = Document { language, title: none(), description: none(), blocks, version: none(), model_hash: none() };
+    report::terminal::write(&document, width)
+}
+
 /// What stands behind "where": definitions, and the rates of prescribed turning angles, ψ' = ω. Nothing when the equations are not shown.
 pub fn definitions(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
     let Ok(shown_equations) = &equations.textbook else { return Vec::new() };
@@ -352,6 +437,20 @@ pub fn definitions(equations: &Equations, printer: &Printer, form: Form) -> Vec<
         }
     }
     out
+}
+
+/// The conditions of connections, `... = 0`: on positions where they exist, else on rates. Nothing when the equations are not shown.
+pub fn conditions(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
+    if equations.textbook.is_err() {
+        return Vec::new();
+    }
+    let mut graph = equations.graph.clone();
+    let right = graph.zero();
+    let write = |c: &symbolic::connections::Condition| {
+        let equality = symbolic::equations::Equality { left: c.place.unwrap_or(c.rate), right };
+        printer.equality(&graph, equality, None, form)
+    };
+    equations.conditions.iter().map(write).collect()
 }
 
 /// The written derivation as blocks.
@@ -403,7 +502,7 @@ pub fn results(data: &Dataset, language: Language) -> Table {
 }
 
 /// The user's unit of display, otherwise SI with a prefix.
-fn scale(quantity: &analysis::Quantity, largest: f64) -> report::unit::Scale {
+pub fn scale(quantity: &analysis::Quantity, largest: f64) -> report::unit::Scale {
     match &quantity.display {
         Some((label, size)) => report::unit::Scale { size: *size, label: label.clone() },
         None => report::unit::Scale::of_column(&quantity.unit, largest),

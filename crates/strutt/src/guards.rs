@@ -14,6 +14,9 @@ pub fn names(equations: &Equations, program: &Program) -> Vec<Text> {
     let [en, ru] = [Language::En, Language::Ru].map(|language| printer(equations, language, usize::MAX));
     let graph = &equations.graph;
     let name = |guard: &program::Guard| {
+        if let Some(reaction) = reaction(guard.kind).and_then(|r| equations.reactions.get(r)) {
+            return Text::same(&reaction.name);
+        }
         let write = |printer: &report::formula::Printer| {
             let left = printer.inline(graph, guard.left, Form::Text);
             let text = match guard.right {
@@ -25,4 +28,15 @@ pub fn names(equations: &Equations, program: &Program) -> Vec<Text> {
         Text::new(write(&en), write(&ru))
     };
     program.guards.iter().map(name).collect()
+}
+
+/// The reaction whose law a guard switches.
+fn reaction(kind: program::GuardKind) -> Option<usize> {
+    use program::GuardKind::{ContactForce, Gap, Limit, Normal, Sliding};
+    match kind {
+        Sliding { reaction, .. } | Limit { reaction, .. } | Normal { reaction } | Gap { reaction, .. } | ContactForce { reaction, .. } => {
+            Some(reaction)
+        }
+        _ => None,
+    }
 }

@@ -3,7 +3,9 @@
 use crate::document::{self, Extent};
 use crate::failure::{Failure, Trouble};
 use crate::small::modes::ModesFound;
+use crate::small::response::ResponseFound;
 use crate::source::Source;
+use crate::studies::{Origin, Results};
 use crate::watch::Watch;
 use crate::words::Word;
 use crate::{guards, phases, plan, provenance};
@@ -16,7 +18,6 @@ use mechanics::model::{self, Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
 use report::formula::{Form, Printer};
 use report::{Document, Language};
-use std::sync::Arc;
 use symbolic::{Equations, SymbolId};
 
 /// A machine ready for studies.
@@ -32,6 +33,16 @@ pub struct Machine {
     pub system: analysis::Machine,
     /// Hash of the file and the overrides.
     pub model_hash: String,
+    /// What it was made from.
+    pub origin: Origin,
+}
+
+impl Machine {
+    /// Names of the states: coordinates, rates, auxiliary states.
+    pub fn system_states(&self) -> Vec<String> {
+        use analysis::System;
+        self.system.states().iter().map(|q| q.name.clone()).collect()
+    }
 }
 
 /// What a study found, and what ended it early, if anything did.
@@ -43,8 +54,14 @@ pub enum Finding {
     Motion(Simulate, Dataset, Option<Trouble>),
     /// A motion in closed form, its phases, and the study that asked for it.
     Transient(Simulate, Dataset, Phases, Option<Trouble>),
+    /// Any other study.
+    Study(Box<Results>),
     /// Natural frequencies and shapes.
     Modes(Box<ModesFound>),
+    /// A study of a frame or truss.
+    Structure(Box<crate::structure::StructureFound>),
+    /// Forced oscillations over the frequency.
+    Response(Box<ResponseFound>),
 }
 
 /// Phases of a motion, and the names of its state.
@@ -101,13 +118,15 @@ pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch)
 /// Findings about the model.
 pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail, watch: &mut Watch) -> Result<Machine, Failure> {
     let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
-    let reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    let mut reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    crate::structure::mount::mount(&mut reading.model)?;
     watch.lap(Word::TimeRead);
     let equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
     watch.lap(Word::TimeDerive);
     let system = lower(&equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeLower);
-    Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides) })
+    let origin = Origin { source: source.clone(), overrides: overrides.to_vec() };
+    Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides), origin })
 }
 
 /// From equations to a program with numbers.
@@ -115,8 +134,8 @@ pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail,
 /// # Errors
 /// A formula that has no value for the parameters as given.
 pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault> {
-    let program = Arc::new(program::lower::equations(equations)?);
-    analysis::Machine::new(equations, &program, &program.values, &guards::names(equations, &program))
+    let values: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+    analysis::Machine::assembled(equations, &values, &|program| guards::names(equations, program))
 }
 
 /// One study of the file; equations are no study of numbers.
@@ -124,14 +143,12 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_)
-        | StudyKind::Statics
-        | StudyKind::Kinematics(_)
-        | StudyKind::Periodic(_)
-        | StudyKind::Cycle(_)
-        | StudyKind::Sweep(_)
-        | StudyKind::Response(_) => None,
+        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Cycle(_) => None,
+        StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
+        StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
+        StudyKind::Statics => crate::structure::statics(machine),
+        StudyKind::Response(study) => Some(response(machine, study, watch)),
         StudyKind::Transient(study) => {
             let motion = plan::with_plots(&study.motion, &machine.equations);
             let finding = transient(machine, &model::Transient { motion: motion.clone(), ..study.clone() }, watch);
@@ -195,9 +212,20 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
 
 /// Natural frequencies and shapes.
 pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut Watch) -> Finding {
+    if let Some(finding) = crate::structure::modes(machine, study) {
+        watch.lap(Word::TimeRun);
+        return finding;
+    }
     let found = crate::small::modes::find(machine, study);
     watch.lap(Word::TimeRun);
     Finding::Modes(Box::new(found))
+}
+
+/// Forced oscillations over the frequency.
+pub fn response(machine: &mut Machine, study: &mechanics::model::Response, watch: &mut Watch) -> Finding {
+    let found = crate::small::response::find(machine, study);
+    watch.lap(Word::TimeRun);
+    Finding::Response(Box::new(found))
 }
 
 /// A fault with the expression that failed in the user's symbols.
@@ -224,14 +252,20 @@ impl Finding {
     pub fn data(&self) -> &Dataset {
         match self {
             Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) | Finding::Transient(_, data, ..) => data,
+            Finding::Study(results) => &results.data,
             Finding::Modes(found) => &found.data,
+            Finding::Structure(found) => &found.data,
+            Finding::Response(found) => &found.data,
         }
     }
     /// What ended the study early.
     pub fn trouble(&self) -> Option<&Trouble> {
         match self {
             Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) | Finding::Transient(_, _, _, trouble) => trouble.as_ref(),
+            Finding::Study(results) => results.trouble.as_ref(),
             Finding::Modes(found) => found.trouble.as_ref(),
+            Finding::Structure(found) => found.trouble.as_ref(),
+            Finding::Response(found) => found.trouble.as_ref(),
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::near::nearest;
 use crate::watch::Watch;
 use analysis::Dataset;
 use mechanics::Model;
-use mechanics::model::{DEFAULT_TOLERANCE, Simulate, StudyKind, Times, Transient};
+use mechanics::model::{DEFAULT_TOLERANCE, Plot, Simulate, StudyKind, Times, Transient};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
 
@@ -106,17 +106,19 @@ pub fn usual_columns(equations: &Equations) -> Vec<String> {
 
 /// The study with every column that its plots need.
 pub fn with_plots(study: &Simulate, equations: &Equations) -> Simulate {
-    let mut study = study.clone();
-    if study.outputs.is_empty() {
-        study.outputs = usual_columns(equations);
-    }
-    let drawn: Vec<String> = study.plots.iter().flat_map(|p| p.x.iter().chain(&p.y)).filter(|n| *n != "t").cloned().collect();
+    Simulate { outputs: columns_with_plots(&study.outputs, &study.plots, equations), ..study.clone() }
+}
+
+/// The wanted columns, or the usual ones, and every column that the plots need.
+pub fn columns_with_plots(wanted: &[String], plots: &[Plot], equations: &Equations) -> Vec<String> {
+    let mut columns = if wanted.is_empty() { usual_columns(equations) } else { wanted.to_vec() };
+    let drawn = plots.iter().flat_map(|p| p.x.iter().chain(&p.y)).filter(|n| *n != "t");
     for name in drawn {
-        if !study.outputs.contains(&name) {
-            study.outputs.push(name);
+        if !columns.contains(name) {
+            columns.push(name.clone());
         }
     }
-    study
+    columns
 }
 
 /// The same study with more times, when the file leaves the times open and the motion is too quick for the usual 1001.
@@ -129,7 +131,19 @@ pub fn finer(study: &Simulate, data: &Dataset) -> Option<Simulate> {
     Some(Simulate { times: Times::Every(study.until / parts), ..study.clone() })
 }
 
-fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
+/// Whether every column that is asked for exists.
+///
+/// # Errors
+/// A column that does not (C008).
+pub fn known_columns(names: &[String], equations: &Equations) -> Result<(), Failure> {
+    names.iter().try_for_each(|name| known(name, equations))
+}
+
+/// Whether the model offers an output.
+///
+/// # Errors
+/// It does not (C008).
+pub fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
     let names = || equations.outputs.iter().map(|o| o.name.as_str());
     if names().any(|n| n == name) {
         return Ok(());

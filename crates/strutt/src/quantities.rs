@@ -16,6 +16,20 @@ pub fn times(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
     text.split(separator).map(|item| seconds(key, item.trim())).collect()
 }
 
+/// Frequencies in rad/s with commas between (semicolons where decimal commas are meant); Hz counts periods.
+pub fn frequencies(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
+    let separator = if text.contains(';') { ';' } else { ',' };
+    let one = |item: &str| {
+        let item = item.trim();
+        let value = parse_quantity(item, &Dimension::ANGULAR_RATE).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
+        let periods = ["Hz", "Гц"].iter().any(|unit| item.ends_with(unit));
+        let value = if periods { std::f64::consts::TAU * value } else { value };
+        let negative = Text::new("a frequency is not negative", "частота не бывает отрицательной");
+        if value.is_finite() && value >= 0.0 { Ok(value) } else { Err(bad(key, text, &negative, &Text::default())) }
+    };
+    text.split(separator).map(one).collect()
+}
+
 /// A pure number.
 pub fn number(key: &str, text: &str) -> Result<f64, Failure> {
     let value = parse_quantity(text, &Dimension::NONE).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;

@@ -14,6 +14,7 @@ report::words! {
     Parameters: "parameters", "параметров";
     Outputs: "outputs", "выходных величин";
     Studies: "studies", "расчётов";
+    Sections: "sections", "сечений";
     Written: "written:", "записано:";
     WrittenPartly: "written what was done so far:", "записано то, что успели вычислить:";
     Interrupted: "interrupted; what was done is kept", "прервано; сделанное сохранено";
@@ -25,6 +26,7 @@ report::words! {
     Vector: "plot, vector", "график, векторный";
     Picture: "plot, picture", "график, растровый";
     Page: "page", "страница";
+    SectionTable: "properties of the sections", "характеристики сечений";
     Modes: "Natural oscillations", "Собственные колебания";
     Response: "Forced oscillations", "Вынужденные колебания";
     Stability: "Stability", "Устойчивость";
@@ -36,6 +38,8 @@ report::words! {
     PotentialEnergy: "Potential energy", "Потенциальная энергия";
     DissipationFunction: "Dissipation function", "Диссипативная функция";
     WhereText: "where", "где";
+    Connections: "Equations of the connections", "Уравнения связей";
+    Reactions: "Reactions", "Реакции";
     Columns: "Quantities", "Величины";
     ClosedForm: "Motion in closed form", "Движение в замкнутой форме";
     AtStart: "at the start", "в начале";

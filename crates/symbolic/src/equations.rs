@@ -50,12 +50,31 @@ pub struct Equations {
     /// What places the machine and has a value only within limits (an inverse sine, a root): the equations may stay real beyond them,
     /// because only derivatives enter, but the machine cannot be there.
     pub places: Vec<Expr>,
+    /// Generalized forces of each applied force and torque, by its name; parts of `force`.
+    pub applied: Vec<Applied>,
     /// Energies and powers.
     pub energy: Energy,
     /// Every coordinate, rate, acceleration and auxiliary, then what the user wants to see.
     pub outputs: Vec<Output>,
     /// Printed symbols the user asked for: name as in formulas, symbol.
     pub notation: Vec<(String, String)>,
+}
+
+impl Equations {
+    /// Coordinates less ideal conditions, as they stand: conditions that repeat others count too.
+    pub fn degrees_of_freedom(&self) -> usize {
+        let ideal = self.reactions.iter().filter(|r| matches!(r.law, crate::connections::Law::Ideal { .. })).count();
+        self.coordinates.len().saturating_sub(ideal)
+    }
+}
+
+/// An applied force or torque.
+#[derive(Clone, Debug)]
+pub struct Applied {
+    /// Its name in the file.
+    pub name: String,
+    /// (index of a coordinate, generalized force).
+    pub forces: Vec<(usize, Expr)>,
 }
 
 /// A generalized coordinate with its initial data.

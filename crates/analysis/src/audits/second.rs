@@ -4,7 +4,7 @@
 //! are read off by evaluating r at zero and at unit vectors, so that each residual is compared with the terms that had to cancel in it:
 //!
 //! ```text
-//! value = max over states and rows of |r_i(q'')| / (|b_i| + sum_j |A_ij q''_j|)
+//! value = max over states and rows of |r_i(q'')| / max(|b_i| + sum_j |A_ij q''_j|, 1e-4 of the largest row)
 //! ```
 
 use symbolic::Text;
@@ -15,6 +15,8 @@ use crate::{Mode, System};
 
 /// Rounding in a few thousand operations reaches 1e-13; a forgotten or doubled term is seen at 1e-3 and more.
 const LIMIT: f64 = 1e-10;
+/// Share of the largest row below which a row's own terms are rounding of the reactions in it.
+const SMALL: f64 = 1e-4;
 const STATES: usize = 12;
 const TRIES: usize = 200;
 
@@ -80,7 +82,9 @@ impl Sample {
                 scale[i] += (column[i] - constant[i]).abs();
             }
         }
-        let ratio = |(r, s): (&f64, &f64)| if *r == 0.0 { 0.0 } else { r.abs() / s };
+        // where reactions meet without inertia (a massless link) nothing is left to compare with: the size of the other rows then
+        let largest = scale.iter().copied().fold(0.0, f64::max);
+        let ratio = |(r, s): (&f64, &f64)| if *r == 0.0 { 0.0 } else { r.abs() / s.max(SMALL * largest) };
         let worst = residual.iter().zip(&scale).map(ratio).fold(0.0, f64::max);
         worst.is_finite().then_some(worst)
     }

@@ -8,6 +8,7 @@ pub mod factor;
 mod kernels;
 pub mod lanczos;
 pub mod lu;
+pub mod qr;
 pub mod random;
 pub mod rank;
 mod refine;

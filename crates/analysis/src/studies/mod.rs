@@ -1,7 +1,14 @@
 //! Studies, one file each.
 
 pub mod equilibrium;
+pub(crate) mod explain;
+pub mod extremes;
 pub mod modes;
+pub mod peaks;
+pub mod periodic;
+pub mod response;
 pub mod simulate;
+pub mod structure_modes;
+pub mod structure_statics;
 pub mod tracks;
 pub mod transient;

@@ -4,9 +4,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use symbolic::Text;
 
+use crate::audits::bodies::BodyBalance;
+use crate::audits::impacts::{ImpactEnergy, drift};
 use crate::audits::{halving::tolerance_halving, power::PowerBalance, second::two_derivations};
 use crate::dataset::{Column, Counter, Dataset, Event};
 use crate::events::words::describe;
+use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
 use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance};
 use crate::{Fault, Mode, Quantity, System};
@@ -209,6 +212,10 @@ struct Run {
     all: Vec<f64>,
     events: Vec<Event>,
     power: PowerBalance,
+    bodies: BodyBalance,
+    impacts: ImpactEnergy,
+    /// Largest drift of conditions that was removed.
+    drift: f64,
     work: Work,
     interrupted: bool,
     pace: Pace,
@@ -245,7 +252,12 @@ impl Pace {
 impl Run {
     fn prepare<S: System + ?Sized>(system: &S, options: &Simulate<'_>) -> Result<Run, Fault> {
         check(options)?;
-        let chosen = choose(system.outputs(), options.outputs.as_deref())?;
+        let mut chosen = choose(system.outputs(), options.outputs.as_deref())?;
+        let refused: Vec<Fault> = chosen.iter().filter_map(|&i| system.refusal(i)).collect();
+        if let (true, Some(fault)) = (options.outputs.is_some(), refused.first()) {
+            return Err(fault.clone());
+        }
+        chosen.retain(|&i| system.refusal(i).is_none());
         let outputs: Vec<Quantity> = chosen.iter().map(|&i| system.outputs()[i].clone()).collect();
         let times = requested(options, outputs.len() + 1)?;
         let n_x = system.states().len();
@@ -259,6 +271,9 @@ impl Run {
             all: vec![0.0; system.outputs().len()],
             events: Vec::new(),
             power: PowerBalance::new(n_x),
+            bodies: BodyBalance::new(n_x),
+            impacts: ImpactEnergy::default(),
+            drift: 0.0,
             work: Work::default(),
             interrupted: false,
             pace: Pace::default(),
@@ -273,6 +288,7 @@ impl Run {
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
         let result = self.record(&mut flow).and_then(|()| self.follow(&mut flow, end, options));
         self.work = flow.work().clone();
+        self.drift = flow.drift();
         result
     }
 
@@ -290,6 +306,7 @@ impl Run {
             self.record(flow)?;
             let (step, system) = flow.step_and_system();
             self.power.look(step, system);
+            self.bodies.look(step, system);
             step.state_at(step.start.after(step.length).high, &mut self.x);
             system.placed(step.start.after(step.length).high, &self.x)?;
             outcome?;
@@ -318,6 +335,8 @@ impl Run {
                 break;
             }
             step.state_at(t, &mut self.x);
+            // conditions hold at what is shown too, not only at the ends of steps
+            system.project(t, &mut self.x, &step.modes)?;
             self.fill(system, t, row, &step.modes)?;
             self.next += 1;
             if self.next.is_multiple_of(ROWS) && options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
@@ -341,7 +360,7 @@ impl Run {
             return Ok(());
         }
         let switches = flow.switches().to_vec();
-        let states = [flow.state_before().to_vec(), flow.state().to_vec()];
+        let states = [flow.state_before(), flow.state().to_vec()];
         let (before, after) = (flow.modes_before().to_vec(), flow.modes().to_vec());
         let t = flow.time();
         let mut side = |run: &mut Run, state: &[f64], modes: &[Mode]| -> Result<Vec<f64>, Fault> {
@@ -349,15 +368,39 @@ impl Run {
             Ok(run.chosen.iter().map(|&i| run.all[i]).collect())
         };
         let outputs = [side(self, &states[0], &before)?, side(self, &states[1], &after)?];
+        let mut lost = self.loss(flow, &switches, &states, [&before, &after]);
         for switch in &switches {
-            let what = describe(switch, &flow.system().guards()[switch.guard]);
+            let mut what = describe(switch, &flow.system().guards()[switch.guard]);
+            if matches!(switch.change, Change::Impact { .. })
+                && let Some(lost) = lost.take()
+            {
+                let n = rounded(lost);
+                what = Text::new(format!("{}, {} J lost", what.en, n.en), format!("{}, потеряно {} Дж", what.ru, n.ru));
+            }
             let sides = [switch.before.sign(), switch.after.sign()];
             self.events.push(Event { t: switch.t, what, guard: switch.guard, sides, states: states.clone(), outputs: outputs.clone() });
         }
         Ok(())
     }
 
-    fn dataset<S: System + ?Sized>(self, _system: &S, tolerance: f64) -> Dataset {
+    /// Energy that the impacts of this instant take, together.
+    fn loss<S: System + ?Sized>(
+        &mut self,
+        flow: &mut Flow<'_, S>,
+        switches: &[Switch],
+        states: &[Vec<f64>; 2],
+        modes: [&[Mode]; 2],
+    ) -> Option<f64> {
+        if !switches.iter().any(|s| matches!(s.change, Change::Impact { .. })) {
+            return None;
+        }
+        let t = flow.time();
+        let before = flow.system().kinetic_energy(t, &states[0], modes[0])?;
+        let after = flow.system().kinetic_energy(t, &states[1], modes[1])?;
+        Some(self.impacts.record(before, after))
+    }
+
+    fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {
         let mut done: Vec<(usize, f64)> = self.times[..self.next].iter().map(|&(t, row)| (row, t)).collect();
         done.sort_by_key(|&(row, _)| row);
         let n = self.outputs.len();
@@ -366,7 +409,7 @@ impl Run {
         for (j, quantity) in self.outputs.into_iter().enumerate() {
             columns.push(Column { quantity, values: done.iter().map(|&(row, _)| self.table[row * n + j]).collect() });
         }
-        let mut notes = Vec::new();
+        let mut notes = system.notes().to_vec();
         if self.interrupted {
             notes.push(Text::new("interrupted: the result ends early", "прервано: результат неполон"));
             if self.pace.remaining > 0.0 {
@@ -383,16 +426,15 @@ impl Run {
                 format!("перечислены только первые {EVENTS} событий"),
             ));
         }
-        Dataset {
-            axis: Some(0),
-            columns,
-            audits: self.power.audit(tolerance).into_iter().collect(),
-            events: self.events,
-            counters: counters(&self.work),
-            notes,
-            partial: self.interrupted,
-            ..Dataset::default()
-        }
+        let counters = counters(&self.work, &self.impacts);
+        let audits = [
+            self.power.audit(tolerance),
+            self.bodies.audit(tolerance),
+            self.impacts.audit(),
+            drift(self.drift, self.work.projections, tolerance),
+        ];
+        let audits = audits.into_iter().flatten().collect();
+        Dataset { axis: Some(0), columns, audits, events: self.events, counters, notes, partial: self.interrupted, ..Dataset::default() }
     }
 }
 
@@ -408,15 +450,22 @@ pub(super) fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<
     wanted.iter().map(find).collect()
 }
 
-fn counters(work: &Work) -> Vec<Counter> {
+fn counters(work: &Work, impacts: &ImpactEnergy) -> Vec<Counter> {
     let mean = if work.steps > 0 { work.orders as f64 / work.steps as f64 } else { 0.0 };
     let row = |key, en: &str, ru: &str, value: f64| Counter { key, name: Text::new(en, ru), value };
-    vec![
+    let mut rows = vec![
         row("steps", "steps", "шагов", work.steps as f64),
         row("rejected", "steps taken back", "шагов отвергнуто", work.rejected as f64),
         row("mean_order", "mean order", "средний порядок", mean),
         row("highest_order", "highest order", "наибольший порядок", work.highest_order as f64),
         row("evaluations", "Taylor expansions", "тейлоровских разложений", (work.expansions + work.probes) as f64),
         row("events", "switches", "переключений", work.switches as f64),
-    ]
+    ];
+    if work.projections > 0 {
+        rows.push(row("projections", "steps moved back onto the connections", "шагов, возвращённых на связи", work.projections as f64));
+    }
+    if impacts.lost() != 0.0 {
+        rows.push(row("impact_loss", "energy lost in impacts, J", "энергия, потерянная при ударах, Дж", impacts.lost()));
+    }
+    rows
 }

@@ -28,6 +28,7 @@ fn blank(graph: Graph) -> Equations {
         steps: vec![],
         second: vec![],
         places: vec![],
+        applied: vec![],
         energy: Energy { kinetic: zero, potential: zero, dissipation: zero, dissipated: zero, rate: zero, loads: zero, drives: zero },
         outputs: vec![],
         notation: vec![],

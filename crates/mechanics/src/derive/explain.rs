@@ -56,4 +56,28 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[coordinates]\na = \"rad\"\n[bodies.B]\nrotate = [\"x: a\"]\nmass = \"1 kg\"\nshape = \"sphere(1 [m])\"\n[outputs]\nw = \"angle(B)\"",
         "[coordinates]\na = \"rad\"\n[bodies.B]\nrotate = [\"x: a\"]\nmass = \"1 kg\"\nshape = \"sphere(1 [m])\"\n[outputs]\nw = \"a\"",
     ),
+    row(
+        "M104",
+        ("a connection that no coordinate can satisfy", "связь, на которую не влияет ни одна координата"),
+        (
+            "The condition of this connection contains no coordinate: all that it joins stands still, or moves as prescribed. It either holds \
+             always, and then there is nothing to find, or never. Give one of the partners a coordinate, or ask for the reaction by [supports].",
+            "В условие этой связи не входит ни одна координата: всё, что она соединяет, неподвижно или движется заданным образом. Такое \
+             условие либо выполнено всегда, и искать нечего, либо никогда. Дайте одному из тел координату или введите реакцию через [supports].",
+        ),
+        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[constraints.k]\nzero = \"sin(t*1[1/s])\"",
+        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[constraints.k]\nzero = \"x - sin(t*1[1/s])*1[m]\"",
+    ),
+    row(
+        "M105",
+        ("as many motors as prescribed motions", "двигателей столько же, сколько заданных движений"),
+        (
+            "Each row of [motions] takes one degree of freedom away, and one unknown force or torque of [motors] must realise it. With fewer \
+             motors the motion cannot be realised, with more the forces are not unique.",
+            "Каждая строка [motions] отнимает одну степень свободы, и осуществлять её должна одна неизвестная сила или момент из [motors]. \
+             Если двигателей меньше, движение неосуществимо, если больше — усилия определены неоднозначно.",
+        ),
+        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[motions.go]\nalong = \"x\"\nvalue = \"1[m/s]*t\"",
+        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[motions.go]\nalong = \"x\"\nvalue = \"1[m/s]*t\"\n[motors.push]\nalong = \"x\"",
+    ),
 ];

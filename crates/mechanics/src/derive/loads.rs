@@ -10,6 +10,8 @@ use super::scene::{Columns, Found, Scene, Vector};
 use super::wrench::Act;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Action, PointRef, Rest};
+use std::ops::Range;
+use symbolic::equations::Applied;
 use symbolic::{Expr, Rational, Substitution, SymbolId};
 
 /// A named term of an energy.
@@ -30,6 +32,8 @@ pub struct Loads {
     pub dissipations: Vec<Term>,
     /// Generalized forces of all other loads, per direction.
     pub applied: Vec<Columns<Expr>>,
+    /// Name of each force and torque, and its rows in `applied`.
+    pub named: Vec<(String, Range<usize>)>,
     /// Newton-Euler: generalized forces of gravity and elements with a potential, per direction.
     pub conservative: Vec<Columns<Expr>>,
     /// Newton-Euler: generalized forces of dissipative elements, per direction.
@@ -237,8 +241,10 @@ fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
             }
         };
         loads.applied.push(columns);
+        loads.named.push((force.name.clone(), loads.applied.len() - 1..loads.applied.len()));
     }
     for torque in &model.torques {
+        let first = loads.applied.len();
         let value = resolve_vector(scene, kinematics, resolver, torque.value)?;
         let vector = kinematics.in_ground_axes(scene, torque.axes, &value);
         let columns = kinematics.turning_in_ground_axes(scene, torque.on);
@@ -252,6 +258,7 @@ fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
             loads.acts.push(Act::Turn { on: body, moment: opposite });
             loads.applied.push(reaction);
         }
+        loads.named.push((torque.name.clone(), first..loads.applied.len()));
     }
     Ok(())
 }
@@ -262,6 +269,17 @@ fn resolve_vector(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut
 }
 
 impl Loads {
+    /// The generalized forces of each force and torque.
+    pub fn by_name(&self, scene: &mut Scene) -> Vec<Applied> {
+        let n = scene.n();
+        let one = |(name, rows): &(String, Range<usize>)| {
+            let rows = &self.applied[rows.clone()];
+            let forces = (0..n).map(|j| (j, Loads::in_direction(scene, rows, j))).collect::<Vec<_>>();
+            let forces = forces.into_iter().filter(|(_, e)| !scene.graph.is_zero(*e)).collect();
+            Applied { name: name.clone(), forces }
+        };
+        self.named.iter().map(one).collect()
+    }
     /// Notes actions times a factor.
     fn act(&mut self, scene: &mut Scene, factor: Expr, acts: &[Act]) {
         self.acts.extend(acts.iter().map(|act| act.times(scene, factor)));

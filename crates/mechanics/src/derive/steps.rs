@@ -17,7 +17,7 @@ pub fn write(
     (kinetic, loads, motion): (&Kinetic, &Loads, &Motion),
     connected: &Connected,
 ) -> Vec<Step> {
-    let mut steps = vec![coordinates(scene), kinetic_energy(scene, kinematics, kinetic)];
+    let mut steps = vec![coordinates(scene, connected), kinetic_energy(scene, kinematics, kinetic)];
     let letters = [("Π", &loads.potentials), ("Φ", &loads.dissipations)];
     let titles = [
         Text::new("Potential energy", "Потенциальная энергия"),
@@ -42,13 +42,18 @@ fn step(title: Text, words: Text, formulas: Vec<StepFormula>) -> Step {
     Step { title, words, formulas }
 }
 
-fn coordinates(scene: &Scene) -> Step {
-    let n = scene.n();
-    step(
-        Text::new("Generalized coordinates", "Обобщённые координаты"),
-        Text::new(format!("Degrees of freedom: {n}."), format!("Число степеней свободы: {n}.")),
-        Vec::new(),
-    )
+fn coordinates(scene: &Scene, connected: &Connected) -> Step {
+    let (n, conditions) = (scene.n(), connected.ideal());
+    let free = n.saturating_sub(conditions);
+    let words = if conditions == 0 {
+        Text::new(format!("Degrees of freedom: {n}."), format!("Число степеней свободы: {n}."))
+    } else {
+        Text::new(
+            format!("Coordinates: {n}; conditions: {conditions}; degrees of freedom: {free}."),
+            format!("Координат: {n}; уравнений связей: {conditions}; степеней свободы: {free}."),
+        )
+    };
+    step(Text::new("Generalized coordinates", "Обобщённые координаты"), words, Vec::new())
 }
 
 /// T of each body and their sum.
@@ -137,7 +142,8 @@ fn conditions(scene: &mut Scene, connected: &Connected) -> Option<Step> {
     let zero = scene.graph.zero();
     let mut formulas = Vec::new();
     for condition in &connected.conditions {
-        let left = scene.tidy(condition.place.unwrap_or(condition.rate));
+        let left = condition.place.unwrap_or(condition.rate);
+        let left = scene.tidy(left);
         formulas.push(StepFormula { left: StepName::Formula(left), right: zero });
     }
     let words = Text::new(

@@ -57,8 +57,8 @@ enum What {
     Element(Element, Kind),
     /// Index of the connection, and the components that it has.
     Connection(usize, Vec<(Part, Kind)>),
-    /// A connection with a fault, which is reported already.
-    Faulty,
+    /// A connection that is not read yet, or has a fault, which is reported.
+    Announced,
 }
 
 impl Scope {
@@ -109,13 +109,16 @@ impl Scope {
         let table = if let Element::Spring(_) = element { "springs" } else { "dampers" };
         self.declare_acting(name, Acting { table, what: What::Element(element, pathway) });
     }
-    /// Declares a connection with the components of its reaction.
-    pub(crate) fn declare_connection(&mut self, table: &'static str, name: &str, index: usize, parts: Vec<(Part, Kind)>) {
-        self.declare_acting(name, Acting { table, what: What::Connection(index, parts) });
+    /// Makes the name of a connection known before the connection is.
+    pub(crate) fn announce_connection(&mut self, table: &'static str, name: &str) {
+        self.declare_acting(name, Acting { table, what: What::Announced });
     }
-    /// Declares a connection that has a fault, so that its name is known.
-    pub(crate) fn declare_faulty(&mut self, table: &'static str, name: &str) {
-        self.declare_acting(name, Acting { table, what: What::Faulty });
+    /// Declares an announced connection with the components of its reaction.
+    pub(crate) fn declare_connection(&mut self, table: &'static str, name: &str, index: usize, parts: Vec<(Part, Kind)>) {
+        let announced = self.acting.get_mut(name).and_then(|all| all.iter_mut().find(|a| a.table == table));
+        if let Some(acting) = announced {
+            acting.what = What::Connection(index, parts);
+        }
     }
     /// Whether `force` of a connection is the magnitude of several components.
     pub(crate) fn is_magnitude(&self, index: usize) -> bool {
@@ -250,7 +253,7 @@ fn component(function: &str, acting: &Acting, name: &str, span: &Range<usize>) -
             }
             Err(no_such_part(function, acting, name, span, &[if moment(kind) { "torque" } else { "force" }]))
         }
-        What::Faulty => Ok((RequestKind::Reaction(usize::MAX, Part::Force), Kind::Unknown)),
+        What::Announced => Ok((RequestKind::Reaction(usize::MAX, Part::Force), Kind::Unknown)),
         What::Connection(index, parts) => {
             let find = |wanted: Part| parts.iter().find(|(part, _)| *part == wanted).copied();
             let found = match function {

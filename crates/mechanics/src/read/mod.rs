@@ -14,9 +14,12 @@ mod parameters;
 mod phases;
 mod ranges;
 mod reader;
+mod sections;
 mod shapes;
+mod structures;
 mod studies;
 mod syntax;
+mod variants;
 
 pub use overrides::split as split_override;
 pub use ranges::sweep_range;
@@ -92,9 +95,11 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let description = top.text(reader, "description").unwrap_or_default();
     let mut notation = Vec::new();
 
-    let raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
+    let mut raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
+    raw_coordinates.extend(parameters::collect_displacements(reader, &top, &mut notation));
     let raw_parameters = parameters::collect(reader, &top, &mut notation);
-    let raw_outputs = outputs::collect(reader, &top, &mut notation);
+    let parameter_names = raw_parameters.iter().map(|p| p.name.clone()).collect();
+    let raw_outputs = outputs::collect(reader, &top, &parameter_names, &mut notation);
     let mut schedule = phases::collect(reader, &top);
     schedule.check_names(reader, &raw_coordinates, &raw_parameters);
     overrides::check_names(reader, &raw_coordinates, &raw_parameters, &schedule);
@@ -103,7 +108,11 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let phases = schedule.finish(reader);
     let coordinates = parameters::starts(reader, raw_coordinates);
     let (frames, mut points) = frames::read(reader, &top);
+    let sections = sections::read(reader, &top);
+    structures::nodes(reader, &top, &sections);
+    structures::rods(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
+    connections::announce(reader, &top);
     let springs = elements::springs(reader, &top);
     let dampers = elements::dampers(reader, &top);
     let mut forces = elements::forces(reader, &top);
@@ -117,7 +126,9 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     forces.extend(resultants);
     points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
+    let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
+    let variants = variants::read(reader, &top);
 
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
@@ -141,9 +152,13 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         dissipations,
         outputs,
         notation,
+        sections,
         phases,
         restarts: schedule.restarts,
         studies,
+        structure,
+        inertias: Vec::new(),
+        variants,
     }
 }
 

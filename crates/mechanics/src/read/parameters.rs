@@ -70,7 +70,9 @@ pub(super) fn collect_coordinates<'a>(
     notation: &mut Vec<(String, String)>,
 ) -> Vec<RawCoordinate<'a>> {
     let rows = top.rows(reader, "coordinates");
-    if rows.is_empty() {
+    // reactions of a structure at rest need no coordinate
+    let rests = ["supports", "pins", "welds", "sections", "nodes"].into_iter().any(|table| top.has(table));
+    if rows.is_empty() && !rests {
         let fault = Fault::new("M015", top.span_of("coordinates"), "the model has no coordinates", "в модели нет координат")
             .why("a machine without a degree of freedom does not move", "у машины без степеней свободы нет движения")
             .help(
@@ -111,6 +113,33 @@ pub(super) fn collect_coordinates<'a>(
             coordinate.scaled = (unit.factor != crate::units::Factor::ONE).then_some(written);
         }
         found.push(coordinate);
+    }
+    found
+}
+
+/// The displacements of a frame that have names: coordinates like any other.
+pub(super) fn collect_displacements<'a>(
+    reader: &mut Reader<'a>,
+    top: &Fields<'a>,
+    notation: &mut Vec<(String, String)>,
+) -> Vec<RawCoordinate<'a>> {
+    let mut found = Vec::new();
+    for (name, fields) in top.entries(reader, "displacements", &fields::structures::DISPLACEMENT) {
+        if !claim(reader, &name, &fields.span) {
+            continue;
+        }
+        fields.symbol(reader, &name, notation);
+        let turns = fields.get("direction").and_then(|v| v.get_ref().as_str()) == Some("turn");
+        found.push(RawCoordinate {
+            dimension: Kind::Known(if turns { Dimension::ANGLE } else { Dimension::LENGTH }),
+            scaled: None,
+            start: fields.raw(reader, "start"),
+            rate: fields.raw(reader, "rate"),
+            guesses: [None, None],
+            label: fields.text(reader, "label").unwrap_or_default(),
+            span: fields.span.clone(),
+            name,
+        });
     }
     found
 }

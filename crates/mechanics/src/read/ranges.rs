@@ -88,6 +88,9 @@ pub(super) fn parse(text: &str) -> Result<Range, Fault> {
     };
     let inner = inner.trim_matches(['[', ']']);
     let separator = if inner.contains(';') { ';' } else { ',' };
+    if inner.contains("..") {
+        return Err(no_range(whole));
+    }
     let items: Vec<&str> = inner.split(separator).map(str::trim).collect();
     let (values, dimension) = match (kind, items.as_slice()) {
         ("linspace" | "logspace", [from, to, count]) => {

@@ -20,10 +20,14 @@ pub(super) struct Reader<'a> {
     override_index: HashMap<String, usize>,
     /// Names of formulas and where they were declared.
     pub claimed: HashMap<String, Range<usize>>,
+    /// names of outputs
+    pub results: std::collections::HashSet<String>,
     diagnostics: Vec<Diagnostic>,
     pub builder: Builder,
     pub scope: Scope,
     pub values: Values,
+    /// Nodes, rods and loads of a structure, as far as they are read.
+    pub structure: super::structures::Draft,
 }
 
 /// A formula as it stands in the file.
@@ -57,10 +61,12 @@ impl<'a> Reader<'a> {
             overrides,
             override_index,
             claimed: HashMap::new(),
+            results: std::collections::HashSet::new(),
             diagnostics: Vec::new(),
             builder: Builder::new(),
             scope: Scope::default(),
             values: Values::default(),
+            structure: super::structures::Draft::default(),
         }
     }
     pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
@@ -436,9 +442,21 @@ impl<'a> Fields<'a> {
 
     /// The entries of a table of tables: name, its place, its fields.
     pub(super) fn entries(&self, reader: &mut Reader<'a>, key: &'static str, spec: &'static TableSpec) -> Vec<(String, Fields<'a>)> {
+        self.entries_if(reader, key, spec, &|_, _| true)
+    }
+
+    /// The entries for which `wanted` holds.
+    pub(super) fn entries_if(
+        &self,
+        reader: &mut Reader<'a>,
+        key: &'static str,
+        spec: &'static TableSpec,
+        wanted: &dyn Fn(&Reader<'a>, &Table<'a>) -> bool,
+    ) -> Vec<(String, Fields<'a>)> {
         let mut entries = Vec::new();
         for (name, span, value) in self.rows(reader, key) {
             match value.get_ref() {
+                DeValue::Table(table) if !wanted(reader, table) => {}
                 DeValue::Table(table) => {
                     let path = format!("{key}.{}", short(name));
                     let fields = Fields::open(reader, spec, table, span, path);

@@ -10,6 +10,10 @@
 //! Conditions come first, so that what they hold is held exactly ([`crate::Operation::System`]). The alternatives stand in the same rows: each entry is
 //! a choice by the mode of the contact's gap or of the sliding speed, so that the modes select the equations and a jet stays on one smooth piece.
 //! Limits, normal forces and contact forces are guards whose values follow from the solution.
+//!
+//! Frictions with one sliding speed (two brakes on a shaft, two feet of a block) stick and slide together: the first leads, the others share its guards.
+//! While they stick only the sum of their forces is determined; it is compared with the sum of the limits, and shared in proportion to these. Where
+//! normal forces from reactions make the limits unknown, the first takes all.
 
 use super::expressions::Lowering;
 use super::forms::Value;
@@ -52,11 +56,21 @@ pub(super) struct Arrangement {
     pub(super) balances: Vec<usize>,
 }
 
-/// Numbers of the guards of one reaction.
+/// Numbers of the guards of one reaction. Frictions that slide together have one leader, whose limits they share.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Numbers {
-    Sliding { sliding: u32, limits: [u32; 2], normal: Option<u32> },
+    Sliding { leader: usize, sliding: u32, limits: [u32; 2], normal: Option<u32> },
     Gap { gap: u32, force: u32 },
+}
+
+impl Numbers {
+    /// The guard that selects the equation.
+    pub(super) fn switch(self) -> usize {
+        match self {
+            Numbers::Sliding { sliding, .. } => sliding as usize,
+            Numbers::Gap { gap, .. } => gap as usize,
+        }
+    }
 }
 
 impl Arrangement {
@@ -226,7 +240,8 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
             return Ok(());
         };
         match (&self.equations.reactions[reaction].law, numbers) {
-            (Law::Friction(friction), Numbers::Sliding { sliding, normal, .. }) => {
+            (Law::Friction(friction), Numbers::Sliding { leader, sliding, normal, .. }) => {
+                let held = if leader == reaction { held } else { self.share(friction, column, leader)? };
                 let back = self.slip(friction, column, -1.0, normal)?;
                 let forth = self.slip(friction, column, 1.0, normal)?;
                 self.alternatives(sliding, [back, held, forth]);
@@ -260,6 +275,24 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
         Ok((entries, self.lowering.sum(&[(s, constant)])))
     }
 
+    /// λ fixed(leader) - λ(leader) fixed = 0; λ = 0 where both limits vanish, or are not known beforehand.
+    fn share(&mut self, friction: &Friction, column: usize, leader: usize) -> Result<Row, Fault> {
+        let (one, zero) = (self.lowering.literal(1.0), self.lowering.literal(0.0));
+        let Some((first, lead)) = friction_of(self.equations, leader).zip(self.columns[leader]) else {
+            return Ok((vec![(column, one)], zero));
+        };
+        if friction.normal.is_some() || first.normal.is_some() {
+            return Ok((vec![(column, one)], zero));
+        }
+        let (mut own, own_limit) = (self.lowering.value(first.fixed)?, self.lowering.value(friction.fixed)?);
+        let sum = self.lowering.sum(&[(1.0, own), (1.0, own_limit)]);
+        if let Value::Constant(sum) = sum {
+            own = self.lowering.branch(By::Value(sum), [one, one, own]);
+        }
+        let other = self.lowering.sum(&[(-1.0, own_limit)]);
+        Ok((vec![(column, own), (lead, other)], zero))
+    }
+
     fn alternatives(&mut self, guard: u32, sides: [Row; 3]) {
         let mut row = Vec::new();
         for column in 0..self.size {
@@ -282,11 +315,26 @@ pub(super) fn reserve(lowering: &mut Lowering, equations: &Equations, arrangemen
     for &reaction in &arrangement.solved {
         numbers[reaction] = match &equations.reactions[reaction].law {
             Law::Contact { gap, .. } => Some(contact(lowering, reaction, *gap)?),
-            Law::Friction(friction) => Some(sliding(lowering, reaction, friction)?),
+            Law::Friction(friction) => {
+                let leader = leader(equations, arrangement, friction.sliding).unwrap_or(reaction);
+                Some(sliding(lowering, reaction, friction, numbers[leader])?)
+            }
             _ => None,
         };
     }
     Ok(numbers)
+}
+
+fn friction_of(equations: &Equations, reaction: usize) -> Option<&Friction> {
+    match &equations.reactions.get(reaction)?.law {
+        Law::Friction(friction) => Some(friction),
+        _ => None,
+    }
+}
+
+/// The first friction with that sliding speed.
+fn leader(equations: &Equations, arrangement: &Arrangement, sliding: Expr) -> Option<usize> {
+    arrangement.solved.iter().copied().find(|r| friction_of(equations, *r).is_some_and(|f| f.sliding == sliding))
 }
 
 fn contact(lowering: &mut Lowering, reaction: usize, left: Expr) -> Result<Numbers, Fault> {
@@ -299,8 +347,11 @@ fn contact(lowering: &mut Lowering, reaction: usize, left: Expr) -> Result<Numbe
     Ok(Numbers::Gap { gap, force })
 }
 
-fn sliding(lowering: &mut Lowering, reaction: usize, friction: &Friction) -> Result<Numbers, Fault> {
+fn sliding(lowering: &mut Lowering, reaction: usize, friction: &Friction, led: Option<Numbers>) -> Result<Numbers, Fault> {
     let left = friction.sliding;
+    if let Some(Numbers::Sliding { leader, sliding, limits, .. }) = led {
+        return Ok(Numbers::Sliding { leader, sliding, limits, normal: normal_guard(lowering, reaction, friction) });
+    }
     let surface = lowering.register(left)?;
     let of = lowering.next_guard();
     let kind = GuardKind::Sliding { reaction, limits: [of + 1, of + 2] };
@@ -310,8 +361,12 @@ fn sliding(lowering: &mut Lowering, reaction: usize, friction: &Friction) -> Res
         lowering.bound(Bounded { guard: limit, of: sliding });
         limit
     });
-    let normal = friction.normal.as_ref().map(|_| lowering.reserve(Guard { kind: GuardKind::Normal { reaction }, left, right: None }));
-    Ok(Numbers::Sliding { sliding, limits, normal })
+    Ok(Numbers::Sliding { leader: reaction, sliding, limits, normal: normal_guard(lowering, reaction, friction) })
+}
+
+fn normal_guard(lowering: &mut Lowering, reaction: usize, friction: &Friction) -> Option<u32> {
+    let guard = Guard { kind: GuardKind::Normal { reaction }, left: friction.sliding, right: None };
+    friction.normal.as_ref().map(|_| lowering.reserve(guard))
 }
 
 /// Computes the surfaces of numbered guards in another tape, before the choices that go by them.
@@ -328,6 +383,14 @@ pub(super) fn surfaces(lowering: &mut Lowering, equations: &Equations, numbers: 
     Ok(())
 }
 
+/// Static limits and forces of frictions that stick together.
+struct Group {
+    leader: usize,
+    limits: [u32; 2],
+    capacity: Vec<(f64, Value)>,
+    load: Vec<(f64, Value)>,
+}
+
 /// Gives the guards that follow from reactions their registers; `first` is the first register of the solution.
 pub(super) fn fill(
     lowering: &mut Lowering,
@@ -341,32 +404,47 @@ pub(super) fn fill(
         let position = arrangement.solved.iter().position(|r| *r == reaction).unwrap_or(0);
         Value::Plain(Register(first.0 + (n + position) as u32))
     };
+    let mut groups: Vec<Group> = Vec::new();
     for (reaction, numbers) in numbers.iter().enumerate() {
         match (numbers, &equations.reactions[reaction].law) {
             (Some(Numbers::Gap { force: guard, .. }), _) => lowering.define_guard(*guard, force(reaction)),
-            (Some(Numbers::Sliding { limits, normal, .. }), Law::Friction(friction)) => {
-                let mut limit = lowering.value(friction.fixed)?;
-                if let (Some(guard), Some(normal)) = (normal, &friction.normal) {
-                    let mut items = vec![(1.0, lowering.value(normal.constant)?)];
-                    for (k, e) in &normal.terms {
-                        let factor = lowering.value(*e)?;
-                        items.push((1.0, lowering.times(factor, force(*k))));
-                    }
-                    let pressure = lowering.sum(&items);
-                    lowering.define_guard(*guard, pressure);
-                    let sides = [lowering.sum(&[(-1.0, pressure)]), lowering.literal(0.0), pressure];
-                    let magnitude = lowering.branch(By::Mode(*guard), sides);
-                    limit = lowering.times(limit, magnitude);
+            (Some(Numbers::Sliding { leader, limits, normal, .. }), Law::Friction(friction)) => {
+                let limit = limit(lowering, friction, *normal, &force)?;
+                if *leader == reaction {
+                    groups.push(Group { leader: reaction, limits: *limits, capacity: Vec::new(), load: Vec::new() });
                 }
-                for (guard, sign) in limits.iter().zip([1.0, -1.0]) {
-                    let left = lowering.sum(&[(1.0, limit), (sign, force(reaction))]);
-                    lowering.define_guard(*guard, left);
+                if let Some(group) = groups.iter_mut().find(|g| g.leader == *leader) {
+                    group.capacity.push((1.0, limit));
+                    group.load.push((1.0, force(reaction)));
                 }
             }
             _ => {}
         }
     }
+    for group in groups {
+        let (capacity, load) = (lowering.sum(&group.capacity), lowering.sum(&group.load));
+        for (guard, sign) in group.limits.iter().zip([1.0, -1.0]) {
+            let left = lowering.sum(&[(1.0, capacity), (sign, load)]);
+            lowering.define_guard(*guard, left);
+        }
+    }
     Ok(())
+}
+
+/// The static limit; |N| by the sign of N, whose guard gets its register here.
+fn limit(lowering: &mut Lowering, friction: &Friction, guard: Option<u32>, force: &dyn Fn(usize) -> Value) -> Result<Value, Fault> {
+    let fixed = lowering.value(friction.fixed)?;
+    let (Some(guard), Some(normal)) = (guard, &friction.normal) else { return Ok(fixed) };
+    let mut items = vec![(1.0, lowering.value(normal.constant)?)];
+    for (k, e) in &normal.terms {
+        let factor = lowering.value(*e)?;
+        items.push((1.0, lowering.times(factor, force(*k))));
+    }
+    let pressure = lowering.sum(&items);
+    lowering.define_guard(guard, pressure);
+    let sides = [lowering.sum(&[(-1.0, pressure)]), lowering.literal(0.0), pressure];
+    let magnitude = lowering.branch(By::Mode(guard), sides);
+    Ok(lowering.times(fixed, magnitude))
 }
 
 /// Registers of the supports, from the balances: Σ released λ = columns q'' - rest - Σ released (solved) λ.

@@ -2,6 +2,7 @@
 
 use super::connections::{Arrangement, Connected, Numbers, Selection, fill, reserve, supports, surfaces};
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
+use crate::passes::select;
 use crate::{ENERGY, Fault, Program, Register, Root, Tape};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -27,6 +28,8 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
     let arrangement = Arrangement::new(equations, selection)?;
     let (dynamics, guards) = dynamics(equations, &names, &arrangement)?;
     let outputs = equations.outputs.iter().map(|o| (o.name.clone(), o.formula)).collect();
+    // large machines without connections are not to pay for them
+    let connected = !(equations.conditions.is_empty() && equations.reactions.is_empty());
     let unknowns: Vec<String> =
         names.accelerations().chain(arrangement.solved.iter().map(|r| equations.reactions[*r].name.clone())).collect();
     Ok(Program {
@@ -41,19 +44,26 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         known: known(&arrangement),
         rows: arrangement.rows(equations, &unknowns),
         unknowns,
+        forces: Arc::new(forces(equations, &names, &arrangement, &dynamics, &guards)?),
         dynamics: Arc::new(dynamics),
-        forces: Arc::new(forces(equations, &names, &arrangement, &guards)?),
         outputs: Arc::new(observed(equations, &guards, "outputs", outputs)?),
         energy: Arc::new(observed(equations, &guards, "energy", energy(equations))?),
         second: Arc::new(second(equations)?),
         places: Arc::new(places(equations)?),
         statics: Arc::new(statics(equations, &names)?),
-        connections: Arc::new(connections(equations, &names)?),
+        rests: Arc::new(if connected { rests(equations, &names)? } else { nothing(equations, "rests")? }),
+        connections: Arc::new(if connected { connections(equations, &names)? } else { nothing(equations, "connections")? }),
         balances: Arc::new(balances(equations)?),
         start: Arc::new(start(equations, &names)?),
+        switches: guards.numbers.iter().map(|n| n.map(|n| n.switch())).collect(),
         guards: guards.guards,
         solved: arrangement.solved,
     })
+}
+
+/// A tape without roots.
+fn nothing(equations: &Equations, name: &str) -> Result<Tape, Fault> {
+    Lowering::new(&equations.graph, &over_states(equations), Switches::Value).tape(name, &[])
 }
 
 /// Names of symbols as users write them.
@@ -80,6 +90,11 @@ impl<'e> Names<'e> {
     fn accelerations(&self) -> impl Iterator<Item = String> + '_ {
         let n = self.equations.coordinates.len();
         (n..2 * n).map(|i| self.rate(i))
+    }
+    /// `{letter} x/d y` for all pairs of coordinates.
+    fn by_coordinates(&self, letter: &str) -> impl Iterator<Item = String> + use<'_, 'e> {
+        let (n, letter) = (self.equations.coordinates.len(), letter.to_owned());
+        (0..n * n).map(move |k| format!("{letter} {}/d {}", self.states[k / n], self.states[k % n]))
     }
     fn reaction(&self, r: usize) -> String {
         self.equations.reactions[r].name.clone()
@@ -183,9 +198,14 @@ fn solution(
     Ok((n > 0).then(|| lowering.solve(matrix, right)))
 }
 
-/// q'' and all reactions that have values: the system of the dynamics once more, then that of the supports.
-fn forces(equations: &Equations, names: &Names, arrangement: &Arrangement, guards: &GuardTable) -> Result<Tape, Fault> {
+/// q'' and all reactions that have values: the system of the dynamics once more, then that of the supports. Without the latter the dynamics themselves.
+fn forces(equations: &Equations, names: &Names, arrangement: &Arrangement, dynamics: &Tape, guards: &GuardTable) -> Result<Tape, Fault> {
     let n = equations.coordinates.len();
+    if arrangement.supports.is_empty() {
+        let states = names.states.len();
+        let roots: Vec<usize> = (n..2 * n).chain(states..dynamics.roots.len()).collect();
+        return Ok(Tape { name: "forces".to_owned(), ..select(dynamics, &roots) });
+    }
     let mut lowering = Lowering::new(&equations.graph, &over_states(equations), Switches::Known(guards));
     surfaces(&mut lowering, equations, &guards.numbers)?;
     let first = solution(&mut lowering, equations, arrangement, &guards.numbers)?;
@@ -315,28 +335,94 @@ fn places(equations: &Equations) -> Result<Tape, Fault> {
     Lowering::new(&equations.graph, &over_accelerations(equations), Switches::Value).tape("places", &roots)
 }
 
-/// h(q, 0, s, t) and ∂h/∂q. Rates are replaced by zero before differentiation, which leaves little of most systems.
-fn statics(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
-    let mut graph = equations.graph.clone();
-    let zero = graph.zero();
-    let mut rest = Substitution::new(equations.coordinates.iter().map(|c| (c.symbols[1], zero)));
-    let force: Vec<Expr> = equations.force.iter().map(|h| rest.apply(&mut graph, *h)).collect();
-    let definitions: Vec<(SymbolId, Expr)> = equations.definitions.iter().map(|d| (d.symbol, rest.apply(&mut graph, d.formula))).collect();
-    let moving = over_coordinates(equations, &graph, &definitions);
+/// The equations with all rates zero, ready to be differentiated by coordinates. Rates are replaced before differentiation, which leaves little of
+/// most systems.
+struct AtRest<'e> {
+    equations: &'e Equations,
+    graph: Graph,
+    rest: Substitution,
+    definitions: Vec<(SymbolId, Expr)>,
+    /// Those that depend on coordinates.
+    moving: Vec<(SymbolId, Expr)>,
+}
 
-    let mut roots: Vec<(String, Expr)> = names.states.iter().map(|s| format!("h {s}")).zip(force.iter().copied()).collect();
-    let mut columns = Vec::with_capacity(force.len());
-    for coordinate in &equations.coordinates {
-        let mut derivation = chain_rule(&mut graph, coordinate.symbols[0], &moving);
-        columns.push(force.iter().map(|h| derivation.apply(&mut graph, *h)).collect::<Vec<_>>());
+impl<'e> AtRest<'e> {
+    fn new(equations: &'e Equations) -> AtRest<'e> {
+        let mut graph = equations.graph.clone();
+        let zero = graph.zero();
+        let mut rest = Substitution::new(equations.coordinates.iter().map(|c| (c.symbols[1], zero)));
+        let definitions: Vec<(SymbolId, Expr)> =
+            equations.definitions.iter().map(|d| (d.symbol, rest.apply(&mut graph, d.formula))).collect();
+        let moving = over_coordinates(equations, &graph, &definitions);
+        AtRest { equations, graph, rest, definitions, moving }
     }
-    for i in 0..force.len() {
-        for (j, column) in columns.iter().enumerate() {
-            roots.push((format!("dh {}/d {}", names.states[i], names.states[j]), column[i]));
+
+    fn value(&mut self, e: Expr) -> Expr {
+        self.rest.apply(&mut self.graph, e)
+    }
+
+    /// ∂formulas[i]/∂q_j, row by row.
+    fn jacobian(&mut self, formulas: &[Expr]) -> Vec<Expr> {
+        let n = self.equations.coordinates.len();
+        let mut entries = vec![self.graph.zero(); formulas.len() * n];
+        for (j, coordinate) in self.equations.coordinates.iter().enumerate() {
+            let mut derivation = chain_rule(&mut self.graph, coordinate.symbols[0], &self.moving);
+            for (i, formula) in formulas.iter().enumerate() {
+                entries[i * n + j] = derivation.apply(&mut self.graph, *formula);
+            }
+        }
+        entries
+    }
+
+    fn tape(self, name: &str, inputs: Inputs, roots: &[(String, Expr)]) -> Result<Tape, Fault> {
+        let inputs = Inputs { definitions: self.definitions, ..inputs };
+        Lowering::new(&self.graph, &inputs, Switches::Value).tape(name, roots)
+    }
+}
+
+/// h(q, 0, s, t) and ∂h/∂q.
+fn statics(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
+    let mut rest = AtRest::new(equations);
+    let force: Vec<Expr> = equations.force.iter().map(|h| rest.value(*h)).collect();
+    let derivatives = rest.jacobian(&force);
+    let mut roots: Vec<(String, Expr)> = names.states.iter().map(|s| format!("h {s}")).zip(force).collect();
+    roots.extend(names.by_coordinates("dh").zip(derivatives));
+    rest.tape("statics", over_states(equations), &roots)
+}
+
+/// Places, J, what reactions do and how that changes with the position: see [`crate::RestRoots`].
+fn rests(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
+    let mut rest = AtRest::new(equations);
+    let n = equations.coordinates.len();
+    let zero = rest.graph.zero();
+    let mut roots: Vec<(String, Expr)> = Vec::new();
+    for c in &equations.conditions {
+        let place = c.place.map_or(zero, |place| rest.value(place));
+        roots.push((format!("place {}", c.name.en), place));
+    }
+    for c in &equations.conditions {
+        for (entry, q) in sparse(&c.columns, n, zero).into_iter().zip(&names.states) {
+            roots.push((format!("rate {} by {q}", c.name.en), rest.value(entry)));
         }
     }
-    let inputs = Inputs { definitions, ..over_states(equations) };
-    Lowering::new(&graph, &inputs, Switches::Value).tape("statics", &roots)
+    let mut loads = vec![Vec::new(); n];
+    for r in &equations.reactions {
+        let unknown = rest.graph.symbol(r.symbol);
+        for (i, e) in &r.forces {
+            let e = rest.value(*e);
+            loads[*i].push(rest.graph.mul(e, unknown));
+        }
+    }
+    let loads: Vec<Expr> = loads.iter().map(|terms| rest.graph.sum(terms)).collect();
+    let derivatives = rest.jacobian(&loads);
+    roots.extend(names.states.iter().map(|s| format!("load {s}")).zip(loads));
+    roots.extend(names.by_coordinates("dload").zip(derivatives));
+    for r in &equations.reactions {
+        for (entry, q) in sparse(&r.forces, n, zero).into_iter().zip(&names.states) {
+            roots.push((format!("{} on {q}", r.name), rest.value(entry)));
+        }
+    }
+    rest.tape("rests", over_reactions(equations), &roots)
 }
 
 /// The definitions that depend on a coordinate, directly or through earlier ones.

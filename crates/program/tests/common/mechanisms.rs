@@ -89,7 +89,7 @@ pub fn contact(e: &mut Equations, name: &str, gap: Expr) -> usize {
 
 pub fn balance(e: &mut Equations, name: &str, columns: Vec<(usize, Expr)>, rest: Expr, released: &[(usize, Expr)]) {
     let index = e.balances.len();
-    e.balances.push(Balance { name: Text::same(name), columns, rest });
+    e.balances.push(Balance { name: Text::same(name), columns, rest, complete: true });
     for (reaction, factor) in released {
         e.reactions[*reaction].released.push((index, *factor));
     }
@@ -194,5 +194,31 @@ pub fn atwood(first: f64, second: f64) -> Equations {
     let sum = e.graph.add(x, y);
     let place = e.graph.sub(sum, length);
     connection(&mut e, "rope", place, -1);
+    e
+}
+
+/// The chain of [`pendulum_chain`] in Cartesian coordinates (y up): n rods, 2n coordinates x_0, y_0, x_1, ...
+pub fn rod_chain(n: usize) -> Equations {
+    let mut e = empty(Graph::new());
+    let g = parameter(&mut e, "g", 9.81);
+    let m: Vec<Expr> = (0..n).map(|i| parameter(&mut e, &format!("m_{i}"), 1.0 + i as f64 * 0.01)).collect();
+    let l: Vec<Expr> = (0..n).map(|i| parameter(&mut e, &format!("l_{i}"), 0.5 + i as f64 * 0.003)).collect();
+    let q: Vec<[Expr; 2]> = (0..n).map(|i| ["x", "y"].map(|c| coordinate(&mut e, &format!("{c}_{i}")).0)).collect();
+    masses(&mut e, &m.iter().flat_map(|m| [*m; 2]).collect::<Vec<_>>());
+    for m in m {
+        let weight = e.graph.mul(m, g);
+        let pair = [e.graph.zero(), e.graph.neg(weight)];
+        e.force.extend(pair);
+    }
+    for i in 0..n {
+        let squares = [0, 1].map(|k| {
+            let difference = if i > 0 { e.graph.sub(q[i][k], q[i - 1][k]) } else { q[i][k] };
+            e.graph.square(difference)
+        });
+        let square = e.graph.sum(&squares);
+        let length = e.graph.sqrt(square);
+        let place = e.graph.sub(length, l[i]);
+        connection(&mut e, &format!("rod {i}"), place, -1);
+    }
     e
 }

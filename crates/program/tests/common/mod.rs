@@ -29,6 +29,7 @@ pub fn empty(mut graph: Graph) -> Equations {
         steps: vec![],
         second: vec![],
         places: vec![],
+        applied: vec![],
         energy,
         outputs: vec![],
         notation: vec![],

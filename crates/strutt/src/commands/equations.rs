@@ -26,6 +26,7 @@ pub fn run(args: &args::Equations, console: &mut Console) -> Result<Exit, Failur
         text.push_str(&writer.energies());
     }
     text.push_str(&writer.equations());
+    text.push_str(&writer.connections());
     text.push_str(&writer.definitions());
     console.out(text)?;
     if !args.steps && !machine.equations.steps.is_empty() {
@@ -135,6 +136,27 @@ impl<'a> Writer<'a> {
         out
     }
 
+    /// Conditions and what the letters of reactions mean.
+    fn connections(&self) -> String {
+        let conditions = document::conditions(self.equations, &self.printer, self.form());
+        let mut out = String::new();
+        if !conditions.is_empty() {
+            out.push('\n');
+            out.push_str(&self.words(say(self.language, Word::Connections)));
+            out.extend(conditions.iter().map(|line| self.formula(line, None)));
+        }
+        if !self.equations.reactions.is_empty() {
+            out.push('\n');
+            out.push_str(&self.words(say(self.language, Word::Reactions)));
+        }
+        for reaction in &self.equations.reactions {
+            let symbol = self.printer.symbol(&self.equations.graph, reaction.symbol, self.form());
+            let line = format!("  {symbol} = {}: {}", reaction.name, self.language.text(&reaction.label));
+            out.push_str(&self.words(&line));
+        }
+        out
+    }
+
     fn definitions(&self) -> String {
         let lines = document::definitions(self.equations, &self.printer, self.form());
         if lines.is_empty() {
@@ -159,12 +181,22 @@ pub fn to_json(machine: &Machine, language: Language) -> Value {
     let [text, latex, mathml] =
         [formula::Form::Text, formula::Form::Latex, formula::Form::MathMl].map(|form| document::definitions(equations, &printer, form));
     let definitions: Vec<Value> = (0..text.len()).map(|i| json!({"text": text[i], "latex": latex[i], "mathml": mathml[i]})).collect();
+    let [text, latex, mathml] =
+        [formula::Form::Text, formula::Form::Latex, formula::Form::MathMl].map(|form| document::conditions(equations, &printer, form));
+    let conditions: Vec<Value> = (0..text.len()).map(|i| json!({"text": text[i], "latex": latex[i], "mathml": mathml[i]})).collect();
+    let reactions: Vec<Value> = equations
+        .reactions
+        .iter()
+        .map(|r| json!({"name": r.name, "symbol": graph.symbol_info(r.symbol).name, "unit": r.unit, "label": language.text(&r.label)}))
+        .collect();
     let energy = |e| if equations.textbook.is_ok() { three(&|form| printer.expression(graph, e, form)) } else { Value::Null };
     let mut own = serde_json::Map::new();
-    own.insert("degrees_of_freedom".into(), json!(equations.coordinates.len()));
+    own.insert("degrees_of_freedom".into(), json!(equations.degrees_of_freedom()));
     own.insert("equations".into(), json!(written));
     own.insert("not_shown".into(), json!(reason));
     own.insert("definitions".into(), json!(definitions));
+    own.insert("conditions".into(), json!(conditions));
+    own.insert("reactions".into(), json!(reactions));
     for (key, e) in ["kinetic", "potential", "dissipation"].into_iter().zip(document::energies(equations)) {
         own.insert(key.into(), energy(e.2));
     }

@@ -1,9 +1,12 @@
 //! Modes and responses as tables, figures and sentences.
 
 use crate::small::modes::{Found, ModesFound, columns};
+use crate::small::response::ResponseFound;
 use analysis::Dataset;
 use report::document::Rich;
+use report::figure::{Axis, Kind, Mark, Series};
 use report::table::Column;
+use report::unit::Scale;
 use report::{Block, Cell, Figure, Language, Table, Word};
 
 /// Significant digits.
@@ -107,4 +110,170 @@ fn thinned(data: &Dataset) -> Vec<analysis::dataset::Column> {
         values: (0..rows).map(|k| c.values[pick(k)]).collect(),
     };
     data.columns.iter().map(thin).collect()
+}
+
+/// Everything about a response.
+pub fn response(found: &ResponseFound, language: Language, page: bool) -> Vec<Block> {
+    let mut blocks = vec![Block::paragraph(format!("{}: {}", language.pick("Load", "Нагрузка"), language.text(&found.load)))];
+    if let Some(own) = &found.own {
+        blocks.push(Block::Table(own_table(found, own, language)));
+    }
+    for shape in &found.shapes {
+        blocks.push(Block::Table(shape_table(found, shape, language)));
+    }
+    if !found.resonances.is_empty() {
+        blocks.push(Block::Table(resonances(found, language)));
+    } else if found.trouble.is_none() {
+        let none = language.pick(
+            "No resonance: no amplitude has a largest value in the range.",
+            "Резонансов нет: ни одна амплитуда не имеет максимума в диапазоне.",
+        );
+        blocks.push(Block::paragraph(none));
+    }
+    if !found.antiresonances.is_empty() {
+        blocks.push(Block::Table(antiresonances(found, language)));
+    }
+    for note in &found.data.notes {
+        blocks.push(Block::paragraph(language.text(note)));
+    }
+    if page {
+        blocks.extend(response_figures(found, language).into_iter().map(Block::Figure));
+    }
+    blocks
+}
+
+fn heads(list: &[(&str, &str)], language: Language) -> Vec<Column> {
+    list.iter().map(|(words, unit)| if unit.is_empty() { Column::new(*words) } else { Column::with_unit(*words, unit, language) }).collect()
+}
+
+fn number(x: f64, language: Language) -> Cell {
+    match () {
+        () if x.is_nan() => Cell::words("–"),
+        () if x.is_infinite() => Cell::words("∞"),
+        () => Cell::number(x, DIGITS, language),
+    }
+}
+
+/// Amplitude, phase, static displacement and dynamic coefficient at the frequency of the file.
+fn own_table(found: &ResponseFound, own: &analysis::studies::response::Point, language: Language) -> Table {
+    use analysis::studies::response::{magnitude, phase};
+    let omega = report::number::short(own.omega, DIGITS, language);
+    let title = format!("ω = {}", report::number::with_unit(&omega, &report::unit::print("rad/s", language)));
+    let words = language.pick(["amplitude", "phase", "static", "coefficient"], ["амплитуда", "фаза", "статически", "коэффициент"]);
+    let mut table = Table::new(heads(&[(&title, ""), (words[0], ""), (words[1], "rad"), (words[2], ""), (words[3], "")], language));
+    for (k, q) in found.outputs.iter().enumerate() {
+        let (z, still) = (own.outputs[k], magnitude(own.still[k]));
+        let unit = report::unit::print(&q.unit, language);
+        let name = if unit.is_empty() { q.symbol.clone() } else { q.symbol.clone() };
+        let mut row = vec![Cell::symbol(name), number(magnitude(z), language), number(phase(z), language), number(still, language)];
+        row.push(number(if still > 0.0 { magnitude(z) / still } else { f64::NAN }, language));
+        table.row(row);
+    }
+    table
+}
+
+fn shape_table(found: &ResponseFound, shape: &analysis::studies::response::Point, language: Language) -> Table {
+    use analysis::studies::response::{magnitude, phase};
+    let omega = report::number::short(shape.omega, DIGITS, language);
+    let title = format!(
+        "{} ω = {}",
+        language.pick("shape at", "форма при"),
+        report::number::with_unit(&omega, &report::unit::print("rad/s", language))
+    );
+    let words = language.pick(["amplitude", "phase"], ["амплитуда", "фаза"]);
+    let mut table = Table::new(heads(&[(&title, ""), (words[0], ""), (words[1], "rad")], language));
+    for (q, z) in found.coordinates.iter().zip(&shape.coordinates) {
+        table.row(vec![Cell::symbol(q.symbol.clone()), number(magnitude(*z), language), number(phase(*z), language)]);
+    }
+    table
+}
+
+fn resonances(found: &ResponseFound, language: Language) -> Table {
+    let words = language.pick(
+        ["resonance of", "amplitude", "phase", "coefficient", "quality"],
+        ["резонанс", "амплитуда", "фаза", "коэффициент", "добротность"],
+    );
+    let columns = [(words[0], ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "rad"), (words[3], ""), (words[4], "")];
+    let mut table = Table::new(heads(&columns, language));
+    for r in &found.resonances {
+        let mut row = vec![Cell::symbol(found.outputs[r.output].symbol.clone())];
+        row.extend([r.omega, r.omega / std::f64::consts::TAU, r.amplitude, r.phase, r.gain, r.quality].map(|x| number(x, language)));
+        table.row(row);
+    }
+    table
+}
+
+fn antiresonances(found: &ResponseFound, language: Language) -> Table {
+    let words = language.pick(["antiresonance of", "amplitude", "absorbed by"], ["антирезонанс", "амплитуда", "поглощает"]);
+    let mut table = Table::new(heads(&[(words[0], ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "")], language));
+    for a in &found.antiresonances {
+        let name = |(i, share): &(usize, f64)| {
+            let symbol = report::symbol::plain(&found.coordinates[*i].symbol, language);
+            format!("{symbol} {} %", report::number::short(100.0 * share, 3, language))
+        };
+        let absorbs: Vec<String> = a.absorbs.iter().map(name).collect();
+        let mut row = vec![Cell::symbol(found.outputs[a.output].symbol.clone())];
+        row.extend([a.omega, a.omega / std::f64::consts::TAU, a.amplitude].map(|x| number(x, language)));
+        row.push(Cell::words(absorbs.join(", ")));
+        table.row(row);
+    }
+    table
+}
+
+/// Amplitudes, phases and Nyquist's curve.
+pub fn response_figures(found: &ResponseFound, language: Language) -> Vec<Figure> {
+    let data = &found.data;
+    let mut figures = Vec::new();
+    for (tail, log) in [("amplitude", found.study.log), ("phase", false)] {
+        let names: Vec<String> = found.outputs.iter().map(|q| format!("{}_{tail}", q.name)).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let Some(mut figure) = Figure::over_axis(data, &names, language) else { continue };
+        figure.name = format!("response-{tail}");
+        figure.title = language
+            .pick(if log || tail == "amplitude" { "Amplitudes" } else { "Phases" }, if tail == "amplitude" { "Амплитуды" } else { "Фазы" })
+            .into();
+        (figure.x.log, figure.y.log) = (found.study.log, log);
+        for r in found.resonances.iter().filter(|_| tail == "amplitude") {
+            let label = report::number::short(r.omega, 4, language);
+            let mark = Mark::Vertical { x: r.omega, label };
+            if !figure.marks.contains(&mark) {
+                figure.marks.push(mark);
+            }
+        }
+        figures.push(figure);
+    }
+    figures.extend(nyquist(found, language));
+    figures
+}
+
+fn nyquist(found: &ResponseFound, language: Language) -> Option<Figure> {
+    let data = &found.data;
+    let column = |q: &analysis::Quantity, tail: &str| data.column(&format!("{}_{tail}", q.name)).map(|c| c.values.clone());
+    let series: Vec<Series> = found
+        .outputs
+        .iter()
+        .filter_map(|q| {
+            let (x, y) = (column(q, "re")?, column(q, "im")?);
+            // a curve on the real axis says nothing
+            y.iter().any(|v| v.abs() > 0.0).then(|| Series { name: q.symbol.clone(), label: language.text(&q.label).into(), x, y })
+        })
+        .collect();
+    let units: Vec<&str> = found.outputs.iter().map(|q| q.unit.as_str()).collect();
+    if series.is_empty() || units.iter().any(|u| *u != units[0]) {
+        return None;
+    }
+    let largest = series.iter().flat_map(|s| s.x.iter().chain(&s.y)).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
+    let axis =
+        |symbol: &str| Axis { symbols: vec![symbol.into()], units: Vec::new(), scale: Scale::of_column(units[0], largest), log: false };
+    Some(Figure {
+        name: "nyquist".into(),
+        title: language.pick("Nyquist plot", "Годограф (амплитудно-фазовая характеристика)").into(),
+        kind: Kind::Plane { equal: true },
+        x: axis("Re"),
+        y: axis("Im"),
+        series,
+        marks: Vec::new(),
+        along: data.columns.first().map(|c| (Axis::of_columns(&[c]), c.values.clone())),
+        strip: Vec::new(),
+    })
 }

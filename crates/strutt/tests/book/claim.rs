@@ -34,6 +34,7 @@ pub enum Claim {
     Error { code: String, line: Option<usize>, only: bool },
     Warning { code: String, line: Option<usize> },
     Fails(String),
+    Field { path: String, text: String },
     PhaseConstant { phase: usize, key: String, expected: f64, tolerance: Tolerance },
     PhaseCase { phase: usize, case: String },
 }
@@ -83,6 +84,10 @@ pub fn parse(line: &str) -> Result<Claim, String> {
             };
             Ok(if kind == "error" { Claim::Error { code, line, only } } else { Claim::Warning { code, line } })
         }
+        "field" => {
+            let (path, text) = line["field".len()..].split_once(':').ok_or_else(unknown)?;
+            Ok(Claim::Field { path: path.trim().to_owned(), text: text.trim().to_owned() })
+        }
         "phase" => phase(line).ok_or_else(unknown)?,
         "mean" => mean_rate(line).ok_or_else(unknown)?,
         "fails" => Ok(Claim::Fails(word(1).to_owned())),
@@ -106,6 +111,10 @@ fn value(line: &str) -> Option<Result<Claim, String>> {
     };
     let when = match when {
         "end" => Ok(When::End),
+        // `force(AB)` is a name
+        t if number(t).is_err() && t.starts_with(|c: char| c.is_alphabetic()) => {
+            return Some(Ok(Claim::Rest { name, expected, tolerance }));
+        }
         t => number(t).map(When::At),
     };
     Some(when.map(|when| Claim::Value { name: column.to_owned(), when, expected, tolerance }))

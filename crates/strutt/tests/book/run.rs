@@ -5,10 +5,11 @@ use crate::claim::{Claim, Tolerance, When, parse};
 use analysis::Dataset;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use mechanics::Diagnostic;
-use mechanics::model::Times;
+use mechanics::model::{Modes, Response, StudyKind, Times};
 use report::Language;
 use report::formula::{Form, Printer};
 use strutt::pipeline::{self, Finding, Machine, Phases};
+use strutt::studies::Results;
 use strutt::{Failure, Source, Watch};
 use symbolic::SymbolId;
 
@@ -41,6 +42,58 @@ pub fn check(trial: &Trial) -> Result<(), String> {
     if complaints.is_empty() { Ok(()) } else { Err(format!("{}:{}\n{}", trial.file.display(), trial.line, complaints.join("\n"))) }
 }
 
+/// The first study of a kind that the model itself asks for.
+fn study(machine: &mut Machine, kind: &str) -> Result<Outcome, String> {
+    for study in machine.model.studies.clone() {
+        if let Some(Finding::Study(results)) = pipeline::study(machine, &study.kind, &mut Watch::default())
+            && results.kind == kind
+        {
+            return Ok(match &results.trouble {
+                Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
+                None => Outcome::Study(results),
+            });
+        }
+    }
+    Err(format!("the model has no study `{kind}`"))
+}
+
+/// A number of a study: `period`, `multipliers.1.abs`.
+fn field(results: &Results, path: &str) -> Result<f64, String> {
+    let fields = serde_json::Value::Object(results.fields());
+    let whole = fields.get(path).cloned();
+    let found = whole.or_else(|| {
+        path.split('.').try_fold(fields.clone(), |at, key| match key.parse::<usize>() {
+            Ok(i) => at.get(i).cloned(),
+            Err(_) => at.get(key).cloned(),
+        })
+    });
+    let names = || fields.as_object().map(|o| o.keys().cloned().collect::<Vec<_>>().join(", ")).unwrap_or_default();
+    found.and_then(|v| v.as_f64()).ok_or_else(|| format!("no number `{path}`; there are {}", names()))
+}
+
+/// Values of a study's column at the places of its axis.
+fn study_claim(results: &Results, claim: &Claim) -> Result<(), String> {
+    let data = &results.data;
+    match claim {
+        Claim::Rest { name, expected, tolerance } => tolerance.check(name, field(results, name)?, *expected),
+        Claim::Value { name, when, expected, tolerance } => {
+            let axis = data.axis.and_then(|i| data.columns.get(i)).ok_or("the study has no axis")?;
+            let values = &data.column(name).ok_or_else(|| no_column(data, name))?.values;
+            let last = axis.values.len().checked_sub(1).ok_or("the study has no rows")?;
+            let range = (axis.values[last] - axis.values[0]).abs();
+            let row = match when {
+                When::End => last,
+                When::At(x) => {
+                    let near = |v: &f64| (v - x).abs() <= 1e-12 * range.max(x.abs());
+                    axis.values.iter().position(near).ok_or_else(|| format!("no row at {x}"))?
+                }
+            };
+            tolerance.check(name, values[row], *expected)
+        }
+        claim => motion(&[], data, claim),
+    }
+}
+
 /// The first line of an expectation.
 struct Command {
     verb: String,
@@ -49,12 +102,21 @@ struct Command {
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
     linearise: bool,
+    /// Name of a section.
+    name: String,
 }
 
 impl Command {
     fn parse(words: &[String]) -> Result<Command, String> {
-        let mut command =
-            Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new(), linearise: false };
+        let mut command = Command {
+            verb: words[0].clone(),
+            until: 0.0,
+            tolerance: TOLERANCE,
+            set: Vec::new(),
+            guess: Vec::new(),
+            name: String::new(),
+            linearise: false,
+        };
         let mut list = None;
         for word in &words[1..] {
             if word == "set" || word == "guess" {
@@ -71,6 +133,7 @@ impl Command {
                 (Some("set"), _) => command.set.push(pair),
                 (Some(_), _) => command.guess.push(pair),
                 (None, "until") => command.until = quantity(value)?,
+                (None, "name") => value.clone_into(&mut command.name),
                 (None, "tolerance") => command.tolerance = value.parse().map_err(|_| format!("not a number: {value}"))?,
                 (None, _) => return Err(format!("unknown option `{word}`")),
             }
@@ -90,7 +153,13 @@ impl Command {
             "simulate" => self.simulate(&mut machine, claims),
             "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
+            "modes" | "response" => Ok(self.fields(&mut machine)),
+            "section" => {
+                let found = machine.model.sections.iter().find(|s| s.name == self.name).cloned();
+                found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
+            }
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
+            kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),
         }
     }
@@ -148,6 +217,23 @@ impl Command {
         }
     }
 
+    /// The study of the file of that kind, or the one that the command makes without.
+    fn fields(&self, machine: &mut Machine) -> Outcome {
+        let of_file = machine.model.studies.iter().map(|s| s.kind.clone()).find(|kind| match kind {
+            StudyKind::Modes(_) => self.verb == "modes",
+            StudyKind::Response(_) => self.verb == "response",
+            _ => false,
+        });
+        let usual = if self.verb == "modes" { StudyKind::Modes(Modes::default()) } else { StudyKind::Response(Response::default()) };
+        match pipeline::study(machine, &of_file.unwrap_or(usual), &mut Watch::default()) {
+            Some(finding) => match finding.trouble() {
+                Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
+                None => Outcome::Fields { own: strutt::folder::own_fields(&finding).into(), data: finding.data().clone() },
+            },
+            None => Outcome::Trouble { code: "", what: "no study".into() },
+        }
+    }
+
     fn equilibrium(&self, machine: &mut Machine) -> Result<Outcome, String> {
         let mut guess = Vec::new();
         for (name, value) in &self.guess {
@@ -158,7 +244,7 @@ impl Command {
         match pipeline::equilibrium(machine, &guess, &mut Watch::default()) {
             Finding::Equilibrium(data, None) => Ok(Outcome::Rest(data)),
             Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
-            Finding::Motion(..) | Finding::Transient(..) | Finding::Modes(..) => Err("an equilibrium came back as a motion".into()),
+            _ => Err("an equilibrium came back as something else".into()),
         }
     }
 }
@@ -175,7 +261,10 @@ enum Outcome {
     Machine(Box<Machine>),
     Motion { times: Vec<f64>, data: Dataset },
     Rest(Dataset),
+    Fields { own: serde_json::Value, data: Dataset },
+    Section(Box<mechanics::section::Section>),
     Closed { times: Vec<f64>, data: Dataset, phases: Phases },
+    Study(Box<Results>),
 }
 
 impl Outcome {
@@ -184,6 +273,16 @@ impl Outcome {
             (Outcome::Findings(diagnostics), Claim::Error { code, line, only }) => findings(model, diagnostics, code, *line, *only),
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
             (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
+            (Outcome::Fields { own, .. }, Claim::Rest { name, expected, tolerance }) => {
+                let found = json_field(own, name)?.as_f64().unwrap_or(f64::NAN);
+                tolerance.check(name, found, *expected)
+            }
+            (Outcome::Fields { own, .. }, Claim::Field { path, text }) => {
+                let found = json_field(own, path)?;
+                let found = found.as_str().map_or_else(|| found.to_string(), str::to_owned);
+                if found == *text { Ok(()) } else { Err(format!("{path} is {found}")) }
+            }
+            (Outcome::Fields { data, .. }, claim) => motion(&[], data, claim),
             (Outcome::Motion { times, data }, claim) => motion(times, data, claim),
             (Outcome::Closed { phases, .. }, Claim::PhaseConstant { phase, key, expected, tolerance }) => {
                 tolerance.check(key, constant_of(phases, *phase, key)?, *expected)
@@ -191,6 +290,11 @@ impl Outcome {
             (Outcome::Closed { phases, .. }, Claim::PhaseCase { phase, case }) => case_of(phases, *phase, case),
             (Outcome::Closed { times, data, .. }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
+            (Outcome::Section(section), Claim::Rest { name, expected, tolerance }) => {
+                let found = strutt::sections::property(section, name).ok_or_else(|| format!("no property `{name}`"))?;
+                tolerance.check(name, found, *expected)
+            }
+            (Outcome::Study(results), claim) => study_claim(results, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
                 let column = data.column(name).ok_or_else(|| no_column(data, name))?;
                 // several equilibria may be found; the claim is about the nearest
@@ -211,8 +315,11 @@ impl Outcome {
             Outcome::Trouble { code, what } => format!("ended with {code}: {what}"),
             Outcome::Machine(_) => "the model is accepted".into(),
             Outcome::Motion { .. } => "the motion was computed".into(),
+            Outcome::Fields { .. } => "the study was made".into(),
+            Outcome::Section(_) => "the section was computed".into(),
             Outcome::Closed { .. } => "the closed form was found".into(),
             Outcome::Rest(_) => "an equilibrium was found".into(),
+            Outcome::Study(results) => format!("the study {} was made", results.kind),
         }
     }
 }
@@ -250,6 +357,22 @@ fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<us
         [] => Err("nothing was found".into()),
         list => Err(format!("found {}", list.join(", "))),
     }
+}
+
+/// The field at a path: `modes[1].shape.phi`, counted from 1; `length(modes)` is a number of entries.
+fn json_field(own: &serde_json::Value, path: &str) -> Result<serde_json::Value, String> {
+    if let Some(inner) = path.strip_prefix("length(").and_then(|p| p.strip_suffix(')')) {
+        return Ok(json_field(own, inner)?.as_array().map_or(0, Vec::len).into());
+    }
+    let mut at = own;
+    for step in path.split(['.', '[']) {
+        let next = match step.strip_suffix(']') {
+            Some(index) => index.parse::<usize>().ok().and_then(|i| at.get(i.wrapping_sub(1))),
+            None => at.get(step),
+        };
+        at = next.ok_or_else(|| format!("no field `{path}` (at `{step}`)"))?;
+    }
+    Ok(at.clone())
 }
 
 fn no_column(data: &Dataset, name: &str) -> String {

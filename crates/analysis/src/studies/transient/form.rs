@@ -31,7 +31,7 @@ pub struct Form {
 
 /// Forms of the phases between the given instants: phase k lasts from instants[k] to instants[k + 1].
 ///
-/// *Errors*: S034 connections, S030 not linear, S031 coefficients change with time, S032 a load without a closed form.
+/// *Errors*: S074 connections, S070 not linear, S071 coefficients change with time, S072 a load without a closed form.
 ///
 /// With a place of rest q0 the forms are those of small motions and small loads about it, still over q itself: f contains C q0. Products of
 /// loads and motions are dropped.

@@ -29,7 +29,7 @@ impl Obstacle {
         let at = crate::fault::number(start);
         let message = match reason {
             Reason::NotLinear => Message {
-                code: "S030",
+                code: "S070",
                 what: Text::new("the system is not linear, so it has no closed form", "система нелинейна, и замкнутого решения у неё нет"),
                 why: Text::new(
                     "this term contains a product or a function of coordinates or rates",
@@ -41,7 +41,7 @@ impl Obstacle {
                 ),
             },
             Reason::Varying => Message {
-                code: "S031",
+                code: "S071",
                 what: Text::new("a coefficient of the system changes with time", "коэффициент системы меняется со временем"),
                 why: Text::new(
                     "mass, damping or stiffness may change at switches only, not within a phase",
@@ -50,7 +50,7 @@ impl Obstacle {
                 help: Text::new("use the study simulate", "примените расчёт simulate"),
             },
             Reason::NoClosedForm => Message {
-                code: "S032",
+                code: "S072",
                 what: Text::new(
                     format!("a load has no closed form within the phase from {} s", at.en),
                     format!("нагрузка на этапе с {} с не имеет замкнутого решения", at.ru),
@@ -72,7 +72,7 @@ impl Obstacle {
 /// The fault of a machine with connections.
 pub fn connected() -> Fault {
     Fault::new(Message {
-        code: "S034",
+        code: "S074",
         what: Text::new("the machine has connections", "в машине есть связи"),
         why: Text::new(
             "the closed form needs independent coordinates; connections, stops and friction keep reactions as unknowns",

@@ -59,7 +59,7 @@ fn balanced(form: &Form, mean: &[f64], q: &[f64]) -> bool {
 
 fn nowhere() -> Fault {
     Fault::new(Message {
-        code: "S035",
+        code: "S075",
         what: Text::new("no equilibrium to linearise about", "нет положения равновесия, около которого линеаризовать"),
         why: Text::new(
             "under the mean loads of the first phase the machine has no isolated equilibrium near its start",

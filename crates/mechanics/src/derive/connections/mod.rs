@@ -159,7 +159,7 @@ impl Connected {
         let remainder = without_accelerations(scene, shape.rate);
         self.conditions.push(Condition {
             name: component.label.clone(),
-            place: component.place,
+            place: component.place.map(|e| scene.tidy(e)),
             rate: shape.rate,
             columns: shape.columns,
             remainder,
@@ -272,6 +272,11 @@ impl Connected {
             }
         }
         (scene.graph.sum(&given), scene.graph.sum(&taken))
+    }
+
+    /// Number of ideal conditions.
+    pub fn ideal(&self) -> usize {
+        self.reactions.iter().filter(|r| matches!(r.law, Law::Ideal { .. })).count()
     }
 
     /// Whether some body is released.

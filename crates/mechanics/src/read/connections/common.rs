@@ -34,7 +34,8 @@ impl<'m> Space<'m> {
                 }
             };
             let turned = frame.spin.is_some() || frame.rotations.iter().any(|(_, angle)| !space.is_fixed(reader, *angle));
-            let root = space.roots.get(frame.on.index()).copied().filter(|_| stands && !turned);
+            // a body is always its own: what joins it to another may be a named joint of a structure at rest
+            let root = space.roots.get(frame.on.index()).copied().filter(|_| stands && !turned && !frame.is_body);
             space.roots.push(root.unwrap_or(FrameId(i)));
         }
         space

@@ -19,7 +19,7 @@ const PER_LENGTH: Dimension = Dimension::of(0, 1, -2);
 /// The equivalent forces, and the points where they act, numbered after `known` points.
 pub(in crate::read) fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, space: &Space, known: usize) -> (Vec<Force>, Vec<Point>) {
     let mut found = (Vec::new(), Vec::new());
-    for (name, fields) in top.entries(reader, "distributed", &DISTRIBUTED) {
+    for (name, fields) in crate::read::structures::rows(reader, top, "distributed", &DISTRIBUTED, false) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }
@@ -81,16 +81,30 @@ fn two_bodies(span: Range<usize>) -> Fault {
         )
 }
 
+/// Distance of the ends; along an axis without a root, so that formulas stay as one writes them.
+fn length(reader: &mut Reader, load: &Load) -> Expr {
+    let mut sides = Vec::new();
+    for (a, b) in load.from.iter().zip(&load.to) {
+        let side = reader.builder.graph.sub(*b, *a);
+        if !reader.builder.graph.is_zero(side) {
+            sides.push(side);
+        }
+    }
+    if let &[side] = sides.as_slice()
+        && let Some(number) = reader.number_of(side)
+    {
+        return if number < 0.0 { reader.builder.graph.neg(side) } else { side };
+    }
+    let graph = &mut reader.builder.graph;
+    let squares: Vec<Expr> = sides.iter().map(|side| graph.square(*side)).collect();
+    let square = graph.sum(&squares);
+    graph.sqrt(square)
+}
+
 /// (place, force) of each resultant.
 fn resultants(reader: &mut Reader, load: &Load) -> Vec<([Expr; 3], [Expr; 3])> {
+    let length = length(reader, load);
     let graph = &mut reader.builder.graph;
-    let mut squares = Vec::new();
-    for (a, b) in load.from.iter().zip(&load.to) {
-        let d = graph.sub(*b, *a);
-        squares.push(graph.square(d));
-    }
-    let square = graph.sum(&squares);
-    let length = graph.sqrt(square);
     let mut resultant = |part: &Rational, share: &Rational, q: [Expr; 3]| {
         let mut at = load.from;
         for (slot, (a, b)) in at.iter_mut().zip(load.from.iter().zip(&load.to)) {

@@ -58,17 +58,24 @@ const TABLES: &[Row] = &[
     Row { spec: &specs::FRICTION, read: contacts::friction },
 ];
 
+/// Makes the names known, so that a reaction in the formula of a force is told from a misspelt spring.
+pub(super) fn announce<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
+    for table in TABLES.iter().map(|row| row.spec.name) {
+        let names = top.get(table).and_then(|v| v.get_ref().as_table());
+        names.into_iter().flatten().for_each(|(name, _)| reader.scope.announce_connection(table, name.get_ref()));
+    }
+}
+
 /// All connections; their reactions can be named in formulas from here on.
 pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, space: &Space) -> Vec<Connection> {
     let mut connections = Vec::new();
     for row in TABLES {
         let table = row.spec.name;
-        for (name, fields) in top.entries(reader, table, row.spec) {
+        for (name, fields) in super::structures::rows(reader, top, table, row.spec, false) {
             if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
                 continue;
             }
             let Some(found) = (row.read)(reader, &fields, space) else {
-                reader.scope.declare_faulty(table, &name);
                 continue;
             };
             reader.scope.declare_connection(table, &name, connections.len(), parts(&found));
@@ -121,3 +128,6 @@ fn support(directions: &[SupportDirection]) -> Vec<(Part, Kind)> {
     let total = pushes.then_some((Part::Force, Kind::Known(Dimension::FORCE)));
     total.into_iter().chain(single).collect()
 }
+
+#[cfg(test)]
+mod tests;

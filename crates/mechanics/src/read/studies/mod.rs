@@ -250,6 +250,7 @@ fn known(reader: &mut Reader, name: String, span: Range<usize>) -> Option<String
         Some(EntryKind::Output(_)) => primes == 0,
         _ => false,
     };
+    let fits = fits || reader.results.contains(&name);
     if fits {
         return Some(name);
     }

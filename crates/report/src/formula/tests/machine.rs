@@ -62,6 +62,7 @@ fn machine() -> Equations {
         steps: vec![],
         second: vec![zero; 2],
         places: vec![],
+        applied: vec![],
         energy,
         outputs: vec![],
         notation: vec![("mass".into(), "m".into())],

@@ -1,0 +1,80 @@
+//! Newton-Euler balance of every body along the motion, with the reactions that were computed.
+//!
+//! The second derivation writes each balance over accelerations and reactions, by other formulas than those which gave the reactions. Accelerations
+//! are the derivatives of the dense output, reactions those of the same state. Each residual is compared with the terms that cancel in it; the limit
+//! is that of the power balance, for the same reason.
+
+use symbolic::Text;
+
+use crate::System;
+use crate::dataset::Audit;
+use crate::taylor::Step;
+
+/// Samples before every second one is dropped.
+const SAMPLES: u64 = 16;
+
+/// Collects the residual along a motion.
+#[derive(Clone, Debug)]
+pub struct BodyBalance {
+    worst: f64,
+    /// Largest terms of each row so far: a balance in which all terms vanish for an instant has its own size all the same.
+    largest: Vec<f64>,
+    steps: u64,
+    stride: u64,
+    taken: u64,
+    x: Vec<f64>,
+    rates: Vec<f64>,
+    known: bool,
+}
+
+impl BodyBalance {
+    /// For a system with this many states.
+    pub fn new(n_states: usize) -> BodyBalance {
+        BodyBalance {
+            worst: 0.0,
+            largest: Vec::new(),
+            steps: 0,
+            stride: 1,
+            taken: 0,
+            x: vec![0.0; n_states],
+            rates: vec![0.0; n_states],
+            known: true,
+        }
+    }
+
+    /// Looks at the middle of a step; at every one of the first 16, then at every second, fourth, ...
+    pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
+        self.steps += 1;
+        if !self.known || step.length == 0.0 || !(self.steps - 1).is_multiple_of(self.stride) {
+            return;
+        }
+        let t = step.start.after(0.5 * step.length).high;
+        step.state_at(t, &mut self.x);
+        step.rate_at(t, &mut self.rates);
+        let n = system.n_coordinates();
+        let Some(rows) = system.balances(t, &self.x, &self.rates[n..2 * n], &step.modes) else {
+            self.known = false;
+            return;
+        };
+        self.largest.resize(rows.len(), 0.0);
+        for ([residual, size], largest) in rows.into_iter().zip(&mut self.largest) {
+            *largest = largest.max(size);
+            if residual != 0.0 {
+                self.worst = self.worst.max(residual.abs() / size.max(1e-3 * *largest));
+            }
+        }
+        self.taken += 1;
+        if self.taken.is_multiple_of(SAMPLES) {
+            self.stride *= 2;
+        }
+    }
+
+    /// The audit, or none when the system has no reactions or no second derivation.
+    pub fn audit(&self, tolerance: f64) -> Option<Audit> {
+        let name = Text::new(
+            "Newton-Euler balance of every body with its reactions: largest relative residual",
+            "уравнения Ньютона-Эйлера для каждого тела с его реакциями: наибольшая относительная невязка",
+        );
+        (self.known && self.taken > 0).then(|| Audit::at_most("body_balance", name, self.worst, (1e3 * tolerance).max(1e-9)))
+    }
+}

@@ -1,0 +1,335 @@
+//! Closing loops: coordinates, then rates, that meet all lasting conditions, given ones kept.
+//!
+//! Positions: Gauss-Newton steps of least change from the guess, limited to half a radian (half the size of the machine); where such a step does
+//! not bring the loops closer, a damped one (Levenberg, Marquardt):
+//!
+//! ```text
+//! minimise |J d + g|² + μ |d|²        g, J: places and their derivatives in units of their own size;  d: changes times the reach of each coordinate
+//! ```
+//!
+//! From a guess at which all levers lie in line no step leads away; then guesses around it are tried in a fixed order, and of the closed
+//! configurations the one nearest to the user's guess is taken. Rates: one linear problem of least change.
+
+use symbolic::Text;
+
+use super::{Bench, listed};
+use symbolic::connections::Law;
+
+use crate::Fault;
+use crate::fault::number;
+use crate::numerics::qr::{Qr, norm};
+use crate::numerics::random::Random;
+
+/// Largest relative violation of a closed loop.
+const CLOSED: f64 = 1e-12;
+const STEPS: usize = 200;
+/// Longest step, rad, or share of the size.
+const LONGEST: f64 = 0.5;
+/// Guesses around the user's.
+const AROUND: usize = 40;
+/// A given value that closes when it changes by this share is the printed form of one that does.
+const PRINTED: f64 = 1e-9;
+
+impl Bench<'_> {
+    pub(super) fn close_places(&mut self, notes: &mut Vec<Text>) -> Result<(), Fault> {
+        let rows: Vec<usize> = self.lasting().into_iter().filter(|c| self.equations.conditions[*c].place.is_some()).collect();
+        let given: Vec<bool> = self.equations.coordinates.iter().map(|c| c.given[0]).collect();
+        let guess = self.x.clone();
+        let free: Vec<usize> = (0..self.n).filter(|j| !given[*j]).collect();
+        if let Some(x) = self.closed_from(&guess, &rows, &free)? {
+            self.x = x;
+            return Ok(());
+        }
+        // which given values would close it, each alone, the last first
+        let mut cures = Vec::new();
+        for j in (0..self.n).rev().filter(|j| given[*j]) {
+            let free: Vec<usize> = (0..self.n).filter(|k| !given[*k] || *k == j).collect();
+            if let Some(x) = self.closed_from(&guess, &rows, &free)? {
+                let size = if self.is_angle(j) { 1.0 } else { 0.0 };
+                if (x[j] - guess[j]).abs() <= PRINTED * guess[j].abs().max(size) {
+                    notes.push(self.taken_as(self.coordinate(j), guess[j], x[j], &self.equations.coordinates[j].unit));
+                    self.x = x;
+                    return Ok(());
+                }
+                cures.push((self.coordinate(j).to_owned(), x[j], self.equations.coordinates[j].unit.clone()));
+            }
+        }
+        if !cures.is_empty() {
+            return Err(self.inconsistent(&rows, &guess, &cures)?);
+        }
+        let everything: Vec<usize> = (0..self.n).collect();
+        match self.closed_from(&guess, &rows, &everything)? {
+            Some(x) => {
+                let moved = (0..self.n).filter(|j| given[*j] && x[*j] != guess[*j]);
+                let cures: Vec<_> =
+                    moved.map(|j| (self.coordinate(j).to_owned(), x[j], self.equations.coordinates[j].unit.clone())).collect();
+                Err(self.inconsistent_together(&rows, &guess, &cures)?)
+            }
+            None => Err(self.cannot_close(&rows, &guess, &everything)?),
+        }
+    }
+
+    /// The closed configuration nearest to `guess` with only the `free` coordinates moved; none when there is none around.
+    fn closed_from(&mut self, guess: &[f64], rows: &[usize], free: &[usize]) -> Result<Option<Vec<f64>>, Fault> {
+        let mut x = guess.to_vec();
+        if self.approach(&mut x, rows, free)? <= CLOSED {
+            return Ok(Some(x));
+        }
+        let mut random = Random::new(11);
+        let mut nearest: Option<(f64, Vec<f64>)> = None;
+        for trial in 0..AROUND {
+            let radius = 3.0 * (trial + 1) as f64 / AROUND as f64;
+            let mut x = guess.to_vec();
+            let size = free.iter().filter(|j| !self.is_angle(**j)).fold(0.0_f64, |m, j| m.max(guess[*j].abs()));
+            for &j in free {
+                let unit = random.between(-1.0, 1.0);
+                x[j] += radius * unit * if self.is_angle(j) { 1.0 } else { size.max(self.length()) };
+            }
+            if self.approach(&mut x, rows, free).is_ok_and(|gap| gap <= CLOSED) {
+                let way: Vec<f64> = free.iter().map(|&j| self.reach[j] * (x[j] - guess[j])).collect();
+                let way = norm(&way);
+                if nearest.as_ref().is_none_or(|(best, _)| way < 0.999 * best) {
+                    nearest = Some((way, x));
+                }
+            }
+        }
+        Ok(nearest.map(|(_, x)| x))
+    }
+
+    /// A length of the machine: the longest lever.
+    pub(super) fn length(&self) -> f64 {
+        let lever = (0..self.n).filter(|j| self.is_angle(*j)).fold(0.0_f64, |m, j| m.max(self.reach[j]));
+        if lever > 0.0 { lever } else { 1.0 }
+    }
+
+    /// Moves x until the rows are closed or nothing helps; returns the largest relative violation.
+    pub(super) fn approach(&mut self, x: &mut [f64], rows: &[usize], free: &[usize]) -> Result<f64, Fault> {
+        self.evaluate(x)?;
+        let mut damping = 0.0;
+        for _ in 0..STEPS {
+            let gap = self.gap(x, rows);
+            if gap <= 4.0 * f64::EPSILON {
+                break;
+            }
+            let before = norm(&self.residual(x, rows));
+            let step = self.step(x, rows, free, damping);
+            let mut next = x.to_vec();
+            free.iter().zip(&step).for_each(|(&j, d)| next[j] += d);
+            let better = self.evaluate(&next).is_ok() && norm(&self.residual(&next, rows)) < before;
+            if better {
+                let gained = norm(&self.residual(&next, rows)) < 0.999 * before;
+                x.copy_from_slice(&next);
+                damping = if damping > 1e-9 { 0.1 * damping } else { 0.0 };
+                if !gained && gap <= CLOSED {
+                    break;
+                }
+            } else {
+                self.evaluate(x)?;
+                if gap <= 16.0 * f64::EPSILON || damping > 1e8 {
+                    break;
+                }
+                damping = if damping == 0.0 { 1e-6 } else { 10.0 * damping };
+            }
+        }
+        Ok(self.gap(x, rows))
+    }
+
+    fn residual(&self, x: &[f64], rows: &[usize]) -> Vec<f64> {
+        rows.iter().map(|&c| self.place(c) / self.place_size(c, x)).collect()
+    }
+
+    fn gap(&self, x: &[f64], rows: &[usize]) -> f64 {
+        self.residual(x, rows).iter().fold(0.0_f64, |m, r| if r.is_nan() { f64::INFINITY } else { m.max(r.abs()) })
+    }
+
+    /// Change of the free coordinates.
+    fn step(&self, x: &[f64], rows: &[usize], free: &[usize], damping: f64) -> Vec<f64> {
+        let (m, n) = (rows.len(), free.len());
+        let residual = self.residual(x, rows);
+        let entry = |k: usize, j: usize| self.row(rows[k])[free[j]] / (self.place_size(rows[k], x) * self.reach[free[j]]);
+        let scaled = if damping == 0.0 {
+            let matrix: Vec<f64> = (0..n * m).map(|p| entry(p % m, p / m)).collect();
+            let wanted: Vec<f64> = residual.iter().map(|r| -r).collect();
+            Qr::new(&matrix, n, m).shortest(&wanted)
+        } else {
+            let largest = (0..m * n).fold(0.0_f64, |l, p| l.max(entry(p / n, p % n).abs()));
+            let weight = damping.sqrt() * largest;
+            let mut matrix: Vec<f64> = (0..m * n).map(|p| entry(p / n, p % n)).collect();
+            matrix.extend((0..n * n).map(|p| if p / n == p % n { weight } else { 0.0 }));
+            let wanted: Vec<f64> = residual.iter().map(|r| -r).chain(vec![0.0; n]).collect();
+            Qr::new(&matrix, m + n, n).least_squares(&wanted).0
+        };
+        let mut step: Vec<f64> = scaled.iter().zip(free).map(|(d, &j)| d / self.reach[j]).collect();
+        let longest = step.iter().zip(free).fold(0.0_f64, |l, (d, &j)| {
+            let size = if self.is_angle(j) { 1.0 } else { self.length().max(x[j].abs()) };
+            l.max(d.abs() / size)
+        });
+        if longest > LONGEST {
+            step.iter_mut().for_each(|d| *d *= LONGEST / longest);
+        }
+        step
+    }
+
+    pub(super) fn close_rates(&mut self, notes: &mut Vec<Text>) -> Result<(), Fault> {
+        let rows = self.lasting();
+        let given: Vec<bool> = self.equations.coordinates.iter().map(|c| c.given[1]).collect();
+        let guess = self.x.clone();
+        let free: Vec<usize> = (0..self.n).filter(|j| !given[*j]).collect();
+        if let Some(x) = self.rates_from(&guess, &rows, &free)? {
+            self.x = x;
+            return self.follow_contacts(rows, &free);
+        }
+        let mut cures = Vec::new();
+        for j in (0..self.n).rev().filter(|j| given[*j]) {
+            let free: Vec<usize> = (0..self.n).filter(|k| !given[*k] || *k == j).collect();
+            if let Some(x) = self.rates_from(&guess, &rows, &free)? {
+                let (old, new) = (guess[self.n + j], x[self.n + j]);
+                let name = format!("{}'", self.coordinate(j));
+                let unit = format!("{}/s", self.equations.coordinates[j].unit);
+                if (new - old).abs() <= PRINTED * old.abs() {
+                    notes.push(self.taken_as(&name, old, new, &unit));
+                    self.x = x;
+                    return Ok(());
+                }
+                cures.push((name, new, unit));
+            }
+        }
+        self.evaluate(&guess)?;
+        let worst = self.worst_of(&rows, |bench, c| bench.rate(c).abs() / bench.rate_size(c, &guess));
+        if !cures.is_empty() {
+            return Err(Fault::inconsistent_start(self.name(worst), &cures, &[]));
+        }
+        let everything: Vec<usize> = (0..self.n).collect();
+        if let Some(x) = self.rates_from(&guess, &rows, &everything)? {
+            let moved = (0..self.n).filter(|j| given[*j] && x[self.n + *j] != guess[self.n + *j]);
+            let cures: Vec<_> = moved
+                .map(|j| (format!("{}'", self.coordinate(j)), x[self.n + j], format!("{}/s", self.equations.coordinates[j].unit)))
+                .collect();
+            return Err(Fault::inconsistent_start(self.name(worst), &[], &cures));
+        }
+        Err(Fault::contradiction(&self.involved(&rows, worst), &self.configuration()))
+    }
+
+    /// Rates that nobody gives follow the contacts that are closed: a load on a taut rope starts with its drum. A contact that the given rates
+    /// open or close stays as it is.
+    fn follow_contacts(&mut self, mut rows: Vec<usize>, free: &[usize]) -> Result<(), Fault> {
+        self.evaluate(&self.x.clone())?;
+        let closed = |c: usize| {
+            let reaction = self.equations.conditions[c].reaction;
+            let contact = reaction.is_some_and(|r| matches!(self.equations.reactions[r].law, Law::Contact { .. }));
+            contact && self.place(c).abs() <= CLOSED * self.place_size(c, &self.x)
+        };
+        let contacts: Vec<usize> = (0..self.equations.conditions.len()).filter(|c| closed(*c)).collect();
+        let guess = self.x.clone();
+        for contact in contacts {
+            rows.push(contact);
+            match self.rates_from(&guess, &rows, free)? {
+                Some(x) => self.x = x,
+                None => drop(rows.pop()),
+            }
+        }
+        Ok(())
+    }
+
+    /// Rates of least change that meet the rows; none when there are none.
+    fn rates_from(&mut self, guess: &[f64], rows: &[usize], free: &[usize]) -> Result<Option<Vec<f64>>, Fault> {
+        let (m, n) = (rows.len(), free.len());
+        let mut x = guess.to_vec();
+        for _ in 0..3 {
+            self.evaluate(&x)?;
+            let matrix: Vec<f64> = (0..n * m).map(|p| self.row(rows[p % m])[free[p / m]] / self.reach[free[p / m]]).collect();
+            let wanted: Vec<f64> = rows.iter().map(|&c| -self.rate(c)).collect();
+            if wanted.iter().all(|w| *w == 0.0) {
+                break;
+            }
+            let change = Qr::new(&matrix, n, m).shortest(&wanted);
+            for (&j, d) in free.iter().zip(&change) {
+                let (old, change) = (x[self.n + j], d / self.reach[j]);
+                // what cancels to rounding is zero
+                x[self.n + j] = if (old + change).abs() <= 8.0 * f64::EPSILON * old.abs() { 0.0 } else { old + change };
+            }
+        }
+        self.evaluate(&x)?;
+        let closed = rows.iter().all(|&c| self.rate(c).abs() <= 1e-11 * self.rate_size(c, &x).max(self.rate_scale(c, guess)));
+        Ok(closed.then_some(x))
+    }
+
+    /// Size of the rates that were given: rates that have cancelled are compared with these.
+    fn rate_scale(&self, condition: usize, guess: &[f64]) -> f64 {
+        1e-3 * self.row(condition).iter().zip(&guess[self.n..2 * self.n]).map(|(a, v)| a.abs() * v.abs()).sum::<f64>()
+    }
+
+    fn worst_of(&self, rows: &[usize], size: impl Fn(&Self, usize) -> f64) -> usize {
+        rows.iter().copied().max_by(|&a, &b| size(self, a).total_cmp(&size(self, b))).unwrap_or(0)
+    }
+
+    fn inconsistent(&mut self, rows: &[usize], guess: &[f64], cures: &[(String, f64, String)]) -> Result<Fault, Fault> {
+        let worst = self.most_open(rows, guess)?;
+        Ok(Fault::inconsistent_start(self.name(worst), cures, &[]))
+    }
+
+    fn inconsistent_together(&mut self, rows: &[usize], guess: &[f64], cures: &[(String, f64, String)]) -> Result<Fault, Fault> {
+        let worst = self.most_open(rows, guess)?;
+        Ok(Fault::inconsistent_start(self.name(worst), &[], cures))
+    }
+
+    fn most_open(&mut self, rows: &[usize], x: &[f64]) -> Result<usize, Fault> {
+        self.evaluate(x)?;
+        Ok(self.worst_of(rows, |bench, c| bench.place(c).abs() / bench.place_size(c, x)))
+    }
+
+    /// No configuration closes: either two conditions contradict each other, or the lengths do not reach.
+    fn cannot_close(&mut self, rows: &[usize], guess: &[f64], free: &[usize]) -> Result<Fault, Fault> {
+        let mut best = guess.to_vec();
+        let mut gap = self.approach(&mut best, rows, free)?;
+        let mut random = Random::new(11);
+        for _ in 0..AROUND {
+            let mut x = guess.to_vec();
+            for &j in free {
+                x[j] += 3.0 * random.between(-1.0, 1.0) * if self.is_angle(j) { 1.0 } else { self.length() };
+            }
+            if let Ok(now) = self.approach(&mut x, rows, free)
+                && now < 0.999 * gap
+            {
+                (gap, best) = (now, x);
+            }
+        }
+        let worst = self.most_open(rows, &best)?;
+        let left = self.place(worst).abs();
+        self.x = best;
+        let together = self.involved(rows, worst);
+        let contradiction = self.is_linear_contradiction(rows, worst);
+        Ok(if contradiction {
+            Fault::contradiction(&together, &self.configuration())
+        } else {
+            Fault::cannot_close(self.name(worst), left, &self.configuration())
+        })
+    }
+
+    /// Conditions whose rows combine to that of `condition` at the present state, with it.
+    fn involved(&self, rows: &[usize], condition: usize) -> Text {
+        let others: Vec<usize> = rows.iter().copied().filter(|c| *c != condition).collect();
+        let shares = self.combination(&others, condition).unwrap_or_default();
+        let names = others.iter().zip(&shares).filter(|(_, s)| **s > 1e-6).map(|(c, _)| self.name(*c));
+        listed(names.chain([self.name(condition)]))
+    }
+
+    /// Whether the row repeats others away from the present state as well: lengths that do not reach give dependence at the stretched position only.
+    fn is_linear_contradiction(&mut self, rows: &[usize], condition: usize) -> bool {
+        let others: Vec<usize> = rows.iter().copied().filter(|c| *c != condition).collect();
+        let mut random = Random::new(5);
+        (0..3).all(|_| {
+            let mut x = self.x.clone();
+            (0..self.n).for_each(|j| x[j] += 0.1 * random.between(-1.0, 1.0) * if self.is_angle(j) { 1.0 } else { self.length() });
+            self.evaluate(&x).is_ok() && self.combination(&others, condition).is_some()
+        })
+    }
+
+    fn taken_as(&self, name: &str, given: f64, taken: f64, unit: &str) -> Text {
+        let (given, taken) = (number(given), number(taken));
+        Text::new(
+            format!("{name} = {} {unit} is taken as {}, which closes the connections", given.en, taken.en),
+            format!("{name} = {} {unit} принято равным {}, при котором связи замыкаются", given.ru, taken.ru),
+        )
+    }
+}

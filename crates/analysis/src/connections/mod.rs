@@ -1,0 +1,191 @@
+//! Assembly of a machine with connections: a start that closes all loops, and which conditions and reactions are independent.
+//!
+//! Given start values are kept, the others are guesses that move as little as possible (`closing.rs`). Then the conditions are compared with one
+//! another (`rank.rs`): one that repeats others is left out with its reaction, and reactions that share a load in a way that rigid bodies
+//! leave open are marked as not unique.
+
+mod closing;
+mod rank;
+
+use std::sync::Arc;
+
+use program::lower::Selection;
+use program::{Bound, ConnectionRoots, Evaluator, Point};
+use symbolic::connections::Law;
+use symbolic::{Equations, Text};
+
+use crate::Fault;
+
+/// A machine put together.
+#[derive(Clone, Debug, Default)]
+pub struct Assembly {
+    /// State at the start.
+    pub start: Vec<f64>,
+    /// What takes part in the equations.
+    pub selection: Selection,
+    /// Reactions (by index) that are not unique.
+    pub open: Vec<usize>,
+    /// Remarks.
+    pub notes: Vec<Text>,
+}
+
+/// Puts the machine together for these parameters, in the order of `Equations::parameters`.
+///
+/// *Errors*: S015 given values that do not fit together, with the values that do; S016 loops that cannot close; S017 conditions that
+/// contradict each other; S018 a start in a singular configuration.
+pub fn assemble(equations: &Equations, parameters: &[f64]) -> Result<Assembly, Fault> {
+    let mut bench = Bench::new(equations, parameters)?;
+    let mut notes = Vec::new();
+    if !equations.conditions.is_empty() {
+        bench.close_places(&mut notes)?;
+        bench.close_rates(&mut notes)?;
+    }
+    let (selection, open) = bench.select(&mut notes)?;
+    Ok(Assembly { start: bench.x, selection, open, notes })
+}
+
+/// The conditions at a state that is being put together.
+struct Bench<'e> {
+    equations: &'e Equations,
+    conditions: Evaluator,
+    balances: Evaluator,
+    roots: ConnectionRoots,
+    n: usize,
+    x: Vec<f64>,
+    /// Of the last evaluation.
+    values: Vec<f64>,
+    /// Typical effect of each coordinate on the conditions, so that changes of angles and lengths can be compared.
+    reach: Vec<f64>,
+    /// Typical size of the terms of each condition's place.
+    sizes: Vec<f64>,
+}
+
+impl<'e> Bench<'e> {
+    fn new(equations: &'e Equations, parameters: &[f64]) -> Result<Bench<'e>, Fault> {
+        let none = Selection {
+            conditions: vec![false; equations.conditions.len()],
+            reactions: vec![false; equations.reactions.len()],
+            balances: vec![false; equations.balances.len()],
+        };
+        let program = Arc::new(program::lower::equations_with(equations, &none)?);
+        let bound = Bound::new(&program, parameters)?;
+        let x = bound.start()?;
+        let n = program.coordinates;
+        let mut bench = Bench {
+            equations,
+            conditions: bound.evaluator(&program.connections)?,
+            balances: bound.evaluator(&program.balances)?,
+            roots: program.connection_roots(),
+            n,
+            x,
+            values: Vec::new(),
+            reach: vec![1.0; n],
+            sizes: vec![0.0; equations.conditions.len()],
+        };
+        bench.measure_reach();
+        Ok(bench)
+    }
+
+    fn evaluate(&mut self, x: &[f64]) -> Result<(), Fault> {
+        let values = self.conditions.evaluate(&Point { states: x, ..Point::default() })?;
+        self.values.clear();
+        self.values.extend_from_slice(values);
+        Ok(())
+    }
+
+    fn row(&self, condition: usize) -> &[f64] {
+        let start = self.roots.jacobian.start + condition * self.n;
+        &self.values[start..start + self.n]
+    }
+    fn place(&self, condition: usize) -> f64 {
+        self.values[self.roots.places.start + condition]
+    }
+    fn rate(&self, condition: usize) -> f64 {
+        self.values[self.roots.rates.start + condition]
+    }
+    fn is_angle(&self, coordinate: usize) -> bool {
+        self.equations.coordinates[coordinate].unit == "rad"
+    }
+
+    /// Conditions that hold at all times: not those of contacts and frictions.
+    fn lasting(&self) -> Vec<usize> {
+        let lasts = |c: &usize| match self.equations.conditions[*c].reaction {
+            None => true,
+            Some(r) => matches!(self.equations.reactions[r].law, Law::Ideal { .. }),
+        };
+        (0..self.equations.conditions.len()).filter(lasts).collect()
+    }
+
+    /// Largest entries of the columns of J around the start, and the sizes of its rows: a single configuration may hide a lever.
+    fn measure_reach(&mut self) {
+        let mut random = crate::numerics::random::Random::new(7);
+        let mut reach = vec![0.0_f64; self.n];
+        let mut sizes = vec![0.0_f64; self.equations.conditions.len()];
+        for trial in 0..5 {
+            let mut x = self.x.clone();
+            if trial > 0 {
+                for j in 0..self.n {
+                    let unit = random.between(-1.0, 1.0);
+                    x[j] += if self.is_angle(j) { unit } else { 0.5 * unit * x[j] };
+                }
+            }
+            if self.evaluate(&x).is_err() {
+                continue;
+            }
+            for c in self.lasting() {
+                let row = self.row(c);
+                reach.iter_mut().zip(row).for_each(|(r, j)| *r = r.max(j.abs()));
+                sizes[c] = sizes[c].max(self.place_size_here(c, &x));
+            }
+        }
+        self.reach = reach.into_iter().map(|r| if r > 0.0 && r.is_finite() { r } else { 1.0 }).collect();
+        self.sizes = sizes;
+    }
+
+    /// How large the terms are that meet in the place of a condition.
+    fn place_size(&self, condition: usize, x: &[f64]) -> f64 {
+        self.place_size_here(condition, x).max(self.sizes[condition]).max(f64::MIN_POSITIVE)
+    }
+
+    fn place_size_here(&self, condition: usize, x: &[f64]) -> f64 {
+        let largest = (0..self.n).filter(|j| !self.is_angle(*j)).fold(0.0_f64, |m, j| m.max(x[j].abs()));
+        let size: f64 = self.row(condition).iter().enumerate().map(|(j, a)| a.abs() * if self.is_angle(j) { 1.0 } else { largest }).sum();
+        // a slider at zero with nothing that turns: its reach is all there is
+        if size > 0.0 { size } else { self.row(condition).iter().fold(0.0_f64, |m, a| m.max(a.abs())) }
+    }
+
+    fn rate_size(&self, condition: usize, x: &[f64]) -> f64 {
+        let moved: f64 = self.row(condition).iter().zip(&x[self.n..2 * self.n]).map(|(a, v)| a.abs() * v.abs()).sum();
+        moved.max(self.rate(condition).abs()).max(f64::MIN_POSITIVE)
+    }
+
+    fn name(&self, condition: usize) -> &Text {
+        &self.equations.conditions[condition].name
+    }
+
+    fn coordinate(&self, j: usize) -> &str {
+        &self.equations.graph.symbol_info(self.equations.coordinates[j].symbols[0]).name
+    }
+
+    /// `phi1 = 0.3 rad, x = 0.1 m`.
+    fn configuration(&self) -> Text {
+        let (mut en, mut ru) = (Vec::new(), Vec::new());
+        for j in 0..self.n {
+            let value = crate::fault::rounded(self.x[j]);
+            let (name, unit) = (self.coordinate(j), &self.equations.coordinates[j].unit);
+            en.push(format!("{name} = {} {unit}", value.en));
+            ru.push(format!("{name} = {} {unit}", value.ru));
+        }
+        Text::new(en.join(", "), ru.join(", "))
+    }
+}
+
+/// Names in a row, in both languages.
+fn listed<'t>(names: impl Iterator<Item = &'t Text>) -> Text {
+    let (mut en, mut ru) = (Vec::new(), Vec::new());
+    for name in names {
+        en.push(name.en.clone());
+        ru.push(name.ru.clone());
+    }
+    Text::new(en.join("; "), ru.join("; "))
+}

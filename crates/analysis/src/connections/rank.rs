@@ -1,0 +1,214 @@
+//! Which conditions are independent, and which reactions are unique.
+//!
+//! Rows of J are taken in their order; one that depends on those before it is left out with its reaction. The dependence must hold in neighbouring
+//! configurations too: where it holds only at the start the configuration is singular, and no motion follows from it.
+//!
+//! Reactions λ enter motions and balances through the columns of [F; R]. Every relation Σ c_k column_k = 0 leaves the λ_k with c_k ≠ 0 open.
+
+use program::lower::Selection;
+use symbolic::Text;
+use symbolic::connections::Law;
+
+use super::{Bench, listed};
+use crate::Fault;
+use crate::numerics::qr::{Qr, norm};
+use crate::numerics::random::Random;
+
+/// What is left of a row after the others have been taken away counts as nothing below this share of it.
+const NOTHING: f64 = 1e-9;
+
+/// Vectors in their order: which are independent, and how the others combine from these (index, share).
+struct Sorted {
+    kept: Vec<usize>,
+    relations: Vec<(usize, Vec<(usize, f64)>)>,
+}
+
+/// Gram-Schmidt, twice is enough.
+fn sort(vectors: &[Vec<f64>]) -> Sorted {
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    let mut sorted = Sorted { kept: Vec::new(), relations: Vec::new() };
+    for (i, vector) in vectors.iter().enumerate() {
+        let length = norm(vector);
+        let mut left = vector.clone();
+        for _ in 0..2 {
+            for b in &basis {
+                let share: f64 = b.iter().zip(&left).map(|(b, l)| b * l).sum();
+                left.iter_mut().zip(b).for_each(|(l, b)| *l -= share * b);
+            }
+        }
+        let rest = norm(&left);
+        if length > 0.0 && rest > NOTHING * length {
+            left.iter_mut().for_each(|l| *l /= rest);
+            basis.push(left);
+            sorted.kept.push(i);
+        } else {
+            sorted.relations.push((i, shares(vectors, &sorted.kept, i)));
+        }
+    }
+    sorted
+}
+
+/// Relative shares of the kept vectors in vector i.
+fn shares(vectors: &[Vec<f64>], kept: &[usize], i: usize) -> Vec<(usize, f64)> {
+    let length = norm(&vectors[i]);
+    if length == 0.0 || kept.is_empty() {
+        return Vec::new();
+    }
+    let (m, n) = (vectors[i].len(), kept.len());
+    let matrix: Vec<f64> = (0..m * n).map(|p| vectors[kept[p % n]][p / n]).collect();
+    let (c, _) = Qr::new(&matrix, m, n).least_squares(&vectors[i]);
+    kept.iter().zip(&c).map(|(&k, c)| (k, c.abs() * norm(&vectors[k]) / length)).filter(|(_, s)| *s > NOTHING).collect()
+}
+
+impl Bench<'_> {
+    /// Relative shares of `others` in the row of `condition`; none when it is independent of them.
+    pub(super) fn combination(&self, others: &[usize], condition: usize) -> Option<Vec<f64>> {
+        let row = |c: usize| self.row(c).iter().zip(&self.reach).map(|(a, r)| a / r).collect::<Vec<f64>>();
+        let vectors: Vec<Vec<f64>> = others.iter().map(|&c| row(c)).chain([row(condition)]).collect();
+        let sorted = sort(&vectors);
+        let (last, found) = sorted.relations.last()?;
+        if *last != others.len() {
+            return None;
+        }
+        let mut shares = vec![0.0; others.len()];
+        found.iter().for_each(|(k, s)| shares[*k] = *s);
+        Some(shares)
+    }
+
+    fn sorted_rows(&self, rows: &[usize]) -> Sorted {
+        let vectors: Vec<Vec<f64>> = rows.iter().map(|&c| self.row(c).iter().zip(&self.reach).map(|(a, r)| a / r).collect()).collect();
+        sort(&vectors)
+    }
+
+    /// Selection of conditions, reactions and balances; reactions that are not unique.
+    pub(super) fn select(&mut self, notes: &mut Vec<Text>) -> Result<(Selection, Vec<usize>), Fault> {
+        let mut selection = Selection::all(self.equations);
+        let mut open = vec![false; self.equations.reactions.len()];
+        let x = self.x.clone();
+        if self.equations.reactions.is_empty() && self.equations.conditions.is_empty() && self.equations.balances.is_empty() {
+            return Ok((selection, Vec::new()));
+        }
+        self.evaluate(&x)?;
+        let rows = self.lasting();
+        let sorted = self.sorted_rows(&rows);
+        if !sorted.relations.is_empty() {
+            self.refuse_singular(&rows, &sorted)?;
+            self.evaluate(&x)?;
+        }
+        for (i, shares) in &sorted.relations {
+            let condition = rows[*i];
+            let names = shares.iter().map(|(k, _)| self.name(rows[*k])).chain([self.name(condition)]);
+            notes.push(repeated(self.name(condition), &listed(names)));
+            selection.conditions[condition] = false;
+            for c in shares.iter().map(|(k, _)| rows[*k]).chain([condition]) {
+                if let Some(r) = self.equations.conditions[c].reaction {
+                    open[r] = true;
+                }
+            }
+            if let Some(r) = self.equations.conditions[condition].reaction {
+                selection.reactions[r] = false;
+            }
+        }
+        self.select_supports(&mut selection, &mut open)?;
+        let open: Vec<usize> = (0..open.len()).filter(|r| open[*r]).collect();
+        if !open.is_empty() {
+            notes.push(not_unique(&open.iter().map(|&r| self.equations.reactions[r].name.as_str()).collect::<Vec<_>>().join(", ")));
+        }
+        Ok((selection, open))
+    }
+
+    /// Independent balances for the supports, and supports that rigid bodies leave open.
+    fn select_supports(&mut self, selection: &mut Selection, open: &mut [bool]) -> Result<(), Fault> {
+        let (reactions, b) = (self.equations.reactions.len(), self.equations.balances.len());
+        let is_support = |r: usize| matches!(self.equations.reactions[r].law, Law::Support);
+        let supports: Vec<usize> = (0..reactions).filter(|r| is_support(*r)).collect();
+        let released = self.balances.evaluate(&program::Point { states: &self.x, ..Default::default() })?.to_vec();
+        let columns: Vec<Vec<f64>> = supports.iter().map(|r| (0..b).map(|i| released[i * reactions + r]).collect()).collect();
+        let by_columns = sort(&columns);
+        for (i, shares) in &by_columns.relations {
+            selection.reactions[supports[*i]] = false;
+            open[supports[*i]] = true;
+            shares.iter().for_each(|(k, _)| open[supports[*k]] = true);
+        }
+        let kept: Vec<usize> = by_columns.kept.iter().map(|&i| supports[i]).collect();
+        let rows: Vec<Vec<f64>> = (0..b).map(|i| kept.iter().map(|r| released[i * reactions + r]).collect()).collect();
+        let by_rows = sort(&rows);
+        for i in 0..b {
+            selection.balances[i] = by_rows.kept.contains(&i);
+        }
+        self.spread_open(&released, &supports, open);
+        Ok(())
+    }
+
+    /// A support whose balance contains an open reaction is open too, unless that reaction's share is fixed by the balances.
+    fn spread_open(&self, released: &[f64], supports: &[usize], open: &mut [bool]) {
+        let (reactions, b, n) = (self.equations.reactions.len(), self.equations.balances.len(), self.n);
+        let ideal = |r: usize| matches!(self.equations.reactions[r].law, Law::Ideal { .. });
+        let unknown: Vec<usize> = (0..reactions).filter(|r| ideal(*r)).chain(supports.iter().copied()).collect();
+        let column = |r: usize| -> Vec<f64> {
+            let start = self.roots.forces.start + r * n;
+            let forces = self.values[start..start + n].iter().zip(&self.reach).map(|(f, reach)| f / reach);
+            forces.chain((0..b).map(|i| released[i * reactions + r])).collect()
+        };
+        let vectors: Vec<Vec<f64>> = unknown.iter().map(|&r| column(r)).collect();
+        for (i, shares) in sort(&vectors).relations {
+            open[unknown[i]] = true;
+            shares.iter().for_each(|(k, _)| open[unknown[*k]] = true);
+        }
+    }
+
+    /// A dependence that neighbouring configurations do not have is a singular configuration.
+    fn refuse_singular(&mut self, rows: &[usize], sorted: &Sorted) -> Result<(), Fault> {
+        let x = self.x.clone();
+        let mut random = Random::new(3);
+        for _ in 0..3 {
+            self.evaluate(&x)?;
+            let Some(mut near) = self.along_the_motion(&x, rows, &mut random) else { continue };
+            let everything: Vec<usize> = (0..self.n).collect();
+            let placed: Vec<usize> = rows.iter().copied().filter(|c| self.equations.conditions[*c].place.is_some()).collect();
+            let closed = self.approach(&mut near, &placed, &everything).is_ok_and(|gap| gap <= 1e-10);
+            let moved = (0..self.n).any(|j| (near[j] - x[j]).abs() > 1e-4 * if self.is_angle(j) { 1.0 } else { self.length() });
+            if !closed || !moved || self.evaluate(&near).is_err() {
+                continue;
+            }
+            let there = self.sorted_rows(rows);
+            if there.kept.len() > sorted.kept.len() {
+                let (i, shares) = &sorted.relations[0];
+                let names = listed(shares.iter().map(|(k, _)| self.name(rows[*k])).chain([self.name(rows[*i])]));
+                return Err(Fault::singular_start(&names, &self.configuration()));
+            }
+        }
+        Ok(())
+    }
+
+    /// A state a little way along a motion that the conditions allow to first order.
+    fn along_the_motion(&self, x: &[f64], rows: &[usize], random: &mut Random) -> Option<Vec<f64>> {
+        let (m, n) = (rows.len(), self.n);
+        let way: Vec<f64> = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
+        let matrix: Vec<f64> = (0..n * m).map(|p| self.row(rows[p % m])[p / m] / self.reach[p / m]).collect();
+        let blocked: Vec<f64> = (0..m).map(|k| (0..n).map(|j| matrix[j * m + k] * way[j]).sum()).collect();
+        let back = Qr::new(&matrix, n, m).shortest(&blocked);
+        let way: Vec<f64> = way.iter().zip(&back).zip(&self.reach).map(|((w, b), reach)| (w - b) / reach).collect();
+        let longest = (0..n).fold(0.0_f64, |l, j| l.max(way[j].abs() / if self.is_angle(j) { 1.0 } else { self.length() }));
+        if longest.is_nan() || longest <= 1e-9 {
+            return None;
+        }
+        let mut near = x.to_vec();
+        (0..n).for_each(|j| near[j] += 0.05 * way[j] / longest);
+        Some(near)
+    }
+}
+
+fn repeated(condition: &Text, together: &Text) -> Text {
+    Text::new(
+        format!("`{}` repeats other conditions and is left out; together they are: {}", condition.en, together.en),
+        format!("условие `{}` повторяет другие и не используется; вместе это: {}", condition.ru, together.ru),
+    )
+}
+
+fn not_unique(names: &str) -> Text {
+    Text::new(
+        format!("statically indeterminate: the reactions {names} are not unique"),
+        format!("статически неопределимо: реакции {names} не единственны"),
+    )
+}

@@ -1,0 +1,258 @@
+//! Resonances and antiresonances of a response, with what absorbs.
+
+use crate::Fault;
+use crate::studies::modes::{Complex, Kind, Modes};
+use crate::studies::peaks::{self, Peak};
+use crate::studies::response::{Forced, Point, magnitude, phase};
+
+/// A largest amplitude.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resonance {
+    /// Index of the output.
+    pub output: usize,
+    /// Frequency, rad/s.
+    pub omega: f64,
+    /// Amplitude; infinite without damping.
+    pub amplitude: f64,
+    /// Phase; NaN without damping.
+    pub phase: f64,
+    /// Dynamic coefficient: amplitude over that of the same load acting statically; NaN where nothing restores.
+    pub gain: f64,
+    /// Index of the mode that resounds.
+    pub mode: Option<usize>,
+    /// Quality factor 1/2ζ of that mode; infinite without damping.
+    pub quality: f64,
+    /// Frequencies of half power, amplitude/√2, on both sides; NaN where there are none.
+    pub half_power: [f64; 2],
+}
+
+/// A zero or a least amplitude.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Antiresonance {
+    /// Index of the output.
+    pub output: usize,
+    /// Frequency, rad/s.
+    pub omega: f64,
+    /// Amplitude; zero without damping.
+    pub amplitude: f64,
+    /// Whether the output stands still exactly.
+    pub exact: bool,
+    /// Coordinates that carry the motion there, with their shares of the kinetic energy, largest first.
+    pub absorbs: Vec<(usize, f64)>,
+}
+
+/// Amplitudes below this share of their neighbours are zero.
+const STILL: f64 = 1e-9;
+/// Coordinates with a smaller share of the energy do not absorb.
+const SHARE: f64 = 0.05;
+/// Points between two natural frequencies.
+const BETWEEN: usize = 60;
+
+/// Resonances and antiresonances of the first `outputs` outputs between the ends of a grid of points.
+///
+/// *Errors*: formulas without a value at a frequency.
+pub fn extremes(
+    forced: &mut Forced,
+    modes: &Modes,
+    points: &[Point],
+    outputs: usize,
+) -> Result<(Vec<Resonance>, Vec<Antiresonance>), Fault> {
+    let (mut high, mut low) = (Vec::new(), Vec::new());
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return Ok((high, low)) };
+    let omegas = dense(modes, first.omega, last.omega, points);
+    let dense = omegas.iter().map(|w| forced.at(*w)).collect::<Result<Vec<Point>, Fault>>()?;
+    for k in 0..outputs {
+        let mut search = Search { forced, modes, k, omegas: &omegas, points: &dense };
+        high.extend(search.resonances()?);
+        low.extend(search.antiresonances()?);
+    }
+    Ok((high, low))
+}
+
+/// The grid, points between natural frequencies, and points about each.
+fn dense(modes: &Modes, from: f64, to: f64, points: &[Point]) -> Vec<f64> {
+    let mut marks: Vec<f64> = modes.modes.iter().filter(|m| m.kind == Kind::Oscillation && m.damped > 0.0).map(|m| m.damped).collect();
+    let mut list: Vec<f64> = points.iter().map(|p| p.omega).collect();
+    for m in modes.modes.iter().filter(|m| m.kind == Kind::Oscillation) {
+        let half = m.omega * m.ratio.abs().max(1e-6);
+        for s in [0.1, 0.3, 0.6, 1.0, 2.0, 4.0, 10.0, 30.0, 100.0] {
+            list.extend([m.damped - s * half, m.damped + s * half]);
+        }
+    }
+    marks.extend([from, to]);
+    marks.sort_by(f64::total_cmp);
+    for pair in marks.windows(2) {
+        list.extend((1..BETWEEN).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / BETWEEN as f64));
+    }
+    list.retain(|w| (from..=to).contains(w) && *w > 0.0);
+    list.sort_by(f64::total_cmp);
+    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * b.abs());
+    list
+}
+
+struct Search<'a, 'm> {
+    forced: &'a mut Forced<'m>,
+    modes: &'a Modes,
+    k: usize,
+    omegas: &'a [f64],
+    points: &'a [Point],
+}
+
+impl Search<'_, '_> {
+    fn value(&mut self, omega: f64) -> Complex {
+        let k = self.k;
+        self.forced.at(omega).map_or((f64::NAN, f64::NAN), |p| p.outputs[k])
+    }
+
+    fn powers(&self) -> Vec<f64> {
+        let square = |z: Complex| z.0 * z.0 + z.1 * z.1;
+        self.points.iter().map(|p| square(p.outputs[self.k])).collect()
+    }
+
+    /// Whether the system that resounds has no damping: all values lie on one line through zero.
+    fn undamped(&self) -> bool {
+        self.modes.modes.iter().all(|m| m.root.0 == 0.0)
+            && self.points.iter().all(|p| {
+                let z = p.outputs[self.k];
+                !z.0.is_finite() || z.1.abs() <= 1e-12 * z.0.abs() || z.0.abs() <= 1e-12 * z.1.abs()
+            })
+    }
+
+    fn resonances(&mut self) -> Result<Vec<Resonance>, Fault> {
+        let (from, to) = (self.omegas[0], self.omegas[self.omegas.len() - 1]);
+        if self.undamped() {
+            return self.poles(from, to);
+        }
+        let powers = self.powers();
+        let mut found = Vec::new();
+        for c in peaks::candidates(&powers, 1.0) {
+            let (low, high) = (self.omegas[c - 1], self.omegas[c + 1]);
+            let peak = peaks::refine(&mut |w| square(self.value(w)), low, high, 1.0);
+            found.push(self.resonance(peak)?);
+        }
+        Ok(found)
+    }
+
+    /// Without damping: natural frequencies that the load excites and the output shows.
+    fn poles(&mut self, from: f64, to: f64) -> Result<Vec<Resonance>, Fault> {
+        let mut found: Vec<Resonance> = Vec::new();
+        for (i, mode) in self.modes.modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation) {
+            let omega = mode.damped;
+            if omega < from || omega > to || found.iter().any(|f| (f.omega - omega).abs() <= 1e-9 * omega) {
+                continue;
+            }
+            // near a pole of residue R the amplitude is R/|ω - ω_i|: a hundred times nearer, a hundred times larger
+            let (near, far) = (self.value(omega * (1.0 + 1e-6)), self.value(omega * (1.0 + 1e-4)));
+            if magnitude(near) < 30.0 * magnitude(far) {
+                continue;
+            }
+            found.push(Resonance {
+                output: self.k,
+                omega,
+                amplitude: f64::INFINITY,
+                phase: f64::NAN,
+                gain: f64::INFINITY,
+                mode: Some(i),
+                quality: f64::INFINITY,
+                half_power: [f64::NAN; 2],
+            });
+        }
+        Ok(found)
+    }
+
+    fn resonance(&mut self, peak: Peak) -> Result<Resonance, Fault> {
+        let point = self.forced.at(peak.omega)?;
+        let (z, still) = (point.outputs[self.k], magnitude(point.still[self.k]));
+        let distance = |w: f64| (w - peak.omega).abs();
+        let candidates = self.modes.modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation);
+        let mode = candidates.min_by(|a, b| distance(a.1.damped).total_cmp(&distance(b.1.damped))).map(|(i, _)| i);
+        let quality = mode.map_or(f64::NAN, |i| 0.5 / self.modes.modes[i].ratio);
+        let half_power = [self.half(&peak, -1.0), self.half(&peak, 1.0)];
+        let gain = if still > 0.0 { magnitude(z) / still } else { f64::NAN };
+        Ok(Resonance { output: self.k, omega: peak.omega, amplitude: magnitude(z), phase: phase(z), gain, mode, quality, half_power })
+    }
+
+    /// Where the amplitude has fallen to 1/√2 of the peak, beside it.
+    fn half(&mut self, peak: &Peak, side: f64) -> f64 {
+        let level = 0.5 * peak.amplitude * peak.amplitude;
+        let mut inner = peak.omega;
+        for step in 1..=200 {
+            let outer = peak.omega + side * 0.1 * peak.width * f64::from(step);
+            if outer <= 0.0 {
+                return f64::NAN;
+            }
+            let power = square(self.value(outer));
+            if power > 1.0001 * peak.amplitude * peak.amplitude {
+                return f64::NAN;
+            }
+            if power < level {
+                let mut above = |w: f64| square(self.value(w)) - level;
+                return if side > 0.0 { peaks::zero(&mut above, inner, outer) } else { peaks::zero(&mut |w| -above(w), outer, inner) };
+            }
+            inner = outer;
+        }
+        f64::NAN
+    }
+
+    fn antiresonances(&mut self) -> Result<Vec<Antiresonance>, Fault> {
+        let mut found = Vec::new();
+        if self.undamped() {
+            for i in 1..self.points.len() {
+                let [a, b] = [i - 1, i].map(|j| part(self.points[j].outputs[self.k]));
+                let finite = a.is_finite() && b.is_finite() && a * b < 0.0;
+                if !finite {
+                    continue;
+                }
+                let (low, high) = (self.omegas[i - 1], self.omegas[i]);
+                let omega = peaks::zero(&mut |w| part(self.value(w)), low, high);
+                let value = magnitude(self.value(omega));
+                // a change of sign through a pole grows, through zero it shrinks
+                if value <= 1e-6 * a.abs().max(b.abs()) {
+                    found.push(self.antiresonance(omega, 0.0, true)?);
+                }
+            }
+            return Ok(found);
+        }
+        let powers = self.powers();
+        for c in peaks::candidates(&powers, -1.0) {
+            let (low, high) = (self.omegas[c - 1], self.omegas[c + 1]);
+            let least = peaks::refine(&mut |w| square(self.value(w)), low, high, -1.0);
+            let beside = powers[c - 1].max(powers[c + 1]).sqrt();
+            let exact = least.amplitude <= STILL * beside;
+            if !exact && !self.leads(&least) {
+                continue;
+            }
+            found.push(self.antiresonance(least.omega, least.amplitude, exact)?);
+        }
+        Ok(found)
+    }
+
+    /// At an antiresonance the phase turns forward; in a mere valley between two resonances it turns back.
+    fn leads(&mut self, least: &Peak) -> bool {
+        let h = 0.01 * least.width.min(0.1 * least.omega);
+        let (a, b) = (self.value(least.omega - h), self.value(least.omega + h));
+        a.0 * b.1 - a.1 * b.0 > 0.0
+    }
+
+    fn antiresonance(&mut self, omega: f64, amplitude: f64, exact: bool) -> Result<Antiresonance, Fault> {
+        let matrices = self.forced.matrices(omega)?;
+        let point = self.forced.at(omega)?;
+        let n = matrices.n;
+        let x = &point.coordinates;
+        // share of coordinate i: its row of Xᴴ M X
+        let row = |i: usize| (0..n).map(|j| matrices.mass[i * n + j] * (x[i].0 * x[j].0 + x[i].1 * x[j].1)).sum::<f64>();
+        let total: f64 = (0..n).map(row).sum();
+        let mut absorbs: Vec<(usize, f64)> = (0..n).map(|i| (i, row(i) / total)).filter(|(_, s)| *s > SHARE).collect();
+        absorbs.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        Ok(Antiresonance { output: self.k, omega, amplitude, exact, absorbs })
+    }
+}
+
+fn square(z: Complex) -> f64 {
+    z.0 * z.0 + z.1 * z.1
+}
+
+/// The part that is not zero when all values lie on one axis.
+fn part(z: Complex) -> f64 {
+    if z.0.abs() >= z.1.abs() { z.0 } else { z.1 }
+}

@@ -1,0 +1,128 @@
+//! Resonances and antiresonances: largest and smallest values of an amplitude over the frequency.
+//!
+//! Candidates come from a grid that is dense about the natural frequencies; each is refined where the derivative of |Y|² vanishes
+//! (differences of fourth order over a few thousandths of the width of the peak, so that the place has about 11 digits). Without damping a
+//! resonance is the natural frequency itself and an antiresonance a change of sign between two resonances.
+
+/// A largest or smallest value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// Where.
+    pub omega: f64,
+    /// |Y|; infinite at a resonance without damping, zero at an exact antiresonance.
+    pub amplitude: f64,
+    /// Width √(|P/P''|) of P = |Y|²; zero where |Y| is infinite or zero.
+    pub width: f64,
+}
+
+/// Steps of golden section.
+const GOLDEN: usize = 60;
+
+/// Refines the largest (`sign` 1) or smallest (-1) value of P = |Y|² between `low` and `high`.
+pub fn refine(power: &mut dyn FnMut(f64) -> f64, low: f64, high: f64, sign: f64) -> Peak {
+    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (mut a, mut b) = (low, high);
+    let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
+    let (mut px, mut py) = (power(x), power(y));
+    for _ in 0..GOLDEN {
+        if b - a <= 1e-6 * b.abs() {
+            break;
+        }
+        if sign * px >= sign * py {
+            (b, y, py) = (y, x, px);
+            x = b - ratio * (b - a);
+            px = power(x);
+        } else {
+            (a, x, px) = (x, y, py);
+            y = a + ratio * (b - a);
+            py = power(y);
+        }
+    }
+    let coarse = 0.5 * (a + b);
+    let width = curvature_width(power, coarse, 0.25 * (high - low));
+    let omega = stationary(power, coarse, width, low, high);
+    Peak { omega, amplitude: power(omega).max(0.0).sqrt(), width }
+}
+
+/// √|P/P''|, with a step that shrinks until the three values lie on a parabola.
+fn curvature_width(power: &mut dyn FnMut(f64) -> f64, at: f64, first: f64) -> f64 {
+    let middle = power(at);
+    let mut step = first;
+    for _ in 0..60 {
+        let bend = (2.0 * middle - power(at - step) - power(at + step)).abs();
+        let width = step * (middle / bend).sqrt();
+        if bend > 0.0 && step <= 0.05 * width {
+            return width;
+        }
+        step *= 0.5;
+    }
+    step
+}
+
+/// Root of the derivative of P by the secant method.
+fn stationary(power: &mut dyn FnMut(f64) -> f64, at: f64, width: f64, low: f64, high: f64) -> f64 {
+    let h = 0.003 * width;
+    let mut slope = |x: f64| 8.0 * (power(x + h) - power(x - h)) - (power(x + 2.0 * h) - power(x - 2.0 * h));
+    let (mut x0, mut x1) = (at - 0.02 * width, at + 0.02 * width);
+    let (mut f0, mut f1) = (slope(x0), slope(x1));
+    for _ in 0..30 {
+        if f1 == f0 {
+            break;
+        }
+        let next = x1 - f1 * (x1 - x0) / (f1 - f0);
+        if !next.is_finite() || next < low || next > high {
+            return at;
+        }
+        (x0, f0) = (x1, f1);
+        (x1, f1) = (next, slope(next));
+        if (x1 - x0).abs() <= 1e-14 * x1.abs() {
+            break;
+        }
+    }
+    x1
+}
+
+/// Local extremes of values over a grid: positions k with neighbours on both sides, where P is largest (1) or smallest (-1).
+pub fn candidates(values: &[f64], sign: f64) -> Vec<usize> {
+    let v = |k: usize| sign * values[k];
+    (1..values.len().saturating_sub(1)).filter(|&k| v(k) > v(k - 1) && v(k) >= v(k + 1) && values[k].is_finite()).collect()
+}
+
+/// Bisection of a change of sign.
+pub fn zero(function: &mut dyn FnMut(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    let mut at_low = function(low);
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        let value = function(middle);
+        if value == 0.0 {
+            return middle;
+        }
+        if (value > 0.0) == (at_low > 0.0) {
+            (low, at_low) = (middle, value);
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// β² = 1/((1 - x²)² + 4 ν² x²) is largest at x = √(1 - 2 ν²), where β = 1/(2 ν √(1 - ν²)).
+    #[test]
+    fn resonance_of_the_oscillator_has_ten_digits() {
+        for nu in [0.001, 0.01, 0.05, 0.1, 0.3, 0.5, 0.7] {
+            let mut power = |x: f64| 1.0 / ((1.0 - x * x).powi(2) + 4.0 * nu * nu * x * x);
+            let exact = (1.0_f64 - 2.0 * nu * nu).sqrt();
+            let peak = refine(&mut power, 0.8 * exact, 1.3 * exact, 1.0);
+            assert!((peak.omega - exact).abs() < 2e-10 * exact, "{nu}: {} {exact}", peak.omega);
+            let height = 1.0 / (2.0 * nu * (1.0 - nu * nu).sqrt());
+            assert!((peak.amplitude - height).abs() < 1e-12 * height, "{nu}");
+        }
+    }
+}

@@ -1,0 +1,529 @@
+//! The search: a trial run that shows scales, translations and the section; then turns, corrected by Newton's method.
+
+use super::fundamental::{self, Square};
+use super::orbit::{Orbit, Section, follow};
+use super::symmetry::{self, Symmetry};
+use super::{Multiplier, Periodic, Return, closure, driven, interrupted, no_return, unsettled};
+use crate::dataset::Audit;
+use crate::numerics::rank::Qr;
+use crate::taylor::{Flow, Options};
+use crate::{Fault, Mode, System};
+use std::f64::consts::TAU;
+use symbolic::Text;
+
+/// Steps of the trial run.
+const TRIAL: usize = 150;
+/// Turns before the search is given up.
+const TURNS: usize = 100;
+/// Misses above this share of the range are not corrected but followed.
+const FAR: f64 = 0.3;
+/// A miss below this is rounding; above `ENOUGH` it is no return.
+const EXACT: f64 = 2e-15;
+const ENOUGH: f64 = 1e-10;
+/// Share of a column below which Newton's matrix counts as singular: a family of periodic motions.
+const SINGULAR: f64 = 1e-9;
+
+/// A turn that closes.
+pub(super) struct Found {
+    pub(super) orbit: Orbit,
+    scales: Vec<f64>,
+    symmetry: Symmetry,
+    /// States that can be chosen freely; the others follow from the conditions.
+    pub(super) free: Vec<usize>,
+    /// Change of all states per change of the free ones, column by column.
+    basis: Vec<Vec<f64>>,
+    angles: Vec<bool>,
+}
+
+/// What the search knows before the first turn.
+struct Search<'o> {
+    options: &'o Periodic<'o>,
+    flow: Options,
+    scales: Vec<f64>,
+    symmetry: Symmetry,
+    /// States that are the same after a whole turn.
+    angles: Vec<bool>,
+    sections: Vec<Section>,
+    /// State that defines the section; none for a given period.
+    state: Option<usize>,
+    name: Text,
+}
+
+/// From a start to a turn that closes.
+pub(super) fn solve<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>) -> Result<Found, Fault> {
+    let flow = Options { tolerance: options.tolerance, ..Options::default() };
+    let trial = trial(system, start, options, &flow)?;
+    let (mut search, mut x) = prepare(system, start, trial, options, flow)?;
+    let mut best: Option<(f64, Found)> = None;
+    let (mut follow_only, mut last) = (0_usize, f64::INFINITY);
+    for turn in 0..TURNS {
+        if interrupted(options) {
+            break;
+        }
+        let Some((orbit, which)) = follow(system, &x, &search.sections, options.longest, &search.flow)? else {
+            return Err(no_return(&search.name, options.longest));
+        };
+        // a turn and a return are alternatives: the first to happen is the section from now on
+        search.sections = vec![search.sections[which]];
+        if turn == 0 {
+            search.scales = scales(system, &orbit, search.symmetry.frame.as_ref());
+        }
+        let found = search.found(system, orbit)?;
+        let gap = found.gap();
+        let miss = found.miss(&gap, search.state);
+        let better = best.as_ref().is_none_or(|(least, _)| miss < *least);
+        let settled = miss <= EXACT || (best.as_ref().is_some_and(|(least, _)| *least <= ENOUGH) && miss > 0.5 * last);
+        let next_turn = found.next_start(&gap);
+        let correct = miss <= FAR && follow_only == 0 && !settled;
+        follow_only = follow_only.saturating_sub(1);
+        if !better && miss > 2.0 * last && miss > ENOUGH {
+            // the correction led away: a few turns instead
+            follow_only = 3;
+        }
+        last = miss;
+        let step = if correct { found.correction(system, &gap, search.state)? } else { None };
+        x = match step {
+            Some(step) => {
+                let mut x: Vec<f64> = found.orbit.first.iter().zip(&step).map(|(x, d)| x + d).collect();
+                system.project(0.0, &mut x, &found.orbit.modes[0])?;
+                x
+            }
+            None => next_turn,
+        };
+        search.aim(&x);
+        if better {
+            best = Some((miss, found));
+        }
+        if settled {
+            break;
+        }
+        if turn + 1 == TURNS {
+            break;
+        }
+    }
+    match best {
+        Some((miss, found)) if miss <= ENOUGH => Ok(found),
+        Some((miss, _)) => Err(unsettled(miss, TURNS)),
+        None => Err(unsettled(1.0, 0)),
+    }
+}
+
+/// Some steps from the start, or the time to settle.
+fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>, with: &Options) -> Result<Orbit, Fault> {
+    let mut flow = Flow::start(system, 0.0, start, with)?;
+    let mut orbit = Orbit { first: flow.state().to_vec(), modes: [flow.modes().to_vec(), Vec::new()], ..Orbit::default() };
+    let end = options.longest.max(options.settle);
+    while !flow.reached(end) && (orbit.steps.len() < TRIAL || !flow.reached(options.settle)) && !interrupted(options) {
+        let outcome = flow.advance(if flow.reached(options.settle) { end } else { options.settle });
+        if let Err(fault) = outcome {
+            // a motion that runs away shows scales before it does
+            if orbit.steps.len() < 4 {
+                return Err(fault);
+            }
+            let kept = orbit.steps.len().div_ceil(2);
+            orbit.steps.truncate(kept);
+            break;
+        }
+        orbit.steps.push(flow.step().clone());
+        if orbit.steps.len() > 4 * TRIAL {
+            // a long settling keeps only its end
+            orbit.steps.drain(..2 * TRIAL);
+        }
+    }
+    let last = orbit.steps.last().map(|s| (s.end(), s.modes.clone()));
+    let (end, modes) = last.unwrap_or_default();
+    orbit.last = flow.state().to_vec();
+    if end.high < flow.time()
+        && let Some(step) = orbit.steps.last()
+    {
+        step.state_at(end.high, &mut orbit.last);
+    }
+    orbit.modes[1] = modes;
+    orbit.period = end.high;
+    Ok(orbit)
+}
+
+/// What the states vary by.
+fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Option<&Vec<f64>>) -> Vec<f64> {
+    let n = system.n_coordinates();
+    let still = vec![0.0; orbit.first.len()];
+    let ranges = orbit.ranges(frame.unwrap_or(&still));
+    let time = orbit.period.max(f64::MIN_POSITIVE);
+    let mut out: Vec<f64> = Vec::new();
+    for (i, &(range, size)) in ranges.iter().enumerate() {
+        let is_rate = (n..2 * n).contains(&i);
+        let scale = match system.states()[i].unit.as_str() {
+            "rad" => 1.0,
+            _ if is_rate => range.max(0.1 * size),
+            _ => range.max(1e-3 * size),
+        };
+        let resting = if is_rate { out[i - n] / time } else { 1.0 };
+        out.push(if scale > 0.0 { scale } else { resting });
+    }
+    out
+}
+
+fn prepare<'o, S: System + ?Sized>(
+    system: &mut S,
+    start: &[f64],
+    mut trial: Orbit,
+    options: &'o Periodic<'o>,
+    flow: Options,
+) -> Result<(Search<'o>, Vec<f64>), Fault> {
+    let elapsed = trial.period;
+    // about a radian a step
+    trial.period = elapsed.min(6.0 * elapsed / trial.steps.len().max(1) as f64).max(f64::MIN_POSITIVE);
+    let first_scales = scales(system, &trial, None);
+    let named = match &options.by {
+        Return::State(name) => Some(state_named(system, name)?),
+        _ => None,
+    };
+    let symmetry = symmetry::find(system, &trial, &first_scales, named)?;
+    let scales = scales(system, &trial, symmetry.frame.as_ref());
+    let angles = angles(system, &trial, &scales)?;
+    let mut search = Search {
+        options,
+        flow: Options { span: trial.period, ..flow },
+        scales,
+        symmetry,
+        angles,
+        sections: Vec::new(),
+        state: None,
+        name: Text::default(),
+    };
+    let mut x = if options.settle > 0.0 { trial.last.clone() } else { start.to_vec() };
+    if let (Some(frame), true) = (&search.symmetry.frame, options.settle > 0.0) {
+        // the same motion at t = 0
+        x.iter_mut().zip(frame).for_each(|(x, v)| *x -= v * elapsed);
+    }
+    match (&search.symmetry.frame, &options.by) {
+        (None, Return::Period(period)) => {
+            if !symmetry::repeats(system, &trial, *period, &search.scales)? {
+                return Err(driven(Some(*period)));
+            }
+            if options.settle > 0.0 {
+                x = settled_phase(system, start, *period, options, &search.flow)?;
+            }
+            search.sections = vec![Section::Time(*period * options.returns as f64)];
+            search.name = Text::new("the motion", "движение");
+        }
+        (None, _) => return Err(driven(None)),
+        (Some(frame), _) => {
+            let state = named.map_or_else(|| search.automatic(system, &trial, &x), Ok)?;
+            let frame = frame.clone();
+            search.state = Some(state);
+            search.name = Text::same(&format!("`{}`", system.states()[state].name));
+            x = transversal(system, &trial, x, state, &frame, elapsed, &search)?;
+            search.aim_first(system, &x, &frame)?;
+        }
+    }
+    Ok((search, x))
+}
+
+/// The state after whole periods of the forcing, as if at t = 0.
+fn settled_phase<S: System + ?Sized>(
+    system: &mut S,
+    start: &[f64],
+    period: f64,
+    options: &Periodic<'_>,
+    with: &Options,
+) -> Result<Vec<f64>, Fault> {
+    let whole = (options.settle / period).ceil() * period;
+    let mut flow = Flow::start(system, 0.0, start, with)?;
+    while !flow.reached(whole) && !interrupted(options) {
+        flow.advance(whole)?;
+    }
+    Ok(flow.state().to_vec())
+}
+
+fn state_named<S: System + ?Sized>(system: &S, name: &str) -> Result<usize, Fault> {
+    let known: Vec<String> = system.states().iter().map(|q| q.name.clone()).collect();
+    known.iter().position(|n| n == name).ok_or_else(|| Fault::unknown_output(name, &known))
+}
+
+/// Which coordinates and auxiliary states are angles that the laws know up to whole turns.
+fn angles<S: System + ?Sized>(system: &mut S, trial: &Orbit, scales: &[f64]) -> Result<Vec<bool>, Fault> {
+    let n = system.n_coordinates();
+    let mut out = Vec::new();
+    for i in 0..trial.first.len() {
+        let is_angle = !(n..2 * n).contains(&i) && system.states()[i].unit == "rad";
+        out.push(is_angle && symmetry::turns(system, trial, i, scales)?);
+    }
+    Ok(out)
+}
+
+/// A place of the motion at which the section's state really moves.
+fn transversal<S: System + ?Sized>(
+    system: &mut S,
+    trial: &Orbit,
+    x: Vec<f64>,
+    state: usize,
+    frame: &[f64],
+    elapsed: f64,
+    search: &Search<'_>,
+) -> Result<Vec<f64>, Fault> {
+    let speed = |c: &[f64]| (c[1] - frame[state]).abs();
+    let fastest = trial.steps.iter().map(|s| speed(s.coefficients(state))).fold(0.0, f64::max);
+    let modes = Flow::start(system, 0.0, &x, &search.flow)?.modes().to_vec();
+    let own = (fundamental::rates(system, 0.0, &x, &modes)?[state] - frame[state]).abs();
+    if own > 1e-3 * fastest || fastest == 0.0 {
+        return Ok(x);
+    }
+    let moving = trial.steps.iter().find(|s| speed(s.coefficients(state)) > 0.3 * fastest);
+    let Some(step) = moving.filter(|s| s.start.high <= elapsed) else { return Ok(x) };
+    let t = step.start.high;
+    Ok((0..x.len()).map(|i| step.coefficients(i)[0] - frame[i] * t).collect())
+}
+
+impl Search<'_> {
+    /// An angle that turns, otherwise the state that moves most in its scale.
+    fn automatic<S: System + ?Sized>(&self, system: &mut S, trial: &Orbit, x: &[f64]) -> Result<usize, Fault> {
+        let still = vec![0.0; x.len()];
+        let frame = self.symmetry.frame.as_ref().unwrap_or(&still);
+        let ranges = trial.ranges(frame);
+        if let Some(i) = (0..system.n_coordinates()).find(|&i| self.angles[i] && ranges[i].0 > TAU) {
+            return Ok(i);
+        }
+        let modes = Flow::start(system, 0.0, x, &self.flow)?.modes().to_vec();
+        let rates = fundamental::rates(system, 0.0, x, &modes)?;
+        let shifted = |i: usize| self.symmetry.shifts.iter().any(|(p, _)| *p == i);
+        let speed = |i: usize| if shifted(i) { -1.0 } else { (rates[i] - frame[i]).abs() / self.scales[i] };
+        let n = system.n_coordinates();
+        // coordinates first: a rate may stand still while the machine sticks
+        let best = |range: &mut dyn Iterator<Item = usize>| range.max_by(|&a, &b| speed(a).total_cmp(&speed(b)));
+        let fastest = best(&mut (0..x.len())).unwrap_or(0);
+        Ok(match best(&mut (0..n)) {
+            Some(i) if speed(i) > 0.2 * speed(fastest) => i,
+            _ => fastest,
+        })
+    }
+
+    /// The sections through x: the same value again in the same direction, or a turn further.
+    fn aim_first<S: System + ?Sized>(&mut self, system: &mut S, x: &[f64], frame: &[f64]) -> Result<(), Fault> {
+        let Some(state) = self.state else { return Ok(()) };
+        let modes = Flow::start(system, 0.0, x, &self.flow)?.modes().to_vec();
+        let speed = fundamental::rates(system, 0.0, x, &modes)?[state] - frame[state];
+        let sign = if speed < 0.0 { -1.0 } else { 1.0 };
+        let drift = frame[state];
+        let count = self.options.returns.max(1);
+        self.sections = vec![Section::Level { state, level: x[state], drift, sign, count, turn: 0.0 }];
+        if self.angles[state] {
+            let turn = sign * TAU * count as f64;
+            self.sections.push(Section::Level { state, level: x[state] + turn, drift, sign, count: 1, turn });
+        }
+        Ok(())
+    }
+
+    /// Moves the sections through the next start.
+    fn aim(&mut self, x: &[f64]) {
+        for section in &mut self.sections {
+            if let Section::Level { state, level, turn, .. } = section {
+                *level = x[*state] + *turn;
+            }
+        }
+    }
+
+    fn found<S: System + ?Sized>(&self, system: &mut S, orbit: Orbit) -> Result<Found, Fault> {
+        let (free, basis) = tangent(system, &orbit.first, &orbit.modes[0], &self.scales, self.state, &self.symmetry)?;
+        Ok(Found { orbit, scales: self.scales.clone(), symmetry: self.symmetry.clone(), free, basis, angles: self.angles.clone() })
+    }
+}
+
+/// States that can be chosen freely under the conditions, and the change of all states with each of them.
+fn tangent<S: System + ?Sized>(
+    system: &mut S,
+    x: &[f64],
+    modes: &[Mode],
+    scales: &[f64],
+    first: Option<usize>,
+    symmetry: &Symmetry,
+) -> Result<(Vec<usize>, Vec<Vec<f64>>), Fault> {
+    let n = x.len();
+    let rows = fundamental::derivative(x, scales, |place| {
+        let mut place = place.to_vec();
+        system.project(0.0, &mut place, modes)?;
+        Ok(place)
+    })?;
+    // scaled: entry (i, j) is the change of state i in its scale for a change of state j in its scale
+    let p: Vec<f64> = (0..n * n).map(|k| rows[k / n][k % n] * scales[k % n] / scales[k / n]).collect();
+    let weight = |i: usize| match first {
+        Some(state) if state == i => 1e3,
+        _ if symmetry.shifts.iter().any(|(pivot, _)| *pivot == i) => 1e-3,
+        _ => 1.0,
+    };
+    let transposed: Vec<f64> = (0..n * n).map(|k| p[(k % n) * n + k / n] * weight(k % n)).collect();
+    let mut free = Qr::new(n, n, &transposed, 1e-9).independent().to_vec();
+    free.sort_unstable();
+    let columns = Qr::new(n, n, &p, 1e-7).independent().to_vec();
+    let r = free.len().min(columns.len());
+    free.truncate(r);
+    // B = P_columns (P_free,columns)^-1
+    let square: Vec<f64> = free.iter().flat_map(|&i| columns[..r].iter().map(move |&j| (i, j))).map(|(i, j)| p[i * n + j]).collect();
+    let qr = Qr::new(r, r, &square, 1e-12);
+    let mut basis = Vec::with_capacity(r);
+    for k in 0..r {
+        let unit: Vec<f64> = (0..r).map(|i| if i == k { 1.0 } else { 0.0 }).collect();
+        let c = qr.least_squares(&unit).0;
+        let size = scales[free[k]];
+        let column: Vec<f64> =
+            (0..n).map(|i| c.iter().zip(&columns).map(|(c, &j)| c * p[i * n + j]).sum::<f64>() * scales[i] / size).collect();
+        basis.push(column);
+    }
+    Ok((free, basis))
+}
+
+impl Found {
+    /// The state as it would be at t = 0, had the motion begun earlier.
+    pub(super) fn at_time_zero(&self, (t, mut x): (f64, Vec<f64>)) -> Vec<f64> {
+        if let Some(frame) = &self.symmetry.frame {
+            x.iter_mut().zip(frame).for_each(|(x, v)| *x -= v * t);
+        }
+        x
+    }
+
+    /// last - first less drift and whole turns, the shifts taken out.
+    fn gap(&self) -> Vec<f64> {
+        let mut gap = self.raw_gap();
+        self.clear_shifts(&mut gap);
+        gap
+    }
+
+    fn raw_gap(&self) -> Vec<f64> {
+        let frame = self.symmetry.frame.as_deref();
+        let period = self.orbit.period;
+        (0..self.orbit.first.len())
+            .map(|i| {
+                let change = self.orbit.last[i] - self.orbit.first[i] - frame.map_or(0.0, |f| f[i] * period);
+                if self.angles[i] { change - TAU * (change / TAU).round() } else { change }
+            })
+            .collect()
+    }
+
+    fn clear_shifts(&self, change: &mut [f64]) {
+        for (pivot, shift) in &self.symmetry.shifts {
+            let amount = change[*pivot];
+            change.iter_mut().zip(shift).for_each(|(c, s)| *c -= amount * s);
+        }
+    }
+
+    /// States that have to come back: free, not the section's, not translations.
+    fn returning(&self, section: Option<usize>) -> Vec<usize> {
+        let pivot = |i: usize| self.symmetry.shifts.iter().any(|(p, _)| *p == i);
+        self.free.iter().copied().filter(|&i| Some(i) != section && !pivot(i)).collect()
+    }
+
+    /// Largest gap in scales.
+    fn miss(&self, gap: &[f64], section: Option<usize>) -> f64 {
+        self.returning(section).iter().map(|&i| gap[i].abs() / self.scales[i]).fold(0.0, f64::max)
+    }
+
+    /// The end of the turn, as the start of another one.
+    fn next_start(&self, gap: &[f64]) -> Vec<f64> {
+        self.orbit.first.iter().zip(gap).map(|(x, g)| x + g).collect()
+    }
+
+    /// Rates at the end in the moving frame.
+    fn flow_at_end<S: System + ?Sized>(&self, system: &mut S) -> Result<Vec<f64>, Fault> {
+        let mut rates = fundamental::rates(system, self.orbit.period, &self.orbit.last, &self.orbit.modes[1])?;
+        if let Some(frame) = &self.symmetry.frame {
+            rates.iter_mut().zip(frame).for_each(|(r, v)| *r -= v);
+        }
+        Ok(rates)
+    }
+
+    /// Newton's step of the start; none when nothing has to return.
+    fn correction<S: System + ?Sized>(&self, system: &mut S, gap: &[f64], section: Option<usize>) -> Result<Option<Vec<f64>>, Fault> {
+        let returning = self.returning(section);
+        if returning.is_empty() {
+            return Ok(None);
+        }
+        let (matrix, _) = fundamental::of_orbit(system, &self.orbit, &self.scales)?;
+        let rates = self.flow_at_end(system)?;
+        let m = returning.len();
+        let mut square = vec![0.0; m * m];
+        for (column, &j) in returning.iter().enumerate() {
+            let k = self.free.iter().position(|&i| i == j).unwrap_or(0);
+            let mut change = matrix.apply(&self.basis[k]);
+            if let Some(s) = section {
+                let later = -change[s] / rates[s];
+                change.iter_mut().zip(&rates).for_each(|(c, r)| *c += r * later);
+            }
+            self.clear_shifts(&mut change);
+            for (row, &i) in returning.iter().enumerate() {
+                let unit = if i == j { 1.0 } else { 0.0 };
+                square[row * m + column] = (change[i] - unit * 1.0) * self.scales[j] / self.scales[i];
+            }
+        }
+        let right: Vec<f64> = returning.iter().map(|&i| -gap[i] / self.scales[i]).collect();
+        let (y, _) = Qr::new(m, m, &square, SINGULAR).least_squares(&right);
+        let largest = y.iter().fold(0.0_f64, |l, v| l.max(v.abs()));
+        if !largest.is_finite() {
+            return Ok(None);
+        }
+        let damping = if largest > 0.5 { 0.5 / largest } else { 1.0 };
+        let mut step = vec![0.0; gap.len()];
+        for (y, &j) in y.iter().zip(&returning) {
+            let k = self.free.iter().position(|&i| i == j).unwrap_or(0);
+            step.iter_mut().zip(&self.basis[k]).for_each(|(s, b)| *s += damping * y * self.scales[j] * b);
+        }
+        Ok(Some(step))
+    }
+
+    /// The fundamental matrix on the free states, row-major, and whether a switch is grazing.
+    pub(super) fn monodromy<S: System + ?Sized>(&self, system: &mut S) -> Result<(Vec<f64>, bool), Fault> {
+        let (matrix, grazing): (Square, bool) = fundamental::of_orbit(system, &self.orbit, &self.scales)?;
+        let r = self.free.len();
+        let mut out = vec![0.0; r * r];
+        for (k, column) in self.basis.iter().enumerate() {
+            let change = matrix.apply(column);
+            // in scales: eigenvalues are the same, rounding is not
+            let scale = |i: usize| self.scales[self.free[k]] / self.scales[i];
+            self.free.iter().enumerate().for_each(|(row, &i)| out[row * r + k] = change[i] * scale(i));
+        }
+        Ok((out, grazing))
+    }
+
+    /// How many multipliers are 1 because of translations in time and space.
+    pub(super) fn trivial(&self) -> usize {
+        let n = self.orbit.first.len();
+        let mut columns: Vec<Vec<f64>> =
+            self.symmetry.shifts.iter().filter(|(p, _)| self.free.contains(p)).map(|(_, shift)| shift.clone()).collect();
+        if let (Some(frame), Some(step)) = (&self.symmetry.frame, self.orbit.steps.first()) {
+            let flow: Vec<f64> = (0..n).map(|i| step.coefficients(i).get(1).copied().unwrap_or(0.0) - frame[i]).collect();
+            columns.push(flow.iter().map(|f| f * self.orbit.period).collect());
+        }
+        let count = columns.len();
+        let matrix: Vec<f64> = (0..n).flat_map(|i| columns.iter().map(move |c| (i, c))).map(|(i, c)| c[i] / self.scales[i]).collect();
+        Qr::new(n, count, &matrix, 1e-9).rank()
+    }
+
+    /// Checks: all states come back, so do their rates; the trivial multipliers are 1.
+    pub(super) fn audits<S: System + ?Sized>(
+        &self,
+        system: &mut S,
+        multipliers: &[Multiplier],
+        _tolerance: f64,
+        audits: &mut Vec<Audit>,
+    ) -> Result<(), Fault> {
+        let mut gap = self.raw_gap();
+        self.clear_shifts(&mut gap);
+        let n = system.n_coordinates();
+        let places = gap.iter().zip(&self.scales).map(|(g, s)| (g / s).abs()).fold(0.0, f64::max);
+        let first = fundamental::rates(system, 0.0, &self.orbit.first, &self.orbit.modes[0])?;
+        let last = fundamental::rates(system, self.orbit.period, &self.orbit.last, &self.orbit.modes[1])?;
+        let size = (n..2 * n).map(|i| self.scales[i] / self.orbit.period * TAU + first[i].abs());
+        let rates = (n..2 * n).zip(size).map(|(i, s)| (last[i] - first[i]).abs() / s).fold(0.0, f64::max);
+        // in modes that differ (a start on a switch) the accelerations need not agree
+        let same = self.orbit.modes[0] == self.orbit.modes[1];
+        audits.insert(0, closure(if same { places.max(rates) } else { places }));
+        let off = multipliers.iter().filter(|m| m.trivial).map(|m| (m.re - 1.0).hypot(m.im)).fold(0.0, f64::max);
+        if multipliers.iter().any(|m| m.trivial) {
+            let name = Text::new(
+                "a shift along the motion has the multiplier 1: difference",
+                "сдвиг вдоль движения имеет мультипликатор 1: отклонение",
+            );
+            audits.insert(1, Audit::at_most("trivial_multiplier", name, off, 1e-5));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,210 @@
+//! Translations under which the motion is the same: a coordinate that the equations do not contain, a point carried along with x = v t.
+//!
+//! Along the turn the accelerations, the rates of auxiliary states and the guards are differentiated by q, s and t; what lies in the null space
+//! of all these rows is a direction (dq, ds, dt) of translation. A motion is periodic when it comes back up to such translations and whole
+//! turns of angles.
+
+use super::fundamental::derivative;
+use super::orbit::Orbit;
+use crate::numerics::rank::Qr;
+use crate::{Fault, Mode, System};
+
+/// Points of the turn at which derivatives are taken.
+const POINTS: usize = 12;
+/// Share of a row below which an entry is rounding of the differences.
+const NOISE: f64 = 1e-9;
+
+/// Directions of translation.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Symmetry {
+    /// Velocity of the frame in which time does not occur, by state (zero for rates); none when the machine is driven in time.
+    pub(super) frame: Option<Vec<f64>>,
+    /// Directions at one instant, by state: each has 1 at its pivot, and 0 at the pivots of the others.
+    pub(super) shifts: Vec<(usize, Vec<f64>)>,
+}
+
+/// Finds the translations; `keep` is the state that should be a pivot where it can.
+pub(super) fn find<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64], keep: Option<usize>) -> Result<Symmetry, Fault> {
+    let (n, n_x) = (system.n_coordinates(), orbit.first.len());
+    let places: Vec<usize> = (0..n).chain(2 * n..n_x).collect();
+    let sizes: Vec<f64> = places.iter().map(|&i| scales[i]).chain([orbit.period]).collect();
+    let columns = places.len() + 1;
+    let samples = samples(orbit);
+    let mut table = Table { samples, places: places.clone(), sizes: sizes.clone(), matrix: Vec::new(), norms: Vec::new() };
+    for k in 0..table.samples.len() {
+        rows(system, k, scales, orbit.period, &mut table)?;
+    }
+    let qr = Qr::new(table.norms.len(), columns, &table.matrix, NOISE);
+    let mut directions: Vec<Vec<f64>> = qr.null_space();
+    let rank = |direction: &[f64], k: usize| direction[k].abs();
+    let keep = keep.and_then(|state| places.iter().position(|&i| i == state));
+    let mut symmetry = Symmetry::default();
+    // time first, so that the others have no part in it
+    if let Some(moving) = eliminate(&mut directions, columns - 1, rank) {
+        let mut frame = vec![0.0; n_x];
+        places.iter().enumerate().for_each(|(k, &i)| frame[i] = moving[k] * sizes[k] / sizes[columns - 1]);
+        symmetry.frame = Some(refined(system, &table, frame, orbit.period)?);
+    }
+    while !directions.is_empty() {
+        let free = |k: &usize| directions.iter().any(|d| d[*k].abs() > 1e-6);
+        let largest = |k: &usize| directions.iter().map(|d| d[*k].abs()).fold(0.0, f64::max);
+        let best = (0..columns - 1).max_by(|a, b| largest(a).total_cmp(&largest(b)));
+        let Some(pivot) = keep.filter(free).filter(|k| symmetry.shifts.iter().all(|(p, _)| *p != places[*k])).or(best) else { break };
+        let Some(direction) = eliminate(&mut directions, pivot, rank) else { break };
+        let mut shift = vec![0.0; n_x];
+        places.iter().enumerate().for_each(|(k, &i)| shift[i] = direction[k] * sizes[k] / sizes[pivot]);
+        let p = places[pivot];
+        for (_, other) in &mut symmetry.shifts {
+            let factor = other[p];
+            other.iter_mut().zip(&shift).for_each(|(o, s)| *o -= factor * s);
+        }
+        symmetry.shifts.push((p, shift));
+    }
+    if let Some(frame) = &mut symmetry.frame {
+        for (p, shift) in &symmetry.shifts {
+            let factor = frame[*p];
+            frame.iter_mut().zip(shift).for_each(|(f, s)| *f -= factor * s);
+        }
+    }
+    Ok(symmetry)
+}
+
+struct Sample {
+    t: f64,
+    x: Vec<f64>,
+    modes: Vec<Mode>,
+}
+
+/// Scaled derivatives of the laws by places and time.
+struct Table {
+    samples: Vec<Sample>,
+    /// States that are coordinates or auxiliary.
+    places: Vec<usize>,
+    /// Their scales, then that of time.
+    sizes: Vec<f64>,
+    /// Row by row.
+    matrix: Vec<f64>,
+    /// What each row was divided by.
+    norms: Vec<f64>,
+}
+
+/// Accelerations, rates of auxiliary states, guards.
+fn laws<S: System + ?Sized>(system: &mut S, t: f64, x: &[f64], modes: &[Mode]) -> Result<Vec<f64>, Fault> {
+    system.expand(t, x, modes, 1)?;
+    let n = system.n_coordinates();
+    let rates = (n..x.len()).map(|i| system.state(i)[1]);
+    let guards = (0..modes.len()).map(|g| system.guard(g).first().copied().unwrap_or(0.0));
+    Ok(rates.chain(guards).collect())
+}
+
+/// Adds the rows of one instant.
+fn rows<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], period: f64, table: &mut Table) -> Result<(), Fault> {
+    let n = system.n_coordinates();
+    let Sample { t, x, modes } = &table.samples[sample];
+    let values = laws(system, *t, x, modes)?;
+    let by_state = derivative(x, scales, |place| laws(system, *t, place, modes))?;
+    let by_time = derivative(&[*t], &[period], |time| laws(system, time[0], x, modes))?;
+    for (k, (row, time)) in by_state.iter().zip(&by_time).enumerate() {
+        let total: f64 = row.iter().zip(scales).map(|(d, s)| (d * s).abs()).sum::<f64>() + (time[0] * period).abs();
+        let own = match scales.get(n + k) {
+            Some(scale) => scale / period,
+            None => values[k].abs(),
+        };
+        let norm = total.max(own).max(f64::MIN_POSITIVE);
+        let entries = table.places.iter().map(|&i| row[i] * scales[i]).chain([time[0] * period]);
+        table.matrix.extend(entries.map(|e| e / norm).map(|e| if e.abs() < NOISE { 0.0 } else { e }));
+        table.norms.push(norm);
+    }
+    Ok(())
+}
+
+/// Takes out of the directions the one that is largest at `pivot`, normed to 1 there, and clears that entry of the others.
+fn eliminate(directions: &mut Vec<Vec<f64>>, pivot: usize, size: impl Fn(&[f64], usize) -> f64) -> Option<Vec<f64>> {
+    let best = (0..directions.len()).max_by(|&a, &b| size(&directions[a], pivot).total_cmp(&size(&directions[b], pivot)))?;
+    if size(&directions[best], pivot) < 1e-6 {
+        return None;
+    }
+    let mut taken = directions.swap_remove(best);
+    let norm = taken[pivot];
+    taken.iter_mut().for_each(|v| *v /= norm);
+    for other in directions.iter_mut() {
+        let factor = other[pivot];
+        other.iter_mut().zip(&taken).for_each(|(o, t)| *o -= factor * t);
+    }
+    Some(taken)
+}
+
+/// The frame's velocity to rounding: a whole period of translation must leave the laws as they are.
+fn refined<S: System + ?Sized>(system: &mut S, table: &Table, mut frame: Vec<f64>, period: f64) -> Result<Vec<f64>, Fault> {
+    if frame.iter().all(|v| *v == 0.0) {
+        return Ok(frame);
+    }
+    let columns = table.sizes.len();
+    let left: Vec<f64> = table.matrix.chunks(columns).flat_map(|row| &row[..columns - 1]).copied().collect();
+    for _ in 0..2 {
+        let mut right = Vec::new();
+        for sample in &table.samples {
+            let here = laws(system, sample.t, &sample.x, &sample.modes)?;
+            let moved: Vec<f64> = sample.x.iter().zip(&frame).map(|(x, v)| x + v * period).collect();
+            let there = laws(system, sample.t + period, &moved, &sample.modes)?;
+            right.extend(here.iter().zip(&there).map(|(a, b)| a - b));
+        }
+        right.iter_mut().zip(&table.norms).for_each(|(r, norm)| *r /= norm);
+        let (change, _) = Qr::new(right.len(), columns - 1, &left, NOISE).least_squares(&right);
+        table.places.iter().enumerate().for_each(|(k, &i)| frame[i] += change[k] * table.sizes[k] / period);
+    }
+    Ok(frame)
+}
+
+fn samples(orbit: &Orbit) -> Vec<Sample> {
+    let stride = orbit.steps.len().div_ceil(POINTS).max(1);
+    let sample = |s: &crate::taylor::Step| Sample {
+        t: s.start.high,
+        x: (0..orbit.first.len()).map(|i| s.coefficients(i)[0]).collect(),
+        modes: s.modes.clone(),
+    };
+    orbit.steps.iter().step_by(stride).map(sample).collect()
+}
+
+/// Whether the laws are the same after a whole turn of a state.
+pub(super) fn turns<S: System + ?Sized>(system: &mut S, orbit: &Orbit, state: usize, scales: &[f64]) -> Result<bool, Fault> {
+    unchanged(system, orbit, scales, |sample| {
+        let mut x = sample.x.clone();
+        x[state] += std::f64::consts::TAU;
+        (sample.t, x)
+    })
+}
+
+/// Whether the laws are the same after this time.
+pub(super) fn repeats<S: System + ?Sized>(system: &mut S, orbit: &Orbit, period: f64, scales: &[f64]) -> Result<bool, Fault> {
+    unchanged(system, orbit, scales, |sample| (sample.t + period, sample.x.clone()))
+}
+
+/// Whether the laws do not feel a change of place or time.
+fn unchanged<S: System + ?Sized>(
+    system: &mut S,
+    orbit: &Orbit,
+    scales: &[f64],
+    change: impl Fn(&Sample) -> (f64, Vec<f64>),
+) -> Result<bool, Fault> {
+    let n = system.n_coordinates();
+    let samples = samples(orbit);
+    let mut here = Vec::with_capacity(samples.len());
+    for sample in &samples {
+        here.push(laws(system, sample.t, &sample.x, &sample.modes)?);
+    }
+    // a guard is zero where it switches: its size is that of the whole motion
+    let size = |k: usize| here.iter().map(|values| values[k].abs()).fold(0.0, f64::max);
+    let sizes: Vec<f64> = (0..here.first().map_or(0, Vec::len)).map(size).collect();
+    for (sample, values) in samples.iter().zip(&here) {
+        let (t, x) = change(sample);
+        let Ok(there) = laws(system, t, &x, &sample.modes) else { return Ok(false) };
+        for (k, (a, b)) in values.iter().zip(&there).enumerate() {
+            let own = scales.get(n + k).map_or(0.0, |s| s / orbit.period);
+            if (a - b).abs() > 1e-8 * (own + sizes[k]) {
+                return Ok(false);
+            }
+        }
+    }
+    Ok(true)
+}

@@ -1,0 +1,63 @@
+//! `strutt periodic FILE`: the exact periodic regime.
+
+use super::{Exit, study};
+use crate::args;
+use crate::console::{Console, listen_to_interrupts};
+use crate::quantities;
+use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, StudyKind, Times};
+use strutt::{Failure, plan, studies};
+
+pub fn run(args: &args::Periodic, console: &mut Console) -> Result<Exit, Failure> {
+    listen_to_interrupts();
+    let out = args.table.out.as_deref();
+    let pick = |kind: &StudyKind| match kind {
+        StudyKind::Periodic(study) => Some(study.clone()),
+        _ => None,
+    };
+    let (mut machine, of_file) = study::open(&args.model, written(args), pick, out, console)?;
+    let study = asked(args, of_file)?;
+    plan::known_columns(&study.outputs, &machine.equations)?;
+    let finding = console.watched(|watch| studies::periodic::run(&mut machine, &study, watch));
+    study::finish(machine, finding, out, console)
+}
+
+/// The study that the command line describes, as the file would.
+fn written(args: &args::Periodic) -> Option<String> {
+    if args.section.is_none() && args.period.is_none() {
+        return None;
+    }
+    let mut text = study::row("kind", "periodic");
+    for (key, value) in [("section", &args.section), ("turns", &args.turns), ("period", &args.period)] {
+        text += &value.as_ref().map(|v| study::row(key, v)).unwrap_or_default();
+    }
+    Some(text)
+}
+
+/// What the file says, changed by the command line; a turn or a return found by itself when nobody says what a period is.
+fn asked(args: &args::Periodic, of_file: Option<Periodic>) -> Result<Periodic, Failure> {
+    let mut study = of_file.unwrap_or_else(|| Periodic {
+        section: Section::Time,
+        period: None,
+        settle: 0.0,
+        tuned: None,
+        tolerance: DEFAULT_TOLERANCE,
+        times: Times::Automatic,
+        outputs: Vec::new(),
+        plots: Vec::new(),
+    });
+    if let Some(settle) = &args.settle {
+        study.settle = quantities::seconds("--settle", settle)?;
+    }
+    if let (Section::Turns { turns, .. }, Some(text)) = (&mut study.section, &args.turns) {
+        *turns = quantities::number("--turns", text)?;
+    }
+    if let (Some(name), Some(wanted)) = (&args.unknown, &args.wanted_period) {
+        study.tuned = Some((name.clone(), quantities::seconds("--wanted-period", wanted)?));
+    }
+    if let Some(tolerance) = &args.table.tolerance {
+        study.tolerance = quantities::number("--tolerance", tolerance)?;
+    }
+    study.times = study::times(&args.table)?.unwrap_or(study.times);
+    study.outputs = study::columns(&args.table).unwrap_or(study.outputs);
+    Ok(study)
+}

@@ -1,0 +1,102 @@
+//! What the commands of the studies share: a study from the file or the command line, and showing what it found.
+
+use super::{Exit, judge};
+use crate::args;
+use crate::console::{Console, Shape};
+use crate::quantities;
+use mechanics::derive::Detail;
+use mechanics::model::{StudyKind, Times};
+use std::path::Path;
+use strutt::pipeline::{self, Calculation, Finding, Machine};
+use strutt::words::Word;
+use strutt::{Failure, Source, document, folder};
+
+/// The machine of a file, with a study that the command line writes behind the file when it asks for one: so its formulas are read and checked as
+/// those of the file are. The study of this kind that counts, if there is one.
+pub fn open<T>(
+    model: &args::Model,
+    written: Option<String>,
+    pick: impl Fn(&StudyKind) -> Option<T>,
+    out: Option<&Path>,
+    console: &mut Console,
+) -> Result<(Machine, Option<T>), Failure> {
+    // a page shows the written derivation
+    let detail = if out.is_some() { Detail::Steps } else { Detail::Equations };
+    let overrides = quantities::overrides(&model.overrides)?;
+    let source = Source::open(&model.file)?;
+    let text = match &written {
+        Some(study) => format!("{}\n\n[[study]]\n{study}", source.text.trim_end()),
+        None => source.text.clone(),
+    };
+    let extended = Source { path: source.path.clone(), text };
+    let mut machine = console.watched(|watch| pipeline::build_in(&extended, &overrides, detail, watch))?;
+    machine.model_hash = source.hash(&overrides);
+    console.warn(&machine.warnings, &extended);
+    let kinds = machine.model.studies.iter().map(|s| &s.kind);
+    let found = if written.is_some() { kinds.rev().find_map(pick) } else { kinds.into_iter().find_map(pick) };
+    Ok((machine, found))
+}
+
+/// A row `key = "value"` of a study, quoted for TOML.
+pub fn row(key: &str, value: &str) -> String {
+    format!("{key} = {}\n", toml_string(value))
+}
+
+/// A basic string of TOML.
+pub fn toml_string(text: &str) -> String {
+    let escaped: String = text
+        .chars()
+        .map(|c| match c {
+            '"' => "\\\"".to_owned(),
+            '\\' => "\\\\".to_owned(),
+            c if c.is_control() => format!("\\u{:04X}", u32::from(c)),
+            c => c.to_string(),
+        })
+        .collect();
+    format!("\"{escaped}\"")
+}
+
+/// Times that the command line asks for.
+pub fn times(table: &args::Table) -> Result<Option<Times>, Failure> {
+    Ok(match (&table.at, &table.every) {
+        (Some(at), _) => Some(Times::At(quantities::times("--at", at)?)),
+        (None, Some(every)) => Some(Times::Every(quantities::seconds("--every", every)?)),
+        (None, None) => None,
+    })
+}
+
+/// Columns that the command line asks for.
+pub fn columns(table: &args::Table) -> Option<Vec<String>> {
+    let clean = |list: &Vec<String>| list.iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect();
+    table.outputs.as_ref().map(clean)
+}
+
+/// Shows what was found, writes the folder when one is wanted, decides the exit code.
+pub fn finish(machine: Machine, finding: Finding, out: Option<&Path>, console: &mut Console) -> Result<Exit, Failure> {
+    console.timed(Word::TimeWrite, |console| show(&finding, out, console))?;
+    let exit = judge(&finding, console);
+    if let Some(out) = out {
+        let mut calculation = Calculation { machine, findings: vec![finding], files: Vec::new() };
+        let language = console.language;
+        let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, out, language))?;
+        let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
+        console.talk(&format!("{}{list}", console.say(Word::Written)));
+    }
+    Ok(exit)
+}
+
+fn show(finding: &Finding, out: Option<&Path>, console: &Console) -> Result<(), Failure> {
+    let (data, language) = (finding.data(), console.language);
+    match console.shape {
+        Shape::Json => console.out(report::json::write(data, &folder::own_fields(finding), language)),
+        Shape::Csv => console.out(report::csv::write(data, report::csv::Dialect::Plain)),
+        Shape::Text if out.is_some() && !console.terminal => Ok(()),
+        Shape::Text => {
+            let blocks = match finding {
+                Finding::Study(results) => document::of_results(results, false, language),
+                _ => Vec::new(),
+            };
+            console.out(document::in_terminal(blocks, language, console.width()))
+        }
+    }
+}

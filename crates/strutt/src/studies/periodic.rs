@@ -1,0 +1,247 @@
+//! The study `periodic`: the exact periodic regime, and the parameter that gives a wanted period.
+
+use super::section::of_state;
+use super::{Fact, Results, Rows};
+use crate::failure::Trouble;
+use crate::pipeline::{Finding, Machine, explained};
+use crate::plan;
+use crate::watch::Watch;
+use crate::words::Word;
+use crate::{Failure, provenance};
+use analysis::studies::periodic::{Multiplier, Outcome, Periodic as Options, Regime, Return};
+use analysis::studies::simulate::Grid;
+use mechanics::model::{Periodic, Section, Times};
+use serde_json::{Value, json};
+use symbolic::Text;
+
+/// Steps of the search for a parameter.
+const STEPS: usize = 60;
+/// The wanted period is kept to this share.
+const EXACT: f64 = 1e-13;
+
+/// Runs the study. `tuned` changes the machine to the value found.
+pub fn run(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Finding {
+    let found = match &study.tuned {
+        None => Ok((regime(machine, study, watch), None)),
+        Some((name, wanted)) => tuned(machine, study, name, *wanted, watch),
+    };
+    watch.lap(Word::TimeRun);
+    Finding::Study(Box::new(match found {
+        Ok((outcome, tuning)) => results(machine, study, outcome, tuning),
+        Err(trouble) => Results { kind: "periodic", heading: heading(), trouble: Some(trouble), ..Results::default() },
+    }))
+}
+
+fn heading() -> Text {
+    Text::new("Periodic regime", "Периодический режим")
+}
+
+/// The regime of the machine as it is.
+pub fn regime(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Outcome {
+    let start = match machine.system.start() {
+        Ok(start) => start,
+        Err(fault) => return Outcome { fault: Some(fault), ..Outcome::default() },
+    };
+    from(machine, study, &start, watch)
+}
+
+/// The regime found from a state.
+pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut Watch) -> Outcome {
+    let formula = match study.section {
+        Section::Zero(expr) => Some(of_state(&machine.equations, expr)),
+        _ => None,
+    };
+    let (by, returns) = match (study.section, study.period) {
+        (Section::Time, Some(period)) => (Return::Period(period), 1),
+        (Section::Turns { angle, turns }, _) => {
+            let name = machine.equations.graph.symbol_info(angle).name.clone();
+            (Return::State(name), (turns.abs().round() as usize).max(1))
+        }
+        _ => (Return::Automatic, 1),
+    };
+    let grid = match &study.times {
+        Times::Automatic => Grid::Auto,
+        Times::Every(step) => Grid::Every(*step),
+        Times::At(times) => Grid::At(times.clone()),
+    };
+    let plotted = plan::columns_with_plots(&study.outputs, &study.plots, &machine.equations);
+    let options = Options {
+        by,
+        returns,
+        begin: formula.as_ref().map(|f| f as &dyn Fn(f64, &[f64]) -> f64),
+        settle: study.settle,
+        tolerance: study.tolerance.min(1e-13),
+        grid,
+        outputs: Some(plotted),
+        interrupt: watch.interrupt,
+        ..Options::default()
+    };
+    analysis::studies::periodic::periodic(&mut machine.system, start, &options)
+}
+
+/// A parameter with its value, found for a wanted period.
+pub(super) struct Tuning {
+    name: String,
+    value: f64,
+}
+
+/// Changes a parameter until the period is the wanted one: secant steps on logarithmic scale near the value of the file.
+fn tuned(
+    machine: &mut Machine,
+    study: &Periodic,
+    name: &str,
+    wanted: f64,
+    watch: &mut Watch,
+) -> Result<(Outcome, Option<Tuning>), Trouble> {
+    let first = value_of(machine, name).ok_or_else(|| no_parameter(machine, name))?;
+    let mut start: Option<Vec<f64>> = None;
+    let mut at = |value: f64, watch: &mut Watch| -> Result<(Machine, Outcome), Trouble> {
+        let mut other = machine.with_values(&[(name, value)]).map_err(in_words)?;
+        let outcome = match &start {
+            // the regime found before is the better guess
+            Some(x) => from(&mut other, &Periodic { settle: 0.0, ..study.clone() }, x, watch),
+            None => regime(&mut other, study, watch),
+        };
+        if let Some(fault) = &outcome.fault {
+            return Err(Trouble::from(fault.clone()));
+        }
+        start = Some(outcome.regime.start.clone());
+        Ok((other, outcome))
+    };
+    let step = if first == 0.0 { 1e-3 } else { 1e-3 * first };
+    let (mut a, mut b) = (first, first + step);
+    let mut miss_a = at(a, watch)?.1.regime.period - wanted;
+    let mut best: Option<(f64, f64, Machine, Outcome)> = None;
+    for _ in 0..STEPS {
+        let (other, outcome) = at(b, watch)?;
+        let miss = outcome.regime.period - wanted;
+        let better = best.as_ref().is_none_or(|(least, ..)| miss.abs() < *least);
+        if better {
+            best = Some((miss.abs(), b, other, outcome));
+        }
+        let slope = (miss - miss_a) / (b - a);
+        if miss.abs() <= EXACT * wanted || slope == 0.0 || !slope.is_finite() || !better && miss.abs() < 1e-11 * wanted {
+            break;
+        }
+        // never more than half of the value at once: the regime must stay within reach
+        let limit = 0.5 * b.abs().max(first.abs()).max(step.abs());
+        let change = (-miss / slope).clamp(-limit, limit);
+        (a, miss_a, b) = (b, miss, b + change);
+    }
+    match best {
+        Some((miss, value, other, outcome)) if miss <= 1e-9 * wanted => {
+            let keep = (machine.model_hash.clone(), machine.origin.clone());
+            *machine = other;
+            (machine.model_hash, machine.origin) = keep;
+            Ok((outcome, Some(Tuning { name: name.to_owned(), value })))
+        }
+        _ => Err(Trouble::new(
+            "S045",
+            format!("no value of `{name}` gives the period {wanted} s"),
+            format!("ни при каком значении `{name}` период не равен {wanted} с").replace('.', ","),
+        )
+        .why("the period does not depend on the parameter, or not enough", "период не зависит от параметра или зависит слабо")
+        .help("choose another parameter, or a period near the present one", "выберите другой параметр или период, близкий к нынешнему")),
+    }
+}
+
+/// The number of a parameter.
+pub fn value_of(machine: &Machine, name: &str) -> Option<f64> {
+    machine.model.parameters.iter().find(|p| p.name == name)?.number
+}
+
+fn no_parameter(machine: &Machine, name: &str) -> Trouble {
+    let trouble =
+        Trouble::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"));
+    match crate::nearest(name, machine.model.parameters.iter().map(|p| p.name.as_str())) {
+        Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        None => trouble,
+    }
+}
+
+/// A failure that stands beside results.
+pub fn in_words(failure: Failure) -> Trouble {
+    match failure {
+        Failure::Trouble(trouble) | Failure::Misuse(trouble) => *trouble,
+        Failure::Findings { diagnostics, .. } => {
+            let first = diagnostics.into_iter().find(|d| d.severity == mechanics::Severity::Error);
+            match first {
+                Some(d) => Trouble { code: d.code, what: d.what, why: d.why, help: d.help },
+                None => Trouble::new("C031", "the model cannot be built with these values", "с этими значениями модель не строится"),
+            }
+        }
+        Failure::ClosedPipe => Trouble::new("C031", "the output was closed", "вывод закрыт"),
+    }
+}
+
+/// What was found, for people and machines.
+pub(super) fn results(machine: &Machine, study: &Periodic, outcome: Outcome, tuning: Option<Tuning>) -> Results {
+    let Outcome { regime, fault } = outcome;
+    let trouble = fault.map(|fault| explained(fault, &machine.equations));
+    let mut results =
+        Results { kind: "periodic", heading: heading(), plots: study.plots.clone(), rows: Rows::Summary, ..Results::default() };
+    results.data = provenance::stamp(regime.dataset.clone(), &machine.equations, &machine.model_hash);
+    if trouble.is_none() {
+        facts(&mut results, machine, &regime, tuning);
+    }
+    results.trouble = trouble;
+    results
+}
+
+fn facts(results: &mut Results, machine: &Machine, regime: &Regime, tuning: Option<Tuning>) {
+    let text = Text::new;
+    results.facts.push(Fact::new("period", "T", "s", regime.period, text("period", "период")));
+    let label = text("frequency of the regime", "частота режима");
+    results.facts.push(Fact::new("frequency", "f", "Hz", 1.0 / regime.period, label));
+    for (k, m) in regime.multipliers.iter().enumerate() {
+        let words = multiplier_words(m);
+        let label = Text::new(format!("multiplier {}", k + 1), format!("мультипликатор {}", k + 1));
+        let fact = Fact::new(&format!("multiplier_{}", k + 1), &format!("mu_{}", k + 1), "1", m.abs(), label);
+        results.facts.push(fact.with_words(words));
+    }
+    if let Some(tuning) = &tuning {
+        let declared = machine.model.parameters.iter().find(|p| p.name == tuning.name);
+        let unit = declared.map_or("1", |p| p.unit.as_str());
+        let symbol = machine.model.notation.iter().find(|(n, _)| *n == tuning.name).map_or(tuning.name.as_str(), |(_, s)| s.as_str());
+        let label = text("value for the wanted period", "значение для заданного периода");
+        results.facts.push(Fact::new(&tuning.name, symbol, unit, tuning.value, label));
+        results.own.insert("unknown".into(), json!({"name": tuning.name, "value": tuning.value, "unit": unit}));
+    }
+    let verdict = match regime.stable {
+        Some(true) => text(
+            "The regime is stable: every multiplier lies inside the unit circle.",
+            "Режим устойчив: все мультипликаторы лежат внутри единичной окружности.",
+        ),
+        Some(false) => text(
+            "The regime is unstable: a multiplier lies outside the unit circle.",
+            "Режим неустойчив: есть мультипликатор вне единичной окружности.",
+        ),
+        None => text(
+            "The multipliers do not decide the stability: one lies on the unit circle.",
+            "Мультипликаторы не решают вопрос об устойчивости: один из них лежит на единичной окружности.",
+        ),
+    };
+    results.words.push(verdict);
+    let multipliers: Vec<Value> =
+        regime.multipliers.iter().map(|m| json!({"re": m.re, "im": m.im, "abs": m.abs(), "trivial": m.trivial})).collect();
+    results.own.insert("multipliers".into(), json!(multipliers));
+    results.own.insert("stable".into(), json!(regime.stable));
+    let names = machine.system_states();
+    let by_name = |values: &[f64]| -> Value {
+        names.iter().zip(values).map(|(n, v)| (n.clone(), json!(v))).collect::<serde_json::Map<_, _>>().into()
+    };
+    results.own.insert("start".into(), by_name(&regime.start));
+    results.own.insert("gain".into(), by_name(&regime.gain));
+}
+
+fn multiplier_words(m: &Multiplier) -> Text {
+    let re = report::number::short(m.re, 6, report::Language::En);
+    let im = report::number::short(m.im.abs(), 6, report::Language::En);
+    let sign = if m.im < 0.0 { "−" } else { "+" };
+    let number = if m.im == 0.0 { re } else { format!("{re} {sign} {im} i") };
+    let ru = number.replace('.', ",");
+    match m.trivial {
+        true => Text::new(format!("{number} (shift along the motion)"), format!("{ru} (сдвиг вдоль движения)")),
+        false => Text::new(number, ru),
+    }
+}
