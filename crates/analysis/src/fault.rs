@@ -120,23 +120,28 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ru: ("матрица с неопределённым элементом", trouble::MALFORMED_RU),
     },
     Explanation {
-        code: "S030",
+        code: "S070",
         en: ("no closed form: not linear", NOT_LINEAR_EN),
         ru: ("нет замкнутого решения: нелинейность", NOT_LINEAR_RU),
     },
     Explanation {
-        code: "S031",
+        code: "S071",
         en: ("no closed form: coefficients change with time", VARYING_EN),
         ru: ("нет замкнутого решения: переменные коэффициенты", VARYING_RU),
     },
     Explanation {
-        code: "S032", en: ("no closed form: the load", LOAD_EN), ru: ("нет замкнутого решения: вид нагрузки", LOAD_RU)
+        code: "S072", en: ("no closed form: the load", LOAD_EN), ru: ("нет замкнутого решения: вид нагрузки", LOAD_RU)
     },
     Explanation {
-        code: "S033", en: ("singular mass matrix", MASSLESS_EN), ru: ("вырожденная матрица масс", MASSLESS_RU)
+        code: "S073", en: ("singular mass matrix", MASSLESS_EN), ru: ("вырожденная матрица масс", MASSLESS_RU)
     },
     Explanation {
-        code: "S034", en: ("no closed form: connections", CONNECTED_EN), ru: ("нет замкнутого решения: связи", CONNECTED_RU)
+        code: "S074", en: ("no closed form: connections", CONNECTED_EN), ru: ("нет замкнутого решения: связи", CONNECTED_RU)
+    },
+    Explanation {
+        code: "S075",
+        en: ("no equilibrium to linearise about", NOWHERE_EN),
+        ru: ("нет равновесия для линеаризации", NOWHERE_RU),
     },
     Explanation {
         code: "S030", en: ("unknown load or parameter", NAME_EN), ru: ("неизвестная нагрузка или параметр", NAME_RU)
@@ -256,6 +261,10 @@ const CONNECTED_EN: &str = "Pins, rods, stops, dry friction and motors keep reac
     place the bodies by formulas of these (origin = [\"0\", \"l*phi\"]), or use the study simulate.";
 const CONNECTED_RU: &str = "При шарнирах, стержнях, упорах, сухом трении и двигателях неизвестными, кроме координат, остаются реакции. Замкнутое решение находится для независимых \
     координат: задайте через них положения тел (origin = [\"0\", \"l*phi\"]) или примените расчёт simulate.";
+const NOWHERE_EN: &str = "Small motions are motions about an equilibrium under the mean loads. From the start of the motion none was found, or the stiffness there is singular \
+    (a free direction). The study equilibrium shows what there is.";
+const NOWHERE_RU: &str = "Малые движения — это движения около равновесия при средних нагрузках. От начала движения оно не найдено, или матрица жёсткости в нём вырождена \
+    (свободное направление). Расчёт equilibrium покажет, какие положения равновесия есть.";
 const MASSLESS_EN: &str =
     "Some change of the coordinates moves no mass, so its acceleration is undefined. Give it an inertia or remove the coordinate.";
 const MASSLESS_RU: &str =

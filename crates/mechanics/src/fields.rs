@@ -786,6 +786,17 @@ pub const STUDY: TableSpec = TableSpec {
             "[\"phi'\", { x = \"x\", y = [\"y\"] }]",
         ),
         may(
+            "linearise",
+            Type::Bool,
+            "",
+            "false",
+            (
+                "transient: small motions about the equilibrium when the system is not linear",
+                "transient: малые движения около равновесия, если система нелинейна",
+            ),
+            "true",
+        ),
+        may(
             "guess",
             Type::Guess,
             "",

@@ -49,7 +49,7 @@ pub enum Command {
     /// Compute a motion
     Simulate(Simulate),
     /// Compute the motion of a linear system in closed form, phase by phase
-    Transient(Simulate),
+    Transient(Transient),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
     /// Show the properties of the sections of a file
@@ -158,6 +158,15 @@ pub struct Simulate {
     /// Compute each motion once more with half the tolerance and show the difference
     #[arg(long)]
     pub halve_tolerance: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct Transient {
+    #[command(flatten)]
+    pub motion: Simulate,
+    /// Small motions about the equilibrium when the system is not linear
+    #[arg(long)]
+    pub linearise: bool,
 }
 
 #[derive(Args, Debug)]

@@ -101,18 +101,30 @@ struct Command {
     tolerance: f64,
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
+    linearise: bool,
     /// Name of a section.
     name: String,
 }
 
 impl Command {
     fn parse(words: &[String]) -> Result<Command, String> {
-        let mut command =
-            Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new(), name: String::new() };
+        let mut command = Command {
+            verb: words[0].clone(),
+            until: 0.0,
+            tolerance: TOLERANCE,
+            set: Vec::new(),
+            guess: Vec::new(),
+            name: String::new(),
+            linearise: false,
+        };
         let mut list = None;
         for word in &words[1..] {
             if word == "set" || word == "guess" {
                 list = Some(word.as_str());
+                continue;
+            }
+            if word == "linearise" {
+                command.linearise = true;
                 continue;
             }
             let (name, value) = word.split_once('=').ok_or_else(|| format!("not NAME=VALUE: `{word}`"))?;
@@ -168,13 +180,14 @@ impl Command {
 
     fn transient(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
         let times = self.times(claims);
-        let study = mechanics::model::Simulate {
+        let motion = mechanics::model::Simulate {
             until: self.until,
             times: Times::At(times.clone()),
             tolerance: self.tolerance,
             outputs: machine.equations.outputs.iter().map(|o| o.name.clone()).collect(),
             plots: Vec::new(),
         };
+        let study = mechanics::model::Transient { motion, linearise: self.linearise };
         match pipeline::transient(machine, &study, &mut Watch::default()) {
             Finding::Transient(_, data, phases, None) => Ok(Outcome::Closed { times, data, phases }),
             Finding::Transient(_, _, _, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
