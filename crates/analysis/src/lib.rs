@@ -10,6 +10,7 @@ pub mod linear;
 pub mod machine;
 pub mod numerics;
 pub mod reduce;
+pub mod structure;
 pub mod studies;
 pub mod system;
 pub mod taylor;

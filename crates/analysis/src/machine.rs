@@ -16,6 +16,8 @@ use conditions::Conditions;
 #[derive(Clone, Debug)]
 pub struct Machine {
     states: Vec<Quantity>,
+    /// Which coordinates only turn.
+    turning: Vec<bool>,
     outputs: Vec<Quantity>,
     guards: Vec<Guard>,
     /// Specialised for the parameters; [`Machine::new`] keeps the general tapes for what is asked rarely.
@@ -95,6 +97,7 @@ impl Machine {
         let observed = bound.evaluator(&bound.program().outputs)?;
         Ok(Machine {
             states: states(equations, program),
+            turning: (0..equations.coordinates.len()).map(|i| equations.turns_freely(i)).collect(),
             outputs: outputs(equations),
             jets: bound.jets(1),
             needs_accelerations: reads_accelerations(observed.tape()),
@@ -270,6 +273,9 @@ impl System for Machine {
     }
     fn n_coordinates(&self) -> usize {
         self.bound.program().coordinates
+    }
+    fn turns_freely(&self, i: usize) -> bool {
+        self.turning.get(i) == Some(&true)
     }
     fn guards(&self) -> &[Guard] {
         &self.guards

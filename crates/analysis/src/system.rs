@@ -122,6 +122,13 @@ pub trait System {
     /// Number n of coordinates; states n..2n are their rates.
     fn n_coordinates(&self) -> usize;
 
+    /// Whether state `i` is an angle whose full turns change nothing in the motion. The integrator then keeps it small, so that an angle of
+    /// thousands of turns has the digits of the first one; outside it the turns are counted.
+    fn turns_freely(&self, i: usize) -> bool {
+        let _ = i;
+        false
+    }
+
     /// Guards.
     fn guards(&self) -> &[Guard];
 

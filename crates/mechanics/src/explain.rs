@@ -19,7 +19,7 @@ pub struct Explanation {
 }
 
 /// Every table of explanations.
-pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, LINEAR, crate::derive::EXPLANATIONS];
+pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, LINEAR, crate::derive::EXPLANATIONS, crate::structure::EXPLANATIONS];
 
 /// The explanation of a code; small letters will do.
 pub fn find(code: &str) -> Option<&'static Explanation> {

@@ -11,6 +11,7 @@ pub mod model;
 mod read;
 pub mod reference;
 pub mod section;
+pub mod structure;
 pub mod units;
 
 pub use diagnostic::{Diagnostic, Severity, Source};

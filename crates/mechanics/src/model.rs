@@ -55,6 +55,19 @@ pub struct Model {
     pub phases: Vec<f64>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
+    /// Frame or truss, when the file has nodes.
+    pub structure: Option<crate::structure::Structure>,
+    /// Inertia that no body carries: that of a structure over its displacements.
+    pub inertias: Vec<ConstantInertia>,
+}
+
+/// A term M_ij q_i' q_j' of the kinetic energy (half of it for i = j).
+#[derive(Clone, Debug)]
+pub struct ConstantInertia {
+    /// Indices in [`Model::coordinates`], ascending.
+    pub between: [usize; 2],
+    /// Over constant parameters.
+    pub value: Expr,
 }
 
 /// Index of a frame or body in [`Model::frames`].

@@ -58,6 +58,8 @@ pub enum Command {
     Sweep(Sweep),
     /// Find natural frequencies and shapes of small motions
     Modes(Modes),
+    /// Find reactions and internal forces at rest
+    Statics(Statics),
     /// Find forced oscillations over the frequency of a load
     Response(Response),
     /// List the example models, or print one
@@ -160,6 +162,12 @@ pub struct Equilibrium {
     /// Where to look for the equilibrium: phi=0.1
     #[arg(long = "guess", value_name = "NAME=QUANTITY")]
     pub guess: Vec<String>,
+}
+
+#[derive(Args, Debug)]
+pub struct Statics {
+    #[command(flatten)]
+    pub model: Model,
 }
 
 #[derive(Args, Debug)]

@@ -93,6 +93,7 @@ fn distinct(mut figures: Vec<Figure>) -> Vec<Figure> {
 /// Figures of findings other than motions.
 pub fn other_figures(finding: &Finding, language: Language) -> Vec<Figure> {
     match finding {
+        Finding::Structure(found) => crate::structure::figures(found, language),
         Finding::Response(found) => crate::small::show::response_figures(found, language),
         Finding::Study(results) => results.figures(language),
         Finding::Modes(found) => crate::small::show::campbell(&found.data, language).into_iter().collect(),
@@ -287,6 +288,12 @@ impl Writer<'_> {
                 let mut blocks = vec![self.heading(Word::Equilibrium)];
                 blocks.push(self.table(equilibria(data, self.language), Word::Equilibrium));
                 blocks.extend(self.notes(data));
+                blocks
+            }
+            Finding::Structure(found) => {
+                let heading = crate::structure::heading(found, self.language);
+                let mut blocks = vec![Block::heading(1, heading)];
+                blocks.extend(crate::structure::blocks(found, self.language, self.extent == Extent::Page));
                 blocks
             }
             Finding::Study(results) => {

@@ -36,7 +36,7 @@ pub fn all() -> Vec<Explanation> {
         wrong: "",
         right: "",
     }));
-    out.extend(analysis::fault::EXPLANATIONS.iter().map(|e| Explanation {
+    out.extend(analysis::fault::EXPLANATIONS.iter().chain(analysis::structure::faults::EXPLANATIONS).map(|e| Explanation {
         code: e.code,
         title: Text::new(e.en.0, e.ru.0),
         body: Text::new(e.en.1, e.ru.1),

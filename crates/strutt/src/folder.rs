@@ -26,6 +26,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
             Finding::Equilibrium(..) => format!("equilibrium{number}"),
             Finding::Study(results) => format!("{}{number}", results.kind),
             Finding::Modes(..) => format!("modes{number}"),
+            Finding::Structure(found) => format!("{}{number}", found.study),
             Finding::Response(..) => format!("response{number}"),
         };
         tables(&mut shelf, finding, &stem, language)?;
@@ -103,6 +104,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
         Finding::Study(results) => own = results.fields(),
         Finding::Response(found) => own = crate::small::response::to_json(found),
         Finding::Modes(found) => own = crate::small::modes::to_json(found),
+        Finding::Structure(found) => own = crate::structure::fields(found),
     }
     if let Some(trouble) = finding.trouble() {
         own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));

@@ -25,6 +25,7 @@ pub mod plan;
 mod provenance;
 pub mod small;
 pub mod source;
+pub mod structure;
 pub mod studies;
 pub mod watch;
 pub mod words;

@@ -52,12 +52,14 @@ pub enum Finding {
     Equilibrium(Dataset, Option<Trouble>),
     /// A motion, and the study that asked for it.
     Motion(Simulate, Dataset, Option<Trouble>),
-    /// Any other study.
-    Study(Box<Results>),
     /// A motion in closed form, its phases, and the study that asked for it.
     Transient(Simulate, Dataset, Phases, Option<Trouble>),
+    /// Any other study.
+    Study(Box<Results>),
     /// Natural frequencies and shapes.
     Modes(Box<ModesFound>),
+    /// A study of a frame or truss.
+    Structure(Box<crate::structure::StructureFound>),
     /// Forced oscillations over the frequency.
     Response(Box<ResponseFound>),
 }
@@ -107,7 +109,8 @@ pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch)
 /// Findings about the model.
 pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail, watch: &mut Watch) -> Result<Machine, Failure> {
     let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
-    let reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    let mut reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    crate::structure::mount::mount(&mut reading.model)?;
     watch.lap(Word::TimeRead);
     let equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
     watch.lap(Word::TimeDerive);
@@ -131,10 +134,11 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_) | StudyKind::Statics | StudyKind::Kinematics(_) | StudyKind::Cycle(_) => None,
+        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Cycle(_) => None,
         StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
+        StudyKind::Statics => crate::structure::statics(machine),
         StudyKind::Response(study) => Some(response(machine, study, watch)),
         StudyKind::Transient(study) => {
             let study = plan::with_plots(study, &machine.equations);
@@ -195,6 +199,10 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
 
 /// Natural frequencies and shapes.
 pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut Watch) -> Finding {
+    if let Some(finding) = crate::structure::modes(machine, study) {
+        watch.lap(Word::TimeRun);
+        return finding;
+    }
     let found = crate::small::modes::find(machine, study);
     watch.lap(Word::TimeRun);
     Finding::Modes(Box::new(found))
@@ -230,18 +238,20 @@ impl Finding {
     /// The numbers.
     pub fn data(&self) -> &Dataset {
         match self {
-            Finding::Study(results) => &results.data,
             Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) | Finding::Transient(_, data, ..) => data,
+            Finding::Study(results) => &results.data,
             Finding::Modes(found) => &found.data,
+            Finding::Structure(found) => &found.data,
             Finding::Response(found) => &found.data,
         }
     }
     /// What ended the study early.
     pub fn trouble(&self) -> Option<&Trouble> {
         match self {
-            Finding::Study(results) => results.trouble.as_ref(),
             Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) | Finding::Transient(_, _, _, trouble) => trouble.as_ref(),
+            Finding::Study(results) => results.trouble.as_ref(),
             Finding::Modes(found) => found.trouble.as_ref(),
+            Finding::Structure(found) => found.trouble.as_ref(),
             Finding::Response(found) => found.trouble.as_ref(),
         }
     }

@@ -335,6 +335,8 @@ impl Run {
                 break;
             }
             step.state_at(t, &mut self.x);
+            // conditions hold at what is shown too, not only at the ends of steps
+            system.project(t, &mut self.x, &step.modes)?;
             self.fill(system, t, row, &step.modes)?;
             self.next += 1;
             if self.next.is_multiple_of(ROWS) && options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
@@ -358,7 +360,7 @@ impl Run {
             return Ok(());
         }
         let switches = flow.switches().to_vec();
-        let states = [flow.state_before().to_vec(), flow.state().to_vec()];
+        let states = [flow.state_before(), flow.state().to_vec()];
         let (before, after) = (flow.modes_before().to_vec(), flow.modes().to_vec());
         let t = flow.time();
         let mut side = |run: &mut Run, state: &[f64], modes: &[Mode]| -> Result<Vec<f64>, Fault> {

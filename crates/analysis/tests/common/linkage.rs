@@ -31,6 +31,7 @@ impl Build {
                 mass,
                 force: vec![],
                 reactions: vec![],
+                applied: vec![],
                 conditions: vec![],
                 balances: vec![],
                 textbook: Err(Text::default()),

@@ -91,6 +91,10 @@ pub fn kinetic_energy(scene: &mut Scene, kinematics: &mut Kinematics, per_body: 
         let own = if per_body { own.finish(scene) } else { Quadratic::new() };
         kinetic.bodies.push(own);
     }
+    let one = scene.graph.one();
+    for inertia in &model.inertias {
+        total.push((inertia.between[0], inertia.between[1]), one, inertia.value);
+    }
     kinetic.total = total.finish(scene);
     kinetic
 }

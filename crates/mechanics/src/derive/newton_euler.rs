@@ -72,6 +72,14 @@ pub fn project(scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads, co
             push_projection(scene, &moment, &turning, &mut inertial);
         }
     }
+    for inertia in &model.inertias {
+        let [a, b] = inertia.between;
+        let (qa, qb) = (scene.q[a][2], scene.q[b][2]);
+        inertial[a].push(scene.graph.mul(inertia.value, qb));
+        if a != b {
+            inertial[b].push(scene.graph.mul(inertia.value, qa));
+        }
+    }
     let mut sums: Vec<Expr> = inertial.iter().map(|terms| scene.graph.sum(terms)).collect();
     let time_part = sums.pop().unwrap_or_else(|| scene.graph.zero());
     let residuals = sums

@@ -214,6 +214,7 @@ pub(super) fn forces<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Force
     let mut found = Vec::new();
     for (name, fields) in top.entries(reader, "forces", &fields::FORCE) {
         if reader.name_is_fine(&name, fields.span.clone(), &["ground"])
+            && !super::structures::force(reader, &name, &fields)
             && let Some(action) = action(reader, &fields)
         {
             found.push(Force { name, action, span: fields.span.clone() });
@@ -264,6 +265,9 @@ pub(super) fn torques<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Torq
     let mut found = Vec::new();
     for (name, fields) in top.entries(reader, "torques", &fields::TORQUE) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
+            continue;
+        }
+        if super::structures::torque(reader, &name, &fields) {
             continue;
         }
         let on = frame_named(reader, &fields, "on");

@@ -16,6 +16,7 @@ mod ranges;
 mod reader;
 mod sections;
 mod shapes;
+mod structures;
 mod studies;
 mod syntax;
 
@@ -93,7 +94,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let description = top.text(reader, "description").unwrap_or_default();
     let mut notation = Vec::new();
 
-    let raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
+    let mut raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
+    raw_coordinates.extend(parameters::collect_displacements(reader, &top, &mut notation));
     let raw_parameters = parameters::collect(reader, &top, &mut notation);
     let parameter_names = raw_parameters.iter().map(|p| p.name.clone()).collect();
     let raw_outputs = outputs::collect(reader, &top, &parameter_names, &mut notation);
@@ -105,6 +107,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let phases = schedule.finish(reader);
     let coordinates = parameters::starts(reader, raw_coordinates);
     let (frames, mut points) = frames::read(reader, &top);
+    structures::nodes(reader, &top);
+    structures::rods(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
     connections::announce(reader, &top);
     let springs = elements::springs(reader, &top);
@@ -120,6 +124,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     forces.extend(resultants);
     points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
+    let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
     let sections = sections::read(reader, &top);
 
@@ -148,6 +153,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         sections,
         phases,
         studies,
+        structure,
+        inertias: Vec::new(),
     }
 }
 

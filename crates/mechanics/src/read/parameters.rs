@@ -117,6 +117,33 @@ pub(super) fn collect_coordinates<'a>(
     found
 }
 
+/// The displacements of a frame that have names: coordinates like any other.
+pub(super) fn collect_displacements<'a>(
+    reader: &mut Reader<'a>,
+    top: &Fields<'a>,
+    notation: &mut Vec<(String, String)>,
+) -> Vec<RawCoordinate<'a>> {
+    let mut found = Vec::new();
+    for (name, fields) in top.entries(reader, "displacements", &fields::DISPLACEMENT) {
+        if !claim(reader, &name, &fields.span) {
+            continue;
+        }
+        fields.symbol(reader, &name, notation);
+        let turns = fields.get("direction").and_then(|v| v.get_ref().as_str()) == Some("turn");
+        found.push(RawCoordinate {
+            dimension: Kind::Known(if turns { Dimension::ANGLE } else { Dimension::LENGTH }),
+            scaled: None,
+            start: fields.raw(reader, "start"),
+            rate: fields.raw(reader, "rate"),
+            guesses: [None, None],
+            label: fields.text(reader, "label").unwrap_or_default(),
+            span: fields.span.clone(),
+            name,
+        });
+    }
+    found
+}
+
 /// Makes the coordinates known to formulas.
 pub(super) fn declare_coordinates(reader: &mut Reader, coordinates: &[RawCoordinate]) {
     for c in coordinates {

@@ -26,6 +26,8 @@ pub(super) struct Reader<'a> {
     pub builder: Builder,
     pub scope: Scope,
     pub values: Values,
+    /// Nodes, rods and loads of a structure, as far as they are read.
+    pub structure: super::structures::Draft,
 }
 
 /// A formula as it stands in the file.
@@ -64,6 +66,7 @@ impl<'a> Reader<'a> {
             builder: Builder::new(),
             scope: Scope::default(),
             values: Values::default(),
+            structure: super::structures::Draft::default(),
         }
     }
     pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
@@ -439,9 +442,21 @@ impl<'a> Fields<'a> {
 
     /// The entries of a table of tables: name, its place, its fields.
     pub(super) fn entries(&self, reader: &mut Reader<'a>, key: &'static str, spec: &'static TableSpec) -> Vec<(String, Fields<'a>)> {
+        self.entries_if(reader, key, spec, &|_, _| true)
+    }
+
+    /// The entries for which `wanted` holds.
+    pub(super) fn entries_if(
+        &self,
+        reader: &mut Reader<'a>,
+        key: &'static str,
+        spec: &'static TableSpec,
+        wanted: &dyn Fn(&Reader<'a>, &Table<'a>) -> bool,
+    ) -> Vec<(String, Fields<'a>)> {
         let mut entries = Vec::new();
         for (name, span, value) in self.rows(reader, key) {
             match value.get_ref() {
+                DeValue::Table(table) if !wanted(reader, table) => {}
                 DeValue::Table(table) => {
                     let path = format!("{key}.{}", short(name));
                     let fields = Fields::open(reader, spec, table, span, path);

@@ -10,7 +10,7 @@ pub(super) type Table<'a> = DeTable<'a>;
 pub(super) type Value<'a> = Spanned<DeValue<'a>>;
 
 /// Findings that a lost line of the file would cause: not reported when the file has syntax errors.
-pub(super) const FOLLOW_UPS: [&str; 10] = ["M006", "M013", "M014", "M015", "M025", "M041", "M057", "M059", "M062", "M066"];
+pub(super) const FOLLOW_UPS: [&str; 12] = ["M006", "M013", "M014", "M015", "M025", "M041", "M057", "M059", "M062", "M066", "M081", "M082"];
 
 /// Most parts of a dotted key.
 const MAX_KEY_PARTS: usize = 32;

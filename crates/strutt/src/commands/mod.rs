@@ -12,6 +12,7 @@ mod periodic;
 mod response;
 mod run;
 mod simulate;
+mod statics;
 mod study;
 mod sweep;
 mod transient;
@@ -47,6 +48,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Sweep(args) => sweep::run(&args, console),
+        Command::Statics(args) => statics::run(&args, console),
         Command::Periodic(args) => periodic::run(&args, console),
         Command::Response(args) => response::run(&args, console),
         Command::Modes(args) => modes::run(&args, console),

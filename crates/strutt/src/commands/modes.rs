@@ -8,7 +8,7 @@ use mechanics::derive::Detail;
 use mechanics::model::{Modes, Scale, StudyKind};
 use report::Document;
 use strutt::words::Word;
-use strutt::{Failure, folder, pipeline, small};
+use strutt::{Failure, folder, pipeline, small, structure};
 
 pub fn run(args: &args::Modes, console: &mut Console) -> Result<Exit, Failure> {
     let (_, mut machine) = open(&args.model, Detail::Equations, console)?;
@@ -33,8 +33,12 @@ pub fn run(args: &args::Modes, console: &mut Console) -> Result<Exit, Failure> {
         Shape::Json => console.out(report::json::write(data, &folder::own_fields(&finding), language))?,
         Shape::Csv => console.out(report::csv::write(data, report::csv::Dialect::Plain))?,
         Shape::Text => {
-            if let pipeline::Finding::Modes(found) = &finding {
-                let blocks = small::show::modes(found, language, false);
+            let blocks = match &finding {
+                pipeline::Finding::Modes(found) => small::show::modes(found, language, false),
+                pipeline::Finding::Structure(found) => structure::blocks(found, language, false),
+                _ => Vec::new(),
+            };
+            if !blocks.is_empty() {
                 let title = language.text(&machine.model.title).to_owned();
                 let document = Document {
                     language,

@@ -19,7 +19,7 @@ const PER_LENGTH: Dimension = Dimension::of(0, 1, -2);
 /// The equivalent forces, and the points where they act, numbered after `known` points.
 pub(in crate::read) fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, space: &Space, known: usize) -> (Vec<Force>, Vec<Point>) {
     let mut found = (Vec::new(), Vec::new());
-    for (name, fields) in top.entries(reader, "distributed", &DISTRIBUTED) {
+    for (name, fields) in crate::read::structures::rows(reader, top, "distributed", &DISTRIBUTED, false) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }

@@ -71,7 +71,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, space: &Space)
     let mut connections = Vec::new();
     for row in TABLES {
         let table = row.spec.name;
-        for (name, fields) in top.entries(reader, table, row.spec) {
+        for (name, fields) in super::structures::rows(reader, top, table, row.spec, false) {
             if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
                 continue;
             }

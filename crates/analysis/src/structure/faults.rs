@@ -1,0 +1,141 @@
+//! What can be wrong with a structure that was read without errors: codes S050 to S059.
+
+use crate::Fault;
+use crate::fault::{Explanation, Message};
+use symbolic::Text;
+
+/// Long texts of the codes of this folder.
+pub const EXPLANATIONS: &[Explanation] = &[
+    Explanation {
+        code: "S050",
+        en: (
+            "mechanism",
+            "Some displacements of the structure deform no rod and are held by no support or spring: it moves freely, and neither static \
+             displacements nor natural frequencies above zero exist for that motion. The message names the node that moves most and the motion. \
+             Add the support, the rod or the rigid connection that is missing.",
+        ),
+        ru: (
+            "механизм",
+            "Некоторые перемещения не деформируют ни одного стержня и не удерживаются ни опорами, ни пружинами: конструкция геометрически \
+             изменяема. В сообщении назван узел с наибольшим перемещением и само движение. Добавьте недостающую опору, стержень или жёсткое \
+             соединение.",
+        ),
+    },
+    Explanation {
+        code: "S051",
+        en: (
+            "loose node or piece",
+            "A node that no rod touches, or a group of rods that no support and no spring holds. Usually a name was mistyped in `between` or a \
+             support is missing.",
+        ),
+        ru: (
+            "незакреплённый узел или часть",
+            "К узлу не подходит ни один стержень, либо группа стержней не имеет ни опор, ни пружин. Обычно опечатка в `between` или забыта опора.",
+        ),
+    },
+    Explanation {
+        code: "S052",
+        en: (
+            "no inertia",
+            "A structure without any mass has no oscillations. Give nodes a `mass` or `inertia`, or rods a `mass`, `density` or \
+             `mass_per_length`.",
+        ),
+        ru: (
+            "нет инерции",
+            "У конструкции без масс нет колебаний. Задайте узлам `mass` или `inertia` либо стержням `mass`, `density` или `mass_per_length`.",
+        ),
+    },
+    Explanation {
+        code: "S053",
+        en: (
+            "force not determined by statics",
+            "Rods that neither stretch nor bend share a load in infinitely many ways when there are more of them (or of supports) than equations \
+             of equilibrium. Give the rods named in the message a stiffness: EA (or E and A) against stretching, EI against bending.",
+        ),
+        ru: (
+            "усилие не определяется статикой",
+            "Нерастяжимые и жёсткие стержни делят нагрузку бесконечным числом способов, если их (или опор) больше, чем уравнений равновесия. \
+             Задайте названным стержням жёсткость: EA (или E и A) на растяжение, EI на изгиб.",
+        ),
+    },
+];
+
+fn fault(code: &'static str, what: Text, why: Text, help: Text) -> Fault {
+    Fault::new(Message { code, what, why, help })
+}
+
+/// A free motion.
+pub fn mechanism(node: &str, motion: &Text, count: usize) -> Fault {
+    let (en, ru) = if count > 1 {
+        (format!(" ({count} independent free motions; this is one)"), format!(" (независимых свободных движений: {count}; одно из них)"))
+    } else {
+        (String::new(), String::new())
+    };
+    fault(
+        "S050",
+        Text::new(
+            format!("the structure is a mechanism at node {node}: {}{en}", motion.en),
+            format!("конструкция — механизм, узел {node}: {}{ru}", motion.ru),
+        ),
+        Text::new(
+            "this motion deforms no rod and no support or spring holds it",
+            "это движение не деформирует ни одного стержня и не удерживается опорами и пружинами",
+        ),
+        Text::new(
+            "add a support, a rod, or make a joint rigid (remove a release)",
+            "добавьте опору или стержень либо сделайте узел жёстким (уберите шарнир)",
+        ),
+    )
+}
+
+/// A node without rods.
+pub fn lonely(node: &str) -> Fault {
+    fault(
+        "S051",
+        Text::new(format!("no rod touches node {node}"), format!("к узлу {node} не подходит ни один стержень")),
+        Text::new("it would move freely along x and y", "он свободно двигался бы вдоль x и y"),
+        Text::new("connect it by a rod, or remove it", "соедините его стержнем или удалите"),
+    )
+}
+
+/// A piece that nothing holds.
+pub fn unsupported(node: &str) -> Fault {
+    fault(
+        "S051",
+        Text::new(
+            format!("nothing holds the part of the structure with node {node}: it moves freely along x and y and turns"),
+            format!("часть конструкции с узлом {node} ничем не удерживается: она свободно движется вдоль x, y и поворачивается"),
+        ),
+        Text::new(
+            "no support and no spring belongs to it, and no rod joins it to the rest",
+            "у неё нет опор и пружин, и стержни не связывают её с остальным",
+        ),
+        Text::new(
+            "add a support: [supports.S] at = \"NODE\", directions = [\"x\", \"y\"]",
+            "добавьте опору: [supports.S] at = \"УЗЕЛ\", directions = [\"x\", \"y\"]",
+        ),
+    )
+}
+
+/// No mass.
+pub fn massless() -> Fault {
+    fault(
+        "S052",
+        Text::new("the structure has no inertia in any of its motions", "ни одно движение конструкции не имеет инерции"),
+        Text::new("no node or rod that can move has a mass", "у подвижных узлов и стержней нет массы"),
+        Text::new("give a mass to a node or a rod", "задайте массу узлу или стержню"),
+    )
+}
+
+/// Forces that statics does not give.
+pub fn undetermined(names: &str) -> Fault {
+    fault(
+        "S053",
+        Text::new(format!("statics does not determine the forces in {names}"), format!("статика не определяет усилий: {names}")),
+        Text::new(
+            "these do not deform, and there are more of them than equations of equilibrium",
+            "они не деформируются, и их больше, чем уравнений равновесия",
+        ),
+        Text::new("give these rods EA, or E and A", "задайте этим стержням EA или E и A"),
+    )
+}

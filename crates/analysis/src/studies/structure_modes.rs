@@ -1,0 +1,355 @@
+//! Natural oscillations of a frame: K x = ω² M x over the coordinates of the structure.
+//!
+//! Small structures are reduced by static condensation ([`crate::structure::reduced`]) and solved densely; with rational data the frequency
+//! equation det(I - λ D M) = 0, λ = ω², has exact coefficients. Large ones are solved sparse for the lowest modes.
+
+use crate::dataset::{Audit, Column, Counter, Dataset};
+use crate::numerics::{eigen, sparse};
+use crate::structure::assembly::Sparse;
+use crate::structure::equilibrium::{SEARCHED, describe, standing, stands};
+use crate::structure::reduced::{Condensation, Reduced, quantity, reduce};
+use crate::structure::{Assembly, Frame, continuum, dense, faults};
+use crate::{Fault, Quantity};
+use symbolic::{Rational, Text};
+
+/// Largest number of degrees of freedom whose frequency equation is written out.
+const EQUATION: usize = 8;
+
+/// How shapes are scaled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Normalise {
+    /// The first coordinate that moves is 1.
+    #[default]
+    First,
+    /// The largest coordinate is 1.
+    Largest,
+    /// xᵀ M x = 1.
+    Mass,
+}
+
+/// Options of the study.
+#[derive(Clone, Debug)]
+pub struct Modes {
+    /// Largest number of modes.
+    pub count: usize,
+    /// Scaling of shapes.
+    pub normalise: Normalise,
+    /// What follows statically.
+    pub condensation: Condensation,
+    /// Whether the exact frequencies of the distributed mass stand beside.
+    pub continuum: bool,
+    /// Wanted relative accuracy of the frequencies against finer division; none for the divisions of the file.
+    pub accuracy: Option<f64>,
+}
+
+impl Default for Modes {
+    fn default() -> Modes {
+        Modes { count: 10, normalise: Normalise::First, condensation: Condensation::Automatic, continuum: false, accuracy: None }
+    }
+}
+
+/// A natural oscillation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// Angular frequency, rad/s.
+    pub omega: f64,
+    /// Over the shown coordinates.
+    pub shape: Vec<f64>,
+    /// Displacements of all freedoms of the assembly, in the scale of `shape`.
+    pub freedoms: Vec<f64>,
+}
+
+/// What the study finds.
+#[derive(Clone, Debug)]
+pub struct StructureModes {
+    /// A row per mode.
+    pub dataset: Dataset,
+    /// The modes, rising.
+    pub modes: Vec<Mode>,
+    /// What shapes are made of.
+    pub coordinates: Vec<Quantity>,
+    /// Matrices of small structures.
+    pub reduced: Option<Reduced<f64>>,
+    /// The same, exact, when all data are rational.
+    pub exact: Option<Reduced<Rational>>,
+    /// Coefficients of the frequency equation by rising powers of λ = ω², exact.
+    pub equation: Option<Vec<Rational>>,
+    /// Exact frequencies of the distributed mass, when asked for.
+    pub continuum: Option<Vec<f64>>,
+    /// The frame that was computed (divided as far as the accuracy needed) and its freedoms, for drawings.
+    pub frame: Frame<f64>,
+    /// Its assembly.
+    pub assembly: Assembly<f64>,
+}
+
+/// Natural oscillations; `exact` is the same frame in exact numbers when it has them.
+///
+/// *Errors*: mechanisms, loose nodes, no inertia.
+pub fn modes(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -> Result<StructureModes, Fault> {
+    let simple = frame.divided(1);
+    match exact {
+        Some(exact) => drop(stands(&exact.divided(1), &Assembly::of(&exact.divided(1)))?),
+        None => drop(stands(&simple, &Assembly::of(&simple))?),
+    }
+    let mut found = match options.accuracy {
+        Some(wanted) => refined(frame, options, wanted)?,
+        None => plain(frame, exact, options)?,
+    };
+    if options.continuum {
+        beside(&mut found);
+    }
+    Ok(found)
+}
+
+/// The exact frequencies of the distributed mass as a column, and how far the modes are from them.
+fn beside(found: &mut StructureModes) {
+    let estimates: Vec<f64> = found.modes.iter().map(|m| m.omega).collect();
+    let data = &mut found.dataset;
+    let Some(exact) = continuum::frequencies(&found.frame, &estimates) else {
+        data.notes.push(Text::new(
+            "no closed form for the distributed mass of this structure (turning of sections, bars with mass, or too many nodes)",
+            "для распределённой массы этой конструкции нет замкнутого решения (поворот сечений, массивные стержни ферм или слишком много узлов)",
+        ));
+        return;
+    };
+    let quantity =
+        |name: &str, symbol: &str, unit: &str, label: Text| Quantity { label, symbol: symbol.into(), ..Quantity::new(name, unit) };
+    let label = Text::new("of the exact continuum", "точное значение для распределённой массы");
+    let error = exact.iter().zip(&estimates).map(|(e, w)| w / e - 1.0).collect();
+    let at = data.columns.iter().position(|c| c.quantity.name == "damping_ratio").map_or(0, |i| i + 1);
+    let column = |quantity, values| Column { quantity, values };
+    data.columns.insert(at, column(quantity("omega_exact", "omega_e", "rad/s", label), exact.clone()));
+    let label = Text::new("relative error against the continuum", "относительная погрешность");
+    data.columns.insert(at + 1, column(quantity("error", "delta", "1", label), error));
+    found.continuum = Some(exact);
+}
+
+fn plain(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -> Result<StructureModes, Fault> {
+    let assembly = Assembly::of(frame);
+    if assembly.n() == 0 {
+        return Err(faults::massless());
+    }
+    if assembly.n() > SEARCHED {
+        return large(frame, assembly, options);
+    }
+    let reduced = reduce(frame, &assembly, options.condensation)?;
+    let n = reduced.n();
+    let found = lowest_dense(&reduced.stiffness, &reduced.mass, n, options.count)?;
+    let expand = |x: &[f64]| assembly.elimination.expand(&dense::product(&reduced.basis, x, reduced.n_q, n, 1));
+    let shown = Shown::of(frame, &assembly, reduced.named.then_some(&reduced));
+    let modes = shown.modes(&found, &reduced.coordinates, &expand, options.normalise);
+    let exact = exact.filter(|_| n <= EQUATION && assembly.n() <= 4 * EQUATION);
+    let exact = exact.and_then(|f| reduce(f, &Assembly::of(f), options.condensation).ok());
+    let equation = exact.as_ref().map(|r| frequency_equation(r, n));
+    let coordinates = shown.coordinates(&reduced.coordinates);
+    let orthogonality = orthogonality(&found, &reduced.mass, n);
+    let dataset = dataset(&modes, &coordinates, orthogonality, assembly.n());
+    Ok(StructureModes {
+        dataset,
+        modes,
+        coordinates,
+        reduced: Some(reduced),
+        exact,
+        equation,
+        continuum: None,
+        frame: frame.clone(),
+        assembly,
+    })
+}
+
+/// det(I - λ D M) without vanishing powers at its end.
+fn frequency_equation(reduced: &Reduced<Rational>, n: usize) -> Vec<Rational> {
+    let dm = dense::product(&reduced.flexibility, &reduced.mass, n, n, n);
+    let mut coefficients = dense::characteristic(&dm, n);
+    while coefficients.last().is_some_and(Rational::is_zero) {
+        coefficients.pop();
+    }
+    coefficients
+}
+
+fn large(frame: &Frame<f64>, assembly: Assembly<f64>, options: &Modes) -> Result<StructureModes, Fault> {
+    let (k, m) = (assembly.stiffness(frame), assembly.mass(frame));
+    if m.entries.iter().all(|e| e.2 == 0.0) {
+        return Err(faults::massless());
+    }
+    let found = eigen::lowest(&compressed(&k)?, &compressed(&m)?, options.count, eigen::Options::default())?;
+    let found = found.modes;
+    let n = assembly.n();
+    if let Some(first) = found.values.first().filter(|v| free(**v, &found.values)) {
+        let _ = first;
+        let motion = assembly.elimination.expand(found.shape(0));
+        let (node, words) = describe(frame, &assembly, &motion);
+        return Err(faults::mechanism(&node, &words, 1));
+    }
+    let all: Vec<Quantity> = Vec::new();
+    let shown = Shown::of(frame, &assembly, None);
+    let expand = |x: &[f64]| assembly.elimination.expand(x);
+    let modes = shown.modes(&found, &all, &expand, options.normalise);
+    let coordinates = shown.coordinates(&all);
+    let worst = (0..found.values.len())
+        .flat_map(|i| (0..i).map(move |j| (i, j)))
+        .map(|(i, j)| m.apply(found.shape(i)).iter().zip(found.shape(j)).map(|(a, b)| a * b).sum::<f64>().abs())
+        .fold(0.0, f64::max);
+    let dataset = dataset(&modes, &coordinates, worst, n);
+    Ok(StructureModes {
+        dataset,
+        modes,
+        coordinates,
+        reduced: None,
+        exact: None,
+        equation: None,
+        continuum: None,
+        frame: frame.clone(),
+        assembly,
+    })
+}
+
+fn free(value: f64, all: &[f64]) -> bool {
+    let largest = all.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    value <= 1e-12 * largest || value == 0.0
+}
+
+pub(crate) fn compressed(matrix: &Sparse<f64>) -> Result<sparse::Sparse, Fault> {
+    let mut triplets = sparse::Triplets::new(matrix.n);
+    matrix.entries.iter().for_each(|(i, j, v)| triplets.add(*i, *j, *v));
+    sparse::Sparse::from_triplets(&triplets)
+}
+
+/// The lowest modes of small matrices; M may be singular.
+pub(crate) fn lowest_dense(stiffness: &[f64], mass: &[f64], n: usize, count: usize) -> Result<eigen::Modes, Fault> {
+    let mut modes = match eigen::symmetric(n, stiffness, mass) {
+        Ok(modes) => modes,
+        Err(_) => {
+            let (k, m) = (sparse::Sparse::from_dense(n, stiffness)?, sparse::Sparse::from_dense(n, mass)?);
+            eigen::lowest(&k, &m, n, eigen::Options::default())?.modes
+        }
+    };
+    let count = count.min(modes.values.len());
+    modes.values.truncate(count);
+    modes.vectors.truncate(count * n);
+    Ok(modes)
+}
+
+/// Largest x_iᵀ M x_j of different modes with x_iᵀ M x_i = 1.
+fn orthogonality(found: &eigen::Modes, mass: &[f64], n: usize) -> f64 {
+    let products = (0..found.values.len()).map(|i| dense::product(mass, found.shape(i), n, n, 1)).collect::<Vec<_>>();
+    let mut worst = 0.0_f64;
+    for (i, product) in products.iter().enumerate() {
+        for j in 0..i {
+            worst = worst.max(product.iter().zip(found.shape(j)).map(|(a, b)| a * b).sum::<f64>().abs());
+        }
+    }
+    worst
+}
+
+/// What shapes are shown over: the named displacements when there are any, else the coordinates.
+struct Shown {
+    functionals: Vec<Vec<f64>>,
+    quantities: Vec<Quantity>,
+    direct: bool,
+}
+
+impl Shown {
+    fn of(frame: &Frame<f64>, assembly: &Assembly<f64>, named: Option<&Reduced<f64>>) -> Shown {
+        let rows = frame.displacements.iter().map(|d| assembly.functional(frame, &d.place, &d.component));
+        let dense_row = |row: Vec<(usize, f64)>| {
+            let mut out = vec![0.0; assembly.freedoms.meaning.len()];
+            row.into_iter().for_each(|(i, c)| out[i] += c);
+            out
+        };
+        let quantities = frame.displacements.iter().map(quantity).collect();
+        let direct = named.is_some() || frame.displacements.is_empty();
+        Shown { functionals: if direct { Vec::new() } else { rows.map(dense_row).collect() }, quantities, direct }
+    }
+
+    fn coordinates(&self, own: &[Quantity]) -> Vec<Quantity> {
+        if self.direct { own.to_vec() } else { self.quantities.clone() }
+    }
+
+    fn modes(&self, found: &eigen::Modes, _: &[Quantity], expand: &dyn Fn(&[f64]) -> Vec<f64>, normalise: Normalise) -> Vec<Mode> {
+        let one = |j: usize| {
+            let x = found.shape(j);
+            let mut freedoms = expand(x);
+            let mut shape: Vec<f64> = match self.direct {
+                true => x.to_vec(),
+                false => self.functionals.iter().map(|f| f.iter().zip(&freedoms).map(|(a, b)| a * b).sum()).collect(),
+            };
+            let divisor = scale(&shape, &freedoms, normalise);
+            shape.iter_mut().chain(&mut freedoms).for_each(|v| *v /= divisor);
+            Mode { omega: found.values[j].max(0.0).sqrt(), shape, freedoms }
+        };
+        (0..found.values.len()).map(one).collect()
+    }
+}
+
+/// What a shape is divided by.
+fn scale(shape: &[f64], freedoms: &[f64], normalise: Normalise) -> f64 {
+    let largest = |v: &[f64]| v.iter().copied().fold(0.0_f64, |m, x| if x.abs() > m.abs() { x } else { m });
+    let top = largest(shape);
+    let everything = largest(freedoms);
+    // what is named may rest in this mode
+    let quiet = top.abs() <= 1e-9 * everything.abs();
+    match normalise {
+        Normalise::Mass => 1.0,
+        _ if everything == 0.0 => 1.0,
+        _ if quiet => everything,
+        Normalise::Largest => top,
+        Normalise::First => shape.iter().copied().find(|v| v.abs() > 1e-9 * top.abs()).unwrap_or(top),
+    }
+}
+
+/// The same frequencies with finer and finer division until they change less than wanted, the last change divided by 15: the error of the
+/// frequencies falls with the fourth power of the length of a part.
+fn refined(frame: &Frame<f64>, options: &Modes, wanted: f64) -> Result<StructureModes, Fault> {
+    let longest = frame.rods.iter().map(|r| r.divisions).max().unwrap_or(1).max(2);
+    let mut divisions = longest;
+    let mut last = plain(&frame.divided(divisions), None, options)?;
+    loop {
+        divisions *= 2;
+        let next = plain(&frame.divided(divisions), None, options)?;
+        let change = last.modes.iter().zip(&next.modes).map(|(a, b)| (a.omega / b.omega - 1.0).abs() / 15.0).fold(0.0, f64::max);
+        last = next;
+        if change <= wanted || divisions >= 256 {
+            let name =
+                Text::new("error of frequencies by halving the parts of rods", "погрешность частот по удвоению числа частей стержней");
+            last.dataset.audits.push(Audit::at_most("refinement", name, change, wanted));
+            last.dataset.notes.push(Text::new(
+                format!("each elastic rod in {divisions} parts"),
+                format!("каждый упругий стержень разделён на частей: {divisions}"),
+            ));
+            return Ok(last);
+        }
+    }
+}
+
+fn dataset(modes: &[Mode], coordinates: &[Quantity], orthogonality: f64, n: usize) -> Dataset {
+    let labelled = |name: &str, symbol: &str, unit: &str, en: &str, ru: &str| Quantity {
+        label: Text::new(en, ru),
+        symbol: symbol.into(),
+        ..Quantity::new(name, unit)
+    };
+    let column = |quantity: Quantity, value: &dyn Fn(&Mode) -> f64| Column { quantity, values: modes.iter().map(value).collect() };
+    let tau = 2.0 * std::f64::consts::PI;
+    let mut columns = vec![
+        column(labelled("omega", "omega", "rad/s", "angular frequency", "круговая частота"), &|m| m.omega),
+        column(labelled("f", "f", "Hz", "frequency", "частота"), &|m| m.omega / tau),
+        column(labelled("T", "T", "s", "period", "период"), &|m| tau / m.omega),
+        column(labelled("damping_ratio", "zeta", "1", "damping ratio", "относительное затухание"), &|_| 0.0),
+    ];
+    for (i, quantity) in coordinates.iter().enumerate() {
+        columns.push(column(quantity.clone(), &|m| m.shape[i]));
+    }
+    let name = Text::new("orthogonality of the shapes", "ортогональность форм");
+    let audits = vec![Audit::at_most("orthogonality", name, orthogonality, 1e-8)];
+    let counters =
+        vec![Counter {
+            key: "freedoms", name: Text::new("independent displacements", "независимых перемещений"), value: n as f64
+        }];
+    Dataset { columns, audits, counters, ..Dataset::default() }
+}
+
+/// Degree of statical indeterminacy and free motions, for reports.
+pub fn degree(frame: &Frame<f64>) -> Result<usize, Fault> {
+    let simple = frame.divided(1);
+    Ok(standing(&simple, &Assembly::of(&simple))?.degree())
+}

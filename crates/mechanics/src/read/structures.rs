@@ -1,0 +1,463 @@
+//! `[nodes]`, `[rods]`, `[supports]`, `[distributed]`, `[displacements]`, `[structure]`, and the forces and torques that act on nodes and rods.
+//!
+//! The tables `rods` and `supports` also hold connections of bodies: a row whose ends are points of bodies is not touched here.
+
+use super::frames::two_names;
+use super::parameters::names;
+use super::reader::{Checked, Fields, Reader, components, short, string, wrong_type};
+use crate::fault::{Fault, nearest};
+use crate::fields;
+use crate::formula::Context;
+use crate::structure::{Action, Direction, Displacement, Load, Node, Options, Rod, Site, Structure, Support};
+use crate::units::Dimension;
+use std::collections::HashMap;
+use std::ops::Range;
+use symbolic::{Expr, Rational, Text};
+use toml::de::DeValue;
+
+const BENDING: Dimension = Dimension::of(3, 1, -2);
+const PRESSURE: Dimension = Dimension::of(-1, 1, -2);
+const SECOND_MOMENT: Dimension = Dimension::of(4, 0, 0);
+const AREA: Dimension = Dimension::of(2, 0, 0);
+const STIFFNESS: Dimension = Dimension::of(0, 1, -2);
+const DENSITY: Dimension = Dimension::of(-3, 1, 0);
+const LINE_MASS: Dimension = Dimension::of(-1, 1, 0);
+
+/// Most parts of a rod.
+const PARTS: i64 = 100_000;
+
+/// What is read so far.
+#[derive(Default)]
+pub(super) struct Draft {
+    nodes: Vec<Node>,
+    node_index: HashMap<String, usize>,
+    rods: Vec<Rod>,
+    rod_index: HashMap<String, usize>,
+    loads: Vec<Load>,
+}
+
+/// `[nodes]`.
+pub(super) fn nodes<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
+    for (name, fields) in top.entries(reader, "nodes", &fields::NODE) {
+        if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
+            continue;
+        }
+        let at = fields.vector(reader, "at", &Context::CONSTANT, &Dimension::LENGTH);
+        let mass = positive(reader, &fields, "mass", &Dimension::MASS, false);
+        let inertia = positive(reader, &fields, "inertia", &Dimension::INERTIA, false);
+        let springs = [("spring_x", STIFFNESS), ("spring_y", STIFFNESS), ("spring_turn", Dimension::ENERGY)];
+        let springs = springs.map(|(key, dimension)| positive(reader, &fields, key, &dimension, false));
+        let zero = reader.builder.graph.zero();
+        let [mass, inertia] = [mass, inertia].map(|e| e.unwrap_or(zero));
+        let springs = springs.map(|e| e.unwrap_or(zero));
+        reader.structure.node_index.insert(name.clone(), reader.structure.nodes.len());
+        reader.structure.nodes.push(Node { name, at: [at[0], at[1]], mass, inertia, springs, span: fields.span.clone() });
+    }
+}
+
+/// The rows of a table that we share with the connections of bodies: ours, or the others.
+pub(super) fn rows<'a>(
+    reader: &mut Reader<'a>,
+    top: &Fields<'a>,
+    key: &'static str,
+    spec: &'static fields::TableSpec,
+    ours: bool,
+) -> Vec<(String, Fields<'a>)> {
+    top.entries_if(reader, key, spec, &|reader, table| owns(reader, key, table) == ours)
+}
+
+/// Whether a row of a shared table is about nodes and their rods.
+fn owns(reader: &Reader, key: &str, table: &super::syntax::Table) -> bool {
+    let draft = &reader.structure;
+    if draft.nodes.is_empty() {
+        return false;
+    }
+    let text = |key: &str| table.get(key).and_then(|v| v.get_ref().as_str()).unwrap_or_default();
+    let is_place = |name: &str| reader.scope.place(name).is_some();
+    match key {
+        "rods" => match table.get("between").and_then(|v| v.get_ref().as_array()) {
+            Some(ends) => !ends.iter().all(|e| e.get_ref().as_str().is_some_and(is_place)),
+            None => true,
+        },
+        "supports" => draft.node_index.contains_key(text("at")) || !is_place(text("at")),
+        "distributed" => table.contains_key("on") && !table.contains_key("from"),
+        _ => false,
+    }
+}
+
+/// A quantity that may not be negative; nor zero when `strict`.
+fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, wanted: &Dimension, strict: bool) -> Option<Expr> {
+    let value = fields.formula(reader, key, &Context::CONSTANT, Some(wanted))?;
+    not_negative(reader, fields, key, &value, strict);
+    Some(value.expr)
+}
+
+fn not_negative<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, value: &Checked, strict: bool) {
+    let Some(number) = reader.number(value).filter(|v| *v < 0.0 || strict && *v == 0.0) else { return };
+    let fault = Fault::new(
+        "M203",
+        fields.span_of(key),
+        format!("{key} of {} is {number}", fields.path),
+        format!("{key} в {} равно {number}", fields.path),
+    )
+    .why(
+        "stiffnesses and masses are positive; a parameter is probably wrong",
+        "жёсткости и массы положительны; вероятно, неверен параметр",
+    );
+    reader.fault(fault);
+}
+
+/// `[rods]` between nodes.
+pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
+    if reader.structure.nodes.is_empty() {
+        return;
+    }
+    for (name, fields) in rows(reader, top, "rods", &fields::ROD, true) {
+        if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
+            continue;
+        }
+        let Some(ends) = two_names(reader, &fields, "between") else { continue };
+        let known = ends.clone().map(|(name, _)| reader.structure.node_index.get(&name).copied());
+        let [Some(a), Some(b)] = known else {
+            for ((name, span), _) in ends.iter().zip(&known).filter(|(_, k)| k.is_none()) {
+                unknown(reader, name, span.clone(), false);
+            }
+            continue;
+        };
+        if let Some(rod) = rod(reader, &fields, &name, [a, b]) {
+            reader.structure.rod_index.insert(name, reader.structure.rods.len());
+            reader.structure.rods.push(rod);
+        }
+    }
+}
+
+fn unknown(reader: &mut Reader, name: &str, span: Range<usize>, rods_too: bool) {
+    let fault = if rods_too {
+        Fault::new("M202", span, format!("there is no node or rod `{}`", short(name)), format!("нет узла или стержня `{}`", short(name)))
+    } else {
+        Fault::new("M202", span, format!("there is no node `{}`", short(name)), format!("нет узла `{}`", short(name)))
+    };
+    let nodes = reader.structure.nodes.iter().map(|n| n.name.as_str());
+    let rods = reader.structure.rods.iter().map(|r| r.name.as_str()).filter(|_| rods_too);
+    let fault = match nearest(name, nodes.chain(rods)) {
+        Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        None => fault.help("add it to [nodes]", "добавьте его в [nodes]"),
+    };
+    reader.fault(fault);
+}
+
+fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usize; 2]) -> Option<Rod> {
+    let length = length(reader, fields, ends)?;
+    let rigid = flag(reader, fields, "rigid");
+    let hinged = releases(reader, fields);
+    let get = |reader: &mut Reader<'a>, key, dimension: &Dimension| positive(reader, fields, key, dimension, true);
+    let (young, second) = (get(reader, "E", &PRESSURE), get(reader, "I", &SECOND_MOMENT));
+    let area = get(reader, "A", &AREA);
+    let bending = get(reader, "EI", &BENDING).or_else(|| Some(reader.builder.graph.mul(young?, second?)));
+    let stretches = flag(reader, fields, "stretch");
+    let axial = get(reader, "EA", &Dimension::FORCE);
+    let axial = axial.or_else(|| Some(reader.builder.graph.mul(young?, area?)).filter(|_| stretches));
+    let mass = mass(reader, fields, length, area);
+    let rotary = rotary(reader, fields, mass, second, area);
+    let divisions = divisions(reader, fields);
+    if bending.is_none() && !rigid && hinged != [true, true] {
+        let fault =
+            Fault::new("M201", fields.span.clone(), format!("{} lacks EI", fields.path), format!("в {} не хватает EI", fields.path))
+                .why("this rod is fixed to a node and bends", "этот стержень жёстко соединён с узлом и изгибается")
+                .help(
+                    "add EI (or E and I), or releases = [\"start\", \"end\"] for a rod of a truss, or rigid = true",
+                    "добавьте EI (или E и I), либо releases = [\"start\", \"end\"] для стержня фермы, либо rigid = true",
+                );
+        reader.fault(fault);
+    }
+    let (bending, axial) = if rigid { (None, None) } else { (bending, axial) };
+    Some(Rod { name: name.to_owned(), ends, length, rigid, bending, axial, mass, rotary, hinged, divisions, span: fields.span.clone() })
+}
+
+fn length<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, [a, b]: [usize; 2]) -> Option<Expr> {
+    let (from, to) = (reader.structure.nodes[a].at, reader.structure.nodes[b].at);
+    let graph = &mut reader.builder.graph;
+    let (dx, dy) = (graph.sub(to[0], from[0]), graph.sub(to[1], from[1]));
+    let (xx, yy) = (graph.square(dx), graph.square(dy));
+    let sum = graph.add(xx, yy);
+    let length = graph.sqrt(sum);
+    let number = reader.values.of(&reader.builder.graph, length);
+    if number.is_finite() && number > 0.0 {
+        return Some(length);
+    }
+    let names = [a, b].map(|i| reader.structure.nodes[i].name.clone());
+    let fault = Fault::new(
+        "M200",
+        fields.span.clone(),
+        format!("{} has no length: {} and {} are at one place", fields.path, names[0], names[1]),
+        format!("{} нулевой длины: {} и {} в одной точке", fields.path, names[0], names[1]),
+    )
+    .help("move one of the nodes, or use one node for both", "сдвиньте один из узлов или используйте один узел");
+    reader.fault(fault);
+    None
+}
+
+fn flag<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> bool {
+    match fields.get(key).map(|v| (v, v.get_ref().as_bool())) {
+        None => false,
+        Some((_, Some(on))) => on,
+        Some((value, None)) => {
+            reader.fault(wrong_type(value.span(), "true or false", "true или false", value.get_ref().type_str()));
+            false
+        }
+    }
+}
+
+/// Words of a list under a key; each must be one of `known`.
+fn words<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, known: &[&'static str]) -> Vec<usize> {
+    let Some(value) = fields.get(key) else { return Vec::new() };
+    let found = names(reader, value);
+    found.into_iter().filter_map(|(word, span)| one_of(reader, &word, span, known)).collect()
+}
+
+fn one_of(reader: &mut Reader, word: &str, span: Range<usize>, known: &[&'static str]) -> Option<usize> {
+    let found = known.iter().position(|k| *k == word);
+    if found.is_none() {
+        let list = known.join(", ");
+        let fault = Fault::new(
+            "M205",
+            span,
+            format!("`{}` is not one of {list}", short(word)),
+            format!("`{}` — не из списка: {list}", short(word)),
+        );
+        reader.fault(fault);
+    }
+    found
+}
+
+fn releases<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> [bool; 2] {
+    let found = words(reader, fields, "releases", &["start", "end"]);
+    [found.contains(&0), found.contains(&1)]
+}
+
+/// Mass of a unit of length, from whichever of the three keys is given.
+fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Expr, area: Option<Expr>) -> Expr {
+    let total = positive(reader, fields, "mass", &Dimension::MASS, false);
+    let density = positive(reader, fields, "density", &DENSITY, false);
+    let line = positive(reader, fields, "mass_per_length", &LINE_MASS, false);
+    if let Some(line) = line {
+        return line;
+    }
+    if let Some(total) = total {
+        return reader.builder.graph.div(total, length);
+    }
+    match (density, area) {
+        (Some(density), Some(area)) => reader.builder.graph.mul(density, area),
+        (Some(_), None) => {
+            let fault = Fault::new(
+                "M006",
+                fields.span_of("density"),
+                format!("{} lacks A: the mass is density*A*length", fields.path),
+                format!("в {} не хватает A: масса равна density*A*длина", fields.path),
+            );
+            reader.fault(fault);
+            reader.builder.graph.zero()
+        }
+        (None, _) => reader.builder.graph.zero(),
+    }
+}
+
+/// Inertia of the turning of a unit of length: mass per length · I/A.
+fn rotary<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr, second: Option<Expr>, area: Option<Expr>) -> Expr {
+    if !flag(reader, fields, "rotary_inertia") {
+        return reader.builder.graph.zero();
+    }
+    let (Some(second), Some(area)) = (second, area) else {
+        let fault = Fault::new(
+            "M006",
+            fields.span_of("rotary_inertia"),
+            format!("{} lacks I or A: the inertia of a section is density*I", fields.path),
+            format!("в {} не хватает I или A: инерция сечения равна density*I", fields.path),
+        );
+        reader.fault(fault);
+        return reader.builder.graph.zero();
+    };
+    let square = reader.builder.graph.div(second, area);
+    reader.builder.graph.mul(mass, square)
+}
+
+fn divisions<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<usize> {
+    whole(reader, fields, "divisions").map(|n| n as usize)
+}
+
+fn whole<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<i64> {
+    let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::NONE))?;
+    let number = reader.number(&value)?;
+    if number.fract() == 0.0 && (1.0..=PARTS as f64).contains(&number) {
+        return Some(number as i64);
+    }
+    let fault = Fault::new(
+        "M206",
+        fields.span_of(key),
+        format!("{key} is {number}; it must be a whole number from 1 to {PARTS}"),
+        format!("{key} равно {number}; нужно целое число от 1 до {PARTS}"),
+    );
+    reader.fault(fault);
+    None
+}
+
+/// A node or rod named under a key.
+fn site<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<Site> {
+    let (name, span) = fields.name(reader, key)?;
+    if let Some(i) = reader.structure.node_index.get(&name) {
+        return Some(Site::Node(*i));
+    }
+    let Some(&rod) = reader.structure.rod_index.get(&name) else {
+        unknown(reader, &name, span, true);
+        return None;
+    };
+    let distance = fields.formula_or_zero(reader, "distance", &Context::CONSTANT, Some(&Dimension::LENGTH));
+    let length = reader.values.of(&reader.builder.graph, reader.structure.rods[rod].length);
+    if let Some(d) = reader.number(&distance).filter(|d| *d < 0.0 || *d > length * (1.0 + 1e-12)) {
+        let fault = Fault::new(
+            "M204",
+            fields.span_of("distance"),
+            format!("{d} m is outside the rod {name}, whose length is {length} m"),
+            format!("{d} м вне стержня {name} длиной {length} м"),
+        );
+        reader.fault(fault);
+    }
+    Some(Site::Rod(rod, distance.expr))
+}
+
+/// Whether a name under a key is a node or rod.
+fn is_ours<'a>(reader: &Reader<'a>, fields: &Fields<'a>, key: &'static str) -> bool {
+    let name = fields.get(key).and_then(|v| v.get_ref().as_str());
+    name.is_some_and(|n| reader.structure.node_index.contains_key(n) || reader.structure.rod_index.contains_key(n))
+}
+
+/// Takes a row of `[forces]` that acts on a node or rod.
+pub(super) fn force<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>) -> bool {
+    if !is_ours(reader, fields, "at") {
+        return false;
+    }
+    if let (Some(site), Some(value)) = (site(reader, fields, "at"), fields.get("value")) {
+        let [x, y, _] = components(reader, value, &Context::TIME, &Dimension::FORCE);
+        let zero = reader.builder.graph.zero();
+        reader.structure.loads.push(Load { name: name.to_owned(), action: Action::Point { site, value: [x, y, zero] } });
+    }
+    true
+}
+
+/// Takes a row of `[torques]` that acts on a node or rod.
+pub(super) fn torque<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>) -> bool {
+    if !is_ours(reader, fields, "on") {
+        return false;
+    }
+    if let Some(site) = site(reader, fields, "on") {
+        let couple = fields.formula_or_zero(reader, "value", &Context::TIME, Some(&Dimension::ENERGY)).expr;
+        let zero = reader.builder.graph.zero();
+        reader.structure.loads.push(Load { name: name.to_owned(), action: Action::Point { site, value: [zero, zero, couple] } });
+    }
+    true
+}
+
+/// The rest of a structure; none without nodes.
+pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Structure> {
+    let has_nodes = !reader.structure.nodes.is_empty();
+    for key in ["displacements", "structure"] {
+        if !has_nodes && top.has(key) {
+            let fault = Fault::new("M202", top.span_of(key), format!("[{key}] needs [nodes]"), format!("для [{key}] нужны [nodes]"));
+            reader.fault(fault);
+        }
+    }
+    if !has_nodes {
+        return None;
+    }
+    let supports = supports(reader, top);
+    distributed(reader, top);
+    let displacements = displacements(reader, top);
+    let options = options(reader, top);
+    let draft = std::mem::take(&mut reader.structure);
+    Some(Structure { nodes: draft.nodes, rods: draft.rods, supports, displacements, loads: draft.loads, options })
+}
+
+fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
+    let mut found = Vec::new();
+    for (name, fields) in rows(reader, top, "supports", &fields::SUPPORT, true) {
+        let Some((node, span)) = fields.name(reader, "at") else { continue };
+        let Some(&node) = reader.structure.node_index.get(&node) else {
+            unknown(reader, &node, span, false);
+            continue;
+        };
+        let held = words(reader, &fields, "directions", &["x", "y", "turn"]);
+        let angle = fields.formula_or_zero(reader, "angle", &Context::CONSTANT, Some(&Dimension::ANGLE)).expr;
+        let holds = [0, 1, 2].map(|k| held.contains(&k));
+        found.push(Support { name, node, holds, angle, span: fields.span.clone() });
+    }
+    found
+}
+
+fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
+    let per_length = Dimension::of(0, 1, -2);
+    for (name, fields) in rows(reader, top, "distributed", &fields::LINE_LOAD, true) {
+        let Some((rod, span)) = fields.name(reader, "on") else { continue };
+        let Some(&rod) = reader.structure.rod_index.get(&rod) else {
+            unknown(reader, &rod, span, true);
+            continue;
+        };
+        let start = fields.vector(reader, "value", &Context::TIME, &per_length);
+        let end = if fields.has("value_end") { fields.vector(reader, "value_end", &Context::TIME, &per_length) } else { start };
+        let value = [[start[0], start[1]], [end[0], end[1]]];
+        reader.structure.loads.push(Load { name, action: Action::Distributed { rod, value } });
+    }
+}
+
+fn displacements<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Displacement> {
+    let mut found = Vec::new();
+    for (name, fields) in top.entries(reader, "displacements", &fields::DISPLACEMENT) {
+        let label = fields.text(reader, "label").unwrap_or_else(Text::default);
+        let direction = direction(reader, &fields);
+        if let (Some(site), Some(direction)) = (site(reader, &fields, "at"), direction) {
+            found.push(Displacement { name, label, site, direction });
+        }
+    }
+    found
+}
+
+fn direction<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Direction> {
+    let (zero, one) = (reader.builder.graph.zero(), reader.builder.graph.one());
+    match fields.get("direction").map(|v| (v, v.get_ref())) {
+        None => Some(Direction::Along([zero, one])),
+        Some((value, DeValue::Array(_))) => {
+            let [x, y, _] = components(reader, value, &Context::CONSTANT, &Dimension::NONE);
+            Some(Direction::Along(unit(reader, x, y)))
+        }
+        Some((value, _)) => {
+            let (word, span) = string(reader, value, "\"x\", \"y\", \"turn\" or a vector", "\"x\", \"y\", \"turn\" или вектор")?;
+            one_of(reader, &word, span, &["x", "y", "turn"]).map(|k| match k {
+                0 => Direction::Along([one, zero]),
+                1 => Direction::Along([zero, one]),
+                _ => Direction::Turn,
+            })
+        }
+    }
+}
+
+fn unit(reader: &mut Reader, x: Expr, y: Expr) -> [Expr; 2] {
+    let graph = &mut reader.builder.graph;
+    let (xx, yy) = (graph.square(x), graph.square(y));
+    let sum = graph.add(xx, yy);
+    let size = graph.pow(sum, &Rational::new(-1, 2).unwrap_or(Rational::ONE));
+    [graph.mul(x, size), graph.mul(y, size)]
+}
+
+fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Options {
+    let Some(value) = top.get("structure") else { return Options::default() };
+    let DeValue::Table(table) = value.get_ref() else {
+        reader.fault(wrong_type(value.span(), "a table", "таблица", value.get_ref().type_str()));
+        return Options::default();
+    };
+    let fields = Fields::open(reader, &fields::STRUCTURE, table, value.span(), "structure".to_owned());
+    let condense = fields.has("condense").then(|| flag(reader, &fields, "condense"));
+    let accuracy = fields.formula(reader, "accuracy", &Context::CONSTANT, Some(&Dimension::NONE));
+    let accuracy = accuracy.and_then(|value| reader.number(&value)).map(|a| a.clamp(1e-11, 1e-1));
+    let modes = whole(reader, &fields, "modes").map(|n| n as usize);
+    let continuum = flag(reader, &fields, "continuum");
+    Options { condense, modes, accuracy, continuum }
+}

@@ -1,0 +1,224 @@
+//! Frames and trusses as the file describes them: nodes, rods, supports, loads, with every quantity an expression over constant parameters.
+//!
+//! Nothing is assembled here: degrees of freedom and matrices are the business of `analysis::structure`, which takes numbers, exact ones where
+//! these expressions have them.
+
+use crate::explain::{Explanation, row};
+use std::ops::Range;
+use symbolic::{Expr, Text};
+
+/// A plane structure.
+#[derive(Clone, Debug, Default)]
+pub struct Structure {
+    /// Nodes, in the user's order.
+    pub nodes: Vec<Node>,
+    /// Rods between nodes.
+    pub rods: Vec<Rod>,
+    /// Supports of nodes.
+    pub supports: Vec<Support>,
+    /// Named displacements.
+    pub displacements: Vec<Displacement>,
+    /// Loads on nodes and rods.
+    pub loads: Vec<Load>,
+    /// How to compute.
+    pub options: Options,
+}
+
+/// A node.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// Name.
+    pub name: String,
+    /// Place in ground axes.
+    pub at: [Expr; 2],
+    /// Lumped mass.
+    pub mass: Expr,
+    /// Lumped moment of inertia.
+    pub inertia: Expr,
+    /// Stiffness of springs to the ground along x, y, against the turn.
+    pub springs: [Expr; 3],
+    /// Place in the file.
+    pub span: Range<usize>,
+}
+
+/// A straight rod.
+#[derive(Clone, Debug)]
+pub struct Rod {
+    /// Name.
+    pub name: String,
+    /// Indices of its nodes.
+    pub ends: [usize; 2],
+    /// Length.
+    pub length: Expr,
+    /// Whether it does not deform.
+    pub rigid: bool,
+    /// EI; none for a bar of a truss and a rigid rod.
+    pub bending: Option<Expr>,
+    /// EA; none for an inextensible one.
+    pub axial: Option<Expr>,
+    /// Mass of a unit of length.
+    pub mass: Expr,
+    /// Inertia of a unit of length when the turning of sections counts, else 0.
+    pub rotary: Expr,
+    /// Hinges at start and end.
+    pub hinged: [bool; 2],
+    /// Parts; none when the file does not say.
+    pub divisions: Option<usize>,
+    /// Place in the file.
+    pub span: Range<usize>,
+}
+
+/// A support.
+#[derive(Clone, Debug)]
+pub struct Support {
+    /// Name.
+    pub name: String,
+    /// Node.
+    pub node: usize,
+    /// Whether its first axis, second axis, turn are held.
+    pub holds: [bool; 3],
+    /// Angle of its first axis from x.
+    pub angle: Expr,
+    /// Place in the file.
+    pub span: Range<usize>,
+}
+
+/// A place on a structure.
+#[derive(Clone, Copy, Debug)]
+pub enum Site {
+    /// A node.
+    Node(usize),
+    /// A rod at a distance from its start.
+    Rod(usize, Expr),
+}
+
+/// A component of a displacement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Along the vector.
+    Along([Expr; 2]),
+    /// Turn.
+    Turn,
+}
+
+/// A named displacement.
+#[derive(Clone, Debug)]
+pub struct Displacement {
+    /// Name.
+    pub name: String,
+    /// What it is.
+    pub label: Text,
+    /// Where.
+    pub site: Site,
+    /// Which.
+    pub direction: Direction,
+}
+
+/// A load on a node or rod.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// Name.
+    pub name: String,
+    /// What it does.
+    pub action: Action,
+}
+
+/// What a load does; values may depend on time.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// Force and couple.
+    Point {
+        /// Where.
+        site: Site,
+        /// Components along x and y, couple.
+        value: [Expr; 3],
+    },
+    /// Force per unit of length, from the start to the end of a rod.
+    Distributed {
+        /// Rod.
+        rod: usize,
+        /// At the start and at the end.
+        value: [[Expr; 2]; 2],
+    },
+}
+
+/// How a structure is computed.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Whether turns with inertia follow statically; none for the rule.
+    pub condense: Option<bool>,
+    /// Number of modes.
+    pub modes: Option<usize>,
+    /// Wanted accuracy of frequencies.
+    pub accuracy: Option<f64>,
+    /// Whether the exact frequencies of the continuum are wanted.
+    pub continuum: bool,
+}
+
+/// The codes of structures.
+pub const EXPLANATIONS: &[Explanation] = &[
+    row(
+        "M200",
+        ("rod without length", "стержень нулевой длины"),
+        (
+            "Both ends of a rod are at one place. Bending stiffness is EI/l^3, so the length must be positive; for a joint use one node.",
+            "Оба конца стержня в одной точке. Изгибная жёсткость равна EI/l^3, поэтому длина должна быть положительной; для соединения возьмите один узел.",
+        ),
+        "[rods.AB]\nbetween = [\"A\", \"A\"]",
+        "[rods.AB]\nbetween = [\"A\", \"B\"]",
+    ),
+    row(
+        "M201",
+        ("rod without bending stiffness", "стержень без изгибной жёсткости"),
+        (
+            "A rod that is fixed to a node bends, and its stiffness EI is needed. A rod of a truss has releases at both ends and needs none; a rod that does not deform is `rigid = true`.",
+            "Стержень, жёстко соединённый с узлом, изгибается, и нужна его жёсткость EI. Стержню фермы с шарнирами на обоих концах она не нужна; недеформируемый стержень — `rigid = true`.",
+        ),
+        "[rods.AB]\nbetween = [\"A\", \"B\"]",
+        "[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"20 kN m^2\"",
+    ),
+    row(
+        "M202",
+        ("no such node or rod", "нет такого узла или стержня"),
+        (
+            "A rod, support, load or displacement names something that is not in [nodes] or [rods].",
+            "Стержень, опора, нагрузка или перемещение называет то, чего нет в [nodes] и [rods].",
+        ),
+        "[supports.S]\nat = \"Z\"\ndirections = [\"x\", \"y\"]",
+        "[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\"]",
+    ),
+    row(
+        "M203",
+        ("negative stiffness or mass of a structure", "отрицательная жёсткость или масса конструкции"),
+        (
+            "Stiffnesses and masses of rods and nodes are positive; EI and EA may not be zero either. The value of a parameter is probably wrong.",
+            "Жёсткости и массы стержней и узлов положительны; EI и EA не могут быть и нулём. Вероятно, неверно значение параметра.",
+        ),
+        "[rods.AB]\nEI = \"-20 kN m^2\"",
+        "[rods.AB]\nEI = \"20 kN m^2\"",
+    ),
+    row(
+        "M204",
+        ("place outside a rod", "точка вне стержня"),
+        (
+            "The distance from the start of a rod must lie between 0 and its length.",
+            "Расстояние от начала стержня лежит между 0 и его длиной.",
+        ),
+        "[displacements.u]\nat = \"AB\"\ndistance = \"3 m\"\ndirection = \"y\"",
+        "[displacements.u]\nat = \"AB\"\ndistance = \"1 m\"\ndirection = \"y\"",
+    ),
+    row(
+        "M205",
+        ("word that is not one of a list", "слово не из списка"),
+        ("Directions are x, y, turn; releases are start, end.", "Направления: x, y, turn; шарниры: start, end."),
+        "[supports.S]\nat = \"A\"\ndirections = [\"z\"]",
+        "[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\"]",
+    ),
+    row(
+        "M206",
+        ("number of parts of a rod", "число частей стержня"),
+        ("`divisions` is a whole number from 1 to 100000.", "`divisions` — целое число от 1 до 100000."),
+        "[rods.AB]\ndivisions = 0",
+        "[rods.AB]\ndivisions = 16",
+    ),
+];

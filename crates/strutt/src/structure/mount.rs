@@ -1,0 +1,267 @@
+//! The frame as part of the machine: its named displacements (and amplitudes of what they leave open) become generalised coordinates of the
+//! model, with constant inertias, a potential energy uᵀ K u / 2 and the generalised forces of its loads. From there on Lagrange's equations, small
+//! motions, responses and simulations know no difference between a frame and a body, and bodies stand on nodes by formulas of displacements.
+
+use super::bind::{Bound, bind};
+use crate::failure::Trouble;
+use analysis::structure::equilibrium::{SEARCHED, stands};
+use analysis::structure::loads::loading;
+use analysis::structure::reduced::{Condensation, reduce};
+use analysis::structure::substructure::{Substructure, substructure};
+use analysis::structure::{Action, Assembly, Frame, Load, dense};
+use mechanics::Model;
+use mechanics::model::{
+    self, Class, ConstantInertia, CoordinateDecl, Force, OutputDecl, ParameterDecl, ParameterValue, Pathway, Potential,
+};
+use mechanics::structure as file;
+use symbolic::{Expr, Rational, Text};
+
+/// Entries of M and K as (i, j, number, exact).
+type Entry = (usize, usize, f64, Option<Rational>);
+/// Amplitudes without another wish.
+const AMPLITUDES: usize = 8;
+
+/// Makes the frame of a model part of its machine. Frames without inertia, or too large for dense matrices, stay outside.
+///
+/// # Errors
+/// Mechanisms and loose nodes.
+pub fn mount(model: &mut Model) -> Result<(), Box<Trouble>> {
+    let Some(structure) = model.structure.clone() else { return Ok(()) };
+    let bound = bind(model, &structure);
+    let found = coordinates(&structure, &bound).map_err(|fault| Box::new(Trouble::from(fault)))?;
+    let first = model.coordinates.len() - structure.displacements.len().min(model.coordinates.len());
+    let Some(found) = found else {
+        model.coordinates.truncate(first);
+        return Ok(());
+    };
+    let all = model.coordinates.split_off(first);
+    let (kept, followers): (Vec<_>, Vec<_>) = all.into_iter().enumerate().partition(|(i, _)| found.named.contains(i));
+    model.coordinates.extend(kept.into_iter().map(|c| c.1));
+    for k in 0..found.amplitudes {
+        amplitude(model, k + 1);
+    }
+    for (i, coordinate) in followers {
+        follower(model, &bound, &found, first, i, coordinate);
+    }
+    let (mass, stiffness) = entries(&bound, &structure, &found);
+    inertias(model, &mass, first);
+    potential(model, &stiffness, first);
+    loads(model, &structure, &bound, &found, first);
+    Ok(())
+}
+
+/// Whether the model is a frame and nothing else.
+pub fn is_bare(model: &Model) -> bool {
+    let bodies = model.frames.iter().any(|f| f.mass.is_some());
+    let elements = model.springs.len() + model.dampers.len() + model.connections.len() + model.dissipations.len();
+    let own = |c: &CoordinateDecl| !is_of_frame(model, &c.name);
+    model.structure.is_some() && !bodies && elements == 0 && !model.coordinates.iter().any(own)
+}
+
+fn is_of_frame(model: &Model, name: &str) -> bool {
+    let named = model.structure.as_ref().is_some_and(|s| s.displacements.iter().any(|d| d.name == name));
+    named || name.strip_prefix("eta_").is_some_and(|n| n.chars().all(|c| c.is_ascii_digit()))
+}
+
+fn condensation(structure: &file::Structure) -> Condensation {
+    match structure.options.condense {
+        None => Condensation::Automatic,
+        Some(true) => Condensation::Turns,
+        Some(false) => Condensation::Massless,
+    }
+}
+
+fn coordinates(structure: &file::Structure, bound: &Bound) -> Result<Option<Substructure>, analysis::Fault> {
+    let simple = bound.frame.divided(1);
+    match &bound.exact {
+        Some(exact) => drop(stands(&exact.divided(1), &Assembly::of(&exact.divided(1)))?),
+        None => drop(stands(&simple, &Assembly::of(&simple))?),
+    }
+    let assembly = Assembly::of(&bound.frame);
+    if assembly.n() == 0 || assembly.n() > SEARCHED || assembly.mass(&bound.frame).entries.iter().all(|e| e.2 == 0.0) {
+        return Ok(None);
+    }
+    let count = structure.options.modes.unwrap_or(AMPLITUDES);
+    substructure(&bound.frame, &assembly, condensation(structure), count).map(Some)
+}
+
+fn entries(bound: &Bound, structure: &file::Structure, found: &Substructure) -> (Vec<Entry>, Vec<Entry>) {
+    let n = found.named.len() + found.amplitudes;
+    let exact = bound.exact.as_ref().filter(|e| found.amplitudes == 0 && n == e.displacements.len() && n <= 8);
+    let exact = exact.and_then(|e| reduce(e, &Assembly::of(e), condensation(structure)).ok()).filter(|r| r.named);
+    let list = |values: &[f64], exact: Option<&[Rational]>| -> Vec<Entry> {
+        let largest: Vec<f64> = (0..n).map(|i| values[i * n + i].abs()).collect();
+        let pairs = (0..n).flat_map(|i| (i..n).map(move |j| (i, j)));
+        let entry = |(i, j): (usize, usize)| (i, j, values[i * n + j], exact.map(|e| e[i * n + j].clone()));
+        let matters = |e: &Entry| match &e.3 {
+            Some(exact) => !exact.is_zero(),
+            None => e.2.abs() > 1e-13 * (largest[e.0] * largest[e.1]).sqrt(),
+        };
+        pairs.map(entry).filter(matters).collect()
+    };
+    let (mass, stiffness) = (exact.as_ref().map(|e| &e.mass[..]), exact.as_ref().map(|e| &e.stiffness[..]));
+    (list(&found.mass, mass), list(&found.stiffness, stiffness))
+}
+
+/// The coordinate η of a shape in which the named displacements rest.
+fn amplitude(model: &mut Model, number: usize) {
+    let name = format!("eta_{number}");
+    let symbols = [0, 1, 2].map(|primes| model.graph.symbol_id(&name, primes));
+    let zero = model.graph.zero();
+    let label = Text::new(
+        format!("amplitude {number} of the frame with its named displacements at rest"),
+        format!("амплитуда {number} рамы при неподвижных именованных перемещениях"),
+    );
+    let units = ["m", "m/s", "m/s^2"].map(str::to_owned);
+    model.coordinates.push(CoordinateDecl { name, symbols, units, start: zero, rate: zero, given: [true, true], label, span: 0..0 });
+}
+
+/// A displacement that follows from the coordinates: a formula, and a result to look at.
+fn follower(model: &mut Model, bound: &Bound, found: &Substructure, first: usize, i: usize, coordinate: CoordinateDecl) {
+    let assembly = Assembly::of(&bound.frame);
+    let n = found.named.len() + found.amplitudes;
+    let row = analysis::structure::reduced::displacements(&bound.frame, &assembly).swap_remove(i);
+    let shares = dense::product(&row, &found.basis, 1, found.n_q, n);
+    let largest = shares.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let mut terms = Vec::new();
+    for (k, share) in shares.iter().enumerate().filter(|s| s.1.abs() > 1e-13 * largest) {
+        let q = model.graph.symbol(model.coordinates[first + k].symbols[0]);
+        if let Some(share) = simple(*share, largest) {
+            terms.push(model.graph.scale(q, &share));
+        }
+    }
+    let formula = model.graph.sum(&terms);
+    let [unit, _, _] = coordinate.units;
+    let (name, label, span) = (coordinate.name, coordinate.label, coordinate.span);
+    let output = model.graph.symbol_id(&name, 0);
+    model.parameters.push(ParameterDecl {
+        name: name.clone(),
+        symbol: coordinate.symbols[0],
+        value: ParameterValue::Formula(formula),
+        class: Class::State,
+        number: None,
+        unit: unit.clone(),
+        written: String::new(),
+        label: label.clone(),
+        span: None,
+    });
+    model.outputs.push(OutputDecl { name, symbol: output, formula, unit, display: None, label, span });
+}
+
+/// A number of the frame as a parameter with a name that is free.
+fn parameter(model: &mut Model, letter: &str, entry: &Entry, first: usize, label: Text) -> Expr {
+    let (i, j, value, exact) = entry;
+    let plain = format!("{letter}_{}{}", i + 1, j + 1);
+    let taken = |name: &str| {
+        model.parameters.iter().any(|p| p.name == name)
+            || model.coordinates.iter().any(|c| c.name == name)
+            || model.outputs.iter().any(|o| o.name == name)
+    };
+    let name = if taken(&plain) { format!("{letter}_frame_{}_{}", i + 1, j + 1) } else { plain };
+    let turns = [*i, *j].iter().filter(|k| model.coordinates[first + **k].units[0] == "rad").count();
+    let unit = match (letter, turns) {
+        ("M", 0) => "kg",
+        ("M", 1) => "kg m",
+        ("M", _) => "kg m^2",
+        (_, 0) => "N/m",
+        (_, 1) => "N",
+        _ => "N m",
+    };
+    let number = exact.clone().or_else(|| Rational::from_f64(*value)).unwrap_or(Rational::ZERO);
+    let written = exact.as_ref().map_or_else(|| format!("{value}"), ToString::to_string);
+    let si = model.graph.number(number);
+    let symbol = model.graph.symbol_id(&name, 0);
+    model.parameters.push(ParameterDecl {
+        name,
+        symbol,
+        value: ParameterValue::Number { si },
+        class: Class::Constant,
+        number: Some(*value),
+        unit: unit.to_owned(),
+        written,
+        label,
+        span: None,
+    });
+    model.graph.symbol(symbol)
+}
+
+fn inertias(model: &mut Model, mass: &[Entry], first: usize) {
+    for entry in mass {
+        let label = Text::new("inertia of the frame", "инерция рамы");
+        let value = parameter(model, "M", entry, first, label);
+        model.inertias.push(ConstantInertia { between: [first + entry.0, first + entry.1], value });
+    }
+}
+
+fn potential(model: &mut Model, stiffness: &[Entry], first: usize) {
+    let mut terms = Vec::new();
+    for entry in stiffness {
+        let label = Text::new("stiffness of the frame", "жёсткость рамы");
+        let value = parameter(model, "K", entry, first, label);
+        let factor = if entry.0 == entry.1 { Rational::HALF } else { Rational::ONE };
+        let [a, b] = [entry.0, entry.1].map(|k| model.coordinates[first + k].symbols[0]);
+        let (a, b) = (model.graph.symbol(a), model.graph.symbol(b));
+        let product = model.graph.product(&[value, a, b]);
+        terms.push(model.graph.scale(product, &factor));
+    }
+    let energy = model.graph.sum(&terms);
+    model.potentials.push(Potential { name: "frame".into(), energy, span: 0..0 });
+}
+
+/// Generalised forces of the loads on the coordinates.
+fn loads(model: &mut Model, structure: &file::Structure, bound: &Bound, found: &Substructure, first: usize) {
+    let assembly = Assembly::of(&bound.frame);
+    let n = found.named.len() + found.amplitudes;
+    for (load, numbers) in structure.loads.iter().zip(&bound.frame.loads) {
+        let mut forces: Vec<Vec<Expr>> = vec![Vec::new(); n];
+        for (value, unit) in components(load, numbers) {
+            if model.graph.is_zero(value) {
+                continue;
+            }
+            for (i, share) in shares(&bound.frame, &assembly, found, unit, n).into_iter().enumerate() {
+                if let Some(share) = share {
+                    let share = model.graph.number(share);
+                    forces[i].push(model.graph.mul(share, value));
+                }
+            }
+        }
+        for (i, terms) in forces.iter().enumerate().filter(|f| !f.1.is_empty()) {
+            let value = model.graph.sum(terms);
+            let along = model.graph.symbol(model.coordinates[first + i].symbols[0]);
+            let action = model::Action::OnPathway { pathway: Pathway::Along(along), value };
+            model.forces.push(Force { name: load.name.clone(), action, span: 0..0 });
+        }
+    }
+}
+
+/// Each component of a load as its formula and the unit load in its place.
+fn components(load: &file::Load, numbers: &Load<f64>) -> Vec<(Expr, Action<f64>)> {
+    match (&load.action, &numbers.action) {
+        (file::Action::Point { value, .. }, Action::Point { at, .. }) => {
+            let unit = |k: usize| Action::Point { at: at.clone(), value: [0, 1, 2].map(|j| f64::from(u8::from(j == k))) };
+            (0..3).map(|k| (value[k], unit(k))).collect()
+        }
+        (file::Action::Distributed { value, .. }, Action::Distributed { rod, .. }) => {
+            let unit =
+                |k: usize| Action::Distributed { rod: *rod, value: [0, 1].map(|e| [0, 1].map(|c| f64::from(u8::from(2 * e + c == k)))) };
+            (0..4).map(|k| (value[k / 2][k % 2], unit(k))).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// What a unit load gives to each coordinate; simple decimals as such.
+fn shares(frame: &Frame<f64>, assembly: &Assembly<f64>, found: &Substructure, unit: Action<f64>, n: usize) -> Vec<Option<Rational>> {
+    let load = Load { name: String::new(), action: unit };
+    let forces = assembly.elimination.gather(&loading(assembly, frame, &[load]).forces);
+    let q = dense::product(&dense::transpose(&found.basis, found.n_q, n), &forces, n, found.n_q, 1);
+    let largest = q.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    q.iter().map(|v| if v.abs() <= 1e-13 * largest { None } else { simple(*v, largest) }).collect()
+}
+
+/// A short decimal when the number is one within rounding; else the number itself.
+fn simple(v: f64, largest: f64) -> Option<Rational> {
+    let short = format!("{v:.12}").parse::<f64>().ok().filter(|s| (s - v).abs() <= 4e-16 * v.abs().max(largest));
+    let text = short.map(|s| format!("{s}"));
+    text.and_then(|t| Rational::parse_decimal(&t)).or_else(|| Rational::from_f64(v))
+}

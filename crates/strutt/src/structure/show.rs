@@ -1,0 +1,291 @@
+//! Studies of structures as tables and sentences.
+
+use super::modes::Found as ModesFound;
+use super::statics::Found as StaticsFound;
+use crate::small::show::plain_table;
+use analysis::structure::Scalar;
+use analysis::structure::reduced::Reduced;
+use analysis::structure::truss::Term;
+use analysis::studies::structure_statics::Flexibility;
+use report::document::Rich;
+use report::table::Column;
+use report::{Block, Cell, Language, Table};
+
+/// Significant digits.
+const DIGITS: usize = 6;
+
+fn number(v: f64, language: Language) -> String {
+    report::number::short(v, DIGITS, language)
+}
+
+/// Everything about natural oscillations.
+pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
+    let r = &found.result;
+    let mut blocks = Vec::new();
+    if let Some(reduced) = &r.reduced {
+        blocks.extend(matrices(reduced, found.result.exact.as_ref(), language));
+    }
+    blocks.push(Block::Table(plain_table(&r.dataset.columns, language)));
+    if let Some(equation) = &found.equation {
+        let of = language.pick("Frequency equation", "Частотное уравнение");
+        let meaning = if found.variable.is_none() { ", z = ω²" } else { "" };
+        blocks.push(Block::paragraph(format!("{of}: {equation}{meaning}")));
+    }
+    if page {
+        blocks.extend(super::drawing::modes(found, language).into_iter().map(Block::Figure));
+    }
+    blocks
+}
+
+/// M, K, D over the coordinates: exact fractions where there are any.
+fn matrices(reduced: &Reduced<f64>, exact: Option<&Reduced<symbolic::Rational>>, language: Language) -> Vec<Block> {
+    let n = reduced.n();
+    if n > 6 {
+        return Vec::new();
+    }
+    let rows = |name: &str, words: (&str, &str), machine: &[f64], exact: Option<&[symbolic::Rational]>| {
+        let mut heads = vec![Column::new(Rich::from(format!("{name}: {}", language.pick(words.0, words.1))))];
+        heads.extend(reduced.coordinates.iter().map(|q| Column::new(Rich::symbol(q.symbol.clone()))));
+        let mut table = Table::new(heads);
+        for i in 0..n {
+            let mut row = vec![Cell::symbol(reduced.coordinates[i].symbol.clone())];
+            row.extend((0..n).map(|j| match exact {
+                Some(list) => Cell::words(list[i * n + j].to_string()),
+                None => Cell::Number(number(machine[i * n + j], language)),
+            }));
+            table.row(row);
+        }
+        Block::Table(table)
+    };
+    vec![
+        rows("M", ("mass", "масса"), &reduced.mass, exact.map(|e| &e.mass[..])),
+        rows("K", ("stiffness", "жёсткость"), &reduced.stiffness, exact.map(|e| &e.stiffness[..])),
+        rows("D", ("flexibility", "податливость"), &reduced.flexibility, exact.map(|e| &e.flexibility[..])),
+    ]
+}
+
+/// Everything about statics.
+pub fn statics(found: &StaticsFound, language: Language, page: bool) -> Vec<Block> {
+    let r = &found.result;
+    let standing = &r.standing;
+    let words = language.pick(
+        format!(
+            "{} unknown forces, {} equations of equilibrium: statically {}",
+            standing.unknowns,
+            standing.equations,
+            if standing.degree() == 0 { "determinate".to_owned() } else { format!("indeterminate, degree {}", standing.degree()) }
+        ),
+        format!(
+            "Неизвестных усилий {}, уравнений равновесия {}: конструкция {}",
+            standing.unknowns,
+            standing.equations,
+            if standing.degree() == 0 {
+                "статически определима".to_owned()
+            } else {
+                format!("статически неопределима, степень {}", standing.degree())
+            }
+        ),
+    );
+    let mut blocks = vec![Block::paragraph(words + "."), Block::Table(reactions(found, language)), Block::Table(rods(found, language))];
+    if !r.displacements.is_empty() {
+        blocks.push(Block::Table(displacements(found, language)));
+    }
+    blocks.extend(joints(found, language));
+    blocks.extend(sections(found, language));
+    let names: Vec<String> = r.frame.displacements.iter().map(|d| d.symbol.clone()).collect();
+    let rods: Vec<String> = r.frame.rods.iter().map(|rod| rod.name.clone()).collect();
+    if let Some(f) = &r.exact_flexibility {
+        blocks.extend(flexibility(f, &names, &rods, &|v| v.to_string(), language));
+    } else if let Some(f) = &r.flexibility {
+        blocks.extend(flexibility(f, &names, &rods, &|v| number(*v, language), language));
+    }
+    if page {
+        blocks.extend(super::drawing::statics(found, language).into_iter().map(Block::Figure));
+    }
+    blocks
+}
+
+fn reactions(found: &StaticsFound, language: Language) -> Table {
+    let r = &found.result;
+    let mut table = Table::new(vec![
+        Column::new(language.pick("Support", "Опора")),
+        Column::with_unit(Rich::symbol("R_x"), "N", language),
+        Column::with_unit(Rich::symbol("R_y"), "N", language),
+        Column::with_unit(Rich::symbol("M"), "N m", language),
+    ]);
+    for (support, f) in r.frame.supports.iter().zip(&r.statics.reactions) {
+        let [c, s] = support.axis;
+        let value = |held: bool, v: f64| if held { Cell::Number(number(v, language)) } else { Cell::words("–") };
+        let straight = s == 0.0;
+        table.row(vec![
+            Cell::words(format!("{} ({})", support.name, r.frame.nodes[support.node].name)),
+            value(support.holds[0] || !straight && support.holds[1], c * f[0] - s * f[1]),
+            value(support.holds[1] || !straight && support.holds[0], s * f[0] + c * f[1]),
+            value(support.holds[2], f[2]),
+        ]);
+    }
+    table
+}
+
+fn rods(found: &StaticsFound, language: Language) -> Table {
+    let r = &found.result;
+    let bars = r.frame.rods.iter().all(|rod| rod.is_bar());
+    let mut heads = vec![Column::new(language.pick("Rod", "Стержень")), Column::with_unit(Rich::symbol("N"), "N", language)];
+    if !bars {
+        heads.extend(
+            ["V_max", "M_start", "M_end", "M_max"]
+                .iter()
+                .zip(["N", "N m", "N m", "N m"])
+                .map(|(s, u)| Column::with_unit(Rich::symbol(*s), u, language)),
+        );
+    }
+    let mut table = Table::new(heads);
+    for (rod, d) in r.frame.rods.iter().zip(&r.diagrams) {
+        let (Some(first), Some(last)) = (d.first(), d.last()) else { continue };
+        let largest = |v: Vec<f64>| v.into_iter().fold(0.0_f64, |m, x| if x.abs() > m.abs() { x } else { m });
+        let show = |v: f64| Cell::Number(number(v, language));
+        let mut row = vec![Cell::words(rod.name.clone()), show(largest(d.iter().map(|s| s.normal).collect()))];
+        if !bars {
+            row.push(show(largest(d.iter().map(|s| s.shear).collect())));
+            row.extend([first.moment, last.moment].map(show));
+            row.push(show(largest(d.iter().map(|s| s.moment).collect())));
+        }
+        table.row(row);
+    }
+    table
+}
+
+fn displacements(found: &StaticsFound, language: Language) -> Table {
+    let r = &found.result;
+    let mut table = Table::new(vec![
+        Column::new(language.pick("Displacement", "Перемещение")),
+        Column::new(language.pick("Value, SI", "Значение, СИ")),
+        Column::new(""),
+    ]);
+    for (d, v) in r.frame.displacements.iter().zip(&r.displacements) {
+        table.row(vec![Cell::symbol(d.symbol.clone()), Cell::Number(number(*v, language)), Cell::words(language.text(&d.label))]);
+    }
+    table
+}
+
+/// `0.6 S_AB + S_AC + 3 = 0`.
+pub fn equation(terms: &[Term], language: Language) -> String {
+    let mut out = String::new();
+    for t in terms {
+        // unknown forces by name, known ones by their numbers
+        let (size, negative, name) = match t.unknown {
+            true => (t.coefficient.abs(), t.coefficient < 0.0, format!("S_{}", t.name)),
+            false => ((t.coefficient * t.force).abs(), t.coefficient * t.force < 0.0, String::new()),
+        };
+        if size == 0.0 {
+            continue;
+        }
+        out.push_str(match (out.is_empty(), negative) {
+            (true, true) => "−",
+            (true, false) => "",
+            (false, true) => " − ",
+            (false, false) => " + ",
+        });
+        let one = (size - 1.0).abs() < 1e-12 && !name.is_empty();
+        if !one {
+            out.push_str(&number(size, language));
+        }
+        if !name.is_empty() {
+            if !one {
+                out.push(' ');
+            }
+            out.push_str(&name);
+        }
+    }
+    if out.is_empty() { "0 = 0".into() } else { out + " = 0" }
+}
+
+fn joints(found: &StaticsFound, language: Language) -> Vec<Block> {
+    let r = &found.result;
+    if r.joints.is_empty() {
+        return Vec::new();
+    }
+    let mut blocks = vec![Block::heading(3, language.pick("Method of joints", "Метод вырезания узлов"))];
+    for joint in &r.joints {
+        let name = &r.frame.nodes[joint.node].name;
+        let found: Vec<String> =
+            joint.found.iter().map(|(i, v)| format!("S_{} = {}", r.frame.rods[*i].name, number(*v, language))).collect();
+        let found = if found.is_empty() { language.pick("check", "проверка").to_owned() } else { found.join(", ") };
+        let [x, y] = [0, 1].map(|k| equation(&joint.equations[k], language));
+        blocks.push(Block::paragraph(format!("{} {name}: Σx: {x}; Σy: {y}  ⇒  {found}", language.pick("Joint", "Узел"))));
+    }
+    blocks
+}
+
+fn sections(found: &StaticsFound, language: Language) -> Vec<Block> {
+    let r = &found.result;
+    if r.sections.is_empty() {
+        return Vec::new();
+    }
+    let mut blocks = vec![Block::heading(3, language.pick("Method of sections", "Метод сечений"))];
+    for section in &r.sections {
+        let names: Vec<&str> = section.cut.iter().map(|i| r.frame.rods[*i].name.as_str()).collect();
+        let about = match section.about {
+            Some([x, y]) => {
+                let node = r.frame.nodes.iter().find(|n| (n.at[0] - x).hypot(n.at[1] - y) < 1e-9 * (1.0 + x.hypot(y)));
+                let place = node.map_or_else(|| format!("({}, {})", number(x, language), number(y, language)), |n| n.name.clone());
+                language.pick(format!("moments about {place}"), format!("моменты относительно {place}"))
+            }
+            None => language.pick(format!("projection across {}", names[1]), format!("проекция поперёк {}", names[1])),
+        };
+        let cut = language.pick("Cut", "Сечение");
+        let written = equation(&section.equation, language);
+        blocks.push(Block::paragraph(format!(
+            "{cut} {}: {about}: {written}  ⇒  S_{} = {}",
+            names.join(", "),
+            names[0],
+            number(section.value, language)
+        )));
+    }
+    blocks
+}
+
+/// Diagrams of unit forces and their products.
+fn flexibility<S: Scalar>(
+    f: &Flexibility<S>,
+    names: &[String],
+    rods: &[String],
+    show: &dyn Fn(&S) -> String,
+    language: Language,
+) -> Vec<Block> {
+    let mut blocks = vec![Block::heading(3, language.pick("Flexibility by unit forces", "Податливость по единичным силам"))];
+    let mut heads = vec![Column::new(language.pick("Moments of the unit force along", "Моменты от единичной силы вдоль"))];
+    heads.extend(rods.iter().map(|r| Column::new(r.as_str())));
+    let mut table = Table::new(heads);
+    for (name, diagrams) in names.iter().zip(&f.diagrams) {
+        let mut row = vec![Cell::symbol(name.clone())];
+        for d in diagrams {
+            let ends = d.iter().map(|s| show(&s.moment)).collect::<Vec<_>>();
+            let mut ends = ends.into_iter().fold(Vec::<String>::new(), |mut list, e| {
+                if list.last() != Some(&e) || list.len() == 1 {
+                    list.push(e);
+                }
+                list
+            });
+            ends.dedup_by(|a, b| a == b && a == "0");
+            row.push(Cell::words(if ends.is_empty() { "0".into() } else { ends.join(" … ") }));
+        }
+        table.row(row);
+    }
+    blocks.push(Block::Table(table));
+    let mut heads = vec![Column::new("D")];
+    heads.extend(rods.iter().map(|r| Column::new(r.as_str())));
+    heads.push(Column::new("Σ"));
+    let mut table = Table::new(heads);
+    let n = names.len();
+    for i in 0..n {
+        for j in i..n {
+            let mut row = vec![Cell::words(format!("{} · {}", names[i], names[j]))];
+            row.extend(f.products[i][j].iter().map(|p| Cell::words(show(p))));
+            row.push(Cell::words(show(&f.matrix[i * n + j])));
+            table.row(row);
+        }
+    }
+    blocks.push(Block::Table(table));
+    blocks
+}

@@ -1,0 +1,94 @@
+//! Statics of the structure of a model.
+
+use super::bind::{Bound, bind};
+use crate::failure::Trouble;
+use analysis::structure::statics::Station;
+use analysis::studies::structure_statics::{self, StructureStatics};
+use mechanics::Model;
+use mechanics::structure::Structure;
+use serde_json::{Map, Value, json};
+
+/// What was found, with the numbers it was found from.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The structure in numbers.
+    pub bound: Bound,
+    /// The state.
+    pub result: StructureStatics,
+}
+
+/// Statics under all loads at t = 0.
+///
+/// # Errors
+/// Mechanisms, loose nodes, forces that statics does not determine.
+pub fn find(model: &Model, structure: &Structure) -> Result<Found, Box<Trouble>> {
+    let bound = bind(model, structure);
+    let result = structure_statics::statics(&bound.frame, bound.exact.as_ref()).map_err(|f| Box::new(Trouble::from(f)))?;
+    Ok(Found { bound, result })
+}
+
+/// The study's own fields of JSON.
+pub fn fields(found: &Found) -> Map<String, Value> {
+    let r = &found.result;
+    let mut own = Map::new();
+    own.insert("degree_of_indeterminacy".into(), json!(r.standing.degree()));
+    own.insert("unknown_forces".into(), json!(r.standing.unknowns));
+    own.insert("equations_of_equilibrium".into(), json!(r.standing.equations));
+    own.insert("mechanisms".into(), json!(r.standing.motions.len()));
+    own.insert("reactions".into(), Value::Object(reactions(r)));
+    let normal = |i: usize| r.statics.normal(&r.assembly, i);
+    let forces: Map<String, Value> = r.frame.rods.iter().enumerate().map(|(i, rod)| (rod.name.clone(), json!(normal(i)))).collect();
+    own.insert("forces".into(), Value::Object(forces));
+    own.insert("rods".into(), Value::Object(r.frame.rods.iter().zip(&r.diagrams).map(|(rod, d)| (rod.name.clone(), diagram(d))).collect()));
+    let displacements = r.frame.displacements.iter().zip(&r.displacements);
+    own.insert("displacements".into(), Value::Object(displacements.map(|(d, v)| (d.name.clone(), json!(v))).collect()));
+    let node =
+        |i: usize| json!({"x": r.statics.freedoms[3 * i], "y": r.statics.freedoms[3 * i + 1], "turn": r.statics.freedoms[3 * i + 2]});
+    let nodes: Map<String, Value> = r.frame.nodes.iter().enumerate().map(|(i, n)| (n.name.clone(), node(i))).collect();
+    own.insert("nodes".into(), Value::Object(nodes));
+    if let Some(f) = &r.flexibility {
+        let n = r.frame.displacements.len();
+        own.insert("flexibility_matrix".into(), f.matrix.chunks(n).map(|row| json!(row)).collect());
+    }
+    if let Some(f) = &r.exact_flexibility {
+        let n = r.frame.displacements.len();
+        let rows = f.matrix.chunks(n).map(|row| row.iter().map(|v| json!(v.to_string())).collect::<Value>());
+        own.insert("exact_flexibility_matrix".into(), rows.collect());
+    }
+    if !r.joints.is_empty() {
+        let joint = |j: &analysis::structure::truss::Joint| {
+            let found: Map<String, Value> = j.found.iter().map(|(i, v)| (r.frame.rods[*i].name.clone(), json!(v))).collect();
+            json!({"node": r.frame.nodes[j.node].name, "equations": j.equations.iter().map(|e| super::show::equation(e, report::Language::En)).collect::<Vec<_>>(), "found": found})
+        };
+        own.insert("joints".into(), r.joints.iter().map(joint).collect());
+        let section = |s: &analysis::structure::truss::Section| {
+            let names: Vec<&str> = s.cut.iter().map(|i| r.frame.rods[*i].name.as_str()).collect();
+            json!({"rod": names[0], "cut": names, "about": s.about, "equation": super::show::equation(&s.equation, report::Language::En), "force": s.value})
+        };
+        own.insert("sections".into(), r.sections.iter().map(section).collect());
+    }
+    own
+}
+
+/// Reactions along the ground axes and couples, only what a support holds.
+fn reactions(r: &StructureStatics) -> Map<String, Value> {
+    let one = |(support, f): (&analysis::structure::Support<f64>, &[f64; 3])| {
+        let [c, s] = support.axis;
+        let mut own = Map::new();
+        let (x, y) = (c * f[0] - s * f[1], s * f[0] + c * f[1]);
+        if support.holds[0] || support.holds[1] {
+            own.insert("x".into(), json!(x));
+            own.insert("y".into(), json!(y));
+        }
+        if support.holds[2] {
+            own.insert("turn".into(), json!(f[2]));
+        }
+        (support.name.clone(), Value::Object(own))
+    };
+    r.frame.supports.iter().zip(&r.statics.reactions).map(one).collect()
+}
+
+fn diagram(d: &[Station<f64>]) -> Value {
+    let list = |f: fn(&Station<f64>) -> f64| d.iter().map(f).collect::<Vec<_>>();
+    json!({"s": list(|s| s.s), "N": list(|s| s.normal), "V": list(|s| s.shear), "M": list(|s| s.moment)})
+}
