@@ -138,6 +138,21 @@ pub const EXPLANATIONS: &[Explanation] = &[
     Explanation {
         code: "S034", en: ("no closed form: connections", CONNECTED_EN), ru: ("нет замкнутого решения: связи", CONNECTED_RU)
     },
+    Explanation {
+        code: "S030", en: ("unknown load or parameter", NAME_EN), ru: ("неизвестная нагрузка или параметр", NAME_RU)
+    },
+    Explanation { code: "S031", en: ("no inertia here", INERTIA_EN), ru: ("нет инерции", INERTIA_RU) },
+    Explanation { code: "S032", en: ("nothing excites", EXCITES_EN), ru: ("нет возбуждения", EXCITES_RU) },
+    Explanation { code: "S033", en: ("which frequency?", FREQUENCY_EN), ru: ("какая частота?", FREQUENCY_RU) },
+    Explanation { code: "S034", en: ("range of frequencies", RANGE_EN), ru: ("диапазон частот", RANGE_RU) },
+    Explanation {
+        code: "S035", en: ("a drive and small motions", DRIVEN_EN), ru: ("привод и малые движения", DRIVEN_RU)
+    },
+    Explanation {
+        code: "S036",
+        en: ("statics do not give the unknown", UNKNOWN_EN),
+        ru: ("неизвестное не определяется статикой", UNKNOWN_RU),
+    },
 ];
 
 /// One row of [`EXPLANATIONS`]: (title, body) in both languages.
@@ -245,6 +260,21 @@ const MASSLESS_EN: &str =
     "Some change of the coordinates moves no mass, so its acceleration is undefined. Give it an inertia or remove the coordinate.";
 const MASSLESS_RU: &str =
     "При некотором изменении координат масса не движется, и ускорение не определено. Придайте инерцию или уберите координату.";
+const NAME_EN: &str = "A study names a load, a parameter or an output that the model does not have, or a parameter that is given by a formula and cannot be changed by itself.";
+const NAME_RU: &str = "В расчёте названа нагрузка, параметр или величина, которых нет в модели, либо параметр, заданный формулой: менять его отдельно нельзя.";
+const INERTIA_EN: &str = "The mass matrix is not positive definite at the equilibrium: some motion there moves no mass. Natural frequencies do not exist. Give the body a mass or an inertia, or take the coordinate out.";
+const INERTIA_RU: &str = "Матрица масс в положении равновесия не положительно определена: некоторое движение не перемещает массы. Собственных частот нет. Задайте массу или момент инерции либо уберите координату.";
+const EXCITES_EN: &str = "A frequency response needs a harmonic load: a force, a torque or a motion of a base of the form A sin(p*t) or A cos(p*t), an unbalance on a shaft of prescribed speed, or a unit load on a coordinate (load = \"x\").";
+const EXCITES_RU: &str = "Для частотной характеристики нужна гармоническая нагрузка: сила, момент или движение основания вида A sin(p*t) или A cos(p*t), дебаланс на валу с заданной скоростью либо единичная нагрузка по координате (load = \"x\").";
+const FREQUENCY_EN: &str = "The response is taken over the frequency of the load, which one parameter of the model must set, in proportion. Several parameters do, or the one that is named does not. Name it with `over`.";
+const FREQUENCY_RU: &str = "Отклик строится по частоте нагрузки; её должен пропорционально задавать один параметр модели. Таких параметров несколько, либо указанный её не задаёт. Укажите его ключом `over`.";
+const RANGE_EN: &str = "A range of frequencies ascends and is not negative; with logarithmic axes it begins above zero.";
+const RANGE_RU: &str = "Границы диапазона частот возрастают и неотрицательны; с логарифмическими осями диапазон начинается выше нуля.";
+const DRIVEN_EN: &str = "Natural oscillations are motions about rest. A drive that prescribes the motion of a coordinate leaves no rest to oscillate about; write the prescribed motion as a formula of t in place of the coordinate.";
+const DRIVEN_RU: &str = "Собственные колебания происходят около покоя. Привод, задающий движение координаты, покоя не оставляет; запишите заданное движение формулой от t вместо координаты.";
+const UNKNOWN_EN: &str = "The parameters in [unknowns] are found so that the start is a place of rest. The equations of statics have no solution for them (a force stays unbalanced that no unknown can balance), or do not decide them (changing them changes no force).";
+const UNKNOWN_RU: &str = "Параметры из [unknowns] находятся так, чтобы начальное положение было положением равновесия. Уравнения статики для них несовместны (остаётся сила, которую ни одно неизвестное не уравновешивает) либо их не определяют (их изменение не меняет сил).";
+
 const STEPS_EN: &str = "The step follows the quickest part of the motion, even when that part has died out (a stiff system: the step is bounded by the \
     fastest decay, not by the accuracy). After some ten thousand steps the pace shows that more than 1e10 would be needed, hours to days.";
 const STEPS_RU: &str = "Шаг определяется самой быстрой частью движения, даже если она уже затухла (жёсткая система: шаг ограничен самым быстрым \

@@ -12,7 +12,8 @@ use symbolic::{Equations, Expr, Linear, SymbolId, Text};
 
 use crate::fault::Message;
 use crate::machine::notation;
-use crate::studies::equilibrium::Statics;
+use crate::numerics::rank;
+use crate::studies::equilibrium::{Statics, rest_near};
 use crate::{Fault, Quantity};
 
 /// The matrices of small motions, row-major n x n, SI.
@@ -30,6 +31,8 @@ pub struct Matrices {
     pub force: Vec<f64>,
     /// Harmonic loads.
     pub loads: Vec<Harmonic>,
+    /// Conditions J δq = 0 of connections, row-major; empty without.
+    pub jacobian: Vec<f64>,
 }
 
 /// A harmonic load: c cos ν t + s sin ν t on each coordinate.
@@ -60,7 +63,25 @@ impl Matrices {
             stiffness: square(&self.stiffness),
             force: vector(&self.force),
             loads: self.loads.iter().map(|l| Harmonic { rate: l.rate, cos: vector(&l.cos), sin: vector(&l.sin) }).collect(),
+            jacobian: Vec::new(),
         }
+    }
+
+    /// A basis of the motions that the conditions allow, row-major n x k, with k; none without conditions.
+    pub fn allowed(&self) -> Option<(Vec<f64>, usize)> {
+        let n = self.n;
+        if self.jacobian.is_empty() || n == 0 {
+            return None;
+        }
+        let size = |row: &[f64]| row.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let scaled: Vec<f64> = self.jacobian.chunks(n).filter(|r| size(r) > 0.0).flat_map(|r| r.iter().map(move |v| v / size(r))).collect();
+        let directions = rank::null_space(scaled.len() / n, n, &scaled);
+        let k = directions.len();
+        let mut z = vec![0.0; n * k];
+        for (c, direction) in directions.iter().enumerate() {
+            direction.iter().enumerate().for_each(|(i, v)| z[i * k + c] = *v);
+        }
+        Some((z, k))
     }
 
     /// The same with the stiffness of constraint forces added: C + Σ λ_k ∂²c_k/∂q², row-major n x n.
@@ -92,6 +113,15 @@ pub struct LinearMachine {
     names: Vec<Quantity>,
     parameters: Vec<Quantity>,
     values: Vec<f64>,
+    /// Size of reactions, so that Newton's steps are measured alike.
+    unit: f64,
+}
+
+/// Everything that the tape gives.
+struct Full {
+    matrices: Matrices,
+    conditions: Vec<f64>,
+    reach: Vec<f64>,
 }
 
 /// A place of linearisation: q and, about a motion, q' and q''.
@@ -103,15 +133,17 @@ pub struct Place {
     pub rates: Vec<f64>,
     /// q''; zeros at rest.
     pub accelerations: Vec<f64>,
+    /// λ of the ideal connections.
+    pub multipliers: Vec<f64>,
 }
 
 impl Place {
-    /// At rest.
+    /// At rest, without reactions.
     pub fn rest(q: &[f64]) -> Place {
-        Place { q: q.to_vec(), rates: vec![0.0; q.len()], accelerations: vec![0.0; q.len()] }
+        Place { q: q.to_vec(), rates: vec![0.0; q.len()], accelerations: vec![0.0; q.len()], multipliers: Vec::new() }
     }
     fn states(&self) -> Vec<f64> {
-        self.q.iter().chain(&self.rates).copied().collect()
+        self.q.iter().chain(&self.rates).chain(&self.multipliers).copied().collect()
     }
 }
 
@@ -124,7 +156,7 @@ impl LinearMachine {
         let symbols = |k: usize| linear.coordinates.iter().map(move |c| c[k]);
         let inputs = Inputs {
             parameters: equations.parameters.iter().map(|p| p.symbol).collect(),
-            states: symbols(0).chain(symbols(1)).collect(),
+            states: symbols(0).chain(symbols(1)).chain(linear.multipliers.iter().copied()).collect(),
             accelerations: symbols(2).collect(),
             definitions: linear.definitions.clone(),
             ..Inputs::default()
@@ -144,6 +176,7 @@ impl LinearMachine {
             inputs,
             values,
             linear,
+            unit: 1.0,
         })
     }
 
@@ -189,22 +222,60 @@ impl LinearMachine {
     ///
     /// *Errors*: an entry has no finite value there.
     pub fn at(&mut self, place: &Place) -> Result<Matrices, Fault> {
+        self.full(place).map(|f| f.matrices)
+    }
+
+    fn full(&mut self, place: &Place) -> Result<Full, Fault> {
         let n = self.names.len();
-        let states = place.states();
+        let (m, k) = (self.linear.conditions.len(), self.linear.multipliers.len());
+        let states = self.states(place);
         let values = self.evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
         let (mass, rest) = values.split_at(n * n);
         let (damping, rest) = rest.split_at(n * n);
         let (stiffness, rest) = rest.split_at(n * n);
         let (force, rest) = rest.split_at(n);
+        let (conditions, rest) = rest.split_at(m);
+        let (jacobian, rest) = rest.split_at(m * n);
+        let (reach, rest) = rest.split_at(n * k);
         let loads = rest.chunks_exact(2 * n + 1).map(|l| Harmonic { rate: l[0], cos: l[1..=n].to_vec(), sin: l[n + 1..].to_vec() });
-        Ok(Matrices {
+        let matrices = Matrices {
             n,
+            jacobian: jacobian.to_vec(),
             loads: loads.collect(),
             mass: mass.to_vec(),
             damping: damping.to_vec(),
             stiffness: stiffness.to_vec(),
             force: force.to_vec(),
-        })
+        };
+        Ok(Full { matrices, conditions: conditions.to_vec(), reach: reach.to_vec() })
+    }
+
+    /// States of a tape; reactions that are not known count as zero.
+    fn states(&self, place: &Place) -> Vec<f64> {
+        let mut states = place.states();
+        states.resize(2 * self.names.len() + self.linear.multipliers.len(), 0.0);
+        states
+    }
+
+    /// A place of rest near q, with the reactions that balance it.
+    ///
+    /// *Errors*: S007 when Newton's method finds none.
+    pub fn settle(&mut self, q: &[f64]) -> Result<Place, Fault> {
+        let n = self.names.len();
+        let here = self.at(&Place::rest(q))?;
+        self.unit = largest(&here.force).max(largest(&here.stiffness)).max(f64::MIN_POSITIVE);
+        if self.linear.multipliers.is_empty() {
+            self.unit = 1.0;
+        }
+        let mut x = q.to_vec();
+        x.resize(n + self.linear.multipliers.len(), 0.0);
+        let x = rest_near(self, &x)?;
+        Ok(self.place_of(&x))
+    }
+
+    fn place_of(&self, x: &[f64]) -> Place {
+        let n = self.names.len();
+        Place { multipliers: x[n..].iter().map(|v| v * self.unit).collect(), ..Place::rest(&x[..n]) }
     }
 
     /// Values of further expressions of [`Linear::graph`] at a place, with the parameters as they are now.
@@ -227,7 +298,7 @@ impl LinearMachine {
     /// *Errors*: one of them has no finite value.
     pub fn values(&self, prepared: &Values, place: &Place) -> Result<Vec<f64>, Fault> {
         let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
-        let states = place.states();
+        let states = self.states(place);
         Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
     }
 
@@ -272,7 +343,7 @@ impl LinearMachine {
     /// *Errors*: an output has no finite value there.
     pub fn observe(&self, observer: &Observer, place: &Place) -> Result<Vec<Seen>, Fault> {
         let mut evaluator = Evaluator::new(&observer.tape, &self.values)?;
-        let states = place.states();
+        let states = self.states(place);
         let values = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
         let n = observer.n;
         let mut rest = values;
@@ -329,6 +400,9 @@ fn roots(linear: &Linear) -> Vec<(String, Expr)> {
     push("B", linear.damping.entries());
     push("C", linear.stiffness.entries());
     push("force", &linear.force);
+    push("condition", &linear.conditions);
+    push("J", linear.jacobian.entries());
+    push("reach", linear.reach.entries());
     for load in &linear.loads {
         push("rate", &[load.rate]);
         push("cos", &load.cos);
@@ -337,20 +411,52 @@ fn roots(linear: &Linear) -> Vec<(String, Expr)> {
     roots
 }
 
+/// Rest of a machine with connections: unknowns are q and λ/unit, equations the forces with the reactions, and the conditions.
 impl Statics for LinearMachine {
     fn n_coordinates(&self) -> usize {
-        self.names.len()
+        self.names.len() + self.linear.multipliers.len()
     }
     fn name(&self, i: usize) -> &str {
-        &self.names[i].name
+        self.names.get(i).map_or("λ", |q| &q.name)
     }
     /// The mean force at rest and its derivatives.
     fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {
-        let found = self.at(&Place::rest(&x[..self.names.len()]))?;
-        forces.copy_from_slice(&found.force);
-        derivatives.iter_mut().zip(&found.stiffness).for_each(|(d, c)| *d = -c);
+        let (n, k) = (self.names.len(), self.linear.multipliers.len());
+        let place = self.place_of(&x[..n + k]);
+        let found = self.full(&place)?;
+        if k != found.conditions.len() {
+            return Err(driven());
+        }
+        let size = n + k;
+        forces[..n].copy_from_slice(&found.matrices.force);
+        forces[n..size].copy_from_slice(&found.conditions);
+        derivatives.fill(0.0);
+        for i in 0..n {
+            for j in 0..n {
+                derivatives[i * size + j] = -found.matrices.stiffness[i * n + j];
+            }
+            for c in 0..k {
+                derivatives[i * size + n + c] = found.reach[i * k + c] * self.unit;
+                derivatives[(n + c) * size + i] = found.matrices.jacobian[c * n + i];
+            }
+        }
         Ok(())
     }
+}
+
+fn driven() -> Fault {
+    Fault::new(Message {
+        code: "S035",
+        what: Text::new("a prescribed motion holds a coordinate", "заданное движение удерживает координату"),
+        why: Text::new(
+            "small motions are looked for about a state of rest, which a drive with an unknown force does not leave",
+            "малые движения ищутся около состояния покоя, а привод с неизвестной силой его не допускает",
+        ),
+        help: Text::new(
+            "write the prescribed motion as a formula of t in place of the coordinate",
+            "запишите заданное движение формулой от t вместо координаты",
+        ),
+    })
 }
 
 impl Fault {

@@ -103,7 +103,7 @@ impl Machine {
             needs_accelerations: reads_accelerations(observed.tape()),
             observed,
             forces: bound.evaluator(&bound.program().forces)?,
-            conditions: Conditions::new(equations, &bound, &program.guards)?,
+            conditions: Conditions::new(equations, &bound)?,
             shown: (0..program.outputs.roots.len()).collect(),
             energy: bound.evaluator(&bound.program().energy)?,
             second: general.evaluator(&program.second)?,
@@ -368,14 +368,13 @@ impl System for Machine {
         true
     }
 
-    fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+    fn kinetic_energy(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<f64> {
         self.observing.set(modes, &self.bound);
-        // neither reads accelerations
+        // it reads no accelerations
         self.accelerations.fill(0.0);
         let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
-        let [kinetic, potential, ..] = *self.energy.evaluate(&point).ok()? else { return None };
-        Some([kinetic, potential])
+        self.energy.evaluate(&point).ok()?.first().copied()
     }
 
     fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {

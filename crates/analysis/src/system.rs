@@ -180,8 +180,8 @@ pub trait System {
         None
     }
 
-    /// Kinetic and potential energy at (t, x); none when the system has no energies.
-    fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+    /// Kinetic energy at (t, x); none when the system has no energies.
+    fn kinetic_energy(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<f64> {
         let _ = (t, x, modes);
         None
     }

@@ -2,6 +2,7 @@
 //! here, and the reference (`docs/model-file.md`) is generated from here.
 
 pub mod connections;
+pub mod structures;
 
 /// A pair of wordings, English and Russian.
 pub type Words = (&'static str, &'static str);
@@ -191,6 +192,9 @@ const SPIN: Field = may(
     "\"1450 rpm\"",
 );
 
+const DISTANCE: Field =
+    may("distance", Type::Formula, "m", "0", ("distance from the start of the rod", "расстояние от начала стержня"), "\"l/2\"");
+
 /// Top level.
 pub const TOP: TableSpec = TableSpec {
     name: "",
@@ -242,7 +246,11 @@ pub const TOP: TableSpec = TableSpec {
         may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
         may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
+        may("nodes", Type::Table, "", "", ("nodes of a frame or truss", "узлы рамы или фермы"), ""),
+        may("displacements", Type::Table, "", "", ("named displacements of a structure", "именованные перемещения конструкции"), ""),
+        may("structure", Type::Table, "", "", ("how the structure is computed", "как рассчитывать конструкцию"), ""),
         may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
+        may("variants", Type::Table, "", "", ("table of variants", "таблица вариантов"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
         may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
     ],
@@ -464,7 +472,15 @@ pub const FORCE: TableSpec = TableSpec {
     ),
     short: None,
     fields: &[
-        may("at", Type::Name, "", "", ("point, or body for its mass centre", "точка или тело (тогда центр масс)"), "\"A\""),
+        may(
+            "at",
+            Type::Name,
+            "",
+            "",
+            ("point, body for its mass centre, node or rod", "точка, тело (тогда центр масс), узел или стержень"),
+            "\"A\"",
+        ),
+        DISTANCE,
         ALONG,
         BETWEEN,
         must(
@@ -475,7 +491,6 @@ pub const FORCE: TableSpec = TableSpec {
             "[\"F0*sin(Omega*t)\", \"0\"]",
         ),
         may("axes", Type::Name, "", "\"ground\"", ("axes of the components", "оси компонент"), "\"blade\""),
-        DISTANCE,
     ],
     example: "[forces.drag]\nat = \"A\"\nvalue = [\"-c*vx(A)\", \"-c*vy(A)\"]\n",
 };
@@ -486,7 +501,8 @@ pub const TORQUE: TableSpec = TableSpec {
     about: ("Applied torques.", "Приложенные моменты."),
     short: None,
     fields: &[
-        must("on", Type::Name, "", ("body it acts on", "тело, на которое действует"), "\"crank\""),
+        must("on", Type::Name, "", ("body, node or rod it acts on", "тело, узел или стержень, на который действует"), "\"crank\""),
+        DISTANCE,
         must(
             "value",
             Type::FormulaOrVector,
@@ -503,7 +519,6 @@ pub const TORQUE: TableSpec = TableSpec {
             ("body on which minus the torque acts", "тело, на которое действует противоположный момент"),
             "\"frame\"",
         ),
-        DISTANCE,
     ],
     example: "[torques.motor]\non = \"crank\"\nvalue = \"M0 - k*phi'\"\n",
 };
@@ -712,207 +727,6 @@ pub const PHASE: TableSpec = TableSpec {
         ),
     ],
     example: "[[phases]]\nuntil = \"t_s\"\n\n[[phases]]\nuntil = \"2*t_s\"\nset = { M_0 = \"8 N m\" }\n\n[[phases]]\nset = { M_0 = \"0 N m\" }\n",
-};
-
-const DISTANCE: Field =
-    may("distance", Type::Formula, "m", "0", ("distance from the start of the rod", "расстояние от начала стержня"), "\"l/2\"");
-
-/// `[nodes.NAME]`.
-pub const NODE: TableSpec = TableSpec {
-    name: "nodes",
-    about: (
-        "Nodes of a plane frame or truss. A file with nodes needs no coordinates.",
-        "Узлы плоской рамы или фермы. Файлу с узлами координаты не нужны.",
-    ),
-    short: None,
-    fields: &[
-        must("at", Type::Vector, "m", ("place in ground axes", "положение в неподвижных осях"), "[\"l\", \"0\"]"),
-        may("mass", Type::Formula, "kg", "0", ("lumped mass", "сосредоточенная масса"), "\"m\""),
-        may("inertia", Type::Formula, "kg m^2", "0", ("lumped moment of inertia", "сосредоточенный момент инерции"), "\"J\""),
-        may("spring_x", Type::Formula, "N/m", "0", ("spring to the ground along x", "пружина к основанию вдоль x"), "\"c\""),
-        may("spring_y", Type::Formula, "N/m", "0", ("spring to the ground along y", "пружина к основанию вдоль y"), "\"c\""),
-        may(
-            "spring_turn",
-            Type::Formula,
-            "N m",
-            "0",
-            ("torsion spring to the ground, per radian", "крутильная пружина к основанию, на радиан"),
-            "\"c_t\"",
-        ),
-    ],
-    example: "[nodes.A]\nat = [\"0\", \"0\"]\n",
-};
-
-/// `[rods.NAME]`.
-pub const ROD: TableSpec = TableSpec {
-    name: "rods",
-    about: (
-        "Straight rods between two nodes: Euler-Bernoulli bending, inextensible unless EA is given, massless unless a mass is given.",
-        "Прямые стержни между двумя узлами: изгиб по Эйлеру — Бернулли, нерастяжимые без EA, невесомые без массы.",
-    ),
-    short: None,
-    fields: &[
-        must("between", Type::TwoNames, "", ("start and end", "начало и конец"), "[\"A\", \"B\"]"),
-        may("rigid", Type::Bool, "", "false", ("whether it does not deform", "недеформируем ли"), "true"),
-        may("EI", Type::Formula, "N m^2", "E*I", ("bending stiffness", "жёсткость на изгиб"), "\"EI\""),
-        may("EA", Type::Formula, "N", "E*A", ("stiffness against stretching", "жёсткость на растяжение"), "\"20 MN\""),
-        may("E", Type::Formula, "Pa", "", ("Young's modulus", "модуль упругости"), "\"2e11 Pa\""),
-        may("I", Type::Formula, "m^4", "", ("second moment of the section", "момент инерции сечения"), "\"0.5677 cm^4\""),
-        may("A", Type::Formula, "m^2", "", ("area of the section", "площадь сечения"), "\"4 cm^2\""),
-        may(
-            "stretch",
-            Type::Bool,
-            "",
-            "false",
-            ("whether it stretches with E*A when EA is not given", "растягивается ли с жёсткостью E*A, если EA не задано"),
-            "true",
-        ),
-        may("mass", Type::Formula, "kg", "0", ("mass", "масса"), "\"m\""),
-        may(
-            "density",
-            Type::Formula,
-            "kg/m^3",
-            "",
-            ("density; the mass is density*A*length", "плотность; масса равна density*A*длина"),
-            "\"7800 kg/m^3\"",
-        ),
-        may("mass_per_length", Type::Formula, "kg/m", "", ("mass of a unit of length", "погонная масса"), "\"3 kg/m\""),
-        may(
-            "rotary_inertia",
-            Type::Bool,
-            "",
-            "false",
-            (
-                "whether the turning of sections counts; needs density and I, or mass, I and A",
-                "учитывать ли поворот сечений; нужны density и I либо масса, I и A",
-            ),
-            "true",
-        ),
-        may(
-            "releases",
-            Type::Names,
-            "",
-            "[]",
-            ("hinges: \"start\", \"end\"", "шарниры: \"start\" (начало), \"end\" (конец)"),
-            "[\"start\", \"end\"]",
-        ),
-        may(
-            "divisions",
-            Type::Formula,
-            "1",
-            "1",
-            ("number of equal parts for distributed mass", "число равных частей для распределённой массы"),
-            "16",
-        ),
-    ],
-    example: "[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"20 kN m^2\"\n",
-};
-
-/// `[supports.NAME]`.
-pub const SUPPORT: TableSpec = TableSpec {
-    name: "supports",
-    about: ("Supports of nodes.", "Опоры узлов."),
-    short: None,
-    fields: &[
-        must("at", Type::Name, "", ("node", "узел"), "\"A\""),
-        must(
-            "directions",
-            Type::Names,
-            "",
-            ("what is held: \"x\", \"y\", \"turn\"", "что закреплено: \"x\", \"y\", \"turn\" (поворот)"),
-            "[\"x\", \"y\"]",
-        ),
-        may("angle", Type::Formula, "rad", "0", ("angle of its x axis", "угол её оси x"), "\"30 deg\""),
-    ],
-    example: "[supports.A]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]\n",
-};
-
-/// `[distributed.NAME]`.
-pub const LINE_LOAD: TableSpec = TableSpec {
-    name: "distributed",
-    about: ("Loads along a rod, per unit of its length.", "Нагрузки вдоль стержня на единицу его длины."),
-    short: None,
-    fields: &[
-        must("on", Type::Name, "", ("rod", "стержень"), "\"AB\""),
-        must("value", Type::Vector, "N/m", ("components in ground axes", "компоненты в неподвижных осях"), "[\"0\", \"-2 kN/m\"]"),
-        may(
-            "value_end",
-            Type::Vector,
-            "N/m",
-            "value",
-            ("components at the end; between them the load is linear", "компоненты в конце; между ними нагрузка линейна"),
-            "[\"0\", \"0\"]",
-        ),
-    ],
-    example: "[distributed.q]\non = \"AB\"\nvalue = [\"0\", \"-2 kN/m\"]\n",
-};
-
-/// `[displacements.NAME]`.
-pub const DISPLACEMENT: TableSpec = TableSpec {
-    name: "displacements",
-    about: (
-        "Named displacements of nodes and of places on rods. As many of them as there are degrees of freedom with inertia are the coordinates of the structure.",
-        "Именованные перемещения узлов и точек стержней. Если их столько, сколько степеней свободы с инерцией, они служат координатами конструкции.",
-    ),
-    short: None,
-    fields: &[
-        must("at", Type::Name, "", ("node or rod", "узел или стержень"), "\"CD\""),
-        DISTANCE,
-        may(
-            "direction",
-            Type::String,
-            "",
-            "\"y\"",
-            ("\"x\", \"y\", \"turn\", or a vector", "\"x\", \"y\", \"turn\" (поворот) или вектор"),
-            "\"turn\"",
-        ),
-        may("start", Type::Formula, "", "0", ("value at t = 0, a constant", "значение при t = 0, постоянная"), "\"2 mm\""),
-        may("rate", Type::Formula, "", "0", ("rate at t = 0, a constant", "скорость при t = 0, постоянная"), "\"0.1 m/s\""),
-        SYMBOL,
-        LABEL,
-    ],
-    example: "[displacements.u1]\nat = \"CD\"\ndistance = \"l/2\"\ndirection = \"x\"\n",
-};
-
-/// `[structure]`.
-pub const STRUCTURE: TableSpec = TableSpec {
-    name: "structure",
-    about: ("How the structure is computed.", "Как рассчитывать конструкцию."),
-    short: None,
-    fields: &[
-        may(
-            "condense",
-            Type::Bool,
-            "",
-            "true for undivided rods",
-            (
-                "whether turns of nodes that carry inertia follow the other displacements statically",
-                "следуют ли повороты узлов, несущие инерцию, за остальными перемещениями статически",
-            ),
-            "false",
-        ),
-        may("modes", Type::Formula, "1", "10", ("largest number of modes", "наибольшее число форм"), "4"),
-        may(
-            "accuracy",
-            Type::Formula,
-            "1",
-            "",
-            (
-                "wanted relative accuracy of the frequencies: rods are divided until it is reached",
-                "нужная относительная точность частот: стержни делятся, пока она не достигнута",
-            ),
-            "1e-8",
-        ),
-        may(
-            "continuum",
-            Type::Bool,
-            "",
-            "false",
-            ("whether the exact frequencies of the distributed mass stand beside", "показать ли рядом точные частоты распределённой массы"),
-            "true",
-        ),
-    ],
-    example: "[structure]\naccuracy = 1e-8\nmodes = 4\n",
 };
 
 /// `[[study]]`.
@@ -1156,6 +970,45 @@ pub const STUDY: TableSpec = TableSpec {
     example: "[[study]]\nkind = \"simulate\"\nuntil = \"30 s\"\nplot = [\"phi'\"]\n",
 };
 
+/// `[variants]`.
+pub const VARIANTS: TableSpec = TableSpec {
+    name: "variants",
+    about: (
+        "Variants: a CSV table whose rows replace values of the file, chosen by --variant NAME. A header is the name of a parameter, of a coordinate (its start) or phi' (its rate), with a unit in brackets if the numbers are not SI: `m [g]`. Commas, semicolons or tabs separate; with semicolons commas are decimal marks; lines with # are remarks; an empty cell changes nothing. Formulas in the number of the variant are parameters: `k = \"kr*(1 + 0.01*N)\"`.",
+        "Варианты: таблица CSV, строки которой заменяют величины файла; строку выбирают ключом --variant ИМЯ. Заголовок столбца — имя параметра, координаты (начальное значение) или phi' (начальная скорость), с единицей в скобках, если числа не в СИ: `m [г]`. Разделители: запятая, точка с запятой или табуляция; при точке с запятой запятая — десятичная; строки с # — примечания; пустая клетка ничего не меняет. Формулы от номера варианта — это параметры: `k = \"kr*(1 + 0.01*N)\"`.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "table",
+            Type::String,
+            "",
+            "",
+            ("file with the table, beside the model file", "файл таблицы рядом с файлом модели"),
+            "\"variants.csv\"",
+        ),
+        may("rows", Type::String, "", "", ("the table itself, instead of `table`", "сама таблица вместо `table`"), "\"\"\"...\"\"\""),
+        may("key", Type::String, "", "first column", ("column that names the variant", "столбец с названием варианта"), "\"variant\""),
+        may(
+            "columns",
+            Type::Names,
+            "",
+            "all others",
+            ("columns that are used; the others are for the reader", "используемые столбцы; остальные — для читателя"),
+            "[\"m\", \"c\", \"v\"]",
+        ),
+        may(
+            "number",
+            Type::Name,
+            "",
+            "",
+            ("parameter that gets the number of the variant", "параметр, получающий номер варианта"),
+            "\"N\"",
+        ),
+    ],
+    example: "[variants]\ntable = \"variants.csv\"\nnumber = \"N\"\n",
+};
+
 /// `plot = [{ ... }]`.
 pub const PLOT: TableSpec = TableSpec {
     name: "plot",
@@ -1189,5 +1042,19 @@ pub fn all() -> impl Iterator<Item = &'static TableSpec> {
 const BEFORE: &[&TableSpec] =
     &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
 
-const AFTER: &[&TableSpec] =
-    &[&OUTPUT, &NODE, &ROD, &SUPPORT, &LINE_LOAD, &DISPLACEMENT, &STRUCTURE, &SECTION, &PART, &PHASE, &STUDY, &PLOT, &TEXT];
+const AFTER: &[&TableSpec] = &[
+    &OUTPUT,
+    &SECTION,
+    &PART,
+    &structures::NODE,
+    &structures::ROD,
+    &structures::SUPPORT,
+    &structures::LINE_LOAD,
+    &structures::DISPLACEMENT,
+    &structures::STRUCTURE,
+    &PHASE,
+    &STUDY,
+    &VARIANTS,
+    &PLOT,
+    &TEXT,
+];

@@ -59,6 +59,8 @@ pub struct Model {
     pub structure: Option<crate::structure::Structure>,
     /// Inertia that no body carries: that of a structure over its displacements.
     pub inertias: Vec<ConstantInertia>,
+    /// A table of values that replace those of the file, one row a variant.
+    pub variants: Option<Variants>,
 }
 
 /// A term M_ij q_i' q_j' of the kinetic energy (half of it for i = j).
@@ -68,6 +70,30 @@ pub struct ConstantInertia {
     pub between: [usize; 2],
     /// Over constant parameters.
     pub value: Expr,
+}
+
+/// A table of variants. Each row replaces values as `--set` does.
+#[derive(Clone, Debug)]
+pub struct Variants {
+    /// The table.
+    pub table: VariantTable,
+    /// Column that names the variant; the first without it.
+    pub key: Option<String>,
+    /// Columns that are used, by the names of parameters, starts (`phi`) and starting rates (`phi'`); without it all must be such names.
+    pub columns: Option<Vec<String>>,
+    /// Parameter that gets the name of the variant as a number, unless the table has such a column.
+    pub number: Option<String>,
+    /// Place in the file.
+    pub span: Range<usize>,
+}
+
+/// Where a table of variants is.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum VariantTable {
+    /// In a file, relative to the model file.
+    File(String),
+    /// In the model file itself.
+    Text(String),
 }
 
 /// Index of a frame or body in [`Model::frames`].

@@ -379,6 +379,7 @@ fn frictions_of_one_speed_stick_and_slide_together() {
                 bound = bound.specialised().unwrap();
             }
             assert_eq!(bound.program().guards.len(), 3);
+            assert_eq!(bound.program().switches, [Some(0), Some(0)]);
             let GuardKind::Sliding { reaction: 0, limits } = bound.program().guards[0].kind else { panic!() };
             let modes = bound.modes(0.0, &[0.0, 0.0]).unwrap();
             assert_eq!(modes[0], Mode::Zero);

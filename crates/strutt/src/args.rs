@@ -52,6 +52,8 @@ pub enum Command {
     Transient(Simulate),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
+    /// Show the properties of the sections of a file
+    Section(Section),
     /// Find the exact periodic regime: period, multipliers, motion over one period
     Periodic(Periodic),
     /// Repeat a study over values of parameters
@@ -80,6 +82,9 @@ pub struct Model {
     /// Replace a parameter (m="10 g"), a start (phi=0.1) or a starting rate ("phi'=30")
     #[arg(long = "set", value_name = "NAME=QUANTITY")]
     pub overrides: Vec<String>,
+    /// Take the values of this row of the table of variants; --set counts more
+    #[arg(long, value_name = "NAME")]
+    pub variant: Option<String>,
 }
 
 #[derive(Args, Debug)]
@@ -217,6 +222,18 @@ pub enum Normalise {
     Largest,
     First,
     Mass,
+}
+
+#[derive(Args, Debug)]
+pub struct Section {
+    #[command(flatten)]
+    pub model: Model,
+    /// One section only
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+    /// Also write drawings and a table into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

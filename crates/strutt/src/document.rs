@@ -35,8 +35,13 @@ pub enum Extent {
 /// The document of a calculation.
 pub fn compose(calculation: &Calculation, extent: Extent, language: Language) -> Document {
     let writer = Writer { calculation, equations: &calculation.machine.equations, extent, language };
-    let mut blocks = writer.coordinates();
-    blocks.extend(writer.equations());
+    let sections = &calculation.machine.model.sections;
+    // sections alone have no motion
+    let machine = sections.is_empty() || !writer.equations.coordinates.is_empty();
+    let mut blocks = if machine { writer.coordinates() } else { Vec::new() };
+    if machine {
+        blocks.extend(writer.equations());
+    }
     if extent == Extent::Page {
         blocks.extend(writer.derivation());
         blocks.extend(writer.parameters());
@@ -45,6 +50,7 @@ pub fn compose(calculation: &Calculation, extent: Extent, language: Language) ->
     for finding in &calculation.findings {
         blocks.extend(writer.finding(finding));
     }
+    blocks.extend(crate::sections::blocks(sections, extent == Extent::Page, language));
     if extent == Extent::Page {
         blocks.extend(writer.downloads());
     }

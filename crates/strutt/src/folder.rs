@@ -7,6 +7,7 @@ use crate::files;
 use crate::pipeline::{self, Calculation, Finding};
 use crate::words::Word;
 use analysis::Dataset;
+use mechanics::section::Section;
 use report::{Figure, Language, csv, json, page};
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
@@ -39,6 +40,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
             plot(&mut shelf, &figure, &number, language)?;
         }
     }
+    section_files(&mut shelf, &calculation.machine.model.sections, language)?;
     calculation.files = shelf.names.clone();
     let document = pipeline::document(calculation, Extent::Page, language);
     shelf.put(
@@ -47,6 +49,27 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
         page::write(&document, page::Options { math_font: Some(report::formula::MATH_FONT) }).as_bytes(),
     )?;
     Ok(shelf.paths)
+}
+
+/// Writes a table and drawings of sections into a folder; returns the paths.
+///
+/// # Errors
+/// The disk refuses (C005); files written before stay.
+pub fn sections(sections: &[Section], folder: &Path, language: Language) -> Result<Vec<PathBuf>, Box<Trouble>> {
+    let mut shelf = Shelf { folder, paths: Vec::new(), names: Vec::new() };
+    section_files(&mut shelf, sections, language)?;
+    Ok(shelf.paths)
+}
+
+fn section_files(shelf: &mut Shelf, sections: &[Section], language: Language) -> Result<(), Box<Trouble>> {
+    if sections.is_empty() {
+        return Ok(());
+    }
+    shelf.put("sections.csv", Word::SectionTable, crate::sections::to_csv(sections).as_bytes())?;
+    for section in sections {
+        plot(shelf, &crate::sections::figure(section, language), "", language)?;
+    }
+    Ok(())
 }
 
 struct Shelf<'a> {
@@ -131,11 +154,19 @@ pub fn is_verdict(name: &str) -> bool {
     matches!(name, "residual" | "stable")
 }
 
+fn with_sections(mut head: Value, sections: &[Section], language: Language) -> Value {
+    if !sections.is_empty() {
+        head["sections"] = sections.iter().map(|s| crate::sections::to_json(s, language)).collect();
+    }
+    head
+}
+
 /// All studies as one JSON object: the common fields, then each study as it would be written alone.
 pub fn calculation_to_json(calculation: &Calculation, language: Language) -> Vec<u8> {
     let machine = &calculation.machine;
     let head = json!({"title": language.text(&machine.model.title), "version": crate::VERSION, "model_hash": machine.model_hash,
         "degrees_of_freedom": machine.equations.coordinates.len()});
+    let head = with_sections(head, &machine.model.sections, language);
     let mut out = head.to_string().into_bytes();
     out.pop();
     out.extend_from_slice(b",\"studies\":[\n");

@@ -18,9 +18,11 @@ macro_rules! examples {
 }
 
 examples![
+    "absorber",
     "blade-particle",
     "blade-particle-published",
     "double-pendulum",
+    "gyroscopic-rotor",
     "n-pendulum",
     "oscillator",
     "oscillator-published",
@@ -29,6 +31,7 @@ examples![
     "scotch-yoke",
     "scotch-yoke-dry",
     "scotch-yoke-oneway",
+    "shaft-line",
     "spherical-pendulum",
     "thread-pendulum",
     "top",

@@ -142,7 +142,11 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
         StudyKind::Response(study) => Some(response(machine, study, watch)),
         StudyKind::Transient(study) => {
             let study = plan::with_plots(study, &machine.equations);
-            Some(transient(machine, &study, watch))
+            let finding = transient(machine, &study, watch);
+            Some(match plan::finer(&study, finding.data()) {
+                Some(finer) => transient(machine, &finer, watch),
+                None => finding,
+            })
         }
         StudyKind::Modes(study) => Some(modes(machine, study, watch)),
         StudyKind::Simulate(study) => {

@@ -8,9 +8,13 @@
 //! C = ∂(M q'' - h)/∂q                                                                (about a motion)
 //! ```
 //!
+//! Ideal connections add their reactions λ to h, so that C contains the stiffness that they have by the change of their directions,
+//! -Σ λ_k ∂²c_k/∂q², and conditions J δq = 0 stand beside the equations. Dry friction and one-sided contacts are left out.
+//!
 //! Loads in time are split into their mean, which decides the equilibrium, and harmonics c cos ν t + s sin ν t, which force small
 //! oscillations. Turn angles of prescribed speed are speed·t. *Source*: D. R. Merkin, Introduction to the Theory of Stability, ch. 6.
 
+use crate::connections::Law;
 use crate::harmonics::{Decomposition, Harmonics};
 use crate::{Derivation, Equations, Expr, Graph, Matrix, Rational, Substitution, SymbolId};
 
@@ -43,6 +47,14 @@ pub struct Linear {
     pub force: Vec<Expr>,
     /// Harmonic loads, by rate.
     pub loads: Vec<HarmonicLoad>,
+    /// λ of the ideal connections.
+    pub multipliers: Vec<SymbolId>,
+    /// What vanishes in every place the connections allow; zero for conditions on rates.
+    pub conditions: Vec<Expr>,
+    /// J: the conditions on δq, one row each.
+    pub jacobian: Matrix,
+    /// Generalized force on each coordinate (row) per unit of each λ (column).
+    pub reach: Matrix,
     /// Symbols that stand for formulas over parameters.
     pub definitions: Vec<(SymbolId, Expr)>,
     /// Replaces time-dependent definitions and turn angles; what outputs need.
@@ -59,6 +71,10 @@ pub struct Timing {
     pub frozen: bool,
     /// Switches of time were settled as they stand at t = 0.
     pub settled: bool,
+    /// Dry frictions or one-sided contacts were left out.
+    pub smoothed: bool,
+    /// A prescribed motion is a condition that changes with time; it was taken at t = 0.
+    pub driven: bool,
     /// M, B or C contain harmonics, of which the mean was taken (parametric excitation).
     pub varying: bool,
 }
@@ -113,6 +129,10 @@ impl Linear {
         let mut linear = Linear {
             about,
             mass,
+            multipliers: Vec::new(),
+            conditions: Vec::new(),
+            jacobian: Matrix::zeros(&mut graph, 0, n),
+            reach: Matrix::zeros(&mut graph, n, 0),
             damping: Matrix::zeros(&mut graph, n, n),
             stiffness: Matrix::zeros(&mut graph, n, n),
             force: Vec::new(),
@@ -124,9 +144,55 @@ impl Linear {
             timing,
             graph,
         };
+        linear.connect(equations);
         linear.differentiate(&mean);
         linear.gather_loads(split_force);
         linear
+    }
+
+    /// Conditions and reactions of the ideal connections.
+    fn connect(&mut self, equations: &Equations) {
+        let n = self.coordinates.len();
+        let ideal = |condition: usize| equations.reactions.iter().find(|r| matches!(r.law, Law::Ideal { condition: c } if c == condition));
+        self.timing.smoothed = equations.reactions.iter().any(|r| matches!(r.law, Law::Contact { .. } | Law::Friction(_)));
+        let graph = &mut self.graph;
+        let zero = graph.zero();
+        let mut inline = Substitution::new(self.moving.iter().copied());
+        let mut start = Substitution::new([(equations.time, zero)]);
+        let rest: Vec<(SymbolId, Expr)> = self.coordinates.iter().flat_map(|[_, v, a]| [(*v, zero), (*a, zero)]).collect();
+        let mut rest = Substitution::new(if self.about == About::Rest { rest } else { Vec::new() });
+        let mut settle = |graph: &mut Graph, e: Expr, timing: &mut Timing| {
+            let e = inline.apply(graph, e);
+            timing.driven |= graph.contains(e, |s| s == equations.time);
+            let e = start.apply(graph, e);
+            rest.apply(graph, e)
+        };
+        let (mut rows, mut columns) = (Vec::new(), Vec::new());
+        for (c, condition) in equations.conditions.iter().enumerate() {
+            let reaction = ideal(c);
+            if condition.reaction.is_some() && reaction.is_none() {
+                continue;
+            }
+            let mut row = vec![zero; n];
+            for (j, e) in &condition.columns {
+                row[*j] = settle(graph, *e, &mut self.timing);
+            }
+            rows.push(row);
+            let place = condition.place.map_or(zero, |e| settle(graph, e, &mut self.timing));
+            self.conditions.push(place);
+            let Some(reaction) = reaction else { continue };
+            let mut column = vec![zero; n];
+            for (j, e) in &reaction.forces {
+                column[*j] = settle(graph, *e, &mut self.timing);
+            }
+            self.multipliers.push(reaction.symbol);
+            columns.push(column);
+        }
+        if rows.is_empty() {
+            return;
+        }
+        self.jacobian = Matrix::from_rows(&rows);
+        self.reach = if columns.is_empty() { Matrix::zeros(graph, n, 0) } else { Matrix::from_rows(&columns).transpose() };
     }
 
     /// B, C and the mean force.
@@ -161,6 +227,12 @@ impl Linear {
                     graph.sum(&terms)
                 }
             };
+            let mut terms = vec![force];
+            for (k, multiplier) in self.multipliers.iter().enumerate() {
+                let multiplier = graph.symbol(*multiplier);
+                terms.push(graph.mul(self.reach.get(i, k), multiplier));
+            }
+            let force = graph.sum(&terms);
             self.force.push(force);
         }
         for j in 0..n {

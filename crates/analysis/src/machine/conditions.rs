@@ -76,22 +76,16 @@ enum Holds {
 
 impl Conditions {
     /// None when the machine has none.
-    pub(super) fn new(equations: &Equations, bound: &Bound, guards: &[program::Guard]) -> Result<Option<Conditions>, Fault> {
+    pub(super) fn new(equations: &Equations, bound: &Bound) -> Result<Option<Conditions>, Fault> {
         let program = bound.program();
         let contacts: Vec<usize> =
             (0..equations.reactions.len()).filter(|r| matches!(equations.reactions[*r].law, Law::Contact { .. })).collect();
-        let guard_of = |reaction: usize| {
-            guards.iter().position(|g| match g.kind {
-                program::GuardKind::Sliding { reaction: r, .. } | program::GuardKind::Gap { reaction: r, .. } => r == reaction,
-                _ => false,
-            })
-        };
         let mut rows = Vec::new();
         for (condition, c) in equations.conditions.iter().enumerate() {
             let holds = match c.reaction {
                 None => Holds::Always,
                 Some(r) if !program.solved.contains(&r) => continue,
-                Some(r) => match (&equations.reactions[r].law, guard_of(r), contacts.iter().position(|k| *k == r)) {
+                Some(r) => match (&equations.reactions[r].law, program.switches[r], contacts.iter().position(|k| *k == r)) {
                     (Law::Friction(_), Some(guard), _) => Holds::Sticking(guard),
                     (Law::Contact { .. }, Some(guard), Some(contact)) => Holds::Closed(guard, contact),
                     _ => Holds::Always,

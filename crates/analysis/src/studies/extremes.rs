@@ -219,9 +219,19 @@ impl Search<'_, '_> {
             let least = peaks::refine(&mut |w| square(self.value(w)), low, high, -1.0);
             let beside = powers[c - 1].max(powers[c + 1]).sqrt();
             let exact = least.amplitude <= STILL * beside;
+            if !exact && !self.leads(&least) {
+                continue;
+            }
             found.push(self.antiresonance(least.omega, least.amplitude, exact)?);
         }
         Ok(found)
+    }
+
+    /// At an antiresonance the phase turns forward; in a mere valley between two resonances it turns back.
+    fn leads(&mut self, least: &Peak) -> bool {
+        let h = 0.01 * least.width.min(0.1 * least.omega);
+        let (a, b) = (self.value(least.omega - h), self.value(least.omega + h));
+        a.0 * b.1 - a.1 * b.0 > 0.0
     }
 
     fn antiresonance(&mut self, omega: f64, amplitude: f64, exact: bool) -> Result<Antiresonance, Fault> {

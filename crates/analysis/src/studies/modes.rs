@@ -126,7 +126,22 @@ const RESIDUAL: f64 = 1e-9;
 /// The modes of a linear system; `names` for messages.
 ///
 /// *Errors*: S031 for a mass matrix that is not positive, faults of the eigensolver.
+///
+/// Conditions of connections reduce the problem to the motions they allow; shapes are given for all coordinates.
 pub fn modes(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> Result<Modes, Fault> {
+    let Some((z, k)) = system.allowed() else { return free(system, names, normalisation) };
+    let mut found = free(&system.reduced(&z, k), names, Normalisation::Mass)?;
+    for (i, mode) in found.modes.iter_mut().enumerate() {
+        let own = std::mem::take(&mut mode.shape);
+        let entry = |i: usize, part: fn(&Complex) -> f64| own.iter().enumerate().map(|(c, y)| z[i * k + c] * part(y)).sum();
+        mode.shape = (0..system.n).map(|i| (entry(i, |y| y.0), entry(i, |y| y.1))).collect();
+        found.notes.extend(normalise(mode, &system.mass, normalisation).map(|what| what(i + 1)));
+    }
+    Ok(found)
+}
+
+/// The same without conditions.
+fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> Result<Modes, Fault> {
     let n = system.n;
     check_mass(&system.mass, n, names)?;
     let (damping, gyroscopic) = parts(&system.damping, n);

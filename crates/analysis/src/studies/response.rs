@@ -14,7 +14,6 @@ use crate::Fault;
 use crate::fault::{Message, rounded};
 use crate::linear::{LinearMachine, Matrices, Observer, Place, Values};
 use crate::numerics::lu::Lu;
-use crate::studies::equilibrium::rest_near;
 use crate::studies::modes::Complex;
 
 /// What excites.
@@ -148,8 +147,7 @@ impl<'m> Forced<'m> {
     pub fn matrices(&mut self, omega: f64) -> Result<Matrices, Fault> {
         if let Some((parameter, per_rate)) = self.follows {
             self.machine.set(parameter, omega * per_rate)?;
-            let q = rest_near(self.machine, &self.place.q)?;
-            self.place = Place::rest(&q);
+            self.place = self.machine.settle(&self.place.q)?;
         }
         self.machine.at(&self.place)
     }
@@ -160,13 +158,15 @@ impl<'m> Forced<'m> {
         match &self.source {
             Source::OfEquations(i) => {
                 let Some(load) = matrices.loads.get(*i) else { return Err(no_load()) };
-                Ok((Some(load.rate), load.cos.iter().zip(&load.sin).map(|(c, s)| (*c, -*s)).collect()))
+                let sign = load.rate.signum();
+                Ok((Some(load.rate), load.cos.iter().zip(&load.sin).map(|(c, s)| (*c, -sign * s)).collect()))
             }
             Source::Given { rate, .. } => {
                 let Some(given) = &self.given else { return Err(no_load()) };
                 let values = self.machine.values(given, &self.place)?;
                 let (head, parts) = values.split_at(usize::from(rate.is_some()));
-                Ok((head.first().copied(), (0..n).map(|i| (parts[i], -parts[n + i])).collect()))
+                let sign = head.first().map_or(1.0, |rate| rate.signum());
+                Ok((head.first().copied(), (0..n).map(|i| (parts[i], -sign * parts[n + i])).collect()))
             }
             Source::Unit(i) => Ok((None, (0..n).map(|k| (f64::from(u8::from(k == *i)), 0.0)).collect())),
         }
@@ -177,14 +177,19 @@ impl<'m> Forced<'m> {
     /// *Errors*: formulas without a value at this frequency.
     pub fn at(&mut self, omega: f64) -> Result<Point, Fault> {
         let matrices = self.matrices(omega)?;
-        let (_, load) = self.load(&matrices)?;
+        let (rate, load) = self.load(&matrices)?;
         // from here on exp(iωt) stands for the wave from which phases count: -i exp(iωt) is its sine
         let turn = |z: Complex| if self.from_sine { (-z.1, z.0) } else { z };
         let load: Vec<Complex> = load.into_iter().map(turn).collect();
         let coordinates = solve(&matrices, omega, &load);
-        let still = solve(&matrices, 0.0, &load);
+        let mut still = solve(&matrices, 0.0, &load);
+        if still.iter().any(|z| z.0.is_infinite()) {
+            // nothing restores a free motion: there is no static displacement
+            still.fill((f64::NAN, f64::NAN));
+        }
         let seen = self.machine.observe(&self.observer, &self.place)?;
-        let own = |rate: f64| (rate.abs() - omega).abs() <= 1e-9 * omega.abs() && self.follows.is_some();
+        // what oscillates with the load by itself, the motion of a base for example
+        let own = |other: f64| rate.is_some_and(|rate| (other.abs() - rate.abs()).abs() <= 1e-9 * rate.abs());
         let see = |x: &[Complex], omega: f64| -> Vec<Complex> {
             let one = |s: &crate::linear::Seen| {
                 let mut y = (0.0, 0.0);
@@ -220,6 +225,12 @@ impl<'m> Forced<'m> {
 
 /// (C - ω² M + i ω B) X = F as a real system of twice the size; infinite where it is singular.
 pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Vec<Complex> {
+    if let Some((z, k)) = m.allowed() {
+        // X = Z Y with Zᵀ (C - ω² M + i ω B) Z Y = Zᵀ F
+        let onto = |c: usize| (0..m.n).fold((0.0, 0.0), |s, i| (s.0 + z[i * k + c] * load[i].0, s.1 + z[i * k + c] * load[i].1));
+        let y = solve(&m.reduced(&z, k), omega, &(0..k).map(onto).collect::<Vec<_>>());
+        return (0..m.n).map(|i| (0..k).fold((0.0, 0.0), |s, c| (s.0 + z[i * k + c] * y[c].0, s.1 + z[i * k + c] * y[c].1))).collect();
+    }
     let n = m.n;
     let mut a = vec![0.0; 4 * n * n];
     for i in 0..n {

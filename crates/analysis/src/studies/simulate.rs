@@ -395,9 +395,9 @@ impl Run {
             return None;
         }
         let t = flow.time();
-        let [kinetic, potential] = flow.system().energies(t, &states[0], modes[0])?;
-        let after: f64 = flow.system().energies(t, &states[1], modes[1])?.iter().sum();
-        Some(self.impacts.record(kinetic + potential, after, kinetic))
+        let before = flow.system().kinetic_energy(t, &states[0], modes[0])?;
+        let after = flow.system().kinetic_energy(t, &states[1], modes[1])?;
+        Some(self.impacts.record(before, after))
     }
 
     fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {

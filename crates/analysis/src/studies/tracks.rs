@@ -7,7 +7,6 @@ use symbolic::Text;
 
 use crate::dataset::{Column, Dataset};
 use crate::linear::{LinearMachine, Place};
-use crate::studies::equilibrium::rest_near;
 use crate::studies::modes::{self, Kind, Mode, Normalisation};
 use crate::{Fault, Quantity};
 
@@ -88,8 +87,7 @@ impl Run<'_> {
     /// The modes at a value of the parameter, and M.
     fn modes(&mut self, value: f64) -> Result<(Vec<Mode>, Vec<f64>), Fault> {
         self.machine.set(self.parameter, value)?;
-        let q = rest_near(self.machine, &self.place.q)?;
-        self.place = Place::rest(&q);
+        self.place = self.machine.settle(&self.place.q)?;
         let matrices = self.machine.at(&self.place)?;
         let names = self.machine.coordinates().to_vec();
         let found = modes::modes(&matrices, &names, Normalisation::Largest)?;

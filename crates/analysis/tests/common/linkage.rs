@@ -164,6 +164,14 @@ impl Build {
         self.own(name, "N", -1.0, Law::Friction(Box::new(friction)))
     }
 
+    /// The friction is pressed by the force of another reaction.
+    pub fn press(&mut self, friction: usize, normal: usize) {
+        let (constant, one) = (self.e.graph.zero(), self.e.graph.one());
+        if let Law::Friction(friction) = &mut self.e.reactions[friction].law {
+            friction.normal = Some(symbolic::connections::Normal { constant, terms: vec![(normal, one)] });
+        }
+    }
+
     /// A prescribed motion: the condition belongs to no reaction.
     pub fn prescribe(&mut self, name: &str, place: Expr) {
         self.condition(name, Some(place), None);
@@ -235,6 +243,11 @@ pub fn along(b: &mut Build, from: [Expr; 2], length: f64, angle: Expr) -> [Expr;
     let (c, s) = (b.cos(angle), b.sin(angle));
     let (dx, dy) = (b.times(length, c), b.times(length, s));
     [b.add(&[from[0], dx]), b.add(&[from[1], dy])]
+}
+
+/// m v²/2 of a point.
+pub fn kinetic_energy(b: &mut Build, mass: f64, point: [Expr; 2]) -> Expr {
+    kinetic(b, mass, point)
 }
 
 /// m v²/2 of a point.

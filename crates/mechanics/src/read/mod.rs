@@ -19,6 +19,7 @@ mod shapes;
 mod structures;
 mod studies;
 mod syntax;
+mod variants;
 
 pub use overrides::split as split_override;
 pub use ranges::sweep_range;
@@ -107,7 +108,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let phases = schedule.finish(reader);
     let coordinates = parameters::starts(reader, raw_coordinates);
     let (frames, mut points) = frames::read(reader, &top);
-    structures::nodes(reader, &top);
+    let sections = sections::read(reader, &top);
+    structures::nodes(reader, &top, &sections);
     structures::rods(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
     connections::announce(reader, &top);
@@ -126,7 +128,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let outputs = outputs::resolve(reader, raw_outputs);
     let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
-    let sections = sections::read(reader, &top);
+    let variants = variants::read(reader, &top);
 
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
@@ -155,6 +157,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         studies,
         structure,
         inertias: Vec::new(),
+        variants,
     }
 }
 

@@ -124,7 +124,7 @@ pub(super) fn collect_displacements<'a>(
     notation: &mut Vec<(String, String)>,
 ) -> Vec<RawCoordinate<'a>> {
     let mut found = Vec::new();
-    for (name, fields) in top.entries(reader, "displacements", &fields::DISPLACEMENT) {
+    for (name, fields) in top.entries(reader, "displacements", &fields::structures::DISPLACEMENT) {
         if !claim(reader, &name, &fields.span) {
             continue;
         }

@@ -39,7 +39,7 @@ fn drafts<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Vec<Draft>
     if let Some(key) = SHAPES.into_iter().find(|k| fields.has(k)) {
         reader.fault(
             Fault::new(
-                "M090",
+                "M300",
                 fields.span_of(key),
                 format!("{} has both `parts` and `{key}`", fields.path),
                 format!("в {} заданы и `parts`, и `{key}`", fields.path),
@@ -54,7 +54,7 @@ fn drafts<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Vec<Draft>
     };
     if items.is_empty() || items.len() > LIMIT {
         reader.fault(Fault::new(
-            "M090",
+            "M300",
             value.span(),
             format!("a section has 1 to {LIMIT} parts, {} given", items.len()),
             format!("в сечении от 1 до {LIMIT} частей, дано: {}", items.len()),
@@ -92,7 +92,7 @@ fn draft<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, spec: &'static TableS
             (format!("is several things: {}", given.join(", ")), format!("заданы сразу: {}", given.join(", ")))
         };
         reader.fault(
-            Fault::new("M090", fields.span.clone(), format!("{path} {en}"), format!("{path}: {ru}"))
+            Fault::new("M300", fields.span.clone(), format!("{path} {en}"), format!("{path}: {ru}"))
                 .help(format!("give one of {}", SHAPES.join(", ")), format!("задайте одно из: {}", SHAPES.join(", "))),
         );
         return None;
@@ -187,7 +187,7 @@ fn ring<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Form> {
     if a <= b {
         reader.fault(
             Fault::new(
-                "M090",
+                "M300",
                 fields.span_of("ring"),
                 format!("the ring in {} has the outer radius {a} m and the inner one {b} m", fields.path),
                 format!("у кольца в {} наружный радиус {a} м, внутренний {b} м", fields.path),
@@ -217,7 +217,7 @@ fn corners<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &'static str)
     let Some(items) = items else {
         reader.fault(
             Fault::new(
-                "M090",
+                "M300",
                 value.span(),
                 format!("{kind} in {} needs corners: 3 or more arrays of 2 lengths", fields.path),
                 format!("для {kind} в {} нужны вершины: не менее 3 массивов из 2 длин", fields.path),
@@ -275,7 +275,7 @@ fn crossing(places: &[[f64; 2]]) -> Option<(usize, usize)> {
 fn crossed(reader: &mut Reader, fields: &Fields, kind: &str, a: usize, b: usize) {
     reader.fault(
         Fault::new(
-            "M090",
+            "M300",
             fields.span_of("polygon"),
             format!("sides {a} and {b} of the {kind} in {} cross", fields.path),
             format!("стороны {a} и {b} ({kind} в {}) пересекаются", fields.path),
@@ -289,7 +289,7 @@ fn profile<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Form> {
     if let Some(found) = section::find_profile(&name) {
         return Some(Form::Profile(found));
     }
-    let fault = Fault::new("M091", span, format!("there is no profile `{}`", short(&name)), format!("нет профиля `{}`", short(&name)));
+    let fault = Fault::new("M301", span, format!("there is no profile `{}`", short(&name)), format!("нет профиля `{}`", short(&name)));
     let fault = match nearest(&name, section::profile_names()) {
         Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => fault.help(
@@ -317,7 +317,7 @@ fn outline(form: &Form, number: &mut dyn FnMut(Expr) -> f64) -> Outline {
 
 fn empty(reader: &mut Reader, path: &str, span: Range<usize>) {
     reader.fault(
-        Fault::new("M094", span, format!("{path} has no area"), format!("площадь {path} равна нулю"))
+        Fault::new("M304", span, format!("{path} has no area"), format!("площадь {path} равна нулю"))
             .why("corners lie on one line, or all material is taken out", "вершины лежат на одной прямой, или весь материал вычтен"),
     );
 }
@@ -379,7 +379,7 @@ fn fits(reader: &mut Reader, fields: &Fields, parts: &[Part], coverage: &section
         good = false;
         reader.fault(
             Fault::new(
-                "M092",
+                "M302",
                 parts[i].span.clone(),
                 format!("{en} takes out material that is not there: {percent:.3} % of it"),
                 format!("{ru} вычитается там, где материала нет: {percent:.3} % её площади"),
@@ -401,7 +401,7 @@ fn fits(reader: &mut Reader, fields: &Fields, parts: &[Part], coverage: &section
         good = false;
         reader.fault(
             Fault::new(
-                "M093",
+                "M303",
                 parts[i].span.clone(),
                 format!("{en} overlaps part {} ({}): {percent:.3} % of the smaller one", j + 1, parts[j].kind),
                 format!("{ru} перекрывает часть {} ({}): {percent:.3} % меньшей из них", j + 1, parts[j].kind),

@@ -8,6 +8,7 @@ use super::reader::{Checked, Fields, Reader, components, short, string, wrong_ty
 use crate::fault::{Fault, nearest};
 use crate::fields;
 use crate::formula::Context;
+use crate::section::Section;
 use crate::structure::{Action, Direction, Displacement, Load, Node, Options, Rod, Site, Structure, Support};
 use crate::units::Dimension;
 use std::collections::HashMap;
@@ -34,11 +35,14 @@ pub(super) struct Draft {
     rods: Vec<Rod>,
     rod_index: HashMap<String, usize>,
     loads: Vec<Load>,
+    /// Area and second moment by name.
+    sections: HashMap<String, (Expr, Expr)>,
 }
 
 /// `[nodes]`.
-pub(super) fn nodes<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
-    for (name, fields) in top.entries(reader, "nodes", &fields::NODE) {
+pub(super) fn nodes<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, sections: &[Section]) {
+    reader.structure.sections = sections.iter().map(|s| (s.name.clone(), (s.area(), s.inertia()))).collect();
+    for (name, fields) in top.entries(reader, "nodes", &fields::structures::NODE) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }
@@ -112,7 +116,7 @@ pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     if reader.structure.nodes.is_empty() {
         return;
     }
-    for (name, fields) in rows(reader, top, "rods", &fields::ROD, true) {
+    for (name, fields) in rows(reader, top, "rods", &fields::structures::ROD, true) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }
@@ -153,6 +157,8 @@ fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usiz
     let get = |reader: &mut Reader<'a>, key, dimension: &Dimension| positive(reader, fields, key, dimension, true);
     let (young, second) = (get(reader, "E", &PRESSURE), get(reader, "I", &SECOND_MOMENT));
     let area = get(reader, "A", &AREA);
+    let of_section = section(reader, fields);
+    let (area, second) = (area.or(of_section.map(|s| s.0)), second.or(of_section.map(|s| s.1)));
     let bending = get(reader, "EI", &BENDING).or_else(|| Some(reader.builder.graph.mul(young?, second?)));
     let stretches = flag(reader, fields, "stretch");
     let axial = get(reader, "EA", &Dimension::FORCE);
@@ -172,6 +178,21 @@ fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usiz
     }
     let (bending, axial) = if rigid { (None, None) } else { (bending, axial) };
     Some(Rod { name: name.to_owned(), ends, length, rigid, bending, axial, mass, rotary, hinged, divisions, span: fields.span.clone() })
+}
+
+/// Area and second moment of the section named under a key.
+fn section<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Expr, Expr)> {
+    let (name, span) = fields.name(reader, "section")?;
+    let found = reader.structure.sections.get(&name).copied();
+    if found.is_none() {
+        let fault = Fault::new("M202", span, format!("there is no section `{}`", short(&name)), format!("нет сечения `{}`", short(&name)));
+        let fault = match nearest(&name, reader.structure.sections.keys().map(String::as_str).collect::<std::collections::BTreeSet<_>>()) {
+            Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+            None => fault.help("add it to [sections]", "добавьте его в [sections]"),
+        };
+        reader.fault(fault);
+    }
+    found
 }
 
 fn length<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, [a, b]: [usize; 2]) -> Option<Expr> {
@@ -379,7 +400,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Stru
 
 fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
     let mut found = Vec::new();
-    for (name, fields) in rows(reader, top, "supports", &fields::SUPPORT, true) {
+    for (name, fields) in rows(reader, top, "supports", &fields::structures::SUPPORT, true) {
         let Some((node, span)) = fields.name(reader, "at") else { continue };
         let Some(&node) = reader.structure.node_index.get(&node) else {
             unknown(reader, &node, span, false);
@@ -395,7 +416,7 @@ fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
 
 fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     let per_length = Dimension::of(0, 1, -2);
-    for (name, fields) in rows(reader, top, "distributed", &fields::LINE_LOAD, true) {
+    for (name, fields) in rows(reader, top, "distributed", &fields::structures::LINE_LOAD, true) {
         let Some((rod, span)) = fields.name(reader, "on") else { continue };
         let Some(&rod) = reader.structure.rod_index.get(&rod) else {
             unknown(reader, &rod, span, true);
@@ -410,7 +431,7 @@ fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
 
 fn displacements<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Displacement> {
     let mut found = Vec::new();
-    for (name, fields) in top.entries(reader, "displacements", &fields::DISPLACEMENT) {
+    for (name, fields) in top.entries(reader, "displacements", &fields::structures::DISPLACEMENT) {
         let label = fields.text(reader, "label").unwrap_or_else(Text::default);
         let direction = direction(reader, &fields);
         if let (Some(site), Some(direction)) = (site(reader, &fields, "at"), direction) {
@@ -453,7 +474,7 @@ fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Options {
         reader.fault(wrong_type(value.span(), "a table", "таблица", value.get_ref().type_str()));
         return Options::default();
     };
-    let fields = Fields::open(reader, &fields::STRUCTURE, table, value.span(), "structure".to_owned());
+    let fields = Fields::open(reader, &fields::structures::STRUCTURE, table, value.span(), "structure".to_owned());
     let condense = fields.has("condense").then(|| flag(reader, &fields, "condense"));
     let accuracy = fields.formula(reader, "accuracy", &Context::CONSTANT, Some(&Dimension::NONE));
     let accuracy = accuracy.and_then(|value| reader.number(&value)).map(|a| a.clamp(1e-11, 1e-1));

@@ -63,6 +63,16 @@ pub(super) enum Numbers {
     Gap { gap: u32, force: u32 },
 }
 
+impl Numbers {
+    /// The guard that selects the equation.
+    pub(super) fn switch(self) -> usize {
+        match self {
+            Numbers::Sliding { sliding, .. } => sliding as usize,
+            Numbers::Gap { gap, .. } => gap as usize,
+        }
+    }
+}
+
 impl Arrangement {
     /// *Errors*: P012 when equations and unknowns differ in number, P014 for a friction that is pressed by a reaction that was dropped.
     pub(super) fn new(equations: &Equations, selection: &Selection) -> Result<Arrangement, Fault> {

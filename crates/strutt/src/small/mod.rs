@@ -7,7 +7,6 @@ pub mod show;
 
 use crate::pipeline::Machine;
 use analysis::linear::{LinearMachine, Place};
-use analysis::studies::equilibrium::rest_near;
 use analysis::{Fault, System};
 use mechanics::model::StudyKind;
 use std::sync::Arc;
@@ -53,9 +52,8 @@ fn rest(machine: &Machine, linear: &mut LinearMachine, guess: &[(SymbolId, f64)]
     };
     let (mut first, mut fault) = (None, None);
     for candidate in &candidates {
-        match rest_near(linear, candidate) {
-            Ok(q) => {
-                let place = Place::rest(&q);
+        match linear.settle(candidate) {
+            Ok(place) => {
                 if stable(linear, &place) {
                     return Ok(place);
                 }
@@ -76,6 +74,7 @@ fn rest(machine: &Machine, linear: &mut LinearMachine, guess: &[(SymbolId, f64)]
 /// Whether no direction of C is negative.
 fn stable(linear: &mut LinearMachine, place: &Place) -> bool {
     let Ok(found) = linear.at(place) else { return false };
+    let found = found.allowed().map_or(found.clone(), |(z, k)| found.reduced(&z, k));
     let (even, _) = analysis::linear::parts(&found.stiffness, found.n);
     analysis::numerics::lu::positive_definite(&even, found.n) != Some(false)
 }
@@ -95,6 +94,15 @@ pub fn timing_notes(machine: &LinearMachine) -> Vec<Text> {
             "formulas that switch with time are taken as they stand just after t = 0",
             "формулы, переключающиеся по времени, взяты такими, каковы они сразу после t = 0",
         ));
+    }
+    if timing.smoothed {
+        notes.push(Text::new(
+            "dry friction and one-sided contacts are left out of small motions",
+            "сухое трение и односторонние связи в малых движениях не учтены",
+        ));
+    }
+    if timing.driven {
+        notes.push(Text::new("conditions that change with time are taken at t = 0", "связи, меняющиеся со временем, взяты при t = 0"));
     }
     if timing.varying {
         notes.push(Text::new(

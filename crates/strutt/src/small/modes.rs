@@ -59,7 +59,9 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     let matrices = small.machine.at(&small.place)?;
     let names = small.machine.coordinates().to_vec();
     let modes = modes::modes(&matrices, &names, normalisation(study.scale))?;
-    let equation = (modes.damping != Damping::General).then(|| equation::find(machine, &small, study.variable.as_ref())).flatten();
+    let equation = (modes.damping != Damping::General && matrices.jacobian.is_empty())
+        .then(|| equation::find(machine, &small, study.variable.as_ref()))
+        .flatten();
     let tracks = match &study.over {
         Some(sweep) => Some(along(&mut small, sweep)?),
         None => None,

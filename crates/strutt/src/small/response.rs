@@ -44,6 +44,8 @@ pub struct ResponseFound {
     pub shapes: Vec<Point>,
     /// The coordinates.
     pub coordinates: Vec<Quantity>,
+    /// Names of the bodies that each coordinate moves.
+    pub bodies: Vec<Vec<String>>,
     /// Name of the load, or of the parameter that is its frequency.
     pub load: Text,
 }
@@ -61,6 +63,7 @@ pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
         own: None,
         shapes: Vec::new(),
         coordinates: Vec::new(),
+        bodies: bodies(machine),
         load: Text::default(),
     };
     if let Err(fault) = about_rest(machine, &study.guess).and_then(|small| sweep(machine, study, small, &mut out)) {
@@ -99,6 +102,28 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.outputs = quantities;
     out.modes = Some(found);
     Ok(())
+}
+
+/// Bodies with mass whose place or angle changes with each coordinate, directly or with what they stand on.
+fn bodies(machine: &Machine) -> Vec<Vec<String>> {
+    let model = &machine.model;
+    let moves = |symbol: SymbolId| -> Vec<String> {
+        let mut moved = vec![false; model.frames.len()];
+        for (i, frame) in model.frames.iter().enumerate().skip(1) {
+            let (own, at): (Vec<Expr>, bool) = match &frame.origin {
+                mechanics::model::Origin::Vector(v) => (v.to_vec(), false),
+                mechanics::model::Origin::Point(p) => {
+                    let point = &model.points[p.index()];
+                    (point.at.to_vec(), moved[point.on.index()])
+                }
+            };
+            let formulas: Vec<Expr> = own.into_iter().chain(frame.rotations.iter().map(|r| r.1)).collect();
+            moved[i] = at || moved[frame.on.index()] || model.graph.symbols_in(&formulas).contains(&symbol);
+        }
+        let heavy = model.frames.iter().zip(&moved).filter(|(f, m)| **m && f.mass.is_some());
+        heavy.map(|(f, _)| f.name.clone()).collect()
+    };
+    model.coordinates.iter().map(|c| moves(c.symbols[0])).collect()
 }
 
 fn reference(from_sine: bool) -> Text {
@@ -283,7 +308,7 @@ pub fn to_json(found: &ResponseFound) -> Map<String, Value> {
         let absorbs: Vec<Value> = a
             .absorbs
             .iter()
-            .map(|(i, share)| json!({"coordinate": found.coordinates.get(*i).map(|q| q.name.clone()), "energy_share": share}))
+            .map(|(i, share)| json!({"coordinate": found.coordinates.get(*i).map(|q| q.name.clone()), "energy_share": share, "bodies": found.bodies.get(*i)}))
             .collect();
         json!({"output": name(a.output), "omega": a.omega, "f": a.omega / TAU, "amplitude": a.amplitude, "zero": a.exact, "absorbed_by": absorbs})
     };

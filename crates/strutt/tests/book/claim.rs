@@ -34,6 +34,7 @@ pub enum Claim {
     Error { code: String, line: Option<usize>, only: bool },
     Warning { code: String, line: Option<usize> },
     Fails(String),
+    Field { path: String, text: String },
     PhaseConstant { phase: usize, key: String, expected: f64, tolerance: Tolerance },
     PhaseCase { phase: usize, case: String },
 }
@@ -82,6 +83,10 @@ pub fn parse(line: &str) -> Result<Claim, String> {
                 _ => return Err(unknown()),
             };
             Ok(if kind == "error" { Claim::Error { code, line, only } } else { Claim::Warning { code, line } })
+        }
+        "field" => {
+            let (path, text) = line["field".len()..].split_once(':').ok_or_else(unknown)?;
+            Ok(Claim::Field { path: path.trim().to_owned(), text: text.trim().to_owned() })
         }
         "phase" => phase(line).ok_or_else(unknown)?,
         "mean" => mean_rate(line).ok_or_else(unknown)?,

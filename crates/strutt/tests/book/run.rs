@@ -5,7 +5,7 @@ use crate::claim::{Claim, Tolerance, When, parse};
 use analysis::Dataset;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use mechanics::Diagnostic;
-use mechanics::model::Times;
+use mechanics::model::{Modes, Response, StudyKind, Times};
 use report::Language;
 use report::formula::{Form, Printer};
 use strutt::pipeline::{self, Finding, Machine, Phases};
@@ -101,11 +101,14 @@ struct Command {
     tolerance: f64,
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
+    /// Name of a section.
+    name: String,
 }
 
 impl Command {
     fn parse(words: &[String]) -> Result<Command, String> {
-        let mut command = Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new() };
+        let mut command =
+            Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new(), name: String::new() };
         let mut list = None;
         for word in &words[1..] {
             if word == "set" || word == "guess" {
@@ -118,6 +121,7 @@ impl Command {
                 (Some("set"), _) => command.set.push(pair),
                 (Some(_), _) => command.guess.push(pair),
                 (None, "until") => command.until = quantity(value)?,
+                (None, "name") => value.clone_into(&mut command.name),
                 (None, "tolerance") => command.tolerance = value.parse().map_err(|_| format!("not a number: {value}"))?,
                 (None, _) => return Err(format!("unknown option `{word}`")),
             }
@@ -137,6 +141,11 @@ impl Command {
             "simulate" => self.simulate(&mut machine, claims),
             "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
+            "modes" | "response" => Ok(self.fields(&mut machine)),
+            "section" => {
+                let found = machine.model.sections.iter().find(|s| s.name == self.name).cloned();
+                found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
+            }
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),
@@ -195,6 +204,23 @@ impl Command {
         }
     }
 
+    /// The study of the file of that kind, or the one that the command makes without.
+    fn fields(&self, machine: &mut Machine) -> Outcome {
+        let of_file = machine.model.studies.iter().map(|s| s.kind.clone()).find(|kind| match kind {
+            StudyKind::Modes(_) => self.verb == "modes",
+            StudyKind::Response(_) => self.verb == "response",
+            _ => false,
+        });
+        let usual = if self.verb == "modes" { StudyKind::Modes(Modes::default()) } else { StudyKind::Response(Response::default()) };
+        match pipeline::study(machine, &of_file.unwrap_or(usual), &mut Watch::default()) {
+            Some(finding) => match finding.trouble() {
+                Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
+                None => Outcome::Fields { own: strutt::folder::own_fields(&finding).into(), data: finding.data().clone() },
+            },
+            None => Outcome::Trouble { code: "", what: "no study".into() },
+        }
+    }
+
     fn equilibrium(&self, machine: &mut Machine) -> Result<Outcome, String> {
         let mut guess = Vec::new();
         for (name, value) in &self.guess {
@@ -222,8 +248,10 @@ enum Outcome {
     Machine(Box<Machine>),
     Motion { times: Vec<f64>, data: Dataset },
     Rest(Dataset),
-    Study(Box<Results>),
+    Fields { own: serde_json::Value, data: Dataset },
+    Section(Box<mechanics::section::Section>),
     Closed { times: Vec<f64>, data: Dataset, phases: Phases },
+    Study(Box<Results>),
 }
 
 impl Outcome {
@@ -232,6 +260,16 @@ impl Outcome {
             (Outcome::Findings(diagnostics), Claim::Error { code, line, only }) => findings(model, diagnostics, code, *line, *only),
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
             (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
+            (Outcome::Fields { own, .. }, Claim::Rest { name, expected, tolerance }) => {
+                let found = field(own, name)?.as_f64().unwrap_or(f64::NAN);
+                tolerance.check(name, found, *expected)
+            }
+            (Outcome::Fields { own, .. }, Claim::Field { path, text }) => {
+                let found = field(own, path)?;
+                let found = found.as_str().map_or_else(|| found.to_string(), str::to_owned);
+                if found == *text { Ok(()) } else { Err(format!("{path} is {found}")) }
+            }
+            (Outcome::Fields { data, .. }, claim) => motion(&[], data, claim),
             (Outcome::Motion { times, data }, claim) => motion(times, data, claim),
             (Outcome::Closed { phases, .. }, Claim::PhaseConstant { phase, key, expected, tolerance }) => {
                 tolerance.check(key, constant_of(phases, *phase, key)?, *expected)
@@ -239,6 +277,10 @@ impl Outcome {
             (Outcome::Closed { phases, .. }, Claim::PhaseCase { phase, case }) => case_of(phases, *phase, case),
             (Outcome::Closed { times, data, .. }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
+            (Outcome::Section(section), Claim::Rest { name, expected, tolerance }) => {
+                let found = strutt::sections::property(section, name).ok_or_else(|| format!("no property `{name}`"))?;
+                tolerance.check(name, found, *expected)
+            }
             (Outcome::Study(results), claim) => study_claim(results, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
                 let column = data.column(name).ok_or_else(|| no_column(data, name))?;
@@ -260,6 +302,8 @@ impl Outcome {
             Outcome::Trouble { code, what } => format!("ended with {code}: {what}"),
             Outcome::Machine(_) => "the model is accepted".into(),
             Outcome::Motion { .. } => "the motion was computed".into(),
+            Outcome::Fields { .. } => "the study was made".into(),
+            Outcome::Section(_) => "the section was computed".into(),
             Outcome::Closed { .. } => "the closed form was found".into(),
             Outcome::Rest(_) => "an equilibrium was found".into(),
             Outcome::Study(results) => format!("the study {} was made", results.kind),
@@ -300,6 +344,22 @@ fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<us
         [] => Err("nothing was found".into()),
         list => Err(format!("found {}", list.join(", "))),
     }
+}
+
+/// The field at a path: `modes[1].shape.phi`, counted from 1; `length(modes)` is a number of entries.
+fn field(own: &serde_json::Value, path: &str) -> Result<serde_json::Value, String> {
+    if let Some(inner) = path.strip_prefix("length(").and_then(|p| p.strip_suffix(')')) {
+        return Ok(field(own, inner)?.as_array().map_or(0, Vec::len).into());
+    }
+    let mut at = own;
+    for step in path.split(['.', '[']) {
+        let next = match step.strip_suffix(']') {
+            Some(index) => index.parse::<usize>().ok().and_then(|i| at.get(i.wrapping_sub(1))),
+            None => at.get(step),
+        };
+        at = next.ok_or_else(|| format!("no field `{path}` (at `{step}`)"))?;
+    }
+    Ok(at.clone())
 }
 
 fn no_column(data: &Dataset, name: &str) -> String {

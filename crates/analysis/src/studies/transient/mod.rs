@@ -11,7 +11,7 @@ pub mod motion;
 pub mod oscillator;
 
 use super::simulate::{self, Grid, Outcome, Simulate};
-use crate::dataset::{Audit, Column, Dataset};
+use crate::dataset::{Audit, Column, Dataset, Event};
 use crate::fault::Message;
 use crate::{Fault, Mode, Quantity, System};
 use form::Form;
@@ -182,7 +182,17 @@ fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], op
     let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
     let mut columns = vec![Column { quantity: time, values: times.to_vec() }];
     columns.extend(chosen.iter().zip(rows).map(|(i, values)| Column { quantity: all[*i].clone(), values }));
-    Ok(Dataset { axis: Some(0), columns, ..Dataset::default() })
+    Ok(Dataset { axis: Some(0), columns, events: starts(phases), ..Dataset::default() })
+}
+
+/// The beginnings of all phases but the first.
+fn starts(phases: &[Phase]) -> Vec<Event> {
+    let event = |(i, phase): (usize, &Phase)| Event {
+        t: phase.start,
+        what: Text::new(format!("phase {} begins", i + 1), format!("начало этапа {}", i + 1)),
+        ..Event::default()
+    };
+    phases.iter().enumerate().skip(1).map(event).collect()
 }
 
 /// Visits the closed form at the given times in ascending order: row of the time, state (q, q'). At a switch the later phase is meant.
@@ -229,12 +239,13 @@ fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], phases: &[Phase], mut
     let numeric = &outcome.dataset.columns[1..];
     // a coordinate that stays at rest is rounding only: the others of its unit set the scale
     let size = |unit: &str| numeric.iter().filter(|c| c.quantity.unit == unit).map(|c| largest(&c.values)).fold(0.0, f64::max);
+    let sizes: Vec<f64> = numeric.iter().map(|c| size(&c.quantity.unit)).collect();
     let mut worst = 0.0_f64;
     each_row(phases, &times, |row, x| {
-        for (value, column) in x.iter().zip(numeric) {
+        for ((value, column), size) in x.iter().zip(numeric).zip(&sizes) {
             let difference = (value - column.values[row]).abs();
             if difference > 0.0 {
-                worst = worst.max(difference / size(&column.quantity.unit));
+                worst = worst.max(difference / size);
             }
         }
         Ok(())
@@ -244,6 +255,5 @@ fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], phases: &[Phase], mut
         Text::new("closed form against integration: largest difference", "замкнутое решение и интегрирование: наибольшее расхождение");
     dataset.audits = outcome.dataset.audits;
     dataset.audits.push(Audit::at_most("closed_form", name, worst, TWIN));
-    dataset.events = outcome.dataset.events;
     dataset.counters = outcome.dataset.counters;
 }
