@@ -59,6 +59,14 @@ examples![
     "truss-bridge",
 ];
 
+/// Tables that examples read: example, file beside the model, text.
+const TABLES: &[(&str, &str, &str)] = &[("stick-slip", "variants.csv", include_str!("../../../gallery/stick-slip/variants.csv"))];
+
+/// The tables of an example: file and text.
+pub fn tables(name: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
+    TABLES.iter().filter(move |table| table.0 == name && find(name).is_some()).map(|table| (table.1, table.2))
+}
+
 /// The model with a name.
 pub fn find(name: &str) -> Option<&'static Example> {
     EXAMPLES.iter().find(|e| e.name == name)
