@@ -36,13 +36,13 @@ pub fn all() -> Vec<Explanation> {
         wrong: "",
         right: "",
     }));
-    out.extend(analysis::fault::EXPLANATIONS.iter().chain(analysis::structure::faults::EXPLANATIONS).map(|e| Explanation {
-        code: e.code,
-        title: Text::new(e.en.0, e.ru.0),
-        body: Text::new(e.en.1, e.ru.1),
-        wrong: "",
-        right: "",
-    }));
+    out.extend(
+        analysis::fault::EXPLANATIONS
+            .iter()
+            .chain(analysis::fault::connections::EXPLANATIONS)
+            .chain(analysis::structure::faults::EXPLANATIONS)
+            .map(|e| Explanation { code: e.code, title: Text::new(e.en.0, e.ru.0), body: Text::new(e.en.1, e.ru.1), wrong: "", right: "" }),
+    );
     out.extend(OWN.iter().map(|(code, title, body)| Explanation { code, title: pair(*title), body: pair(*body), wrong: "", right: "" }));
     out
 }
