@@ -20,6 +20,7 @@ macro_rules! examples {
 examples![
     "absorber",
     "atwood",
+    "basic-oscillator",
     "belt-oscillator",
     "blade-particle",
     "blade-particle-published",
@@ -46,6 +47,7 @@ examples![
     "scotch-yoke",
     "scotch-yoke-dry",
     "scotch-yoke-oneway",
+    "section-composite",
     "shaft-line",
     "slider-crank",
     "spherical-pendulum",
