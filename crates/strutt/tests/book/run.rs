@@ -273,11 +273,11 @@ impl Outcome {
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
             (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
             (Outcome::Fields { own, .. }, Claim::Rest { name, expected, tolerance }) => {
-                let found = field(own, name)?.as_f64().unwrap_or(f64::NAN);
+                let found = json_field(own, name)?.as_f64().unwrap_or(f64::NAN);
                 tolerance.check(name, found, *expected)
             }
             (Outcome::Fields { own, .. }, Claim::Field { path, text }) => {
-                let found = field(own, path)?;
+                let found = json_field(own, path)?;
                 let found = found.as_str().map_or_else(|| found.to_string(), str::to_owned);
                 if found == *text { Ok(()) } else { Err(format!("{path} is {found}")) }
             }
@@ -359,9 +359,9 @@ fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<us
 }
 
 /// The field at a path: `modes[1].shape.phi`, counted from 1; `length(modes)` is a number of entries.
-fn field(own: &serde_json::Value, path: &str) -> Result<serde_json::Value, String> {
+fn json_field(own: &serde_json::Value, path: &str) -> Result<serde_json::Value, String> {
     if let Some(inner) = path.strip_prefix("length(").and_then(|p| p.strip_suffix(')')) {
-        return Ok(field(own, inner)?.as_array().map_or(0, Vec::len).into());
+        return Ok(json_field(own, inner)?.as_array().map_or(0, Vec::len).into());
     }
     let mut at = own;
     for step in path.split(['.', '[']) {
