@@ -904,4 +904,14 @@ pub const LINEAR: &[Explanation] = &[
         "[unknowns]\nM = \"m*g*l\"",
         "[unknowns]\nM = \"2 N m\"",
     ),
+    row(
+        "M095",
+        ("about what motions are small", "около чего движения малы"),
+        (
+            "Modes belong to a state: a place of rest (`rest`), or the motion as it is at the start (`start`), for example a steady rotation.",
+            "Собственные формы относятся к состоянию: положению покоя (`rest`) или движению в начальный момент (`start`), например равномерному вращению.",
+        ),
+        "about = \"middle\"",
+        "about = \"start\"",
+    ),
 ];

@@ -943,6 +943,17 @@ pub const STUDY: TableSpec = TableSpec {
             "\"periodic\"",
         ),
         may(
+            "about",
+            Type::String,
+            "",
+            "\"rest\"",
+            (
+                "modes about a place of rest, or about the motion as it is at the start",
+                "формы около положения покоя (rest) или около движения в начальный момент (start)",
+            ),
+            "\"start\"",
+        ),
+        may(
             "normalise",
             Type::String,
             "",

@@ -683,6 +683,8 @@ pub struct Modes {
     pub variable: Option<FrequencyVariable>,
     /// A parameter to follow the modes along.
     pub over: Option<ParameterRange>,
+    /// Linearise about the motion at the start instead of a place of rest.
+    pub about_start: bool,
 }
 
 /// How shapes are scaled.

@@ -197,6 +197,18 @@ pub struct Modes {
     /// Where to look for the equilibrium: phi=0.1
     #[arg(long = "guess", value_name = "NAME=QUANTITY")]
     pub guess: Vec<String>,
+    /// About the motion at the start instead of a place of rest
+    #[arg(long)]
+    pub about_start: bool,
+    /// A parameter along which the modes are followed
+    #[arg(long, value_name = "NAME", requires = "range")]
+    pub over: Option<String>,
+    /// Its values, from and to: "0 rad/s,600 rad/s"
+    #[arg(long, value_name = "FROM,TO", requires = "over", allow_hyphen_values = true)]
+    pub range: Option<String>,
+    /// Number of its values
+    #[arg(long, value_name = "N", default_value_t = 101)]
+    pub points: usize,
     /// Scale of the shapes
     #[arg(long, value_enum, value_name = "SCALE")]
     pub normalise: Option<Normalise>,

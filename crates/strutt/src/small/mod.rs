@@ -1,6 +1,7 @@
 //! Small motions about an equilibrium: what the studies `modes` and `response` share.
 
 pub mod equation;
+pub mod formulas;
 pub mod modes;
 pub mod response;
 pub mod show;
@@ -8,6 +9,7 @@ pub mod show;
 use crate::pipeline::Machine;
 use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
+use analysis::numerics::lu::Lu;
 use analysis::studies::modes::{self as natural, Normalisation};
 use analysis::{Dataset, Fault, Quantity, System};
 use mechanics::model::StudyKind;
@@ -31,6 +33,23 @@ pub struct Small {
 pub fn about_rest(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Fault> {
     let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
     let place = rest(machine, &mut linear, guess)?;
+    Ok(Small { machine: linear, place })
+}
+
+/// Linearises a machine about the motion that it has at the start.
+///
+/// # Errors
+/// Formulas have no value there, or the mass matrix is singular.
+pub fn about_start(machine: &Machine) -> Result<Small, Fault> {
+    let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Motion)?;
+    let start = machine.system.start()?;
+    let n = machine.system.n_coordinates();
+    let mut place = Place { rates: start[n..2 * n].to_vec(), ..Place::rest(&start[..n]) };
+    let there = linear.at(&place)?;
+    natural::check_mass(&there.mass, n, linear.coordinates())?;
+    if let Some(accelerations) = Lu::new(&there.mass, n).solve(&there.force) {
+        place.accelerations = accelerations;
+    }
     Ok(Small { machine: linear, place })
 }
 
