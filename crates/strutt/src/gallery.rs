@@ -31,6 +31,7 @@ examples![
     "scotch-yoke",
     "scotch-yoke-dry",
     "scotch-yoke-oneway",
+    "section-composite",
     "shaft-line",
     "spherical-pendulum",
     "thread-pendulum",
