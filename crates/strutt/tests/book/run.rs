@@ -101,6 +101,7 @@ struct Command {
     tolerance: f64,
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
+    linearise: bool,
     /// Name of a section.
     name: String,
     /// Row of the table of variants.
@@ -117,11 +118,16 @@ impl Command {
             guess: Vec::new(),
             name: String::new(),
             variant: None,
+            linearise: false,
         };
         let mut list = None;
         for word in &words[1..] {
             if word == "set" || word == "guess" {
                 list = Some(word.as_str());
+                continue;
+            }
+            if word == "linearise" {
+                command.linearise = true;
                 continue;
             }
             let (name, value) = word.split_once('=').ok_or_else(|| format!("not NAME=VALUE: `{word}`"))?;
@@ -168,11 +174,12 @@ impl Command {
             "simulate" => self.simulate(&mut machine, claims),
             "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
-            "modes" | "response" => Ok(self.fields(&mut machine)),
+            "modes" | "response" | "equilibria" => Ok(self.fields(&mut machine)),
             "section" => {
                 let found = machine.model.sections.iter().find(|s| s.name == self.name).cloned();
                 found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
             }
+            "statics" if machine.model.structure.is_some() => Ok(self.fields(&mut machine)),
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),
@@ -194,13 +201,14 @@ impl Command {
 
     fn transient(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
         let times = self.times(claims);
-        let study = mechanics::model::Simulate {
+        let motion = mechanics::model::Simulate {
             until: self.until,
             times: Times::At(times.clone()),
             tolerance: self.tolerance,
             outputs: machine.equations.outputs.iter().map(|o| o.name.clone()).collect(),
             plots: Vec::new(),
         };
+        let study = mechanics::model::Transient { motion, linearise: self.linearise };
         match pipeline::transient(machine, &study, &mut Watch::default()) {
             Finding::Transient(_, data, phases, None) => Ok(Outcome::Closed { times, data, phases }),
             Finding::Transient(_, _, _, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
@@ -235,14 +243,28 @@ impl Command {
     fn fields(&self, machine: &mut Machine) -> Outcome {
         let of_file = machine.model.studies.iter().map(|s| s.kind.clone()).find(|kind| match kind {
             StudyKind::Modes(_) => self.verb == "modes",
+            StudyKind::Equilibrium { .. } => self.verb == "equilibria",
             StudyKind::Response(_) => self.verb == "response",
+            StudyKind::Statics => self.verb == "statics",
             _ => false,
         });
-        let usual = if self.verb == "modes" { StudyKind::Modes(Modes::default()) } else { StudyKind::Response(Response::default()) };
+        let usual = match self.verb.as_str() {
+            "modes" => StudyKind::Modes(Modes::default()),
+            "equilibria" => StudyKind::Equilibrium { guess: Vec::new(), over: None },
+            "statics" => StudyKind::Statics,
+            _ => StudyKind::Response(Response::default()),
+        };
         match pipeline::study(machine, &of_file.unwrap_or(usual), &mut Watch::default()) {
             Some(finding) => match finding.trouble() {
                 Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
-                None => Outcome::Fields { own: strutt::folder::own_fields(&finding).into(), data: finding.data().clone() },
+                None => {
+                    let data = finding.data().clone();
+                    let mut own = strutt::folder::own_fields(&finding);
+                    let parameters: serde_json::Map<String, serde_json::Value> =
+                        data.provenance.parameters.iter().map(|p| (p.quantity.name.clone(), p.value.into())).collect();
+                    own.insert("parameters".into(), parameters.into());
+                    Outcome::Fields { own: own.into(), data }
+                }
             },
             None => Outcome::Trouble { code: "", what: "no study".into() },
         }
