@@ -104,6 +104,8 @@ struct Command {
     linearise: bool,
     /// Name of a section.
     name: String,
+    /// Row of the table of variants.
+    variant: Option<String>,
 }
 
 impl Command {
@@ -115,6 +117,7 @@ impl Command {
             set: Vec::new(),
             guess: Vec::new(),
             name: String::new(),
+            variant: None,
             linearise: false,
         };
         let mut list = None;
@@ -134,6 +137,7 @@ impl Command {
                 (Some(_), _) => command.guess.push(pair),
                 (None, "until") => command.until = quantity(value)?,
                 (None, "name") => value.clone_into(&mut command.name),
+                (None, "variant") => command.variant = Some(value.to_owned()),
                 (None, "tolerance") => command.tolerance = value.parse().map_err(|_| format!("not a number: {value}"))?,
                 (None, _) => return Err(format!("unknown option `{word}`")),
             }
@@ -141,9 +145,26 @@ impl Command {
         Ok(command)
     }
 
+    /// Values of the variant, then those set by hand.
+    fn overrides(&self, source: &Source) -> Result<Vec<(String, String)>, Failure> {
+        let mut all = Vec::new();
+        if let Some(variant) = &self.variant {
+            let reading = mechanics::read(&source.text, &source.path, &[])
+                .map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
+            all = strutt::variants::overrides(&reading.model, source, variant)?;
+        }
+        all.extend(self.set.iter().cloned());
+        Ok(all)
+    }
+
     fn run(&self, trial: &Trial, claims: &[&Claim]) -> Result<Outcome, String> {
         let source = Source::new("model.toml", &trial.model);
-        let mut machine = match pipeline::build(&source, &self.set, &mut Watch::default()) {
+        let set = match self.overrides(&source) {
+            Ok(set) => set,
+            Err(Failure::Trouble(t) | Failure::Misuse(t)) => return Ok(Outcome::Trouble { code: t.code, what: t.what.en.clone() }),
+            Err(other) => return Err(format!("no variant: {other:?}")),
+        };
+        let mut machine = match pipeline::build(&source, &set, &mut Watch::default()) {
             Ok(machine) => machine,
             Err(Failure::Findings { diagnostics, .. }) => return Ok(Outcome::Findings(diagnostics)),
             Err(Failure::Trouble(trouble)) => return Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
