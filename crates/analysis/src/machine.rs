@@ -5,6 +5,7 @@ use std::sync::Arc;
 mod conditions;
 
 use program::{Bound, Evaluator, Jets, Operation, Point, Program, Tape, passes};
+use symbolic::connections::Law;
 use symbolic::{Equations, Text};
 
 use crate::connections::assemble;
@@ -16,6 +17,8 @@ use conditions::Conditions;
 #[derive(Clone, Debug)]
 pub struct Machine {
     states: Vec<Quantity>,
+    /// Which coordinates only turn.
+    turning: Vec<bool>,
     outputs: Vec<Quantity>,
     guards: Vec<Guard>,
     /// Specialised for the parameters; [`Machine::new`] keeps the general tapes for what is asked rarely.
@@ -86,7 +89,8 @@ impl Machine {
             .map(|i| {
                 let unnamed = || Text::new(format!("switch {}", i + 1), format!("переключатель {}", i + 1));
                 let kind = kind(&program.guards[i].kind);
-                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), kind, ..Guard::default() }
+                let tie = is_tie(equations, &program.guards[i].kind);
+                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), kind, tie, scheduled: None }
             })
             .collect();
         for (guard, t) in bound.scheduled() {
@@ -95,12 +99,13 @@ impl Machine {
         let observed = bound.evaluator(&bound.program().outputs)?;
         Ok(Machine {
             states: states(equations, program),
+            turning: (0..equations.coordinates.len()).map(|i| equations.turns_freely(i)).collect(),
             outputs: outputs(equations),
             jets: bound.jets(1),
             needs_accelerations: reads_accelerations(observed.tape()),
             observed,
             forces: bound.evaluator(&bound.program().forces)?,
-            conditions: Conditions::new(equations, &bound, &program.guards)?,
+            conditions: Conditions::new(equations, &bound)?,
             shown: (0..program.outputs.roots.len()).collect(),
             energy: bound.evaluator(&bound.program().energy)?,
             second: general.evaluator(&program.second)?,
@@ -176,6 +181,11 @@ fn kind(kind: &program::GuardKind) -> GuardKind {
         Kind::ContactForce { of, .. } => GuardKind::Bound { of, exit: Mode::Positive },
         _ => GuardKind::Switch,
     }
+}
+
+fn is_tie(equations: &Equations, kind: &program::GuardKind) -> bool {
+    let program::GuardKind::Gap { reaction, .. } = kind else { return false };
+    matches!(equations.reactions[*reaction].law, Law::Contact { tie: true, .. })
 }
 
 fn returned(mode: program::Mode) -> Mode {
@@ -271,6 +281,9 @@ impl System for Machine {
     fn n_coordinates(&self) -> usize {
         self.bound.program().coordinates
     }
+    fn turns_freely(&self, i: usize) -> bool {
+        self.turning.get(i) == Some(&true)
+    }
     fn guards(&self) -> &[Guard] {
         &self.guards
     }
@@ -362,14 +375,13 @@ impl System for Machine {
         true
     }
 
-    fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+    fn kinetic_energy(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<f64> {
         self.observing.set(modes, &self.bound);
-        // neither reads accelerations
+        // it reads no accelerations
         self.accelerations.fill(0.0);
         let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
-        let [kinetic, potential, ..] = *self.energy.evaluate(&point).ok()? else { return None };
-        Some([kinetic, potential])
+        self.energy.evaluate(&point).ok()?.first().copied()
     }
 
     fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {

@@ -69,6 +69,8 @@ pub struct Guard {
     pub name: Text,
     /// What role it plays.
     pub kind: GuardKind,
+    /// A contact that is a rope: only the words about it differ.
+    pub tie: bool,
     /// Instant at which a guard that is affine in time vanishes; such an instant is hit exactly instead of being searched.
     pub scheduled: Option<f64>,
 }
@@ -122,6 +124,13 @@ pub trait System {
     /// Number n of coordinates; states n..2n are their rates.
     fn n_coordinates(&self) -> usize;
 
+    /// Whether state `i` is an angle whose full turns change nothing in the motion. The integrator then keeps it small, so that an angle of
+    /// thousands of turns has the digits of the first one; outside it the turns are counted.
+    fn turns_freely(&self, i: usize) -> bool {
+        let _ = i;
+        false
+    }
+
     /// Guards.
     fn guards(&self) -> &[Guard];
 
@@ -173,8 +182,8 @@ pub trait System {
         None
     }
 
-    /// Kinetic and potential energy at (t, x); none when the system has no energies.
-    fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+    /// Kinetic energy at (t, x); none when the system has no energies.
+    fn kinetic_energy(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<f64> {
         let _ = (t, x, modes);
         None
     }

@@ -108,3 +108,211 @@ fn rod_of_a_pendulum_has_the_force_of_the_closed_form() {
     }
     assert!(y[0] == -0.8 || (y[0] + 0.8).abs() < 1e-15);
 }
+
+mod switching {
+    use super::*;
+    use analysis::taylor::Options;
+
+    /// Switches until the end: (t, guard, before, after) and the final state.
+    fn follow(b: &Build, end: f64) -> (Vec<analysis::events::Switch>, Vec<f64>) {
+        let mut machine = assembled(b).unwrap();
+        let start = machine.start().unwrap();
+        let options = Options { span: end, ..Options::default() };
+        let mut flow = Flow::start(&mut machine, 0.0, &start, &options).unwrap();
+        let mut switches = flow.switches().to_vec();
+        while !flow.reached(end) {
+            flow.advance(end).unwrap();
+            switches.extend_from_slice(flow.switches());
+        }
+        (switches, flow.state().to_vec())
+    }
+
+    /// Body of mass m on a spring and a belt, as the card has it.
+    fn belt(m: f64, c: f64, belt: f64, fixed: f64, kinetic: f64) -> Build {
+        let mut b = Build::new();
+        let [x, v] = b.coordinate("x", "m", Start::Given(0.0), Start::Given(belt));
+        let square = b.square(v);
+        let t = b.times(0.5 * m, square);
+        let square = b.square(x);
+        let p = b.times(0.5 * c, square);
+        b.lagrange(t, p, &[]);
+        let speed = b.number(belt);
+        let sliding = b.sub(v, speed);
+        b.friction("friction", sliding, fixed, kinetic);
+        b
+    }
+
+    #[test]
+    fn belt_oscillator_keeps_its_period() {
+        let exact = 5.0 + std::f64::consts::PI + 2.0 * 0.4_f64.atan();
+        let (switches, _) = follow(&belt(1.0, 1.0, 0.2, 1.0, 0.5), 100.0);
+        let breaks: Vec<f64> = switches.iter().filter(|s| s.before == analysis::Mode::Zero).map(|s| s.t).collect();
+        assert_eq!(breaks.len(), 11);
+        for pair in breaks.windows(2) {
+            assert!((pair[1] - pair[0] - exact).abs() < 1e-12, "{:e}", pair[1] - pair[0] - exact);
+        }
+    }
+
+    /// Block on an incline of angle a in coordinates x, y of the ground: the plane is a condition, its force the normal force of the friction.
+    fn incline(a: f64, fixed: f64, kinetic: f64, rates: [f64; 2]) -> Build {
+        let mut b = Build::new();
+        let [x, vx] = b.coordinate("x", "m", Start::Given(0.3), Start::Given(rates[0]));
+        let [y, vy] = b.coordinate("y", "m", Start::Guess(0.0), Start::Guess(rates[1]));
+        let t = kinetic_energy(&mut b, 0.7, [x, y]);
+        let p = b.times(0.7 * 9.81, y);
+        b.lagrange(t, p, &[]);
+        // n = (-sin a, cos a): n·r = 0; t = (cos a, sin a)
+        let (up, along) = (b.times(a.cos(), y), b.times(-a.sin(), x));
+        let place = b.add(&[up, along]);
+        let normal = b.ideal("normal", place);
+        let (cx, cy) = (b.times(a.cos(), vx), b.times(a.sin(), vy));
+        let sliding = b.add(&[cx, cy]);
+        let friction = b.friction("friction", sliding, fixed, kinetic);
+        b.press(friction, normal);
+        b
+    }
+
+    #[test]
+    fn block_on_a_rough_incline_stands_for_1e6_seconds_to_the_last_bit() {
+        let b = incline(0.4, 0.5, 0.45, [0.0, 0.0]);
+        let start = assembled(&b).unwrap().start().unwrap();
+        let (switches, x) = follow(&b, 1e6);
+        assert!(switches.is_empty(), "{switches:?}");
+        assert_eq!(x, start);
+        assert_eq!(&x[2..], &[0.0, 0.0]);
+    }
+
+    #[test]
+    fn block_slides_up_stops_and_stays_or_returns() {
+        let (a, g) = (0.4_f64, 9.81);
+        let u = 2.0;
+        let stop = u / (g * (a.sin() + 0.45 * a.cos()));
+        let rates = [u * a.cos(), u * a.sin()];
+        let (switches, x) = follow(&incline(a, 0.5, 0.45, rates), 100.0);
+        assert_eq!(switches.len(), 1);
+        assert!((switches[0].t - stop).abs() < 1e-14, "{} {stop}", switches[0].t);
+        assert_eq!(&x[2..], &[0.0, 0.0]);
+        let way = u * stop / 2.0;
+        assert!((x[0] - 0.3 - way * a.cos()).abs() < 1e-14);
+        // a smaller coefficient does not hold it: back with g (sin a - mu cos a)
+        let mu = 0.2;
+        let stop = u / (g * (a.sin() + mu * a.cos()));
+        let (switches, x) = follow(&incline(a, mu, mu, rates), stop + 1.0);
+        assert_eq!(switches.len(), 1);
+        let back = -g * (a.sin() - mu * a.cos());
+        assert!((switches[0].t - stop).abs() < 1e-14 && (x[2] - back * a.cos()).abs() < 1e-12, "{x:?}");
+    }
+
+    /// Two blocks on one another and on the ground; the lower one is pulled by a growing force F = 2 t.
+    fn stacked() -> Build {
+        let mut b = Build::new();
+        let [x, v] = b.coordinate("x", "m", Start::Given(0.0), Start::Given(0.0));
+        let [y, w] = b.coordinate("y", "m", Start::Given(0.0), Start::Given(0.0));
+        let (v2, w2) = (b.square(v), b.square(w));
+        let (t1, t2) = (b.times(0.5 * 2.0, v2), b.times(0.5 * 1.0, w2));
+        let t = b.add(&[t1, t2]);
+        let zero = b.e.graph.zero();
+        let time = b.e.graph.symbol(b.e.time);
+        let pull = b.times(2.0, time);
+        let _ = (x, y);
+        b.lagrange(t, zero, &[(0, pull)]);
+        b.friction("ground", v, 6.0, 5.0);
+        let sliding = b.sub(w, v);
+        b.friction("between", sliding, 3.0, 2.0);
+        b
+    }
+
+    #[test]
+    fn two_frictions_break_away_one_after_the_other() {
+        // ground breaks at 2 t = 6; together a = (2t - 5)/3; the upper block needs a <= 3: 2 t = 14; then 2 against 3 m/s²
+        let (switches, x) = follow(&stacked(), 8.0);
+        assert_eq!(switches.len(), 2, "{switches:?}");
+        assert!((switches[0].t - 3.0).abs() < 1e-14 && (switches[1].t - 7.0).abs() < 1e-14, "{switches:?}");
+        let together = (49.0 - 9.0 - 5.0 * 4.0) / 3.0;
+        assert!((x[3] - (together + 2.0)).abs() < 1e-12, "{x:?}");
+        assert!((x[2] - (together + (64.0 - 49.0 - 7.0) / 2.0)).abs() < 1e-12, "{x:?}");
+    }
+
+    /// Pendulum of length 1 as x, y with a rod that hits a wall at x = 0.3 with restitution e and leans on it in the end.
+    fn striking(e: f64) -> Build {
+        let mut b = Build::new();
+        let [x, _] = b.coordinate("x", "m", Start::Given(0.8), Start::Given(0.0));
+        let [y, _] = b.coordinate("y", "m", Start::Guess(-0.5), Start::Guess(0.0));
+        let t = kinetic_energy(&mut b, 2.0, [x, y]);
+        let p = b.times(2.0 * 9.81, y);
+        b.lagrange(t, p, &[]);
+        let (xx, yy, minus) = (b.square(x), b.square(y), b.number(-1.0));
+        let sum = b.add(&[xx, yy, minus]);
+        let half = b.times(0.5, sum);
+        b.ideal("rod", half);
+        let wall = b.number(-0.3);
+        let gap = b.add(&[x, wall]);
+        b.contact("wall", gap, e);
+        b
+    }
+
+    #[test]
+    fn pendulum_bounces_off_a_wall_and_comes_to_rest_at_it() {
+        let mut machine = assembled(&striking(0.5)).unwrap();
+        let start = machine.start().unwrap();
+        let outcome = simulate(&mut machine, &start, Simulate { grid: Grid::At(vec![10.0]), ..Simulate::until(10.0) });
+        assert!(outcome.fault.is_none(), "{:?}", outcome.fault);
+        let data = outcome.dataset;
+        let low = 0.91_f64.sqrt();
+        let speed = low * (2.0 * 9.81 * (low - 0.6)).sqrt();
+        let first = &data.events[0];
+        assert!(first.what.en.contains("impact") && first.what.en.contains("J lost"), "{}", first.what.en);
+        assert!((first.states[0][2] + speed).abs() < 1e-12 && (first.states[1][2] - 0.5 * speed).abs() < 1e-12, "{first:?}");
+        let last = data.events.last().unwrap();
+        assert!(last.what.en.contains("infinitely many impacts"), "{}", last.what.en);
+        assert!((data.column("x").unwrap().values[0] - 0.3).abs() < 1e-15);
+        assert_eq!(data.column("x'").unwrap().values, vec![0.0]);
+        // the whole energy above the place at the wall is lost
+        assert!((data.counter("impact_loss").unwrap() - 2.0 * 9.81 * (low - 0.6)).abs() < 1e-10);
+        assert!(data.audits.iter().all(|a| a.ok), "{:?}", data.audits);
+        // the rod carries the weight
+        assert!((data.column("rod").unwrap().values[0] + 2.0 * 9.81 / low).abs() < 1e-12);
+    }
+
+    #[test]
+    fn block_that_lies_on_two_supports_is_hit_from_above() {
+        // the second contact repeats the first; a hammer falls on the block, which cannot move
+        let mut b = Build::new();
+        let [y, v] = b.coordinate("y", "m", Start::Given(0.0), Start::Given(0.0));
+        let [z, w] = b.coordinate("z", "m", Start::Given(1.0), Start::Given(0.0));
+        let (v2, w2) = (b.square(v), b.square(w));
+        let (t1, t2) = (b.times(0.5 * 3.0, v2), b.times(0.5 * 1.0, w2));
+        let t = b.add(&[t1, t2]);
+        let p = b.times(9.81, z);
+        b.lagrange(t, p, &[]);
+        b.contact("ground", y, 0.5);
+        let gap = b.sub(z, y);
+        b.contact("hammer", gap, 0.5);
+        let (switches, x) = follow(&b, 0.7);
+        let fall = (2.0_f64 / 9.81).sqrt();
+        assert!((switches[0].t - fall).abs() < 1e-15 && switches[0].guard == 2, "{switches:?}");
+        // Newton's rule with the ground kept: the hammer leaves with half its speed
+        let speed = 9.81 * fall;
+        let analysis::events::Change::Impact { rates } = switches[0].change else { panic!("{switches:?}") };
+        assert!((rates[0] + speed).abs() < 1e-12 && (rates[1] - 0.5 * speed).abs() < 1e-12);
+        assert_eq!((x[0], x[2]), (0.0, 0.0));
+    }
+
+    /// Load on a thread of length 1.
+    #[test]
+    fn thrown_load_on_a_thread_goes_slack_at_once_and_is_caught() {
+        let mut b = Build::new();
+        let [y, v] = b.coordinate("y", "m", Start::Given(-1.0), Start::Given(3.0));
+        let square = b.square(v);
+        let t = b.times(0.5 * 4.0, square);
+        let p = b.times(4.0 * 9.81, y);
+        b.lagrange(t, p, &[]);
+        let one = b.number(1.0);
+        let gap = b.add(&[one, y]);
+        b.contact("rope", gap, 0.0);
+        let (switches, x) = follow(&b, 2.0);
+        assert_eq!(switches.len(), 1);
+        assert!((switches[0].t - 6.0 / 9.81).abs() < 1e-15);
+        assert_eq!(x, vec![-1.0, 0.0]);
+    }
+}

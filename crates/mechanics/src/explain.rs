@@ -19,7 +19,8 @@ pub struct Explanation {
 }
 
 /// Every table of explanations.
-pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, LINEAR, crate::derive::EXPLANATIONS, crate::structure::EXPLANATIONS];
+pub const TABLES: &[&[Explanation]] =
+    &[EXPLANATIONS, LINEAR, crate::derive::EXPLANATIONS, crate::structure::EXPLANATIONS, crate::section::EXPLANATIONS];
 
 /// The explanation of a code; small letters will do.
 pub fn find(code: &str) -> Option<&'static Explanation> {
@@ -587,8 +588,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
             "A range is name=linspace(first, last, number), name=logspace(first, last, number) with positive ends, or name=value, value. With semicolons between the values commas are decimal marks.",
             "Набор значений: имя=linspace(первое, последнее, число), имя=logspace(первое, последнее, число) с положительными концами или имя=значение, значение. Если значения разделены точкой с запятой, запятая отделяет дробную часть.",
         ),
-        "over = \"v=1 m/s..3 m/s\"",
-        "over = \"v=linspace(1 m/s, 3 m/s, 21)\"",
+        "over = \"l=1 m..3 m\"",
+        "over = \"l=linspace(1 m, 3 m, 21)\"",
     ),
     row(
         "M071",
@@ -627,8 +628,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
             "Radii of wheels and drums and lengths of rods and ropes are positive; a wheel inside a circle is smaller than the circle. Directions of turning are said by words (`crossed`, `internal`, `turns_in`), not by signs.",
             "Радиусы колёс и барабанов, длины стержней и канатов положительны; колесо внутри окружности меньше неё. Направления вращения задаются словами (`crossed`, `internal`, `turns_in`), а не знаками.",
         ),
-        "radii = [\"r1\", \"-r2\"]",
-        "radii = [\"r1\", \"r2\"]\ncrossed = true",
+        "radii = [\"l\", \"-R\"]",
+        "radii = [\"l\", \"R\"]\ncrossed = true",
     ),
     row(
         "M075",
@@ -667,8 +668,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
             "The point of a guide, a slot or a track lies on the line, which belongs to the frame under `on`; so does the centre of a circular track.",
             "Точка направляющей, паза или опоры лежит на прямой, а прямая принадлежит системе из `on`; то же для центра круговой опоры.",
         ),
-        "[sliders.C]\npoint = \"C\"\non = \"ground\"\nthrough = \"B\"  # on the crank",
-        "[sliders.C]\npoint = \"C\"\non = \"crank\"\nthrough = \"B\"",
+        "[sliders.C]\npoint = \"A\"\non = \"ground\"\nthrough = \"B\"  # on the crank",
+        "[sliders.C]\npoint = \"A\"\non = \"crank\"\nthrough = \"B\"",
     ),
     row(
         "M079",
@@ -707,8 +708,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
             "The path of a rope has two points at least. A rope that winds on a drum leaves it at a point, which begins the path. Only a rope between two drums has no path.",
             "В пути каната не меньше двух точек. Канат, наматывающийся на барабан, сходит с него в точке, с которой путь начинается. Без пути — только канат между двумя барабанами.",
         ),
-        "[ropes.R]\npath = [\"load\"]",
-        "[ropes.R]\npath = [\"edge\", \"load\"]\nwound = [{ on = \"drum\", radius = \"R\" }]",
+        "[ropes.R]\npath = [\"A\"]",
+        "[ropes.R]\npath = [\"edge\", \"A\"]\nwound = [{ on = \"drum\", radius = \"R\" }]",
     ),
     row(
         "M083",
@@ -717,8 +718,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
             "A constraint depends on coordinates, or linearly on rates. A constant condition holds always or never; a product of rates does not forbid a direction of motion.",
             "Связь зависит от координат или линейно от скоростей. Постоянное условие выполнено всегда или никогда; произведение скоростей не запрещает направления движения.",
         ),
-        "zero_rate = \"x'^2 + y'^2 - v^2\"",
-        "zero_rate = \"x'*sin(psi) - y'*cos(psi)\"",
+        "zero_rate = \"x'^2 - l^2*phi'^2\"",
+        "zero_rate = \"x' - l*phi'\"",
     ),
     row(
         "M084",
@@ -769,6 +770,16 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ),
         "backlash = \"2 mm\"\npreload = \"10 N\"",
         "backlash = \"2 mm\"",
+    ),
+    row(
+        "M089",
+        ("a table of variants", "таблица вариантов"),
+        (
+            "[variants] names one table, either a file (`table`) or a text (`rows`); its columns are parameters and coordinates of the model.",
+            "[variants] задаёт одну таблицу: файл (`table`) или текст (`rows`); её столбцы — параметры и координаты модели.",
+        ),
+        "[variants]\nkey = \"variant\"",
+        "[variants]\ntable = \"variants.csv\"",
     ),
     row(
         "M096",
@@ -882,5 +893,25 @@ pub const LINEAR: &[Explanation] = &[
         ),
         "range = [\"100 rad/s\", \"1 rad/s\"]",
         "range = [\"1 rad/s\", \"100 rad/s\"]",
+    ),
+    row(
+        "M094",
+        ("an unknown with a formula", "неизвестное с формулой"),
+        (
+            "The parameters in [unknowns] are found from statics so that the start is a place of rest. Their values are guesses, plain quantities.",
+            "Параметры из [unknowns] находятся из условий равновесия в начальном положении. Их значения — начальные приближения, простые величины.",
+        ),
+        "[unknowns]\nM = \"m*g*l\"",
+        "[unknowns]\nM = \"2 N m\"",
+    ),
+    row(
+        "M095",
+        ("about what motions are small", "около чего движения малы"),
+        (
+            "Modes belong to a state: a place of rest (`rest`), or the motion as it is at the start (`start`), for example a steady rotation.",
+            "Собственные формы относятся к состоянию: положению покоя (`rest`) или движению в начальный момент (`start`), например равномерному вращению.",
+        ),
+        "about = \"middle\"",
+        "about = \"start\"",
     ),
 ];

@@ -216,6 +216,17 @@ pub const TOP: TableSpec = TableSpec {
             "[\"0\", \"0\", \"-g\"]",
         ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
+        may(
+            "unknowns",
+            Type::Table,
+            "",
+            "",
+            (
+                "parameters found from statics so that the start is a place of rest; the values are guesses",
+                "параметры, которые находятся из условий равновесия в начальном положении; значения — приближения",
+            ),
+            "",
+        ),
         may("coordinates", Type::Table, "", "", ("generalized coordinates", "обобщённые координаты"), ""),
         may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
         may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
@@ -251,6 +262,7 @@ pub const TOP: TableSpec = TableSpec {
         may("rayleigh", Type::Table, "", "", ("assumed shapes of rods", "принятые формы изгиба стержней"), ""),
         may("structure", Type::Table, "", "", ("how the structure is computed", "как рассчитывать конструкцию"), ""),
         may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
+        may("variants", Type::Table, "", "", ("table of variants", "таблица вариантов"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
         may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
     ],
@@ -774,6 +786,17 @@ pub const STUDY: TableSpec = TableSpec {
             "[\"phi'\", { x = \"x\", y = [\"y\"] }]",
         ),
         may(
+            "linearise",
+            Type::Bool,
+            "",
+            "false",
+            (
+                "transient: small motions about the equilibrium when the system is not linear",
+                "transient: малые движения около равновесия, если система нелинейна",
+            ),
+            "true",
+        ),
+        may(
             "guess",
             Type::Guess,
             "",
@@ -920,6 +943,17 @@ pub const STUDY: TableSpec = TableSpec {
             "\"periodic\"",
         ),
         may(
+            "about",
+            Type::String,
+            "",
+            "\"rest\"",
+            (
+                "modes about a place of rest, or about the motion as it is at the start",
+                "формы около положения покоя (rest) или около движения в начальный момент (start)",
+            ),
+            "\"start\"",
+        ),
+        may(
             "normalise",
             Type::String,
             "",
@@ -970,6 +1004,45 @@ pub const STUDY: TableSpec = TableSpec {
     example: "[[study]]\nkind = \"simulate\"\nuntil = \"30 s\"\nplot = [\"phi'\"]\n",
 };
 
+/// `[variants]`.
+pub const VARIANTS: TableSpec = TableSpec {
+    name: "variants",
+    about: (
+        "Variants: a CSV table whose rows replace values of the file, chosen by --variant NAME. A header is the name of a parameter, of a coordinate (its start) or phi' (its rate), with a unit in brackets if the numbers are not SI: `m [g]`. Commas, semicolons or tabs separate; with semicolons commas are decimal marks; lines with # are remarks; an empty cell changes nothing. Formulas in the number of the variant are parameters: `k = \"kr*(1 + 0.01*N)\"`.",
+        "Варианты: таблица CSV, строки которой заменяют величины файла; строку выбирают ключом --variant ИМЯ. Заголовок столбца — имя параметра, координаты (начальное значение) или phi' (начальная скорость), с единицей в скобках, если числа не в СИ: `m [г]`. Разделители: запятая, точка с запятой или табуляция; при точке с запятой запятая — десятичная; строки с # — примечания; пустая клетка ничего не меняет. Формулы от номера варианта — это параметры: `k = \"kr*(1 + 0.01*N)\"`.",
+    ),
+    short: None,
+    fields: &[
+        may(
+            "table",
+            Type::String,
+            "",
+            "",
+            ("file with the table, beside the model file", "файл таблицы рядом с файлом модели"),
+            "\"variants.csv\"",
+        ),
+        may("rows", Type::String, "", "", ("the table itself, instead of `table`", "сама таблица вместо `table`"), "\"\"\"...\"\"\""),
+        may("key", Type::String, "", "first column", ("column that names the variant", "столбец с названием варианта"), "\"variant\""),
+        may(
+            "columns",
+            Type::Names,
+            "",
+            "all others",
+            ("columns that are used; the others are for the reader", "используемые столбцы; остальные — для читателя"),
+            "[\"m\", \"c\", \"v\"]",
+        ),
+        may(
+            "number",
+            Type::Name,
+            "",
+            "",
+            ("parameter that gets the number of the variant", "параметр, получающий номер варианта"),
+            "\"N\"",
+        ),
+    ],
+    example: "[variants]\ntable = \"variants.csv\"\nnumber = \"N\"\n",
+};
+
 /// `plot = [{ ... }]`.
 pub const PLOT: TableSpec = TableSpec {
     name: "plot",
@@ -1016,6 +1089,7 @@ const AFTER: &[&TableSpec] = &[
     &structures::STRUCTURE,
     &PHASE,
     &STUDY,
+    &VARIANTS,
     &PLOT,
     &TEXT,
 ];

@@ -53,12 +53,18 @@ pub struct Model {
     pub sections: Vec<crate::section::Section>,
     /// Ends of the phases of the load schedule, ascending, s. What the phases set is already a formula of time.
     pub phases: Vec<f64>,
+    /// Parameters that are found so that the start is a place of rest; their numbers are guesses.
+    pub unknowns: Vec<SymbolId>,
+    /// Instants of these at which the time of forces and torques begins anew, s.
+    pub restarts: Vec<f64>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
     /// Frame or truss, when the file has nodes.
     pub structure: Option<crate::structure::Structure>,
     /// Inertia that no body carries: that of a structure over its displacements.
     pub inertias: Vec<ConstantInertia>,
+    /// A table of values that replace those of the file, one row a variant.
+    pub variants: Option<Variants>,
 }
 
 /// A term M_ij q_i' q_j' of the kinetic energy (half of it for i = j).
@@ -68,6 +74,30 @@ pub struct ConstantInertia {
     pub between: [usize; 2],
     /// Over constant parameters.
     pub value: Expr,
+}
+
+/// A table of variants. Each row replaces values as `--set` does.
+#[derive(Clone, Debug)]
+pub struct Variants {
+    /// The table.
+    pub table: VariantTable,
+    /// Column that names the variant; the first without it.
+    pub key: Option<String>,
+    /// Columns that are used, by the names of parameters, starts (`phi`) and starting rates (`phi'`); without it all must be such names.
+    pub columns: Option<Vec<String>>,
+    /// Parameter that gets the name of the variant as a number, unless the table has such a column.
+    pub number: Option<String>,
+    /// Place in the file.
+    pub span: Range<usize>,
+}
+
+/// Where a table of variants is.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum VariantTable {
+    /// In a file, relative to the model file.
+    File(String),
+    /// In the model file itself.
+    Text(String),
 }
 
 /// Index of a frame or body in [`Model::frames`].
@@ -491,11 +521,13 @@ pub enum StudyKind {
     Equilibrium {
         /// Initial guess of coordinates, SI; the start value for those not named.
         guess: Vec<(SymbolId, f64)>,
+        /// Find all equilibria with a coordinate between two values.
+        over: Option<Between>,
     },
     /// Compute a motion.
     Simulate(Simulate),
     /// Compute the motion of a linear system in closed form.
-    Transient(Simulate),
+    Transient(Transient),
     /// Find the forces and torques of the motors that realise the prescribed motions.
     Inverse(Simulate),
     /// Find the reactions at rest.
@@ -629,6 +661,17 @@ pub struct SweepRange {
     pub values: Vec<f64>,
 }
 
+/// A coordinate between two values, SI.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Between {
+    /// The coordinate.
+    pub coordinate: SymbolId,
+    /// Least value.
+    pub from: f64,
+    /// Largest value.
+    pub to: f64,
+}
+
 /// Natural frequencies and shapes about an equilibrium.
 #[derive(Clone, Debug, Default)]
 pub struct Modes {
@@ -640,6 +683,8 @@ pub struct Modes {
     pub variable: Option<FrequencyVariable>,
     /// A parameter to follow the modes along.
     pub over: Option<ParameterRange>,
+    /// Linearise about the motion at the start instead of a place of rest.
+    pub about_start: bool,
 }
 
 /// How shapes are scaled.
@@ -695,6 +740,15 @@ pub struct Response {
     pub outputs: Vec<String>,
     /// Frequencies at which the shape of the forced motion is shown, rad/s.
     pub shapes: Vec<f64>,
+}
+
+/// A motion in closed form.
+#[derive(Clone, Debug)]
+pub struct Transient {
+    /// The motion.
+    pub motion: Simulate,
+    /// Small motions about the equilibrium when the system is not linear.
+    pub linearise: bool,
 }
 
 /// A motion to compute; SI.

@@ -47,7 +47,7 @@ fn section(out: &mut String, table: &TableSpec, language: Language) {
     let title = match table.name {
         "" => language.pick(("Top level", "Верхний уровень")).to_owned(),
         "study" | "phases" => format!("`[[{}]]`", table.name),
-        "parameters" | "coordinates" | "points" | "outputs" => format!("`[{}]`", table.name),
+        "parameters" | "coordinates" | "points" | "outputs" | "variants" => format!("`[{}]`", table.name),
         "inertia" | "plot" | "text" | "wound" | "circle" | "parts" => {
             format!("`{{ {} }}`", table.fields.iter().map(|f| f.key).collect::<Vec<_>>().join(", "))
         }

@@ -22,6 +22,8 @@ pub struct Program {
     pub values: Vec<f64>,
     /// The switching functions.
     pub guards: Vec<Guard>,
+    /// Guard of kind `Sliding` or `Gap` by which each reaction goes, by reaction. Frictions with one sliding speed go by one guard.
+    pub switches: Vec<Option<usize>>,
     /// Number of conditions in the equations, dropped ones included.
     pub conditions: usize,
     /// Number of contacts.
@@ -63,6 +65,7 @@ pub struct Program {
 }
 
 /// Where the roots of [`Program::connections`] are; n coordinates, m conditions (dropped ones included), c contacts in the order of their reactions.
+/// A machine without conditions and reactions has none.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ConnectionRoots {
     /// m: value of each condition's place, 0 for one on rates only.
@@ -82,7 +85,7 @@ pub struct ConnectionRoots {
 }
 
 /// Where the roots of [`Program::rests`] are; n coordinates, m conditions. At rest h + Σ forces λ = 0 and all places vanish; the derivative of the first
-/// by q is that of h plus `derivatives`.
+/// by q is that of h plus `derivatives`. A machine without conditions and reactions has none.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct RestRoots {
     /// m: value of each condition's place, 0 for one on rates only.
@@ -103,14 +106,17 @@ pub const ENERGY: [&str; 7] = ["kinetic", "potential", "dissipation", "dissipate
 impl Program {
     /// Where the roots of [`Program::connections`] are.
     pub fn connection_roots(&self) -> ConnectionRoots {
-        let (n, m, c) = (self.coordinates, self.conditions, self.contacts);
+        let (n, m, c) = (self.connected_coordinates(), self.conditions, self.contacts);
         let [places, rates, jacobian, mass, gaps, restitutions, forces] =
             consecutive([m, m, m * n, n * (n + 1) / 2, c, c, self.reactions * n]);
         ConnectionRoots { places, rates, jacobian, mass, gaps, restitutions, forces }
     }
+    fn connected_coordinates(&self) -> usize {
+        if self.conditions + self.reactions > 0 { self.coordinates } else { 0 }
+    }
     /// Where the roots of [`Program::rests`] are.
     pub fn rest_roots(&self) -> RestRoots {
-        let (n, m) = (self.coordinates, self.conditions);
+        let (n, m) = (self.connected_coordinates(), self.conditions);
         let [places, jacobian, loads, derivatives, forces] = consecutive([m, m * n, n, n * n, self.reactions * n]);
         RestRoots { places, jacobian, loads, derivatives, forces }
     }

@@ -49,11 +49,15 @@ pub enum Command {
     /// Compute a motion
     Simulate(Simulate),
     /// Compute the motion of a linear system in closed form, phase by phase
-    Transient(Simulate),
+    Transient(Transient),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
+    /// Show the properties of the sections of a file
+    Section(Section),
     /// Find the exact periodic regime: period, multipliers, motion over one period
     Periodic(Periodic),
+    /// Repeat a study over values of parameters
+    Sweep(Sweep),
     /// Find natural frequencies and shapes of small motions
     Modes(Modes),
     /// Find reactions and internal forces at rest
@@ -78,6 +82,9 @@ pub struct Model {
     /// Replace a parameter (m="10 g"), a start (phi=0.1) or a starting rate ("phi'=30")
     #[arg(long = "set", value_name = "NAME=QUANTITY")]
     pub overrides: Vec<String>,
+    /// Take the values of this row of the table of variants; --set counts more
+    #[arg(long, value_name = "NAME")]
+    pub variant: Option<String>,
 }
 
 #[derive(Args, Debug)]
@@ -154,12 +161,27 @@ pub struct Simulate {
 }
 
 #[derive(Args, Debug)]
+pub struct Transient {
+    #[command(flatten)]
+    pub motion: Simulate,
+    /// Small motions about the equilibrium when the system is not linear
+    #[arg(long)]
+    pub linearise: bool,
+}
+
+#[derive(Args, Debug)]
 pub struct Equilibrium {
     #[command(flatten)]
     pub model: Model,
     /// Where to look for the equilibrium: phi=0.1
     #[arg(long = "guess", value_name = "NAME=QUANTITY")]
     pub guess: Vec<String>,
+    /// Find all equilibria with this coordinate in a range
+    #[arg(long, value_name = "NAME", requires = "range")]
+    pub over: Option<String>,
+    /// The range: "-180 deg,180 deg"
+    #[arg(long, value_name = "FROM,TO", requires = "over", allow_hyphen_values = true)]
+    pub range: Option<String>,
 }
 
 #[derive(Args, Debug)]
@@ -175,6 +197,18 @@ pub struct Modes {
     /// Where to look for the equilibrium: phi=0.1
     #[arg(long = "guess", value_name = "NAME=QUANTITY")]
     pub guess: Vec<String>,
+    /// About the motion at the start instead of a place of rest
+    #[arg(long)]
+    pub about_start: bool,
+    /// A parameter along which the modes are followed
+    #[arg(long, value_name = "NAME", requires = "range")]
+    pub over: Option<String>,
+    /// Its values, from and to: "0 rad/s,600 rad/s"
+    #[arg(long, value_name = "FROM,TO", requires = "over", allow_hyphen_values = true)]
+    pub range: Option<String>,
+    /// Number of its values
+    #[arg(long, value_name = "N", default_value_t = 101)]
+    pub points: usize,
     /// Scale of the shapes
     #[arg(long, value_enum, value_name = "SCALE")]
     pub normalise: Option<Normalise>,
@@ -218,6 +252,18 @@ pub enum Normalise {
 }
 
 #[derive(Args, Debug)]
+pub struct Section {
+    #[command(flatten)]
+    pub model: Model,
+    /// One section only
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+    /// Also write drawings and a table into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
 pub struct Periodic {
     #[command(flatten)]
     pub model: Model,
@@ -241,6 +287,24 @@ pub struct Periodic {
     pub wanted_period: Option<String>,
     #[command(flatten)]
     pub table: Table,
+}
+
+#[derive(Args, Debug)]
+pub struct Sweep {
+    #[command(flatten)]
+    pub model: Model,
+    /// Values of a parameter or start: v=linspace(1 m/s, 3 m/s, 21), c=logspace(1 N/m, 1 kN/m, 4), m=1 kg, 2 kg; may be repeated
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub over: Vec<String>,
+    /// What is noted: period, multipliers.1.abs, events, max(x), min(x), amplitude(x), mean(x), last(x)
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub observe: Option<Vec<String>>,
+    /// The study that is repeated, when the file has several
+    #[arg(long, value_name = "STUDY")]
+    pub of: Option<String>,
+    /// Also write tables, plots and a page into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 /// What a table of results shall hold.

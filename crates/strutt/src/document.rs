@@ -35,8 +35,13 @@ pub enum Extent {
 /// The document of a calculation.
 pub fn compose(calculation: &Calculation, extent: Extent, language: Language) -> Document {
     let writer = Writer { calculation, equations: &calculation.machine.equations, extent, language };
-    let mut blocks = writer.coordinates();
-    blocks.extend(writer.equations());
+    let sections = &calculation.machine.model.sections;
+    // sections alone have no motion
+    let machine = sections.is_empty() || !writer.equations.coordinates.is_empty();
+    let mut blocks = if machine { writer.coordinates() } else { Vec::new() };
+    if machine {
+        blocks.extend(writer.equations());
+    }
     if extent == Extent::Page {
         blocks.extend(writer.derivation());
         blocks.extend(writer.parameters());
@@ -45,6 +50,7 @@ pub fn compose(calculation: &Calculation, extent: Extent, language: Language) ->
     for finding in &calculation.findings {
         blocks.extend(writer.finding(finding));
     }
+    blocks.extend(crate::sections::blocks(sections, extent == Extent::Page, language));
     if extent == Extent::Page {
         blocks.extend(writer.downloads());
     }
@@ -338,7 +344,7 @@ impl Writer<'_> {
             Extent::Terminal { width } => width,
         };
         let mut blocks = vec![Block::heading(1, say(self.language, Say::ClosedForm))];
-        blocks.extend(crate::phases::steps::blocks(self.equations, &phases.list, &phases.names, self.language, width));
+        blocks.extend(crate::phases::steps::blocks(self.equations, phases, self.language, width));
         blocks
     }
 
@@ -522,7 +528,7 @@ pub fn equilibria(data: &Dataset, language: Language) -> Table {
             table.row(row);
             continue;
         }
-        if column.quantity.name == "residual" {
+        if matches!(column.quantity.name.as_str(), "residual" | "negative_directions") {
             continue;
         }
         let largest = column.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));

@@ -36,13 +36,13 @@ pub fn all() -> Vec<Explanation> {
         wrong: "",
         right: "",
     }));
-    out.extend(analysis::fault::EXPLANATIONS.iter().chain(analysis::structure::faults::EXPLANATIONS).map(|e| Explanation {
-        code: e.code,
-        title: Text::new(e.en.0, e.ru.0),
-        body: Text::new(e.en.1, e.ru.1),
-        wrong: "",
-        right: "",
-    }));
+    out.extend(
+        analysis::fault::EXPLANATIONS
+            .iter()
+            .chain(analysis::fault::connections::EXPLANATIONS)
+            .chain(analysis::structure::faults::EXPLANATIONS)
+            .map(|e| Explanation { code: e.code, title: Text::new(e.en.0, e.ru.0), body: Text::new(e.en.1, e.ru.1), wrong: "", right: "" }),
+    );
     out.extend(OWN.iter().map(|(code, title, body)| Explanation { code, title: pair(*title), body: pair(*body), wrong: "", right: "" }));
     out
 }
@@ -111,6 +111,14 @@ const OWN: &[(&str, Wording, Wording)] = &[
     ),
     ("C006", ("File exists", "Файл уже есть"), ("`strutt new` never overwrites a file.", "`strutt new` никогда не перезаписывает файл.")),
     (
+        "C040",
+        ("No such section", "Нет такого сечения"),
+        (
+            "`section` shows the tables [sections.NAME] of a file; the file has none, or none of the name given by --name.",
+            "Команда `section` показывает таблицы [sections.ИМЯ] файла; в файле их нет или нет сечения с именем из --name.",
+        ),
+    ),
+    (
         "C007",
         ("No end of the motion", "Не задан конец движения"),
         (
@@ -142,6 +150,30 @@ const OWN: &[(&str, Wording, Wording)] = &[
         (
             "`strutt examples` lists the examples; codes stand in brackets in each message.",
             "`strutt examples` показывает примеры; коды стоят в скобках в каждом сообщении.",
+        ),
+    ),
+    (
+        "C020",
+        ("No variants", "Нет вариантов"),
+        (
+            "--variant takes a row of a table that the model file names: [variants] with table = \"variants.csv\", or the rows themselves.",
+            "Ключ --variant берёт строку таблицы, которую называет файл модели: [variants] и table = \"variants.csv\" или сами строки в rows.",
+        ),
+    ),
+    (
+        "C021",
+        ("No such variant", "Нет такого варианта"),
+        (
+            "The name after --variant stands in the first column of the table, or in the column named by `key`.",
+            "Имя после --variant стоит в первом столбце таблицы или в столбце, указанном в `key`.",
+        ),
+    ),
+    (
+        "C022",
+        ("A table of variants that does not fit", "Таблица вариантов не подходит"),
+        (
+            "The first line of the table names parameters, coordinates (starts) and phi' (rates) of the model, with a unit in brackets where numbers are not SI; each further line has as many cells. `columns` under [variants] picks the columns that count.",
+            "Первая строка таблицы называет параметры, координаты (начальные значения) и phi' (скорости) модели, с единицей в скобках, если числа не в СИ; в остальных строках столько же клеток. Ключ `columns` в [variants] выбирает нужные столбцы.",
         ),
     ),
 ];

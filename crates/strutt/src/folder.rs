@@ -7,6 +7,7 @@ use crate::files;
 use crate::pipeline::{self, Calculation, Finding};
 use crate::words::Word;
 use analysis::Dataset;
+use mechanics::section::Section;
 use report::{Figure, Language, csv, json, page};
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
@@ -39,6 +40,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
             plot(&mut shelf, &figure, &number, language)?;
         }
     }
+    section_files(&mut shelf, &calculation.machine.model.sections, language)?;
     calculation.files = shelf.names.clone();
     let document = pipeline::document(calculation, Extent::Page, language);
     shelf.put(
@@ -47,6 +49,27 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
         page::write(&document, page::Options { math_font: Some(report::formula::MATH_FONT) }).as_bytes(),
     )?;
     Ok(shelf.paths)
+}
+
+/// Writes a table and drawings of sections into a folder; returns the paths.
+///
+/// # Errors
+/// The disk refuses (C005); files written before stay.
+pub fn sections(sections: &[Section], folder: &Path, language: Language) -> Result<Vec<PathBuf>, Box<Trouble>> {
+    let mut shelf = Shelf { folder, paths: Vec::new(), names: Vec::new() };
+    section_files(&mut shelf, sections, language)?;
+    Ok(shelf.paths)
+}
+
+fn section_files(shelf: &mut Shelf, sections: &[Section], language: Language) -> Result<(), Box<Trouble>> {
+    if sections.is_empty() {
+        return Ok(());
+    }
+    shelf.put("sections.csv", Word::SectionTable, crate::sections::to_csv(sections).as_bytes())?;
+    for section in sections {
+        plot(shelf, &crate::sections::figure(section, language), "", language)?;
+    }
+    Ok(())
 }
 
 struct Shelf<'a> {
@@ -95,7 +118,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
         Finding::Transient(study, _, phases, _) => {
             own.insert("study".into(), json!("transient"));
             own.insert("until".into(), json!(study.until));
-            own.insert("phases".into(), crate::phases::to_json(&phases.list, &phases.names));
+            own.insert("phases".into(), crate::phases::to_json(phases));
         }
         Finding::Equilibrium(..) => {
             own.insert("study".into(), json!("equilibrium"));
@@ -121,14 +144,29 @@ fn equilibria(data: &Dataset) -> Value {
         let coordinates: Map<String, Value> = coordinates.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect();
         let stable = at("stable", row);
         let stable = if stable.is_nan() { Value::Null } else { json!(stable != 0.0) };
-        json!({"coordinates": coordinates, "stable": stable, "residual": at("residual", row)})
+        let mut out = json!({"coordinates": coordinates, "stable": stable, "residual": at("residual", row)});
+        if data.column("growth").is_some() {
+            let (growth, negative) = (at("growth", row), at("negative_directions", row));
+            out["growth"] = json!(growth);
+            out["negative_directions"] = json!(negative);
+            out["stable_by_energy"] = json!(negative == 0.0);
+            out["stable_by_eigenvalues"] = if growth.is_nan() { Value::Null } else { json!(growth <= 1e-9) };
+        }
+        out
     };
     (0..n).map(place).collect()
 }
 
 /// Columns of an equilibrium that are no coordinates.
 pub fn is_verdict(name: &str) -> bool {
-    matches!(name, "residual" | "stable")
+    matches!(name, "residual" | "stable" | "growth" | "negative_directions")
+}
+
+fn with_sections(mut head: Value, sections: &[Section], language: Language) -> Value {
+    if !sections.is_empty() {
+        head["sections"] = sections.iter().map(|s| crate::sections::to_json(s, language)).collect();
+    }
+    head
 }
 
 /// All studies as one JSON object: the common fields, then each study as it would be written alone.
@@ -136,6 +174,7 @@ pub fn calculation_to_json(calculation: &Calculation, language: Language) -> Vec
     let machine = &calculation.machine;
     let head = json!({"title": language.text(&machine.model.title), "version": crate::VERSION, "model_hash": machine.model_hash,
         "degrees_of_freedom": machine.equations.coordinates.len()});
+    let head = with_sections(head, &machine.model.sections, language);
     let mut out = head.to_string().into_bytes();
     out.pop();
     out.extend_from_slice(b",\"studies\":[\n");

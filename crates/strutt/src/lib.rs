@@ -23,10 +23,12 @@ pub mod phases;
 pub mod pipeline;
 pub mod plan;
 mod provenance;
+pub mod sections;
 pub mod small;
 pub mod source;
 pub mod structure;
 pub mod studies;
+pub mod variants;
 pub mod watch;
 pub mod words;
 

@@ -14,6 +14,7 @@ report::words! {
     Parameters: "parameters", "параметров";
     Outputs: "outputs", "выходных величин";
     Studies: "studies", "расчётов";
+    Sections: "sections", "сечений";
     Written: "written:", "записано:";
     WrittenPartly: "written what was done so far:", "записано то, что успели вычислить:";
     Interrupted: "interrupted; what was done is kept", "прервано; сделанное сохранено";
@@ -25,6 +26,7 @@ report::words! {
     Vector: "plot, vector", "график, векторный";
     Picture: "plot, picture", "график, растровый";
     Page: "page", "страница";
+    SectionTable: "properties of the sections", "характеристики сечений";
     Modes: "Natural oscillations", "Собственные колебания";
     Response: "Forced oscillations", "Вынужденные колебания";
     Stability: "Stability", "Устойчивость";

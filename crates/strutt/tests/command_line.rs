@@ -145,3 +145,33 @@ fn completions_are_printed() {
         strutt().args(["completions", shell]).assert().success().stdout(contains("simulate"));
     }
 }
+
+#[test]
+fn a_variant_replaces_values_and_set_counts_more() {
+    let here = folder("variants");
+    let model = "gravity = false\n[parameters]\nm = \"1 kg\"\nF = \"5 N\"\nN = 0\n[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", 0]\n\
+                 mass = \"m\"\n[forces.f]\nalong = \"x\"\nvalue = \"F\"\n[outputs]\na = \"x''\"\nn = \"N*1 [m]/1 [m]\"\n\
+                 [variants]\ntable = \"table.csv\"\nnumber = \"N\"\n[[study]]\nkind = \"simulate\"\nuntil = \"1 s\"\nat = [\"1 s\"]\noutputs = [\"a\", \"n\"]\n";
+    std::fs::write(here.join("m.toml"), model).unwrap();
+    std::fs::write(here.join("table.csv"), "# masses\nvariant;m [g];F\n1;500;6\n2;2,5 kg;10 N\n").unwrap();
+    let row = |arguments: &[&str]| -> [f64; 2] {
+        let text = stdout(strutt().current_dir(&here).args(["simulate", "m.toml", "--csv"]).args(arguments));
+        let cells: Vec<f64> = text.lines().last().unwrap().split(',').map(|cell| cell.parse().unwrap()).collect();
+        [cells[1], cells[2]]
+    };
+    assert_eq!(row(&[]), [5.0, 0.0]);
+    assert_eq!(row(&["--variant", "1"]), [12.0, 1.0]);
+    assert_eq!(row(&["--variant", "2"]), [4.0, 2.0]);
+    assert_eq!(row(&["--variant", "2", "--set", "F=5"]), [2.0, 2.0]);
+    for (arguments, code, exit) in [(&["m.toml", "--variant", "3"][..], "C021", 2), (&["top.toml", "--variant", "1"], "C020", 2)] {
+        std::fs::write(here.join("top.toml"), std::fs::read_to_string(gallery("top")).unwrap()).unwrap();
+        let text = stderr(strutt().current_dir(&here).arg("check").args(arguments), exit);
+        assert!(text.contains(code), "{text}");
+    }
+    std::fs::write(here.join("table.csv"), "variant,mass\n1,5\n").unwrap();
+    let text = stderr(strutt().current_dir(&here).args(["check", "m.toml", "--variant", "1", "--lang", "ru"]), 1);
+    assert!(text.contains("C022") && text.contains("table.csv"), "{text}");
+    std::fs::remove_file(here.join("table.csv")).unwrap();
+    let text = stderr(strutt().current_dir(&here).args(["check", "m.toml", "--variant", "1"]), 2);
+    assert!(text.contains("C001") && text.contains("table.csv"), "{text}");
+}

@@ -38,6 +38,18 @@ const PLACES: &[&str] = &[
     "[[study]]\nkind = \"simulate\"\n@",
     "[[study]]\nkind = \"simulate\"\nuntil = \"1 s\"\n@",
     "[[study]]\nkind = \"equilibrium\"\n@",
+    "[[study]]\nkind = \"sweep\"\n@",
+    "[[study]]\nkind = \"cycle\"\nangle = \"phi\"\n@",
+    "[bodies.crank]\nangle = \"2*phi\"\n[points.B]\non = \"crank\"\nat = [0, 0]\n@",
+    "[bodies.crank]\nangle = \"2*phi\"\n[points.B]\non = \"crank\"\nat = [0, 0]\n[belts.s]\nbetween = [\"b\", \"crank\"]\n@",
+    "[bodies.crank]\nangle = \"2*phi\"\n[points.B]\non = \"crank\"\nat = [0, 0]\n[distributed.q]\nvalue = [0, \"1 N/m\"]\n@",
+    "[supports.s]\nat = \"A\"\n@",
+    "[stops.s]\nalong = \"x\"\nat_least = 0\n@",
+    "[constraints.c]\n@",
+    "[frictions.f]\nalong = \"x\"\n@",
+    "[sliders.guide]\npoint = \"A\"\n[rods.AB]\nbetween = [\"A\", \"ground\"]\n@",
+    "[sliders.guide]\npoint = \"A\"\n[rods.AB]\nbetween = [\"A\", \"ground\"]\n[outputs]\n@",
+    "[pins.A]\nbetween = [\"A\", \"ground\"]\n[frictions.f]\nalong = \"x\"\ncoefficient = 0.2\n@",
 ];
 
 /// Too long to be written out (M009, M032), or for the command line (M020, M068). The example of M035 reads as a quantity in tonnes

@@ -51,7 +51,10 @@ fn matrices_are_the_derivatives_of_the_equations() {
         let source = Source::new("model.toml", example.text);
         let Ok(built) = pipeline::build(&source, &[], &mut Watch::default()) else { continue };
         let n = built.equations.coordinates.len();
-        if n > 4 || !built.equations.auxiliaries.is_empty() {
+        if n > 4 || !built.equations.auxiliaries.is_empty() || !built.equations.conditions.is_empty() {
+            continue;
+        }
+        if !built.equations.conditions.is_empty() {
             continue;
         }
         let Ok(mut linear) = LinearMachine::new(&Arc::new(built.equations.clone()), About::Motion) else { continue };
@@ -59,7 +62,7 @@ fn matrices_are_the_derivatives_of_the_equations() {
             continue;
         }
         let at = |seed: f64| (0..n).map(|i| 0.3 * (1.0 + seed * (i as f64 + 1.7)).sin()).collect::<Vec<_>>();
-        let place = Place { q: at(1.0), rates: at(2.0), accelerations: at(3.0) };
+        let place = Place { q: at(1.0), rates: at(2.0), accelerations: at(3.0), multipliers: Vec::new() };
         let Ok(found) = linear.at(&place) else { continue };
         let step = 1e-5;
         for j in 0..n {

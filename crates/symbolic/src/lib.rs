@@ -11,6 +11,7 @@ mod graph;
 pub mod harmonics;
 pub mod linear;
 mod matrix;
+mod periodic;
 mod polynomial;
 mod rational;
 mod substitute;

@@ -12,17 +12,23 @@ const GAIN: f64 = 1e-9;
 pub struct ImpactEnergy {
     worst: f64,
     lost: f64,
+    /// Largest kinetic energy before an impact.
+    largest: f64,
     count: u64,
 }
 
+/// Share of the largest energy below which an impact is one of a dying sequence, and its gain rounding.
+const DYING: f64 = 1e-6;
+
 impl ImpactEnergy {
-    /// Energies just before and after an impact, and the kinetic energy before; returns the loss.
-    pub fn record(&mut self, before: f64, after: f64, kinetic: f64) -> f64 {
+    /// Kinetic energies just before and after an impact, which moves nothing; returns the loss.
+    pub fn record(&mut self, before: f64, after: f64) -> f64 {
         let lost = before - after;
         self.lost += lost;
+        self.largest = self.largest.max(before);
         self.count += 1;
         if lost < 0.0 {
-            self.worst = self.worst.max(-lost / kinetic.abs().max(f64::MIN_POSITIVE));
+            self.worst = self.worst.max(-lost / before.max(DYING * self.largest));
         }
         lost
     }

@@ -12,3 +12,4 @@ pub mod structure_modes;
 pub mod structure_statics;
 pub mod tracks;
 pub mod transient;
+pub mod unknowns;

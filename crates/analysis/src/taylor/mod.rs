@@ -13,6 +13,7 @@ mod accept;
 mod length;
 mod step;
 mod switching;
+mod turns;
 
 use symbolic::Text;
 
@@ -103,6 +104,12 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) guard_noise: Vec<f64>,
     /// Expansion at the current point is in the system.
     expanded: bool,
+    /// Angles that only turn, by state.
+    freely: Vec<usize>,
+    /// Whole fours of turns taken off each state.
+    turns: Vec<f64>,
+    /// The state with its turns.
+    shown: Vec<f64>,
     step: Step,
     next_x: Vec<f64>,
     next_low: Vec<f64>,
@@ -152,6 +159,9 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             guard_scale: vec![0.0; n_g],
             guard_noise: vec![0.0; n_g],
             expanded: false,
+            freely: Vec::new(),
+            turns: Vec::new(),
+            shown: Vec::new(),
             step: Step { low: vec![0.0; n_x], modes: vec![Mode::Zero; n_g], ..Step::default() },
             next_x: vec![0.0; n_x],
             next_low: vec![0.0; n_x],
@@ -165,7 +175,10 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             roots: RootFinder::default(),
             work: Work::default(),
         };
+        flow.watch_turns();
+        flow.take_turns_off();
         flow.decide_at_start()?;
+        flow.show_turns();
         flow.expanded = true;
         flow.crowd.last = flow.now;
         Ok(flow)
@@ -174,10 +187,12 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     /// One step towards `end`, at most to it. Afterwards [`Flow::step`] is the dense output and [`Flow::switches`] what happened at its end.
     pub fn advance(&mut self, end: f64) -> Result<(), Fault> {
         self.switches.clear();
+        self.take_turns_off();
         if !self.expanded {
             self.expand_here()?;
         }
         self.take_expansion();
+        self.note_turns();
         let (target, limit) = self.target(end);
         let mut h = self.rule.length(&self.step.states, self.guess, limit);
         self.guess = h;
@@ -199,7 +214,9 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
                 h = self.take_back(h, 0.5, None)?;
             } else {
                 self.step.length = length;
-                return self.arrive(lands, event);
+                let arrived = self.arrive(lands, event);
+                self.show_turns();
+                return arrived;
             }
         }
     }
@@ -214,11 +231,11 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     }
     /// Current state.
     pub fn state(&self) -> &[f64] {
-        &self.x
+        &self.shown
     }
     /// State just before the last event; differs from [`Flow::state`] in the rates after an impact.
-    pub fn state_before(&self) -> &[f64] {
-        &self.before
+    pub fn state_before(&self) -> Vec<f64> {
+        self.with_turns(&self.before)
     }
     /// Modes just before the last event.
     pub fn modes_before(&self) -> &[Mode] {

@@ -20,6 +20,8 @@ pub struct Step {
     pub(super) guards: Series,
     /// What rounding cut from the state at the start; added to every value.
     pub(super) low: Vec<f64>,
+    /// Full turns taken off the state, high and low part; empty when none.
+    pub(super) turned: Vec<[f64; 2]>,
 }
 
 /// Rows of Taylor coefficients of one length.
@@ -77,7 +79,10 @@ impl Step {
         let tau = self.start.until(t);
         for (i, x_i) in x.iter_mut().enumerate() {
             let c = self.states.row(i);
-            *x_i = c[0] + (increment(c, tau) + self.low[i]);
+            *x_i = match self.turned.get(i) {
+                Some([high, low]) => high + ((c[0] + (increment(c, tau) + self.low[i])) + low),
+                None => c[0] + (increment(c, tau) + self.low[i]),
+            };
         }
     }
 

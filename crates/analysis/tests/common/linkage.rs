@@ -154,7 +154,7 @@ impl Build {
     pub fn contact(&mut self, name: &str, gap: Expr, restitution: f64) -> usize {
         let condition = self.condition(name, Some(gap), None);
         let restitution = self.number(restitution);
-        self.own(name, "N", 1.0, Law::Contact { condition, gap, restitution })
+        self.own(name, "N", 1.0, Law::Contact { condition, gap, restitution, tie: name.starts_with("rope") })
     }
 
     pub fn friction(&mut self, name: &str, sliding: Expr, fixed: f64, kinetic: f64) -> usize {
@@ -162,6 +162,14 @@ impl Build {
         let (fixed, kinetic) = (self.number(fixed), self.number(kinetic));
         let friction = Friction { condition, sliding, kinetic: [kinetic; 2], fixed, normal: None };
         self.own(name, "N", -1.0, Law::Friction(Box::new(friction)))
+    }
+
+    /// The friction is pressed by the force of another reaction.
+    pub fn press(&mut self, friction: usize, normal: usize) {
+        let (constant, one) = (self.e.graph.zero(), self.e.graph.one());
+        if let Law::Friction(friction) = &mut self.e.reactions[friction].law {
+            friction.normal = Some(symbolic::connections::Normal { constant, terms: vec![(normal, one)] });
+        }
     }
 
     /// A prescribed motion: the condition belongs to no reaction.
@@ -235,6 +243,11 @@ pub fn along(b: &mut Build, from: [Expr; 2], length: f64, angle: Expr) -> [Expr;
     let (c, s) = (b.cos(angle), b.sin(angle));
     let (dx, dy) = (b.times(length, c), b.times(length, s));
     [b.add(&[from[0], dx]), b.add(&[from[1], dy])]
+}
+
+/// m v²/2 of a point.
+pub fn kinetic_energy(b: &mut Build, mass: f64, point: [Expr; 2]) -> Expr {
+    kinetic(b, mass, point)
 }
 
 /// m v²/2 of a point.

@@ -19,6 +19,8 @@ mod shapes;
 mod structures;
 mod studies;
 mod syntax;
+mod unknowns;
+mod variants;
 
 pub use overrides::split as split_override;
 pub use ranges::sweep_range;
@@ -127,7 +129,12 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let outputs = outputs::resolve(reader, raw_outputs);
     let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
+    let variants = variants::read(reader, &top);
 
+    let mut unknowns = unknowns::check(reader, &top, &parameters);
+    let rests = reader.take_rests();
+    unknowns.extend(rests.iter().map(|p| p.symbol));
+    parameters.extend(rests);
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
     Model {
@@ -152,9 +159,12 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         notation,
         sections,
         phases,
+        unknowns,
+        restarts: schedule.restarts,
         studies,
         structure,
         inertias: Vec::new(),
+        variants,
     }
 }
 

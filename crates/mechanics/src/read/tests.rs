@@ -268,6 +268,10 @@ fn studies_that_do_not_agree_are_refused() {
         ("kind = \"sweep\"\nover = \"m=1 kg\"\nof = \"sweep\"", "M064"),
         ("kind = \"statics\"\nuntil = \"1 s\"", "M005"),
         ("kind = \"inverse\"", "M006"),
+        ("kind = \"equations\"\n[variants]", "M089"),
+        ("kind = \"equations\"\n[variants]\ntable = \"a\"\nrows = \"b\"", "M089"),
+        ("kind = \"equations\"\n[variants]\ntable = \"a\"\ncolumns = [\"m\", \"q\"]", "M089"),
+        ("kind = \"equations\"\n[variants]\ntable = \"a\"\nnumber = \"phi\"", "M089"),
     ] {
         let found = findings(&format!("{PENDULUM}\n[[study]]\n{study}\n"));
         let codes: Vec<_> = found.iter().map(|f| f.0).collect();

@@ -4,11 +4,13 @@
 //! Huygens and Steiner, I_xy = ∫ x y dA likewise. Principal axes: tan 2α = -2 I_xy / (I_x - I_y).
 
 mod coverage;
+mod explain;
 mod moments;
 mod outline;
 mod profiles;
 
 pub use coverage::{Coverage, cover};
+pub use explain::EXPLANATIONS;
 pub use moments::{Form, Moments, of_form, together};
 pub use outline::{Contours, Outline};
 pub use profiles::{Kind, Profile, find as find_profile, names as profile_names};

@@ -2,6 +2,7 @@
 
 use super::connections::{Arrangement, Connected, Numbers, Selection, fill, reserve, supports, surfaces};
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
+use crate::passes::select;
 use crate::{ENERGY, Fault, Program, Register, Root, Tape};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -27,6 +28,8 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
     let arrangement = Arrangement::new(equations, selection)?;
     let (dynamics, guards) = dynamics(equations, &names, &arrangement)?;
     let outputs = equations.outputs.iter().map(|o| (o.name.clone(), o.formula)).collect();
+    // large machines without connections are not to pay for them
+    let connected = !(equations.conditions.is_empty() && equations.reactions.is_empty());
     let unknowns: Vec<String> =
         names.accelerations().chain(arrangement.solved.iter().map(|r| equations.reactions[*r].name.clone())).collect();
     Ok(Program {
@@ -41,20 +44,26 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         known: known(&arrangement),
         rows: arrangement.rows(equations, &unknowns),
         unknowns,
+        forces: Arc::new(forces(equations, &names, &arrangement, &dynamics, &guards)?),
         dynamics: Arc::new(dynamics),
-        forces: Arc::new(forces(equations, &names, &arrangement, &guards)?),
         outputs: Arc::new(observed(equations, &guards, "outputs", outputs)?),
         energy: Arc::new(observed(equations, &guards, "energy", energy(equations))?),
         second: Arc::new(second(equations)?),
         places: Arc::new(places(equations)?),
         statics: Arc::new(statics(equations, &names)?),
-        rests: Arc::new(rests(equations, &names)?),
-        connections: Arc::new(connections(equations, &names)?),
+        rests: Arc::new(if connected { rests(equations, &names)? } else { nothing(equations, "rests")? }),
+        connections: Arc::new(if connected { connections(equations, &names)? } else { nothing(equations, "connections")? }),
         balances: Arc::new(balances(equations)?),
         start: Arc::new(start(equations, &names)?),
+        switches: guards.numbers.iter().map(|n| n.map(|n| n.switch())).collect(),
         guards: guards.guards,
         solved: arrangement.solved,
     })
+}
+
+/// A tape without roots.
+fn nothing(equations: &Equations, name: &str) -> Result<Tape, Fault> {
+    Lowering::new(&equations.graph, &over_states(equations), Switches::Value).tape(name, &[])
 }
 
 /// Names of symbols as users write them.
@@ -189,9 +198,14 @@ fn solution(
     Ok((n > 0).then(|| lowering.solve(matrix, right)))
 }
 
-/// q'' and all reactions that have values: the system of the dynamics once more, then that of the supports.
-fn forces(equations: &Equations, names: &Names, arrangement: &Arrangement, guards: &GuardTable) -> Result<Tape, Fault> {
+/// q'' and all reactions that have values: the system of the dynamics once more, then that of the supports. Without the latter the dynamics themselves.
+fn forces(equations: &Equations, names: &Names, arrangement: &Arrangement, dynamics: &Tape, guards: &GuardTable) -> Result<Tape, Fault> {
     let n = equations.coordinates.len();
+    if arrangement.supports.is_empty() {
+        let states = names.states.len();
+        let roots: Vec<usize> = (n..2 * n).chain(states..dynamics.roots.len()).collect();
+        return Ok(Tape { name: "forces".to_owned(), ..select(dynamics, &roots) });
+    }
     let mut lowering = Lowering::new(&equations.graph, &over_states(equations), Switches::Known(guards));
     surfaces(&mut lowering, equations, &guards.numbers)?;
     let first = solution(&mut lowering, equations, arrangement, &guards.numbers)?;

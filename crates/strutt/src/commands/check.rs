@@ -1,17 +1,15 @@
 //! `strutt check FILE`: all findings, or a summary.
 
-use super::Exit;
+use super::{Exit, inputs};
 use crate::args::{self, Format};
 use crate::console::{Console, Shape};
-use crate::quantities;
 use serde_json::json;
 use strutt::pipeline::{self, Machine};
 use strutt::words::Word;
-use strutt::{Failure, Source, diagnostics};
+use strutt::{Failure, diagnostics};
 
 pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {
-    let overrides = quantities::overrides(&args.model.overrides)?;
-    let source = Source::open(&args.model.file)?;
+    let (source, overrides) = inputs(&args.model)?;
     let machine = match console.watched(|watch| pipeline::build(&source, &overrides, watch)) {
         Ok(machine) => machine,
         Err(Failure::Findings { diagnostics, .. }) if args.format == Format::Short && console.shape != Shape::Json => {
@@ -37,7 +35,7 @@ pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {
 }
 
 /// Word for people, key for machines, number.
-fn rows(machine: &Machine) -> [(Word, &'static str, usize); 5] {
+fn rows(machine: &Machine) -> [(Word, &'static str, usize); 6] {
     let model = &machine.model;
     [
         (Word::Bodies, "bodies", model.frames.iter().filter(|f| f.is_body).count()),
@@ -45,12 +43,14 @@ fn rows(machine: &Machine) -> [(Word, &'static str, usize); 5] {
         (Word::Parameters, "parameters", model.parameters.len()),
         (Word::Outputs, "outputs", model.outputs.len()),
         (Word::Studies, "studies", model.studies.len()),
+        (Word::Sections, "sections", model.sections.len()),
     ]
 }
 
 fn summary(machine: &Machine, console: &Console) -> String {
-    let words = rows(machine).map(|(word, _, n)| format!("{} {n}", console.say(word)));
-    words.join(", ")
+    // what few models have is told only where it is
+    let rows = rows(machine).into_iter().filter(|(word, _, n)| *n > 0 || *word != Word::Sections);
+    rows.map(|(word, _, n)| format!("{} {n}", console.say(word))).collect::<Vec<_>>().join(", ")
 }
 
 fn counts(machine: &Machine) -> serde_json::Value {

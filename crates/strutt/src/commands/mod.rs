@@ -11,9 +11,11 @@ mod new;
 mod periodic;
 mod response;
 mod run;
+mod section;
 mod simulate;
 mod statics;
 mod study;
+mod sweep;
 mod transient;
 
 use crate::args::Command;
@@ -46,7 +48,9 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Section(args) => section::run(&args, console),
         Command::Statics(args) => statics::run(&args, console),
+        Command::Sweep(args) => sweep::run(&args, console),
         Command::Periodic(args) => periodic::run(&args, console),
         Command::Response(args) => response::run(&args, console),
         Command::Modes(args) => modes::run(&args, console),
@@ -57,10 +61,21 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
     }
 }
 
+/// The file, and the values of the command line that replace those in it: the variant's, then those set by hand.
+fn inputs(model: &crate::args::Model) -> Result<(Source, Vec<(String, String)>), Failure> {
+    let set = quantities::overrides(&model.overrides)?;
+    let source = Source::open(&model.file)?;
+    let Some(variant) = &model.variant else { return Ok((source, set)) };
+    let reading = mechanics::read(&source.text, &source.path, &[])
+        .map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
+    let mut all = strutt::variants::overrides(&reading.model, &source, variant)?;
+    all.extend(set);
+    Ok((source, all))
+}
+
 /// The file and the machine in it, warnings shown.
 fn open(model: &crate::args::Model, detail: Detail, console: &mut Console) -> Result<(Source, Machine), Failure> {
-    let overrides = quantities::overrides(&model.overrides)?;
-    let source = Source::open(&model.file)?;
+    let (source, overrides) = inputs(model)?;
     let machine = console.watched(|watch| pipeline::build_in(&source, &overrides, detail, watch))?;
     console.warn(&machine.warnings, &source);
     Ok((source, machine))

@@ -1,19 +1,17 @@
 //! `strutt run FILE`: every study of the file, on the terminal and in a folder.
 
-use super::{Exit, has_numbers, judge};
+use super::{Exit, has_numbers, inputs, judge};
 use crate::args;
 use crate::console::{Console, Shape, listen_to_interrupts};
-use crate::quantities;
 use std::path::{Path, PathBuf};
 use strutt::document::Extent;
 use strutt::pipeline::{self, Calculation};
 use strutt::words::Word;
-use strutt::{Failure, Source, folder};
+use strutt::{Failure, folder};
 
 pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts();
-    let overrides = quantities::overrides(&args.model.overrides)?;
-    let source = Source::open(&args.model.file)?;
+    let (source, overrides) = inputs(&args.model)?;
     let mut calculation = console.watched(|watch| {
         watch.halve_tolerance = args.halve_tolerance;
         pipeline::run(&source, &overrides, watch)
@@ -48,6 +46,10 @@ fn tell(calculation: &Calculation, paths: &[PathBuf], file: &str, console: &Cons
     let heading = console.say(if partial { Word::WrittenPartly } else { Word::Written });
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
     console.talk(&format!("\n{heading}{list}"));
+    let model = &calculation.machine.model;
+    if model.coordinates.is_empty() && !model.sections.is_empty() {
+        return console.talk(&format!("{} strutt section {file}", console.say(Word::Next)));
+    }
     let next = match has_numbers(&calculation.machine) {
         true => format!("strutt equations {file} --steps"),
         false => format!("strutt simulate {file} --until 10"),

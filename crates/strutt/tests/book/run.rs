@@ -101,15 +101,30 @@ struct Command {
     tolerance: f64,
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
+    linearise: bool,
+    /// Name of a section.
+    name: String,
 }
 
 impl Command {
     fn parse(words: &[String]) -> Result<Command, String> {
-        let mut command = Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new() };
+        let mut command = Command {
+            verb: words[0].clone(),
+            until: 0.0,
+            tolerance: TOLERANCE,
+            set: Vec::new(),
+            guess: Vec::new(),
+            name: String::new(),
+            linearise: false,
+        };
         let mut list = None;
         for word in &words[1..] {
             if word == "set" || word == "guess" {
                 list = Some(word.as_str());
+                continue;
+            }
+            if word == "linearise" {
+                command.linearise = true;
                 continue;
             }
             let (name, value) = word.split_once('=').ok_or_else(|| format!("not NAME=VALUE: `{word}`"))?;
@@ -118,6 +133,7 @@ impl Command {
                 (Some("set"), _) => command.set.push(pair),
                 (Some(_), _) => command.guess.push(pair),
                 (None, "until") => command.until = quantity(value)?,
+                (None, "name") => value.clone_into(&mut command.name),
                 (None, "tolerance") => command.tolerance = value.parse().map_err(|_| format!("not a number: {value}"))?,
                 (None, _) => return Err(format!("unknown option `{word}`")),
             }
@@ -137,7 +153,11 @@ impl Command {
             "simulate" => self.simulate(&mut machine, claims),
             "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
-            "modes" | "response" => Ok(self.fields(&mut machine)),
+            "modes" | "response" | "equilibria" => Ok(self.fields(&mut machine)),
+            "section" => {
+                let found = machine.model.sections.iter().find(|s| s.name == self.name).cloned();
+                found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
+            }
             "statics" if machine.model.structure.is_some() => Ok(self.fields(&mut machine)),
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
@@ -160,13 +180,14 @@ impl Command {
 
     fn transient(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
         let times = self.times(claims);
-        let study = mechanics::model::Simulate {
+        let motion = mechanics::model::Simulate {
             until: self.until,
             times: Times::At(times.clone()),
             tolerance: self.tolerance,
             outputs: machine.equations.outputs.iter().map(|o| o.name.clone()).collect(),
             plots: Vec::new(),
         };
+        let study = mechanics::model::Transient { motion, linearise: self.linearise };
         match pipeline::transient(machine, &study, &mut Watch::default()) {
             Finding::Transient(_, data, phases, None) => Ok(Outcome::Closed { times, data, phases }),
             Finding::Transient(_, _, _, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
@@ -201,19 +222,28 @@ impl Command {
     fn fields(&self, machine: &mut Machine) -> Outcome {
         let of_file = machine.model.studies.iter().map(|s| s.kind.clone()).find(|kind| match kind {
             StudyKind::Modes(_) => self.verb == "modes",
+            StudyKind::Equilibrium { .. } => self.verb == "equilibria",
             StudyKind::Response(_) => self.verb == "response",
             StudyKind::Statics => self.verb == "statics",
             _ => false,
         });
         let usual = match self.verb.as_str() {
             "modes" => StudyKind::Modes(Modes::default()),
+            "equilibria" => StudyKind::Equilibrium { guess: Vec::new(), over: None },
             "statics" => StudyKind::Statics,
             _ => StudyKind::Response(Response::default()),
         };
         match pipeline::study(machine, &of_file.unwrap_or(usual), &mut Watch::default()) {
             Some(finding) => match finding.trouble() {
                 Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
-                None => Outcome::Fields { own: strutt::folder::own_fields(&finding).into(), data: finding.data().clone() },
+                None => {
+                    let data = finding.data().clone();
+                    let mut own = strutt::folder::own_fields(&finding);
+                    let parameters: serde_json::Map<String, serde_json::Value> =
+                        data.provenance.parameters.iter().map(|p| (p.quantity.name.clone(), p.value.into())).collect();
+                    own.insert("parameters".into(), parameters.into());
+                    Outcome::Fields { own: own.into(), data }
+                }
             },
             None => Outcome::Trouble { code: "", what: "no study".into() },
         }
@@ -247,6 +277,7 @@ enum Outcome {
     Motion { times: Vec<f64>, data: Dataset },
     Rest(Dataset),
     Fields { own: serde_json::Value, data: Dataset },
+    Section(Box<mechanics::section::Section>),
     Closed { times: Vec<f64>, data: Dataset, phases: Phases },
     Study(Box<Results>),
 }
@@ -258,11 +289,11 @@ impl Outcome {
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
             (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
             (Outcome::Fields { own, .. }, Claim::Rest { name, expected, tolerance }) => {
-                let found = field(own, name)?.as_f64().unwrap_or(f64::NAN);
+                let found = json_field(own, name)?.as_f64().unwrap_or(f64::NAN);
                 tolerance.check(name, found, *expected)
             }
             (Outcome::Fields { own, .. }, Claim::Field { path, text }) => {
-                let found = field(own, path)?;
+                let found = json_field(own, path)?;
                 let found = found.as_str().map_or_else(|| found.to_string(), str::to_owned);
                 if found == *text { Ok(()) } else { Err(format!("{path} is {found}")) }
             }
@@ -274,6 +305,10 @@ impl Outcome {
             (Outcome::Closed { phases, .. }, Claim::PhaseCase { phase, case }) => case_of(phases, *phase, case),
             (Outcome::Closed { times, data, .. }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
+            (Outcome::Section(section), Claim::Rest { name, expected, tolerance }) => {
+                let found = strutt::sections::property(section, name).ok_or_else(|| format!("no property `{name}`"))?;
+                tolerance.check(name, found, *expected)
+            }
             (Outcome::Study(results), claim) => study_claim(results, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
                 let column = data.column(name).ok_or_else(|| no_column(data, name))?;
@@ -296,6 +331,7 @@ impl Outcome {
             Outcome::Machine(_) => "the model is accepted".into(),
             Outcome::Motion { .. } => "the motion was computed".into(),
             Outcome::Fields { .. } => "the study was made".into(),
+            Outcome::Section(_) => "the section was computed".into(),
             Outcome::Closed { .. } => "the closed form was found".into(),
             Outcome::Rest(_) => "an equilibrium was found".into(),
             Outcome::Study(results) => format!("the study {} was made", results.kind),
@@ -339,9 +375,9 @@ fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<us
 }
 
 /// The field at a path: `modes[1].shape.phi`, counted from 1; `length(modes)` is a number of entries.
-fn field(own: &serde_json::Value, path: &str) -> Result<serde_json::Value, String> {
+fn json_field(own: &serde_json::Value, path: &str) -> Result<serde_json::Value, String> {
     if let Some(inner) = path.strip_prefix("length(").and_then(|p| p.strip_suffix(')')) {
-        return Ok(field(own, inner)?.as_array().map_or(0, Vec::len).into());
+        return Ok(json_field(own, inner)?.as_array().map_or(0, Vec::len).into());
     }
     let mut at = own;
     for step in path.split(['.', '[']) {

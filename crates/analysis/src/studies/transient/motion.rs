@@ -46,7 +46,7 @@ pub struct Joint {
 impl Motion {
     /// The motion from a state (q, q') at the start of a phase; `start` is that instant in the time of the loads.
     ///
-    /// *Errors*: S033 the mass matrix is singular.
+    /// *Errors*: S073 the mass matrix is singular.
     pub fn new(form: &Form, state: &[f64], start: f64) -> Result<Motion, Fault> {
         let loads: Vec<Load> = form.loads.iter().map(|f| f.from(start)).collect();
         if let Some(modes) = principal(form, &loads, state) {
@@ -91,11 +91,13 @@ fn principal(form: &Form, loads: &[Load], state: &[f64]) -> Option<Vec<Mode>> {
         return (*a > 0.0).then(|| vec![single([*a, *b, *c], &loads[0], state)]);
     }
     let (k2, shapes) = generalized(&form.mass, &form.stiffness, n)?;
-    let modal = |a: &[f64], u: &[f64], v: &[f64]| -> f64 { (0..n).map(|i| u[i] * (0..n).map(|j| a[i * n + j] * v[j]).sum::<f64>()).sum() };
-    let damping: Vec<f64> = shapes.iter().map(|s| modal(&form.damping, s, s)).collect();
+    let times = |a: &[f64], v: &[f64]| -> Vec<f64> { (0..n).map(|i| (0..n).map(|j| a[i * n + j] * v[j]).sum()).collect() };
+    let dot = |u: &[f64], v: &[f64]| -> f64 { u.iter().zip(v).map(|(a, b)| a * b).sum() };
+    let drags: Vec<Vec<f64>> = shapes.iter().map(|s| times(&form.damping, s)).collect();
+    let damping: Vec<f64> = shapes.iter().zip(&drags).map(|(s, d)| dot(s, d)).collect();
     for i in 0..n {
         for j in 0..i {
-            if modal(&form.damping, &shapes[i], &shapes[j]).abs() > PROPORTIONAL * (damping[i].abs() + damping[j].abs()) {
+            if dot(&shapes[i], &drags[j]).abs() > PROPORTIONAL * (damping[i].abs() + damping[j].abs()) {
                 return None;
             }
         }
@@ -106,8 +108,8 @@ fn principal(form: &Form, loads: &[Load], state: &[f64]) -> Option<Vec<Mode>> {
             load.add(f, *s);
         }
         // x = sᵀ M q, since sᵀ M s = 1
-        let x0 = modal(&form.mass, &shape, &state[..n]);
-        let v0 = modal(&form.mass, &shape, &state[n..]);
+        let weight = times(&form.mass, &shape);
+        let (x0, v0) = (dot(&weight, &state[..n]), dot(&weight, &state[n..]));
         Mode { oscillator: Oscillator { n: 0.5 * b, k2, load, x0, v0 }, shape }
     };
     Some(shapes.into_iter().zip(k2).zip(damping).map(mode).collect())
@@ -348,7 +350,7 @@ impl Joint {
 
 fn singular() -> Fault {
     Fault::new(Message {
-        code: "S033",
+        code: "S073",
         what: Text::new("the mass matrix is singular", "матрица масс вырождена"),
         why: Text::new("some motion of the coordinates moves no mass", "при некотором изменении координат масса не движется"),
         help: Text::new("give every coordinate an inertia, or remove it", "придайте каждой координате инерцию или уберите её"),

@@ -1,0 +1,118 @@
+//! Coordinates that only turn: a full turn changes nothing in the equations.
+
+use crate::connections::Law;
+use crate::{Equations, Expr, Function, Graph, Node, Rational, SymbolId};
+use rustc_hash::FxHashSet;
+
+impl Equations {
+    /// Whether the motion is the same after this coordinate has grown by 2π: it occurs in sines and cosines of whole multiples only.
+    pub fn turns_freely(&self, coordinate: usize) -> bool {
+        let Some(c) = self.coordinates.get(coordinate) else { return false };
+        repeats(&self.graph, &self.dynamic_expressions(), c.symbols[0])
+    }
+
+    /// Everything that the motion depends on.
+    fn dynamic_expressions(&self) -> Vec<Expr> {
+        let mut list: Vec<Expr> = self.mass.entries().to_vec();
+        list.extend(self.force.iter().copied());
+        list.extend(self.auxiliaries.iter().map(|a| a.rate));
+        list.extend(self.definitions.iter().map(|d| d.formula));
+        for c in &self.conditions {
+            list.extend(c.place);
+            list.extend([c.rate, c.remainder]);
+            list.extend(c.columns.iter().map(|(_, e)| *e));
+        }
+        for r in &self.reactions {
+            list.extend(r.forces.iter().chain(&r.released).map(|(_, e)| *e));
+            match &r.law {
+                Law::Contact { gap, restitution, .. } => list.extend([*gap, *restitution]),
+                Law::Friction(f) => {
+                    list.extend([f.sliding, f.fixed]);
+                    list.extend(f.kinetic);
+                    if let Some(normal) = &f.normal {
+                        list.push(normal.constant);
+                        list.extend(normal.terms.iter().map(|(_, e)| *e));
+                    }
+                }
+                Law::Ideal { .. } | Law::Support | Law::Motor => {}
+            }
+        }
+        for b in &self.balances {
+            list.push(b.rest);
+            list.extend(b.columns.iter().map(|(_, e)| *e));
+        }
+        list
+    }
+}
+
+/// Whether `symbol` occurs below `roots` in sines and cosines of whole multiples only.
+fn repeats(graph: &Graph, roots: &[Expr], symbol: SymbolId) -> bool {
+    let mut seen: FxHashSet<Expr> = FxHashSet::default();
+    let mut pending: Vec<Expr> = roots.to_vec();
+    while let Some(e) = pending.pop() {
+        if !seen.insert(e) {
+            continue;
+        }
+        match graph.node(e) {
+            Node::Number(_) | Node::Pi => {}
+            Node::Symbol(s) if *s == symbol => return false,
+            Node::Symbol(_) => {}
+            Node::Sum { terms: pairs, .. } => pending.extend(pairs.iter().map(|p| p.0)),
+            Node::Product { factors, .. } => pending.extend(factors.iter().map(|p| p.0)),
+            Node::Power { base, exponent } => pending.extend([*base, *exponent]),
+            Node::Call { function, arguments } => {
+                let turns = matches!(function, Function::Sin | Function::Cos);
+                match arguments.first() {
+                    Some(argument) if turns => pending.extend(beside(graph, *argument, symbol)),
+                    _ => pending.extend(arguments.iter().copied()),
+                }
+            }
+            Node::Switch { guard, then, otherwise, .. } => pending.extend([*guard, *then, *otherwise]),
+        }
+    }
+    true
+}
+
+/// The parts of an angle without whole multiples of the symbol.
+fn beside(graph: &Graph, angle: Expr, symbol: SymbolId) -> Vec<Expr> {
+    let whole = |e: Expr, factor: &Rational| match graph.node(e) {
+        Node::Symbol(s) => *s == symbol && factor.is_integer(),
+        Node::Product { coefficient, factors } => match &factors[..] {
+            [(base, power)] => graph.as_symbol(*base) == Some(symbol) && *power == Rational::ONE && (coefficient * factor).is_integer(),
+            _ => false,
+        },
+        _ => false,
+    };
+    match graph.node(angle) {
+        Node::Sum { terms, .. } => terms.iter().filter(|(e, f)| !whole(*e, f)).map(|(e, _)| *e).collect(),
+        _ if whole(angle, &Rational::ONE) => Vec::new(),
+        _ => vec![angle],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::repeats;
+    use crate::{Function, Graph, Rational};
+
+    #[test]
+    fn sines_of_whole_multiples_repeat_and_nothing_else() {
+        let mut g = Graph::new();
+        let (a, b) = (g.symbol_id("a", 0), g.symbol_id("b", 0));
+        let (x, y) = (g.symbol(a), g.symbol(b));
+        let half = g.number(Rational::HALF);
+        let two = g.int(2);
+        let double = g.mul(two, x);
+        let difference = g.sub(double, y);
+        let sine = g.call(Function::Sin, &[difference]);
+        assert!(repeats(&g, &[sine], a) && repeats(&g, &[sine], b));
+        let halved = g.mul(half, x);
+        let cosine = g.call(Function::Cos, &[halved]);
+        assert!(!repeats(&g, &[cosine], a));
+        let product = g.mul(x, y);
+        let mixed = g.call(Function::Sin, &[product]);
+        assert!(!repeats(&g, &[mixed], a));
+        let outside = g.add(sine, x);
+        assert!(!repeats(&g, &[outside], a) && repeats(&g, &[outside], b));
+    }
+}
