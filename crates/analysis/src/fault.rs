@@ -72,6 +72,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
     Explanation {
         code: "S010", en: ("more steps than anybody waits for", STEPS_EN), ru: ("слишком много шагов", STEPS_RU)
     },
+    Explanation { code: "S060", en: ("no reactions", NO_REACTIONS_EN), ru: ("нет реакций", NO_REACTIONS_RU) },
+    Explanation {
+        code: "S061", en: ("a mechanism that does not rest", UNREST_EN), ru: ("механизм не находится в равновесии", UNREST_RU)
+    },
     crate::studies::explain::NO_RETURN,
     crate::studies::explain::NO_REGIME,
     crate::studies::explain::DRIVEN,
@@ -430,4 +434,34 @@ impl Fault {
             ),
         })
     }
+
+    /// Statics of a model without reactions.
+    pub fn no_reactions() -> Fault {
+        Fault::new(Message {
+            code: "S060",
+            what: Text::new("the model has no reactions to find", "в модели нет искомых реакций"),
+            why: Text::new("nothing connects the bodies or holds them", "ничто не соединяет и не удерживает тела"),
+            help: Text::new("name supports in [supports] and joints in [pins]", "задайте опоры в [supports] и шарниры в [pins]"),
+        })
+    }
+
+    /// A free motion in which the loads do work.
+    pub fn sets_itself_in_motion(free: &Text) -> Fault {
+        let list = |words: &str| if words.is_empty() { "-".to_owned() } else { words.to_owned() };
+        Fault::new(Message {
+            code: "S061",
+            what: Text::new("the loads set the structure in motion", "нагрузки приводят конструкцию в движение"),
+            why: Text::new(format!("nothing prevents: {}", list(&free.en)), format!("ничто не препятствует: {}", list(&free.ru))),
+            help: Text::new("add a support or a balancing load", "добавьте опору или уравновешивающую нагрузку"),
+        })
+    }
 }
+
+const NO_REACTIONS_EN: &str =
+    "Statics finds the reactions of supports, pins, rods, ropes and other connections; the model has none. Name what holds the bodies.";
+const NO_REACTIONS_RU: &str =
+    "Статика определяет реакции опор, шарниров, стержней, нитей и других связей; в модели их нет. Назовите, что удерживает тела.";
+const UNREST_EN: &str = "Some displacement is prevented by nothing, and the loads do work in it: equilibrium is impossible. The message lists the \
+     displacements that belong to it with their shares. Add a support, or a load that balances it.";
+const UNREST_RU: &str = "Некоторому перемещению ничто не препятствует, и нагрузки совершают на нём работу: равновесие невозможно. В сообщении \
+     перечислены входящие в него перемещения и их доли. Добавьте опору или уравновешивающую нагрузку.";

@@ -144,11 +144,11 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Cycle(_) => None,
+        StudyKind::Kinematics(_) | StudyKind::Cycle(_) => None,
         StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess, over } => Some(equilibrium_over(machine, guess, *over, watch)),
-        StudyKind::Statics => crate::structure::statics(machine),
+        StudyKind::Statics => crate::structure::statics(machine).or_else(|| Some(crate::studies::statics::run(machine))),
         StudyKind::Response(study) => Some(response(machine, study, watch)),
         StudyKind::Transient(study) => {
             let motion = plan::with_plots(&study.motion, &machine.equations);
@@ -159,7 +159,7 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
             })
         }
         StudyKind::Modes(study) => Some(modes(machine, study, watch)),
-        StudyKind::Simulate(study) => {
+        StudyKind::Simulate(study) | StudyKind::Inverse(study) => {
             let study = plan::with_plots(study, &machine.equations);
             let finding = simulate(machine, &study, watch);
             // plots need several points on every swing; how many swings there are shows in the steps

@@ -31,7 +31,7 @@ pub struct Wishes {
 /// Nobody says how long (C007), or a column does not exist (C008).
 pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Simulate, Failure> {
     let of_file = model.studies.iter().find_map(|s| match &s.kind {
-        StudyKind::Simulate(study) => Some(study.clone()),
+        StudyKind::Simulate(study) | StudyKind::Inverse(study) => Some(study.clone()),
         _ => None,
     });
     motion(of_file, equations, wishes, "simulate")
@@ -48,7 +48,7 @@ pub fn transient(model: &Model, equations: &Equations, wishes: Wishes) -> Result
     });
     let simulated = || {
         model.studies.iter().find_map(|s| match &s.kind {
-            StudyKind::Simulate(study) => Some(study.clone()),
+            StudyKind::Simulate(study) | StudyKind::Inverse(study) => Some(study.clone()),
             _ => None,
         })
     };

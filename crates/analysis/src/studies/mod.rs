@@ -8,6 +8,7 @@ pub mod peaks;
 pub mod periodic;
 pub mod response;
 pub mod simulate;
+pub mod statics;
 pub mod structure_modes;
 pub mod structure_statics;
 pub mod tracks;
