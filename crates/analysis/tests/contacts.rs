@@ -116,6 +116,22 @@ fn grazing_touches_without_an_impact() {
     assert_eq!(switches, vec![]);
 }
 
+#[test]
+fn nearly_grazing_is_an_impact() {
+    // gap (t - 1)² - 1e-10: two roots 2e-5 apart in a step of the whole run
+    let mut system = Hand::new(&["m", "m/s"], 1, |s, k| vec![s.x[1][k], at_zero(-2.0, k)])
+        .guarded(2, |s, k| vec![at_zero(0.9999999999, k) - s.x[0][k], 0.0])
+        .kinds(&contact(0))
+        .colliding(|x, _, _| {
+            let impulse = 2.0 * x[1];
+            x[1] = -x[1];
+            vec![impulse]
+        });
+    let (_, switches) = run(&mut system, &[0.0, 2.0], 2.0, 1e-12).unwrap();
+    assert_eq!(switches.len(), 1);
+    assert!((switches[0].t - 0.99999).abs() < 1e-11, "{}", switches[0].t);
+}
+
 /// Load on a rope of length 1 from (0, 0), y downwards: thrown up with u from hanging, the rope goes slack, the load falls and is caught.
 #[test]
 fn rope_goes_slack_and_catches() {

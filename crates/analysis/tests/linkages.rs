@@ -333,6 +333,39 @@ mod switching {
         assert_eq!((x[0], x[2]), (0.0, 0.0));
     }
 
+    /// Free flight of a load on a slack rope: x and y are polynomials of time, the slack is none.
+    #[test]
+    fn rope_catches_a_load_thrown_sideways() {
+        let mut b = Build::new();
+        let [x, _] = b.coordinate("x", "m", Start::Given(0.2), Start::Given(0.5));
+        let [y, _] = b.coordinate("y", "m", Start::Given(-0.3), Start::Given(1.0));
+        let t = kinetic_energy(&mut b, 1.5, [x, y]);
+        let p = b.times(1.5 * 9.81, y);
+        b.lagrange(t, p, &[]);
+        let (xx, yy, one) = (b.square(x), b.square(y), b.number(1.0));
+        let sum = b.add(&[xx, yy]);
+        let distance = b.e.graph.sqrt(sum);
+        let gap = b.sub(one, distance);
+        b.contact("rope", gap, 0.0);
+        let (switches, state) = follow(&b, 5.0);
+        // 0.2 + t/2, -0.3 + t - 4.905 t²: distance 1
+        let place = |t: f64| (0.2 + 0.5 * t, -0.3 + t - 4.905 * t * t);
+        let (mut low, mut high) = (0.3, 1.0);
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            let (x, y) = place(middle);
+            if x.hypot(y) < 1.0 { low = middle } else { high = middle }
+        }
+        assert!((switches[0].t - low).abs() < 1e-14, "{} {low}", switches[0].t);
+        // the radial speed is lost at once; the pendulum swings on with what is left
+        let (x, y) = place(low);
+        let (vx, vy) = (0.5, 1.0 - 9.81 * low);
+        let along = (x * vy - y * vx) / x.hypot(y);
+        let energy = 0.5 * along * along + 9.81 * y;
+        let now = 0.5 * (state[2].powi(2) + state[3].powi(2)) + 9.81 * state[1];
+        assert!((energy - now).abs() < 1e-10, "{energy} {now} {switches:?}");
+    }
+
     /// Load on a thread of length 1.
     #[test]
     fn thrown_load_on_a_thread_goes_slack_at_once_and_is_caught() {

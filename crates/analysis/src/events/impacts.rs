@@ -36,8 +36,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// expansion belongs to the present state.
     pub(super) fn collide(&mut self) -> Result<Vec<Impact>, Fault> {
         self.rebounds.fill(false);
-        let on: Vec<usize> =
-            (0..self.modes.len()).filter(|&i| self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero)).collect();
+        let on: Vec<usize> = (0..self.modes.len())
+            .filter(|&i| self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_on_surface(i)))
+            .collect();
         let before: Vec<f64> = on.iter().map(|&i| self.gap_rate(i)).collect();
         let closing = |(i, rate): (&usize, &f64)| self.modes[*i] != Mode::Zero && *rate < 0.0;
         if !on.iter().zip(&before).any(closing) {
@@ -57,6 +58,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
             }
         }
         Ok(impacts)
+    }
+
+    /// Whether the value of a guard is rounding.
+    fn is_on_surface(&self, i: usize) -> bool {
+        self.system.guard(i).first().is_some_and(|value| value.abs() <= self.guard_noise[i])
     }
 
     fn is_contact(&self, i: usize) -> bool {

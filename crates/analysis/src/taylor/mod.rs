@@ -199,6 +199,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         if h < limit {
             self.rule.adapt(&self.step.states);
         }
+        h = self.trusted(&self.step, h);
         let mut defect = Defect::default();
         loop {
             self.check_length(h)?;
@@ -366,6 +367,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         self.trial.take(&*self.system, self.x.len(), self.modes.len(), self.rule.order);
         let limit = if self.natural > 0.0 { self.natural.max(self.span) } else { self.span };
         self.natural = self.rule.length(&self.trial.states, self.guess, limit);
+        self.natural = self.trusted(&self.trial, self.natural);
         if self.natural.is_nan() || self.natural <= 0.0 {
             let i = (0..self.x.len()).find(|&i| !self.trial.coefficients(i).iter().all(|c| c.is_finite())).unwrap_or(0);
             return Err(Fault::not_finite(&Text::same(&self.system.states()[i].name), self.now.high));

@@ -1,6 +1,6 @@
 //! Switches on the way: the first crossing inside a step, what is on its surface at the end, and when switches come too close.
 
-use super::Flow;
+use super::{Flow, Step};
 use crate::events::roots::surely_no_root;
 use crate::events::{BoundState, Change};
 use crate::numerics::sum::Instant;
@@ -17,14 +17,46 @@ pub(super) struct Crowd {
 const CROWD: u32 = 64;
 const CLOSE: f64 = 1e-9;
 
+/// How far the last terms of a guard may exceed the tolerance. They are those of the states in nearly all guards and then much smaller.
+const SLACK: f64 = 100.0;
+
+/// The part of a step h on which the last four terms stay below the tolerance times the change.
+fn convergent(c: &[f64], mut h: f64, tolerance: f64) -> f64 {
+    let p = c.len().saturating_sub(1);
+    if p < 8 || c[p - 3..].iter().all(|c_k| *c_k == 0.0) {
+        return h;
+    }
+    for _ in 0..80 {
+        let (mut power, mut change) = (1.0, f64::EPSILON * c[0].abs() / tolerance);
+        let mut factor: f64 = 1.0;
+        for (k, c_k) in c.iter().enumerate().skip(1) {
+            power *= h;
+            let term = c_k.abs() * power;
+            if k <= p / 2 {
+                change = f64::max(change, term);
+            } else if k + 4 > p && (term > SLACK * tolerance * change || term.is_nan()) {
+                let share = (tolerance * change / term).powf(1.0 / k as f64);
+                factor = factor.min(if share.is_nan() { 1e-3 } else { share.clamp(1e-3, 0.95) });
+            }
+        }
+        if factor == 1.0 {
+            break;
+        }
+        h *= factor;
+    }
+    h
+}
+
 impl<S: System + ?Sized> Flow<'_, S> {
     /// The step up to the first sign change of a guard; marks the guards that change there.
     pub(super) fn shorten_to_event(&mut self, h: f64) -> (f64, bool) {
         self.touched.fill(false);
-        let mut first = f64::INFINITY;
+        let (mut first, mut whose) = (f64::INFINITY, 0);
         for i in 0..self.modes.len() {
-            if let Some(tau) = self.crossing(i, h) {
-                first = first.min(tau);
+            if let Some(tau) = self.crossing(i, h)
+                && tau < first
+            {
+                (first, whose) = (tau, i);
             }
         }
         if first > h {
@@ -33,9 +65,16 @@ impl<S: System + ?Sized> Flow<'_, S> {
         // what lies within rounding of the first root happens together with it
         let together = first + 4.0 * f64::EPSILON * self.now.high.abs() + 1e-14 * h;
         for i in 0..self.modes.len() {
-            self.touched[i] = self.crossing(i, together.min(h)).is_some();
+            self.touched[i] = i == whose || self.crossing(i, together.min(h)).is_some();
         }
         (first, true)
+    }
+
+    /// The step on which the polynomials of the guards can be trusted. Where the motion is a polynomial (free flight) the step is as long as the run,
+    /// but a guard like the slack of a rope, l - sqrt(x² + y²), is none.
+    pub(super) fn trusted(&self, step: &Step, h: f64) -> f64 {
+        let scheduled = |i: usize| self.system.guards()[i].scheduled.is_some();
+        (0..self.modes.len()).filter(|i| !scheduled(*i)).fold(h, |h, i| convergent(step.guards.row(i), h, self.rule.tolerance))
     }
 
     pub(super) fn crossing(&mut self, i: usize, h: f64) -> Option<f64> {
