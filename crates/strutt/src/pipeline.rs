@@ -134,7 +134,8 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Cycle(_) => None,
+        StudyKind::Inverse(_) | StudyKind::Kinematics(_) => None,
+        StudyKind::Cycle(study) => Some(crate::studies::cycle::run(machine, study, watch)),
         StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
