@@ -56,6 +56,8 @@ pub enum Command {
     Section(Section),
     /// Find the exact periodic regime: period, multipliers, motion over one period
     Periodic(Periodic),
+    /// Energy balance over a turn: the drive, reduced inertia and moment, irregularity
+    Cycle(Cycle),
     /// Repeat a study over values of parameters
     Sweep(Sweep),
     /// Find natural frequencies and shapes of small motions
@@ -287,6 +289,36 @@ pub struct Periodic {
     pub wanted_period: Option<String>,
     #[command(flatten)]
     pub table: Table,
+}
+
+#[derive(Args, Debug)]
+pub struct Cycle {
+    #[command(flatten)]
+    pub model: Model,
+    /// The angle that describes the cycle
+    #[arg(long, value_name = "NAME")]
+    pub angle: Option<String>,
+    /// Turns of a cycle
+    #[arg(long, value_name = "NUMBER", requires = "angle", allow_hyphen_values = true)]
+    pub turns: Option<String>,
+    /// Uniform rate [default: the starting rate]
+    #[arg(long, value_name = "QUANTITY", requires = "angle", allow_hyphen_values = true)]
+    pub speed: Option<String>,
+    /// Duration of a cycle, instead of the rate
+    #[arg(long, value_name = "TIME", requires = "angle", conflicts_with = "speed")]
+    pub period: Option<String>,
+    /// Drive force or torque that is found from the balance
+    #[arg(long, value_name = "NAME")]
+    pub unknown: Option<String>,
+    /// Wanted irregularity of running
+    #[arg(long, value_name = "NUMBER", requires = "angle")]
+    pub irregularity: Option<String>,
+    /// Inertia that is changed for the wanted irregularity
+    #[arg(long, value_name = "NAME")]
+    pub flywheel: Option<String>,
+    /// Also write tables, plots and a page into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

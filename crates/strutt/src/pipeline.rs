@@ -144,7 +144,8 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Kinematics(_) | StudyKind::Cycle(_) => None,
+        StudyKind::Kinematics(_) => None,
+        StudyKind::Cycle(study) => Some(crate::studies::cycle::run(machine, study, watch)),
         StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess, over } => Some(equilibrium_over(machine, guess, *over, watch)),

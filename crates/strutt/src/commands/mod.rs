@@ -2,6 +2,7 @@
 
 mod check;
 mod completions;
+mod cycle;
 mod equations;
 mod equilibrium;
 mod examples;
@@ -48,6 +49,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Cycle(args) => cycle::run(&args, console),
         Command::Section(args) => section::run(&args, console),
         Command::Statics(args) => statics::run(&args, console),
         Command::Sweep(args) => sweep::run(&args, console),

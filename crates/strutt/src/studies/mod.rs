@@ -1,6 +1,7 @@
 //! Studies of whole machines, one file each: what the file and the command line ask becomes options of `analysis`, what comes back becomes
 //! [`Results`].
 
+pub mod cycle;
 mod origin;
 pub mod periodic;
 mod results;

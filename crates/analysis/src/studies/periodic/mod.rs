@@ -125,7 +125,7 @@ pub struct Outcome {
 }
 
 /// Multipliers this near to the unit circle decide nothing.
-const NEUTRAL: f64 = 1e-7;
+const NEUTRAL: f64 = 1e-5;
 
 /// Searches the periodic regime from the state `start` at t = 0.
 ///
