@@ -72,6 +72,9 @@ const SAMPLES: usize = 4000;
 /// Guesses along a range when there are other coordinates.
 const GUESSES: usize = 97;
 
+/// Other angles that are also tried half a turn further.
+const TURNED: usize = 3;
+
 /// Steps of Newton's method from one guess.
 const STEPS: usize = 200;
 /// Forces relative to the terms that balance in them, estimated by the stiffness times the coordinates.
@@ -88,7 +91,12 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
     let mut found: Vec<Rest> = Vec::new();
     let mut faults = Vec::new();
     let own = start[..n].to_vec();
-    let along = options.over.map(|range| search.along(range, start)).unwrap_or_default();
+    let mut along = options.over.map(|range| search.along(range, start)).unwrap_or_default();
+    if let Some(range) = options.over {
+        let angle = |i: usize| i != range.coordinate && search.system.states()[i].unit == "rad";
+        let angles: Vec<usize> = (0..n).filter(|&i| angle(i)).take(TURNED).collect();
+        turned(&mut along, &angles);
+    }
     for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)).chain(&along) {
         let mut x = start.to_vec();
         x[n..2 * n].fill(0.0);
@@ -112,8 +120,8 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
     let mut dataset = dataset(system, &found, steps);
     if options.over.is_some() && n > 1 {
         dataset.notes.push(Text::new(
-            format!("found from {GUESSES} guesses along the range: there may be more"),
-            format!("найдены из {GUESSES} приближений вдоль диапазона: могут быть и другие"),
+            "found by Newton's method from guesses along the range: there may be more",
+            "найдены методом Ньютона из приближений вдоль диапазона: могут быть и другие",
         ));
     }
     // a guess that failed matters only when nothing was found, a free motion always
@@ -303,6 +311,21 @@ impl<S: Statics + ?Sized> Search<'_, S> {
 
 /// Longest step of Newton's method, SI: a radian or a metre.
 const LONGEST: f64 = 1.0;
+
+/// Adds every guess with some of the other angles turned by half a turn, where machines under gravity rest too.
+fn turned(guesses: &mut Vec<Vec<f64>>, angles: &[usize]) {
+    for i in angles {
+        let more: Vec<Vec<f64>> = guesses
+            .iter()
+            .map(|q| {
+                let mut q = q.clone();
+                q[*i] += std::f64::consts::PI;
+                q
+            })
+            .collect();
+        guesses.extend(more);
+    }
+}
 
 fn place_of(value: f64) -> Vec<f64> {
     vec![value]
