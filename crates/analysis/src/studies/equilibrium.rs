@@ -9,6 +9,7 @@ use symbolic::Text;
 use crate::dataset::{Audit, Column, Counter, Dataset};
 use crate::fault::{Message, rounded};
 use crate::numerics::lu::{Lu, positive_definite};
+use crate::numerics::rank::{Qr, TOLERANCE};
 use crate::{Fault, Quantity, System};
 
 use super::peaks;
@@ -181,8 +182,8 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             let lu = Lu::new(&self.jacobian, self.n);
             let balanced = self.residual(&x) <= RESIDUAL;
             let Some(correction) = lu.solve(&self.forces) else {
-                if balanced && self.neutral_is_found {
-                    return Ok(self.rest(x));
+                if self.neutral_is_found {
+                    return self.free(x);
                 }
                 return Err(if balanced { self.neutral(&lu) } else { self.failed() });
             };
@@ -245,6 +246,28 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             }
         }
         found
+    }
+
+    /// Newton's method where some motion is free: the free directions stay where they are.
+    fn free(&mut self, mut x: Vec<f64>) -> Result<Rest, Fault> {
+        let n = self.n;
+        let mut residual = self.residual(&x);
+        for _ in 0..STEPS {
+            if residual <= f64::EPSILON {
+                break;
+            }
+            let (correction, _) = Qr::new(n, n, &self.jacobian, TOLERANCE).least_squares(&self.forces);
+            let mut next = x.clone();
+            next.iter_mut().zip(&correction).for_each(|(q, c)| *q -= c);
+            self.evaluate(&next)?;
+            let after = self.residual(&next);
+            if after.is_nan() || after >= residual {
+                break;
+            }
+            (x, residual) = (next, after);
+        }
+        self.evaluate(&x)?;
+        if residual <= RESIDUAL { Ok(self.rest(x)) } else { Err(self.failed()) }
     }
 
     fn evaluate(&mut self, x: &[f64]) -> Result<(), Fault> {
