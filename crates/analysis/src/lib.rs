@@ -9,6 +9,7 @@ pub mod fault;
 pub mod linear;
 pub mod machine;
 pub mod numerics;
+pub mod reduce;
 pub mod structure;
 pub mod studies;
 pub mod system;

@@ -274,6 +274,30 @@ mod switching {
         assert!((data.column("rod").unwrap().values[0] + 2.0 * 9.81 / low).abs() < 1e-12);
     }
 
+    #[test]
+    fn block_that_lies_on_two_supports_is_hit_from_above() {
+        // the second contact repeats the first; a hammer falls on the block, which cannot move
+        let mut b = Build::new();
+        let [y, v] = b.coordinate("y", "m", Start::Given(0.0), Start::Given(0.0));
+        let [z, w] = b.coordinate("z", "m", Start::Given(1.0), Start::Given(0.0));
+        let (v2, w2) = (b.square(v), b.square(w));
+        let (t1, t2) = (b.times(0.5 * 3.0, v2), b.times(0.5 * 1.0, w2));
+        let t = b.add(&[t1, t2]);
+        let p = b.times(9.81, z);
+        b.lagrange(t, p, &[]);
+        b.contact("ground", y, 0.5);
+        let gap = b.sub(z, y);
+        b.contact("hammer", gap, 0.5);
+        let (switches, x) = follow(&b, 0.7);
+        let fall = (2.0_f64 / 9.81).sqrt();
+        assert!((switches[0].t - fall).abs() < 1e-15 && switches[0].guard == 2, "{switches:?}");
+        // Newton's rule with the ground kept: the hammer leaves with half its speed
+        let speed = 9.81 * fall;
+        let analysis::events::Change::Impact { rates } = switches[0].change else { panic!("{switches:?}") };
+        assert!((rates[0] + speed).abs() < 1e-12 && (rates[1] - 0.5 * speed).abs() < 1e-12);
+        assert_eq!((x[0], x[2]), (0.0, 0.0));
+    }
+
     /// Load on a thread of length 1.
     #[test]
     fn thrown_load_on_a_thread_goes_slack_at_once_and_is_caught() {
@@ -285,7 +309,7 @@ mod switching {
         b.lagrange(t, p, &[]);
         let one = b.number(1.0);
         let gap = b.add(&[one, y]);
-        b.contact("thread", gap, 0.0);
+        b.contact("rope", gap, 0.0);
         let (switches, x) = follow(&b, 2.0);
         assert_eq!(switches.len(), 1);
         assert!((switches[0].t - 6.0 / 9.81).abs() < 1e-15);

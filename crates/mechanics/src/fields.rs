@@ -259,6 +259,7 @@ pub const TOP: TableSpec = TableSpec {
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
         may("nodes", Type::Table, "", "", ("nodes of a frame or truss", "узлы рамы или фермы"), ""),
         may("displacements", Type::Table, "", "", ("named displacements of a structure", "именованные перемещения конструкции"), ""),
+        may("rayleigh", Type::Table, "", "", ("assumed shapes of rods", "принятые формы изгиба стержней"), ""),
         may("structure", Type::Table, "", "", ("how the structure is computed", "как рассчитывать конструкцию"), ""),
         may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
         may("variants", Type::Table, "", "", ("table of variants", "таблица вариантов"), ""),
@@ -785,6 +786,17 @@ pub const STUDY: TableSpec = TableSpec {
             "[\"phi'\", { x = \"x\", y = [\"y\"] }]",
         ),
         may(
+            "linearise",
+            Type::Bool,
+            "",
+            "false",
+            (
+                "transient: small motions about the equilibrium when the system is not linear",
+                "transient: малые движения около равновесия, если система нелинейна",
+            ),
+            "true",
+        ),
+        may(
             "guess",
             Type::Guess,
             "",
@@ -1073,6 +1085,7 @@ const AFTER: &[&TableSpec] = &[
     &structures::SUPPORT,
     &structures::LINE_LOAD,
     &structures::DISPLACEMENT,
+    &structures::RAYLEIGH,
     &structures::STRUCTURE,
     &PHASE,
     &STUDY,

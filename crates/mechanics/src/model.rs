@@ -55,6 +55,8 @@ pub struct Model {
     pub phases: Vec<f64>,
     /// Parameters that are found so that the start is a place of rest; their numbers are guesses.
     pub unknowns: Vec<SymbolId>,
+    /// Instants of these at which the time of forces and torques begins anew, s.
+    pub restarts: Vec<f64>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
     /// Frame or truss, when the file has nodes.
@@ -525,7 +527,7 @@ pub enum StudyKind {
     /// Compute a motion.
     Simulate(Simulate),
     /// Compute the motion of a linear system in closed form.
-    Transient(Simulate),
+    Transient(Transient),
     /// Find the forces and torques of the motors that realise the prescribed motions.
     Inverse(Simulate),
     /// Find the reactions at rest.
@@ -738,6 +740,15 @@ pub struct Response {
     pub outputs: Vec<String>,
     /// Frequencies at which the shape of the forced motion is shown, rad/s.
     pub shapes: Vec<f64>,
+}
+
+/// A motion in closed form.
+#[derive(Clone, Debug)]
+pub struct Transient {
+    /// The motion.
+    pub motion: Simulate,
+    /// Small motions about the equilibrium when the system is not linear.
+    pub linearise: bool,
 }
 
 /// A motion to compute; SI.

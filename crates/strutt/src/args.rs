@@ -49,13 +49,15 @@ pub enum Command {
     /// Compute a motion
     Simulate(Simulate),
     /// Compute the motion of a linear system in closed form, phase by phase
-    Transient(Simulate),
+    Transient(Transient),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
     /// Show the properties of the sections of a file
     Section(Section),
     /// Find the exact periodic regime: period, multipliers, motion over one period
     Periodic(Periodic),
+    /// Repeat a study over values of parameters
+    Sweep(Sweep),
     /// Find natural frequencies and shapes of small motions
     Modes(Modes),
     /// Find reactions and internal forces at rest
@@ -156,6 +158,15 @@ pub struct Simulate {
     /// Compute each motion once more with half the tolerance and show the difference
     #[arg(long)]
     pub halve_tolerance: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct Transient {
+    #[command(flatten)]
+    pub motion: Simulate,
+    /// Small motions about the equilibrium when the system is not linear
+    #[arg(long)]
+    pub linearise: bool,
 }
 
 #[derive(Args, Debug)]
@@ -276,6 +287,24 @@ pub struct Periodic {
     pub wanted_period: Option<String>,
     #[command(flatten)]
     pub table: Table,
+}
+
+#[derive(Args, Debug)]
+pub struct Sweep {
+    #[command(flatten)]
+    pub model: Model,
+    /// Values of a parameter or start: v=linspace(1 m/s, 3 m/s, 21), c=logspace(1 N/m, 1 kN/m, 4), m=1 kg, 2 kg; may be repeated
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub over: Vec<String>,
+    /// What is noted: period, multipliers.1.abs, events, max(x), min(x), amplitude(x), mean(x), last(x)
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub observe: Option<Vec<String>>,
+    /// The study that is repeated, when the file has several
+    #[arg(long, value_name = "STUDY")]
+    pub of: Option<String>,
+    /// Also write tables, plots and a page into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 /// What a table of results shall hold.

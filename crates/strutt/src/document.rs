@@ -344,7 +344,7 @@ impl Writer<'_> {
             Extent::Terminal { width } => width,
         };
         let mut blocks = vec![Block::heading(1, say(self.language, Say::ClosedForm))];
-        blocks.extend(crate::phases::steps::blocks(self.equations, &phases.list, &phases.names, self.language, width));
+        blocks.extend(crate::phases::steps::blocks(self.equations, phases, self.language, width));
         blocks
     }
 

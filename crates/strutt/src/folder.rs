@@ -118,7 +118,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
         Finding::Transient(study, _, phases, _) => {
             own.insert("study".into(), json!("transient"));
             own.insert("until".into(), json!(study.until));
-            own.insert("phases".into(), crate::phases::to_json(&phases.list, &phases.names));
+            own.insert("phases".into(), crate::phases::to_json(phases));
         }
         Finding::Equilibrium(..) => {
             own.insert("study".into(), json!("equilibrium"));

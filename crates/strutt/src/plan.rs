@@ -5,7 +5,7 @@ use crate::near::nearest;
 use crate::watch::Watch;
 use analysis::Dataset;
 use mechanics::Model;
-use mechanics::model::{DEFAULT_TOLERANCE, Plot, Simulate, StudyKind, Times};
+use mechanics::model::{DEFAULT_TOLERANCE, Plot, Simulate, StudyKind, Times, Transient};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
 
@@ -41,7 +41,7 @@ pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Resul
 ///
 /// # Errors
 /// As [`simulation`].
-pub fn transient(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Simulate, Failure> {
+pub fn transient(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Transient, Failure> {
     let own = model.studies.iter().find_map(|s| match &s.kind {
         StudyKind::Transient(study) => Some(study.clone()),
         _ => None,
@@ -52,7 +52,9 @@ pub fn transient(model: &Model, equations: &Equations, wishes: Wishes) -> Result
             _ => None,
         })
     };
-    motion(own.or_else(simulated), equations, wishes, "transient")
+    let linearise = own.as_ref().is_some_and(|study| study.linearise);
+    let of_file = own.map(|study| study.motion).or_else(simulated);
+    Ok(Transient { motion: motion(of_file, equations, wishes, "transient")?, linearise })
 }
 
 fn motion(of_file: Option<Simulate>, equations: &Equations, wishes: Wishes, name: &str) -> Result<Simulate, Failure> {

@@ -160,6 +160,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         sections,
         phases,
         unknowns,
+        restarts: schedule.restarts,
         studies,
         structure,
         inertias: Vec::new(),

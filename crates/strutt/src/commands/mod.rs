@@ -15,6 +15,7 @@ mod section;
 mod simulate;
 mod statics;
 mod study;
+mod sweep;
 mod transient;
 
 use crate::args::Command;
@@ -49,6 +50,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Section(args) => section::run(&args, console),
         Command::Statics(args) => statics::run(&args, console),
+        Command::Sweep(args) => sweep::run(&args, console),
         Command::Periodic(args) => periodic::run(&args, console),
         Command::Response(args) => response::run(&args, console),
         Command::Modes(args) => modes::run(&args, console),

@@ -11,7 +11,7 @@ use strutt::{Failure, Trouble, folder, pipeline, structure};
 pub fn run(args: &args::Statics, console: &mut Console) -> Result<Exit, Failure> {
     let (_, machine) = open(&args.model, Detail::Equations, console)?;
     let Some(finding) = structure::statics(&machine) else {
-        let trouble = Trouble::new("C020", "the model has no nodes and rods", "в модели нет узлов и стержней");
+        let trouble = Trouble::new("C041", "the model has no nodes and rods", "в модели нет узлов и стержней");
         return Err(trouble.into());
     };
     let (data, language) = (finding.data(), console.language);

@@ -5,6 +5,7 @@ mod origin;
 pub mod periodic;
 mod results;
 mod section;
+pub mod sweep;
 
 pub use origin::Origin;
 pub use results::{Fact, Results, Rows};

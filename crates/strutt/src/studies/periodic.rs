@@ -80,7 +80,7 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
 }
 
 /// A parameter with its value, found for a wanted period.
-struct Tuning {
+pub(super) struct Tuning {
     name: String,
     value: f64,
 }
@@ -152,7 +152,7 @@ pub fn value_of(machine: &Machine, name: &str) -> Option<f64> {
 
 fn no_parameter(machine: &Machine, name: &str) -> Trouble {
     let trouble =
-        Trouble::new("C010", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"));
+        Trouble::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"));
     match crate::nearest(name, machine.model.parameters.iter().map(|p| p.name.as_str())) {
         Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => trouble,
@@ -167,14 +167,15 @@ pub fn in_words(failure: Failure) -> Trouble {
             let first = diagnostics.into_iter().find(|d| d.severity == mechanics::Severity::Error);
             match first {
                 Some(d) => Trouble { code: d.code, what: d.what, why: d.why, help: d.help },
-                None => Trouble::new("C010", "the model cannot be built with these values", "с этими значениями модель не строится"),
+                None => Trouble::new("C031", "the model cannot be built with these values", "с этими значениями модель не строится"),
             }
         }
-        Failure::ClosedPipe => Trouble::new("C010", "the output was closed", "вывод закрыт"),
+        Failure::ClosedPipe => Trouble::new("C031", "the output was closed", "вывод закрыт"),
     }
 }
 
-fn results(machine: &Machine, study: &Periodic, outcome: Outcome, tuning: Option<Tuning>) -> Results {
+/// What was found, for people and machines.
+pub(super) fn results(machine: &Machine, study: &Periodic, outcome: Outcome, tuning: Option<Tuning>) -> Results {
     let Outcome { regime, fault } = outcome;
     let trouble = fault.map(|fault| explained(fault, &machine.equations));
     let mut results =

@@ -1,0 +1,310 @@
+//! The study `sweep`: another study repeated over values of parameters, starts or starting rates. The solution found before is the next guess.
+
+use super::periodic::{self, in_words};
+use super::{Results, Rows};
+use crate::failure::Trouble;
+use crate::pipeline::{self, Finding, Machine};
+use crate::watch::Watch;
+use crate::words::Word;
+use crate::{folder, provenance};
+use analysis::dataset::Column;
+use analysis::reduce::{NAMES, Reduction, reduce};
+use analysis::{Dataset, Quantity};
+use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, StudyKind, Sweep, SweepRange, Times};
+use serde_json::{Value, json};
+use std::sync::atomic::Ordering;
+use symbolic::Text;
+
+/// Results of the study `periodic` that no other study has.
+const OF_PERIODIC: [&str; 5] = ["period", "frequency", "multiplier", "stable", "gain"];
+
+/// What is noted of a repeated study.
+#[derive(Clone, Debug)]
+enum Wanted {
+    /// A number of its JSON: `period`, `multipliers.1.abs`.
+    Field(String),
+    /// A number made of a column.
+    Column(String, Reduction),
+    /// How many events there are.
+    Events,
+}
+
+/// Runs the study.
+pub fn run(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Finding {
+    let mut results = Results {
+        kind: "sweep",
+        heading: Text::new("Sweep", "Серия расчётов"),
+        rows: Rows::All,
+        plots: study.plots.clone(),
+        ..Results::default()
+    };
+    match repeat(machine, study, watch, &mut results) {
+        Ok(data) => results.data = provenance::stamp(data, &machine.equations, &machine.model_hash),
+        Err(trouble) => {
+            results.data = pipeline::no_numbers(machine);
+            results.trouble = Some(trouble);
+        }
+    }
+    watch.lap(Word::TimeRun);
+    Finding::Study(Box::new(results))
+}
+
+fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Trouble> {
+    let wanted = wanted(machine, &study.observe)?;
+    let base = base(machine, study, &wanted)?;
+    let count: usize = study.over.iter().map(|range| range.values.len()).product();
+    let mut columns: Vec<Column> = study.over.iter().map(|range| column_of(machine, range)).collect();
+    columns.extend(wanted.iter().map(|(quantity, _)| Column { quantity: quantity.clone(), values: Vec::new() }));
+    let mut data = Dataset { axis: (study.over.len() == 1).then_some(0), ..Dataset::default() };
+    let (mut guess, mut failed, mut first): (Option<Vec<f64>>, usize, Option<Trouble>) = (None, 0, None);
+    let own = study.over.len();
+    for row in 0..count {
+        if watch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            data.partial = true;
+            data.notes.push(Text::new(format!("interrupted after {row} of {count} values"), format!("прервано: сделано {row} из {count}")));
+            break;
+        }
+        let values = place(&study.over, row);
+        let outcome = one(machine, &base, &values, &mut guess, watch);
+        for (column, (_, value)) in columns.iter_mut().zip(&values) {
+            column.values.push(*value);
+        }
+        match outcome {
+            Ok(finding) => {
+                for (column, (quantity, wanted)) in columns[own..].iter_mut().zip(&wanted) {
+                    let (value, described) = number(&finding, wanted);
+                    column.values.push(value);
+                    if quantity.unit == "1" && column.quantity.unit == "1" {
+                        column.quantity = described.unwrap_or_else(|| quantity.clone());
+                    }
+                }
+            }
+            Err(trouble) => {
+                columns[own..].iter_mut().for_each(|column| column.values.push(f64::NAN));
+                failed += 1;
+                first.get_or_insert(trouble);
+            }
+        }
+        if let Some(progress) = &mut watch.progress {
+            progress((row + 1) as f64 / count as f64);
+        }
+    }
+    if let Some(trouble) = first {
+        let (en, ru) = (&trouble.what.en, &trouble.what.ru);
+        let code = trouble.code;
+        data.notes.push(Text::new(
+            format!("no result for {failed} of {count} values; the first: {en} [{code}]"),
+            format!("нет результата для {failed} значений из {count}; первое: {ru} [{code}]"),
+        ));
+        if failed == count {
+            results.trouble = Some(trouble);
+        }
+    }
+    results.own.insert("of".into(), json!(name_of(&base)));
+    if results.plots.is_empty() && study.over.len() == 1 {
+        let plot = |c: &Column| mechanics::model::Plot { title: Text::default(), x: None, y: vec![c.quantity.name.clone()] };
+        results.plots = columns[own..].iter().map(plot).collect();
+    }
+    data.columns = columns;
+    Ok(data)
+}
+
+/// Values of all ranges in a row; the last range changes fastest.
+fn place(over: &[SweepRange], row: usize) -> Vec<(String, f64)> {
+    let mut rest = row;
+    let mut values: Vec<(String, f64)> = over
+        .iter()
+        .rev()
+        .map(|range| {
+            let k = rest % range.values.len();
+            rest /= range.values.len();
+            (range.name.clone(), range.values[k])
+        })
+        .collect();
+    values.reverse();
+    values
+}
+
+fn column_of(machine: &Machine, range: &SweepRange) -> Column {
+    let model = &machine.model;
+    let base = range.name.trim_end_matches('\'');
+    let primes = range.name.len() - base.len();
+    let symbol = model.notation.iter().find(|(n, _)| n == base).map_or(base, |(_, s)| s.as_str());
+    let mut quantity = Quantity { symbol: format!("{symbol}{}", "'".repeat(primes)), ..Quantity::new(&range.name, "1") };
+    if let Some(p) = model.parameters.iter().find(|p| p.name == range.name) {
+        (quantity.unit, quantity.label) = (p.unit.clone(), p.label.clone());
+    } else if let Some(c) = model.coordinates.iter().find(|c| c.name == base) {
+        quantity.unit = c.units.get(primes).cloned().unwrap_or_default();
+    }
+    Column { quantity, values: Vec::new() }
+}
+
+/// What the names in `observe` mean, with the columns they fill.
+fn wanted(machine: &Machine, observe: &[String]) -> Result<Vec<(Quantity, Wanted)>, Trouble> {
+    let outputs = &machine.equations.outputs;
+    let mut found = Vec::new();
+    let add = |found: &mut Vec<(Quantity, Wanted)>, output: &symbolic::equations::Output, word: &str, reduction| {
+        let shown = machine.model.notation.iter().find(|(n, _)| *n == output.name).map_or(output.name.as_str(), |(_, s)| s.as_str());
+        let quantity = Quantity {
+            symbol: format!("{shown}_{word}"),
+            label: output.label.clone(),
+            display: output.display.clone(),
+            ..Quantity::new(&format!("{word}({})", output.name), &output.unit)
+        };
+        found.push((quantity, Wanted::Column(output.name.clone(), reduction)));
+    };
+    for name in observe {
+        let name = name.trim();
+        let reduced = name.strip_suffix(')').and_then(|n| n.split_once('('));
+        let reduced = reduced.and_then(|(word, of)| Some((NAMES.iter().find(|(n, _)| *n == word)?, of.trim())));
+        if name == "events" {
+            found
+                .push((Quantity { label: Text::new("number of events", "число событий"), ..Quantity::new("events", "1") }, Wanted::Events));
+        } else if let Some(((word, reduction), of)) = reduced {
+            let output = outputs.iter().find(|o| o.name == of).ok_or_else(|| unknown(of, machine))?;
+            add(&mut found, output, word, *reduction);
+        } else if let Some(output) = outputs.iter().find(|o| o.name == name) {
+            add(&mut found, output, "max", Reduction::Max);
+            add(&mut found, output, "min", Reduction::Min);
+        } else {
+            found.push((Quantity::new(name, "1"), Wanted::Field(name.to_owned())));
+        }
+    }
+    if found.is_empty() {
+        found.push((Quantity::new("period", "1"), Wanted::Field("period".into())));
+    }
+    Ok(found)
+}
+
+fn unknown(name: &str, machine: &Machine) -> Trouble {
+    let trouble = Trouble::new("C008", format!("there is no output `{name}`"), format!("нет выходной величины `{name}`"));
+    match crate::nearest(name, machine.equations.outputs.iter().map(|o| o.name.as_str())) {
+        Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        None => trouble,
+    }
+}
+
+/// The study to repeat, with the columns that are wanted.
+fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Result<StudyKind, Trouble> {
+    let fields = || wanted.iter().filter_map(|(_, w)| if let Wanted::Field(name) = w { Some(name.as_str()) } else { None });
+    let of_periodic = fields().any(|name| OF_PERIODIC.iter().any(|p| name.starts_with(p)));
+    let kind = study.of.as_deref().or(of_periodic.then_some("periodic"));
+    let in_file = machine.model.studies.iter().map(|s| &s.kind).find(|k| match kind {
+        Some(kind) => name_of(k) == kind,
+        None => !matches!(k, StudyKind::Equations | StudyKind::Sweep(_) | StudyKind::Kinematics(_)),
+    });
+    let mut base = match (in_file, kind) {
+        (Some(kind), _) => kind.clone(),
+        (None, Some("periodic")) => StudyKind::Periodic(automatic()),
+        (None, Some("statics")) => StudyKind::Statics,
+        _ => {
+            return Err(Trouble::new("C032", "there is no study to repeat", "нет расчёта, который надо повторять")
+                .why(
+                    "a sweep repeats a study of the file: simulate, periodic, equilibrium, cycle, statics, inverse",
+                    "серия повторяет расчёт из файла: simulate, periodic, equilibrium, cycle, statics, inverse",
+                )
+                .help("add that study to the file, or observe the period", "добавьте такой расчёт в файл или наблюдайте период (period)"));
+        }
+    };
+    let columns: Vec<String> =
+        wanted.iter().filter_map(|(_, w)| if let Wanted::Column(n, _) = w { Some(n.clone()) } else { None }).collect();
+    match &mut base {
+        StudyKind::Periodic(study) => (study.outputs, study.plots) = (columns, Vec::new()),
+        StudyKind::Simulate(study) | StudyKind::Inverse(study) => (study.outputs, study.plots) = (columns, Vec::new()),
+        _ => {}
+    }
+    Ok(base)
+}
+
+/// The periodic study that finds what returns by itself.
+pub fn automatic() -> Periodic {
+    Periodic {
+        section: Section::Time,
+        period: None,
+        settle: 0.0,
+        tuned: None,
+        tolerance: DEFAULT_TOLERANCE,
+        times: Times::Automatic,
+        outputs: Vec::new(),
+        plots: Vec::new(),
+    }
+}
+
+fn name_of(kind: &StudyKind) -> &'static str {
+    match kind {
+        StudyKind::Equilibrium { .. } => "equilibrium",
+        StudyKind::Simulate(_) => "simulate",
+        StudyKind::Inverse(_) => "inverse",
+        StudyKind::Statics => "statics",
+        StudyKind::Periodic(_) => "periodic",
+        StudyKind::Cycle(_) => "cycle",
+        _ => "",
+    }
+}
+
+/// The study at one place.
+fn one(
+    machine: &Machine,
+    base: &StudyKind,
+    values: &[(String, f64)],
+    guess: &mut Option<Vec<f64>>,
+    watch: &mut Watch,
+) -> Result<Finding, Trouble> {
+    let values: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    let mut changed = machine.with_values(&values).map_err(in_words)?;
+    let mut inner = Watch::default();
+    inner.interrupt = watch.interrupt;
+    if let (StudyKind::Periodic(study), Some(x)) = (base, guess.as_ref())
+        && study.tuned.is_none()
+    {
+        // the regime before is the better guess; when it leads nowhere, the file's start is tried
+        let outcome = periodic::from(&mut changed, &Periodic { settle: 0.0, ..study.clone() }, x, &mut inner);
+        if outcome.fault.is_none() {
+            *guess = Some(outcome.regime.start.clone());
+            return Ok(Finding::Study(Box::new(periodic::results(&changed, study, outcome, None))));
+        }
+    }
+    let finding = match base {
+        StudyKind::Periodic(study) if study.tuned.is_none() => {
+            let outcome = periodic::regime(&mut changed, study, &mut inner);
+            *guess = outcome.fault.is_none().then(|| outcome.regime.start.clone());
+            Finding::Study(Box::new(periodic::results(&changed, study, outcome, None)))
+        }
+        other => match pipeline::study(&mut changed, other, &mut inner) {
+            Some(finding) => finding,
+            None => return Err(Trouble::new("C032", "this study cannot be repeated", "этот расчёт повторять нельзя")),
+        },
+    };
+    match finding.trouble() {
+        Some(trouble) => Err(trouble.clone()),
+        None => Ok(finding),
+    }
+}
+
+/// The number, and what it is where the study itself says so.
+fn number(finding: &Finding, wanted: &Wanted) -> (f64, Option<Quantity>) {
+    match wanted {
+        Wanted::Events => (finding.data().events.len() as f64, None),
+        Wanted::Column(name, reduction) => (reduce(finding.data(), name, *reduction).unwrap_or(f64::NAN), None),
+        Wanted::Field(path) => {
+            let fields = Value::Object(folder::own_fields(finding));
+            let described = match finding {
+                Finding::Study(results) => results.facts.iter().find(|f| f.quantity.name == *path).map(|f| f.quantity.clone()),
+                _ => None,
+            };
+            (at_path(&fields, path).unwrap_or(f64::NAN), described)
+        }
+    }
+}
+
+/// A number in JSON by its path: `multipliers.1.abs`; true is 1, false 0.
+pub fn at_path(fields: &Value, path: &str) -> Option<f64> {
+    let whole = fields.get(path).cloned();
+    let found = whole.or_else(|| {
+        path.split('.').try_fold(fields.clone(), |at, key| match key.parse::<usize>() {
+            Ok(i) => at.get(i).cloned(),
+            Err(_) => at.get(key).cloned(),
+        })
+    })?;
+    found.as_f64().or_else(|| found.as_bool().map(|b| if b { 1.0 } else { 0.0 }))
+}
