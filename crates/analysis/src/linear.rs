@@ -262,13 +262,15 @@ impl LinearMachine {
     /// *Errors*: S007 when Newton's method finds none.
     pub fn settle(&mut self, q: &[f64]) -> Result<Place, Fault> {
         let n = self.names.len();
-        let here = self.at(&Place::rest(q))?;
-        self.unit = largest(&here.force).max(largest(&here.stiffness)).max(f64::MIN_POSITIVE);
-        if self.linear.multipliers.is_empty() {
-            self.unit = 1.0;
-        }
+        let k = self.linear.multipliers.len();
         let mut x = q.to_vec();
-        x.resize(n + self.linear.multipliers.len(), 0.0);
+        if k > 0 {
+            // without its reactions a mechanism may have no stiffness at all: begin with those that balance best here
+            let here = self.full(&Place::rest(q))?;
+            self.unit = largest(&here.matrices.force).max(largest(&here.matrices.stiffness)).max(f64::MIN_POSITIVE);
+            let against: Vec<f64> = here.matrices.force.iter().map(|f| -f / self.unit).collect();
+            x.extend(rank::Qr::new(n, k, &here.reach, rank::TOLERANCE).least_squares(&against).0);
+        }
         let x = rest_near(self, &x)?;
         Ok(self.place_of(&x))
     }

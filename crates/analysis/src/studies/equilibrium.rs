@@ -9,6 +9,7 @@ use symbolic::Text;
 use crate::dataset::{Audit, Column, Counter, Dataset};
 use crate::fault::{Message, rounded};
 use crate::numerics::lu::{Lu, positive_definite};
+use crate::numerics::rank::{Qr, TOLERANCE};
 use crate::{Fault, Quantity, System};
 
 use super::peaks;
@@ -72,6 +73,9 @@ const SAMPLES: usize = 4000;
 /// Guesses along a range when there are other coordinates.
 const GUESSES: usize = 97;
 
+/// Other angles that are also tried half a turn further.
+const TURNED: usize = 3;
+
 /// Steps of Newton's method from one guess.
 const STEPS: usize = 200;
 /// Forces relative to the terms that balance in them, estimated by the stiffness times the coordinates.
@@ -88,7 +92,12 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
     let mut found: Vec<Rest> = Vec::new();
     let mut faults = Vec::new();
     let own = start[..n].to_vec();
-    let along = options.over.map(|range| search.along(range, start)).unwrap_or_default();
+    let mut along = options.over.map(|range| search.along(range, start)).unwrap_or_default();
+    if let Some(range) = options.over {
+        let angle = |i: usize| i != range.coordinate && search.system.states()[i].unit == "rad";
+        let angles: Vec<usize> = (0..n).filter(|&i| angle(i)).take(TURNED).collect();
+        turned(&mut along, &angles);
+    }
     for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)).chain(&along) {
         let mut x = start.to_vec();
         x[n..2 * n].fill(0.0);
@@ -112,8 +121,8 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
     let mut dataset = dataset(system, &found, steps);
     if options.over.is_some() && n > 1 {
         dataset.notes.push(Text::new(
-            format!("found from {GUESSES} guesses along the range: there may be more"),
-            format!("найдены из {GUESSES} приближений вдоль диапазона: могут быть и другие"),
+            "found by Newton's method from guesses along the range: there may be more",
+            "найдены методом Ньютона из приближений вдоль диапазона: могут быть и другие",
         ));
     }
     // a guess that failed matters only when nothing was found, a free motion always
@@ -173,8 +182,8 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             let lu = Lu::new(&self.jacobian, self.n);
             let balanced = self.residual(&x) <= RESIDUAL;
             let Some(correction) = lu.solve(&self.forces) else {
-                if balanced && self.neutral_is_found {
-                    return Ok(self.rest(x));
+                if self.neutral_is_found {
+                    return self.free(x);
                 }
                 return Err(if balanced { self.neutral(&lu) } else { self.failed() });
             };
@@ -237,6 +246,28 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             }
         }
         found
+    }
+
+    /// Newton's method where some motion is free: the free directions stay where they are.
+    fn free(&mut self, mut x: Vec<f64>) -> Result<Rest, Fault> {
+        let n = self.n;
+        let mut residual = self.residual(&x);
+        for _ in 0..STEPS {
+            if residual <= f64::EPSILON {
+                break;
+            }
+            let (correction, _) = Qr::new(n, n, &self.jacobian, TOLERANCE).least_squares(&self.forces);
+            let mut next = x.clone();
+            next.iter_mut().zip(&correction).for_each(|(q, c)| *q -= c);
+            self.evaluate(&next)?;
+            let after = self.residual(&next);
+            if after.is_nan() || after >= residual {
+                break;
+            }
+            (x, residual) = (next, after);
+        }
+        self.evaluate(&x)?;
+        if residual <= RESIDUAL { Ok(self.rest(x)) } else { Err(self.failed()) }
     }
 
     fn evaluate(&mut self, x: &[f64]) -> Result<(), Fault> {
@@ -303,6 +334,21 @@ impl<S: Statics + ?Sized> Search<'_, S> {
 
 /// Longest step of Newton's method, SI: a radian or a metre.
 const LONGEST: f64 = 1.0;
+
+/// Adds every guess with some of the other angles turned by half a turn, where machines under gravity rest too.
+fn turned(guesses: &mut Vec<Vec<f64>>, angles: &[usize]) {
+    for i in angles {
+        let more: Vec<Vec<f64>> = guesses
+            .iter()
+            .map(|q| {
+                let mut q = q.clone();
+                q[*i] += std::f64::consts::PI;
+                q
+            })
+            .collect();
+        guesses.extend(more);
+    }
+}
 
 fn place_of(value: f64) -> Vec<f64> {
     vec![value]
