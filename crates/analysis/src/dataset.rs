@@ -15,6 +15,8 @@ pub struct Dataset {
     pub columns: Vec<Column>,
     /// Checks made on the result.
     pub audits: Vec<Audit>,
+    /// Names of the states in the events.
+    pub states: Vec<String>,
     /// What happened along the axis.
     pub events: Vec<Event>,
     /// Work done, by name: steps, evaluations.

@@ -4,6 +4,8 @@ use std::fmt;
 
 use symbolic::{Expr, Text};
 
+pub mod connections;
+
 use crate::numerics::trouble;
 
 /// A study cannot go on. Results found before the fault are kept beside it. Boxed, so that results stay small.
@@ -68,32 +70,11 @@ pub const EXPLANATIONS: &[Explanation] = &[
         code: "S009", en: ("unknown output", OUTPUT_EN), ru: ("неизвестная выходная величина", OUTPUT_RU)
     },
     Explanation {
-        code: "S011",
-        en: ("contact or friction without an admissible state", NO_STATE_EN),
-        ru: ("контакт или трение без допустимого состояния", NO_STATE_RU),
-    },
-    Explanation {
-        code: "S012", en: ("a contact starts penetrated", PENETRATES_EN), ru: ("контакт начинается с внедрения", PENETRATES_RU)
-    },
-    Explanation { code: "S013", en: ("connections come apart", APART_EN), ru: ("связи расходятся", APART_RU) },
-    Explanation {
-        code: "S014", en: ("impact without a single solution", IMPACT_EN), ru: ("удар без однозначного решения", IMPACT_RU)
-    },
-    Explanation {
-        code: "S015",
-        en: ("start values that do not fit the connections", START_EN),
-        ru: ("начальные значения не согласуются со связями", START_RU),
-    },
-    Explanation { code: "S016", en: ("loop that cannot close", LOOP_EN), ru: ("незамыкаемый контур", LOOP_RU) },
-    Explanation {
-        code: "S017", en: ("contradictory conditions", CONTRADICTION_EN), ru: ("противоречивые условия", CONTRADICTION_RU)
-    },
-    Explanation { code: "S018", en: ("singular configuration", SINGULAR_EN), ru: ("особое положение", SINGULAR_RU) },
-    Explanation {
-        code: "S019", en: ("reaction that is not unique", OPEN_EN), ru: ("неединственная реакция", OPEN_RU)
-    },
-    Explanation {
         code: "S010", en: ("more steps than anybody waits for", STEPS_EN), ru: ("слишком много шагов", STEPS_RU)
+    },
+    Explanation { code: "S060", en: ("no reactions", NO_REACTIONS_EN), ru: ("нет реакций", NO_REACTIONS_RU) },
+    Explanation {
+        code: "S061", en: ("a mechanism that does not rest", UNREST_EN), ru: ("механизм не находится в равновесии", UNREST_RU)
     },
     crate::studies::explain::NO_RETURN,
     crate::studies::explain::NO_REGIME,
@@ -120,23 +101,28 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ru: ("матрица с неопределённым элементом", trouble::MALFORMED_RU),
     },
     Explanation {
-        code: "S030",
+        code: "S070",
         en: ("no closed form: not linear", NOT_LINEAR_EN),
         ru: ("нет замкнутого решения: нелинейность", NOT_LINEAR_RU),
     },
     Explanation {
-        code: "S031",
+        code: "S071",
         en: ("no closed form: coefficients change with time", VARYING_EN),
         ru: ("нет замкнутого решения: переменные коэффициенты", VARYING_RU),
     },
     Explanation {
-        code: "S032", en: ("no closed form: the load", LOAD_EN), ru: ("нет замкнутого решения: вид нагрузки", LOAD_RU)
+        code: "S072", en: ("no closed form: the load", LOAD_EN), ru: ("нет замкнутого решения: вид нагрузки", LOAD_RU)
     },
     Explanation {
-        code: "S033", en: ("singular mass matrix", MASSLESS_EN), ru: ("вырожденная матрица масс", MASSLESS_RU)
+        code: "S073", en: ("singular mass matrix", MASSLESS_EN), ru: ("вырожденная матрица масс", MASSLESS_RU)
     },
     Explanation {
-        code: "S034", en: ("no closed form: connections", CONNECTED_EN), ru: ("нет замкнутого решения: связи", CONNECTED_RU)
+        code: "S074", en: ("no closed form: connections", CONNECTED_EN), ru: ("нет замкнутого решения: связи", CONNECTED_RU)
+    },
+    Explanation {
+        code: "S075",
+        en: ("no equilibrium to linearise about", NOWHERE_EN),
+        ru: ("нет равновесия для линеаризации", NOWHERE_RU),
     },
     Explanation {
         code: "S030", en: ("unknown load or parameter", NAME_EN), ru: ("неизвестная нагрузка или параметр", NAME_RU)
@@ -166,45 +152,6 @@ pub struct Explanation {
     pub ru: (&'static str, &'static str),
 }
 
-const NO_STATE_EN: &str = "Neither sticking nor sliding in any direction (neither closed nor open) agrees with the forces at this state. With friction on a computed \
-    normal force this happens at large friction coefficients (Painlevé's paradox), or when the static limit is below the kinetic one. A rigid body has no \
-    motion then; give the contact some compliance, or a smaller coefficient.";
-const NO_STATE_RU: &str = "Ни залипание, ни скольжение в какую-либо сторону (ни замкнутый, ни разомкнутый контакт) не согласуется с силами в этом состоянии. При трении \
-    от вычисляемой нормальной реакции это бывает при больших коэффициентах трения (парадокс Пенлеве) или когда предельное трение покоя меньше трения \
-    скольжения. У абсолютно твёрдого тела движения тогда нет; задайте податливость контакта или меньший коэффициент.";
-const PENETRATES_EN: &str = "The gap of a one-sided contact is negative at the start: the body stands inside the stop, or the rope is longer than its length. Move the start \
-    or the contact.";
-const PENETRATES_RU: &str = "В начале зазор одностороннего контакта отрицателен: тело находится внутри упора или нить длиннее своей длины. Измените начальное положение \
-    или контакт.";
-const APART_EN: &str = "After each step the state is moved back onto the conditions of the connections, by rounding only. Here no near state fulfils them: \
-    the linkage has come to the end of its range, or a prescribed motion asks for a position that the lengths do not allow.";
-const APART_RU: &str = "После каждого шага состояние возвращается на условия связей, в пределах округления. Здесь близкого состояния, удовлетворяющего им, нет: \
-    механизм дошёл до конца области своих движений, или заданное движение требует положения, невозможного при данных длинах.";
-const IMPACT_EN: &str = "Impulses follow from M dq' = F p and the rates after the impact. When two conditions hold the same motion their impulses are not unique; when \
-    the body that is hit has no mass the rates are not.";
-const IMPACT_RU: &str = "Импульсы находятся из M dq' = F p и скоростей после удара. Если два условия удерживают одно и то же движение, импульсы не единственны; если тело, \
-    по которому приходится удар, не имеет массы, не единственны скорости.";
-const START_EN: &str = "A machine with connections needs as many start values as it has degrees of freedom; the others follow. Values that are given are kept, so \
-    redundant ones must agree with the connections to ten digits. The message prints the value that closes the loop when each given value is \
-    released alone.";
-const START_RU: &str = "Машине со связями нужно столько начальных значений, сколько у неё степеней свободы; остальные вычисляются. Заданные значения сохраняются, поэтому \
-    лишние должны согласовываться со связями в десяти знаках. В сообщении указано значение, замыкающее контур, если освободить каждое из заданных \
-    по отдельности.";
-const LOOP_EN: &str = "From the given start and from guesses around it no configuration was found that fulfils all conditions. The message names the condition \
-    that stays open and the smallest gap.";
-const LOOP_RU: &str = "Ни из заданного начала, ни из приближений вокруг него не найдено положения, удовлетворяющего всем условиям. В сообщении указано незамкнутое условие \
-    и наименьший зазор.";
-const CONTRADICTION_EN: &str =
-    "Conditions that act on the same motion must agree: a repeated one is left out with a note, a contradictory one is an error.";
-const CONTRADICTION_RU: &str = "Условия, действующие на одно и то же движение, должны быть согласованы: повторяющее условие отбрасывается с примечанием, противоречивое - ошибка.";
-const SINGULAR_EN: &str = "Conditions that are independent near this position depend on each other in it: a flat parallelogram, a toggle at its dead centre. The equations do \
-    not decide which way the motion goes on. A linkage that passes such a position with speed is followed through it.";
-const SINGULAR_RU: &str = "Условия, независимые вблизи этого положения, в нём самом зависимы: сложенный параллелограмм, рычаги в мёртвой точке. Уравнения не решают, как \
-    продолжится движение. Механизм, проходящий такое положение со скоростью, рассчитывается насквозь.";
-const OPEN_EN: &str = "Rigid bodies leave the shares of redundant connections open (a beam between two fixed pins, a shaft in three bearings): any shares with the right sum \
-    satisfy all equations. Motion and the other reactions are right.";
-const OPEN_RU: &str = "Для твёрдых тел доли лишних связей неопределимы (балка между двумя неподвижными шарнирами, вал на трёх опорах): уравнениям удовлетворяют любые доли с \
-    нужной суммой. Движение и остальные реакции верны.";
 const CHATTERING_EN: &str = "A formula with sign, if, abs, min or max reached its switching surface, and on both sides of it the motion is driven back: the \
     machine would switch infinitely often. Physically this is sticking (a body held by dry friction) or an ideal relay without hysteresis; sign(v) alone \
     cannot describe it. Use the dry friction element, which has a sticking state with a bounded reaction, or give the relay hysteresis or a delay.";
@@ -256,6 +203,10 @@ const CONNECTED_EN: &str = "Pins, rods, stops, dry friction and motors keep reac
     place the bodies by formulas of these (origin = [\"0\", \"l*phi\"]), or use the study simulate.";
 const CONNECTED_RU: &str = "При шарнирах, стержнях, упорах, сухом трении и двигателях неизвестными, кроме координат, остаются реакции. Замкнутое решение находится для независимых \
     координат: задайте через них положения тел (origin = [\"0\", \"l*phi\"]) или примените расчёт simulate.";
+const NOWHERE_EN: &str = "Small motions are motions about an equilibrium under the mean loads. From the start of the motion none was found, or the stiffness there is singular \
+    (a free direction). The study equilibrium shows what there is.";
+const NOWHERE_RU: &str = "Малые движения — это движения около равновесия при средних нагрузках. От начала движения оно не найдено, или матрица жёсткости в нём вырождена \
+    (свободное направление). Расчёт equilibrium покажет, какие положения равновесия есть.";
 const MASSLESS_EN: &str =
     "Some change of the coordinates moves no mass, so its acceleration is undefined. Give it an inertia or remove the coordinate.";
 const MASSLESS_RU: &str =
@@ -374,182 +325,6 @@ impl Fault {
         })
     }
 
-    /// Neither side of a friction or contact agrees with the forces.
-    pub fn no_contact_state(guard: &Text, t: f64) -> Fault {
-        let n = number(t);
-        Fault::new(Message {
-            code: "S011",
-            what: Text::new(
-                format!("`{}` can neither stick nor slide, neither close nor open at t = {} s", guard.en, n.en),
-                format!("`{}` не может ни залипнуть, ни скользить, ни замкнуться, ни разомкнуться при t = {} с", guard.ru, n.ru),
-            ),
-            why: Text::new(
-                "every choice contradicts the forces that it leads to: too large a friction coefficient, a static limit below the kinetic one",
-                "любой выбор противоречит силам, к которым он ведёт: слишком велик коэффициент трения, предел трения покоя ниже трения скольжения",
-            ),
-            help: Text::new(
-                "reduce the coefficient of friction, raise the static limit, or make the contact compliant (spring with damping)",
-                "уменьшите коэффициент трения, повысьте предел трения покоя или сделайте контакт податливым (пружина с демпфером)",
-            ),
-        })
-    }
-
-    /// Given start values that contradict the connections. `each` closes the loop alone, or `together` all of them: (name, value, unit).
-    pub fn inconsistent_start(condition: &Text, each: &[(String, f64, String)], together: &[(String, f64, String)]) -> Fault {
-        let said = |list: &[(String, f64, String)], ru: bool, joint: &str| {
-            let one = |(name, value, unit): &(String, f64, String)| {
-                let n = ten_digits(*value);
-                format!("{name} = {} {unit}", if ru { n.ru } else { n.en })
-            };
-            list.iter().map(one).collect::<Vec<_>>().join(joint)
-        };
-        let help = if each.is_empty() {
-            Text::new(
-                format!("{} close it together; leave out the start values that are to be found", said(together, false, ", ")),
-                format!("вместе замыкают её {}; уберите начальные значения, которые нужно найти", said(together, true, ", ")),
-            )
-        } else {
-            Text::new(
-                format!("{} closes it; or leave this start value out, and it is found", said(each, false, ", or ")),
-                format!("замыкает её {}; или уберите это начальное значение, и оно будет найдено", said(each, true, " или ")),
-            )
-        };
-        Fault::new(Message {
-            code: "S015",
-            what: Text::new(
-                format!("the given start values do not fit the connection `{}`", condition.en),
-                format!("заданные начальные значения не согласуются со связью `{}`", condition.ru),
-            ),
-            why: Text::new(
-                "more start values are given than the machine has degrees of freedom, and one of them is inaccurate or wrong",
-                "задано больше начальных значений, чем степеней свободы у машины, и одно из них неточно или неверно",
-            ),
-            help,
-        })
-    }
-
-    /// Loops that no configuration closes.
-    pub fn cannot_close(condition: &Text, gap: f64, places: &Text) -> Fault {
-        let n = rounded(gap);
-        Fault::new(Message {
-            code: "S016",
-            what: Text::new(
-                format!("the connection `{}` cannot be closed: at best {} is left over, at {}", condition.en, n.en, places.en),
-                format!("связь `{}` не замыкается: в лучшем случае остаётся {}, при {}", condition.ru, n.ru, places.ru),
-            ),
-            why: Text::new(
-                "the lengths do not reach, or the bodies would have to overlap",
-                "длин не хватает, или тела должны были бы пересечься",
-            ),
-            help: Text::new(
-                "check lengths and positions; give start values nearer to a configuration that exists",
-                "проверьте длины и положения; задайте начальные значения ближе к существующей конфигурации",
-            ),
-        })
-    }
-
-    /// Conditions that hold the same motion and disagree.
-    pub fn contradiction(conditions: &Text, places: &Text) -> Fault {
-        Fault::new(Message {
-            code: "S017",
-            what: Text::new(
-                format!("these conditions contradict each other: {}, at {}", conditions.en, places.en),
-                format!("эти условия противоречат друг другу: {}, при {}", conditions.ru, places.ru),
-            ),
-            why: Text::new("they hold the same motion in different ways", "они удерживают одно и то же движение по-разному"),
-            help: Text::new("remove one of them, or make their numbers agree", "уберите одно из них или согласуйте числа"),
-        })
-    }
-
-    /// A start from which no motion follows.
-    pub fn singular_start(conditions: &Text, places: &Text) -> Fault {
-        Fault::new(Message {
-            code: "S018",
-            what: Text::new(
-                format!("the machine starts in a singular configuration, {}: {}", places.en, conditions.en),
-                format!("машина начинает движение из особого положения, {}: {}", places.ru, conditions.ru),
-            ),
-            why: Text::new(
-                "these conditions depend on each other here and nowhere near: a dead centre, a stretched or flat linkage, from which the motion can go on in two ways",
-                "эти условия зависимы здесь и независимы рядом: мёртвая точка, вытянутый или сложенный механизм, из которого движение может продолжиться двояко",
-            ),
-            help: Text::new("start a little beside this position", "начните немного в стороне от этого положения"),
-        })
-    }
-
-    /// An output over a reaction that is not unique.
-    pub fn open_reaction(output: &str, reaction: &str) -> Fault {
-        Fault::new(Message {
-            code: "S019",
-            what: Text::new(
-                format!("the output `{output}` uses the reaction `{reaction}`, which is not unique"),
-                format!("величина `{output}` использует реакцию `{reaction}`, которая не единственна"),
-            ),
-            why: Text::new(
-                "several connections hold the same motion of rigid bodies; how they share the load depends on their elasticity",
-                "одно и то же движение твёрдых тел удерживают несколько связей; как они делят нагрузку, зависит от их упругости",
-            ),
-            help: Text::new(
-                "remove the redundant connection, replace it by a spring, or ask for other outputs",
-                "уберите лишнюю связь, замените её пружиной или запросите другие величины",
-            ),
-        })
-    }
-
-    /// The conditions of connections cannot be met any more.
-    pub fn lost_conditions(violation: f64, t: f64) -> Fault {
-        let (n, t) = (rounded(violation), number(t));
-        Fault::new(Message {
-            code: "S013",
-            what: Text::new(
-                format!("the connections come apart at t = {} s: relative violation {}", t.en, n.en),
-                format!("связи расходятся при t = {} с: относительное нарушение {}", t.ru, n.ru),
-            ),
-            why: Text::new(
-                "the linkage runs into a position in which it cannot be assembled (a stretched linkage that a drive pulls on)",
-                "механизм приходит в положение, в котором он не собирается (вытянутый механизм, который тянет привод)",
-            ),
-            help: Text::new("check the lengths and the prescribed motions", "проверьте длины и заданные движения"),
-        })
-    }
-
-    /// The equations of an impact have no single solution.
-    pub fn undetermined_impact(t: f64) -> Fault {
-        let n = number(t);
-        Fault::new(Message {
-            code: "S014",
-            what: Text::new(
-                format!("the impact at t = {} s leaves the rates or the impulses undetermined", n.en),
-                format!("удар при t = {} с не определяет скоростей или импульсов", n.ru),
-            ),
-            why: Text::new(
-                "two contacts or connections hold the same motion, or a body without mass is hit",
-                "два контакта или две связи удерживают одно движение, или удар приходится на тело без массы",
-            ),
-            help: Text::new(
-                "remove the contact that repeats another, or give the bodies mass",
-                "уберите контакт, повторяющий другой, или задайте телам массу",
-            ),
-        })
-    }
-
-    /// A gap that is negative at the start.
-    pub fn penetrates(guard: &Text, gap: f64, t: f64) -> Fault {
-        let (t, gap) = (number(t), number(gap));
-        Fault::new(Message {
-            code: "S012",
-            what: Text::new(
-                format!("`{}` has the gap {} at t = {} s", guard.en, gap.en, t.en),
-                format!("`{}`: зазор равен {} при t = {} с", guard.ru, gap.ru, t.ru),
-            ),
-            why: Text::new(
-                "a gap is never negative: one body stands inside the other",
-                "зазор не бывает отрицательным: одно тело находится внутри другого",
-            ),
-            help: Text::new("change the start values or the place of the contact", "измените начальные значения или положение контакта"),
-        })
-    }
-
     /// Switches at intervals that shrink to nothing.
     pub fn accumulation(guard: &Text, t: f64) -> Fault {
         let n = number(t);
@@ -659,4 +434,34 @@ impl Fault {
             ),
         })
     }
+
+    /// Statics of a model without reactions.
+    pub fn no_reactions() -> Fault {
+        Fault::new(Message {
+            code: "S060",
+            what: Text::new("the model has no reactions to find", "в модели нет искомых реакций"),
+            why: Text::new("nothing connects the bodies or holds them", "ничто не соединяет и не удерживает тела"),
+            help: Text::new("name supports in [supports] and joints in [pins]", "задайте опоры в [supports] и шарниры в [pins]"),
+        })
+    }
+
+    /// A free motion in which the loads do work.
+    pub fn sets_itself_in_motion(free: &Text) -> Fault {
+        let list = |words: &str| if words.is_empty() { "-".to_owned() } else { words.to_owned() };
+        Fault::new(Message {
+            code: "S061",
+            what: Text::new("the loads set the structure in motion", "нагрузки приводят конструкцию в движение"),
+            why: Text::new(format!("nothing prevents: {}", list(&free.en)), format!("ничто не препятствует: {}", list(&free.ru))),
+            help: Text::new("add a support or a balancing load", "добавьте опору или уравновешивающую нагрузку"),
+        })
+    }
 }
+
+const NO_REACTIONS_EN: &str =
+    "Statics finds the reactions of supports, pins, rods, ropes and other connections; the model has none. Name what holds the bodies.";
+const NO_REACTIONS_RU: &str =
+    "Статика определяет реакции опор, шарниров, стержней, нитей и других связей; в модели их нет. Назовите, что удерживает тела.";
+const UNREST_EN: &str = "Some displacement is prevented by nothing, and the loads do work in it: equilibrium is impossible. The message lists the \
+     displacements that belong to it with their shares. Add a support, or a load that balances it.";
+const UNREST_RU: &str = "Некоторому перемещению ничто не препятствует, и нагрузки совершают на нём работу: равновесие невозможно. В сообщении \
+     перечислены входящие в него перемещения и их доли. Добавьте опору или уравновешивающую нагрузку.";

@@ -5,6 +5,7 @@ use std::sync::Arc;
 mod conditions;
 
 use program::{Bound, Evaluator, Jets, Operation, Point, Program, Tape, passes};
+use symbolic::connections::Law;
 use symbolic::{Equations, Text};
 
 use crate::connections::assemble;
@@ -88,7 +89,8 @@ impl Machine {
             .map(|i| {
                 let unnamed = || Text::new(format!("switch {}", i + 1), format!("переключатель {}", i + 1));
                 let kind = kind(&program.guards[i].kind);
-                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), kind, ..Guard::default() }
+                let tie = is_tie(equations, &program.guards[i].kind);
+                Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), kind, tie, scheduled: None }
             })
             .collect();
         for (guard, t) in bound.scheduled() {
@@ -179,6 +181,11 @@ fn kind(kind: &program::GuardKind) -> GuardKind {
         Kind::ContactForce { of, .. } => GuardKind::Bound { of, exit: Mode::Positive },
         _ => GuardKind::Switch,
     }
+}
+
+fn is_tie(equations: &Equations, kind: &program::GuardKind) -> bool {
+    let program::GuardKind::Gap { reaction, .. } = kind else { return false };
+    matches!(equations.reactions[*reaction].law, Law::Contact { tie: true, .. })
 }
 
 fn returned(mode: program::Mode) -> Mode {

@@ -69,6 +69,8 @@ pub struct Guard {
     pub name: Text,
     /// What role it plays.
     pub kind: GuardKind,
+    /// A contact that is a rope: only the words about it differ.
+    pub tie: bool,
     /// Instant at which a guard that is affine in time vanishes; such an instant is hit exactly instead of being searched.
     pub scheduled: Option<f64>,
 }

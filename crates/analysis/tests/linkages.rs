@@ -153,6 +153,41 @@ mod switching {
         }
     }
 
+    /// Scotch yoke x = 0.1 cos φ of mass 2 on a crank of inertia 0.05, friction 10 N in its guide and a torque of friction at the crank.
+    fn yoke(torque: f64) -> Build {
+        let mut b = Build::new();
+        let [phi, w] = b.coordinate("phi", "rad", Start::Given(0.0), Start::Given(20.0));
+        let c = b.cos(phi);
+        let x = b.times(0.1, c);
+        let v = b.rate(x);
+        let (w2, slider) = (b.square(w), b.square(v));
+        let crank = b.times(0.025, w2);
+        let t = b.add(&[crank, slider]);
+        let zero = b.e.graph.zero();
+        b.lagrange(t, zero, &[]);
+        b.friction("guide", v, 10.0, 10.0);
+        if torque > 0.0 {
+            b.friction("bearing", w, torque, torque);
+        }
+        b
+    }
+
+    /// 10 J less 10 N times the way of the slider and the torque times the angle: dead centres, that of the start included, take nothing.
+    #[test]
+    fn rubbing_slider_runs_through_its_dead_centres() {
+        use std::f64::consts::PI;
+        for (torque, end) in [(0.0, 0.3), (0.2, 0.3), (0.0, 20.0)] {
+            let (_, x) = follow(&yoke(torque), end);
+            let (phi, w) = (x[0], x[1]);
+            let halves = (phi / PI).floor();
+            let way = 0.1 * (2.0 * halves + 1.0 - (phi - halves * PI).cos());
+            let left = 10.0 - 10.0 * way - torque * phi;
+            let kinetic = 0.025 * w * w + (0.1 * w * phi.sin()).powi(2);
+            assert!((kinetic - left).abs() < 1e-11, "{phi} {w}: {kinetic} against {left}");
+            assert_eq!(w == 0.0, end > 1.0);
+        }
+    }
+
     /// Block on an incline of angle a in coordinates x, y of the ground: the plane is a condition, its force the normal force of the friction.
     fn incline(a: f64, fixed: f64, kinetic: f64, rates: [f64; 2]) -> Build {
         let mut b = Build::new();
@@ -274,6 +309,30 @@ mod switching {
         assert!((data.column("rod").unwrap().values[0] + 2.0 * 9.81 / low).abs() < 1e-12);
     }
 
+    #[test]
+    fn block_that_lies_on_two_supports_is_hit_from_above() {
+        // the second contact repeats the first; a hammer falls on the block, which cannot move
+        let mut b = Build::new();
+        let [y, v] = b.coordinate("y", "m", Start::Given(0.0), Start::Given(0.0));
+        let [z, w] = b.coordinate("z", "m", Start::Given(1.0), Start::Given(0.0));
+        let (v2, w2) = (b.square(v), b.square(w));
+        let (t1, t2) = (b.times(0.5 * 3.0, v2), b.times(0.5 * 1.0, w2));
+        let t = b.add(&[t1, t2]);
+        let p = b.times(9.81, z);
+        b.lagrange(t, p, &[]);
+        b.contact("ground", y, 0.5);
+        let gap = b.sub(z, y);
+        b.contact("hammer", gap, 0.5);
+        let (switches, x) = follow(&b, 0.7);
+        let fall = (2.0_f64 / 9.81).sqrt();
+        assert!((switches[0].t - fall).abs() < 1e-15 && switches[0].guard == 2, "{switches:?}");
+        // Newton's rule with the ground kept: the hammer leaves with half its speed
+        let speed = 9.81 * fall;
+        let analysis::events::Change::Impact { rates } = switches[0].change else { panic!("{switches:?}") };
+        assert!((rates[0] + speed).abs() < 1e-12 && (rates[1] - 0.5 * speed).abs() < 1e-12);
+        assert_eq!((x[0], x[2]), (0.0, 0.0));
+    }
+
     /// Load on a thread of length 1.
     #[test]
     fn thrown_load_on_a_thread_goes_slack_at_once_and_is_caught() {
@@ -285,7 +344,7 @@ mod switching {
         b.lagrange(t, p, &[]);
         let one = b.number(1.0);
         let gap = b.add(&[one, y]);
-        b.contact("thread", gap, 0.0);
+        b.contact("rope", gap, 0.0);
         let (switches, x) = follow(&b, 2.0);
         assert_eq!(switches.len(), 1);
         assert!((switches[0].t - 6.0 / 9.81).abs() < 1e-15);

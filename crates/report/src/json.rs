@@ -5,7 +5,7 @@
 //!  "parameters": {"m": {"value": 0.02, "unit": "kg", "written": "20 g"}},
 //!  "counters": {"steps": 117},
 //!  "audits": [{"key": "power_balance", "name": "...", "value": 1e-13, "limit": 1e-9, "ok": true}],
-//!  "events": [{"t": 10.0, "what": "..."}],
+//!  "events": [{"t": 10.0, "what": "...", "before": {"phi": 0.1, "phi'": -2.0}, "after": {"phi": 0.1, "phi'": 1.6}}],
 //!  "partial": false, "notes": [],
 //!  "columns": {"t": {"unit": "s", "values": [0.0, 0.1]}, "phi": {"unit": "rad", "values": [0.0, 1.5]}}}
 //! ```
@@ -15,6 +15,7 @@
 
 use crate::language::Language;
 use analysis::Dataset;
+use analysis::dataset::Event;
 use serde_json::{Map, Value, json};
 
 /// The JSON of a dataset as bytes, closed by a line feed. `extra` are the study's own fields, written before the columns.
@@ -57,7 +58,7 @@ fn head(data: &Dataset, language: Language) -> Map<String, Value> {
         .iter()
         .map(|a| json!({"key": a.key, "name": language.text(&a.name), "value": a.value, "limit": a.limit, "ok": a.ok}))
         .collect();
-    let events: Vec<Value> = data.events.iter().map(|e| json!({"t": e.t, "what": language.text(&e.what)})).collect();
+    let events: Vec<Value> = data.events.iter().map(|e| event(data, e, language)).collect();
     let notes: Vec<&str> = data.notes.iter().map(|n| language.text(n)).collect();
     let fields = [
         ("title", json!(language.text(&from.title))),
@@ -84,11 +85,30 @@ fn push<T: serde::Serialize + ?Sized>(out: &mut Vec<u8>, value: &T) {
     debug_assert!(written.is_ok());
 }
 
+/// An event with the states and the columns just before and just after it.
+fn event(data: &Dataset, event: &Event, language: Language) -> Value {
+    let columns = data.columns.iter().enumerate().filter(|(i, _)| Some(*i) != data.axis).map(|(_, c)| &c.quantity.name);
+    let names: Vec<&String> = columns.collect();
+    let side = |k: usize| {
+        let states = data.states.iter().zip(&event.states[k]);
+        let outputs = names.iter().copied().zip(&event.outputs[k]);
+        states.chain(outputs).map(|(name, value)| (name.clone(), json!(value))).collect::<Map<String, Value>>()
+    };
+    let mut fields = Map::new();
+    fields.insert("t".into(), json!(event.t));
+    fields.insert("what".into(), json!(language.text(&event.what)));
+    if !event.states[1].is_empty() {
+        fields.insert("before".into(), Value::Object(side(0)));
+        fields.insert("after".into(), Value::Object(side(1)));
+    }
+    Value::Object(fields)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use analysis::Quantity;
-    use analysis::dataset::{Audit, Column, Counter, Event, ParameterValue};
+    use analysis::dataset::{Audit, Column, Counter, ParameterValue};
     use symbolic::Text;
 
     fn sample() -> Dataset {

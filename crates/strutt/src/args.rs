@@ -49,7 +49,7 @@ pub enum Command {
     /// Compute a motion
     Simulate(Simulate),
     /// Compute the motion of a linear system in closed form, phase by phase
-    Transient(Simulate),
+    Transient(Transient),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
     /// Show the properties of the sections of a file
@@ -161,12 +161,27 @@ pub struct Simulate {
 }
 
 #[derive(Args, Debug)]
+pub struct Transient {
+    #[command(flatten)]
+    pub motion: Simulate,
+    /// Small motions about the equilibrium when the system is not linear
+    #[arg(long)]
+    pub linearise: bool,
+}
+
+#[derive(Args, Debug)]
 pub struct Equilibrium {
     #[command(flatten)]
     pub model: Model,
     /// Where to look for the equilibrium: phi=0.1
     #[arg(long = "guess", value_name = "NAME=QUANTITY")]
     pub guess: Vec<String>,
+    /// Find all equilibria with this coordinate in a range
+    #[arg(long, value_name = "NAME", requires = "range")]
+    pub over: Option<String>,
+    /// The range: "-180 deg,180 deg"
+    #[arg(long, value_name = "FROM,TO", requires = "over", allow_hyphen_values = true)]
+    pub range: Option<String>,
 }
 
 #[derive(Args, Debug)]
@@ -182,6 +197,18 @@ pub struct Modes {
     /// Where to look for the equilibrium: phi=0.1
     #[arg(long = "guess", value_name = "NAME=QUANTITY")]
     pub guess: Vec<String>,
+    /// About the motion at the start instead of a place of rest
+    #[arg(long)]
+    pub about_start: bool,
+    /// A parameter along which the modes are followed
+    #[arg(long, value_name = "NAME", requires = "range")]
+    pub over: Option<String>,
+    /// Its values, from and to: "0 rad/s,600 rad/s"
+    #[arg(long, value_name = "FROM,TO", requires = "over", allow_hyphen_values = true)]
+    pub range: Option<String>,
+    /// Number of its values
+    #[arg(long, value_name = "N", default_value_t = 101)]
+    pub points: usize,
     /// Scale of the shapes
     #[arg(long, value_enum, value_name = "SCALE")]
     pub normalise: Option<Normalise>,

@@ -36,13 +36,13 @@ pub fn all() -> Vec<Explanation> {
         wrong: "",
         right: "",
     }));
-    out.extend(analysis::fault::EXPLANATIONS.iter().chain(analysis::structure::faults::EXPLANATIONS).map(|e| Explanation {
-        code: e.code,
-        title: Text::new(e.en.0, e.ru.0),
-        body: Text::new(e.en.1, e.ru.1),
-        wrong: "",
-        right: "",
-    }));
+    out.extend(
+        analysis::fault::EXPLANATIONS
+            .iter()
+            .chain(analysis::fault::connections::EXPLANATIONS)
+            .chain(analysis::structure::faults::EXPLANATIONS)
+            .map(|e| Explanation { code: e.code, title: Text::new(e.en.0, e.ru.0), body: Text::new(e.en.1, e.ru.1), wrong: "", right: "" }),
+    );
     out.extend(OWN.iter().map(|(code, title, body)| Explanation { code, title: pair(*title), body: pair(*body), wrong: "", right: "" }));
     out
 }
@@ -111,7 +111,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
     ),
     ("C006", ("File exists", "Файл уже есть"), ("`strutt new` never overwrites a file.", "`strutt new` никогда не перезаписывает файл.")),
     (
-        "C020",
+        "C040",
         ("No such section", "Нет такого сечения"),
         (
             "`section` shows the tables [sections.NAME] of a file; the file has none, or none of the name given by --name.",

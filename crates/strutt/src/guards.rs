@@ -15,7 +15,7 @@ pub fn names(equations: &Equations, program: &Program) -> Vec<Text> {
     let graph = &equations.graph;
     let name = |guard: &program::Guard| {
         if let Some(reaction) = reaction(guard.kind).and_then(|r| equations.reactions.get(r)) {
-            return Text::same(&reaction.name);
+            return without_part(&reaction.label, &reaction.name);
         }
         let write = |printer: &report::formula::Printer| {
             let left = printer.inline(graph, guard.left, Form::Text);
@@ -28,6 +28,12 @@ pub fn names(equations: &Equations, program: &Program) -> Vec<Text> {
         Text::new(write(&en), write(&ru))
     };
     program.guards.iter().map(name).collect()
+}
+
+/// `rope T, tension` is the rope T.
+fn without_part(label: &Text, name: &str) -> Text {
+    let head = |words: &str| words.split(", ").next().unwrap_or_default().to_owned();
+    if label.en.is_empty() { Text::same(name) } else { Text::new(head(&label.en), head(&label.ru)) }
 }
 
 /// The reaction whose law a guard switches.

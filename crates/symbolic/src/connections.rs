@@ -58,6 +58,8 @@ pub enum Law {
         gap: Expr,
         /// Ratio of the rate after an impact to that before, 0 ... 1.
         restitution: Expr,
+        /// A rope, which pulls, and not a surface, which pushes: only the words about it differ.
+        tie: bool,
     },
     /// Dry friction: λ acts against positive sliding.
     Friction(Box<Friction>),

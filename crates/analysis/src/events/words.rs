@@ -11,7 +11,7 @@ pub fn describe(switch: &Switch, guard: &Guard) -> Text {
     let name = &guard.name;
     let told = |en: String, ru: String| Text::new(format!("{}: {en}", name.en), format!("{}: {ru}", name.ru));
     match (&guard.kind, switch.change) {
-        (_, Change::Impact { rates }) => impact(switch, rates, told),
+        (_, Change::Impact { rates }) => impact(switch, rates, guard.tie, told),
         (_, Change::Rests { limit }) => {
             let n = number(limit);
             told(
@@ -20,16 +20,28 @@ pub fn describe(switch: &Switch, guard: &Guard) -> Text {
             )
         }
         (GuardKind::Friction { .. }, Change::Mode) => friction(switch, told),
-        (GuardKind::Contact { .. }, Change::Mode) if switch.after == Mode::Zero => told("closes".into(), "замыкается".into()),
-        (GuardKind::Contact { .. }, Change::Mode) => told("opens".into(), "размыкается".into()),
+        (GuardKind::Contact { .. }, Change::Mode) => {
+            let (en, ru) = match (switch.after == Mode::Zero, guard.tie) {
+                (true, true) => ("becomes taut", "натягивается"),
+                (true, false) => ("closes", "замыкается"),
+                (false, true) => ("goes slack", "провисает"),
+                (false, false) => ("opens", "размыкается"),
+            };
+            told(en.into(), ru.into())
+        }
         _ => change_of_side(switch, name),
     }
 }
 
-fn impact(switch: &Switch, rates: [f64; 2], told: impl Fn(String, String) -> Text) -> Text {
+fn impact(switch: &Switch, rates: [f64; 2], tie: bool, told: impl Fn(String, String) -> Text) -> Text {
     let [before, after] = rates.map(short);
-    let (mut en, mut ru) = (format!("impact, rate {} -> {}", before.en, after.en), format!("удар, скорость {} -> {}", before.ru, after.ru));
-    if switch.after == Mode::Zero {
+    let word = if tie { ("catches", "рывок") } else { ("impact", "удар") };
+    let mut en = format!("{}, rate {} -> {}", word.0, before.en, after.en);
+    let mut ru = format!("{}, скорость {} -> {}", word.1, before.ru, after.ru);
+    if switch.after == Mode::Zero && tie {
+        en += ", stays taut";
+        ru += ", остаётся натянутой";
+    } else if switch.after == Mode::Zero {
         en += ", closes";
         ru += ", замыкается";
     }

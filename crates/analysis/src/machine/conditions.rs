@@ -320,11 +320,44 @@ impl Conditions {
             };
             right[n + k] = -(1.0 + restitution) * self.rate(row);
         }
-        let solution = Lu::new(&matrix, size).solve(&right).ok_or_else(|| Fault::undetermined_impact(t))?;
+        let solution = match Lu::new(&matrix, size).solve(&right) {
+            Some(solution) => solution,
+            None => self.shared_impact(&right[n..]).ok_or_else(|| Fault::undetermined_impact(t))?,
+        };
         for i in 0..n {
             x[n + i] += solution[i];
         }
         Ok(places.iter().map(|&place| solution[place]).collect())
+    }
+}
+
+impl Conditions {
+    /// An impact in which active rows repeat each other (a block that lies on two supports is hit): rates are unique all the same, of the impulses one
+    /// choice is given. None when the changes of rates contradict each other, or with motors.
+    fn shared_impact(&self, changes: &[f64]) -> Option<Vec<f64>> {
+        if !self.motors.is_empty() {
+            return None;
+        }
+        let (n, m) = (self.n, self.active.len());
+        let factor = self.metric();
+        let mut columns = vec![0.0; n * m];
+        for (k, &row) in self.active.iter().enumerate() {
+            let mut a = self.column(row).to_vec();
+            forward(&factor, n, &mut a);
+            (0..n).for_each(|i| columns[i * m + k] = a[i]);
+        }
+        let qr = Qr::new(&columns, n, m);
+        let scaled = qr.shortest(changes);
+        let met = |k: usize| (0..n).map(|i| columns[i * m + k] * scaled[i]).sum::<f64>();
+        let largest = changes.iter().fold(0.0_f64, |l, c| l.max(c.abs()));
+        if (0..m).any(|k| (met(k) - changes[k]).abs() > 1e-9 * largest) {
+            return None;
+        }
+        let (impulses, _) = qr.least_squares(&scaled);
+        let mut solution = scaled;
+        backward(&factor, n, &mut solution);
+        solution.extend(impulses);
+        Some(solution)
     }
 }
 

@@ -7,10 +7,11 @@
 use symbolic::Text;
 
 use crate::dataset::{Audit, Column, Counter, Dataset};
-use crate::fault::Message;
+use crate::fault::{Message, rounded};
 use crate::numerics::lu::{Lu, positive_definite};
 use crate::{Fault, Quantity, System};
 
+use super::peaks;
 use super::simulate::Outcome;
 
 /// What the search for rest asks of a machine.
@@ -51,7 +52,25 @@ pub fn rest_near<S: Statics + ?Sized>(machine: &mut S, start: &[f64]) -> Result<
 pub struct Equilibrium {
     /// Coordinates to begin from, besides the start values; n each.
     pub guesses: Vec<Vec<f64>>,
+    /// Find all equilibria with this coordinate between these values.
+    pub over: Option<Range>,
 }
+
+/// A coordinate and its ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Index of the coordinate.
+    pub coordinate: usize,
+    /// Least value.
+    pub from: f64,
+    /// Largest value.
+    pub to: f64,
+}
+
+/// Values of the only coordinate at which the sign of its force is looked at.
+const SAMPLES: usize = 4000;
+/// Guesses along a range when there are other coordinates.
+const GUESSES: usize = 97;
 
 /// Steps of Newton's method from one guess.
 const STEPS: usize = 200;
@@ -69,7 +88,8 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
     let mut found: Vec<Rest> = Vec::new();
     let mut faults = Vec::new();
     let own = start[..n].to_vec();
-    for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)) {
+    let along = options.over.map(|range| search.along(range, start)).unwrap_or_default();
+    for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)).chain(&along) {
         let mut x = start.to_vec();
         x[n..2 * n].fill(0.0);
         x[..n].copy_from_slice(guess);
@@ -80,7 +100,22 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
         }
     }
     let steps = search.steps;
-    let dataset = dataset(system, &found, steps);
+    if let Some(Range { coordinate, from, to }) = options.over {
+        let slack = 1e-9 * (to - from);
+        found.retain(|rest| (from - slack..=to + slack).contains(&rest.q[coordinate]));
+        found.sort_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
+        faults.retain(|f| f.code == "S008");
+        if found.is_empty() && faults.is_empty() {
+            faults.push(nothing_between(&system.states()[coordinate].name, from, to));
+        }
+    }
+    let mut dataset = dataset(system, &found, steps);
+    if options.over.is_some() && n > 1 {
+        dataset.notes.push(Text::new(
+            format!("found from {GUESSES} guesses along the range: there may be more"),
+            format!("найдены из {GUESSES} приближений вдоль диапазона: могут быть и другие"),
+        ));
+    }
     // a guess that failed matters only when nothing was found, a free motion always
     let neutral = faults.iter().position(|f| f.code == "S008");
     let fault = match neutral {
@@ -89,6 +124,19 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
         None => None,
     };
     Outcome { dataset, fault }
+}
+
+fn nothing_between(name: &str, from: f64, to: f64) -> Fault {
+    let (a, b) = (rounded(from), rounded(to));
+    Fault::new(Message {
+        code: "S007",
+        what: Text::new(
+            format!("no equilibrium with `{name}` between {} and {}", a.en, b.en),
+            format!("при `{name}` от {} до {} положений равновесия нет", a.ru, b.ru),
+        ),
+        why: Text::new("the force along the coordinate keeps its sign there", "сила по координате там не меняет знака"),
+        help: Text::new("widen the range, or check the loads", "расширьте диапазон или проверьте нагрузки"),
+    })
 }
 
 /// An equilibrium.
@@ -157,6 +205,40 @@ impl<S: Statics + ?Sized> Search<'_, S> {
         Err(self.failed())
     }
 
+    /// Guesses along a range: with one coordinate every change of sign of its force and every place where it nearly touches zero, with
+    /// more coordinates equidistant values, the others as they start.
+    fn along(&mut self, range: Range, start: &[f64]) -> Vec<Vec<f64>> {
+        let place = |value: f64| {
+            let mut q = start[..self.n].to_vec();
+            q[range.coordinate] = value;
+            q
+        };
+        let value = |k: usize, count: usize| range.from + (range.to - range.from) * k as f64 / count as f64;
+        if self.n > 1 {
+            return (0..=GUESSES).map(|k| place(value(k, GUESSES))).collect();
+        }
+        let mut rest = start.to_vec();
+        rest[self.n..2 * self.n].fill(0.0);
+        let mut force = |at: f64| {
+            rest[0] = at;
+            self.evaluate(&rest).map_or(f64::NAN, |()| self.forces[0])
+        };
+        let forces: Vec<f64> = (0..=SAMPLES).map(|k| force(value(k, SAMPLES))).collect();
+        let largest = forces.iter().filter(|f| f.is_finite()).fold(0.0_f64, |m, f| m.max(f.abs()));
+        let mut found = vec![place_of(range.from), place_of(range.to)];
+        for k in 1..=SAMPLES {
+            let [a, b] = [forces[k - 1], forces[k]];
+            if a * b < 0.0 || b == 0.0 {
+                found.push(place_of(peaks::zero(&mut force, value(k - 1, SAMPLES), value(k, SAMPLES))));
+            }
+            // a force that touches zero without changing its sign
+            if k < SAMPLES && b.abs() <= a.abs() && b.abs() <= forces[k + 1].abs() && b.abs() <= 1e-5 * largest {
+                found.push(place_of(value(k, SAMPLES)));
+            }
+        }
+        found
+    }
+
     fn evaluate(&mut self, x: &[f64]) -> Result<(), Fault> {
         self.system.statics(x, &mut self.forces, &mut self.jacobian)?;
         let finite = self.forces.iter().chain(&self.jacobian).all(|v| v.is_finite());
@@ -221,6 +303,10 @@ impl<S: Statics + ?Sized> Search<'_, S> {
 
 /// Longest step of Newton's method, SI: a radian or a metre.
 const LONGEST: f64 = 1.0;
+
+fn place_of(value: f64) -> Vec<f64> {
+    vec![value]
+}
 
 fn norm(v: &[f64]) -> f64 {
     v.iter().map(|a| a * a).sum::<f64>().sqrt()

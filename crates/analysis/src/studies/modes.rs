@@ -78,7 +78,7 @@ pub struct Mode {
 impl Mode {
     /// Logarithmic decrement ln(x(t)/x(t + T)) = 2π ζ/√(1 - ζ²); none without oscillation.
     pub fn decrement(&self) -> Option<f64> {
-        (self.kind == Kind::Oscillation && self.damped > 0.0).then(|| -self.root.0 * 2.0 * std::f64::consts::PI / self.damped)
+        (self.kind == Kind::Oscillation && self.damped > 0.0).then(|| 0.0 - self.root.0 * 2.0 * std::f64::consts::PI / self.damped)
     }
     /// Whether it grows.
     pub fn grows(&self) -> bool {

@@ -136,7 +136,7 @@ fn halved<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simulate<
 }
 
 /// Times in ascending order with the row each belongs to.
-fn requested(options: &Simulate<'_>, columns: usize) -> Result<Vec<(f64, usize)>, Fault> {
+pub(super) fn requested(options: &Simulate<'_>, columns: usize) -> Result<Vec<(f64, usize)>, Fault> {
     let rows = match &options.grid {
         Grid::Every(dt) => (options.until / dt).floor() + 1.0,
         Grid::At(times) => times.len() as f64,
@@ -170,7 +170,7 @@ fn equidistant(until: f64, dt: f64) -> Vec<f64> {
         .collect()
 }
 
-fn check(options: &Simulate<'_>) -> Result<(), Fault> {
+pub(super) fn check(options: &Simulate<'_>) -> Result<(), Fault> {
     check_tolerance(options.tolerance)?;
     if !(options.until.is_finite() && options.until >= 0.0) {
         let n = number(options.until);
@@ -252,12 +252,10 @@ impl Pace {
 impl Run {
     fn prepare<S: System + ?Sized>(system: &S, options: &Simulate<'_>) -> Result<Run, Fault> {
         check(options)?;
-        let mut chosen = choose(system.outputs(), options.outputs.as_deref())?;
-        let refused: Vec<Fault> = chosen.iter().filter_map(|&i| system.refusal(i)).collect();
-        if let (true, Some(fault)) = (options.outputs.is_some(), refused.first()) {
-            return Err(fault.clone());
+        let chosen = choose(system.outputs(), options.outputs.as_deref())?;
+        if let Some(fault) = chosen.iter().find_map(|&i| system.refusal(i)) {
+            return Err(fault);
         }
-        chosen.retain(|&i| system.refusal(i).is_none());
         let outputs: Vec<Quantity> = chosen.iter().map(|&i| system.outputs()[i].clone()).collect();
         let times = requested(options, outputs.len() + 1)?;
         let n_x = system.states().len();
@@ -434,7 +432,18 @@ impl Run {
             drift(self.drift, self.work.projections, tolerance),
         ];
         let audits = audits.into_iter().flatten().collect();
-        Dataset { axis: Some(0), columns, audits, events: self.events, counters, notes, partial: self.interrupted, ..Dataset::default() }
+        let states = system.states().iter().map(|q| q.name.clone()).collect();
+        Dataset {
+            axis: Some(0),
+            columns,
+            audits,
+            states,
+            events: self.events,
+            counters,
+            notes,
+            partial: self.interrupted,
+            ..Dataset::default()
+        }
     }
 }
 

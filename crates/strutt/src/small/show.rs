@@ -3,8 +3,9 @@
 use crate::small::modes::{Found, ModesFound, columns};
 use crate::small::response::ResponseFound;
 use analysis::Dataset;
-use report::document::Rich;
+use report::document::{Formula, Rich};
 use report::figure::{Axis, Kind, Mark, Series};
+use report::formula::Form;
 use report::table::Column;
 use report::unit::Scale;
 use report::{Block, Cell, Figure, Language, Table, Word};
@@ -64,6 +65,17 @@ pub fn place(found: &Found, language: Language) -> String {
 pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
     let Some(f) = &found.found else { return Vec::new() };
     let mut blocks = vec![Block::paragraph(place(f, language))];
+    if let Some(written) = &f.written {
+        let words =
+            language.pick("Equations of small motions about it, in deviations:", "Уравнения малых движений около него, в отклонениях:");
+        blocks.push(Block::paragraph(words));
+        let printer = crate::document::printer(f.small.machine.equations(), language, 90);
+        for (i, equality) in written.equations.iter().enumerate() {
+            let write = |form| printer.equality(&written.graph, *equality, Some(i), form);
+            let formula = Formula { mathml: write(Form::MathMl), text: write(Form::Text) };
+            blocks.push(Block::Equation { formula, numbered: false });
+        }
+    }
     blocks.push(Block::Table(plain_table(&columns(f), language)));
     if let Some(equation) = &f.equation {
         let of = language.pick("Frequency equation", "Частотное уравнение");

@@ -5,6 +5,7 @@ mod origin;
 pub mod periodic;
 mod results;
 mod section;
+pub mod statics;
 pub mod sweep;
 
 pub use origin::Origin;

@@ -29,7 +29,7 @@ pub(super) struct Found {
     scales: Vec<f64>,
     symmetry: Symmetry,
     /// States that can be chosen freely; the others follow from the conditions.
-    pub(super) free: Vec<usize>,
+    free: Vec<usize>,
     /// Change of all states per change of the free ones, column by column.
     basis: Vec<Vec<f64>>,
     angles: Vec<bool>,
@@ -407,7 +407,7 @@ impl Found {
     }
 
     /// States that have to come back: free, not the section's, not translations.
-    fn returning(&self, section: Option<usize>) -> Vec<usize> {
+    pub(super) fn returning(&self, section: Option<usize>) -> Vec<usize> {
         let pivot = |i: usize| self.symmetry.shifts.iter().any(|(p, _)| *p == i);
         self.free.iter().copied().filter(|&i| Some(i) != section && !pivot(i)).collect()
     }
@@ -469,32 +469,30 @@ impl Found {
         Ok(Some(step))
     }
 
-    /// The fundamental matrix on the free states, row-major, and whether a switch is grazing.
+    /// The fundamental matrix on the free states up to translations, row-major, and whether a switch is grazing.
     pub(super) fn monodromy<S: System + ?Sized>(&self, system: &mut S) -> Result<(Vec<f64>, bool), Fault> {
         let (matrix, grazing): (Square, bool) = fundamental::of_orbit(system, &self.orbit, &self.scales)?;
-        let r = self.free.len();
+        let states = self.returning(None);
+        let r = states.len();
         let mut out = vec![0.0; r * r];
-        for (k, column) in self.basis.iter().enumerate() {
-            let change = matrix.apply(column);
+        for (column, &j) in states.iter().enumerate() {
+            let k = self.free.iter().position(|&i| i == j).unwrap_or(0);
+            let mut change = matrix.apply(&self.basis[k]);
+            self.clear_shifts(&mut change);
             // in scales: eigenvalues are the same, rounding is not
-            let scale = |i: usize| self.scales[self.free[k]] / self.scales[i];
-            self.free.iter().enumerate().for_each(|(row, &i)| out[row * r + k] = change[i] * scale(i));
+            states.iter().enumerate().for_each(|(row, &i)| out[row * r + column] = change[i] * self.scales[j] / self.scales[i]);
         }
         Ok((out, grazing))
     }
 
-    /// How many multipliers are 1 because of translations in time and space.
+    /// How many multipliers are 1 because of translations in time: one, unless the motion is a mere translation.
     pub(super) fn trivial(&self) -> usize {
-        let n = self.orbit.first.len();
-        let mut columns: Vec<Vec<f64>> =
-            self.symmetry.shifts.iter().filter(|(p, _)| self.free.contains(p)).map(|(_, shift)| shift.clone()).collect();
-        if let (Some(frame), Some(step)) = (&self.symmetry.frame, self.orbit.steps.first()) {
-            let flow: Vec<f64> = (0..n).map(|i| step.coefficients(i).get(1).copied().unwrap_or(0.0) - frame[i]).collect();
-            columns.push(flow.iter().map(|f| f * self.orbit.period).collect());
-        }
-        let count = columns.len();
-        let matrix: Vec<f64> = (0..n).flat_map(|i| columns.iter().map(move |c| (i, c))).map(|(i, c)| c[i] / self.scales[i]).collect();
-        Qr::new(n, count, &matrix, 1e-9).rank()
+        let (Some(frame), Some(step)) = (&self.symmetry.frame, self.orbit.steps.first()) else { return 0 };
+        let period = self.orbit.period;
+        let mut flow: Vec<f64> =
+            frame.iter().enumerate().map(|(i, v)| (step.coefficients(i).get(1).copied().unwrap_or(0.0) - v) * period).collect();
+        self.clear_shifts(&mut flow);
+        usize::from(self.returning(None).iter().any(|&i| flow[i].abs() > 1e-9 * self.scales[i]))
     }
 
     /// Checks: all states come back, so do their rates; the trivial multipliers are 1.

@@ -37,7 +37,7 @@ pub enum Nature {
     /// Always.
     Ideal,
     /// While the gap is closed.
-    Contact { gap: Expr, restitution: Expr },
+    Contact { gap: Expr, restitution: Expr, tie: bool },
     /// Dry friction.
     Friction { speed: SymbolId, kinetic: Expr, fixed: Option<Expr>, normal: Option<Expr> },
     /// A prescribed motion.
@@ -297,7 +297,7 @@ fn rope(
         }
         Some(restitution) => {
             let gap = scene.graph.sub(length, total);
-            Component { place: Some(gap), nature: Nature::Contact { gap, restitution }, ..Component::ideal(of, label, acts) }
+            Component { place: Some(gap), nature: Nature::Contact { gap, restitution, tie: true }, ..Component::ideal(of, label, acts) }
         }
     })
 }
@@ -388,7 +388,7 @@ fn stop(
     let label = Text::new(format!("stop {name}"), format!("упор {name}"));
     Component {
         place: Some(gap),
-        nature: Nature::Contact { gap, restitution },
+        nature: Nature::Contact { gap, restitution, tie: false },
         ..Component::ideal((Part::Force, letter, unit), label, acts)
     }
 }

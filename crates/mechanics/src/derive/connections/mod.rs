@@ -109,7 +109,7 @@ impl Connected {
             }
             _ if shape.columns.is_empty() => return Err(no_coordinate(connection)),
             Nature::Ideal => Law::Ideal { condition: self.conditions.len() },
-            Nature::Contact { gap, restitution } => Law::Contact { condition: self.conditions.len(), gap, restitution },
+            Nature::Contact { gap, restitution, tie } => Law::Contact { condition: self.conditions.len(), gap, restitution, tie },
             Nature::Friction { speed, kinetic, fixed, normal } => {
                 self.friction(scene, kinematics, resolver, (shape.rate, speed, kinetic, fixed, normal))?
             }
