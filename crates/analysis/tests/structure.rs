@@ -107,14 +107,10 @@ fn exact_and_machine_numbers_agree() {
     for (a, b) in with.statics.ends.iter().flatten().zip(without.statics.ends.iter().flatten()) {
         assert!(close(*a, *b), "{a} {b}");
     }
-    // the clamped end carries everything: moments of the loads about A
-    let moment = -(8.0 - 3.0) * 3.0 + 0.5 - with.statics.reactions[0][2].abs() * 0.0;
-    let by_load = moment + {
-        // q along AB (5 m): x part falls 1 -> 0, y part 0 -> -2; q0 l/2 at l/3, q1 l/2 at 2l/3
-        let (first, second) = ([1.0, 4.0 / 3.0], [2.0, 8.0 / 3.0]);
-        first[0] * 0.0 - first[1] * 2.5 + second[0] * -5.0
-    };
-    assert!(close(with.statics.reactions[0][2], -by_load), "{} {by_load}", with.statics.reactions[0][2]);
+    // the clamped end carries everything: moments of the loads about A = (0, 0). The force acts at (5, 4). Of the line load along AB (5 m) the
+    // x part falls from 1 to 0 (2.5 at (1, 4/3)), the y part grows from 0 to -2 (-5 at (2, 8/3)).
+    let loads = 5.0 * -3.0 + 0.5 - 4.0 / 3.0 * 2.5 + 2.0 * -5.0;
+    assert!(close(with.statics.reactions[0][2], -loads), "{}", with.statics.reactions[0][2]);
     let found = modes(&frame, Some(&exact), &Modes::default()).unwrap();
     let equation = found.equation.unwrap();
     for mode in &found.modes {

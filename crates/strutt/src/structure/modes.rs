@@ -77,7 +77,11 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     let mut own = Map::new();
     let tau = 2.0 * std::f64::consts::PI;
     let result = &found.result;
-    let mode = |m: &structure_modes::Mode| json!({"omega": m.omega, "f": m.omega / tau, "T": tau / m.omega, "damping_ratio": 0.0, "shape": m.shape});
+    let mode = |m: &structure_modes::Mode| {
+        let shape: Map<String, Value> = result.coordinates.iter().zip(&m.shape).map(|(q, v)| (q.name.clone(), json!(v))).collect();
+        json!({"omega": m.omega, "f": m.omega / tau, "T": tau / m.omega, "damping_ratio": 0.0, "omega_d": m.omega, "kind": "oscillation",
+            "shape": shape})
+    };
     own.insert("study".into(), json!("modes"));
     own.insert("coordinates".into(), result.coordinates.iter().map(|q| json!(q.name)).collect());
     own.insert("modes".into(), result.modes.iter().map(mode).collect());
