@@ -48,6 +48,8 @@ pub enum Command {
     Equations(Equations),
     /// Compute a motion
     Simulate(Simulate),
+    /// Find the forces and torques of motors that realise prescribed motions, their powers and work
+    Inverse(Simulate),
     /// Compute the motion of a linear system in closed form, phase by phase
     Transient(Transient),
     /// Find positions of equilibrium

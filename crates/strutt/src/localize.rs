@@ -46,7 +46,7 @@ fn russian(command: Command, path: &str) -> Command {
     command = command.mut_args(|arg| {
         let key = arg.get_id().as_str().to_owned();
         // both motions are asked in the same words
-        let shared = || if here == "transient" { find(&format!("simulate.{key}")) } else { None };
+        let shared = || if here == "transient" || here == "inverse" { find(&format!("simulate.{key}")) } else { None };
         let arg = match find(&format!("{here}.{key}")).or_else(shared).or_else(|| find(&format!(".{key}"))) {
             Some(help) => arg.help(help),
             None => arg,
@@ -145,6 +145,7 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("run", "Выполнить все расчёты файла модели; таблицы, графики и страница – в out/<имя>/"),
     ("check", "Найти все ошибки файла модели"),
     ("equations", "Вывести уравнения движения"),
+    ("inverse", "Найти силы и моменты двигателей для заданных движений, их мощности и работу"),
     ("simulate", "Рассчитать движение"),
     ("transient", "Рассчитать движение линейной системы в замкнутой форме, этап за этапом"),
     ("transient.linearise", "Малые движения около равновесия, если система нелинейна"),

@@ -160,7 +160,8 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
             })
         }
         StudyKind::Modes(study) => Some(modes(machine, study, watch)),
-        StudyKind::Simulate(study) | StudyKind::Inverse(study) => {
+        StudyKind::Inverse(study) => Some(crate::studies::inverse::run(machine, study, watch)),
+        StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);
             let finding = simulate(machine, &study, watch);
             // plots need several points on every swing; how many swings there are shows in the steps

@@ -7,6 +7,7 @@ mod equations;
 mod equilibrium;
 mod examples;
 mod explain;
+mod inverse;
 mod modes;
 mod new;
 mod periodic;
@@ -47,6 +48,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Check(args) => check::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
+        Command::Inverse(args) => inverse::run(&args, console),
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
         Command::Cycle(args) => cycle::run(&args, console),

@@ -2,6 +2,7 @@
 //! [`Results`].
 
 pub mod cycle;
+pub mod inverse;
 mod origin;
 pub mod periodic;
 mod results;
