@@ -373,8 +373,7 @@ fn remarks(list: &[Mode]) -> Vec<Text> {
     }
     let same =
         |a: &Mode, b: &Mode| a.omega > 0.0 && (a.omega - b.omega).abs() <= 1e-9 * a.omega && (a.damped - b.damped).abs() <= 1e-9 * a.omega;
-    for (i, pair) in list.windows(2).enumerate().filter(|(_, p)| same(&p[0], &p[1])) {
-        let _ = pair;
+    for (i, _) in list.windows(2).enumerate().filter(|(_, p)| same(&p[0], &p[1])) {
         notes.push(Text::new(
             format!("modes {} and {} have one frequency: any combination of their shapes is a shape", i + 1, i + 2),
             format!("у форм {} и {} общая частота: любая их комбинация тоже форма", i + 1, i + 2),

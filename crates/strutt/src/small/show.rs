@@ -175,9 +175,8 @@ fn own_table(found: &ResponseFound, own: &analysis::studies::response::Point, la
     let mut table = Table::new(heads(&[(&title, ""), (words[0], ""), (words[1], "rad"), (words[2], ""), (words[3], "")], language));
     for (k, q) in found.outputs.iter().enumerate() {
         let (z, still) = (own.outputs[k], magnitude(own.still[k]));
-        let unit = report::unit::print(&q.unit, language);
-        let name = if unit.is_empty() { q.symbol.clone() } else { q.symbol.clone() };
-        let mut row = vec![Cell::symbol(name), number(magnitude(z), language), number(phase(z), language), number(still, language)];
+        let mut row =
+            vec![Cell::symbol(q.symbol.clone()), number(magnitude(z), language), number(phase(z), language), number(still, language)];
         row.push(number(if still > 0.0 { magnitude(z) / still } else { f64::NAN }, language));
         table.row(row);
     }
