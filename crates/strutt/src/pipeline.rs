@@ -133,13 +133,13 @@ pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault
 pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Option<Finding> {
     match kind {
         StudyKind::Equations => None,
-        // carried out by rooms that are being built
-        StudyKind::Inverse(_) | StudyKind::Kinematics(_) => None,
+        StudyKind::Inverse(study) => Some(crate::studies::inverse::run(machine, study, watch)),
+        StudyKind::Kinematics(study) => Some(crate::studies::kinematics::run(machine, study, watch)),
         StudyKind::Cycle(study) => Some(crate::studies::cycle::run(machine, study, watch)),
         StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
         StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
-        StudyKind::Statics => crate::structure::statics(machine),
+        StudyKind::Statics => Some(crate::studies::statics::run(machine, watch)),
         StudyKind::Response(study) => Some(response(machine, study, watch)),
         StudyKind::Transient(study) => {
             let study = plan::with_plots(study, &machine.equations);

@@ -7,6 +7,8 @@ mod equations;
 mod equilibrium;
 mod examples;
 mod explain;
+mod inverse;
+mod kinematics;
 mod modes;
 mod new;
 mod periodic;
@@ -49,6 +51,8 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Inverse(args) => inverse::run(&args, console),
+        Command::Kinematics(args) => kinematics::run(&args, console),
         Command::Cycle(args) => cycle::run(&args, console),
         Command::Sweep(args) => sweep::run(&args, console),
         Command::Section(args) => section::run(&args, console),

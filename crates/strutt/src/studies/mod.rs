@@ -2,10 +2,13 @@
 //! [`Results`].
 
 pub mod cycle;
+pub mod inverse;
+pub mod kinematics;
 mod origin;
 pub mod periodic;
 mod results;
 mod section;
+pub mod statics;
 pub mod sweep;
 
 pub use origin::Origin;
