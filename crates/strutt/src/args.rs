@@ -58,6 +58,8 @@ pub enum Command {
     Section(Section),
     /// Find the exact periodic regime: period, multipliers, motion over one period
     Periodic(Periodic),
+    /// Follow a linkage over a range of its driven coordinate
+    Kinematics(Kinematics),
     /// Energy balance over a turn: the drive, reduced inertia and moment, irregularity
     Cycle(Cycle),
     /// Repeat a study over values of parameters
@@ -291,6 +293,36 @@ pub struct Periodic {
     pub wanted_period: Option<String>,
     #[command(flatten)]
     pub table: Table,
+}
+
+#[derive(Args, Debug)]
+pub struct Kinematics {
+    #[command(flatten)]
+    pub model: Model,
+    /// The driven coordinate
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// First value [default: the start]
+    #[arg(long, value_name = "QUANTITY", requires = "over", allow_hyphen_values = true)]
+    pub from: Option<String>,
+    /// Last value
+    #[arg(long, value_name = "QUANTITY", requires = "over", conflicts_with = "turns", allow_hyphen_values = true)]
+    pub to: Option<String>,
+    /// Turns of an angle [default: 1]
+    #[arg(long, value_name = "NUMBER", requires = "over", allow_hyphen_values = true)]
+    pub turns: Option<String>,
+    /// Uniform rate of the driven coordinate [default: its starting rate, or 1]
+    #[arg(long, value_name = "QUANTITY", requires = "over", allow_hyphen_values = true)]
+    pub rate: Option<String>,
+    /// Number of positions
+    #[arg(long, value_name = "N", requires = "over")]
+    pub points: Option<usize>,
+    /// Columns by name, in this order: phi,phi',omega_p
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub outputs: Option<Vec<String>>,
+    /// Also write tables, plots and a page into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

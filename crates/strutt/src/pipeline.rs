@@ -143,8 +143,7 @@ pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault
 pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Option<Finding> {
     match kind {
         StudyKind::Equations => None,
-        // carried out by rooms that are being built
-        StudyKind::Kinematics(_) => None,
+        StudyKind::Kinematics(study) => Some(crate::studies::kinematics::run(machine, study, watch)),
         StudyKind::Cycle(study) => Some(crate::studies::cycle::run(machine, study, watch)),
         StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),

@@ -4,6 +4,7 @@ pub mod cycle;
 pub mod equilibrium;
 pub(crate) mod explain;
 pub mod extremes;
+pub mod kinematics;
 pub mod modes;
 pub mod peaks;
 pub mod periodic;

@@ -8,6 +8,7 @@ mod equilibrium;
 mod examples;
 mod explain;
 mod inverse;
+mod kinematics;
 mod modes;
 mod new;
 mod periodic;
@@ -51,6 +52,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Inverse(args) => inverse::run(&args, console),
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Kinematics(args) => kinematics::run(&args, console),
         Command::Cycle(args) => cycle::run(&args, console),
         Command::Section(args) => section::run(&args, console),
         Command::Statics(args) => statics::run(&args, console),

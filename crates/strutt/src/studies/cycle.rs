@@ -93,7 +93,7 @@ fn driven(machine: &Machine, study: &Cycle, name: &str, others: &[(String, f64)]
         values.push((name.to_owned(), value));
         Ok(balance(&mut with(machine, &values)?, study)?.0.work)
     };
-    let (mut a, mut b) = (first, if first == 0.0 { 1.0 } else { 0.5 * first });
+    let (mut a, mut b) = (first, if first == 0.0 { 1.0 } else { 0.9 * first });
     let mut work_a = work(a)?;
     let (mut slope, mut rest) = (0.0, 0.0);
     for _ in 0..STEPS {

@@ -3,6 +3,7 @@
 
 pub mod cycle;
 pub mod inverse;
+pub mod kinematics;
 mod origin;
 pub mod periodic;
 mod results;

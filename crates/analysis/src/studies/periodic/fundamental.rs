@@ -43,7 +43,7 @@ impl Square {
 }
 
 /// Derivative of a vector function by every state: central differences of fourth order; row i = component i.
-pub(super) fn derivative(
+pub(crate) fn derivative(
     x: &[f64],
     scales: &[f64],
     mut value: impl FnMut(&[f64]) -> Result<Vec<f64>, Fault>,

@@ -16,6 +16,8 @@ mod newton;
 mod orbit;
 mod symmetry;
 
+pub(crate) use fundamental::derivative;
+
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use symbolic::Text;

@@ -111,39 +111,34 @@ pub(super) fn solve<S: System + ?Sized>(system: &mut S, start: &[f64], options: 
     }
 }
 
-/// Some steps from the start, or the time to settle.
+/// Some steps after the time to settle. Only the first half counts, for the run may have ended before a singular place.
 fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>, with: &Options) -> Result<Orbit, Fault> {
     let mut flow = Flow::start(system, 0.0, start, with)?;
+    while !flow.reached(options.settle) && !interrupted(options) {
+        flow.advance(options.settle)?;
+    }
+    let begin = flow.time();
     let mut orbit = Orbit { first: flow.state().to_vec(), modes: [flow.modes().to_vec(), Vec::new()], ..Orbit::default() };
-    let end = options.longest.max(options.settle);
-    while !flow.reached(end) && (orbit.steps.len() < TRIAL || !flow.reached(options.settle)) && !interrupted(options) {
-        let outcome = flow.advance(if flow.reached(options.settle) { end } else { options.settle });
-        if let Err(fault) = outcome {
+    let end = begin + options.longest;
+    while !flow.reached(end) && orbit.steps.len() < TRIAL && !interrupted(options) {
+        if let Err(fault) = flow.advance(end) {
             // a motion that runs away shows scales before it does
             if orbit.steps.len() < 4 {
                 return Err(fault);
             }
-            let half = 0.5 * flow.time();
-            let kept = orbit.steps.iter().take_while(|s| s.end().high <= half).count().max(1);
-            orbit.steps.truncate(kept);
             break;
         }
         orbit.steps.push(flow.step().clone());
-        if orbit.steps.len() > 4 * TRIAL {
-            // a long settling keeps only its end
-            orbit.steps.drain(..2 * TRIAL);
-        }
     }
-    let last = orbit.steps.last().map(|s| (s.end(), s.modes.clone()));
-    let (end, modes) = last.unwrap_or_default();
-    orbit.last = flow.state().to_vec();
-    if end.high < flow.time()
-        && let Some(step) = orbit.steps.last()
-    {
-        step.state_at(end.high, &mut orbit.last);
+    let half = begin + 0.5 * (flow.time() - begin);
+    let kept = orbit.steps.iter().take_while(|s| s.end().high <= half).count();
+    orbit.steps.truncate(kept.max(4));
+    orbit.last = vec![0.0; start.len()];
+    if let Some(step) = orbit.steps.last() {
+        step.state_at(step.end().high, &mut orbit.last);
+        orbit.modes[1] = step.modes.clone();
+        orbit.period = step.end().high - begin;
     }
-    orbit.modes[1] = modes;
-    orbit.period = end.high;
     Ok(orbit)
 }
 
@@ -197,10 +192,10 @@ fn prepare<'o, S: System + ?Sized>(
         state: None,
         name: Text::default(),
     };
-    let mut x = if options.settle > 0.0 { trial.last.clone() } else { start.to_vec() };
+    let mut x = trial.first.clone();
     if let (Some(frame), true) = (&search.symmetry.frame, options.settle > 0.0) {
         // the same motion at t = 0
-        x.iter_mut().zip(frame).for_each(|(x, v)| *x -= v * elapsed);
+        x.iter_mut().zip(frame).for_each(|(x, v)| *x -= v * options.settle);
     }
     match (&search.symmetry.frame, &options.by) {
         (None, Return::Period(period)) => {
@@ -219,7 +214,7 @@ fn prepare<'o, S: System + ?Sized>(
             let frame = frame.clone();
             search.state = Some(state);
             search.name = Text::same(&format!("`{}`", system.states()[state].name));
-            x = transversal(system, &trial, x, state, &frame, elapsed, &search)?;
+            x = transversal(system, &trial, x, state, &frame, &search)?;
             search.aim_first(system, &x, &frame)?;
         }
     }
@@ -265,7 +260,6 @@ fn transversal<S: System + ?Sized>(
     x: Vec<f64>,
     state: usize,
     frame: &[f64],
-    elapsed: f64,
     search: &Search<'_>,
 ) -> Result<Vec<f64>, Fault> {
     let speed = |c: &[f64]| (c[1] - frame[state]).abs();
@@ -276,7 +270,7 @@ fn transversal<S: System + ?Sized>(
         return Ok(x);
     }
     let moving = trial.steps.iter().find(|s| speed(s.coefficients(state)) > 0.3 * fastest);
-    let Some(step) = moving.filter(|s| s.start.high <= elapsed) else { return Ok(x) };
+    let Some(step) = moving else { return Ok(x) };
     let t = step.start.high;
     Ok((0..x.len()).map(|i| step.coefficients(i)[0] - frame[i] * t).collect())
 }
