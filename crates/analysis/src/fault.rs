@@ -72,6 +72,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
     Explanation {
         code: "S010", en: ("more steps than anybody waits for", STEPS_EN), ru: ("слишком много шагов", STEPS_RU)
     },
+    Explanation { code: "S060", en: ("no reactions", NO_REACTIONS_EN), ru: ("нет реакций", NO_REACTIONS_RU) },
+    Explanation {
+        code: "S061", en: ("a mechanism that does not rest", UNREST_EN), ru: ("механизм не находится в равновесии", UNREST_RU)
+    },
     crate::studies::explain::NO_RETURN,
     crate::studies::explain::NO_REGIME,
     crate::studies::explain::DRIVEN,
@@ -97,23 +101,28 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ru: ("матрица с неопределённым элементом", trouble::MALFORMED_RU),
     },
     Explanation {
-        code: "S030",
+        code: "S070",
         en: ("no closed form: not linear", NOT_LINEAR_EN),
         ru: ("нет замкнутого решения: нелинейность", NOT_LINEAR_RU),
     },
     Explanation {
-        code: "S031",
+        code: "S071",
         en: ("no closed form: coefficients change with time", VARYING_EN),
         ru: ("нет замкнутого решения: переменные коэффициенты", VARYING_RU),
     },
     Explanation {
-        code: "S032", en: ("no closed form: the load", LOAD_EN), ru: ("нет замкнутого решения: вид нагрузки", LOAD_RU)
+        code: "S072", en: ("no closed form: the load", LOAD_EN), ru: ("нет замкнутого решения: вид нагрузки", LOAD_RU)
     },
     Explanation {
-        code: "S033", en: ("singular mass matrix", MASSLESS_EN), ru: ("вырожденная матрица масс", MASSLESS_RU)
+        code: "S073", en: ("singular mass matrix", MASSLESS_EN), ru: ("вырожденная матрица масс", MASSLESS_RU)
     },
     Explanation {
-        code: "S034", en: ("no closed form: connections", CONNECTED_EN), ru: ("нет замкнутого решения: связи", CONNECTED_RU)
+        code: "S074", en: ("no closed form: connections", CONNECTED_EN), ru: ("нет замкнутого решения: связи", CONNECTED_RU)
+    },
+    Explanation {
+        code: "S075",
+        en: ("no equilibrium to linearise about", NOWHERE_EN),
+        ru: ("нет равновесия для линеаризации", NOWHERE_RU),
     },
     Explanation {
         code: "S030", en: ("unknown load or parameter", NAME_EN), ru: ("неизвестная нагрузка или параметр", NAME_RU)
@@ -194,6 +203,10 @@ const CONNECTED_EN: &str = "Pins, rods, stops, dry friction and motors keep reac
     place the bodies by formulas of these (origin = [\"0\", \"l*phi\"]), or use the study simulate.";
 const CONNECTED_RU: &str = "При шарнирах, стержнях, упорах, сухом трении и двигателях неизвестными, кроме координат, остаются реакции. Замкнутое решение находится для независимых \
     координат: задайте через них положения тел (origin = [\"0\", \"l*phi\"]) или примените расчёт simulate.";
+const NOWHERE_EN: &str = "Small motions are motions about an equilibrium under the mean loads. From the start of the motion none was found, or the stiffness there is singular \
+    (a free direction). The study equilibrium shows what there is.";
+const NOWHERE_RU: &str = "Малые движения — это движения около равновесия при средних нагрузках. От начала движения оно не найдено, или матрица жёсткости в нём вырождена \
+    (свободное направление). Расчёт equilibrium покажет, какие положения равновесия есть.";
 const MASSLESS_EN: &str =
     "Some change of the coordinates moves no mass, so its acceleration is undefined. Give it an inertia or remove the coordinate.";
 const MASSLESS_RU: &str =
@@ -421,4 +434,34 @@ impl Fault {
             ),
         })
     }
+
+    /// Statics of a model without reactions.
+    pub fn no_reactions() -> Fault {
+        Fault::new(Message {
+            code: "S060",
+            what: Text::new("the model has no reactions to find", "в модели нет искомых реакций"),
+            why: Text::new("nothing connects the bodies or holds them", "ничто не соединяет и не удерживает тела"),
+            help: Text::new("name supports in [supports] and joints in [pins]", "задайте опоры в [supports] и шарниры в [pins]"),
+        })
+    }
+
+    /// A free motion in which the loads do work.
+    pub fn sets_itself_in_motion(free: &Text) -> Fault {
+        let list = |words: &str| if words.is_empty() { "-".to_owned() } else { words.to_owned() };
+        Fault::new(Message {
+            code: "S061",
+            what: Text::new("the loads set the structure in motion", "нагрузки приводят конструкцию в движение"),
+            why: Text::new(format!("nothing prevents: {}", list(&free.en)), format!("ничто не препятствует: {}", list(&free.ru))),
+            help: Text::new("add a support or a balancing load", "добавьте опору или уравновешивающую нагрузку"),
+        })
+    }
 }
+
+const NO_REACTIONS_EN: &str =
+    "Statics finds the reactions of supports, pins, rods, ropes and other connections; the model has none. Name what holds the bodies.";
+const NO_REACTIONS_RU: &str =
+    "Статика определяет реакции опор, шарниров, стержней, нитей и других связей; в модели их нет. Назовите, что удерживает тела.";
+const UNREST_EN: &str = "Some displacement is prevented by nothing, and the loads do work in it: equilibrium is impossible. The message lists the \
+     displacements that belong to it with their shares. Add a support, or a load that balances it.";
+const UNREST_RU: &str = "Некоторому перемещению ничто не препятствует, и нагрузки совершают на нём работу: равновесие невозможно. В сообщении \
+     перечислены входящие в него перемещения и их доли. Добавьте опору или уравновешивающую нагрузку.";

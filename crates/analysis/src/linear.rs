@@ -8,7 +8,7 @@ use std::sync::Arc;
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
 use symbolic::linear::{About, HarmonicLoad, Timing};
-use symbolic::{Equations, Expr, Linear, SymbolId, Text};
+use symbolic::{Derivation, Equations, Expr, Linear, SymbolId, Text};
 
 use crate::fault::Message;
 use crate::machine::notation;
@@ -262,13 +262,15 @@ impl LinearMachine {
     /// *Errors*: S007 when Newton's method finds none.
     pub fn settle(&mut self, q: &[f64]) -> Result<Place, Fault> {
         let n = self.names.len();
-        let here = self.at(&Place::rest(q))?;
-        self.unit = largest(&here.force).max(largest(&here.stiffness)).max(f64::MIN_POSITIVE);
-        if self.linear.multipliers.is_empty() {
-            self.unit = 1.0;
-        }
+        let k = self.linear.multipliers.len();
         let mut x = q.to_vec();
-        x.resize(n + self.linear.multipliers.len(), 0.0);
+        if k > 0 {
+            // without its reactions a mechanism may have no stiffness at all: begin with those that balance best here
+            let here = self.full(&Place::rest(q))?;
+            self.unit = largest(&here.matrices.force).max(largest(&here.matrices.stiffness)).max(f64::MIN_POSITIVE);
+            let against: Vec<f64> = here.matrices.force.iter().map(|f| -f / self.unit).collect();
+            x.extend(rank::Qr::new(n, k, &here.reach, rank::TOLERANCE).least_squares(&against).0);
+        }
         let x = rest_near(self, &x)?;
         Ok(self.place_of(&x))
     }
@@ -300,6 +302,34 @@ impl LinearMachine {
         let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
         let states = self.states(place);
         Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
+    }
+
+    /// The mean forces, their derivatives by parameters (parameter by parameter), and the reach of the reactions, as prepared expressions.
+    ///
+    /// *Errors*: a symbol without a meaning here.
+    pub fn forces_by(&mut self, parameters: &[usize]) -> Result<Values, Fault> {
+        let linear = &mut self.linear;
+        let mut seeds: Vec<Vec<(SymbolId, Expr)>> = Vec::new();
+        for p in parameters {
+            // definitions are functions of the parameter too, earlier ones first
+            let mut known = vec![(self.equations.parameters[*p].symbol, linear.graph.one())];
+            for (symbol, formula) in &linear.definitions {
+                let inner = Derivation::new(known.iter().copied()).apply(&mut linear.graph, *formula);
+                if !linear.graph.is_zero(inner) {
+                    known.push((*symbol, inner));
+                }
+            }
+            seeds.push(known);
+        }
+        let mut list = linear.force.clone();
+        for known in seeds {
+            let mut derivation = Derivation::new(known);
+            for force in &linear.force {
+                list.push(derivation.apply(&mut linear.graph, *force));
+            }
+        }
+        list.extend(linear.reach.entries().iter().copied());
+        self.prepare(&list)
     }
 
     /// A zero of [`Linear::graph`] for each coordinate.

@@ -204,6 +204,38 @@ fn damped_oscillator_has_a_conjugate_pair() {
 }
 
 #[test]
+fn slow_decay_beside_fast_oscillation_keeps_its_digits() {
+    // triangular blocks: eigenvalues on the diagonal 1e-4 ... 1e8, coupled above; -3 +- 4 i in a block
+    let n = 6;
+    let mut a = vec![0.0; n * n];
+    let diagonal = [-1e-4, -2.5, 0.0, 0.0, -1e5, -1e8];
+    (0..n).for_each(|i| a[i * n + i] = diagonal[i]);
+    (a[2 * n + 2], a[2 * n + 3], a[3 * n + 2], a[3 * n + 3]) = (-3.0, 4.0, -4.0, -3.0);
+    (a[1], a[n + 2], a[2 * n + 4], a[3 * n + 5], a[5], a[n + 4]) = (7.0, -3.0, 20.0, 5e3, 1e3, 11.0);
+    // hidden by a similarity with exact entries, x -> L x, L unit lower triangular with ones
+    let mut hidden = a.clone();
+    for i in 1..n {
+        (0..n).for_each(|j| hidden[i * n + j] += hidden[(i - 1) * n + j]);
+        (0..n).for_each(|k| hidden[k * n + i - 1] -= hidden[k * n + i]);
+    }
+    let modes = general(n, &hidden).unwrap();
+    let expected = [(-1e-4, 0.0), (-2.5, 0.0), (-3.0, 4.0), (-3.0, -4.0), (-1e5, 0.0), (-1e8, 0.0)];
+    for (found, expected) in modes.values.iter().zip(expected) {
+        let size = f64::hypot(expected.0, expected.1);
+        // the smallest feels the rounding of entries of 1e8 in the matrix itself
+        let error = f64::hypot(found.0 - expected.0, found.1 - expected.1) / size;
+        assert!(error < 1e-9, "{found:?} against {expected:?}: {error:e}");
+    }
+}
+
+#[test]
+fn defective_eigenvalue_is_left_alone() {
+    // critical damping: q'' + 2 q' + q = 0
+    let modes = general(2, &[0.0, 1.0, -1.0, -2.0]).unwrap();
+    assert!(modes.values.iter().all(|z| (z.0 + 1.0).abs() < 1e-7 && z.1.abs() < 1e-7), "{:?}", modes.values);
+}
+
+#[test]
 fn same_seed_same_bits() {
     let (k, m) = beam(60, 1.0);
     let (k, m) = (clamped(&k), clamped(&m));

@@ -153,6 +153,41 @@ mod switching {
         }
     }
 
+    /// Scotch yoke x = 0.1 cos φ of mass 2 on a crank of inertia 0.05, friction 10 N in its guide and a torque of friction at the crank.
+    fn yoke(torque: f64) -> Build {
+        let mut b = Build::new();
+        let [phi, w] = b.coordinate("phi", "rad", Start::Given(0.0), Start::Given(20.0));
+        let c = b.cos(phi);
+        let x = b.times(0.1, c);
+        let v = b.rate(x);
+        let (w2, slider) = (b.square(w), b.square(v));
+        let crank = b.times(0.025, w2);
+        let t = b.add(&[crank, slider]);
+        let zero = b.e.graph.zero();
+        b.lagrange(t, zero, &[]);
+        b.friction("guide", v, 10.0, 10.0);
+        if torque > 0.0 {
+            b.friction("bearing", w, torque, torque);
+        }
+        b
+    }
+
+    /// 10 J less 10 N times the way of the slider and the torque times the angle: dead centres, that of the start included, take nothing.
+    #[test]
+    fn rubbing_slider_runs_through_its_dead_centres() {
+        use std::f64::consts::PI;
+        for (torque, end) in [(0.0, 0.3), (0.2, 0.3), (0.0, 20.0)] {
+            let (_, x) = follow(&yoke(torque), end);
+            let (phi, w) = (x[0], x[1]);
+            let halves = (phi / PI).floor();
+            let way = 0.1 * (2.0 * halves + 1.0 - (phi - halves * PI).cos());
+            let left = 10.0 - 10.0 * way - torque * phi;
+            let kinetic = 0.025 * w * w + (0.1 * w * phi.sin()).powi(2);
+            assert!((kinetic - left).abs() < 1e-11, "{phi} {w}: {kinetic} against {left}");
+            assert_eq!(w == 0.0, end > 1.0);
+        }
+    }
+
     /// Block on an incline of angle a in coordinates x, y of the ground: the plane is a condition, its force the normal force of the friction.
     fn incline(a: f64, fixed: f64, kinetic: f64, rates: [f64; 2]) -> Build {
         let mut b = Build::new();

@@ -810,8 +810,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
             "При переключении гармоническая нагрузка либо сохраняет фазу, как двигатель, который продолжает вращаться, либо начинает её заново: время \
              отсчитывается от переключения, как решают в некоторых учебниках.",
         ),
-        "phase = \"anew\"",
-        "phase = \"restarts\"",
+        "[[phases]]\nphase = \"anew\"",
+        "[[phases]]\nphase = \"restarts\"",
     ),
 ];
 
@@ -893,5 +893,25 @@ pub const LINEAR: &[Explanation] = &[
         ),
         "range = [\"100 rad/s\", \"1 rad/s\"]",
         "range = [\"1 rad/s\", \"100 rad/s\"]",
+    ),
+    row(
+        "M094",
+        ("an unknown with a formula", "неизвестное с формулой"),
+        (
+            "The parameters in [unknowns] are found from statics so that the start is a place of rest. Their values are guesses, plain quantities.",
+            "Параметры из [unknowns] находятся из условий равновесия в начальном положении. Их значения — начальные приближения, простые величины.",
+        ),
+        "[unknowns]\nM = \"m*g*l\"",
+        "[unknowns]\nM = \"2 N m\"",
+    ),
+    row(
+        "M095",
+        ("about what motions are small", "около чего движения малы"),
+        (
+            "Modes belong to a state: a place of rest (`rest`), or the motion as it is at the start (`start`), for example a steady rotation.",
+            "Собственные формы относятся к состоянию: положению покоя (`rest`) или движению в начальный момент (`start`), например равномерному вращению.",
+        ),
+        "about = \"middle\"",
+        "about = \"start\"",
     ),
 ];

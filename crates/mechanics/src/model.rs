@@ -53,6 +53,10 @@ pub struct Model {
     pub sections: Vec<crate::section::Section>,
     /// Ends of the phases of the load schedule, ascending, s. What the phases set is already a formula of time.
     pub phases: Vec<f64>,
+    /// Parameters that are found so that the start is a place of rest; their numbers are guesses.
+    pub unknowns: Vec<SymbolId>,
+    /// Instants of these at which the time of forces and torques begins anew, s.
+    pub restarts: Vec<f64>,
     /// Studies, in the user's order.
     pub studies: Vec<Study>,
     /// Frame or truss, when the file has nodes.
@@ -517,11 +521,13 @@ pub enum StudyKind {
     Equilibrium {
         /// Initial guess of coordinates, SI; the start value for those not named.
         guess: Vec<(SymbolId, f64)>,
+        /// Find all equilibria with a coordinate between two values.
+        over: Option<Between>,
     },
     /// Compute a motion.
     Simulate(Simulate),
     /// Compute the motion of a linear system in closed form.
-    Transient(Simulate),
+    Transient(Transient),
     /// Find the forces and torques of the motors that realise the prescribed motions.
     Inverse(Simulate),
     /// Find the reactions at rest.
@@ -655,6 +661,17 @@ pub struct SweepRange {
     pub values: Vec<f64>,
 }
 
+/// A coordinate between two values, SI.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Between {
+    /// The coordinate.
+    pub coordinate: SymbolId,
+    /// Least value.
+    pub from: f64,
+    /// Largest value.
+    pub to: f64,
+}
+
 /// Natural frequencies and shapes about an equilibrium.
 #[derive(Clone, Debug, Default)]
 pub struct Modes {
@@ -666,6 +683,8 @@ pub struct Modes {
     pub variable: Option<FrequencyVariable>,
     /// A parameter to follow the modes along.
     pub over: Option<ParameterRange>,
+    /// Linearise about the motion at the start instead of a place of rest.
+    pub about_start: bool,
 }
 
 /// How shapes are scaled.
@@ -721,6 +740,15 @@ pub struct Response {
     pub outputs: Vec<String>,
     /// Frequencies at which the shape of the forced motion is shown, rad/s.
     pub shapes: Vec<f64>,
+}
+
+/// A motion in closed form.
+#[derive(Clone, Debug)]
+pub struct Transient {
+    /// The motion.
+    pub motion: Simulate,
+    /// Small motions about the equilibrium when the system is not linear.
+    pub linearise: bool,
 }
 
 /// A motion to compute; SI.

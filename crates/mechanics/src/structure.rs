@@ -5,7 +5,7 @@
 
 use crate::explain::{Explanation, row};
 use std::ops::Range;
-use symbolic::{Expr, Text};
+use symbolic::{Expr, SymbolId, Text};
 
 /// A plane structure.
 #[derive(Clone, Debug, Default)]
@@ -20,8 +20,29 @@ pub struct Structure {
     pub displacements: Vec<Displacement>,
     /// Loads on nodes and rods.
     pub loads: Vec<Load>,
+    /// Assumed shapes of rods.
+    pub rayleigh: Vec<AssumedShape>,
     /// How to compute.
     pub options: Options,
+}
+
+/// A shape of a rod assumed for Rayleigh's method.
+#[derive(Clone, Debug)]
+pub struct AssumedShape {
+    /// Name.
+    pub name: String,
+    /// What it is.
+    pub label: Text,
+    /// The rod.
+    pub rod: usize,
+    /// Deflection over the distance from the start, up to a factor.
+    pub shape: Expr,
+    /// Its second derivative.
+    pub curvature: Expr,
+    /// The distance in it.
+    pub distance: SymbolId,
+    /// Where the mass is reduced to: distance from the start.
+    pub at: Expr,
 }
 
 /// A node.
@@ -52,7 +73,7 @@ pub struct Rod {
     pub length: Expr,
     /// Whether it does not deform.
     pub rigid: bool,
-    /// EI; none for a bar of a truss and a rigid rod.
+    /// EI; none for a bar of a truss. A rigid rod may have one, for comparison.
     pub bending: Option<Expr>,
     /// EA; none for an inextensible one.
     pub axial: Option<Expr>,
@@ -60,6 +81,10 @@ pub struct Rod {
     pub mass: Expr,
     /// Inertia of a unit of length when the turning of sections counts, else 0.
     pub rotary: Expr,
+    /// The same whether it counts or not, where I and A are known.
+    pub section_inertia: Option<Expr>,
+    /// The number 0 in the graph of the model.
+    pub rotary_of_nothing: Expr,
     /// Hinges at start and end.
     pub hinged: [bool; 2],
     /// Parts; none when the file does not say.
@@ -153,6 +178,8 @@ pub struct Options {
     pub accuracy: Option<f64>,
     /// Whether the exact frequencies of the continuum are wanted.
     pub continuum: bool,
+    /// Whether the frequencies at all levels of simplification are wanted.
+    pub compare: bool,
 }
 
 /// The codes of structures.

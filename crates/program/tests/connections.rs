@@ -395,6 +395,44 @@ fn frictions_of_one_speed_stick_and_slide_together() {
     }
 }
 
+/// A drum with brake shoes at its rim and hub, one measured against the turn: v = ω, R ω, -r ω. All stick and slide as one torque would.
+#[test]
+fn brakes_of_different_radii_stick_and_slide_together() {
+    let (inertia, torque, rim, hub) = (0.5, 2.2, 0.4, 0.1);
+    let mut e = empty(Graph::new());
+    let values = [("J", inertia), ("M", torque), ("R", rim), ("r", hub), ("T", 1.0), ("A", 3.0), ("B", 5.0), ("k", 0.5)];
+    let [inertia, moment, big, small, own, a, b, k] = values.map(|(n, v)| parameter(&mut e, n, v));
+    let (_, w) = coordinate(&mut e, "phi");
+    masses(&mut e, &[inertia]);
+    e.force = vec![moment];
+    let (fast, slow) = (e.graph.mul(big, w), e.graph.mul(small, w));
+    let back = e.graph.neg(slow);
+    let (half_a, half_b) = (e.graph.mul(k, a), e.graph.mul(k, b));
+    friction(&mut e, "bearing", w, [own, own], own, None);
+    friction(&mut e, "rim", fast, [half_a, a], a, None);
+    friction(&mut e, "hub", back, [half_b, b], b, None);
+    for special in [false, true] {
+        let mut bound = bind(&e);
+        if special {
+            bound = bound.specialised().unwrap();
+        }
+        assert_eq!(bound.program().switches, [Some(0); 3]);
+        let GuardKind::Sliding { limits, .. } = bound.program().guards[0].kind else { panic!() };
+        let modes = bound.modes(0.0, &[0.0, 0.0]).unwrap();
+        // capacity 1 + 0.4·3 + 0.1·5 = 2.7; each takes 2.2/2.7 of its limit, the hub's in its own direction
+        let part = 2.2 / 2.7;
+        close(bound.rates(0.0, &[0.0, 0.0], &modes).unwrap(), &[0.0, 0.0, part, 3.0 * part, -5.0 * part], 1e-15);
+        let mut jets = bound.jets(1);
+        jets.expand(0.0, &[0.0, 0.0], &modes, 1).unwrap();
+        close(&limits.map(|l| jets.guard(l)[0]), &[2.7 + 2.2, 2.7 - 2.2], 1e-15);
+        for (w, forces) in [(1.0, [1.0, 3.0, -2.5]), (-1.0, [-1.0, -1.5, 5.0])] {
+            let modes = bound.modes(0.0, &[0.0, w]).unwrap();
+            let turn = (2.2 - forces[0] - 0.4 * forces[1] + 0.1 * forces[2]) / 0.5;
+            close(bound.rates(0.0, &[0.0, w], &modes).unwrap(), &[w, turn, forces[0], forces[1], forces[2]], 1e-15);
+        }
+    }
+}
+
 /// Where the modes by value cannot hold together, each is still told.
 #[test]
 fn modes_are_known_where_the_reactions_are_not() {

@@ -48,14 +48,18 @@ pub enum Command {
     Equations(Equations),
     /// Compute a motion
     Simulate(Simulate),
+    /// Find the forces and torques of motors that realise prescribed motions, their powers and work
+    Inverse(Simulate),
     /// Compute the motion of a linear system in closed form, phase by phase
-    Transient(Simulate),
+    Transient(Transient),
     /// Find positions of equilibrium
     Equilibrium(Equilibrium),
     /// Show the properties of the sections of a file
     Section(Section),
     /// Find the exact periodic regime: period, multipliers, motion over one period
     Periodic(Periodic),
+    /// Energy balance over a turn: the drive, reduced inertia and moment, irregularity
+    Cycle(Cycle),
     /// Repeat a study over values of parameters
     Sweep(Sweep),
     /// Find natural frequencies and shapes of small motions
@@ -161,12 +165,27 @@ pub struct Simulate {
 }
 
 #[derive(Args, Debug)]
+pub struct Transient {
+    #[command(flatten)]
+    pub motion: Simulate,
+    /// Small motions about the equilibrium when the system is not linear
+    #[arg(long)]
+    pub linearise: bool,
+}
+
+#[derive(Args, Debug)]
 pub struct Equilibrium {
     #[command(flatten)]
     pub model: Model,
     /// Where to look for the equilibrium: phi=0.1
     #[arg(long = "guess", value_name = "NAME=QUANTITY")]
     pub guess: Vec<String>,
+    /// Find all equilibria with this coordinate in a range
+    #[arg(long, value_name = "NAME", requires = "range")]
+    pub over: Option<String>,
+    /// The range: "-180 deg,180 deg"
+    #[arg(long, value_name = "FROM,TO", requires = "over", allow_hyphen_values = true)]
+    pub range: Option<String>,
 }
 
 #[derive(Args, Debug)]
@@ -182,6 +201,18 @@ pub struct Modes {
     /// Where to look for the equilibrium: phi=0.1
     #[arg(long = "guess", value_name = "NAME=QUANTITY")]
     pub guess: Vec<String>,
+    /// About the motion at the start instead of a place of rest
+    #[arg(long)]
+    pub about_start: bool,
+    /// A parameter along which the modes are followed
+    #[arg(long, value_name = "NAME", requires = "range")]
+    pub over: Option<String>,
+    /// Its values, from and to: "0 rad/s,600 rad/s"
+    #[arg(long, value_name = "FROM,TO", requires = "over", allow_hyphen_values = true)]
+    pub range: Option<String>,
+    /// Number of its values
+    #[arg(long, value_name = "N", default_value_t = 101)]
+    pub points: usize,
     /// Scale of the shapes
     #[arg(long, value_enum, value_name = "SCALE")]
     pub normalise: Option<Normalise>,
@@ -260,6 +291,36 @@ pub struct Periodic {
     pub wanted_period: Option<String>,
     #[command(flatten)]
     pub table: Table,
+}
+
+#[derive(Args, Debug)]
+pub struct Cycle {
+    #[command(flatten)]
+    pub model: Model,
+    /// The angle that describes the cycle
+    #[arg(long, value_name = "NAME")]
+    pub angle: Option<String>,
+    /// Turns of a cycle
+    #[arg(long, value_name = "NUMBER", requires = "angle", allow_hyphen_values = true)]
+    pub turns: Option<String>,
+    /// Uniform rate [default: the starting rate]
+    #[arg(long, value_name = "QUANTITY", requires = "angle", allow_hyphen_values = true)]
+    pub speed: Option<String>,
+    /// Duration of a cycle, instead of the rate
+    #[arg(long, value_name = "TIME", requires = "angle", conflicts_with = "speed")]
+    pub period: Option<String>,
+    /// Drive force or torque that is found from the balance
+    #[arg(long, value_name = "NAME")]
+    pub unknown: Option<String>,
+    /// Wanted irregularity of running
+    #[arg(long, value_name = "NUMBER", requires = "angle")]
+    pub irregularity: Option<String>,
+    /// Inertia that is changed for the wanted irregularity
+    #[arg(long, value_name = "NAME")]
+    pub flywheel: Option<String>,
+    /// Also write tables, plots and a page into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

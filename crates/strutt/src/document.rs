@@ -344,7 +344,7 @@ impl Writer<'_> {
             Extent::Terminal { width } => width,
         };
         let mut blocks = vec![Block::heading(1, say(self.language, Say::ClosedForm))];
-        blocks.extend(crate::phases::steps::blocks(self.equations, &phases.list, &phases.names, self.language, width));
+        blocks.extend(crate::phases::steps::blocks(self.equations, phases, self.language, width));
         blocks
     }
 
@@ -528,7 +528,7 @@ pub fn equilibria(data: &Dataset, language: Language) -> Table {
             table.row(row);
             continue;
         }
-        if column.quantity.name == "residual" {
+        if matches!(column.quantity.name.as_str(), "residual" | "negative_directions") {
             continue;
         }
         let largest = column.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));

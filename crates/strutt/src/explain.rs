@@ -111,7 +111,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
     ),
     ("C006", ("File exists", "Файл уже есть"), ("`strutt new` never overwrites a file.", "`strutt new` никогда не перезаписывает файл.")),
     (
-        "C020",
+        "C040",
         ("No such section", "Нет такого сечения"),
         (
             "`section` shows the tables [sections.NAME] of a file; the file has none, or none of the name given by --name.",

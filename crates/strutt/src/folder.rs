@@ -118,7 +118,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
         Finding::Transient(study, _, phases, _) => {
             own.insert("study".into(), json!("transient"));
             own.insert("until".into(), json!(study.until));
-            own.insert("phases".into(), crate::phases::to_json(&phases.list, &phases.names));
+            own.insert("phases".into(), crate::phases::to_json(phases));
         }
         Finding::Equilibrium(..) => {
             own.insert("study".into(), json!("equilibrium"));
@@ -144,14 +144,22 @@ fn equilibria(data: &Dataset) -> Value {
         let coordinates: Map<String, Value> = coordinates.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect();
         let stable = at("stable", row);
         let stable = if stable.is_nan() { Value::Null } else { json!(stable != 0.0) };
-        json!({"coordinates": coordinates, "stable": stable, "residual": at("residual", row)})
+        let mut out = json!({"coordinates": coordinates, "stable": stable, "residual": at("residual", row)});
+        if data.column("growth").is_some() {
+            let (growth, negative) = (at("growth", row), at("negative_directions", row));
+            out["growth"] = json!(growth);
+            out["negative_directions"] = json!(negative);
+            out["stable_by_energy"] = json!(negative == 0.0);
+            out["stable_by_eigenvalues"] = if growth.is_nan() { Value::Null } else { json!(growth <= 1e-9) };
+        }
+        out
     };
     (0..n).map(place).collect()
 }
 
 /// Columns of an equilibrium that are no coordinates.
 pub fn is_verdict(name: &str) -> bool {
-    matches!(name, "residual" | "stable")
+    matches!(name, "residual" | "stable" | "growth" | "negative_directions")
 }
 
 fn with_sections(mut head: Value, sections: &[Section], language: Language) -> Value {

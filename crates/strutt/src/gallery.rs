@@ -19,23 +19,55 @@ macro_rules! examples {
 
 examples![
     "absorber",
+    "atwood",
+    "basic-oscillator",
+    "belt-oscillator",
     "blade-particle",
     "blade-particle-published",
+    "bouncing-ball",
+    "cantilever-tip-mass",
+    "composite-beam",
+    "crank-hoist",
+    "crank-hoist-double",
+    "differential-pulley",
     "double-pendulum",
+    "five-bar",
+    "four-bar",
     "gyroscopic-rotor",
+    "manipulator",
     "n-pendulum",
     "oscillator",
     "oscillator-published",
     "pendulum-on-shaft",
+    "portal-frame",
+    "portal-frame-massive",
+    "portal-frame-refined",
+    "rattling",
     "rotor",
     "scotch-yoke",
     "scotch-yoke-dry",
     "scotch-yoke-oneway",
+    "section-composite",
     "shaft-line",
+    "slider-crank",
     "spherical-pendulum",
+    "stick-slip",
     "thread-pendulum",
+    "three-hinged-arch",
+    "three-rod-frame",
+    "three-rod-frame-massive",
+    "three-rod-frame-refined",
     "top",
+    "truss-bridge",
 ];
+
+/// Tables that examples read: example, file beside the model, text.
+const TABLES: &[(&str, &str, &str)] = &[("stick-slip", "variants.csv", include_str!("../../../gallery/stick-slip/variants.csv"))];
+
+/// The tables of an example: file and text.
+pub fn tables(name: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
+    TABLES.iter().filter(move |table| table.0 == name && find(name).is_some()).map(|table| (table.1, table.2))
+}
 
 /// The model with a name.
 pub fn find(name: &str) -> Option<&'static Example> {

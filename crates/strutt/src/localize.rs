@@ -46,7 +46,7 @@ fn russian(command: Command, path: &str) -> Command {
     command = command.mut_args(|arg| {
         let key = arg.get_id().as_str().to_owned();
         // both motions are asked in the same words
-        let shared = || if here == "transient" { find(&format!("simulate.{key}")) } else { None };
+        let shared = || if here == "transient" || here == "inverse" { find(&format!("simulate.{key}")) } else { None };
         let arg = match find(&format!("{here}.{key}")).or_else(shared).or_else(|| find(&format!(".{key}"))) {
             Some(help) => arg.help(help),
             None => arg,
@@ -133,6 +133,7 @@ const VALUES: &[(&str, &str)] = &[
     ("FORM", "text|latex|mathml"),
     ("FORMULA", "ФОРМУЛА"),
     ("RANGE", "ЗНАЧЕНИЯ"),
+    ("QUANTITY", "ВЕЛИЧИНА"),
     ("STUDY", "РАСЧЁТ"),
     ("FROM,TO", "ОТ,ДО"),
     ("SCALE", "largest|first|mass"),
@@ -144,8 +145,10 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("run", "Выполнить все расчёты файла модели; таблицы, графики и страница – в out/<имя>/"),
     ("check", "Найти все ошибки файла модели"),
     ("equations", "Вывести уравнения движения"),
+    ("inverse", "Найти силы и моменты двигателей для заданных движений, их мощности и работу"),
     ("simulate", "Рассчитать движение"),
     ("transient", "Рассчитать движение линейной системы в замкнутой форме, этап за этапом"),
+    ("transient.linearise", "Малые движения около равновесия, если система нелинейна"),
     ("equilibrium", "Найти положения равновесия"),
     ("section", "Показать характеристики сечений файла"),
     ("section.name", "Только одно сечение"),
@@ -160,6 +163,12 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("response.log", "Логарифмические оси"),
     ("response.outputs", "Величины по именам, в этом порядке: phi,phi',omega_p"),
     ("response.shapes", "Частоты, при которых показать форму движения: 10,20 (рад/с) или \"3 Гц\""),
+    ("equilibrium.over", "Найти все положения равновесия с этой координатой в диапазоне"),
+    ("equilibrium.range", "Диапазон: \"-180 deg,180 deg\""),
+    ("modes.about_start", "Около движения в начальный момент, а не около положения покоя"),
+    ("modes.over", "Параметр, вдоль которого прослеживаются формы"),
+    ("modes.range", "Его значения, от и до: \"0 rad/s,600 rad/s\""),
+    ("modes.points", "Число его значений"),
     ("modes.normalise", "Нормировка форм: наибольшая компонента 1, первая координата 1 или по массе"),
     (".guess", "Откуда искать положение равновесия: phi=0.1"),
     ("statics", "Найти реакции и внутренние усилия в покое"),
@@ -186,6 +195,14 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("simulate.outputs", "Столбцы по именам, в этом порядке: phi,phi',omega_p"),
     (".halve_tolerance", "Повторить каждый расчёт с половинной точностью шага и показать расхождение"),
     ("simulate.out", "Записать также таблицы, графики и страницу в эту папку"),
+    ("cycle", "Баланс энергии за оборот: движущая сила, приведённые момент инерции и момент сил, неравномерность хода"),
+    ("cycle.angle", "Угол, описывающий цикл"),
+    ("cycle.turns", "Число оборотов в цикле"),
+    ("cycle.speed", "Равномерная угловая скорость [по умолчанию: начальная скорость]"),
+    ("cycle.period", "Длительность цикла вместо скорости"),
+    ("cycle.unknown", "Движущая сила или момент, которые находят из баланса"),
+    ("cycle.irregularity", "Нужная неравномерность хода"),
+    ("cycle.flywheel", "Момент инерции, который меняют ради нужной неравномерности"),
     ("sweep", "Повторить расчёт для ряда значений параметров"),
     (
         "sweep.over",

@@ -14,7 +14,7 @@ use analysis::dataset::Audit;
 use analysis::studies::transient::{Found, Phase, Transient};
 use analysis::studies::{self, simulate::Outcome};
 use mechanics::derive::Detail;
-use mechanics::model::{Simulate, StudyKind};
+use mechanics::model::{self, Between, Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
 use report::formula::{Form, Printer};
 use report::{Document, Language};
@@ -71,6 +71,15 @@ pub struct Phases {
     pub list: Vec<Phase>,
     /// Coordinates, then rates.
     pub names: Vec<String>,
+    /// Instants at which the loads begin anew.
+    pub restarts: Vec<f64>,
+}
+
+impl Phases {
+    /// Whether the loads begin anew at the start of a phase.
+    pub fn restarts(&self, phase: &Phase) -> bool {
+        self.restarts.iter().any(|t| (t - phase.start).abs() <= 1e-12 * t.abs())
+    }
 }
 
 /// Everything a file asks for.
@@ -112,7 +121,8 @@ pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail,
     let mut reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
     crate::structure::mount::mount(&mut reading.model)?;
     watch.lap(Word::TimeRead);
-    let equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
+    let mut equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
+    crate::small::solve_unknowns(&reading.model, &mut equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeDerive);
     let system = lower(&equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeLower);
@@ -134,21 +144,23 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
     match kind {
         StudyKind::Equations => None,
         // carried out by rooms that are being built
-        StudyKind::Inverse(_) | StudyKind::Kinematics(_) | StudyKind::Cycle(_) => None,
+        StudyKind::Kinematics(_) => None,
+        StudyKind::Cycle(study) => Some(crate::studies::cycle::run(machine, study, watch)),
         StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
         StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
-        StudyKind::Equilibrium { guess } => Some(equilibrium(machine, guess, watch)),
-        StudyKind::Statics => crate::structure::statics(machine),
+        StudyKind::Equilibrium { guess, over } => Some(equilibrium_over(machine, guess, *over, watch)),
+        StudyKind::Statics => crate::structure::statics(machine).or_else(|| Some(crate::studies::statics::run(machine))),
         StudyKind::Response(study) => Some(response(machine, study, watch)),
         StudyKind::Transient(study) => {
-            let study = plan::with_plots(study, &machine.equations);
-            let finding = transient(machine, &study, watch);
-            Some(match plan::finer(&study, finding.data()) {
-                Some(finer) => transient(machine, &finer, watch),
+            let motion = plan::with_plots(&study.motion, &machine.equations);
+            let finding = transient(machine, &model::Transient { motion: motion.clone(), ..study.clone() }, watch);
+            Some(match plan::finer(&motion, finding.data()) {
+                Some(finer) => transient(machine, &model::Transient { motion: finer, ..study.clone() }, watch),
                 None => finding,
             })
         }
         StudyKind::Modes(study) => Some(modes(machine, study, watch)),
+        StudyKind::Inverse(study) => Some(crate::studies::inverse::run(machine, study, watch)),
         StudyKind::Simulate(study) => {
             let study = plan::with_plots(study, &machine.equations);
             let finding = simulate(machine, &study, watch);
@@ -174,8 +186,8 @@ pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> F
 }
 
 /// A motion in closed form.
-pub fn transient(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
-    let options = Transient { twin: plan::options(study, watch), ends: machine.model.phases.clone() };
+pub fn transient(machine: &mut Machine, study: &model::Transient, watch: &mut Watch) -> Finding {
+    let options = Transient { twin: plan::options(&study.motion, watch), ends: machine.model.phases.clone(), linearise: study.linearise };
     let found = match machine.system.start() {
         Ok(start) => studies::transient::transient(&mut machine.system, &machine.equations, &start, options),
         Err(fault) => Found { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },
@@ -183,16 +195,25 @@ pub fn transient(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> 
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
     let trouble = found.outcome.fault.map(|fault| explained(fault, &machine.equations));
-    let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations) };
-    Finding::Transient(study.clone(), data, phases, trouble)
+    let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations), restarts: machine.model.restarts.clone() };
+    Finding::Transient(study.motion.clone(), data, phases, trouble)
 }
 
 /// Positions of equilibrium, from the start of the motion and from a guess.
 pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut Watch) -> Finding {
+    equilibrium_over(machine, guess, None, watch)
+}
+
+/// The same, or all with a coordinate between two values.
+pub fn equilibrium_over(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>, watch: &mut Watch) -> Finding {
     let outcome = match machine.system.start() {
         Ok(start) => {
-            let options = plan::guesses(&machine.equations, &start, guess);
-            studies::equilibrium::equilibrium(&mut machine.system, &start, &options)
+            let mut options = plan::guesses(&machine.equations, &start, guess);
+            options.over = over.and_then(|between| plan::range(&machine.equations, between));
+            let mut outcome = studies::equilibrium::equilibrium(&mut machine.system, &start, &options);
+            crate::small::add_roots(machine, &mut outcome.dataset);
+            outcome.dataset.notes.extend(crate::small::unknown_notes(machine));
+            outcome
         }
         Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
     };

@@ -5,7 +5,7 @@ use crate::near::nearest;
 use crate::watch::Watch;
 use analysis::Dataset;
 use mechanics::Model;
-use mechanics::model::{DEFAULT_TOLERANCE, Plot, Simulate, StudyKind, Times};
+use mechanics::model::{DEFAULT_TOLERANCE, Plot, Simulate, StudyKind, Times, Transient};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
 
@@ -31,7 +31,7 @@ pub struct Wishes {
 /// Nobody says how long (C007), or a column does not exist (C008).
 pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Simulate, Failure> {
     let of_file = model.studies.iter().find_map(|s| match &s.kind {
-        StudyKind::Simulate(study) => Some(study.clone()),
+        StudyKind::Simulate(study) | StudyKind::Inverse(study) => Some(study.clone()),
         _ => None,
     });
     motion(of_file, equations, wishes, "simulate")
@@ -41,18 +41,20 @@ pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Resul
 ///
 /// # Errors
 /// As [`simulation`].
-pub fn transient(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Simulate, Failure> {
+pub fn transient(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Transient, Failure> {
     let own = model.studies.iter().find_map(|s| match &s.kind {
         StudyKind::Transient(study) => Some(study.clone()),
         _ => None,
     });
     let simulated = || {
         model.studies.iter().find_map(|s| match &s.kind {
-            StudyKind::Simulate(study) => Some(study.clone()),
+            StudyKind::Simulate(study) | StudyKind::Inverse(study) => Some(study.clone()),
             _ => None,
         })
     };
-    motion(own.or_else(simulated), equations, wishes, "transient")
+    let linearise = own.as_ref().is_some_and(|study| study.linearise);
+    let of_file = own.map(|study| study.motion).or_else(simulated);
+    Ok(Transient { motion: motion(of_file, equations, wishes, "transient")?, linearise })
 }
 
 fn motion(of_file: Option<Simulate>, equations: &Equations, wishes: Wishes, name: &str) -> Result<Simulate, Failure> {
@@ -189,6 +191,12 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
     }
 }
 
+/// A range of a coordinate by its index.
+pub fn range(equations: &Equations, between: mechanics::model::Between) -> Option<analysis::studies::equilibrium::Range> {
+    let coordinate = equations.coordinates.iter().position(|c| c.symbols[0] == between.coordinate)?;
+    Some(analysis::studies::equilibrium::Range { coordinate, from: between.from, to: between.to })
+}
+
 /// The start of the motion with some coordinates replaced, as a place to search from.
 pub fn guesses(equations: &Equations, start: &[f64], guess: &[(SymbolId, f64)]) -> analysis::studies::equilibrium::Equilibrium {
     let mut place = start[..equations.coordinates.len().min(start.len())].to_vec();
@@ -198,5 +206,5 @@ pub fn guesses(equations: &Equations, start: &[f64], guess: &[(SymbolId, f64)]) 
         }
     }
     let guesses = if guess.is_empty() { Vec::new() } else { vec![place] };
-    analysis::studies::equilibrium::Equilibrium { guesses }
+    analysis::studies::equilibrium::Equilibrium { guesses, ..Default::default() }
 }

@@ -72,6 +72,40 @@ pub fn guess(list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec
     Ok(found)
 }
 
+/// The ends of a parameter's range in its unit.
+pub fn parameter_range(name: &str, text: &str, machine: &strutt::pipeline::Machine) -> Result<[f64; 2], Failure> {
+    let Some(parameter) = machine.model.parameters.iter().find(|p| p.name == name) else {
+        let what = Text::new(format!("`{name}` is no parameter"), format!("`{name}` — не параметр"));
+        return Err(bad("--over", name, &what, &Text::default()));
+    };
+    let dimension = mechanics::units::parse_unit(&parameter.unit).map(|u| u.dimension).unwrap_or(Dimension::NONE);
+    let separator = if text.contains(';') { ';' } else { ',' };
+    let read =
+        |end: &str| parse_quantity(end.trim(), &dimension).map_err(|fault| bad("--range", text, &fault.words.what, &fault.words.help));
+    let values = text.split(separator).map(read).collect::<Result<Vec<f64>, Failure>>()?;
+    match values[..] {
+        [from, to] if from < to && to.is_finite() => Ok([from, to]),
+        _ => {
+            let what = Text::new("two values are needed, the first smaller", "нужны два значения, первое меньше второго");
+            Err(bad("--range", text, &what, &Text::default()))
+        }
+    }
+}
+
+/// A coordinate and the ends of its range, `-180 deg,180 deg`.
+pub fn between(name: &str, text: &str, machine: &strutt::pipeline::Machine) -> Result<mechanics::model::Between, Failure> {
+    let separator = if text.contains(';') { ';' } else { ',' };
+    let ends: Vec<String> = text.split(separator).map(|end| format!("{}={}", name, end.trim())).collect();
+    let values = guess(&ends, machine)?;
+    match values[..] {
+        [(coordinate, from), (_, to)] if from < to => Ok(mechanics::model::Between { coordinate, from, to }),
+        _ => {
+            let what = Text::new("two values are needed, the first smaller", "нужны два значения, первое меньше второго");
+            Err(bad("--range", text, &what, &Text::default()))
+        }
+    }
+}
+
 fn not_finite() -> Text {
     Text::new("the value is not finite", "значение не конечно")
 }

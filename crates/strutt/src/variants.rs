@@ -163,7 +163,7 @@ fn unknown(sheet: &Sheet, name: &str) -> Failure {
     let list = names().take(60).collect::<Vec<_>>().join(", ");
     let trouble = Trouble::new("C021", format!("there is no variant `{name}` in {place}"), format!("нет варианта `{name}` в {place}"));
     let trouble = trouble.why(format!("the table has: {list}"), format!("в таблице есть: {list}"));
-    match nearest(name, names()) {
+    match nearest(name, names()).filter(|_| name.trim().parse::<f64>().is_err()) {
         Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => trouble,
     }

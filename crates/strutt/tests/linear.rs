@@ -51,7 +51,7 @@ fn matrices_are_the_derivatives_of_the_equations() {
         let source = Source::new("model.toml", example.text);
         let Ok(built) = pipeline::build(&source, &[], &mut Watch::default()) else { continue };
         let n = built.equations.coordinates.len();
-        if n > 4 || !built.equations.auxiliaries.is_empty() {
+        if n > 4 || !built.equations.auxiliaries.is_empty() || !built.equations.conditions.is_empty() {
             continue;
         }
         if !built.equations.conditions.is_empty() {

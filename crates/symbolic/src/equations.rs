@@ -247,4 +247,6 @@ pub enum Role {
     Auxiliary,
     /// A formula of the user's.
     Named,
+    /// Power of a motor, `power(B)`.
+    Power,
 }

@@ -64,7 +64,7 @@ impl<'d> Decomposition<'d> {
             Node::Sum { constant, terms } => self.sum(graph, &constant, &terms),
             Node::Product { coefficient, factors } => self.product(graph, &coefficient, &factors),
             Node::Call { function: function @ (Function::Sin | Function::Cos), arguments } => self.wave(graph, e, function, arguments[0]),
-            Node::Switch { guard, strict, then, otherwise } => self.switch(graph, e, (guard, strict), (then, otherwise)),
+            Node::Switch { guard, then, otherwise, .. } => self.switch(graph, e, guard, (then, otherwise)),
             Node::Power { .. } | Node::Call { .. } => {
                 let children = graph.children(e);
                 self.still(graph, e, &children)
@@ -81,12 +81,11 @@ impl<'d> Decomposition<'d> {
         Some(Harmonics { mean: graph.rebuild(e, replace), waves: Vec::new() })
     }
 
-    fn switch(&mut self, graph: &mut Graph, e: Expr, (guard, strict): (Expr, bool), (then, otherwise): (Expr, Expr)) -> Option<Harmonics> {
+    fn switch(&mut self, graph: &mut Graph, e: Expr, guard: Expr, (then, otherwise): (Expr, Expr)) -> Option<Harmonics> {
         if graph.contains(guard, |s| s == self.time) {
             let side = if (self.decide)(graph, guard)? { then } else { otherwise };
             return self.memo.get(&side)?.clone();
         }
-        let _ = strict;
         self.still(graph, e, &[guard, then, otherwise])
     }
 

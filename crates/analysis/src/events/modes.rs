@@ -135,6 +135,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Expands in the present modes. None when they are admissible, otherwise the modes that their flow suggests.
     fn attempt(&mut self) -> Result<Option<Vec<Mode>>, Fault> {
         self.x.clone_from(&self.base);
+        if let Some(wanted) = self.torn_off()? {
+            return Ok(Some(wanted));
+        }
         self.project_here()?;
         self.expand_here()?;
         self.measure()?;

@@ -27,6 +27,9 @@ const SIGNIFICANT_LEAVING: f64 = 1e-10;
 /// Share of the limits of a friction, or of the size of a contact force, below which a limit counts as just reached: the reaction comes from a
 /// linear solve in which larger forces may meet.
 const REACHED: f64 = 1e-12;
+/// A limit of a friction below this share of both: a force of more than twice the static limit would be needed. Nearer cases are judged exactly,
+/// after the state has been moved onto the conditions.
+const TORN: f64 = 0.25;
 /// Rounding of a guard at the start, in units of the last place of the states that meet in it.
 const START: f64 = 64.0 * f64::EPSILON;
 
@@ -158,6 +161,30 @@ impl<S: System + ?Sized> Flow<'_, S> {
             [true, true] => limits[0],
         };
         self.exit_of(crossed)
+    }
+
+    /// The modes without the frictions that no force of their size can hold, none when all can. At a dead centre the sliding speed vanishes although
+    /// the machine runs on: J is zero there, and rates moved onto J q' = 0 would stop it at once. So this is judged before the state is moved.
+    pub(super) fn torn_off(&mut self) -> Result<Option<Vec<Mode>>, Fault> {
+        let sticking = |(guard, mode): (&crate::Guard, &Mode)| match guard.kind {
+            GuardKind::Friction { limits } if *mode == Mode::Zero => Some(limits),
+            _ => None,
+        };
+        let limits: Vec<Option<[usize; 2]>> = self.system.guards().iter().zip(&self.modes).map(sticking).collect();
+        if limits.iter().all(Option::is_none) {
+            return Ok(None);
+        }
+        self.system.expand(self.now.high, &self.x, &self.modes, 1)?;
+        let mut wanted = self.modes.clone();
+        for (i, bounds) in limits.iter().enumerate() {
+            let Some(bounds) = bounds else { continue };
+            let [back, forth] = bounds.map(|b| self.system.guard(b).first().copied().unwrap_or(0.0));
+            let (least, bound) = if back < forth { (back, bounds[0]) } else { (forth, bounds[1]) };
+            if least < -TORN * (back.abs() + forth.abs()) {
+                wanted[i] = self.exit_of(bound);
+            }
+        }
+        Ok((wanted != self.modes).then_some(wanted))
     }
 
     fn wanted_closed(&self, force: usize) -> Mode {

@@ -8,7 +8,7 @@ use crate::Fault;
 use crate::numerics::factor::scale;
 pub use crate::numerics::lanczos::{Counters, Lowest, Options, Sturm, lowest};
 use crate::numerics::refine::{Dense, refine};
-use crate::numerics::{kernels, trouble};
+use crate::numerics::{kernels, newton, trouble};
 
 /// Solutions of K x = lambda M x.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -173,12 +173,20 @@ pub fn general(n: usize, a: &[f64]) -> Result<ComplexModes, Fault> {
     });
     let mut modes = ComplexModes { n, values: Vec::with_capacity(n), vectors: Vec::with_capacity(n * n) };
     for j in first {
-        let vector: Vec<Complex> = vectors[j * n..(j + 1) * n].iter().zip(&scales).map(|(z, s)| (z.0 * s, z.1 * s)).collect();
+        let (mut value, mut vector) = (values[j], normalised(&vectors[j * n..(j + 1) * n]));
+        if n <= newton::LARGEST {
+            newton::refine(n, &balanced, &mut value, &mut vector);
+            // near critical damping a pair must not lose its partner
+            if (value.1 > 0.0) != (values[j].1 > 0.0) {
+                (value, vector) = (values[j], normalised(&vectors[j * n..(j + 1) * n]));
+            }
+        }
+        let vector: Vec<Complex> = vector.iter().zip(&scales).map(|(z, s)| (z.0 * s, z.1 * s)).collect();
         let vector = normalised(&vector);
-        modes.values.push(values[j]);
+        modes.values.push(value);
         modes.vectors.extend(&vector);
-        if values[j].1 > 0.0 {
-            modes.values.push((values[j].0, -values[j].1));
+        if value.1 > 0.0 {
+            modes.values.push((value.0, -value.1));
             modes.vectors.extend(vector.iter().map(|z| (z.0, -z.1)));
         }
     }

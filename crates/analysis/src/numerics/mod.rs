@@ -8,6 +8,7 @@ pub mod factor;
 mod kernels;
 pub mod lanczos;
 pub mod lu;
+mod newton;
 pub mod qr;
 pub mod random;
 pub mod rank;

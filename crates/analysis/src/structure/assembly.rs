@@ -4,7 +4,6 @@ use super::constraints::{Elimination, Row, combine, eliminate};
 use super::elements;
 use super::freedoms::{Freedom, Freedoms, Part};
 use super::{Component, Frame, Place, RodKind, Scalar};
-use std::collections::BTreeMap;
 
 /// Where a constraint comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,8 +39,17 @@ pub struct Sparse<S> {
 }
 
 impl<S: Scalar> Sparse<S> {
-    fn of(n: usize, map: BTreeMap<(usize, usize), S>) -> Sparse<S> {
-        Sparse { n, entries: map.into_iter().map(|((i, j), v)| (i, j, v)).collect() }
+    /// Sums what stands at one place, in the order in which it was added.
+    fn of(n: usize, mut list: Vec<(usize, usize, S)>) -> Sparse<S> {
+        list.sort_by_key(|e| (e.0, e.1));
+        let mut entries: Vec<(usize, usize, S)> = Vec::new();
+        for (i, j, v) in list {
+            match entries.last_mut() {
+                Some(last) if (last.0, last.1) == (i, j) => last.2 = last.2.add(&v),
+                _ => entries.push((i, j, v)),
+            }
+        }
+        Sparse { n, entries }
     }
     /// All entries, row by row.
     pub fn dense(&self) -> Vec<S> {
@@ -120,11 +128,8 @@ impl<S: Scalar> Assembly<S> {
     }
 
     pub(crate) fn gather(&self, frame: &Frame<S>, matrix: &dyn Fn(&Part<S>) -> Vec<S>, diagonal: Vec<(usize, S)>) -> Sparse<S> {
-        let mut map: BTreeMap<(usize, usize), S> = BTreeMap::new();
-        let mut add = |i: usize, j: usize, v: S| {
-            let slot = map.entry((i, j)).or_insert_with(S::zero);
-            *slot = slot.add(&v);
-        };
+        let mut list: Vec<(usize, usize, S)> = Vec::new();
+        let mut add = |i: usize, j: usize, v: S| list.push((i, j, v));
         for part in &self.freedoms.parts {
             let element = matrix(part);
             if element.iter().all(S::is_zero) {
@@ -150,7 +155,7 @@ impl<S: Scalar> Assembly<S> {
                 row.iter().filter(|t| t.0 <= *i).for_each(|(j, cj)| add(*i, *j, value.mul(ci).mul(cj)));
             }
         }
-        Sparse::of(self.n(), map)
+        Sparse::of(self.n(), list)
     }
 
     /// Stiffness over the independent freedoms.

@@ -7,10 +7,12 @@
 use symbolic::Text;
 
 use crate::dataset::{Audit, Column, Counter, Dataset};
-use crate::fault::Message;
+use crate::fault::{Message, rounded};
 use crate::numerics::lu::{Lu, positive_definite};
+use crate::numerics::rank::{Qr, TOLERANCE};
 use crate::{Fault, Quantity, System};
 
+use super::peaks;
 use super::simulate::Outcome;
 
 /// What the search for rest asks of a machine.
@@ -51,7 +53,28 @@ pub fn rest_near<S: Statics + ?Sized>(machine: &mut S, start: &[f64]) -> Result<
 pub struct Equilibrium {
     /// Coordinates to begin from, besides the start values; n each.
     pub guesses: Vec<Vec<f64>>,
+    /// Find all equilibria with this coordinate between these values.
+    pub over: Option<Range>,
 }
+
+/// A coordinate and its ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Index of the coordinate.
+    pub coordinate: usize,
+    /// Least value.
+    pub from: f64,
+    /// Largest value.
+    pub to: f64,
+}
+
+/// Values of the only coordinate at which the sign of its force is looked at.
+const SAMPLES: usize = 4000;
+/// Guesses along a range when there are other coordinates.
+const GUESSES: usize = 97;
+
+/// Other angles that are also tried half a turn further.
+const TURNED: usize = 3;
 
 /// Steps of Newton's method from one guess.
 const STEPS: usize = 200;
@@ -69,7 +92,13 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
     let mut found: Vec<Rest> = Vec::new();
     let mut faults = Vec::new();
     let own = start[..n].to_vec();
-    for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)) {
+    let mut along = options.over.map(|range| search.along(range, start)).unwrap_or_default();
+    if let Some(range) = options.over {
+        let angle = |i: usize| i != range.coordinate && search.system.states()[i].unit == "rad";
+        let angles: Vec<usize> = (0..n).filter(|&i| angle(i)).take(TURNED).collect();
+        turned(&mut along, &angles);
+    }
+    for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)).chain(&along) {
         let mut x = start.to_vec();
         x[n..2 * n].fill(0.0);
         x[..n].copy_from_slice(guess);
@@ -80,7 +109,22 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
         }
     }
     let steps = search.steps;
-    let dataset = dataset(system, &found, steps);
+    if let Some(Range { coordinate, from, to }) = options.over {
+        let slack = 1e-9 * (to - from);
+        found.retain(|rest| (from - slack..=to + slack).contains(&rest.q[coordinate]));
+        found.sort_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
+        faults.retain(|f| f.code == "S008");
+        if found.is_empty() && faults.is_empty() {
+            faults.push(nothing_between(&system.states()[coordinate].name, from, to));
+        }
+    }
+    let mut dataset = dataset(system, &found, steps);
+    if options.over.is_some() && n > 1 {
+        dataset.notes.push(Text::new(
+            "found by Newton's method from guesses along the range: there may be more",
+            "найдены методом Ньютона из приближений вдоль диапазона: могут быть и другие",
+        ));
+    }
     // a guess that failed matters only when nothing was found, a free motion always
     let neutral = faults.iter().position(|f| f.code == "S008");
     let fault = match neutral {
@@ -89,6 +133,19 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
         None => None,
     };
     Outcome { dataset, fault }
+}
+
+fn nothing_between(name: &str, from: f64, to: f64) -> Fault {
+    let (a, b) = (rounded(from), rounded(to));
+    Fault::new(Message {
+        code: "S007",
+        what: Text::new(
+            format!("no equilibrium with `{name}` between {} and {}", a.en, b.en),
+            format!("при `{name}` от {} до {} положений равновесия нет", a.ru, b.ru),
+        ),
+        why: Text::new("the force along the coordinate keeps its sign there", "сила по координате там не меняет знака"),
+        help: Text::new("widen the range, or check the loads", "расширьте диапазон или проверьте нагрузки"),
+    })
 }
 
 /// An equilibrium.
@@ -125,8 +182,8 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             let lu = Lu::new(&self.jacobian, self.n);
             let balanced = self.residual(&x) <= RESIDUAL;
             let Some(correction) = lu.solve(&self.forces) else {
-                if balanced && self.neutral_is_found {
-                    return Ok(self.rest(x));
+                if self.neutral_is_found {
+                    return self.free(x);
                 }
                 return Err(if balanced { self.neutral(&lu) } else { self.failed() });
             };
@@ -155,6 +212,62 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             }
         }
         Err(self.failed())
+    }
+
+    /// Guesses along a range: with one coordinate every change of sign of its force and every place where it nearly touches zero, with
+    /// more coordinates equidistant values, the others as they start.
+    fn along(&mut self, range: Range, start: &[f64]) -> Vec<Vec<f64>> {
+        let place = |value: f64| {
+            let mut q = start[..self.n].to_vec();
+            q[range.coordinate] = value;
+            q
+        };
+        let value = |k: usize, count: usize| range.from + (range.to - range.from) * k as f64 / count as f64;
+        if self.n > 1 {
+            return (0..=GUESSES).map(|k| place(value(k, GUESSES))).collect();
+        }
+        let mut rest = start.to_vec();
+        rest[self.n..2 * self.n].fill(0.0);
+        let mut force = |at: f64| {
+            rest[0] = at;
+            self.evaluate(&rest).map_or(f64::NAN, |()| self.forces[0])
+        };
+        let forces: Vec<f64> = (0..=SAMPLES).map(|k| force(value(k, SAMPLES))).collect();
+        let largest = forces.iter().filter(|f| f.is_finite()).fold(0.0_f64, |m, f| m.max(f.abs()));
+        let mut found = vec![place_of(range.from), place_of(range.to)];
+        for k in 1..=SAMPLES {
+            let [a, b] = [forces[k - 1], forces[k]];
+            if a * b < 0.0 || b == 0.0 {
+                found.push(place_of(peaks::zero(&mut force, value(k - 1, SAMPLES), value(k, SAMPLES))));
+            }
+            // a force that touches zero without changing its sign
+            if k < SAMPLES && b.abs() <= a.abs() && b.abs() <= forces[k + 1].abs() && b.abs() <= 1e-5 * largest {
+                found.push(place_of(value(k, SAMPLES)));
+            }
+        }
+        found
+    }
+
+    /// Newton's method where some motion is free: the free directions stay where they are.
+    fn free(&mut self, mut x: Vec<f64>) -> Result<Rest, Fault> {
+        let n = self.n;
+        let mut residual = self.residual(&x);
+        for _ in 0..STEPS {
+            if residual <= f64::EPSILON {
+                break;
+            }
+            let (correction, _) = Qr::new(n, n, &self.jacobian, TOLERANCE).least_squares(&self.forces);
+            let mut next = x.clone();
+            next.iter_mut().zip(&correction).for_each(|(q, c)| *q -= c);
+            self.evaluate(&next)?;
+            let after = self.residual(&next);
+            if after.is_nan() || after >= residual {
+                break;
+            }
+            (x, residual) = (next, after);
+        }
+        self.evaluate(&x)?;
+        if residual <= RESIDUAL { Ok(self.rest(x)) } else { Err(self.failed()) }
     }
 
     fn evaluate(&mut self, x: &[f64]) -> Result<(), Fault> {
@@ -221,6 +334,25 @@ impl<S: Statics + ?Sized> Search<'_, S> {
 
 /// Longest step of Newton's method, SI: a radian or a metre.
 const LONGEST: f64 = 1.0;
+
+/// Adds every guess with some of the other angles turned by half a turn, where machines under gravity rest too.
+fn turned(guesses: &mut Vec<Vec<f64>>, angles: &[usize]) {
+    for i in angles {
+        let more: Vec<Vec<f64>> = guesses
+            .iter()
+            .map(|q| {
+                let mut q = q.clone();
+                q[*i] += std::f64::consts::PI;
+                q
+            })
+            .collect();
+        guesses.extend(more);
+    }
+}
+
+fn place_of(value: f64) -> Vec<f64> {
+    vec![value]
+}
 
 fn norm(v: &[f64]) -> f64 {
     v.iter().map(|a| a * a).sum::<f64>().sqrt()

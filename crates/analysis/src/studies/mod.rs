@@ -1,5 +1,6 @@
 //! Studies, one file each.
 
+pub mod cycle;
 pub mod equilibrium;
 pub(crate) mod explain;
 pub mod extremes;
@@ -8,7 +9,9 @@ pub mod peaks;
 pub mod periodic;
 pub mod response;
 pub mod simulate;
+pub mod statics;
 pub mod structure_modes;
 pub mod structure_statics;
 pub mod tracks;
 pub mod transient;
+pub mod unknowns;

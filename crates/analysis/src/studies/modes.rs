@@ -78,7 +78,7 @@ pub struct Mode {
 impl Mode {
     /// Logarithmic decrement ln(x(t)/x(t + T)) = 2π ζ/√(1 - ζ²); none without oscillation.
     pub fn decrement(&self) -> Option<f64> {
-        (self.kind == Kind::Oscillation && self.damped > 0.0).then(|| -self.root.0 * 2.0 * std::f64::consts::PI / self.damped)
+        (self.kind == Kind::Oscillation && self.damped > 0.0).then(|| 0.0 - self.root.0 * 2.0 * std::f64::consts::PI / self.damped)
     }
     /// Whether it grows.
     pub fn grows(&self) -> bool {
@@ -373,8 +373,7 @@ fn remarks(list: &[Mode]) -> Vec<Text> {
     }
     let same =
         |a: &Mode, b: &Mode| a.omega > 0.0 && (a.omega - b.omega).abs() <= 1e-9 * a.omega && (a.damped - b.damped).abs() <= 1e-9 * a.omega;
-    for (i, pair) in list.windows(2).enumerate().filter(|(_, p)| same(&p[0], &p[1])) {
-        let _ = pair;
+    for (i, _) in list.windows(2).enumerate().filter(|(_, p)| same(&p[0], &p[1])) {
         notes.push(Text::new(
             format!("modes {} and {} have one frequency: any combination of their shapes is a shape", i + 1, i + 2),
             format!("у форм {} и {} общая частота: любая их комбинация тоже форма", i + 1, i + 2),

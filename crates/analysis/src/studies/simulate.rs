@@ -136,7 +136,7 @@ fn halved<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simulate<
 }
 
 /// Times in ascending order with the row each belongs to.
-fn requested(options: &Simulate<'_>, columns: usize) -> Result<Vec<(f64, usize)>, Fault> {
+pub(super) fn requested(options: &Simulate<'_>, columns: usize) -> Result<Vec<(f64, usize)>, Fault> {
     let rows = match &options.grid {
         Grid::Every(dt) => (options.until / dt).floor() + 1.0,
         Grid::At(times) => times.len() as f64,
@@ -170,7 +170,7 @@ fn equidistant(until: f64, dt: f64) -> Vec<f64> {
         .collect()
 }
 
-fn check(options: &Simulate<'_>) -> Result<(), Fault> {
+pub(super) fn check(options: &Simulate<'_>) -> Result<(), Fault> {
     check_tolerance(options.tolerance)?;
     if !(options.until.is_finite() && options.until >= 0.0) {
         let n = number(options.until);

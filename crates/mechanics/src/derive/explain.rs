@@ -65,8 +65,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
             "В условие этой связи не входит ни одна координата: всё, что она соединяет, неподвижно или движется заданным образом. Такое \
              условие либо выполнено всегда, и искать нечего, либо никогда. Дайте одному из тел координату или введите реакцию через [supports].",
         ),
-        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[constraints.k]\nzero = \"sin(t*1[1/s])\"",
-        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[constraints.k]\nzero = \"x - sin(t*1[1/s])*1[m]\"",
+        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[stops.k]\nalong = \"1[m]*sin(t*1[1/s])\"\nat_least = \"-2 m\"",
+        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[stops.k]\nalong = \"x - 1[m]*sin(t*1[1/s])\"\nat_least = \"-2 m\"",
     ),
     row(
         "M105",

@@ -101,6 +101,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
             return Err(errors);
         }
     };
+    let outputs: Vec<Output> = outputs.into_iter().chain(connected.motor_powers(&mut scene)).collect();
     let mass = motion.mass_matrix(&mut scene);
     let force = motion.right_sides(&mut scene);
     let mut roots: Vec<Expr> = mass.entries().to_vec();

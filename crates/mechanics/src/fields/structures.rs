@@ -160,6 +160,23 @@ pub const DISPLACEMENT: TableSpec = TableSpec {
     example: "[displacements.u1]\nat = \"CD\"\ndistance = \"l/2\"\ndirection = \"x\"\n",
 };
 
+/// `[rayleigh.NAME]`.
+pub const RAYLEIGH: TableSpec = TableSpec {
+    name: "rayleigh",
+    about: (
+        "Rayleigh's method: an assumed shape of a rod gives its reduced mass and stiffness; `s` in the formula is the distance from its start.",
+        "Метод Рэлея: принятая форма изгиба стержня даёт его приведённые массу и жёсткость; `s` в формуле — расстояние от начала стержня.",
+    ),
+    short: None,
+    fields: &[
+        must("on", Type::Name, "", ("rod", "стержень"), "\"AB\""),
+        must("shape", Type::Formula, "", ("deflection up to a factor", "прогиб с точностью до множителя"), "\"3*l*s^2 - s^3\""),
+        may("distance", Type::Formula, "m", "length", ("where the mass is reduced to", "точка приведения"), "\"l\""),
+        LABEL,
+    ],
+    example: "[rayleigh.static]\non = \"AB\"\nshape = \"3*l*s^2 - s^3\"\n",
+};
+
 /// `[structure]`.
 pub const STRUCTURE: TableSpec = TableSpec {
     name: "structure",
@@ -188,6 +205,17 @@ pub const STRUCTURE: TableSpec = TableSpec {
                 "нужная относительная точность частот: стержни делятся, пока она не достигнута",
             ),
             "1e-8",
+        ),
+        may(
+            "compare",
+            Type::Bool,
+            "",
+            "false",
+            (
+                "whether the frequencies at all levels of simplification stand in one table",
+                "показать ли частоты при всех упрощениях в одной таблице",
+            ),
+            "true",
         ),
         may(
             "continuum",

@@ -113,6 +113,12 @@ impl Scope {
     pub(crate) fn announce_connection(&mut self, table: &'static str, name: &str) {
         self.declare_acting(name, Acting { table, what: What::Announced });
     }
+    /// Takes the announcement of a row back that turned out to be no connection (a rod of a frame).
+    pub(crate) fn withdraw(&mut self, table: &str, name: &str) {
+        if let Some(all) = self.acting.get_mut(name) {
+            all.retain(|a| a.table != table || !matches!(a.what, What::Announced));
+        }
+    }
     /// Declares an announced connection with the components of its reaction.
     pub(crate) fn declare_connection(&mut self, table: &'static str, name: &str, index: usize, parts: Vec<(Part, Kind)>) {
         let announced = self.acting.get_mut(name).and_then(|all| all.iter_mut().find(|a| a.table == table));

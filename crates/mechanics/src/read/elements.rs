@@ -39,6 +39,10 @@ fn rest<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, path: Option<Pathway>,
     };
     match fields.get("rest") {
         Some(value) if value.get_ref().as_str() == Some("start") => Rest::Start,
+        Some(value) if value.get_ref().as_str() == Some("equilibrium") => {
+            let name = fields.path.rsplit('.').next().unwrap_or_default().to_owned();
+            Rest::Value(reader.rest_from_statics(&name, length, value.span()))
+        }
         Some(_) => Rest::Value(fields.formula_or_zero(reader, "rest", &Context::TIME, wanted.as_ref()).expr),
         None => {
             if let Some(Pathway::Distance(..)) = path {

@@ -19,6 +19,7 @@ mod shapes;
 mod structures;
 mod studies;
 mod syntax;
+mod unknowns;
 mod variants;
 
 pub use overrides::split as split_override;
@@ -130,6 +131,10 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let studies = studies::read(reader, &top);
     let variants = variants::read(reader, &top);
 
+    let mut unknowns = unknowns::check(reader, &top, &parameters);
+    let rests = reader.take_rests();
+    unknowns.extend(rests.iter().map(|p| p.symbol));
+    parameters.extend(rests);
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
     Model {
@@ -154,6 +159,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         notation,
         sections,
         phases,
+        unknowns,
+        restarts: schedule.restarts,
         studies,
         structure,
         inertias: Vec::new(),

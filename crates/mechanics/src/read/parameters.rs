@@ -225,14 +225,15 @@ fn by_hand<'a>(reader: &mut Reader<'a>, snippet: Snippet<'a>, wanted: Option<&Di
 /// The parameters as written, and the predefined g.
 pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut Vec<(String, String)>) -> Vec<RawParameter<'a>> {
     let mut found = Vec::new();
-    for (name, span, value) in top.rows(reader, "parameters") {
+    let rows = ["parameters", "unknowns"].map(|table| top.rows(reader, table).into_iter().map(|row| (table, row)).collect::<Vec<_>>());
+    for (section, (name, span, value)) in rows.into_iter().flatten() {
         if !claim(reader, name, &span) {
             continue;
         }
         let (mut unit, mut label) = (None, Text::default());
         let raw = match value.get_ref() {
             DeValue::Table(table) => {
-                let fields = Fields::open(reader, &fields::PARAMETER, table, span.clone(), format!("parameters.{}", short(name)));
+                let fields = Fields::open(reader, &fields::PARAMETER, table, span.clone(), format!("{section}.{}", short(name)));
                 fields.symbol(reader, name, notation);
                 label = fields.text(reader, "label").unwrap_or_default();
                 unit = fields.get("unit").and_then(|v| reader.unit(v).map(|u| (u.0, v.span())));

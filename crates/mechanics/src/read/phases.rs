@@ -25,6 +25,8 @@ pub(super) struct Schedule<'a> {
     phases: Vec<Phase<'a>>,
     /// Ends of phases, once they are known.
     ends: Vec<Option<Checked>>,
+    /// Instants at which loads restart.
+    pub restarts: Vec<f64>,
 }
 
 struct Phase<'a> {
@@ -66,7 +68,7 @@ pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Schedule
         );
     }
     let ends = (0..phases.len()).map(|_| None).collect();
-    Schedule { phases, ends }
+    Schedule { phases, ends, restarts: Vec::new() }
 }
 
 fn phase<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Phase<'a> {
@@ -261,6 +263,7 @@ impl<'a> Schedule<'a> {
             if i > 0 && restarts {
                 any = true;
                 origin = self.end(reader, i - 1).unwrap_or(origin);
+                self.restarts.extend(self.ends[i - 1].as_ref().and_then(|end| reader.number(end)));
             }
             origins.push(origin);
         }

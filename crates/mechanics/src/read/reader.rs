@@ -6,6 +6,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::fault::{Fault, Site, Snippet, nearest};
 use crate::fields::{self, TableSpec};
 use crate::formula::{self, Builder, Context, Depends, Formula, Kind, Scope, check, lower, mismatch};
+use crate::model::ParameterDecl;
 use crate::units::{self, Dimension, Quantity, Unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -26,6 +27,8 @@ pub(super) struct Reader<'a> {
     pub builder: Builder,
     pub scope: Scope,
     pub values: Values,
+    /// Free lengths that statics decide.
+    rests: Vec<ParameterDecl>,
     /// Nodes, rods and loads of a structure, as far as they are read.
     pub structure: super::structures::Draft,
 }
@@ -66,8 +69,44 @@ impl<'a> Reader<'a> {
             builder: Builder::new(),
             scope: Scope::default(),
             values: Values::default(),
+            rests: Vec::new(),
             structure: super::structures::Draft::default(),
         }
+    }
+    /// A free length that statics decide: a parameter of its own.
+    pub(super) fn rest_from_statics(&mut self, spring: &str, kind: Kind, span: Range<usize>) -> Expr {
+        let name = format!("{spring}_rest");
+        if self.scope.get(&name).is_some() {
+            let fault = Fault::new(
+                "M011",
+                span,
+                format!("the free length of `{spring}` would be called `{name}`, which is taken"),
+                format!("длина без нагрузки `{spring}` получила бы имя `{name}`, но оно занято"),
+            );
+            self.fault(fault);
+            return self.builder.graph.zero();
+        }
+        let symbol = self.builder.graph.symbol_id(&name, 0);
+        let (zero, value) = (self.builder.graph.zero(), self.builder.graph.symbol(symbol));
+        self.values.set(&mut self.builder.graph, symbol, 0.0);
+        let entry =
+            crate::formula::Entry { kind: crate::formula::EntryKind::Parameter(symbol), dimension: kind, depends: Depends::NOTHING };
+        self.scope.declare(&name, entry);
+        self.rests.push(ParameterDecl {
+            name,
+            symbol,
+            value: crate::model::ParameterValue::Number { si: zero },
+            class: crate::model::Class::Constant,
+            number: Some(0.0),
+            unit: crate::units::si_label(&kind.or_none()),
+            written: "equilibrium".to_owned(),
+            label: Text::new(format!("free length of {spring}"), format!("длина без нагрузки: {spring}")),
+            span: Some(span),
+        });
+        value
+    }
+    pub(super) fn take_rests(&mut self) -> Vec<ParameterDecl> {
+        std::mem::take(&mut self.rests)
     }
     pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
         self.diagnostics

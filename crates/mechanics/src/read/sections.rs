@@ -1,7 +1,7 @@
 //! `[sections.NAME]`: parts of a section, their checks, and what they make together.
 
 use super::reader::{Fields, Reader, components, short, wrong_type};
-use crate::fault::{Fault, nearest};
+use crate::fault::Fault;
 use crate::fields::{self, TableSpec};
 use crate::formula::Context;
 use crate::section::{self, Form, Moments, Outline, Part, Properties, Section};
@@ -190,7 +190,7 @@ fn ring<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Form> {
                 "M300",
                 fields.span_of("ring"),
                 format!("the ring in {} has the outer radius {a} m and the inner one {b} m", fields.path),
-                format!("у кольца в {} наружный радиус {a} м, внутренний {b} м", fields.path),
+                format!("у кольца в {} наружный радиус {a} м, внутренний {b} м", fields.path).replace("0.", "0,"),
             )
             .help("write the outer radius first: ring = [\"5 cm\", \"4 cm\"]", "наружный радиус пишут первым: ring = [\"5 см\", \"4 см\"]"),
         );
@@ -290,9 +290,11 @@ fn profile<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Form> {
         return Some(Form::Profile(found));
     }
     let fault = Fault::new("M301", span, format!("there is no profile `{}`", short(&name)), format!("нет профиля `{}`", short(&name)));
-    let fault = match nearest(&name, section::profile_names()) {
-        Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
-        None => fault.help(
+    let first = name.trim().chars().next().map(|c| c.to_ascii_uppercase());
+    let family: Vec<&str> = section::profile_names().filter(|n| n.chars().next() == first).collect();
+    let fault = match &family[..] {
+        [_, ..] => fault.help(format!("there are {}", family.join(", ")), format!("есть {}", family.join(", "))),
+        [] => fault.help(
             "I-beams are called I10 ... I60, channels C5U ... C40U and C5P ... C40P, equal angles L20x3 ... L250x20",
             "двутавры: I10 ... I60 (двутавр 10), швеллеры: 5У ... 40У и 5П ... 40П, равнополочные уголки: L20x3 ... L250x20",
         ),
@@ -366,23 +368,49 @@ fn reach(parts: &[Part], coverage: &section::Coverage, direction: [f64; 2]) -> f
 const CURVED: f64 = 2e-4;
 const STRAIGHT: f64 = 1e-9;
 
+/// A share in per cent, in both notations.
+fn percent(share: f64) -> [String; 2] {
+    let percent = 100.0 * share;
+    let digits = if percent < 1.0 { 3 } else { 1 };
+    // polygons in place of arcs are a little small
+    let text = if percent > 99.9 { "100".to_owned() } else { format!("{percent:.digits$}") };
+    let russian = text.replace('.', ",");
+    [text, russian]
+}
+
+/// What a part is called in Russian.
+fn russian(kind: &str) -> &'static str {
+    match kind {
+        "rectangle" => "прямоугольник",
+        "triangle" => "треугольник",
+        "circle" => "круг",
+        "half_disc" => "полукруг",
+        "ring" => "кольцо",
+        "polygon" => "многоугольник",
+        _ => "профиль",
+    }
+}
+
 /// Whether nothing is taken out where nothing is, and nothing counts twice.
 fn fits(reader: &mut Reader, fields: &Fields, parts: &[Part], coverage: &section::Coverage) -> bool {
     let share = if parts.iter().any(|p| p.outline.curved()) { CURVED } else { STRAIGHT };
     let mut good = true;
     let title = |i: usize| {
-        (format!("part {} ({}) of {}", i + 1, parts[i].kind, fields.path), format!("часть {} ({}) в {}", i + 1, parts[i].kind, fields.path))
+        (
+            format!("part {} ({}) of {}", i + 1, parts[i].kind, fields.path),
+            format!("часть {} ({}) в {}", i + 1, russian(parts[i].kind), fields.path),
+        )
     };
     for &(i, area) in coverage.missing.iter().filter(|(i, area)| *area > share * parts[*i].area) {
-        let percent = (100.0 * area / parts[i].area).max(0.01);
+        let [percent, percent_ru] = percent(area / parts[i].area);
         let (en, ru) = title(i);
         good = false;
         reader.fault(
             Fault::new(
                 "M302",
                 parts[i].span.clone(),
-                format!("{en} takes out material that is not there: {percent:.3} % of it"),
-                format!("{ru} вычитается там, где материала нет: {percent:.3} % её площади"),
+                format!("{en} takes out material that is not there: {percent} % of it"),
+                format!("{ru} вычитается там, где материала нет: {percent_ru} % её площади"),
             )
             .why(
                 "a removed part lies outside the solid, or overlaps another removed part",
@@ -396,15 +424,15 @@ fn fits(reader: &mut Reader, fields: &Fields, parts: &[Part], coverage: &section
     }
     let smaller = |i: usize, j: usize| parts[i].area.min(parts[j].area);
     for &(i, j, area) in coverage.doubled.iter().filter(|(i, j, area)| *area > share * smaller(*i, *j)) {
-        let percent = (100.0 * area / smaller(i, j)).max(0.01);
+        let [percent, percent_ru] = percent(area / smaller(i, j));
         let (en, ru) = title(i);
         good = false;
         reader.fault(
             Fault::new(
                 "M303",
                 parts[i].span.clone(),
-                format!("{en} overlaps part {} ({}): {percent:.3} % of the smaller one", j + 1, parts[j].kind),
-                format!("{ru} перекрывает часть {} ({}): {percent:.3} % меньшей из них", j + 1, parts[j].kind),
+                format!("{en} overlaps part {} ({}): {percent} % of the smaller one", j + 1, parts[j].kind),
+                format!("{ru} перекрывает часть {} ({}): {percent_ru} % меньшей из них", j + 1, russian(parts[j].kind)),
             )
             .why("material would count twice", "материал был бы учтён дважды")
             .help(

@@ -7,13 +7,13 @@ use super::parameters::names;
 use super::reader::{Checked, Fields, Reader, components, short, string, wrong_type};
 use crate::fault::{Fault, nearest};
 use crate::fields;
-use crate::formula::Context;
+use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
 use crate::section::Section;
-use crate::structure::{Action, Direction, Displacement, Load, Node, Options, Rod, Site, Structure, Support};
+use crate::structure::{Action, AssumedShape, Direction, Displacement, Load, Node, Options, Rod, Site, Structure, Support};
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::{Expr, Rational, Text};
+use symbolic::{Expr, Rational, SymbolId, Text};
 use toml::de::DeValue;
 
 const BENDING: Dimension = Dimension::of(3, 1, -2);
@@ -164,7 +164,12 @@ fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usiz
     let axial = get(reader, "EA", &Dimension::FORCE);
     let axial = axial.or_else(|| Some(reader.builder.graph.mul(young?, area?)).filter(|_| stretches));
     let mass = mass(reader, fields, length, area);
-    let rotary = rotary(reader, fields, mass, second, area);
+    let section_inertia = second.zip(area).map(|(second, area)| {
+        let square = reader.builder.graph.div(second, area);
+        reader.builder.graph.mul(mass, square)
+    });
+    let rotary = rotary(reader, fields, section_inertia);
+    let rotary_of_nothing = reader.builder.graph.zero();
     let divisions = divisions(reader, fields);
     if bending.is_none() && !rigid && hinged != [true, true] {
         let fault =
@@ -176,8 +181,9 @@ fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usiz
                 );
         reader.fault(fault);
     }
-    let (bending, axial) = if rigid { (None, None) } else { (bending, axial) };
-    Some(Rod { name: name.to_owned(), ends, length, rigid, bending, axial, mass, rotary, hinged, divisions, span: fields.span.clone() })
+    let axial = axial.filter(|_| !rigid);
+    let (name, span) = (name.to_owned(), fields.span.clone());
+    Some(Rod { name, ends, length, rigid, bending, axial, mass, rotary, section_inertia, rotary_of_nothing, hinged, divisions, span })
 }
 
 /// Area and second moment of the section named under a key.
@@ -283,12 +289,12 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Expr, area: Op
     }
 }
 
-/// Inertia of the turning of a unit of length: mass per length · I/A.
-fn rotary<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr, second: Option<Expr>, area: Option<Expr>) -> Expr {
-    if !flag(reader, fields, "rotary_inertia") {
-        return reader.builder.graph.zero();
-    }
-    let (Some(second), Some(area)) = (second, area) else {
+/// Inertia of the turning of a unit of length, mass per length · I/A, when it counts.
+fn rotary<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, section_inertia: Option<Expr>) -> Expr {
+    if flag(reader, fields, "rotary_inertia") {
+        if let Some(inertia) = section_inertia {
+            return inertia;
+        }
         let fault = Fault::new(
             "M006",
             fields.span_of("rotary_inertia"),
@@ -296,10 +302,8 @@ fn rotary<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr, second: 
             format!("в {} не хватает I или A: инерция сечения равна density*I", fields.path),
         );
         reader.fault(fault);
-        return reader.builder.graph.zero();
-    };
-    let square = reader.builder.graph.div(second, area);
-    reader.builder.graph.mul(mass, square)
+    }
+    reader.builder.graph.zero()
 }
 
 fn divisions<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<usize> {
@@ -381,7 +385,7 @@ pub(super) fn torque<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a
 /// The rest of a structure; none without nodes.
 pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Structure> {
     let has_nodes = !reader.structure.nodes.is_empty();
-    for key in ["displacements", "structure"] {
+    for key in ["displacements", "rayleigh", "structure"] {
         if !has_nodes && top.has(key) {
             let fault = Fault::new("M202", top.span_of(key), format!("[{key}] needs [nodes]"), format!("для [{key}] нужны [nodes]"));
             reader.fault(fault);
@@ -393,9 +397,10 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Stru
     let supports = supports(reader, top);
     distributed(reader, top);
     let displacements = displacements(reader, top);
+    let rayleigh = rayleigh(reader, top);
     let options = options(reader, top);
     let draft = std::mem::take(&mut reader.structure);
-    Some(Structure { nodes: draft.nodes, rods: draft.rods, supports, displacements, loads: draft.loads, options })
+    Some(Structure { nodes: draft.nodes, rods: draft.rods, supports, displacements, loads: draft.loads, rayleigh, options })
 }
 
 fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
@@ -468,6 +473,47 @@ fn unit(reader: &mut Reader, x: Expr, y: Expr) -> [Expr; 2] {
     [graph.mul(x, size), graph.mul(y, size)]
 }
 
+/// `[rayleigh]`: shapes over the distance s, which is a name in these formulas only: everything else is read already.
+fn rayleigh<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<AssumedShape> {
+    let rows = top.entries(reader, "rayleigh", &fields::structures::RAYLEIGH);
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let distance = reader.builder.graph.symbol_id("s", 0);
+    if reader.claimed.contains_key("s") {
+        let fault = Fault::new(
+            "M010",
+            top.span_of("rayleigh"),
+            "`s` is the distance along the rod in [rayleigh]",
+            "`s` в [rayleigh] — расстояние вдоль стержня",
+        )
+        .help("rename the parameter `s`", "переименуйте величину `s`");
+        reader.fault(fault);
+        return Vec::new();
+    }
+    let entry = Entry { kind: EntryKind::Parameter(distance), dimension: Kind::Known(Dimension::LENGTH), depends: Depends::TIME };
+    reader.scope.declare("s", entry);
+    rows.into_iter().filter_map(|(name, fields)| assumed(reader, name, &fields, distance)).collect()
+}
+
+fn assumed<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>, distance: SymbolId) -> Option<AssumedShape> {
+    let label = fields.text(reader, "label").unwrap_or_default();
+    let (rod, span) = fields.name(reader, "on")?;
+    let Some(&rod) = reader.structure.rod_index.get(&rod) else {
+        unknown(reader, &rod, span, true);
+        return None;
+    };
+    let shape = fields.formula(reader, "shape", &Context::TIME, None)?;
+    let at = match fields.formula(reader, "distance", &Context::CONSTANT, Some(&Dimension::LENGTH)) {
+        Some(at) => at.expr,
+        None => reader.structure.rods[rod].length,
+    };
+    let graph = &mut reader.builder.graph;
+    let slope = graph.derivative(shape.expr, distance);
+    let curvature = graph.derivative(slope, distance);
+    shape.good.then_some(AssumedShape { name, label, rod, shape: shape.expr, curvature, distance, at })
+}
+
 fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Options {
     let Some(value) = top.get("structure") else { return Options::default() };
     let DeValue::Table(table) = value.get_ref() else {
@@ -479,6 +525,6 @@ fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Options {
     let accuracy = fields.formula(reader, "accuracy", &Context::CONSTANT, Some(&Dimension::NONE));
     let accuracy = accuracy.and_then(|value| reader.number(&value)).map(|a| a.clamp(1e-11, 1e-1));
     let modes = whole(reader, &fields, "modes").map(|n| n as usize);
-    let continuum = flag(reader, &fields, "continuum");
-    Options { condense, modes, accuracy, continuum }
+    let [continuum, compare] = ["continuum", "compare"].map(|key| flag(reader, &fields, key));
+    Options { condense, modes, accuracy, continuum, compare }
 }

@@ -7,6 +7,7 @@ use crate::{Diagnostic, Reading, fields};
 const FULL: &str = include_str!("../../tests/full.toml");
 const STUDIES: &str = include_str!("../../tests/studies.toml");
 const CONNECTIONS: &str = include_str!("../../tests/connections.toml");
+const STRUCTURES: &str = include_str!("../../tests/structures.toml");
 const PENDULUM: &str = r#"
 [parameters]
 m = "2 kg"
@@ -45,7 +46,7 @@ fn findings(text: &str) -> Vec<(&'static str, String)> {
 
 #[test]
 fn every_key_of_the_tables_is_read_and_only_those() {
-    for text in [FULL, STUDIES, CONNECTIONS] {
+    for text in [FULL, STUDIES, CONNECTIONS, STRUCTURES] {
         assert_eq!(good(text).warnings, []);
     }
     let asked = reader::tests::asked();

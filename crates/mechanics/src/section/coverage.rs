@@ -33,6 +33,7 @@ pub fn cover(parts: &[Part]) -> Coverage {
     let sides = sides(parts);
     let heights = heights(&sides, parts.len());
     let mut coverage = Coverage::default();
+    let size = sides.iter().flat_map(|s| [s.low, s.high]).flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
     let (mut active, mut next): (Vec<usize>, usize) = (Vec::new(), 0);
     let mut missing = vec![0.0; parts.len()];
     let mut doubled = std::collections::BTreeMap::new();
@@ -56,6 +57,8 @@ pub fn cover(parts: &[Part]) -> Coverage {
             let (added, removed) = (within(false), within(true));
             match added.len() as i64 - removed.len() as i64 {
                 0 => {}
+                // two sides one on the other leave nothing between them
+                1 if two[1].0 - two[0].0 <= 1e-9 * size => {}
                 1 => {
                     let ends = two.iter().flat_map(|(_, k)| [low, high].map(|y| [sides[*k].at(y), y]));
                     coverage.corners.extend(ends);

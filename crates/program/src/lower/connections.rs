@@ -11,9 +11,9 @@
 //! a choice by the mode of the contact's gap or of the sliding speed, so that the modes select the equations and a jet stays on one smooth piece.
 //! Limits, normal forces and contact forces are guards whose values follow from the solution.
 //!
-//! Frictions with one sliding speed (two brakes on a shaft, two feet of a block) stick and slide together: the first leads, the others share its guards.
-//! While they stick only the sum of their forces is determined; it is compared with the sum of the limits, and shared in proportion to these. Where
-//! normal forces from reactions make the limits unknown, the first takes all.
+//! Frictions whose sliding speeds are in a constant ratio r (two feet of a block, brakes of different radii on a shaft) stick and slide together: the first
+//! leads, the others share its guards. While they stick only the sum Σ r λ of what they do on the leader's motion is determined; it is compared with
+//! Σ |r| limit, and shared in proportion to the limits. Where normal forces from reactions make the limits unknown, the first takes all.
 
 use super::expressions::Lowering;
 use super::forms::Value;
@@ -241,10 +241,12 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
         };
         match (&self.equations.reactions[reaction].law, numbers) {
             (Law::Friction(friction), Numbers::Sliding { leader, sliding, normal, .. }) => {
-                let held = if leader == reaction { held } else { self.share(friction, column, leader)? };
-                let back = self.slip(friction, column, -1.0, normal)?;
-                let forth = self.slip(friction, column, 1.0, normal)?;
-                self.alternatives(sliding, [back, held, forth]);
+                let ratio = ratio(self.lowering, self.equations, friction, leader)?;
+                let held = if leader == reaction { held } else { self.share(friction, column, leader, ratio)? };
+                let kinetic = [self.lowering.negative(friction.kinetic[0])?, self.lowering.value(friction.kinetic[1])?];
+                let [back, forth] = [kinetic, [kinetic[1], kinetic[0]]].map(|sides| by_sign(self.lowering, ratio, sides));
+                let sides = [self.slip(friction, column, back, normal)?, held, self.slip(friction, column, forth, normal)?];
+                self.alternatives(sliding, sides);
             }
             (_, Numbers::Gap { gap, .. }) => {
                 let open = (vec![(column, self.lowering.literal(1.0))], self.lowering.literal(0.0));
@@ -255,12 +257,11 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
         Ok(())
     }
 
-    /// λ - s kinetic |N| = 0; |N| = σ N with the sign σ of N by its mode.
-    fn slip(&mut self, friction: &Friction, column: usize, s: f64, normal: Option<u32>) -> Result<Row, Fault> {
-        let kinetic = self.lowering.value(friction.kinetic[usize::from(s > 0.0)])?;
+    /// λ - kinetic |N| = 0 with the sign of sliding in `kinetic`; |N| = σ N with the sign σ of N by its mode.
+    fn slip(&mut self, friction: &Friction, column: usize, kinetic: Value, normal: Option<u32>) -> Result<Row, Fault> {
         let mut entries = vec![(column, self.lowering.literal(1.0))];
         let (Some(normal), Some(number)) = (&friction.normal, normal) else {
-            return Ok((entries, self.lowering.sum(&[(s, kinetic)])));
+            return Ok((entries, kinetic));
         };
         let signs = [-1.0, 0.0, 1.0].map(|sign| self.lowering.literal(sign));
         let sign = self.lowering.branch(By::Mode(number), signs);
@@ -268,15 +269,14 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
         for (k, e) in &normal.terms {
             let term = self.lowering.value(*e)?;
             let term = self.lowering.times(factor, term);
-            entries.push((self.columns[*k].unwrap_or(0), self.lowering.sum(&[(-s, term)])));
+            entries.push((self.columns[*k].unwrap_or(0), self.lowering.sum(&[(-1.0, term)])));
         }
         let constant = self.lowering.value(normal.constant)?;
-        let constant = self.lowering.times(factor, constant);
-        Ok((entries, self.lowering.sum(&[(s, constant)])))
+        Ok((entries, self.lowering.times(factor, constant)))
     }
 
-    /// λ fixed(leader) - λ(leader) fixed = 0; λ = 0 where both limits vanish, or are not known beforehand.
-    fn share(&mut self, friction: &Friction, column: usize, leader: usize) -> Result<Row, Fault> {
+    /// λ fixed(leader) - sign(r) λ(leader) fixed = 0; λ = 0 where both limits vanish, or are not known beforehand.
+    fn share(&mut self, friction: &Friction, column: usize, leader: usize, ratio: Value) -> Result<Row, Fault> {
         let (one, zero) = (self.lowering.literal(1.0), self.lowering.literal(0.0));
         let Some((first, lead)) = friction_of(self.equations, leader).zip(self.columns[leader]) else {
             return Ok((vec![(column, one)], zero));
@@ -290,6 +290,7 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
             own = self.lowering.branch(By::Value(sum), [one, one, own]);
         }
         let other = self.lowering.sum(&[(-1.0, own_limit)]);
+        let other = by_sign(self.lowering, ratio, [other, own_limit]);
         Ok((vec![(column, own), (lead, other)], zero))
     }
 
@@ -316,7 +317,7 @@ pub(super) fn reserve(lowering: &mut Lowering, equations: &Equations, arrangemen
         numbers[reaction] = match &equations.reactions[reaction].law {
             Law::Contact { gap, .. } => Some(contact(lowering, reaction, *gap)?),
             Law::Friction(friction) => {
-                let leader = leader(equations, arrangement, friction.sliding).unwrap_or(reaction);
+                let leader = leader(lowering, equations, arrangement, friction)?.unwrap_or(reaction);
                 Some(sliding(lowering, reaction, friction, numbers[leader])?)
             }
             _ => None,
@@ -332,9 +333,44 @@ fn friction_of(equations: &Equations, reaction: usize) -> Option<&Friction> {
     }
 }
 
-/// The first friction with that sliding speed.
-fn leader(equations: &Equations, arrangement: &Arrangement, sliding: Expr) -> Option<usize> {
-    arrangement.solved.iter().copied().find(|r| friction_of(equations, *r).is_some_and(|f| f.sliding == sliding))
+/// The first friction that slides in a constant ratio to this one, this one itself if there is none before it.
+fn leader(lowering: &mut Lowering, equations: &Equations, arrangement: &Arrangement, friction: &Friction) -> Result<Option<usize>, Fault> {
+    let own = lowering.value(friction.sliding)?;
+    for r in &arrangement.solved {
+        let Some(other) = friction_of(equations, *r) else { continue };
+        let other = lowering.value(other.sliding)?;
+        if moving(own).is_some_and(|own| moving(other).is_some_and(|other| own.1 == other.1)) {
+            return Ok(Some(*r));
+        }
+    }
+    Ok(None)
+}
+
+/// Factor over parameters (none is 1) and the register that it multiplies.
+fn moving(value: Value) -> Option<(Option<Register>, Register)> {
+    match value {
+        Value::Constant(_) => None,
+        Value::Plain(rest) => Some((None, rest)),
+        Value::Scaled(factor, rest) => Some((Some(factor), rest)),
+    }
+}
+
+/// Sliding speed by that of the leader.
+fn ratio(lowering: &mut Lowering, equations: &Equations, friction: &Friction, leader: usize) -> Result<Value, Fault> {
+    let one = lowering.literal(1.0);
+    let Some(first) = friction_of(equations, leader).filter(|first| first.sliding != friction.sliding) else { return Ok(one) };
+    let (own, other) = (lowering.value(friction.sliding)?, lowering.value(first.sliding)?);
+    let factor = |v: Value| moving(v).and_then(|(factor, _)| factor).map_or(one, Value::Constant);
+    Ok(lowering.quotient(factor(own), factor(other)))
+}
+
+/// What belongs to one way of sliding of the leader: `same` for a positive ratio, `opposite` for a negative one.
+fn by_sign(lowering: &mut Lowering, ratio: Value, [same, opposite]: [Value; 2]) -> Value {
+    let zero = lowering.literal(0.0);
+    match ratio {
+        Value::Constant(r) => lowering.branch(By::Value(r), [opposite, zero, same]),
+        _ => same,
+    }
 }
 
 fn contact(lowering: &mut Lowering, reaction: usize, left: Expr) -> Result<Numbers, Fault> {
@@ -414,8 +450,11 @@ pub(super) fn fill(
                     groups.push(Group { leader: reaction, limits: *limits, capacity: Vec::new(), load: Vec::new() });
                 }
                 if let Some(group) = groups.iter_mut().find(|g| g.leader == *leader) {
-                    group.capacity.push((1.0, limit));
-                    group.load.push((1.0, force(reaction)));
+                    let ratio = ratio(lowering, equations, friction, *leader)?;
+                    let backwards = lowering.sum(&[(-1.0, ratio)]);
+                    let size = by_sign(lowering, ratio, [ratio, backwards]);
+                    group.capacity.push((1.0, lowering.times(size, limit)));
+                    group.load.push((1.0, lowering.times(ratio, force(reaction))));
                 }
             }
             _ => {}

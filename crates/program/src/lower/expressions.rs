@@ -153,6 +153,13 @@ impl<'g, 't> Lowering<'g, 't> {
         self.builder.times(a, b)
     }
 
+    /// a/b of values over parameters.
+    pub(super) fn quotient(&mut self, a: Value, b: Value) -> Value {
+        let (a, b) = (self.builder.whole(a), self.builder.whole(b));
+        let quotient = self.builder.divide(a, b);
+        self.builder.classify(quotient)
+    }
+
     pub(super) fn negative(&mut self, e: Expr) -> Result<Value, Fault> {
         let value = self.value(e)?;
         Ok(self.sum(&[(-1.0, value)]))

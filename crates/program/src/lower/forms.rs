@@ -6,7 +6,7 @@
 //! error of at most 1.5 units in the last place instead of 0.5), and a x/m is x·(a/m), no more roundings than before.
 
 use super::builder::Builder;
-use crate::{By, Coefficient, Operation, Register, Unary};
+use crate::{By, Coefficient, Mode, Operation, Register, Unary};
 use rustc_hash::FxHashMap;
 use symbolic::{Function, Rational};
 
@@ -206,6 +206,11 @@ impl Builder {
 
     /// sides[sign of what `by` names].
     pub(super) fn branch(&mut self, by: By, sides: [Value; 3]) -> Value {
+        if let By::Value(r) = by
+            && let Some(known) = self.literal(r).filter(|v| !v.is_nan())
+        {
+            return sides[Mode::of(known).side()];
+        }
         let sides = sides.map(|v| self.whole(v));
         let chosen = self.choose(by, sides);
         self.classify(chosen)

@@ -2,10 +2,12 @@
 
 mod check;
 mod completions;
+mod cycle;
 mod equations;
 mod equilibrium;
 mod examples;
 mod explain;
+mod inverse;
 mod modes;
 mod new;
 mod periodic;
@@ -46,8 +48,10 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Check(args) => check::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
+        Command::Inverse(args) => inverse::run(&args, console),
         Command::Transient(args) => transient::run(&args, console),
         Command::Equilibrium(args) => equilibrium::run(&args, console),
+        Command::Cycle(args) => cycle::run(&args, console),
         Command::Section(args) => section::run(&args, console),
         Command::Statics(args) => statics::run(&args, console),
         Command::Sweep(args) => sweep::run(&args, console),

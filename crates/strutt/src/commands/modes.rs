@@ -5,7 +5,7 @@ use crate::args::{self, Normalise};
 use crate::console::{Console, Shape};
 use crate::quantities;
 use mechanics::derive::Detail;
-use mechanics::model::{Modes, Scale, StudyKind};
+use mechanics::model::{Modes, ParameterRange, Scale, StudyKind};
 use report::Document;
 use strutt::words::Word;
 use strutt::{Failure, folder, pipeline, small, structure};
@@ -19,6 +19,11 @@ pub fn run(args: &args::Modes, console: &mut Console) -> Result<Exit, Failure> {
     let mut study: Modes = of_file.unwrap_or_default();
     if !args.guess.is_empty() {
         study.guess = quantities::guess(&args.guess, &machine)?;
+    }
+    study.about_start |= args.about_start;
+    if let (Some(name), Some(range)) = (&args.over, &args.range) {
+        let [from, to] = quantities::parameter_range(name, range, &machine)?;
+        study.over = Some(ParameterRange { name: name.clone(), from, to, points: args.points.clamp(2, 1_000_000) });
     }
     if let Some(scale) = args.normalise {
         study.scale = match scale {

@@ -13,8 +13,17 @@ const STARTER: &str = include_str!("starter.toml");
 pub fn run(args: &args::New, console: &mut Console) -> Result<Exit, Failure> {
     let path = path_of(&args.name);
     let text = text(args, &path)?;
+    let tables = tables(args, &path);
+    if let Some((table, text)) = tables.iter().find(|(table, _)| table.exists()) {
+        // refused before anything is written
+        files::write_new(table, text.as_bytes())?;
+    }
     files::write_new(&path, text.as_bytes())?;
     console.talk(&format!("{} {}", console.say(Word::Written), path.display()));
+    for (table, text) in &tables {
+        files::write_new(table, text.as_bytes())?;
+        console.talk(&format!("{} {}", console.say(Word::Written), table.display()));
+    }
     console.talk(&format!("{} strutt run {}", console.say(Word::Next), path.display()));
     Ok(Exit::Done)
 }
@@ -36,6 +45,14 @@ fn text(args: &args::New, path: &Path) -> Result<String, Failure> {
         (Some(from), None) => examples::find(from).map(|e| e.text.to_owned()),
         (None, None) => Ok(STARTER.to_owned()),
     }
+}
+
+/// The tables of the example that are not there already.
+fn tables(args: &args::New, path: &Path) -> Vec<(PathBuf, &'static str)> {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let from = args.from.as_deref().unwrap_or(&stem);
+    let beside = gallery::tables(from).map(|(file, text)| (path.with_file_name(file), text));
+    beside.filter(|(table, text)| std::fs::read(table).ok().as_deref() != Some(text.as_bytes())).collect()
 }
 
 fn links(from: &str, count: usize) -> Result<String, Failure> {

@@ -54,8 +54,8 @@ pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure>
 fn absent(name: Option<&str>, all: &[Section]) -> Trouble {
     let names: Vec<&str> = all.iter().map(|s| s.name.as_str()).collect();
     let mut trouble = match name {
-        Some(name) if !all.is_empty() => Trouble::new("C020", format!("there is no section `{name}`"), format!("нет сечения `{name}`")),
-        _ => Trouble::new("C020", "the file has no sections", "в файле нет сечений"),
+        Some(name) if !all.is_empty() => Trouble::new("C040", format!("there is no section `{name}`"), format!("нет сечения `{name}`")),
+        _ => Trouble::new("C040", "the file has no sections", "в файле нет сечений"),
     };
     trouble.help = match name.and_then(|n| strutt::nearest(n, names.iter().copied())) {
         Some(near) => symbolic::Text::new(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),

@@ -6,13 +6,14 @@ use crate::console::{Console, Shape};
 use mechanics::derive::Detail;
 use report::Document;
 use strutt::words::Word;
-use strutt::{Failure, Trouble, folder, pipeline, structure};
+use strutt::{Failure, folder, pipeline, structure, studies};
 
 pub fn run(args: &args::Statics, console: &mut Console) -> Result<Exit, Failure> {
-    let (_, machine) = open(&args.model, Detail::Equations, console)?;
+    let (_, mut machine) = open(&args.model, Detail::Equations, console)?;
     let Some(finding) = structure::statics(&machine) else {
-        let trouble = Trouble::new("C020", "the model has no nodes and rods", "в модели нет узлов и стержней");
-        return Err(trouble.into());
+        // no nodes: bodies with supports and joints
+        let finding = studies::statics::run(&mut machine);
+        return super::study::finish(machine, finding, None, console);
     };
     let (data, language) = (finding.data(), console.language);
     match console.shape {

@@ -10,11 +10,13 @@ use strutt::pipeline::Calculation;
 use strutt::words::Word;
 use strutt::{Failure, pipeline, plan};
 
-pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure> {
+pub fn run(asked: &args::Transient, console: &mut Console) -> Result<Exit, Failure> {
+    let args = &asked.motion;
     let wishes = wishes(args)?;
     let detail = if args.out.is_some() { Detail::Steps } else { Detail::Equations };
     let (_, mut machine) = open(&args.model, detail, console)?;
-    let study = plan::transient(&machine.model, &machine.equations, wishes)?;
+    let mut study = plan::transient(&machine.model, &machine.equations, wishes)?;
+    study.linearise |= asked.linearise;
     listen_to_interrupts();
     let finding = console.watched(|watch| {
         watch.halve_tolerance = args.halve_tolerance;

@@ -2,22 +2,26 @@
 
 mod setting;
 pub mod steps;
+mod tables;
 
+use crate::pipeline::Phases;
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Listed};
 use serde_json::{Map, Value, json};
 
-/// `[{start, end, case, resonance, constants: {C1, C2, D, epsilon, k, n, h, ...}, state_at_start: {phi, phi'}, state_at_end}]`.
+/// `[{start, end, phase, case, resonance, constants: {C1, C2, D, epsilon, k, n, h, ...}, state_at_start: {phi, phi'}, state_at_end}]`.
 ///
-/// With several degrees of freedom `modes` takes the place of `constants`; where modes do not uncouple, `case` is `coupled`.
-pub fn to_json(phases: &[Phase], names: &[String]) -> Value {
-    phases.iter().map(|phase| one(phase, names)).collect()
+/// `phase` says whether the loads keep their phase at the start of the phase or begin anew. With several degrees of freedom `modes` takes the
+/// place of `constants`; where modes do not uncouple, `case` is `coupled`.
+pub fn to_json(phases: &Phases) -> Value {
+    phases.list.iter().map(|phase| one(phase, &phases.names, phases.restarts(phase))).collect()
 }
 
-fn one(phase: &Phase, names: &[String]) -> Value {
+fn one(phase: &Phase, names: &[String], restarts: bool) -> Value {
     let mut out = Map::new();
     out.insert("start".into(), json!(phase.start));
     out.insert("end".into(), json!(phase.end));
+    out.insert("phase".into(), json!(if restarts { "restarts" } else { "keeps" }));
     let listed = phase.listed();
     match listed.as_slice() {
         [] => {

@@ -9,22 +9,24 @@
 //! only and may differ from the user's.
 
 use super::setting::{Setting, exponential, fence, fraction, minus, negative, plus, power, product, root, square, whole};
+use super::tables::{mode_table, state_table};
+use crate::pipeline::Phases;
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Forcing, Listed};
 use analysis::studies::transient::load::{Load, Term};
 use analysis::studies::transient::oscillator::Case;
 use report::formula::{Layout, Printer, Sign};
-use report::table::Column;
-use report::{Block, Cell, Language, Table};
+use report::{Block, Language};
 use symbolic::Equations;
 
-/// Digits of states in tables.
+/// Digits of instants in headings.
 const DIGITS: usize = 6;
 
 /// The solution of all phases.
-pub fn blocks(equations: &Equations, phases: &[Phase], names: &[String], language: Language, width: usize) -> Vec<Block> {
+pub fn blocks(equations: &Equations, found: &Phases, language: Language, width: usize) -> Vec<Block> {
+    let (phases, names) = (&found.list, &found.names);
     let setting = Setting { printer: Printer::of(equations, language).with_width(width), language };
-    let mut blocks = Vec::new();
+    let mut blocks: Vec<Block> = reading(found, language).into_iter().collect();
     let mut before: Option<&Phase> = None;
     for (i, phase) in phases.iter().enumerate() {
         let span = |t: f64| report::number::short(t, DIGITS, language);
@@ -61,47 +63,26 @@ pub fn blocks(equations: &Equations, phases: &[Phase], names: &[String], languag
     blocks
 }
 
-fn state_table(equations: &Equations, phases: &[Phase], names: &[String], language: Language) -> Table {
-    let mut columns = vec![Column::with_unit("t", "s", language)];
-    let outputs = &equations.outputs;
-    columns.extend(names.iter().map(|n| {
-        let unit = outputs.iter().find(|o| &o.name == n).map_or("", |o| o.unit.as_str());
-        Column::with_unit(report::document::Rich::symbol(n.clone()), unit, language)
-    }));
-    let mut table = Table::new(columns);
-    let mut row = |t: f64, state: &[f64]| {
-        let mut cells = vec![Cell::number(t, DIGITS, language)];
-        cells.extend(state.iter().map(|v| Cell::number(*v, DIGITS, language)));
-        table.row(cells);
-    };
-    phases.iter().for_each(|p| row(p.start, &p.state_at_start));
-    if let Some(last) = phases.last() {
-        row(last.end, &last.state_at_end);
-    }
-    table
-}
-
-fn mode_table(modes: &[Listed], names: &[String], language: Language) -> Table {
-    let single = modes.iter().all(|m| m.forcing.len() <= 1);
-    let mut heads = vec![("", ""), ("k", "rad/s"), ("n", "1/s"), ("C1", ""), ("C2", "")];
-    if single {
-        heads.extend([("h", ""), ("p", "rad/s"), ("D", ""), ("epsilon", "rad")]);
-    }
-    let mut columns: Vec<Column> =
-        heads.into_iter().map(|(name, unit)| Column::with_unit(report::document::Rich::symbol(name), unit, language)).collect();
-    columns.extend(names.iter().take(modes.len()).map(|n| Column::new(report::document::Rich::symbol(n.clone()))));
-    let mut table = Table::new(columns);
-    for (i, mode) in modes.iter().enumerate() {
-        let named = mode.named();
-        let value = |key: &str| named.iter().find(|(k, _)| *k == key).map(|(_, v)| *v);
-        let cell = |key: &str| value(key).map_or(Cell::Empty, |v| Cell::number(v, DIGITS, language));
-        let mut cells = vec![Cell::words((i + 1).to_string())];
-        let keys = ["k", "n", "C1", "C2", "h", "p", "D", "epsilon"];
-        cells.extend(keys.iter().take(if single { 8 } else { 4 }).map(|k| cell(k)));
-        cells.extend(mode.mode.shape.iter().map(|s| Cell::number(*s, 4, language)));
-        table.row(cells);
-    }
-    table
+/// How the loads pass the switches, when there are switches and harmonic loads.
+fn reading(found: &Phases, language: Language) -> Option<Block> {
+    let harmonic = |p: &Phase| p.form.loads.iter().flat_map(|l| &l.0).any(|t| t.rate.im != 0.0);
+    let later = found.list.get(1..)?.iter().filter(|p| harmonic(p));
+    let restarts: Vec<bool> = later.map(|p| found.restarts(p)).collect();
+    let (first, mixed) = (*restarts.first()?, restarts.iter().any(|r| *r != restarts[0]));
+    Some(Block::paragraph(match (first, mixed) {
+        (_, true) => language.pick(
+            "At some switches the loads keep their phase, at others they begin anew.",
+            "При одних переключениях нагрузки сохраняют фазу, при других начинаются заново.",
+        ),
+        (false, _) => language.pick(
+            "The loads keep their phase at the switches (other reading: --set phases=restarts).",
+            "При переключениях нагрузки сохраняют фазу (другое толкование: --set phases=restarts).",
+        ),
+        (true, _) => language.pick(
+            "The loads begin anew at the switches (other reading: --set phases=keeps).",
+            "При переключениях нагрузки начинаются заново (другое толкование: --set phases=keeps).",
+        ),
+    }))
 }
 
 /// Writes the solution of one degree of freedom in one phase.

@@ -2,6 +2,7 @@
 
 use crate::pipeline::Machine;
 use crate::small::Small;
+use crate::small::formulas::at_place;
 use mechanics::model::{FrequencyVariable, ParameterValue};
 use symbolic::{Expr, Linear, Rational, Substitution, SymbolId};
 
@@ -18,8 +19,6 @@ pub struct FrequencyEquation {
     pub text: String,
 }
 
-/// Coordinates nearer to a simple exact value than this are taken to be it.
-const NEAR: f64 = 1e-12;
 /// Integers up to so many digits are written out.
 const DIGITS: usize = 10;
 
@@ -49,20 +48,8 @@ pub fn find(machine: &Machine, small: &Small, variable: Option<&FrequencyVariabl
 
 /// M and C with exact numbers for parameters and coordinates; none when an equilibrium is not exactly known.
 fn exact(machine: &Machine, small: &Small) -> Option<Linear> {
-    let mut linear = small.machine.linear().clone();
-    let mut place: Vec<(SymbolId, Expr)> = Vec::new();
-    for (coordinate, q) in machine.equations.coordinates.iter().zip(&small.place.q) {
-        let start = small.machine.values_of(&[coordinate.start], &small.place).ok()?[0];
-        let e = match () {
-            () if q.abs() <= NEAR => linear.graph.zero(),
-            () if (q - start).abs() <= NEAR * q.abs() => coordinate.start,
-            () => continue,
-        };
-        place.push((coordinate.symbols[0], e));
-    }
-    let linear = linear.at(&place);
+    let mut linear = at_place(&machine.equations, small)?;
     // definitions are formulas over parameters and earlier definitions
-    let mut linear = linear;
     for (symbol, formula) in linear.definitions.clone().into_iter().rev() {
         linear = linear.at(&[(symbol, formula)]);
     }
@@ -75,7 +62,9 @@ fn numbers(machine: &Machine) -> Vec<(SymbolId, Expr)> {
         ParameterValue::Number { si } => Some((p.symbol, si)),
         ParameterValue::Formula(_) => None,
     };
-    machine.model.parameters.iter().filter_map(number).collect()
+    // a number that was found has no exact form
+    let known = |p: &&mechanics::model::ParameterDecl| !machine.model.unknowns.contains(&p.symbol);
+    machine.model.parameters.iter().filter(known).filter_map(number).collect()
 }
 
 /// Highest power first. In the user's variable whole numbers; in ω² decimals with the leading coefficient 1 when these are shorter.

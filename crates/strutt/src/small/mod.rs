@@ -1,13 +1,17 @@
 //! Small motions about an equilibrium: what the studies `modes` and `response` share.
 
 pub mod equation;
+pub mod formulas;
 pub mod modes;
 pub mod response;
 pub mod show;
 
 use crate::pipeline::Machine;
+use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
-use analysis::{Fault, System};
+use analysis::numerics::lu::Lu;
+use analysis::studies::modes::{self as natural, Normalisation};
+use analysis::{Dataset, Fault, Quantity, System};
 use mechanics::model::StudyKind;
 use std::sync::Arc;
 use symbolic::linear::About;
@@ -32,6 +36,23 @@ pub fn about_rest(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small,
     Ok(Small { machine: linear, place })
 }
 
+/// Linearises a machine about the motion that it has at the start.
+///
+/// # Errors
+/// Formulas have no value there, or the mass matrix is singular.
+pub fn about_start(machine: &Machine) -> Result<Small, Fault> {
+    let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Motion)?;
+    let start = machine.system.start()?;
+    let n = machine.system.n_coordinates();
+    let mut place = Place { rates: start[n..2 * n].to_vec(), ..Place::rest(&start[..n]) };
+    let there = linear.at(&place)?;
+    natural::check_mass(&there.mass, n, linear.coordinates())?;
+    if let Some(accelerations) = Lu::new(&there.mass, n).solve(&there.force) {
+        place.accelerations = accelerations;
+    }
+    Ok(Small { machine: linear, place })
+}
+
 /// From the guess of the study, else from that of the file's equilibrium, the start and zero: the first stable equilibrium, or the first.
 fn rest(machine: &Machine, linear: &mut LinearMachine, guess: &[(SymbolId, f64)]) -> Result<Place, Fault> {
     let start = machine.system.start()?;
@@ -43,7 +64,7 @@ fn rest(machine: &Machine, linear: &mut LinearMachine, guess: &[(SymbolId, f64)]
     };
     let candidates: Vec<Vec<f64>> = if guess.is_empty() {
         let guesses = machine.model.studies.iter().filter_map(|s| match &s.kind {
-            StudyKind::Equilibrium { guess } if !guess.is_empty() => Some(from(guess)),
+            StudyKind::Equilibrium { guess, .. } if !guess.is_empty() => Some(from(guess)),
             _ => None,
         });
         guesses.chain([start[..n].to_vec(), vec![0.0; n]]).collect()
@@ -77,6 +98,62 @@ fn stable(linear: &mut LinearMachine, place: &Place) -> bool {
     let found = found.allowed().map_or(found.clone(), |(z, k)| found.reduced(&z, k));
     let (even, _) = analysis::linear::parts(&found.stiffness, found.n);
     analysis::numerics::lu::positive_definite(&even, found.n) != Some(false)
+}
+
+/// Puts the unknowns of the model at the numbers for which the start is a place of rest.
+///
+/// # Errors
+/// Statics do not give them.
+pub fn solve_unknowns(model: &mechanics::Model, equations: &mut symbolic::Equations) -> Result<(), Fault> {
+    let index = |s: &SymbolId| equations.parameters.iter().position(|p| p.symbol == *s);
+    let wanted: Vec<usize> = model.unknowns.iter().filter_map(index).collect();
+    if wanted.is_empty() {
+        return Ok(());
+    }
+    let mut machine = LinearMachine::new(&Arc::new(equations.clone()), About::Rest)?;
+    let starts: Vec<symbolic::Expr> = equations.coordinates.iter().map(|c| c.start).collect();
+    let q = machine.values_of(&starts, &Place::rest(&vec![0.0; starts.len()]))?;
+    analysis::studies::unknowns::unknowns(&mut machine, &wanted, &q)?;
+    for i in wanted {
+        let value = machine.value(i);
+        equations.parameters[i].value = value;
+        equations.parameters[i].written = format!("{value}");
+    }
+    Ok(())
+}
+
+/// Remarks on the unknowns that were found.
+pub fn unknown_notes(machine: &Machine) -> Vec<Text> {
+    let found = machine.equations.parameters.iter().filter(|p| machine.model.unknowns.contains(&p.symbol));
+    let name = |p: &symbolic::equations::Parameter| machine.equations.graph.symbol_info(p.symbol).name.clone();
+    found.map(|p| analysis::studies::unknowns::remark(&name(p), p.value, &p.unit)).collect()
+}
+
+/// Stability of equilibria by the roots of small motions, beside the verdict of the energy: columns `growth` (largest real part of a root)
+/// and `negative_directions` (of the potential energy's Hessian). Nothing is added for machines whose small motions are not defined.
+pub fn add_roots(machine: &Machine, data: &mut Dataset) {
+    if !machine.equations.conditions.is_empty() {
+        return;
+    }
+    let Ok(mut linear) = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest) else { return };
+    let names: Vec<String> = linear.coordinates().iter().map(|q| q.name.clone()).collect();
+    let rows = data.columns.first().map_or(0, |c| c.values.len());
+    let (mut growth, mut negative) = (Vec::new(), Vec::new());
+    for row in 0..rows {
+        let q: Option<Vec<f64>> = names.iter().map(|n| data.column(n).map(|c| c.values[row])).collect();
+        let Some(q) = q else { return };
+        let found = linear.at(&Place::rest(&q)).and_then(|m| natural::modes(&m, linear.coordinates(), Normalisation::Largest));
+        growth.push(found.as_ref().map_or(f64::NAN, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0))));
+        negative.push(found.as_ref().map_or(f64::NAN, |f| f.undamped.iter().filter(|w| w.is_nan()).count() as f64));
+    }
+    let column = |name: &str, unit: &str, label: Text, values: Vec<f64>| Column {
+        quantity: Quantity { label, ..Quantity::new(name, unit) },
+        values,
+    };
+    let label = Text::new("largest real part of a root", "наибольшая вещественная часть корня");
+    data.columns.push(column("growth", "1/s", label, growth));
+    let label = Text::new("directions in which the potential energy falls", "направлений убывания потенциальной энергии");
+    data.columns.push(column("negative_directions", "1", label, negative));
 }
 
 /// Remarks on how time was treated.

@@ -4,13 +4,16 @@ use crate::failure::Trouble;
 use crate::pipeline::Machine;
 use crate::provenance;
 use crate::small::equation::{self, FrequencyEquation};
-use crate::small::{Small, about_rest, timing_notes};
+use crate::small::formulas::{self, Written};
+use crate::small::{Small, about_rest, about_start, timing_notes};
 use analysis::dataset::Column;
 use analysis::linear::Matrices;
 use analysis::studies::modes::{self, Damping, Kind, Modes, Normalisation};
 use analysis::studies::tracks::{self, Tracks};
 use analysis::{Dataset, Fault, Quantity};
 use mechanics::model::{Modes as Study, Scale};
+use report::Language;
+use report::formula::{Form, Printer};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 use symbolic::Text;
@@ -37,6 +40,8 @@ pub struct Found {
     pub matrices: Matrices,
     /// The modes.
     pub modes: Modes,
+    /// The equations of small motions, while they are readable.
+    pub written: Option<Written>,
     /// The frequency equation, where it exists.
     pub equation: Option<FrequencyEquation>,
     /// Modes along the parameter of the study.
@@ -45,7 +50,8 @@ pub struct Found {
 
 /// Makes the study.
 pub fn find(machine: &Machine, study: &Study) -> ModesFound {
-    let result = about_rest(machine, &study.guess).and_then(|small| at(machine, study, small));
+    let small = if study.about_start { about_start(machine) } else { about_rest(machine, &study.guess) };
+    let result = small.and_then(|small| at(machine, study, small));
     let (found, fault) = match result {
         Ok(found) => (Some(found), None),
         Err(fault) => (None, Some(fault)),
@@ -59,14 +65,16 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     let matrices = small.machine.at(&small.place)?;
     let names = small.machine.coordinates().to_vec();
     let modes = modes::modes(&matrices, &names, normalisation(study.scale))?;
-    let equation = (modes.damping != Damping::General && matrices.jacobian.is_empty())
+    let equation = (!study.about_start && modes.damping != Damping::General && matrices.jacobian.is_empty())
         .then(|| equation::find(machine, &small, study.variable.as_ref()))
         .flatten();
-    let tracks = match &study.over {
+    let written = if study.about_start { None } else { formulas::write(&machine.equations, &small) };
+    let over = if study.about_start { None } else { study.over.as_ref() };
+    let tracks = match over {
         Some(sweep) => Some(along(&mut small, sweep)?),
         None => None,
     };
-    Ok(Found { small, matrices, modes, equation: equation.map(|e| e.0), tracks })
+    Ok(Found { small, matrices, modes, written, equation: equation.map(|e| e.0), tracks })
 }
 
 fn along(small: &mut Small, sweep: &mechanics::model::ParameterRange) -> Result<Tracks, Fault> {
@@ -100,6 +108,12 @@ fn dataset(found: &Found) -> Dataset {
     };
     data.audits.extend(found.modes.audits.iter().cloned());
     data.notes.extend(found.modes.notes.iter().cloned());
+    if found.small.place.rates.iter().any(|v| *v != 0.0) {
+        data.notes.push(Text::new(
+            "about the motion as it is at the start; the coefficients are those of that instant",
+            "около движения в начальный момент; коэффициенты взяты в этот момент",
+        ));
+    }
     data.notes.extend(timing_notes(&found.small.machine));
     data
 }
@@ -178,6 +192,12 @@ pub fn to_json(found: &ModesFound) -> Map<String, Value> {
         let list: Vec<String> = e.coefficients.iter().map(digits).collect();
         own.insert("frequency_coefficients".into(), json!({"variable": e.variable, "ascending": list}));
     }
+    if let Some(written) = &f.written {
+        let printer = Printer::of(f.small.machine.equations(), Language::En);
+        let print = |(i, e): (usize, &symbolic::equations::Equality)| printer.equality(&written.graph, *e, Some(i), Form::Text);
+        let list: Vec<String> = written.equations.iter().enumerate().map(print).collect();
+        own.insert("small_motion".into(), json!(list));
+    }
     let place: Map<String, Value> = names.iter().zip(&f.small.place.q).map(|(q, v)| (q.name.clone(), json!(v))).collect();
     own.insert("equilibrium".into(), Value::Object(place));
     own.insert("stable".into(), json!(stability(&f.modes)));
@@ -205,7 +225,7 @@ fn mode(m: &modes::Mode, names: &[Quantity], complex: bool) -> Value {
     };
     let period = if m.omega > 0.0 { json!(TAU / m.omega) } else { Value::Null };
     let mut out = json!({
-        "omega": m.omega, "f": m.omega / TAU, "T": period, "damping_ratio": m.ratio, "decrement": m.decrement(),
+        "omega": m.omega, "f": m.omega / TAU, "T": period, "damping_ratio": m.ratio, "decrement": m.decrement(), "quality_factor": if m.ratio == 0.0 { Value::Null } else { json!(0.5 / m.ratio) },
         "omega_d": m.damped, "root": [m.root.0, m.root.1], "kind": m.kind.key(), "shape": part(|z| z.0),
     });
     if complex {

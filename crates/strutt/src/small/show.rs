@@ -3,8 +3,9 @@
 use crate::small::modes::{Found, ModesFound, columns};
 use crate::small::response::ResponseFound;
 use analysis::Dataset;
-use report::document::Rich;
+use report::document::{Formula, Rich};
 use report::figure::{Axis, Kind, Mark, Series};
+use report::formula::Form;
 use report::table::Column;
 use report::unit::Scale;
 use report::{Block, Cell, Figure, Language, Table, Word};
@@ -64,6 +65,17 @@ pub fn place(found: &Found, language: Language) -> String {
 pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
     let Some(f) = &found.found else { return Vec::new() };
     let mut blocks = vec![Block::paragraph(place(f, language))];
+    if let Some(written) = &f.written {
+        let words =
+            language.pick("Equations of small motions about it, in deviations:", "Уравнения малых движений около него, в отклонениях:");
+        blocks.push(Block::paragraph(words));
+        let printer = crate::document::printer(f.small.machine.equations(), language, 90);
+        for (i, equality) in written.equations.iter().enumerate() {
+            let write = |form| printer.equality(&written.graph, *equality, Some(i), form);
+            let formula = Formula { mathml: write(Form::MathMl), text: write(Form::Text) };
+            blocks.push(Block::Equation { formula, numbered: false });
+        }
+    }
     blocks.push(Block::Table(plain_table(&columns(f), language)));
     if let Some(equation) = &f.equation {
         let of = language.pick("Frequency equation", "Частотное уравнение");
@@ -163,9 +175,8 @@ fn own_table(found: &ResponseFound, own: &analysis::studies::response::Point, la
     let mut table = Table::new(heads(&[(&title, ""), (words[0], ""), (words[1], "rad"), (words[2], ""), (words[3], "")], language));
     for (k, q) in found.outputs.iter().enumerate() {
         let (z, still) = (own.outputs[k], magnitude(own.still[k]));
-        let unit = report::unit::print(&q.unit, language);
-        let name = if unit.is_empty() { q.symbol.clone() } else { q.symbol.clone() };
-        let mut row = vec![Cell::symbol(name), number(magnitude(z), language), number(phase(z), language), number(still, language)];
+        let mut row =
+            vec![Cell::symbol(q.symbol.clone()), number(magnitude(z), language), number(phase(z), language), number(still, language)];
         row.push(number(if still > 0.0 { magnitude(z) / still } else { f64::NAN }, language));
         table.row(row);
     }

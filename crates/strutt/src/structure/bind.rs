@@ -86,6 +86,12 @@ impl<'a> Numbers<'a> {
         }
     }
 
+    /// The machine number with a symbol at a value.
+    pub fn at(&self, e: Expr, symbol: SymbolId, value: f64) -> f64 {
+        let known = |s: SymbolId| if s == symbol { value } else { self.machine.get(s.index()).copied().unwrap_or(0.0) };
+        self.graph.evaluate(&[e], &known)[0]
+    }
+
     /// Both numbers.
     pub fn factor(&mut self, e: Expr) -> Factor {
         Factor { value: self.value(e), exact: self.exact(e) }

@@ -1,10 +1,12 @@
 //! Studies of frames and trusses: from a model with nodes to datasets, fields of JSON and blocks of the written calculation.
 
 pub mod bind;
+pub mod compare;
 pub mod drawing;
 pub mod equation;
 pub mod modes;
 pub mod mount;
+pub mod rayleigh;
 pub mod show;
 pub mod statics;
 

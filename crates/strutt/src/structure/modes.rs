@@ -1,7 +1,9 @@
 //! Natural oscillations of the structure of a model.
 
 use super::bind::{Bound, Factor, Numbers, bind};
+use super::compare::Level;
 use super::equation;
+use super::rayleigh::Reduced as Reduction;
 use crate::failure::Trouble;
 use analysis::structure::reduced::{Condensation, Reduced};
 use analysis::studies::structure_modes::{self, Modes, Normalise, StructureModes};
@@ -22,6 +24,10 @@ pub struct Found {
     pub equation: Option<String>,
     /// The user's variable in it.
     pub variable: Option<String>,
+    /// Rods as one degree of freedom, by assumed shapes.
+    pub rayleigh: Vec<Reduction>,
+    /// The same frame at other levels of simplification.
+    pub levels: Vec<Level>,
 }
 
 /// Options of the file.
@@ -60,7 +66,10 @@ pub fn find(model: &Model, structure: &Structure, study: &model::Modes) -> Resul
         _ => None,
     };
     let variable = variable.map(|v| v.0.clone());
-    Ok(Found { bound, result, equation, variable })
+    let rayleigh = super::rayleigh::all(model, structure);
+    let shown = result.modes.len().min(3);
+    let levels = if structure.options.compare { super::compare::levels(model, structure, shown) } else { Vec::new() };
+    Ok(Found { bound, result, equation, variable, rayleigh, levels })
 }
 
 /// The study's own fields of JSON.
@@ -68,12 +77,26 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     let mut own = Map::new();
     let tau = 2.0 * std::f64::consts::PI;
     let result = &found.result;
-    let mode = |m: &structure_modes::Mode| json!({"omega": m.omega, "f": m.omega / tau, "T": tau / m.omega, "damping_ratio": 0.0, "shape": m.shape});
+    let mode = |m: &structure_modes::Mode| {
+        let shape: Map<String, Value> = result.coordinates.iter().zip(&m.shape).map(|(q, v)| (q.name.clone(), json!(v))).collect();
+        json!({"omega": m.omega, "f": m.omega / tau, "T": tau / m.omega, "damping_ratio": 0.0, "omega_d": m.omega, "kind": "oscillation",
+            "shape": shape})
+    };
     own.insert("study".into(), json!("modes"));
     own.insert("coordinates".into(), result.coordinates.iter().map(|q| json!(q.name)).collect());
     own.insert("modes".into(), result.modes.iter().map(mode).collect());
     if let Some(exact) = &result.continuum {
         own.insert("continuum".into(), json!(exact));
+    }
+    if !found.rayleigh.is_empty() {
+        let row = |r: &Reduction| {
+            json!({"name": r.name, "rod": r.rod, "reduced_mass": r.mass, "share": r.share, "stiffness": r.stiffness, "lumped": r.lumped,
+                "omega": r.omega})
+        };
+        own.insert("rayleigh".into(), found.rayleigh.iter().map(row).collect());
+    }
+    if !found.levels.is_empty() {
+        own.insert("levels".into(), found.levels.iter().map(|l| json!({"key": l.key, "omega": l.omega})).collect());
     }
     if let Some(equation) = &found.equation {
         own.insert("frequency_equation".into(), json!(equation));

@@ -31,10 +31,54 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
         let meaning = if found.variable.is_none() { ", z = ω²" } else { "" };
         blocks.push(Block::paragraph(format!("{of}: {equation}{meaning}")));
     }
+    blocks.extend(reductions(found, language));
+    blocks.extend(levels(found, language));
     if page {
         blocks.extend(super::drawing::modes(found, language).into_iter().map(Block::Figure));
     }
     blocks
+}
+
+/// Rods as one degree of freedom.
+fn reductions(found: &ModesFound, language: Language) -> Vec<Block> {
+    if found.rayleigh.is_empty() {
+        return Vec::new();
+    }
+    let mut table = Table::new(vec![
+        Column::new(language.pick("Assumed shape (Rayleigh)", "Принятая форма (Рэлей)")),
+        Column::with_unit(Rich::symbol("m_r"), "kg", language),
+        Column::new(language.pick("share of the rod", "доля массы стержня")),
+        Column::with_unit(Rich::symbol("c_r"), "N/m", language),
+        Column::with_unit(Rich::symbol("ω"), "rad/s", language),
+    ]);
+    for r in &found.rayleigh {
+        let label = language.text(&r.label);
+        let name = if label.is_empty() { r.name.clone() } else { format!("{}: {label}", r.name) };
+        let mut row = vec![Cell::words(name)];
+        row.extend([r.mass, r.share, r.stiffness, r.omega].map(|v| Cell::Number(number(v, language))));
+        table.row(row);
+    }
+    vec![Block::Table(table)]
+}
+
+/// The frame at all levels of simplification, with differences from the last.
+fn levels(found: &ModesFound, language: Language) -> Vec<Block> {
+    let Some(last) = found.levels.last() else { return Vec::new() };
+    let mut heads = vec![Column::new(language.pick("Assumed", "Принято"))];
+    for i in 0..last.omega.len() {
+        heads.push(Column::with_unit(Rich::symbol(format!("ω_{}", i + 1)), "rad/s", language));
+        heads.push(Column::with_unit(Rich::symbol(format!("δ_{}", i + 1)), "%", language));
+    }
+    let mut table = Table::new(heads);
+    for level in &found.levels {
+        let mut row = vec![Cell::words(language.text(&level.words))];
+        for (omega, exact) in level.omega.iter().zip(&last.omega) {
+            let percent = report::number::short(100.0 * (omega / exact - 1.0), 3, language);
+            row.extend([Cell::Number(report::number::short(*omega, 9, language)), Cell::Number(percent)]);
+        }
+        table.row(row);
+    }
+    vec![Block::Table(table)]
 }
 
 /// M, K, D over the coordinates: exact fractions where there are any.

@@ -5,8 +5,10 @@ use crate::failure::Trouble;
 use analysis::structure::statics::Station;
 use analysis::studies::structure_statics::{self, StructureStatics};
 use mechanics::Model;
-use mechanics::structure::Structure;
+use mechanics::model::Class;
+use mechanics::structure::{Action, Load, Structure};
 use serde_json::{Map, Value, json};
+use symbolic::Text;
 
 /// What was found, with the numbers it was found from.
 #[derive(Clone, Debug)]
@@ -23,8 +25,27 @@ pub struct Found {
 /// Mechanisms, loose nodes, forces that statics does not determine.
 pub fn find(model: &Model, structure: &Structure) -> Result<Found, Box<Trouble>> {
     let bound = bind(model, structure);
-    let result = structure_statics::statics(&bound.frame, bound.exact.as_ref()).map_err(|f| Box::new(Trouble::from(f)))?;
+    let mut result = structure_statics::statics(&bound.frame, bound.exact.as_ref()).map_err(|f| Box::new(Trouble::from(f)))?;
+    if structure.loads.iter().any(|l| moves(model, l)) {
+        result
+            .dataset
+            .notes
+            .push(Text::new("loads that depend on time are taken at t = 0", "нагрузки, зависящие от времени, взяты при t = 0"));
+    }
     Ok(Found { bound, result })
+}
+
+/// Whether a load depends on time.
+fn moves(model: &Model, load: &Load) -> bool {
+    let values: Vec<symbolic::Expr> = match &load.action {
+        Action::Point { value, .. } => value.to_vec(),
+        Action::Distributed { value, .. } => value.concat(),
+    };
+    let mut symbols = model.graph.symbols_in(&values);
+    // parameters may be formulas of time
+    let formulas = model.parameters.iter().filter(|p| symbols.contains(&p.symbol) && p.class == Class::Time);
+    symbols.extend(formulas.map(|_| model.time).collect::<Vec<_>>());
+    symbols.contains(&model.time)
 }
 
 /// The study's own fields of JSON.

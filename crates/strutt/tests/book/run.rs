@@ -101,18 +101,33 @@ struct Command {
     tolerance: f64,
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
+    linearise: bool,
     /// Name of a section.
     name: String,
+    /// Row of the table of variants.
+    variant: Option<String>,
 }
 
 impl Command {
     fn parse(words: &[String]) -> Result<Command, String> {
-        let mut command =
-            Command { verb: words[0].clone(), until: 0.0, tolerance: TOLERANCE, set: Vec::new(), guess: Vec::new(), name: String::new() };
+        let mut command = Command {
+            verb: words[0].clone(),
+            until: 0.0,
+            tolerance: TOLERANCE,
+            set: Vec::new(),
+            guess: Vec::new(),
+            name: String::new(),
+            variant: None,
+            linearise: false,
+        };
         let mut list = None;
         for word in &words[1..] {
             if word == "set" || word == "guess" {
                 list = Some(word.as_str());
+                continue;
+            }
+            if word == "linearise" {
+                command.linearise = true;
                 continue;
             }
             let (name, value) = word.split_once('=').ok_or_else(|| format!("not NAME=VALUE: `{word}`"))?;
@@ -122,6 +137,7 @@ impl Command {
                 (Some(_), _) => command.guess.push(pair),
                 (None, "until") => command.until = quantity(value)?,
                 (None, "name") => value.clone_into(&mut command.name),
+                (None, "variant") => command.variant = Some(value.to_owned()),
                 (None, "tolerance") => command.tolerance = value.parse().map_err(|_| format!("not a number: {value}"))?,
                 (None, _) => return Err(format!("unknown option `{word}`")),
             }
@@ -129,9 +145,26 @@ impl Command {
         Ok(command)
     }
 
+    /// Values of the variant, then those set by hand.
+    fn overrides(&self, source: &Source) -> Result<Vec<(String, String)>, Failure> {
+        let mut all = Vec::new();
+        if let Some(variant) = &self.variant {
+            let reading = mechanics::read(&source.text, &source.path, &[])
+                .map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
+            all = strutt::variants::overrides(&reading.model, source, variant)?;
+        }
+        all.extend(self.set.iter().cloned());
+        Ok(all)
+    }
+
     fn run(&self, trial: &Trial, claims: &[&Claim]) -> Result<Outcome, String> {
         let source = Source::new("model.toml", &trial.model);
-        let mut machine = match pipeline::build(&source, &self.set, &mut Watch::default()) {
+        let set = match self.overrides(&source) {
+            Ok(set) => set,
+            Err(Failure::Trouble(t) | Failure::Misuse(t)) => return Ok(Outcome::Trouble { code: t.code, what: t.what.en.clone() }),
+            Err(other) => return Err(format!("no variant: {other:?}")),
+        };
+        let mut machine = match pipeline::build(&source, &set, &mut Watch::default()) {
             Ok(machine) => machine,
             Err(Failure::Findings { diagnostics, .. }) => return Ok(Outcome::Findings(diagnostics)),
             Err(Failure::Trouble(trouble)) => return Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
@@ -141,11 +174,12 @@ impl Command {
             "simulate" => self.simulate(&mut machine, claims),
             "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
-            "modes" | "response" => Ok(self.fields(&mut machine)),
+            "modes" | "response" | "equilibria" => Ok(self.fields(&mut machine)),
             "section" => {
                 let found = machine.model.sections.iter().find(|s| s.name == self.name).cloned();
                 found.map(|s| Outcome::Section(Box::new(s))).ok_or_else(|| format!("no section `{}`", self.name))
             }
+            "statics" if machine.model.structure.is_some() => Ok(self.fields(&mut machine)),
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
             kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),
@@ -167,13 +201,14 @@ impl Command {
 
     fn transient(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
         let times = self.times(claims);
-        let study = mechanics::model::Simulate {
+        let motion = mechanics::model::Simulate {
             until: self.until,
             times: Times::At(times.clone()),
             tolerance: self.tolerance,
             outputs: machine.equations.outputs.iter().map(|o| o.name.clone()).collect(),
             plots: Vec::new(),
         };
+        let study = mechanics::model::Transient { motion, linearise: self.linearise };
         match pipeline::transient(machine, &study, &mut Watch::default()) {
             Finding::Transient(_, data, phases, None) => Ok(Outcome::Closed { times, data, phases }),
             Finding::Transient(_, _, _, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
@@ -208,14 +243,28 @@ impl Command {
     fn fields(&self, machine: &mut Machine) -> Outcome {
         let of_file = machine.model.studies.iter().map(|s| s.kind.clone()).find(|kind| match kind {
             StudyKind::Modes(_) => self.verb == "modes",
+            StudyKind::Equilibrium { .. } => self.verb == "equilibria",
             StudyKind::Response(_) => self.verb == "response",
+            StudyKind::Statics => self.verb == "statics",
             _ => false,
         });
-        let usual = if self.verb == "modes" { StudyKind::Modes(Modes::default()) } else { StudyKind::Response(Response::default()) };
+        let usual = match self.verb.as_str() {
+            "modes" => StudyKind::Modes(Modes::default()),
+            "equilibria" => StudyKind::Equilibrium { guess: Vec::new(), over: None },
+            "statics" => StudyKind::Statics,
+            _ => StudyKind::Response(Response::default()),
+        };
         match pipeline::study(machine, &of_file.unwrap_or(usual), &mut Watch::default()) {
             Some(finding) => match finding.trouble() {
                 Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
-                None => Outcome::Fields { own: strutt::folder::own_fields(&finding).into(), data: finding.data().clone() },
+                None => {
+                    let data = finding.data().clone();
+                    let mut own = strutt::folder::own_fields(&finding);
+                    let parameters: serde_json::Map<String, serde_json::Value> =
+                        data.provenance.parameters.iter().map(|p| (p.quantity.name.clone(), p.value.into())).collect();
+                    own.insert("parameters".into(), parameters.into());
+                    Outcome::Fields { own: own.into(), data }
+                }
             },
             None => Outcome::Trouble { code: "", what: "no study".into() },
         }

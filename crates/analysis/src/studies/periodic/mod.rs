@@ -125,7 +125,7 @@ pub struct Outcome {
 }
 
 /// Multipliers this near to the unit circle decide nothing.
-const NEUTRAL: f64 = 1e-7;
+const NEUTRAL: f64 = 1e-5;
 
 /// Searches the periodic regime from the state `start` at t = 0.
 ///
@@ -156,7 +156,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         found = newton::solve(system, &found.at_time_zero(x), &again)?;
     }
     let (matrix, grazing) = found.monodromy(system)?;
-    let n = found.free.len();
+    let n = found.returning(None).len();
     let mut values = if n == 0 { Vec::new() } else { general(n, &matrix)?.values };
     values.sort_by(|a, b| b.0.hypot(b.1).total_cmp(&a.0.hypot(a.1)).then(b.0.total_cmp(&a.0)).then(b.1.total_cmp(&a.1)));
     let multipliers = named(&values, found.trivial());

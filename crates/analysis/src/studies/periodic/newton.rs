@@ -2,7 +2,7 @@
 
 use super::fundamental::{self, Square};
 use super::orbit::{Orbit, Section, follow};
-use super::symmetry::{self, Symmetry};
+use super::symmetry::{self, Reach, Symmetry};
 use super::{Multiplier, Periodic, Return, closure, driven, interrupted, no_return, unsettled};
 use crate::dataset::Audit;
 use crate::numerics::rank::Qr;
@@ -28,8 +28,10 @@ pub(super) struct Found {
     pub(super) orbit: Orbit,
     scales: Vec<f64>,
     symmetry: Symmetry,
+    /// Translations of the laws alone, whether the conditions allow them or not.
+    loose: Symmetry,
     /// States that can be chosen freely; the others follow from the conditions.
-    pub(super) free: Vec<usize>,
+    free: Vec<usize>,
     /// Change of all states per change of the free ones, column by column.
     basis: Vec<Vec<f64>>,
     angles: Vec<bool>,
@@ -41,6 +43,7 @@ struct Search<'o> {
     flow: Options,
     scales: Vec<f64>,
     symmetry: Symmetry,
+    loose: Symmetry,
     /// States that are the same after a whole turn.
     angles: Vec<bool>,
     sections: Vec<Section>,
@@ -120,7 +123,8 @@ fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'
             if orbit.steps.len() < 4 {
                 return Err(fault);
             }
-            let kept = orbit.steps.len().div_ceil(2);
+            let half = 0.5 * flow.time();
+            let kept = orbit.steps.iter().take_while(|s| s.end().high <= half).count().max(1);
             orbit.steps.truncate(kept);
             break;
         }
@@ -178,7 +182,8 @@ fn prepare<'o, S: System + ?Sized>(
         Return::State(name) => Some(state_named(system, name)?),
         _ => None,
     };
-    let symmetry = symmetry::find(system, &trial, &first_scales, named)?;
+    let symmetry = symmetry::find(system, &trial, &first_scales, named, Reach::Possible)?;
+    let loose = symmetry::find(system, &trial, &first_scales, named, Reach::Any)?;
     let scales = scales(system, &trial, symmetry.frame.as_ref());
     let angles = angles(system, &trial, &scales)?;
     let mut search = Search {
@@ -186,6 +191,7 @@ fn prepare<'o, S: System + ?Sized>(
         flow: Options { span: trial.period, ..flow },
         scales,
         symmetry,
+        loose,
         angles,
         sections: Vec::new(),
         state: None,
@@ -289,13 +295,11 @@ impl Search<'_> {
         let shifted = |i: usize| self.symmetry.shifts.iter().any(|(p, _)| *p == i);
         let speed = |i: usize| if shifted(i) { -1.0 } else { (rates[i] - frame[i]).abs() / self.scales[i] };
         let n = system.n_coordinates();
-        // coordinates first: a rate may stand still while the machine sticks
         let best = |range: &mut dyn Iterator<Item = usize>| range.max_by(|&a, &b| speed(a).total_cmp(&speed(b)));
-        let fastest = best(&mut (0..x.len())).unwrap_or(0);
-        Ok(match best(&mut (0..n)) {
-            Some(i) if speed(i) > 0.2 * speed(fastest) => i,
-            _ => fastest,
-        })
+        // a coordinate unless it turns just here: a rate may stand still for a while where something sticks
+        let usual = |i: usize| trial.steps.iter().map(|s| (s.coefficients(i)[1] - frame[i]).abs()).fold(0.0, f64::max) / self.scales[i];
+        let moving = best(&mut (0..n).chain(2 * n..x.len())).filter(|&i| speed(i) > 0.02 * usual(i) && speed(i) > 0.0);
+        Ok(moving.or_else(|| best(&mut (0..x.len()))).unwrap_or(0))
     }
 
     /// The sections through x: the same value again in the same direction, or a turn further.
@@ -325,7 +329,15 @@ impl Search<'_> {
 
     fn found<S: System + ?Sized>(&self, system: &mut S, orbit: Orbit) -> Result<Found, Fault> {
         let (free, basis) = tangent(system, &orbit.first, &orbit.modes[0], &self.scales, self.state, &self.symmetry)?;
-        Ok(Found { orbit, scales: self.scales.clone(), symmetry: self.symmetry.clone(), free, basis, angles: self.angles.clone() })
+        Ok(Found {
+            orbit,
+            scales: self.scales.clone(),
+            symmetry: self.symmetry.clone(),
+            loose: self.loose.clone(),
+            free,
+            basis,
+            angles: self.angles.clone(),
+        })
     }
 }
 
@@ -348,7 +360,7 @@ fn tangent<S: System + ?Sized>(
     let p: Vec<f64> = (0..n * n).map(|k| rows[k / n][k % n] * scales[k % n] / scales[k / n]).collect();
     let weight = |i: usize| match first {
         Some(state) if state == i => 1e3,
-        _ if symmetry.shifts.iter().any(|(pivot, _)| *pivot == i) => 1e-3,
+        _ if symmetry.shifts.iter().any(|(pivot, _)| *pivot == i) => 1e2,
         _ => 1.0,
     };
     let transposed: Vec<f64> = (0..n * n).map(|k| p[(k % n) * n + k / n] * weight(k % n)).collect();
@@ -384,7 +396,7 @@ impl Found {
     /// last - first less drift and whole turns, the shifts taken out.
     fn gap(&self) -> Vec<f64> {
         let mut gap = self.raw_gap();
-        self.clear_shifts(&mut gap);
+        clear_shifts(&self.symmetry, &mut gap);
         gap
     }
 
@@ -399,15 +411,8 @@ impl Found {
             .collect()
     }
 
-    fn clear_shifts(&self, change: &mut [f64]) {
-        for (pivot, shift) in &self.symmetry.shifts {
-            let amount = change[*pivot];
-            change.iter_mut().zip(shift).for_each(|(c, s)| *c -= amount * s);
-        }
-    }
-
     /// States that have to come back: free, not the section's, not translations.
-    fn returning(&self, section: Option<usize>) -> Vec<usize> {
+    pub(super) fn returning(&self, section: Option<usize>) -> Vec<usize> {
         let pivot = |i: usize| self.symmetry.shifts.iter().any(|(p, _)| *p == i);
         self.free.iter().copied().filter(|&i| Some(i) != section && !pivot(i)).collect()
     }
@@ -448,7 +453,7 @@ impl Found {
                 let later = -change[s] / rates[s];
                 change.iter_mut().zip(&rates).for_each(|(c, r)| *c += r * later);
             }
-            self.clear_shifts(&mut change);
+            clear_shifts(&self.symmetry, &mut change);
             for (row, &i) in returning.iter().enumerate() {
                 let unit = if i == j { 1.0 } else { 0.0 };
                 square[row * m + column] = (change[i] - unit * 1.0) * self.scales[j] / self.scales[i];
@@ -469,32 +474,30 @@ impl Found {
         Ok(Some(step))
     }
 
-    /// The fundamental matrix on the free states, row-major, and whether a switch is grazing.
+    /// The fundamental matrix on the free states up to translations, row-major, and whether a switch is grazing.
     pub(super) fn monodromy<S: System + ?Sized>(&self, system: &mut S) -> Result<(Vec<f64>, bool), Fault> {
         let (matrix, grazing): (Square, bool) = fundamental::of_orbit(system, &self.orbit, &self.scales)?;
-        let r = self.free.len();
+        let states = self.returning(None);
+        let r = states.len();
         let mut out = vec![0.0; r * r];
-        for (k, column) in self.basis.iter().enumerate() {
-            let change = matrix.apply(column);
+        for (column, &j) in states.iter().enumerate() {
+            let k = self.free.iter().position(|&i| i == j).unwrap_or(0);
+            let mut change = matrix.apply(&self.basis[k]);
+            clear_shifts(&self.symmetry, &mut change);
             // in scales: eigenvalues are the same, rounding is not
-            let scale = |i: usize| self.scales[self.free[k]] / self.scales[i];
-            self.free.iter().enumerate().for_each(|(row, &i)| out[row * r + k] = change[i] * scale(i));
+            states.iter().enumerate().for_each(|(row, &i)| out[row * r + column] = change[i] * self.scales[j] / self.scales[i]);
         }
         Ok((out, grazing))
     }
 
-    /// How many multipliers are 1 because of translations in time and space.
+    /// How many multipliers are 1 because of translations in time: one, unless the motion is a mere translation.
     pub(super) fn trivial(&self) -> usize {
-        let n = self.orbit.first.len();
-        let mut columns: Vec<Vec<f64>> =
-            self.symmetry.shifts.iter().filter(|(p, _)| self.free.contains(p)).map(|(_, shift)| shift.clone()).collect();
-        if let (Some(frame), Some(step)) = (&self.symmetry.frame, self.orbit.steps.first()) {
-            let flow: Vec<f64> = (0..n).map(|i| step.coefficients(i).get(1).copied().unwrap_or(0.0) - frame[i]).collect();
-            columns.push(flow.iter().map(|f| f * self.orbit.period).collect());
-        }
-        let count = columns.len();
-        let matrix: Vec<f64> = (0..n).flat_map(|i| columns.iter().map(move |c| (i, c))).map(|(i, c)| c[i] / self.scales[i]).collect();
-        Qr::new(n, count, &matrix, 1e-9).rank()
+        let (Some(frame), Some(step)) = (&self.symmetry.frame, self.orbit.steps.first()) else { return 0 };
+        let period = self.orbit.period;
+        let mut flow: Vec<f64> =
+            frame.iter().enumerate().map(|(i, v)| (step.coefficients(i).get(1).copied().unwrap_or(0.0) - v) * period).collect();
+        clear_shifts(&self.symmetry, &mut flow);
+        usize::from(self.returning(None).iter().any(|&i| flow[i].abs() > 1e-9 * self.scales[i]))
     }
 
     /// Checks: all states come back, so do their rates; the trivial multipliers are 1.
@@ -506,7 +509,8 @@ impl Found {
         audits: &mut Vec<Audit>,
     ) -> Result<(), Fault> {
         let mut gap = self.raw_gap();
-        self.clear_shifts(&mut gap);
+        // what follows from the free states may have gone on, where the laws do not feel it
+        clear_shifts(&self.loose, &mut gap);
         let n = system.n_coordinates();
         let places = gap.iter().zip(&self.scales).map(|(g, s)| (g / s).abs()).fold(0.0, f64::max);
         let first = fundamental::rates(system, 0.0, &self.orbit.first, &self.orbit.modes[0])?;
@@ -525,5 +529,13 @@ impl Found {
             audits.insert(1, Audit::at_most("trivial_multiplier", name, off, 1e-5));
         }
         Ok(())
+    }
+}
+
+/// Takes the translations out of a change.
+fn clear_shifts(symmetry: &Symmetry, change: &mut [f64]) {
+    for (pivot, shift) in &symmetry.shifts {
+        let amount = change[*pivot];
+        change.iter_mut().zip(shift).for_each(|(c, s)| *c -= amount * s);
     }
 }

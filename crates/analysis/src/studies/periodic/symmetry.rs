@@ -23,8 +23,23 @@ pub(super) struct Symmetry {
     pub(super) shifts: Vec<(usize, Vec<f64>)>,
 }
 
+/// Which translations count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reach {
+    /// Those that the conditions of connections allow.
+    Possible,
+    /// All that the laws do not feel.
+    Any,
+}
+
 /// Finds the translations; `keep` is the state that should be a pivot where it can.
-pub(super) fn find<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64], keep: Option<usize>) -> Result<Symmetry, Fault> {
+pub(super) fn find<S: System + ?Sized>(
+    system: &mut S,
+    orbit: &Orbit,
+    scales: &[f64],
+    keep: Option<usize>,
+    reach: Reach,
+) -> Result<Symmetry, Fault> {
     let (n, n_x) = (system.n_coordinates(), orbit.first.len());
     let places: Vec<usize> = (0..n).chain(2 * n..n_x).collect();
     let sizes: Vec<f64> = places.iter().map(|&i| scales[i]).chain([orbit.period]).collect();
@@ -33,6 +48,11 @@ pub(super) fn find<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[
     let mut table = Table { samples, places: places.clone(), sizes: sizes.clone(), matrix: Vec::new(), norms: Vec::new() };
     for k in 0..table.samples.len() {
         rows(system, k, scales, orbit.period, &mut table)?;
+    }
+    if reach == Reach::Possible {
+        for k in (0..table.samples.len()).step_by(4) {
+            conditions(system, k, scales, orbit.period, &mut table)?;
+        }
     }
     let qr = Qr::new(table.norms.len(), columns, &table.matrix, NOISE);
     let mut directions: Vec<Vec<f64>> = qr.null_space();
@@ -118,6 +138,26 @@ fn rows<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], perio
     Ok(())
 }
 
+/// Adds rows that vanish for directions in which the machine can be moved: the projection on the conditions leaves them as they are.
+fn conditions<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], period: f64, table: &mut Table) -> Result<(), Fault> {
+    let Sample { t, x, modes } = &table.samples[sample];
+    let mut moved = |t: f64, place: &[f64]| {
+        let mut place = place.to_vec();
+        system.project(t, &mut place, modes)?;
+        Ok(place)
+    };
+    let by_state = derivative(x, scales, |place| moved(*t, place))?;
+    let by_time = derivative(&[*t], &[period], |time| moved(time[0], x))?;
+    for (i, (row, time)) in by_state.iter().zip(&by_time).enumerate() {
+        let change = |j: usize| row[j] - if i == j { 1.0 } else { 0.0 };
+        let entries = table.places.iter().map(|&j| change(j) * scales[j]).chain([time[0] * period]);
+        let entries: Vec<f64> = entries.map(|e| e / scales[i]).map(|e| if e.abs() < NOISE { 0.0 } else { e }).collect();
+        table.matrix.extend(entries);
+        table.norms.push(1.0);
+    }
+    Ok(())
+}
+
 /// Takes out of the directions the one that is largest at `pivot`, normed to 1 there, and clears that entry of the others.
 fn eliminate(directions: &mut Vec<Vec<f64>>, pivot: usize, size: impl Fn(&[f64], usize) -> f64) -> Option<Vec<f64>> {
     let best = (0..directions.len()).max_by(|&a, &b| size(&directions[a], pivot).total_cmp(&size(&directions[b], pivot)))?;
@@ -149,6 +189,8 @@ fn refined<S: System + ?Sized>(system: &mut S, table: &Table, mut frame: Vec<f64
             let there = laws(system, sample.t + period, &moved, &sample.modes)?;
             right.extend(here.iter().zip(&there).map(|(a, b)| a - b));
         }
+        // the frame keeps to the conditions
+        right.resize(table.norms.len(), 0.0);
         right.iter_mut().zip(&table.norms).for_each(|(r, norm)| *r /= norm);
         let (change, _) = Qr::new(right.len(), columns - 1, &left, NOISE).least_squares(&right);
         table.places.iter().enumerate().for_each(|(k, &i)| frame[i] += change[k] * table.sizes[k] / period);

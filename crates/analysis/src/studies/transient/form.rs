@@ -1,14 +1,16 @@
 //! Equations of motion as M q'' + B q' + C q = f(t), exactly, where they are linear.
 //!
-//! Every expression is evaluated as a first-order form over the states whose coefficients are [`Load`]s. Nothing is approximated: a product
+//! Every expression is evaluated as a first-order form over the states whose coefficients are [`Load`]s. Unless a place of rest is given to
+//! linearise about, nothing is approximated: a product
 //! of two motions, a function of a motion or a coefficient that changes with time is a fault that names the expression. Loads that switch at
 //! scheduled instants are taken as they are in the middle of the phase.
 
 use super::load::Load;
+use super::obstacle::{Obstacle, Reason, Result, connected};
+use super::value::{Value, slope};
 use crate::Fault;
-use crate::fault::Message;
 use std::collections::HashMap;
-use symbolic::{Equations, Expr, Function, Node, SymbolId, Text};
+use symbolic::{Equations, Expr, Function, Node, SymbolId};
 
 /// M q'' + B q' + C q = f(t) within a phase; matrices row-major.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,57 +29,24 @@ pub struct Form {
     pub turns: Vec<Load>,
 }
 
-/// constant + Σ coefficient · state.
-#[derive(Clone, Debug, Default)]
-struct Value {
-    constant: Load,
-    /// By state, ascending; q then q'.
-    slopes: Vec<(usize, Load)>,
-}
-
-/// Why an expression has no place in a linear system, and the expression.
-#[derive(Clone, Copy, Debug)]
-struct Obstacle(Reason, Expr);
-
-#[derive(Clone, Copy, Debug)]
-enum Reason {
-    NotLinear,
-    Varying,
-    NoClosedForm,
-}
-
-type Result<T> = std::result::Result<T, Obstacle>;
-
-/// Forms of the phases between the given instants. `from` and `to` bound the phases: phase k lasts from instants[k] to instants[k + 1].
+/// Forms of the phases between the given instants: phase k lasts from instants[k] to instants[k + 1].
 ///
-/// *Errors*: S034 connections, S030 not linear, S031 coefficients change with time, S032 a load without a closed form.
-pub fn forms(equations: &Equations, instants: &[f64]) -> std::result::Result<Vec<Form>, Fault> {
+/// *Errors*: S074 connections, S070 not linear, S071 coefficients change with time, S072 a load without a closed form.
+///
+/// With a place of rest q0 the forms are those of small motions and small loads about it, still over q itself: f contains C q0. Products of
+/// loads and motions are dropped.
+pub fn forms(equations: &Equations, instants: &[f64], rest: Option<&[f64]>) -> std::result::Result<Vec<Form>, Fault> {
     if !equations.conditions.is_empty() || !equations.reactions.is_empty() {
         return Err(connected());
     }
     let mut turns: Vec<f64> = Vec::new();
     let mut found = Vec::new();
     for span in instants.windows(2) {
-        let mut walk = Walk::new(equations, 0.5 * (span[0] + span[1]));
+        let mut walk = Walk::new(equations, 0.5 * (span[0] + span[1]), rest);
         let form = walk.phase(span, &mut turns).map_err(|o| o.fault(span[0]))?;
         found.push(form);
     }
     Ok(found)
-}
-
-fn connected() -> Fault {
-    Fault::new(Message {
-        code: "S034",
-        what: Text::new("the machine has connections", "в машине есть связи"),
-        why: Text::new(
-            "the closed form needs independent coordinates; connections, stops and friction keep reactions as unknowns",
-            "замкнутое решение требует независимых координат; связи, упоры и трение оставляют реакции неизвестными",
-        ),
-        help: Text::new(
-            "place the bodies by formulas of independent coordinates, or use the study simulate",
-            "задайте положения тел формулами независимых координат или примените расчёт simulate",
-        ),
-    })
 }
 
 /// One phase.
@@ -85,23 +54,25 @@ struct Walk<'e> {
     equations: &'e Equations,
     /// An instant inside the phase, which decides the switches.
     inside: f64,
+    /// Where to linearise.
+    rest: Option<&'e [f64]>,
     values: HashMap<Expr, Result<Value>>,
     symbols: HashMap<SymbolId, Result<Value>>,
 }
 
 impl<'e> Walk<'e> {
-    fn new(equations: &'e Equations, inside: f64) -> Walk<'e> {
+    fn new(equations: &'e Equations, inside: f64, rest: Option<&'e [f64]>) -> Walk<'e> {
         let mut symbols = HashMap::new();
         symbols.insert(equations.time, Ok(Value::of(Load::time())));
         let n = equations.coordinates.len();
         for (i, c) in equations.coordinates.iter().enumerate() {
-            symbols.insert(c.symbols[0], Ok(Value::state(i)));
-            symbols.insert(c.symbols[1], Ok(Value::state(n + i)));
+            symbols.insert(c.symbols[0], Ok(Value::state(i, rest.map_or(0.0, |q| q[i]))));
+            symbols.insert(c.symbols[1], Ok(Value::state(n + i, 0.0)));
         }
         for p in &equations.parameters {
             symbols.insert(p.symbol, Ok(Value::just(p.value)));
         }
-        Walk { equations, inside, values: HashMap::new(), symbols }
+        Walk { equations, inside, rest, values: HashMap::new(), symbols }
     }
 
     /// `turns` are the auxiliary states at the start of the phase, on return at its end; empty before the first phase.
@@ -141,23 +112,35 @@ impl<'e> Walk<'e> {
             for j in 0..n {
                 let e = equations.mass.get(i, j);
                 let value = self.of(e)?;
-                if !value.slopes.is_empty() {
+                if !value.slopes.is_empty() && self.rest.is_none() {
                     return Err(Obstacle(Reason::NotLinear, e));
                 }
-                form.mass[i * n + j] = value.constant.as_constant().ok_or(Obstacle(Reason::Varying, e))?;
+                form.mass[i * n + j] = self.coefficient(&value.constant).ok_or(Obstacle(Reason::Varying, e))?;
             }
         }
         for (i, &force) in equations.force.iter().enumerate() {
             let value = self.of(force)?;
+            let mut load = value.constant;
             for (state, slope) in value.slopes {
-                let number = slope.as_constant().ok_or(Obstacle(Reason::Varying, force))?;
+                let number = self.coefficient(&slope).ok_or(Obstacle(Reason::Varying, force))?;
+                if let (Some(q), true) = (self.rest, state < n) {
+                    load.add(&Load::constant(q[state]), -number);
+                }
                 let matrix = if state < n { &mut form.stiffness } else { &mut form.damping };
                 // h stands on the right, C and B on the left
                 matrix[i * n + state % n] = -number;
             }
-            form.loads.push(value.constant);
+            form.loads.push(load);
         }
         Ok(form)
+    }
+
+    /// A coefficient of the equations; about a place of rest its mean, since what varies is a product of a small load and a small motion.
+    fn coefficient(&self, value: &Load) -> Option<f64> {
+        match self.rest {
+            None => value.as_constant(),
+            Some(_) => Some(value.mean()),
+        }
     }
 
     /// The value of an expression, that of its parts first.
@@ -191,15 +174,15 @@ impl<'e> Walk<'e> {
             Node::Product { coefficient, factors } => {
                 let mut product = Value::just(coefficient.to_f64());
                 for (base, exponent) in factors {
-                    let power = self.known(*base)?.power(exponent.to_f64()).map_err(|r| Obstacle(r, e))?;
-                    product = product.times(&power).ok_or(Obstacle(Reason::NotLinear, e))?;
+                    let power = self.power(&self.known(*base)?, exponent.to_f64()).map_err(|r| Obstacle(r, e))?;
+                    product = self.times(&product, &power).ok_or(Obstacle(Reason::NotLinear, e))?;
                 }
                 Ok(product)
             }
             Node::Power { base, exponent } => {
                 let exponent = self.known(*exponent)?;
                 let exponent = exponent.number().ok_or(Obstacle(exponent.reason(), e))?;
-                self.known(*base)?.power(exponent).map_err(|r| Obstacle(r, e))
+                self.power(&self.known(*base)?, exponent).map_err(|r| Obstacle(r, e))
             }
             Node::Call { function, arguments } => {
                 let arguments: Vec<Value> = arguments.iter().map(|a| self.known(*a)).collect::<Result<_>>()?;
@@ -214,7 +197,8 @@ impl<'e> Walk<'e> {
 
     /// The sign of a guard within the phase.
     fn decide(&self, guard: &Value) -> std::result::Result<f64, Reason> {
-        if !guard.slopes.is_empty() {
+        let moving = !guard.slopes.is_empty();
+        if moving && (self.rest.is_none() || guard.constant.as_constant().is_none_or(|c| c == 0.0)) {
             return Err(Reason::NotLinear);
         }
         // an affine guard changes its sign at a scheduled instant only, and phases end there
@@ -227,7 +211,7 @@ impl<'e> Walk<'e> {
             return Ok(Value::just(function.value(numbers[0], numbers.get(1).copied().unwrap_or(0.0))));
         }
         if x.iter().any(|v| !v.slopes.is_empty()) {
-            return Err(Reason::NotLinear);
+            return if self.rest.is_some() { self.small(function, x) } else { Err(Reason::NotLinear) };
         }
         let affine = || x[0].constant.as_affine().ok_or(Reason::NoClosedForm);
         let half_sum = |sign: f64, (a, b): (f64, f64)| {
@@ -257,108 +241,68 @@ impl<'e> Walk<'e> {
             _ => return Err(Reason::NoClosedForm),
         }))
     }
-}
 
-impl Obstacle {
-    fn fault(self, start: f64) -> Fault {
-        let Obstacle(reason, e) = self;
-        let at = crate::fault::number(start);
-        let message = match reason {
-            Reason::NotLinear => Message {
-                code: "S030",
-                what: Text::new("the system is not linear, so it has no closed form", "система нелинейна, и замкнутого решения у неё нет"),
-                why: Text::new(
-                    "this term contains a product or a function of coordinates or rates",
-                    "этот член содержит произведение или функцию координат или скоростей",
-                ),
-                help: Text::new(
-                    "use the study simulate, or write the model for small motions (sin phi -> phi)",
-                    "примените расчёт simulate или составьте модель для малых движений (sin phi -> phi)",
-                ),
-            },
-            Reason::Varying => Message {
-                code: "S031",
-                what: Text::new("a coefficient of the system changes with time", "коэффициент системы меняется со временем"),
-                why: Text::new(
-                    "mass, damping or stiffness may change at switches only, not within a phase",
-                    "масса, сопротивление и жёсткость могут меняться только при переключениях, но не внутри этапа",
-                ),
-                help: Text::new("use the study simulate", "примените расчёт simulate"),
-            },
-            Reason::NoClosedForm => Message {
-                code: "S032",
-                what: Text::new(
-                    format!("a load has no closed form within the phase from {} s", at.en),
-                    format!("нагрузка на этапе с {} с не имеет замкнутого решения", at.ru),
-                ),
-                why: Text::new(
-                    "loads are sums of constants, powers of t, sin(p t + d) with a constant frequency p, exp(-a t), and their products",
-                    "нагрузки — это суммы постоянных, степеней t, sin(p t + d) с постоянной частотой p, exp(-a t) и их произведений",
-                ),
-                help: Text::new(
-                    "keep the frequency constant within a phase (phases may change it), or use the study simulate",
-                    "задайте на каждом этапе постоянную частоту (её может сменить следующий этап) или примените расчёт simulate",
-                ),
-            },
-        };
-        Fault::new(message).about(Some(e))
-    }
-}
-
-impl Value {
-    fn of(constant: Load) -> Value {
-        Value { constant, slopes: Vec::new() }
-    }
-    fn just(c: f64) -> Value {
-        Value::of(Load::constant(c))
-    }
-    /// The number, when it is one.
-    fn number(&self) -> Option<f64> {
-        if self.slopes.is_empty() { self.constant.as_constant() } else { None }
-    }
-    /// Why it is no number.
-    fn reason(&self) -> Reason {
-        if self.slopes.is_empty() { Reason::NoClosedForm } else { Reason::NotLinear }
-    }
-    fn state(i: usize) -> Value {
-        Value { constant: Load::default(), slopes: vec![(i, Load::constant(1.0))] }
-    }
-
-    fn add(&mut self, other: &Value, factor: f64) {
-        self.constant.add(&other.constant, factor);
-        for (state, slope) in &other.slopes {
-            let i = self.slopes.partition_point(|(s, _)| s < state);
-            if self.slopes.get(i).is_none_or(|(s, _)| s != state) {
-                self.slopes.insert(i, (*state, Load::default()));
-            }
-            self.slopes[i].1.add(slope, factor);
-        }
-        self.slopes.retain(|(_, slope)| !slope.is_zero());
-    }
-
-    /// None when both contain the motion.
-    fn times(&self, other: &Value) -> Option<Value> {
-        let (plain, moving) = if self.slopes.is_empty() { (self, other) } else { (other, self) };
-        if !plain.slopes.is_empty() {
+    /// The product; none when both contain the motion, unless products of small motions are dropped.
+    fn times(&self, a: &Value, b: &Value) -> Option<Value> {
+        if !a.slopes.is_empty() && !b.slopes.is_empty() && self.rest.is_none() {
             return None;
         }
-        let scaled = moving.slopes.iter().map(|(s, slope)| (*s, slope.times(&plain.constant)));
-        Some(Value { constant: moving.constant.times(&plain.constant), slopes: scaled.filter(|(_, c)| !c.is_zero()).collect() })
+        let mut product = Value::of(a.constant.times(&b.constant));
+        for (one, other) in [(a, b), (b, a)] {
+            let slopes = one.slopes.iter().map(|(s, slope)| (*s, slope.times(&other.constant))).filter(|(_, c)| !c.is_zero());
+            product.add(&Value { constant: Load::default(), slopes: slopes.collect() }, 1.0);
+        }
+        Some(product)
     }
 
-    fn power(&self, exponent: f64) -> std::result::Result<Value, Reason> {
-        if exponent == 1.0 {
-            return Ok(self.clone());
+    /// A power; about a place of rest c^p + p c^(p-1) δ.
+    fn power(&self, base: &Value, exponent: f64) -> std::result::Result<Value, Reason> {
+        if exponent == 1.0 || base.slopes.is_empty() {
+            return base.power(exponent);
         }
-        if !self.slopes.is_empty() {
+        if self.rest.is_none() {
             return Err(Reason::NotLinear);
         }
-        if let Some(number) = self.number() {
-            return Ok(Value::just(if exponent.fract() == 0.0 { number.powi(exponent as i32) } else { number.powf(exponent) }));
+        let constant = Value::of(base.constant.clone());
+        let mut slope = constant.power(exponent - 1.0)?;
+        slope = self.times(&slope, &Value::just(exponent)).ok_or(Reason::NotLinear)?;
+        let moving = Value { constant: Load::default(), slopes: base.slopes.clone() };
+        let mut sum = constant.power(exponent)?;
+        sum.add(&self.times(&slope, &moving).ok_or(Reason::NotLinear)?, 1.0);
+        Ok(sum)
+    }
+
+    /// f(c) + f'(c) δ.
+    fn small(&self, function: Function, x: &[Value]) -> std::result::Result<Value, Reason> {
+        if matches!(function, Function::Min | Function::Max) {
+            let mut difference = x[0].clone();
+            difference.add(&x[1], -1.0);
+            let first_is_less = self.decide(&difference)? < 0.0;
+            return Ok(x[usize::from(first_is_less != (function == Function::Min))].clone());
         }
-        if exponent.fract() != 0.0 || !(2.0..=64.0).contains(&exponent) {
-            return Err(Reason::NoClosedForm);
+        let still: Vec<Value> = x.iter().map(|v| Value::of(v.constant.clone())).collect();
+        let mut sum = self.call(function, &still)?;
+        let numbers: Option<Vec<f64>> = still.iter().map(Value::number).collect();
+        let mut add = |slope: Load, of: &Value| {
+            let moving = of.slopes.iter().map(|(s, c)| (*s, c.times(&slope))).filter(|(_, c)| !c.is_zero()).collect();
+            sum.add(&Value { constant: Load::default(), slopes: moving }, 1.0);
+        };
+        match (function, numbers.as_deref()) {
+            (Function::Atan2, Some([a, b])) => {
+                let r2 = a * a + b * b;
+                add(Load::constant(b / r2), &x[0]);
+                add(Load::constant(-a / r2), &x[1]);
+            }
+            (_, Some([c])) => add(Load::constant(slope(function, *c).ok_or(Reason::NotLinear)?), &x[0]),
+            // an angle that turns with time: its derivative is a load again
+            (Function::Sin, _) => add(self.call(Function::Cos, &still)?.constant, &x[0]),
+            (Function::Cos, _) => {
+                let mut sine = Load::default();
+                sine.add(&self.call(Function::Sin, &still)?.constant, -1.0);
+                add(sine, &x[0]);
+            }
+            _ => return Err(Reason::NoClosedForm),
         }
-        Ok(Value::of((1..exponent as u32).fold(self.constant.clone(), |p, _| p.times(&self.constant))))
+        Ok(sum)
     }
 }

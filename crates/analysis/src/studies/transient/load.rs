@@ -68,6 +68,10 @@ impl Load {
             _ => None,
         }
     }
+    /// The constant term.
+    pub fn mean(&self) -> f64 {
+        self.0.iter().filter(|t| t.power == 0 && t.rate == Complex::ZERO).fold(0.0, |sum, t| sum + t.factor.re)
+    }
     /// (a, b) of a t + b.
     pub fn as_affine(&self) -> Option<(f64, f64)> {
         self.0.iter().try_fold((0.0, 0.0), |(a, b), t| match t.power {

@@ -8,11 +8,14 @@ pub mod constants;
 pub mod form;
 pub mod load;
 pub mod motion;
+mod obstacle;
 pub mod oscillator;
+mod rest;
+mod value;
 
 use super::simulate::{self, Grid, Outcome, Simulate};
 use crate::dataset::{Audit, Column, Dataset, Event};
-use crate::fault::Message;
+use crate::fault::rounded;
 use crate::{Fault, Mode, Quantity, System};
 use form::Form;
 use motion::Motion;
@@ -24,6 +27,8 @@ pub struct Transient<'a> {
     pub twin: Simulate<'a>,
     /// Ends of the phases that the model names; switches of its formulas are found besides.
     pub ends: Vec<f64>,
+    /// Small motions about the equilibrium next to the start, instead of a fault, when the system is not linear.
+    pub linearise: bool,
 }
 
 /// One phase of the motion.
@@ -56,16 +61,15 @@ pub struct Found {
 const TWIN: f64 = 1e-9;
 /// Steps of the twin after which it is given up.
 const TWIN_STEPS: f64 = 2e6;
-const AUTO: usize = 1000;
 
 /// The motion from `start` (q, q') at t = 0.
 ///
 /// *Errors* beside what was found: see [`form::forms`] and [`Motion::new`]; options without meaning.
 pub fn transient<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], options: Transient<'_>) -> Found {
     match solve(system, equations, start, &options) {
-        Ok((mut dataset, phases)) => {
-            twin(system, start, &phases, options.twin, &mut dataset);
-            Found { outcome: Outcome { dataset, fault: None }, phases }
+        Ok(mut solved) => {
+            twin(system, start, &mut solved, options.twin);
+            Found { outcome: Outcome { dataset: solved.dataset, fault: None }, phases: solved.phases }
         }
         Err(fault) => {
             let dataset = Dataset { partial: true, ..Dataset::default() };
@@ -74,34 +78,63 @@ pub fn transient<S: System + ?Sized>(system: &mut S, equations: &Equations, star
     }
 }
 
-fn solve<S: System + ?Sized>(
-    system: &mut S,
-    equations: &Equations,
-    start: &[f64],
-    options: &Transient<'_>,
-) -> Result<(Dataset, Vec<Phase>), Fault> {
-    let until = options.twin.until;
-    let times = times(&options.twin)?;
-    let phases = phases(system, equations, start, until, &options.ends)?;
-    let dataset = table(system, &phases, &times, options)?;
-    Ok((dataset, phases))
+/// The closed form.
+struct Solved {
+    dataset: Dataset,
+    phases: Vec<Phase>,
+    linearised: bool,
 }
 
-/// The phases up to `until`, joined at the switches.
-fn phases<S: System + ?Sized>(system: &S, equations: &Equations, start: &[f64], until: f64, ends: &[f64]) -> Result<Vec<Phase>, Fault> {
+fn solve<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], options: &Transient<'_>) -> Result<Solved, Fault> {
+    let until = options.twin.until;
+    let columns = simulate::choose(system.outputs(), options.twin.outputs.as_deref())?.len() + 1;
+    let times = times(&options.twin, columns)?;
+    let instants = instants(system, until, &options.ends);
+    let rest = match form::forms(equations, &instants, None) {
+        Err(_) if options.linearise => Some(rest::place(system, equations, start, &instants[..2])?),
+        _ => None,
+    };
+    let phases = phases(equations, &start[..2 * system.n_coordinates()], &instants, &options.ends, rest.as_deref())?;
+    let mut dataset = table(system, &phases, &times, options)?;
+    if let Some(q) = &rest {
+        dataset.notes.push(linearised(system, q));
+    }
+    Ok(Solved { dataset, phases, linearised: rest.is_some() })
+}
+
+/// The start, the switches and the end.
+fn instants<S: System + ?Sized>(system: &S, until: f64, ends: &[f64]) -> Vec<f64> {
     let scheduled: Vec<f64> = system.guards().iter().filter_map(|g| g.scheduled).collect();
-    // a guard and the end of its phase are one instant, computed on two ways
-    let same = |t: f64, s: f64| (t - s).abs() <= 8.0 * f64::EPSILON * t.abs();
-    let named = |t: f64| ends.iter().any(|e| same(t, *e));
     let silent = ends.iter().copied().filter(|e| !scheduled.iter().any(|s| same(*e, *s)));
     let mut instants: Vec<f64> = scheduled.iter().copied().chain(silent).collect();
     instants.retain(|t| *t > 0.0 && *t < until);
     instants.sort_by(f64::total_cmp);
     instants.dedup_by(|a, b| same(*a, *b));
-    let instants: Vec<f64> = std::iter::once(0.0).chain(instants).chain([until]).collect();
-    let forms = form::forms(equations, &instants)?;
+    std::iter::once(0.0).chain(instants).chain([until]).collect()
+}
+
+/// A guard and the end of its phase are one instant, computed on two ways.
+fn same(t: f64, s: f64) -> bool {
+    (t - s).abs() <= 8.0 * f64::EPSILON * t.abs()
+}
+
+fn linearised<S: System + ?Sized>(system: &S, q: &[f64]) -> Text {
+    let list = |language: fn(&Text) -> &str| -> String {
+        let one = |(state, value): (&Quantity, &f64)| format!("{} = {}", state.symbol, language(&rounded(*value)));
+        system.states().iter().zip(q).map(one).collect::<Vec<_>>().join(", ")
+    };
+    Text::new(
+        format!("small motions about the equilibrium {}; products of motions and of loads with motions are dropped", list(|t| &t.en)),
+        format!("малые движения около равновесия {}; произведения движений и произведения нагрузок на движения отброшены", list(|t| &t.ru)),
+    )
+}
+
+/// The phases, joined at the switches.
+fn phases(equations: &Equations, start: &[f64], instants: &[f64], ends: &[f64], rest: Option<&[f64]>) -> Result<Vec<Phase>, Fault> {
+    let named = |t: f64| ends.iter().any(|e| same(t, *e));
+    let forms = form::forms(equations, instants, rest)?;
     let mut found: Vec<Phase> = Vec::new();
-    let mut state = start[..2 * system.n_coordinates()].to_vec();
+    let mut state = start.to_vec();
     let mut i = 0;
     while i < forms.len() {
         // a switch of a formula that changes nothing in the equations is no phase
@@ -120,42 +153,12 @@ fn phases<S: System + ?Sized>(system: &S, equations: &Equations, start: &[f64], 
     Ok(found)
 }
 
-/// Requested times.
-fn times(options: &Simulate<'_>) -> Result<Vec<f64>, Fault> {
-    let until = options.until;
-    if !(until >= 0.0 && until.is_finite()) {
-        return Err(unusable(format!("until = {until} s"), format!("until = {until} с")));
-    }
-    let even = |count: usize, step: f64| (0..=count).map(|i| (i as f64 * step).min(until)).collect();
-    Ok(match &options.grid {
-        Grid::At(times) => {
-            if times.iter().any(|t| !(0.0..=until).contains(t)) {
-                return Err(unusable("a time outside the motion".into(), "момент вне движения".into()));
-            }
-            times.clone()
-        }
-        Grid::Every(step) => {
-            if !(*step > 0.0) || until / step * 8.0 > options.memory {
-                return Err(unusable(format!("every = {step} s"), format!("every = {step} с")));
-            }
-            let count = (until / step * (1.0 + 4.0 * f64::EPSILON)).floor() as usize;
-            let mut times: Vec<f64> = even(count, *step);
-            if times.last().is_some_and(|t| *t < until) {
-                times.push(until);
-            }
-            times
-        }
-        Grid::Auto => even(AUTO, until / AUTO as f64),
-    })
-}
-
-fn unusable(en: String, ru: String) -> Fault {
-    Fault::new(Message {
-        code: "S006",
-        what: Text::new(format!("unusable option: {en}"), format!("недопустимый параметр: {ru}")),
-        why: Text::new("times lie between 0 and the end of the motion", "моменты лежат между 0 и концом движения"),
-        help: Text::new("correct the times", "исправьте моменты времени"),
-    })
+/// Requested times, in the order of the rows.
+fn times(options: &Simulate<'_>, columns: usize) -> Result<Vec<f64>, Fault> {
+    simulate::check(options)?;
+    let mut requested = simulate::requested(options, columns)?;
+    requested.sort_by_key(|(_, row)| *row);
+    Ok(requested.into_iter().map(|(t, _)| t).collect())
 }
 
 /// The columns, evaluated on the closed form. At a switch the values after it are shown.
@@ -220,8 +223,10 @@ fn modes<S: System + ?Sized>(system: &mut S, phase: &Phase, t: f64, x: &[f64]) -
     system.guards().iter().zip(scheduled.into_iter().zip(own)).map(choose).collect()
 }
 
-/// The same motion by integration: its checks, and the largest difference of a coordinate or rate, relative to the largest value of its kind.
-fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], phases: &[Phase], mut options: Simulate<'_>, dataset: &mut Dataset) {
+/// The same motion by integration: its checks, and the largest difference of a coordinate or rate, relative to the largest value of its kind; a
+/// check where both solve one system, a remark where the closed form is that of small motions.
+fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], solved: &mut Solved, mut options: Simulate<'_>) {
+    let Solved { dataset, phases, linearised } = solved;
     let states: Vec<Quantity> = system.states()[..2 * system.n_coordinates()].to_vec();
     options.outputs = Some(states.iter().map(|q| q.name.clone()).collect());
     options.most_steps = options.most_steps.min(TWIN_STEPS);
@@ -254,6 +259,14 @@ fn twin<S: System + ?Sized>(system: &mut S, start: &[f64], phases: &[Phase], mut
     let name =
         Text::new("closed form against integration: largest difference", "замкнутое решение и интегрирование: наибольшее расхождение");
     dataset.audits = outcome.dataset.audits;
-    dataset.audits.push(Audit::at_most("closed_form", name, worst, TWIN));
+    if *linearised {
+        let share = rounded(worst);
+        dataset.notes.push(Text::new(
+            format!("largest difference from the nonlinear motion: {} of the largest value", share.en),
+            format!("наибольшее отличие от нелинейного движения: {} от наибольшего значения", share.ru),
+        ));
+    } else {
+        dataset.audits.push(Audit::at_most("closed_form", name, worst, TWIN));
+    }
     dataset.counters = outcome.dataset.counters;
 }

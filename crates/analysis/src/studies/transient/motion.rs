@@ -46,7 +46,7 @@ pub struct Joint {
 impl Motion {
     /// The motion from a state (q, q') at the start of a phase; `start` is that instant in the time of the loads.
     ///
-    /// *Errors*: S033 the mass matrix is singular.
+    /// *Errors*: S073 the mass matrix is singular.
     pub fn new(form: &Form, state: &[f64], start: f64) -> Result<Motion, Fault> {
         let loads: Vec<Load> = form.loads.iter().map(|f| f.from(start)).collect();
         if let Some(modes) = principal(form, &loads, state) {
@@ -350,7 +350,7 @@ impl Joint {
 
 fn singular() -> Fault {
     Fault::new(Message {
-        code: "S033",
+        code: "S073",
         what: Text::new("the mass matrix is singular", "матрица масс вырождена"),
         why: Text::new("some motion of the coordinates moves no mass", "при некотором изменении координат масса не движется"),
         help: Text::new("give every coordinate an inertia, or remove it", "придайте каждой координате инерцию или уберите её"),

@@ -21,6 +21,7 @@ use crate::model::{Connection, ConnectionKind, FrameId, Part};
 use components::{Component, Nature};
 use std::collections::BTreeSet;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction};
+use symbolic::equations::{Output, Role};
 use symbolic::{Expr, Substitution, SymbolId, Text};
 
 pub use release::is_spatial;
@@ -272,6 +273,30 @@ impl Connected {
             }
         }
         (scene.graph.sum(&given), scene.graph.sum(&taken))
+    }
+
+    /// Power of each motor, as a result that can be asked for: λ Σ forces q'.
+    pub fn motor_powers(&self, scene: &mut Scene) -> Vec<Output> {
+        let mut list = Vec::new();
+        for reaction in self.reactions.iter().filter(|r| matches!(r.law, Law::Motor)) {
+            let symbol = scene.graph.symbol(reaction.symbol);
+            let mut terms = Vec::new();
+            for (j, e) in &reaction.forces {
+                let rate = scene.rate(*j);
+                terms.push(scene.graph.product(&[symbol, *e, rate]));
+            }
+            let letter = scene.graph.symbol_info(reaction.symbol).name.clone();
+            list.push(Output {
+                name: reaction.name.replacen("force(", "power(", 1),
+                symbol: scene.graph.symbol_id(&format!("P_{letter}"), 0),
+                unit: "W".to_owned(),
+                display: None,
+                label: Text::new(format!("power of {}", reaction.label.en), format!("мощность: {}", reaction.label.ru)),
+                role: Role::Power,
+                formula: scene.graph.sum(&terms),
+            });
+        }
+        list
     }
 
     /// Number of ideal conditions.

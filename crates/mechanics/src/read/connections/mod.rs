@@ -61,9 +61,12 @@ const TABLES: &[Row] = &[
 /// Makes the names known, so that a reaction in the formula of a force is told from a misspelt spring.
 pub(super) fn announce<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     for table in TABLES.iter().map(|row| row.spec.name) {
-        let names = top.get(table).and_then(|v| v.get_ref().as_table());
-        names.into_iter().flatten().for_each(|(name, _)| reader.scope.announce_connection(table, name.get_ref()));
+        names(top, table).for_each(|name| reader.scope.announce_connection(table, name));
     }
+}
+
+fn names<'a>(top: &Fields<'a>, table: &'static str) -> impl Iterator<Item = &'a str> {
+    top.get(table).and_then(|v| v.get_ref().as_table()).into_iter().flatten().map(|(name, _)| name.get_ref().as_ref())
 }
 
 /// All connections; their reactions can be named in formulas from here on.
@@ -71,7 +74,10 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, space: &Space)
     let mut connections = Vec::new();
     for row in TABLES {
         let table = row.spec.name;
-        for (name, fields) in super::structures::rows(reader, top, table, row.spec, false) {
+        let rows = super::structures::rows(reader, top, table, row.spec, false);
+        let others = names(top, table).filter(|name| rows.iter().all(|(own, _)| own != name));
+        others.for_each(|name| reader.scope.withdraw(table, name));
+        for (name, fields) in rows {
             if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
                 continue;
             }

@@ -282,3 +282,17 @@ fn the_letter_u_is_free_elsewhere() {
     assert_eq!(codes("[frictions.a]\nalong = \"x\"\nkinetic = \"F\"\n[outputs]\nb = \"2*u\""), [""; 0]);
     assert_eq!(codes("[frictions.a]\nalong = \"x\"\nkinetic = \"F/(1 + u/1 [m/s])\""), ["M084"]);
 }
+
+#[test]
+fn a_rod_of_a_frame_is_no_connection() {
+    let text = format!(
+        "{BASE}\n[nodes]\nN1 = {{ at = [0, 0] }}\nN2 = {{ at = [\"1 m\", 0] }}\n[rods.frame]\nbetween = [\"N1\", \"N2\"]\n[rods.tie]\nbetween = [\"A\", \"B\"]\n\
+         [outputs]\na = \"force(frame)\"\nb = \"force(tie)\"\n"
+    );
+    let found = match read(&text, "", &[]) {
+        Ok(_) => Vec::new(),
+        Err(found) => found,
+    };
+    let words: Vec<String> = found.iter().map(|d| d.span().map_or(String::new(), |s| text[s].to_owned())).collect();
+    assert!(words.iter().any(|w| w == "frame") && words.iter().all(|w| w != "tie"), "{words:?}");
+}

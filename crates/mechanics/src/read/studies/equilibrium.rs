@@ -2,12 +2,37 @@
 
 use crate::fault::Fault;
 use crate::formula::{Context, EntryKind, Kind};
-use crate::model::StudyKind;
+use crate::model::{Between, StudyKind};
 use crate::read::reader::{Fields, Reader};
 use symbolic::SymbolId;
 
 pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
-    Some(StudyKind::Equilibrium { guess: guess(reader, fields) })
+    let over = between(reader, fields);
+    Some(StudyKind::Equilibrium { guess: guess(reader, fields), over })
+}
+
+/// `over` and `range`.
+fn between<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Between> {
+    let (name, span) = fields.name(reader, "over")?;
+    let Some((EntryKind::Coordinate(symbols), kind)) = reader.scope.get(&name).map(|e| (e.kind, e.dimension)) else {
+        let name = crate::read::reader::short(&name);
+        reader.fault(Fault::new("M013", span, format!("`{name}` is not a coordinate"), format!("`{name}` — не координата")));
+        return None;
+    };
+    let wanted = if let Kind::Known(d) = kind { Some(d) } else { None };
+    let Some(value) = fields.get("range") else {
+        reader.fault(
+            Fault::new("M006", span, "`over` needs `range`", "к `over` нужен `range`")
+                .help("add range = [\"-180 deg\", \"180 deg\"]", "добавьте range = [\"-180 deg\", \"180 deg\"]"),
+        );
+        return None;
+    };
+    let [from, to] = super::linear::range(reader, value, wanted.as_ref())?;
+    if to <= from {
+        reader.fault(super::linear::bad_range(value.span(), from, to));
+        return None;
+    }
+    Some(Between { coordinate: symbols[0], from, to })
 }
 
 pub(super) fn guess<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<(SymbolId, f64)> {

@@ -23,7 +23,8 @@ pub(super) fn modes<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<
     let scale = scale(reader, fields);
     let variable = variable(reader, fields);
     let over = sweep(reader, fields);
-    Some(StudyKind::Modes(Modes { guess, scale, variable, over }))
+    let about_start = about(reader, fields);
+    Some(StudyKind::Modes(Modes { guess, scale, variable, over, about_start }))
 }
 
 pub(super) fn response<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
@@ -42,6 +43,24 @@ pub(super) fn response<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Opti
     let outputs = outputs.into_iter().filter_map(|(name, span)| known(reader, name, span)).collect();
     let log = fields.get("log").and_then(|v| v.get_ref().as_bool()).unwrap_or(false);
     Some(StudyKind::Response(Response { guess, load, frequency, range, points, log, outputs, shapes }))
+}
+
+/// Whether `about` is the start.
+fn about<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> bool {
+    let Some((word, span)) = fields.get("about").and_then(|v| string(reader, v, "a string", "строка")) else { return false };
+    if !matches!(word.as_str(), "rest" | "start") {
+        let word = short(&word);
+        reader.fault(
+            Fault::new(
+                "M095",
+                span,
+                format!("small motions about `{word}` are not known"),
+                format!("малые движения около `{word}` неизвестны"),
+            )
+            .help("rest or start", "rest (покой) или start (движение в начале)"),
+        );
+    }
+    word == "start"
 }
 
 fn scale<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Scale {
@@ -142,7 +161,7 @@ fn parameter(reader: &mut Reader, name: &str, span: Range<usize>) -> Option<Opti
     None
 }
 
-fn bad_range(span: Range<usize>, from: f64, to: f64) -> Fault {
+pub(super) fn bad_range(span: Range<usize>, from: f64, to: f64) -> Fault {
     Fault::new("M093", span, format!("the range {from} ... {to} has no meaning"), format!("диапазон {from} ... {to} не имеет смысла"))
         .why("it must ascend, and frequencies are not negative", "границы должны возрастать, а частоты неотрицательны")
         .help("write range = [\"1 rad/s\", \"100 rad/s\"]", "напишите range = [\"1 рад/с\", \"100 рад/с\"]")

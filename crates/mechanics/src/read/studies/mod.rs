@@ -32,11 +32,11 @@ struct Row {
 
 const KINDS: &[Row] = &[
     Row { name: "equations", keys: &[], read: |_, _| Some(StudyKind::Equations) },
-    Row { name: "equilibrium", keys: &["guess"], read: equilibrium::read },
-    Row { name: "modes", keys: &["guess", "normalise", "frequency_variable", "over", "range", "points"], read: linear::modes },
+    Row { name: "equilibrium", keys: &["guess", "over", "range"], read: equilibrium::read },
+    Row { name: "modes", keys: &["guess", "about", "normalise", "frequency_variable", "over", "range", "points"], read: linear::modes },
     Row { name: "response", keys: &["guess", "load", "over", "range", "points", "log", "outputs", "shapes"], read: linear::response },
     Row { name: "simulate", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: simulate::read },
-    Row { name: "transient", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: transient::read },
+    Row { name: "transient", keys: &["until", "every", "at", "tolerance", "outputs", "plot", "linearise"], read: transient::read },
     Row { name: "inverse", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: inverse::read },
     Row { name: "statics", keys: &[], read: statics::read },
     Row { name: "kinematics", keys: &["over", "from", "to", "turns", "points", "rate", "with", "outputs", "plot"], read: kinematics::read },

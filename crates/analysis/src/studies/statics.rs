@@ -1,0 +1,263 @@
+//! Reactions at rest of structures and machines of bodies.
+//!
+//! With all rates and accelerations zero the equations of motion and the balances of released bodies are linear in the reactions λ:
+//!
+//! ```text
+//! Σ forces_k λ_k = -h       one for each coordinate
+//! Σ released_k λ_k = -rest  one for each displacement of a released body
+//! ```
+//!
+//! A λ without influence on these (a relation among columns) makes the structure statically indeterminate; a displacement that no reaction holds (a
+//! relation among rows) makes it a mechanism, and then it rests only if the loads do no work in that displacement.
+
+use symbolic::connections::Law;
+use symbolic::{Equations, Expr, SymbolId, Text};
+
+use crate::connections::assemble;
+use crate::fault::rounded;
+use crate::numerics::qr::{Qr, norm};
+use crate::{Fault, Quantity};
+
+/// Share below which a remainder counts as nothing.
+const NOTHING: f64 = 1e-9;
+/// Work of the loads in a free motion, relative, above which the structure does not rest.
+const RESTS: f64 = 1e-9;
+
+/// A reaction at rest.
+#[derive(Clone, Debug)]
+pub struct Reaction {
+    /// Name as in formulas, symbol, unit, meaning.
+    pub quantity: Quantity,
+    /// The value; none where rigid bodies leave it open.
+    pub value: Option<f64>,
+}
+
+/// A motion that no connection prevents: shares of displacements and coordinates, the largest 1.
+pub type FreeMotion = Vec<(Text, f64)>;
+
+/// What statics finds.
+#[derive(Clone, Debug, Default)]
+pub struct Statics {
+    /// All reactions in the order of the equations.
+    pub reactions: Vec<Reaction>,
+    /// Number of reactions that equilibrium leaves open.
+    pub indeterminacy: usize,
+    /// Motions that nothing holds.
+    pub free: Vec<FreeMotion>,
+    /// Largest relative remainder of an equation.
+    pub remainder: f64,
+    /// Remarks of the assembly.
+    pub notes: Vec<Text>,
+}
+
+/// Finds the reactions at the start of the machine, at rest.
+///
+/// *Errors*: no reactions at all (S060); a mechanism that the loads set in motion (S061), with the free motion; faults of the assembly.
+pub fn statics(equations: &Equations) -> Result<Statics, Fault> {
+    if equations.reactions.is_empty() {
+        return Err(Fault::no_reactions());
+    }
+    let parameters: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+    let (start, notes) = match equations.coordinates.len() {
+        0 => (Vec::new(), Vec::new()),
+        _ => assemble(equations, &parameters).map(|a| (a.start, a.notes))?,
+    };
+    let system = System::at_rest(equations, &start);
+    let mut found = system.solve(equations)?;
+    found.notes = notes;
+    Ok(found)
+}
+
+/// matrix λ = right: rows for coordinates, then balances.
+struct System {
+    rows: usize,
+    unknowns: Vec<usize>,
+    /// Row by row.
+    matrix: Vec<f64>,
+    right: Vec<f64>,
+    /// Sizes of the rows, to compare forces with moments.
+    scale: Vec<f64>,
+}
+
+impl System {
+    fn at_rest(equations: &Equations, start: &[f64]) -> System {
+        let (n, b) = (equations.coordinates.len(), equations.balances.len());
+        let unknowns: Vec<usize> = (0..equations.reactions.len())
+            .filter(|r| matches!(equations.reactions[*r].law, Law::Ideal { .. } | Law::Support | Law::Motor | Law::Contact { .. }))
+            .collect();
+        let mut graph = equations.graph.clone();
+        let zero = graph.zero();
+        let mut roots: Vec<Expr> = vec![zero; (n + b) * (unknowns.len() + 1)];
+        let width = unknowns.len() + 1;
+        for (k, &r) in unknowns.iter().enumerate() {
+            let reaction = &equations.reactions[r];
+            reaction.forces.iter().for_each(|(j, e)| roots[j * width + k] = *e);
+            reaction.released.iter().for_each(|(i, e)| roots[(n + i) * width + k] = *e);
+        }
+        for (j, h) in equations.force.iter().enumerate() {
+            roots[j * width + width - 1] = *h;
+        }
+        for (i, balance) in equations.balances.iter().enumerate() {
+            roots[(n + i) * width + width - 1] = balance.rest;
+        }
+        let values = Numbers::at_rest(equations, start).evaluate(&roots);
+        let rows = n + b;
+        let mut system = System { rows, unknowns, matrix: Vec::new(), right: Vec::new(), scale: Vec::new() };
+        for row in 0..rows {
+            let part = &values[row * width..(row + 1) * width];
+            let size = part[..width - 1].iter().fold(0.0_f64, |m, a| m.max(a.abs()));
+            let size = if size > 0.0 { size } else { 1.0 };
+            system.matrix.extend(part[..width - 1].iter().map(|a| a / size));
+            system.right.push(-part[width - 1] / size);
+            system.scale.push(size);
+        }
+        system
+    }
+
+    fn row(&self, i: usize) -> &[f64] {
+        let width = self.unknowns.len();
+        &self.matrix[i * width..(i + 1) * width]
+    }
+
+    fn column(&self, k: usize) -> Vec<f64> {
+        (0..self.rows).map(|i| self.row(i)[k]).collect()
+    }
+
+    fn solve(&self, equations: &Equations) -> Result<Statics, Fault> {
+        let columns: Vec<Vec<f64>> = (0..self.unknowns.len()).map(|k| self.column(k)).collect();
+        let (kept, relations) = independent(&columns);
+        let m = self.rows;
+        let matrix: Vec<f64> = (0..m * kept.len()).map(|p| columns[kept[p % kept.len()]][p / kept.len()]).collect();
+        let (solution, _) = if kept.is_empty() { (Vec::new(), 0.0) } else { Qr::new(&matrix, m, kept.len()).least_squares(&self.right) };
+        let mut values: Vec<Option<f64>> = vec![None; self.unknowns.len()];
+        kept.iter().zip(&solution).for_each(|(&k, v)| values[k] = Some(*v));
+        for (k, shares) in &relations {
+            values[*k] = None;
+            shares.iter().for_each(|s| values[*s] = None);
+        }
+        let free = self.free_motions(equations);
+        let remainder = self.remainder(&kept, &solution);
+        if remainder > RESTS {
+            return Err(Fault::sets_itself_in_motion(&described(&free)));
+        }
+        // contacts push only; friction of statics is a matter of its law
+        let reactions = self.unknowns.iter().zip(values).map(|(&r, value)| reaction(equations, r, value)).collect();
+        Ok(Statics { reactions, indeterminacy: relations.len(), free, remainder, notes: Vec::new() })
+    }
+
+    /// The largest remainder of a row, relative to the terms that meet in all rows.
+    fn remainder(&self, kept: &[usize], solution: &[f64]) -> f64 {
+        let mut largest: f64 = 0.0;
+        let mut worst: f64 = 0.0;
+        for i in 0..self.rows {
+            let terms = || kept.iter().zip(solution).map(|(&k, v)| self.row(i)[k] * v);
+            let size = terms().map(f64::abs).fold(self.right[i].abs(), f64::max);
+            largest = largest.max(size);
+            worst = worst.max((terms().sum::<f64>() - self.right[i]).abs());
+        }
+        if largest > 0.0 { worst / largest } else { 0.0 }
+    }
+
+    /// Relations among rows are displacements in which no reaction works. With coordinates the balances of a body repeat what its coordinates say.
+    fn free_motions(&self, equations: &Equations) -> Vec<FreeMotion> {
+        let n = equations.coordinates.len();
+        let rows: Vec<Vec<f64>> = (0..self.rows).map(|i| self.row(i).to_vec()).collect();
+        let name = |i: usize| match equations.coordinates.get(i) {
+            Some(c) => Text::same(&equations.graph.symbol_info(c.symbols[0]).name),
+            None => equations.balances[i - n].name.clone(),
+        };
+        let mut found = Vec::new();
+        for (i, shares) in with_shares(&rows) {
+            if n > 0 && i >= n {
+                continue;
+            }
+            // the dependent row less its share of the others does no work; rows were divided by their sizes
+            let mut motion: Vec<(usize, f64)> = shares.into_iter().map(|(k, c)| (k, -c / self.scale[k])).collect();
+            motion.push((i, 1.0 / self.scale[i]));
+            let largest = motion.iter().fold(0.0_f64, |m, (_, c)| m.max(c.abs()));
+            motion.sort_by_key(|(k, _)| *k);
+            found.push(motion.into_iter().filter(|(_, c)| c.abs() > NOTHING * largest).map(|(k, c)| (name(k), c / largest)).collect());
+        }
+        found
+    }
+}
+
+/// Independent vectors, and for each dependent one those it combines from.
+fn independent(vectors: &[Vec<f64>]) -> (Vec<usize>, Vec<(usize, Vec<usize>)>) {
+    let relations = with_shares(vectors);
+    let dependent: Vec<usize> = relations.iter().map(|r| r.0).collect();
+    let kept = (0..vectors.len()).filter(|k| !dependent.contains(k)).collect();
+    (kept, relations.into_iter().map(|(k, shares)| (k, shares.into_iter().map(|s| s.0).collect())).collect())
+}
+
+/// Each vector that depends on those before it, with its shares of these.
+fn with_shares(vectors: &[Vec<f64>]) -> Vec<(usize, Vec<(usize, f64)>)> {
+    let mut kept: Vec<usize> = Vec::new();
+    let mut relations = Vec::new();
+    for (i, vector) in vectors.iter().enumerate() {
+        let (m, n) = (vector.len(), kept.len());
+        let length = norm(vector);
+        let (shares, rest) = if n == 0 || length == 0.0 {
+            (Vec::new(), length)
+        } else {
+            let matrix: Vec<f64> = (0..m * n).map(|p| vectors[kept[p % n]][p / n]).collect();
+            let (c, _) = Qr::new(&matrix, m, n).least_squares(vector);
+            let left: Vec<f64> = (0..m).map(|p| vector[p] - (0..n).map(|k| matrix[p * n + k] * c[k]).sum::<f64>()).collect();
+            (c, norm(&left))
+        };
+        if length > 0.0 && rest > NOTHING * length && kept.len() < m {
+            kept.push(i);
+        } else {
+            let list = kept.iter().copied().zip(shares).filter(|(_, c)| c.abs() > NOTHING).collect();
+            relations.push((i, list));
+        }
+    }
+    relations
+}
+
+fn reaction(equations: &Equations, index: usize, value: Option<f64>) -> Reaction {
+    let of = &equations.reactions[index];
+    let symbol = equations.graph.symbol_info(of.symbol).name.clone();
+    let unit = if of.unit.is_empty() { "1".to_owned() } else { of.unit.clone() };
+    Reaction { quantity: Quantity { symbol, label: of.label.clone(), ..Quantity::new(&of.name, &unit) }, value }
+}
+
+/// "beam, forces along y: 1; ...".
+fn described(free: &[FreeMotion]) -> Text {
+    let mut text = Text::default();
+    for (name, share) in free.iter().flatten() {
+        let share = rounded(*share);
+        for (line, name, share) in [(&mut text.en, &name.en, &share.en), (&mut text.ru, &name.ru, &share.ru)] {
+            if !line.is_empty() {
+                line.push_str("; ");
+            }
+            line.push_str(&format!("{name}: {share}"));
+        }
+    }
+    text
+}
+
+/// Values of all symbols with rates and accelerations zero.
+struct Numbers<'e> {
+    equations: &'e Equations,
+    values: std::collections::BTreeMap<SymbolId, f64>,
+}
+
+impl<'e> Numbers<'e> {
+    fn at_rest(equations: &'e Equations, start: &[f64]) -> Numbers<'e> {
+        let mut values: std::collections::BTreeMap<SymbolId, f64> = equations.parameters.iter().map(|p| (p.symbol, p.value)).collect();
+        for (c, q) in equations.coordinates.iter().zip(start) {
+            values.insert(c.symbols[0], *q);
+        }
+        let mut numbers = Numbers { equations, values };
+        for d in &equations.definitions {
+            let value = numbers.evaluate(&[d.formula])[0];
+            numbers.values.insert(d.symbol, value);
+        }
+        numbers
+    }
+
+    fn evaluate(&self, roots: &[Expr]) -> Vec<f64> {
+        self.equations.graph.evaluate(roots, &|s| self.values.get(&s).copied().unwrap_or(0.0))
+    }
+}

@@ -1,0 +1,135 @@
+//! Unknown parameters from statics: numbers u for which a given place is a place of rest.
+//!
+//! ```text
+//! F(q, u) + Jᵀ λ = 0        n equations for u and the reactions λ of connections
+//! ```
+//!
+//! Gauss-Newton: ∂F/∂u is exact, the equations are scaled by rows and columns, dependent unknowns and forces that nothing balances are
+//! faults, never a least-squares compromise.
+
+use symbolic::Text;
+
+use crate::Fault;
+use crate::fault::{Message, number, rounded};
+use crate::linear::{LinearMachine, Place};
+use crate::numerics::rank::Qr;
+
+const STEPS: usize = 100;
+/// Unbalanced force relative to the terms that balance in it.
+const UNBALANCED: f64 = 1e-9;
+/// Share below which the columns of unknowns depend on each other.
+const DEPENDENT: f64 = 1e-11;
+
+/// Changes the parameters so that `q` is a place of rest; the reactions found are returned with the place.
+///
+/// *Errors*: S036 when an unknown changes no force, when unknowns cannot be told apart, or when a force stays unbalanced.
+pub fn unknowns(machine: &mut LinearMachine, parameters: &[usize], q: &[f64]) -> Result<Place, Fault> {
+    let n = q.len();
+    let prepared = machine.forces_by(parameters)?;
+    let mut place = Place::rest(q);
+    let k = parameters.len() + machine.linear().multipliers.len();
+    place.multipliers = vec![0.0; machine.linear().multipliers.len()];
+    for _ in 0..STEPS {
+        let values = machine.values(&prepared, &place)?;
+        let (force, slopes) = values.split_at(n);
+        // column-wise ∂F/∂u, then row-wise Jᵀ
+        let entry = |i: usize, c: usize| {
+            if c < parameters.len() {
+                slopes[c * n + i]
+            } else {
+                slopes[parameters.len() * n + i * (k - parameters.len()) + c - parameters.len()]
+            }
+        };
+        let size = |list: &mut dyn Iterator<Item = f64>| list.fold(0.0_f64, |m, v| m.max(v.abs()));
+        let columns: Vec<f64> = (0..k).map(|c| size(&mut (0..n).map(|i| entry(i, c)))).collect();
+        if let Some(c) = (0..parameters.len()).find(|c| columns[*c] == 0.0) {
+            return Err(undetermined(&machine.parameters()[parameters[c]].name));
+        }
+        let columns: Vec<f64> = columns.into_iter().map(|c| if c == 0.0 { 1.0 } else { c }).collect();
+        let rows: Vec<f64> = (0..n).map(|i| size(&mut (0..k).map(|c| entry(i, c) / columns[c]))).collect();
+        let row = |i: usize| if rows[i] == 0.0 { 1.0 } else { rows[i] };
+        let matrix: Vec<f64> = (0..n * k).map(|p| entry(p / k, p % k) / (columns[p % k] * row(p / k))).collect();
+        let right: Vec<f64> = (0..n).map(|i| -force[i] / row(i)).collect();
+        let qr = Qr::new(n, k, &matrix, DEPENDENT);
+        if let Some(c) = qr.dependent().iter().find(|c| **c < parameters.len()) {
+            return Err(undetermined(&machine.parameters()[parameters[*c]].name));
+        }
+        let (step, _) = qr.least_squares(&right);
+        let mut moved: f64 = 0.0;
+        for (c, s) in step.iter().enumerate() {
+            let change = s / columns[c];
+            let old = if c < parameters.len() { machine.value(parameters[c]) } else { place.multipliers[c - parameters.len()] };
+            moved = moved.max(change.abs() / (old + change).abs().max(f64::MIN_POSITIVE));
+            if c < parameters.len() {
+                machine.set(parameters[c], old + change)?;
+            } else {
+                place.multipliers[c - parameters.len()] = old + change;
+            }
+        }
+        if moved <= 4.0 * f64::EPSILON || step.iter().all(|s| *s == 0.0) {
+            break;
+        }
+    }
+    balanced(machine, parameters, &prepared, &place)?;
+    Ok(place)
+}
+
+/// Every force must vanish beside its terms.
+fn balanced(machine: &mut LinearMachine, parameters: &[usize], prepared: &crate::linear::Values, place: &Place) -> Result<(), Fault> {
+    let n = place.q.len();
+    let values = machine.values(prepared, place)?;
+    let matrices = machine.at(place)?;
+    let m = place.multipliers.len();
+    for i in 0..n {
+        let elastic: f64 = (0..n).map(|j| matrices.stiffness[i * n + j].abs() * place.q[j].abs()).sum();
+        let found: f64 = parameters.iter().enumerate().map(|(c, p)| (values[(c + 1) * n + i] * machine.value(*p)).abs()).sum();
+        let reach = (parameters.len() + 1) * n + i * m;
+        let held: f64 = (0..m).map(|c| (values[reach + c] * place.multipliers[c]).abs()).sum();
+        let scale = elastic + found + held;
+        if values[i].abs() > UNBALANCED * scale && values[i] != 0.0 {
+            return Err(unbalanced(&machine.coordinates()[i].name, values[i]));
+        }
+    }
+    Ok(())
+}
+
+fn undetermined(name: &str) -> Fault {
+    Fault::new(Message {
+        code: "S036",
+        what: Text::new(format!("the equations of statics do not determine `{name}`"), format!("уравнения статики не определяют `{name}`")),
+        why: Text::new(
+            "changing it changes no force here, or another unknown does the same",
+            "его изменение не меняет здесь ни одной силы, либо то же делает другое неизвестное",
+        ),
+        help: Text::new("give it a value in [parameters]", "задайте его значение в [parameters]"),
+    })
+}
+
+fn unbalanced(name: &str, force: f64) -> Fault {
+    let f = rounded(force);
+    Fault::new(Message {
+        code: "S036",
+        what: Text::new(
+            format!("no value of the unknowns makes the start a place of rest: along `{name}` a force of {} stays", f.en),
+            format!(
+                "начальное положение не станет положением равновесия ни при каких значениях неизвестных: по `{name}` остаётся сила {}",
+                f.ru
+            ),
+        ),
+        why: Text::new(
+            "there are fewer unknowns than forces to balance, or none of them acts along this coordinate",
+            "неизвестных меньше, чем неуравновешенных сил, либо ни одно не действует по этой координате",
+        ),
+        help: Text::new(
+            "start in a place that can be at rest, or add an unknown",
+            "начните с положения, возможного в покое, либо добавьте неизвестное",
+        ),
+    })
+}
+
+/// A found number with its name, for a remark.
+pub fn remark(name: &str, value: f64, unit: &str) -> Text {
+    let v = number(value);
+    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+    Text::new(format!("found from statics: {name} = {}{unit}", v.en), format!("найдено из условий равновесия: {name} = {}{unit}", v.ru))
+}

@@ -1,0 +1,40 @@
+//! `strutt cycle FILE`: energy balance over a turn.
+
+use super::{Exit, study};
+use crate::args;
+use crate::console::{Console, listen_to_interrupts};
+use mechanics::model::StudyKind;
+use strutt::{Failure, Trouble, studies};
+
+pub fn run(args: &args::Cycle, console: &mut Console) -> Result<Exit, Failure> {
+    listen_to_interrupts();
+    let out = args.out.as_deref();
+    let pick = |kind: &StudyKind| match kind {
+        StudyKind::Cycle(study) => Some(study.clone()),
+        _ => None,
+    };
+    let (mut machine, study) = study::open(&args.model, written(args), pick, out, console)?;
+    let mut study = study.ok_or_else(no_angle)?;
+    study.unknown = args.unknown.clone().or(study.unknown);
+    study.flywheel = args.flywheel.clone().or(study.flywheel);
+    let finding = console.watched(|watch| studies::cycle::run(&mut machine, &study, watch));
+    study::finish(machine, finding, out, console)
+}
+
+/// The study that the command line describes, as the file would.
+fn written(args: &args::Cycle) -> Option<String> {
+    let angle = args.angle.as_ref()?;
+    let mut text = study::row("kind", "cycle") + &study::row("angle", angle);
+    let keys = [("speed", &args.speed), ("period", &args.period), ("irregularity", &args.irregularity), ("turns", &args.turns)];
+    for (key, value) in keys {
+        text += &value.as_ref().map(|v| study::row(key, v)).unwrap_or_default();
+    }
+    Some(text)
+}
+
+fn no_angle() -> Failure {
+    Trouble::new("C034", "which angle describes the cycle?", "какой угол описывает цикл?")
+        .why("the file has no study `cycle`, and no --angle was given", "в файле нет расчёта `cycle`, а ключ --angle не задан")
+        .help("add --angle phi1, and --unknown F0 for the drive", "добавьте --angle phi1 и --unknown F0 для движущей силы")
+        .misuse()
+}

@@ -1,0 +1,83 @@
+//! The equations of small motions as formulas, M q'' + B q' + C q = loads, while they stay readable.
+
+use crate::small::Small;
+use symbolic::equations::Equality;
+use symbolic::{Equations, Expr, Function, Graph, Linear, SymbolId};
+
+/// More coordinates than this are not written out.
+const LARGEST: usize = 6;
+/// More nodes than this are not read by anybody.
+const LONGEST: usize = 400;
+/// Coordinates nearer to a simple exact value than this are taken to be it.
+const NEAR: f64 = 1e-12;
+
+/// Equations in the user's symbols; coordinates stand for deviations from the equilibrium.
+#[derive(Clone, Debug)]
+pub struct Written {
+    /// Owner of the formulas; its symbols are those of the equations of motion.
+    pub graph: Graph,
+    /// One for each coordinate.
+    pub equations: Vec<Equality>,
+}
+
+/// The linear system with the exact place put in, where it is exactly known: zero, or the start. None when a coefficient still contains a
+/// coordinate.
+pub fn at_place(equations: &Equations, small: &Small) -> Option<Linear> {
+    let mut linear = small.machine.linear().clone();
+    let mut place: Vec<(SymbolId, Expr)> = Vec::new();
+    for (coordinate, q) in equations.coordinates.iter().zip(&small.place.q) {
+        let start = small.machine.values_of(&[coordinate.start], &small.place).ok()?[0];
+        let e = match () {
+            () if q.abs() <= NEAR => linear.graph.zero(),
+            () if (q - start).abs() <= NEAR * q.abs() => coordinate.start,
+            () => continue,
+        };
+        place.push((coordinate.symbols[0], e));
+    }
+    let linear = linear.at(&place);
+    let coordinate = |s: SymbolId| linear.coordinates.iter().any(|c| c.contains(&s)) || linear.multipliers.contains(&s);
+    let loads = linear.loads.iter().flat_map(|l| l.cos.iter().chain(&l.sin));
+    let entries = linear.mass.entries().iter().chain(linear.damping.entries()).chain(linear.stiffness.entries()).chain(loads);
+    for e in entries {
+        if linear.graph.contains(*e, coordinate) {
+            return None;
+        }
+    }
+    Some(linear)
+}
+
+/// The equations, when they are short enough.
+pub fn write(equations: &Equations, small: &Small) -> Option<Written> {
+    let n = equations.coordinates.len();
+    if n > LARGEST || !small.machine.linear().conditions.is_empty() {
+        return None;
+    }
+    let linear = at_place(equations, small)?;
+    let mut graph = linear.graph.clone();
+    let mut list = Vec::with_capacity(n);
+    for i in 0..n {
+        let mut terms = Vec::new();
+        for (matrix, order) in [(&linear.mass, 2), (&linear.damping, 1), (&linear.stiffness, 0)] {
+            for j in 0..n {
+                let q = graph.symbol(linear.coordinates[j][order]);
+                terms.push(graph.mul(matrix.get(i, j), q));
+            }
+        }
+        let left = graph.sum(&terms);
+        let mut waves = Vec::new();
+        for load in &linear.loads {
+            let time = graph.symbol(linear.time());
+            let argument = graph.mul(load.rate, time);
+            for (function, amplitude) in [(Function::Cos, load.cos[i]), (Function::Sin, load.sin[i])] {
+                let wave = graph.call(function, &[argument]);
+                waves.push(graph.mul(amplitude, wave));
+            }
+        }
+        let right = graph.sum(&waves);
+        if graph.reachable(&[left, right]).len() > LONGEST {
+            return None;
+        }
+        list.push(Equality { left, right });
+    }
+    Some(Written { graph, equations: list })
+}

@@ -1,0 +1,230 @@
+//! The study `cycle`: energy balance over a turn with a uniform shaft, the drive that closes it, irregularity of running, the flywheel.
+
+use super::periodic::{in_words, value_of};
+use super::{Fact, Results, Rows};
+use crate::failure::Trouble;
+use crate::pipeline::{self, Finding, Machine, explained};
+use crate::provenance;
+use crate::watch::Watch;
+use crate::words::Word;
+use analysis::reduce::{Reduction, reduce};
+use analysis::studies::cycle::{Balance, Cycle as Options, cycle};
+use analysis::studies::simulate::{Simulate, simulate};
+use mechanics::model::Cycle;
+use serde_json::json;
+use std::f64::consts::TAU;
+use symbolic::Text;
+
+/// Steps of the searches.
+const STEPS: usize = 40;
+
+/// Runs the study.
+pub fn run(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Finding {
+    let mut results = Results {
+        kind: "cycle",
+        heading: Text::new("Cycle of the machine", "Цикл машины"),
+        rows: Rows::Summary,
+        plots: study.plots.clone(),
+        ..Results::default()
+    };
+    results.data = pipeline::no_numbers(machine);
+    if let Err(trouble) = fill(machine, study, &mut results) {
+        results.trouble = Some(trouble);
+    }
+    watch.lap(Word::TimeRun);
+    Finding::Study(Box::new(results))
+}
+
+fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(), Trouble> {
+    let (mut values, mut formula): (Vec<(String, f64)>, Option<Text>) = (Vec::new(), None);
+    if let Some(name) = &study.unknown {
+        let (value, words) = driven(machine, study, name, &values)?;
+        values.push((name.clone(), value));
+        formula = Some(words);
+    }
+    if let (Some(inertia), Some(wanted)) = (&study.flywheel, study.irregularity) {
+        let (found, drive) = flywheel(machine, study, inertia, wanted)?;
+        values.retain(|(name, _)| Some(name) != study.unknown.as_ref());
+        values.push((inertia.clone(), found));
+        values.extend(study.unknown.clone().zip(drive));
+    }
+    let mut changed = with(machine, &values)?;
+    let (balance, speed) = balance(&mut changed, study)?;
+    results.data = provenance::stamp(balance.dataset.clone(), &changed.equations, &machine.model_hash);
+    results.words.extend(formula);
+    facts(results, &changed, &balance, speed, &values);
+    running(results, &mut changed, study)?;
+    if results.plots.is_empty() {
+        let plot = |name: &str| mechanics::model::Plot { title: Text::default(), x: None, y: vec![name.to_owned()] };
+        results.plots = ["J", "M", "A"].map(plot).into();
+    }
+    Ok(())
+}
+
+fn with(machine: &Machine, values: &[(String, f64)]) -> Result<Machine, Trouble> {
+    let values: Vec<(&str, f64)> = values.iter().map(|(n, v)| (n.as_str(), *v)).collect();
+    machine.with_values(&values).map_err(in_words)
+}
+
+/// The balance of a machine, and the uniform rate.
+fn balance(machine: &mut Machine, study: &Cycle) -> Result<(Balance, f64), Trouble> {
+    let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
+    let n = machine.equations.coordinates.len();
+    let angle = machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0);
+    let rate = study.speed.unwrap_or(start[n + angle]);
+    if rate == 0.0 {
+        return Err(Trouble::new("S046", format!("`{}` stands still", study.name), format!("`{}` неподвижна", study.name))
+            .help("give `speed`, `period` or a starting rate", "задайте `speed`, `period` или начальную скорость"));
+    }
+    let range = TAU * study.turns.abs() * rate.signum();
+    let options = Options { angle, range, rate, points: study.points, tolerance: 1e-14 };
+    let found = cycle(&mut machine.system, &start, &options).map_err(|fault| explained(fault, &machine.equations))?;
+    Ok((found, rate))
+}
+
+/// The value of a parameter for which the work over the cycle vanishes, and the balance in words.
+fn driven(machine: &Machine, study: &Cycle, name: &str, others: &[(String, f64)]) -> Result<(f64, Text), Trouble> {
+    let first = value_of(machine, name).ok_or_else(|| {
+        Trouble::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"))
+    })?;
+    let work = |value: f64| -> Result<f64, Trouble> {
+        let mut values = others.to_vec();
+        values.retain(|(n, _)| n != name);
+        values.push((name.to_owned(), value));
+        Ok(balance(&mut with(machine, &values)?, study)?.0.work)
+    };
+    let (mut a, mut b) = (first, if first == 0.0 { 1.0 } else { 0.5 * first });
+    let mut work_a = work(a)?;
+    let (mut slope, mut rest) = (0.0, 0.0);
+    for _ in 0..STEPS {
+        let work_b = work(b)?;
+        let now = (work_b - work_a) / (b - a);
+        if now == 0.0 || !now.is_finite() {
+            break;
+        }
+        (slope, rest) = (now, work_b - now * b);
+        let next = -rest / slope;
+        let settled = (next - b).abs() <= 1e-13 * next.abs();
+        (a, work_a, b) = (b, work_b, next);
+        if settled {
+            break;
+        }
+    }
+    if slope == 0.0 {
+        return Err(Trouble::new("S048", format!("`{name}` does no work over the cycle"), format!("`{name}` не совершает работы за цикл"))
+            .help("choose a drive force or torque as the unknown", "выберите неизвестной движущую силу или момент"));
+    }
+    let print = |x: f64| report::number::short(x, 8, report::Language::En);
+    let sign = |x: f64| if x < 0.0 { "−" } else { "+" };
+    let line = format!("∮ M dφ = {} {} {}·{name} = 0,   {name} = {}", print(rest), sign(slope), print(slope.abs()), print(b));
+    let ru = line.replace('.', ",");
+    Ok((b, Text::new(format!("Energy balance of the cycle (J): {line}"), format!("Баланс энергии за цикл (Дж): {ru}"))))
+}
+
+/// The inertia for which the irregularity is the wanted one, with the drive that goes with it.
+fn flywheel(machine: &Machine, study: &Cycle, name: &str, wanted: f64) -> Result<(f64, Option<f64>), Trouble> {
+    let first = value_of(machine, name).ok_or_else(|| {
+        Trouble::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"))
+    })?;
+    let mut drive = None;
+    let mut at = |value: f64| -> Result<f64, Trouble> {
+        let mut values = vec![(name.to_owned(), value)];
+        if let Some(unknown) = &study.unknown {
+            let found = driven(machine, study, unknown, &values)?.0;
+            drive = Some(found);
+            values.push((unknown.clone(), found));
+        }
+        Ok(irregularity(&mut with(machine, &values)?, study)?.2)
+    };
+    // the irregularity is nearly inverse to the inertia: secant in 1/irregularity
+    let (mut a, mut b) = (first, 1.5 * first);
+    let mut f_a = 1.0 / at(a)? - 1.0 / wanted;
+    for _ in 0..STEPS {
+        let f_b = 1.0 / at(b)? - 1.0 / wanted;
+        let slope = (f_b - f_a) / (b - a);
+        if f_b.abs() <= 1e-12 / wanted || slope == 0.0 || !slope.is_finite() {
+            break;
+        }
+        let next = (b - f_b / slope).max(0.1 * b);
+        (a, f_a, b) = (b, f_b, next);
+    }
+    let reached = at(b)?;
+    if (reached - wanted).abs() > 1e-8 * wanted {
+        return Err(Trouble::new(
+            "S048",
+            format!("no value of `{name}` gives the irregularity {wanted}"),
+            format!("ни при каком значении `{name}` неравномерность хода не равна {wanted}"),
+        ));
+    }
+    Ok((b, drive))
+}
+
+/// Largest and least rate of the motion over one cycle from the start, (max - min)/mean.
+fn irregularity(machine: &mut Machine, study: &Cycle) -> Result<(f64, f64, f64, f64), Trouble> {
+    let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
+    let n = machine.equations.coordinates.len();
+    let angle = machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0);
+    let rate = study.speed.unwrap_or(start[n + angle]);
+    let until = TAU * study.turns.abs() / rate.abs();
+    let name = format!("{}'", study.name);
+    let options = Simulate { outputs: Some(vec![name.clone()]), tolerance: 1e-14, ..Simulate::until(until) };
+    let outcome = simulate(&mut machine.system, &start, options);
+    if let Some(fault) = outcome.fault {
+        return Err(explained(fault, &machine.equations));
+    }
+    let of = |reduction| reduce(&outcome.dataset, &name, reduction).unwrap_or(f64::NAN);
+    let (high, low, mean) = (of(Reduction::Max), of(Reduction::Min), of(Reduction::Mean));
+    Ok((high, low, (high - low) / mean.abs(), (high - low) / high.abs().max(low.abs())))
+}
+
+fn facts(results: &mut Results, machine: &Machine, balance: &Balance, speed: f64, values: &[(String, f64)]) {
+    for (name, value) in values {
+        let declared = machine.model.parameters.iter().find(|p| p.name == *name);
+        let symbol = machine.model.notation.iter().find(|(n, _)| n == name).map_or(name.as_str(), |(_, s)| s.as_str());
+        let label = declared.map(|p| p.label.clone()).filter(|l| !l.en.is_empty());
+        let label = label.unwrap_or_else(|| Text::new("value found from the cycle", "значение, найденное из цикла"));
+        results.facts.push(Fact::new(name, symbol, declared.map_or("1", |p| p.unit.as_str()), *value, label));
+    }
+    let text = Text::new;
+    results.facts.push(Fact::new("omega", "ω", "rad/s", speed, text("uniform rate of the shaft", "равномерная угловая скорость вала")));
+    results.facts.push(Fact::new("work", "A", "J", balance.work, text("work of all forces over the cycle", "работа всех сил за цикл")));
+    results.facts.push(Fact::new(
+        "J_mean",
+        "J_m",
+        "kg m^2",
+        balance.inertia,
+        text("mean reduced moment of inertia", "средний приведённый момент инерции"),
+    ));
+    let label = text("largest excess work within the cycle", "наибольшая избыточная работа внутри цикла");
+    results.facts.push(Fact::new("excess_work", "ΔA", "J", balance.excess, label));
+    results.own.insert("values".into(), json!(values.iter().map(|(n, v)| (n.clone(), json!(v))).collect::<serde_json::Map<_, _>>()));
+}
+
+/// Irregularity of the true motion over the cycle.
+fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Result<(), Trouble> {
+    let (high, low, by_mean, by_max) = irregularity(machine, study)?;
+    let text = Text::new;
+    results.facts.push(Fact::new(
+        "omega_max",
+        "ω_max",
+        "rad/s",
+        high,
+        text("largest rate over the cycle from the start", "наибольшая угловая скорость за цикл от начала"),
+    ));
+    results.facts.push(Fact::new("omega_min", "ω_min", "rad/s", low, text("least rate", "наименьшая угловая скорость")));
+    results.facts.push(Fact::new(
+        "irregularity",
+        "δ",
+        "1",
+        by_mean,
+        text("irregularity (max − min)/mean", "неравномерность хода (max − min)/среднее"),
+    ));
+    results.facts.push(Fact::new(
+        "irregularity_max",
+        "δ_max",
+        "1",
+        by_max,
+        text("the same over the largest rate, (max − min)/max", "то же по наибольшей скорости, (max − min)/max"),
+    ));
+    Ok(())
+}

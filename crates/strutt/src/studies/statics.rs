@@ -1,0 +1,100 @@
+//! The study `statics` of bodies: reactions, equations of equilibrium, what is open or free.
+
+use super::{Fact, Results};
+use crate::failure::Trouble;
+use crate::pipeline::{Finding, Machine};
+use crate::provenance;
+use analysis::Dataset;
+use analysis::dataset::Audit;
+use analysis::studies::statics::{Statics, statics};
+use report::Language;
+use report::formula::{Form, Printer};
+use serde_json::{Value, json};
+use symbolic::{Equations, Text};
+
+/// Largest relative remainder of an equation of equilibrium.
+const LIMIT: f64 = 1e-10;
+
+/// Makes the study.
+pub fn run(machine: &mut Machine) -> Finding {
+    let results = match statics(&machine.equations) {
+        Ok(found) => results(machine, &found),
+        Err(fault) => Results { kind: "statics", heading: heading(), trouble: Some(Trouble::from(fault)), ..Results::default() },
+    };
+    Finding::Study(Box::new(results))
+}
+
+fn heading() -> Text {
+    Text::new("Statics", "Статика")
+}
+
+fn results(machine: &Machine, found: &Statics) -> Results {
+    let open = Text::new("not determined by equilibrium", "из условий равновесия не определяется");
+    let fact = |r: &analysis::studies::statics::Reaction| {
+        let q = &r.quantity;
+        let fact = Fact::new(&q.name, &q.symbol, &q.unit, r.value.unwrap_or(f64::NAN), q.label.clone());
+        if r.value.is_none() { fact.with_words(open.clone()) } else { fact }
+    };
+    let name = Text::new("equations of equilibrium: largest relative remainder", "уравнения равновесия: наибольшая относительная невязка");
+    let audits = vec![Audit::at_most("equilibrium", name, found.remainder, LIMIT)];
+    let data = Dataset { audits, notes: found.notes.clone(), ..Dataset::default() };
+    let facts = found.reactions.iter().map(fact).collect();
+    let mut results = Results { kind: "statics", heading: heading(), facts, words: words(machine, found), ..Results::default() };
+    results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
+    let reaction = |r: &analysis::studies::statics::Reaction| json!({"name": r.quantity.name, "symbol": r.quantity.symbol, "value": r.value, "unit": r.quantity.unit});
+    let reactions: Vec<Value> = found.reactions.iter().map(reaction).collect();
+    let share = |(name, share): &(Text, f64)| json!({"displacement": name.en, "share": share});
+    let free: Vec<Value> = found.free.iter().map(|motion| motion.iter().map(share).collect()).collect();
+    results.own.insert("reactions".into(), json!(reactions));
+    results.own.insert("indeterminacy".into(), json!(found.indeterminacy));
+    results.own.insert("mobility".into(), json!(found.free.len()));
+    results.own.insert("free_motions".into(), json!(free));
+    results
+}
+
+/// Equations of equilibrium, then the degree of indeterminacy and free motions.
+fn words(machine: &Machine, found: &Statics) -> Vec<Text> {
+    let mut words = equilibrium(&machine.equations);
+    words.push(match found.indeterminacy {
+        0 => Text::new("Statically determinate.", "Статически определимо."),
+        n => Text::new(format!("Statically indeterminate, degree {n}."), format!("Статически неопределимо, степень {n}.")),
+    });
+    for motion in &found.free {
+        let list = |pick: fn(&Text) -> &str| {
+            let parts: Vec<String> = motion.iter().map(|(name, share)| format!("{}: {share:.4}", pick(name))).collect();
+            parts.join("; ")
+        };
+        words.push(Text::new(
+            format!("A mechanism: nothing prevents {}.", list(|t| &t.en)),
+            format!("Механизм: ничто не препятствует перемещению {}.", list(|t| &t.ru).replace('.', ",")),
+        ));
+    }
+    words
+}
+
+/// Σ released λ + rest = 0 of every balance, rates and accelerations zero.
+fn equilibrium(equations: &Equations) -> Vec<Text> {
+    let mut graph = equations.graph.clone();
+    let zero = graph.zero();
+    let still = equations.coordinates.iter().flat_map(|c| [(c.symbols[1], zero), (c.symbols[2], zero)]);
+    let mut still = symbolic::Substitution::new(still.collect::<Vec<_>>());
+    let mut sums = Vec::new();
+    for (row, balance) in equations.balances.iter().enumerate() {
+        let mut terms = vec![still.apply(&mut graph, balance.rest)];
+        for reaction in &equations.reactions {
+            for (_, e) in reaction.released.iter().filter(|(i, _)| *i == row) {
+                let symbol = graph.symbol(reaction.symbol);
+                terms.push(graph.mul(*e, symbol));
+            }
+        }
+        sums.push(graph.sum(&terms));
+    }
+    let line = |balance: &symbolic::connections::Balance, sum: symbolic::Expr, language: Language| {
+        let formula = Printer::of(equations, language).inline(&graph, sum, Form::Text);
+        format!("{}: {formula} = 0", language.text(&balance.name))
+    };
+    let both = |(balance, sum): (&symbolic::connections::Balance, symbolic::Expr)| {
+        Text::new(line(balance, sum, Language::En), line(balance, sum, Language::Ru))
+    };
+    equations.balances.iter().zip(sums).map(both).collect()
+}
