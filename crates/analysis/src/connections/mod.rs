@@ -124,9 +124,9 @@ impl<'e> Bench<'e> {
         for trial in 0..5 {
             let mut x = self.x.clone();
             if trial > 0 {
-                for j in 0..self.n {
+                for (j, x_j) in x.iter_mut().enumerate().take(self.n) {
                     let unit = random.between(-1.0, 1.0);
-                    x[j] += if self.is_angle(j) { unit } else { 0.5 * unit * x[j] };
+                    *x_j += if self.is_angle(j) { unit } else { 0.5 * unit * *x_j };
                 }
             }
             if self.evaluate(&x).is_err() {
