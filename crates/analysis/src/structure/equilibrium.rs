@@ -7,6 +7,9 @@ use crate::Fault;
 /// Structures with more independent freedoms than this are not searched for mechanisms by elimination; the factorisation finds them.
 pub const SEARCHED: usize = 400;
 
+/// Exact numbers grow with every elimination: beyond this many independent freedoms machine numbers are used.
+pub const EXACT: usize = 30;
+
 /// How a structure stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Standing {
@@ -143,6 +146,19 @@ pub fn stands<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<Sta
             Err(faults::mechanism(&node, &words, standing.motions.len()))
         }
         None => Ok(standing),
+    }
+}
+
+/// Stops at the first free motion of an undivided frame: by exact numbers where these are few, else within rounding.
+pub fn stands_undivided(frame: &Frame<f64>, exact: Option<&Frame<symbolic::Rational>>) -> Result<Standing, Fault> {
+    let simple = frame.divided(1);
+    let assembly = Assembly::of(&simple);
+    match exact.filter(|_| assembly.n() <= EXACT) {
+        Some(exact) => {
+            let exact = exact.divided(1);
+            stands(&exact, &Assembly::of(&exact))
+        }
+        None => stands(&simple, &assembly),
     }
 }
 

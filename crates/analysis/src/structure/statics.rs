@@ -39,15 +39,13 @@ pub struct Station<S> {
     pub moment: S,
 }
 
+/// Solves K q = f for the independent freedoms.
+pub type Solver<'a, S> = dyn Fn(&[S]) -> Result<Vec<S>, Fault> + 'a;
+
 /// Solves a structure that stands.
 ///
 /// *Errors*: S053 when rods or supports that do not deform share the load in more than one way.
-pub fn solve<S: Scalar>(
-    frame: &Frame<S>,
-    assembly: &Assembly<S>,
-    loads: &[Load<S>],
-    invert: &dyn Fn(&[S]) -> Result<Vec<S>, Fault>,
-) -> Result<Statics<S>, Fault> {
+pub fn solve<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, loads: &[Load<S>], invert: &Solver<S>) -> Result<Statics<S>, Fault> {
     let loading = loading(assembly, frame, loads);
     let q = invert(&assembly.elimination.gather(&loading.forces))?;
     let freedoms = assembly.elimination.expand(&q);
@@ -194,8 +192,7 @@ impl<S: Scalar> Statics<S> {
             cuts.push(part.length.clone());
             cuts.sort_by(|a, b| a.value().total_cmp(&b.value()));
             let mut from = S::zero();
-            let mut passed = 0;
-            for cut in cuts {
+            for (passed, cut) in cuts.into_iter().enumerate() {
                 let pieces = if carried.distributed.is_empty() { 1 } else { between + 1 };
                 for k in 0..=pieces {
                     let x = from.add(&cut.sub(&from).mul(&S::ratio(k as i64, pieces as i64)));
@@ -205,7 +202,6 @@ impl<S: Scalar> Statics<S> {
                         out.push(station);
                     }
                 }
-                passed += 1;
                 from = cut;
             }
         }

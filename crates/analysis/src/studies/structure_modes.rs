@@ -6,7 +6,7 @@
 use crate::dataset::{Audit, Column, Counter, Dataset};
 use crate::numerics::{eigen, sparse};
 use crate::structure::assembly::Sparse;
-use crate::structure::equilibrium::{SEARCHED, describe, standing, stands};
+use crate::structure::equilibrium::{EXACT, SEARCHED, describe, standing, stands_undivided};
 use crate::structure::reduced::{Condensation, Reduced, quantity, reduce};
 use crate::structure::{Assembly, Frame, continuum, dense, faults};
 use crate::{Fault, Quantity};
@@ -86,11 +86,7 @@ pub struct StructureModes {
 ///
 /// *Errors*: mechanisms, loose nodes, no inertia.
 pub fn modes(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -> Result<StructureModes, Fault> {
-    let simple = frame.divided(1);
-    match exact {
-        Some(exact) => drop(stands(&exact.divided(1), &Assembly::of(&exact.divided(1)))?),
-        None => drop(stands(&simple, &Assembly::of(&simple))?),
-    }
+    stands_undivided(frame, exact)?;
     let mut found = match options.accuracy {
         Some(wanted) => refined(frame, options, wanted)?,
         None => plain(frame, exact, options)?,
@@ -138,7 +134,7 @@ fn plain(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -
     let expand = |x: &[f64]| assembly.elimination.expand(&dense::product(&reduced.basis, x, reduced.n_q, n, 1));
     let shown = Shown::of(frame, &assembly, reduced.named.then_some(&reduced));
     let modes = shown.modes(&found, &reduced.coordinates, &expand, options.normalise);
-    let exact = exact.filter(|_| n <= EQUATION && assembly.n() <= 4 * EQUATION);
+    let exact = exact.filter(|_| n <= EQUATION && assembly.n() <= EXACT);
     let exact = exact.and_then(|f| reduce(f, &Assembly::of(f), options.condensation).ok());
     let equation = exact.as_ref().map(|r| frequency_equation(r, n));
     let coordinates = shown.coordinates(&reduced.coordinates);

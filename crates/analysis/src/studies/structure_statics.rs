@@ -2,7 +2,7 @@
 //! by unit forces.
 
 use crate::dataset::{Audit, Column, Counter, Dataset};
-use crate::structure::equilibrium::{SEARCHED, Standing, stands};
+use crate::structure::equilibrium::{EXACT, SEARCHED, Standing, stands};
 use crate::structure::statics::{Statics, Station, dense_solver, product, solve, sparse_solver};
 use crate::structure::truss::{Joint, Section, is_truss, joints, sections};
 use crate::structure::{Action, Assembly, Component, Displacement, Frame, Load, Scalar};
@@ -60,7 +60,7 @@ pub struct Flexibility<S> {
 pub fn statics(frame: &Frame<f64>, exact: Option<&Frame<Rational>>) -> Result<StructureStatics, Fault> {
     let frame = frame.divided(1);
     let assembly = Assembly::of(&frame);
-    let exact = exact.map(|e| e.divided(1)).filter(|_| assembly.n() <= SEARCHED / 4);
+    let exact = exact.map(|e| e.divided(1)).filter(|_| assembly.n() <= EXACT);
     let exact_assembly = exact.as_ref().map(Assembly::of);
     let standing = match (&exact, &exact_assembly) {
         (Some(exact), Some(assembly)) => stands(exact, assembly)?,

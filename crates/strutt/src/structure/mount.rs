@@ -4,7 +4,7 @@
 
 use super::bind::{Bound, bind};
 use crate::failure::Trouble;
-use analysis::structure::equilibrium::{SEARCHED, stands};
+use analysis::structure::equilibrium::{EXACT, SEARCHED, stands_undivided};
 use analysis::structure::loads::loading;
 use analysis::structure::reduced::{Condensation, reduce};
 use analysis::structure::substructure::{Substructure, substructure};
@@ -72,11 +72,7 @@ fn condensation(structure: &file::Structure) -> Condensation {
 }
 
 fn coordinates(structure: &file::Structure, bound: &Bound) -> Result<Option<Substructure>, analysis::Fault> {
-    let simple = bound.frame.divided(1);
-    match &bound.exact {
-        Some(exact) => drop(stands(&exact.divided(1), &Assembly::of(&exact.divided(1)))?),
-        None => drop(stands(&simple, &Assembly::of(&simple))?),
-    }
+    stands_undivided(&bound.frame, bound.exact.as_ref())?;
     let assembly = Assembly::of(&bound.frame);
     if assembly.n() == 0 || assembly.n() > SEARCHED || assembly.mass(&bound.frame).entries.iter().all(|e| e.2 == 0.0) {
         return Ok(None);
@@ -87,7 +83,7 @@ fn coordinates(structure: &file::Structure, bound: &Bound) -> Result<Option<Subs
 
 fn entries(bound: &Bound, structure: &file::Structure, found: &Substructure) -> (Vec<Entry>, Vec<Entry>) {
     let n = found.named.len() + found.amplitudes;
-    let exact = bound.exact.as_ref().filter(|e| found.amplitudes == 0 && n == e.displacements.len() && n <= 8);
+    let exact = bound.exact.as_ref().filter(|e| found.n_q <= EXACT && found.amplitudes == 0 && n == e.displacements.len() && n <= 8);
     let exact = exact.and_then(|e| reduce(e, &Assembly::of(e), condensation(structure)).ok()).filter(|r| r.named);
     let list = |values: &[f64], exact: Option<&[Rational]>| -> Vec<Entry> {
         let largest: Vec<f64> = (0..n).map(|i| values[i * n + i].abs()).collect();
