@@ -80,6 +80,12 @@ pub const EXPLANATIONS: &[Explanation] = &[
     crate::studies::explain::NO_REGIME,
     crate::studies::explain::DRIVEN,
     crate::studies::explain::NO_PASSAGE,
+    crate::studies::explain::NOT_AT_REST,
+    crate::studies::explain::NO_SUCH_PERIOD,
+    crate::studies::explain::NOT_TURNING,
+    crate::studies::explain::NO_ENERGY,
+    crate::studies::explain::NO_DRIVE,
+    crate::studies::explain::DEAD_POINT,
     Explanation {
         code: "S021",
         en: ("mass matrix not positive definite", trouble::MASS_EN),

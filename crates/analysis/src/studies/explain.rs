@@ -58,3 +58,75 @@ pub(crate) const NO_PASSAGE: Explanation = Explanation {
         "Формула в `section` определяет начало периода: переход через нуль снизу вверх. Вдоль найденного периодического движения она сохраняет знак.",
     ),
 };
+
+pub(crate) const NOT_AT_REST: Explanation = Explanation {
+    code: "S040",
+    en: (
+        "not at rest",
+        "The study `statics` finds reactions at rest in the start position. Here the loads are not balanced: the machine is a mechanism and would begin to move along the direction that the message names. Add a support, or start from its equilibrium.",
+    ),
+    ru: (
+        "не в покое",
+        "Расчёт `statics` находит реакции покоя в начальном положении. Здесь нагрузки не уравновешены: это механизм, и он начал бы двигаться в направлении, названном в сообщении. Добавьте опору или начните с положения равновесия.",
+    ),
+};
+
+pub(crate) const NO_SUCH_PERIOD: Explanation = Explanation {
+    code: "S045",
+    en: (
+        "no value gives the wanted period",
+        "The study `periodic` changes one parameter until the period is the wanted one. The period does not depend on that parameter, or the search left the range in which there is a regime.",
+    ),
+    ru: (
+        "нужный период недостижим",
+        "Расчёт `periodic` меняет один параметр, пока период не станет нужным. Период от этого параметра не зависит, или поиск вышел из области, где режим существует.",
+    ),
+};
+
+pub(crate) const NOT_TURNING: Explanation = Explanation {
+    code: "S046",
+    en: (
+        "the shaft does not turn through the cycle",
+        "The study `cycle` needs one motion through the whole cycle: the angle must run monotonously through it from the start. A dead point, a wrong sign of `turns` or a shaft at rest prevent it.",
+    ),
+    ru: (
+        "вал не проходит весь цикл",
+        "Расчёту `cycle` нужно одно движение через весь цикл: угол должен монотонно пройти его от начала. Этому мешают мёртвое положение, неверный знак `turns` или неподвижный вал.",
+    ),
+};
+
+pub(crate) const NO_ENERGY: Explanation = Explanation {
+    code: "S047",
+    en: (
+        "no energies at a place of the cycle",
+        "A formula of a load or an energy has no value somewhere in the cycle, so the balance cannot be drawn up.",
+    ),
+    ru: (
+        "энергии в некотором положении не определены",
+        "Формула нагрузки или энергии где-то в цикле не имеет значения, и баланс составить нельзя.",
+    ),
+};
+
+pub(crate) const NO_DRIVE: Explanation = Explanation {
+    code: "S048",
+    en: (
+        "the parameter does not decide the cycle",
+        "The unknown of the study `cycle` does no work over the cycle, or no value of the flywheel's inertia gives the wanted irregularity. Choose a drive force or torque, or the inertia of a body on the main shaft.",
+    ),
+    ru: (
+        "параметр не влияет на цикл",
+        "Неизвестная расчёта `cycle` не совершает работы за цикл, или ни при каком моменте инерции маховика неравномерность не равна заданной. Выберите движущую силу или момент либо момент инерции тела на главном валу.",
+    ),
+};
+
+pub(crate) const DEAD_POINT: Explanation = Explanation {
+    code: "S049",
+    en: (
+        "dead point of a linkage",
+        "The study `kinematics` cannot drive the coordinate further: levers stand in line, or the range leaves what the linkage can reach. The message names the configuration. A linkage of two degrees of freedom needs a second driven coordinate in `with`.",
+    ),
+    ru: (
+        "мёртвое положение механизма",
+        "Расчёт `kinematics` не может вести координату дальше: звенья вытянулись в линию или промежуток выходит за достижимые положения. Положение названо в сообщении. Механизму с двумя степенями свободы нужна вторая ведущая координата в `with`.",
+    ),
+};
