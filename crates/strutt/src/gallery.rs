@@ -58,6 +58,7 @@ examples![
     "three-rod-frame-massive",
     "three-rod-frame-refined",
     "top",
+    "truss",
     "truss-bridge",
 ];
 

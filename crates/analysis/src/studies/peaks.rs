@@ -65,13 +65,15 @@ fn stationary(power: &mut dyn FnMut(f64) -> f64, at: f64, width: f64, low: f64, 
     let mut slope = |x: f64| 8.0 * (power(x + h) - power(x - h)) - (power(x + 2.0 * h) - power(x - 2.0 * h));
     let (mut x0, mut x1) = (at - 0.02 * width, at + 0.02 * width);
     let (mut f0, mut f1) = (slope(x0), slope(x1));
+    let first = f0.abs().max(f1.abs());
     for _ in 0..30 {
-        if f1 == f0 {
+        // below this the differences are rounding, and a secant through them leads anywhere
+        if f1 == f0 || f1.abs() <= 1e-13 * first {
             break;
         }
         let next = x1 - f1 * (x1 - x0) / (f1 - f0);
         if !next.is_finite() || next < low || next > high {
-            return at;
+            return if f1.abs() <= 1e-6 * first { x1 } else { at };
         }
         (x0, f0) = (x1, f1);
         (x1, f1) = (next, slope(next));
