@@ -151,45 +151,45 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "`strutt examples` lists the examples; codes stand in brackets in each message.",
             "`strutt examples` показывает примеры; коды стоят в скобках в каждом сообщении.",
         ),
+    ),
+    (
+        "C031",
+        ("Not a parameter with a number", "Не параметр с числом"),
         (
-            "C031",
-            ("Not a parameter with a number", "Не параметр с числом"),
-            (
-                "An unknown that a study looks for must be a parameter of the model whose value is a number.",
-                "Неизвестная, которую ищет расчёт, – параметр модели с числовым значением.",
-            ),
+            "An unknown that a study looks for must be a parameter of the model whose value is a number.",
+            "Неизвестная, которую ищет расчёт, – параметр модели с числовым значением.",
         ),
+    ),
+    (
+        "C032",
+        ("No study to repeat", "Нет расчёта для серии"),
         (
-            "C032",
-            ("No study to repeat", "Нет расчёта для серии"),
-            (
-                "A sweep repeats a study of the file: simulate, periodic, equilibrium, cycle, statics, inverse. Add it, or observe `period`.",
-                "Серия повторяет расчёт из файла: simulate, periodic, equilibrium, cycle, statics, inverse. Добавьте его или наблюдайте `period`.",
-            ),
+            "A sweep repeats a study of the file: simulate, periodic, equilibrium, cycle, statics, inverse. Add it, or observe `period`.",
+            "Серия повторяет расчёт из файла: simulate, periodic, equilibrium, cycle, statics, inverse. Добавьте его или наблюдайте `period`.",
         ),
+    ),
+    (
+        "C033",
+        ("Over which values?", "По каким значениям?"),
         (
-            "C033",
-            ("Over which values?", "По каким значениям?"),
-            (
-                "A sweep needs --over \"v=linspace(1 m/s, 3 m/s, 21)\" or a study `sweep` in the file.",
-                "Серии нужен ключ --over \"v=linspace(1 м/с, 3 м/с, 21)\" или расчёт `sweep` в файле.",
-            ),
+            "A sweep needs --over \"v=linspace(1 m/s, 3 m/s, 21)\" or a study `sweep` in the file.",
+            "Серии нужен ключ --over \"v=linspace(1 м/с, 3 м/с, 21)\" или расчёт `sweep` в файле.",
         ),
+    ),
+    (
+        "C034",
+        ("Which angle?", "Какой угол?"),
         (
-            "C034",
-            ("Which angle?", "Какой угол?"),
-            (
-                "The cycle needs --angle phi1 or a study `cycle` in the file.",
-                "Расчёту цикла нужен ключ --angle phi1 или расчёт `cycle` в файле.",
-            ),
+            "The cycle needs --angle phi1 or a study `cycle` in the file.",
+            "Расчёту цикла нужен ключ --angle phi1 или расчёт `cycle` в файле.",
         ),
+    ),
+    (
+        "C035",
+        ("Which coordinate is driven?", "Какая координата ведущая?"),
         (
-            "C035",
-            ("Which coordinate is driven?", "Какая координата ведущая?"),
-            (
-                "Kinematics needs --over phi1 or a study `kinematics` in the file.",
-                "Кинематике нужен ключ --over phi1 или расчёт `kinematics` в файле.",
-            ),
+            "Kinematics needs --over phi1 or a study `kinematics` in the file.",
+            "Кинематике нужен ключ --over phi1 или расчёт `kinematics` в файле.",
         ),
     ),
     (
