@@ -131,6 +131,10 @@ impl Watched {
         let mut c: Vec<f64> = step.coefficients(state).iter().map(|c| sign * c).collect();
         c[0] = sign * ((step.coefficients(state)[0] - level) - drift * step.start.high);
         c[1] -= sign * drift;
+        if step.start.high == 0.0 && c[0].abs() <= 1e-13 * level.abs() {
+            // the start itself, rounded
+            (c[0], self.below) = (0.0, false);
+        }
         let mut at = 0.0;
         // a start on the section, or a passage within rounding of the end of the step before
         let mut here = if self.below && c[0] >= 0.0 { Some(true) } else { None };
