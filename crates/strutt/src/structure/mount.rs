@@ -18,6 +18,8 @@ use symbolic::{Expr, Rational, Text};
 
 /// Entries of M and K as (i, j, number, exact).
 type Entry = (usize, usize, f64, Option<Rational>);
+/// Largest number of freedoms of a frame without named displacements that becomes part of the machine.
+const NAMELESS: usize = 100;
 /// Amplitudes without another wish.
 const AMPLITUDES: usize = 8;
 
@@ -74,7 +76,9 @@ fn condensation(structure: &file::Structure) -> Condensation {
 fn coordinates(structure: &file::Structure, bound: &Bound) -> Result<Option<Substructure>, analysis::Fault> {
     stands_undivided(&bound.frame, bound.exact.as_ref())?;
     let assembly = Assembly::of(&bound.frame);
-    if assembly.n() == 0 || assembly.n() > SEARCHED || assembly.mass(&bound.frame).entries.iter().all(|e| e.2 == 0.0) {
+    // nobody can speak of the displacements of a large frame without their names
+    let nameless = structure.displacements.is_empty() && assembly.n() > NAMELESS;
+    if nameless || assembly.n() == 0 || assembly.n() > SEARCHED || assembly.mass(&bound.frame).entries.iter().all(|e| e.2 == 0.0) {
         return Ok(None);
     }
     let count = structure.options.modes.unwrap_or(AMPLITUDES);
