@@ -815,38 +815,6 @@ pub const EXPLANATIONS: &[Explanation] = &[
     ),
 ];
 
-#[cfg(test)]
-mod tests {
-    use super::EXPLANATIONS;
-    use std::collections::BTreeSet;
-    use std::path::Path;
-
-    fn sources(folder: &Path, text: &mut String) {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            let name = path.file_name().unwrap().to_string_lossy().into_owned();
-            if path.is_dir() && name != "derive" {
-                sources(&path, text);
-            } else if name.ends_with(".rs") && name != "explain.rs" && name != "tests.rs" {
-                text.push_str(&std::fs::read_to_string(&path).unwrap());
-            }
-        }
-    }
-
-    #[test]
-    fn every_code_is_explained_and_every_explanation_is_used() {
-        let mut text = String::new();
-        sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut text);
-        let codes = text.match_indices("\"M0").filter_map(|(i, _)| text.get(i + 1..i + 5)).filter(|c| c[1..].parse::<u16>().is_ok());
-        let used: BTreeSet<&str> = codes.collect();
-        let rows = || EXPLANATIONS.iter().chain(super::LINEAR);
-        let explained: BTreeSet<&str> = rows().map(|e| e.code).collect();
-        assert_eq!(explained.len(), rows().count(), "a code has two rows");
-        let used: BTreeSet<&str> = used.into_iter().filter(|c| *c < "M100").collect();
-        assert_eq!(used, explained);
-    }
-}
-
 /// The codes of the studies of small motions.
 pub const LINEAR: &[Explanation] = &[
     row(
@@ -915,3 +883,35 @@ pub const LINEAR: &[Explanation] = &[
         "about = \"start\"",
     ),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::EXPLANATIONS;
+    use std::collections::BTreeSet;
+    use std::path::Path;
+
+    fn sources(folder: &Path, text: &mut String) {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            if path.is_dir() && name != "derive" {
+                sources(&path, text);
+            } else if name.ends_with(".rs") && name != "explain.rs" && name != "tests.rs" {
+                text.push_str(&std::fs::read_to_string(&path).unwrap());
+            }
+        }
+    }
+
+    #[test]
+    fn every_code_is_explained_and_every_explanation_is_used() {
+        let mut text = String::new();
+        sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut text);
+        let codes = text.match_indices("\"M0").filter_map(|(i, _)| text.get(i + 1..i + 5)).filter(|c| c[1..].parse::<u16>().is_ok());
+        let used: BTreeSet<&str> = codes.collect();
+        let rows = || EXPLANATIONS.iter().chain(super::LINEAR);
+        let explained: BTreeSet<&str> = rows().map(|e| e.code).collect();
+        assert_eq!(explained.len(), rows().count(), "a code has two rows");
+        let used: BTreeSet<&str> = used.into_iter().filter(|c| *c < "M100").collect();
+        assert_eq!(used, explained);
+    }
+}

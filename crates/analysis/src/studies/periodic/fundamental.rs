@@ -49,8 +49,8 @@ pub(crate) fn derivative(
     mut value: impl FnMut(&[f64]) -> Result<Vec<f64>, Fault>,
 ) -> Result<Vec<Vec<f64>>, Fault> {
     let mut columns = Vec::with_capacity(x.len());
-    for j in 0..x.len() {
-        columns.push(along(x, j, scales[j], &mut value)?);
+    for (j, scale) in scales.iter().enumerate().take(x.len()) {
+        columns.push(along(x, j, *scale, &mut value)?);
     }
     let rows = columns.first().map_or(0, Vec::len);
     Ok((0..rows).map(|i| columns.iter().map(|c| c[i]).collect()).collect())
@@ -150,8 +150,8 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64]) ->
     let mut matrix = map;
     for i in 0..n {
         let jump_of_rate = carried[i] + map_rate[i] - after[i];
-        for j in 0..n {
-            matrix.values[i * n + j] -= jump_of_rate * gradient[j] / speed;
+        for (entry, slope) in matrix.values[i * n..(i + 1) * n].iter_mut().zip(&gradient) {
+            *entry -= jump_of_rate * slope / speed;
         }
     }
     Ok(Some(matrix))

@@ -41,12 +41,15 @@ pub enum Return {
     Period(f64),
 }
 
+/// A formula of time and state.
+pub type Formula<'a> = &'a dyn Fn(f64, &[f64]) -> f64;
+
 /// Options of the study.
 pub struct Periodic<'a> {
     /// What brings the motion back.
     pub by: Return,
     /// Formula of (t, state) that passes zero from below where the period is to begin; at the start's own section when absent.
-    pub begin: Option<&'a dyn Fn(f64, &[f64]) -> f64>,
+    pub begin: Option<Formula<'a>>,
     /// Returns in one period; 1 unless the motion repeats only after several.
     pub returns: usize,
     /// Time simulated before the search, s: lets the motion come near its regime.
@@ -155,7 +158,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
             ..Periodic::default()
         };
         let x = found.orbit.first_zero(begin).ok_or_else(never_passed)?;
-        found = newton::solve(system, &found.at_time_zero(x), &again)?;
+        found = newton::solve(system, &found.at_time_zero(x), again)?;
     }
     let (matrix, grazing) = found.monodromy(system)?;
     let n = found.returning(None).len();

@@ -213,7 +213,7 @@ fn prepare<'o, S: System + ?Sized>(
             let state = named.map_or_else(|| search.automatic(system, &trial, &x), Ok)?;
             let frame = frame.clone();
             search.state = Some(state);
-            search.name = Text::same(&format!("`{}`", system.states()[state].name));
+            search.name = Text::same(format!("`{}`", system.states()[state].name));
             x = transversal(system, &trial, x, state, &frame, &search)?;
             search.aim_first(system, &x, &frame)?;
         }
