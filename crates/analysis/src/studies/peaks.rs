@@ -61,6 +61,8 @@ fn curvature_width(power: &mut dyn FnMut(f64) -> f64, at: f64, first: f64) -> f6
 
 /// Root of the derivative of P by the secant method.
 fn stationary(power: &mut dyn FnMut(f64) -> f64, at: f64, width: f64, low: f64, high: f64) -> f64 {
+    // near zero a flat top changes its shape over the frequency itself, sooner than over its width
+    let width = width.min(at.abs());
     let h = 0.003 * width;
     let mut slope = |x: f64| 8.0 * (power(x + h) - power(x - h)) - (power(x + 2.0 * h) - power(x - 2.0 * h));
     let (mut x0, mut x1) = (at - 0.02 * width, at + 0.02 * width);
