@@ -74,6 +74,11 @@ pub const EXPLANATIONS: &[Explanation] = &[
     },
     Explanation { code: "S060", en: ("no reactions", NO_REACTIONS_EN), ru: ("нет реакций", NO_REACTIONS_RU) },
     Explanation {
+        code: "S062",
+        en: ("a rope that would have to push", WRONG_SIDE_EN),
+        ru: ("нить, которая должна была бы толкать", WRONG_SIDE_RU),
+    },
+    Explanation {
         code: "S061", en: ("a mechanism that does not rest", UNREST_EN), ru: ("механизм не находится в равновесии", UNREST_RU)
     },
     crate::studies::explain::NO_RETURN,
@@ -451,6 +456,28 @@ impl Fault {
         })
     }
 
+    /// Equilibrium that needs a rope to push or a contact to pull.
+    pub fn wrong_side(name: &str, value: f64, unit: &str, tie: bool) -> Fault {
+        let n = rounded(value);
+        let (en, ru) = if tie {
+            ("a rope cannot push", "нить не может толкать")
+        } else {
+            ("a contact cannot pull", "контакт не может тянуть")
+        };
+        Fault::new(Message {
+            code: "S062",
+            what: Text::new(
+                format!("equilibrium needs {name} = {} {unit}", n.en),
+                format!("для равновесия требуется {name} = {} {unit}", n.ru),
+            ),
+            why: Text::new(en, ru),
+            help: Text::new(
+                "the structure does not rest like this: change the loads or the place of the connection, or use a rod, which also pushes",
+                "в таком положении конструкция не покоится: измените нагрузки или место связи либо примените стержень, который может и толкать",
+            ),
+        })
+    }
+
     /// A free motion in which the loads do work.
     pub fn sets_itself_in_motion(free: &Text) -> Fault {
         let list = |words: &str| if words.is_empty() { "-".to_owned() } else { words.to_owned() };
@@ -467,6 +494,10 @@ const NO_REACTIONS_EN: &str =
     "Statics finds the reactions of supports, pins, rods, ropes and other connections; the model has none. Name what holds the bodies.";
 const NO_REACTIONS_RU: &str =
     "Статика определяет реакции опор, шарниров, стержней, нитей и других связей; в модели их нет. Назовите, что удерживает тела.";
+const WRONG_SIDE_EN: &str = "The balance of forces asks a rope to push, or a one-sided contact to pull. Neither can: the structure does not rest in this \
+     position under these loads. Turn the load, move the connection, or replace the rope by a rod.";
+const WRONG_SIDE_RU: &str = "Уравнения равновесия требуют, чтобы нить толкала или односторонний контакт тянул. Этого быть не может: под такими нагрузками \
+     конструкция в этом положении не покоится. Измените нагрузку, место связи или замените нить стержнем.";
 const UNREST_EN: &str = "Some displacement is prevented by nothing, and the loads do work in it: equilibrium is impossible. The message lists the \
      displacements that belong to it with their shares. Add a support, or a load that balances it.";
 const UNREST_RU: &str = "Некоторому перемещению ничто не препятствует, и нагрузки совершают на нём работу: равновесие невозможно. В сообщении \

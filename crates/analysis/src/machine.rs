@@ -197,7 +197,7 @@ fn returned(mode: program::Mode) -> Mode {
 }
 
 /// `phi1 = 1.5708 rad, x = 0.3 m`.
-fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q f64)>) -> Text {
+pub(crate) fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q f64)>) -> Text {
     let (mut en, mut ru) = (Vec::new(), Vec::new());
     for (state, value) in places {
         let n = crate::fault::rounded(*value);

@@ -2,7 +2,8 @@
 //!
 //! The second derivation writes each balance over accelerations and reactions, by other formulas than those which gave the reactions. Accelerations
 //! are the derivatives of the dense output, reactions those of the same state. Each residual is compared with the terms that cancel in it; the limit
-//! is that of the power balance, for the same reason.
+//! is that of the power balance, for the same reason. In uniform motion a balance may hold nothing but rounding: the least size is 1e-4 of the terms
+//! with the accelerations that change the rates by themselves within a step.
 
 use symbolic::Text;
 
@@ -10,6 +11,8 @@ use crate::System;
 use crate::dataset::Audit;
 use crate::taylor::Step;
 
+/// Share of the inertia forces that double the rates within a step below which a balance is rounding.
+const SMALL: f64 = 1e-4;
 /// Samples before every second one is dropped.
 const SAMPLES: u64 = 16;
 
@@ -56,11 +59,16 @@ impl BodyBalance {
             self.known = false;
             return;
         };
+        for i in 0..n {
+            self.rates[n + i] = self.x[n + i] / step.length;
+        }
+        let inertia = system.balances(t, &self.x, &self.rates[n..2 * n], &step.modes).unwrap_or_default();
         self.largest.resize(rows.len(), 0.0);
-        for ([residual, size], largest) in rows.into_iter().zip(&mut self.largest) {
+        for (i, ([residual, size], largest)) in rows.into_iter().zip(&mut self.largest).enumerate() {
             *largest = largest.max(size);
+            let least = inertia.get(i).map_or(0.0, |row| SMALL * row[1]);
             if residual != 0.0 {
-                self.worst = self.worst.max(residual.abs() / size.max(1e-3 * *largest));
+                self.worst = self.worst.max(residual.abs() / size.max(1e-3 * *largest).max(least));
             }
         }
         self.taken += 1;

@@ -5,7 +5,8 @@
 //! 1e3 tol (p <= 40, 25 in reserve), and 1e-9 where rounding rules. A wrong term of the equations shows as 1e-3 and more.
 //!
 //! Compared with: the powers that cancel, |q'·M q''| + |rest of dE/dt| + |loads| + |drives| + |dissipated|, and, where the machine is momentarily at
-//! rest and all of them vanish, a thousandth of their largest sum so far.
+//! rest and all of them vanish, a thousandth of their largest sum so far. In uniform motion there is no power at all, and the acceleration is the
+//! rounding of velocities over the step h: the least scale is the power that changes q'·M q' by 1e-4 of itself within a step.
 
 use symbolic::Text;
 
@@ -13,6 +14,8 @@ use crate::System;
 use crate::dataset::Audit;
 use crate::taylor::Step;
 
+/// Share of q'·M q' within a step below which a power is rounding of the velocities.
+const SMALL: f64 = 1e-4;
 /// Samples before every second one is dropped.
 const SAMPLES: u64 = 64;
 
@@ -63,9 +66,13 @@ impl PowerBalance {
         let Some(still) = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes) else { return };
         let scale = (p.rate - still.rate).abs() + still.rate.abs() + p.loads.abs() + p.drives.abs() + p.dissipated.abs();
         self.largest = self.largest.max(scale);
+        for i in 0..n {
+            self.rates[n + i] = self.x[n + i] / step.length;
+        }
+        let change = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes).map_or(0.0, |p| (p.rate - still.rate).abs());
         let residual = (p.rate - (p.loads + p.drives - p.dissipated)).abs();
         if residual > 0.0 {
-            self.worst = self.worst.max(residual / scale.max(1e-3 * self.largest));
+            self.worst = self.worst.max(residual / scale.max(1e-3 * self.largest).max(SMALL * change));
         }
         self.taken += 1;
         if self.taken.is_multiple_of(SAMPLES) {

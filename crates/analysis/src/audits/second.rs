@@ -4,8 +4,10 @@
 //! are read off by evaluating r at zero and at unit vectors, so that each residual is compared with the terms that had to cancel in it:
 //!
 //! ```text
-//! value = max over states and rows of |r_i(q'')| / max(|b_i| + sum_j |A_ij q''_j|, 1e-4 of the largest row)
+//! value = max over states and rows of |r_i(q'')| / max(|b_i| + sum_j |A_ij q''_j|, 1e-4 of the largest row, 1e-4 of sum_j |A_ij q'_j|/s)
 //! ```
+//!
+//! The last one serves machines that are driven uniformly: every q'' is zero, b is what the motors leave, and nothing else remains to compare with.
 
 use symbolic::Text;
 
@@ -73,19 +75,27 @@ impl Sample {
         let mut trial = vec![0.0; n];
         let constant = self.residuals(system, &trial)?;
         let mut scale: Vec<f64> = constant.iter().map(|b| b.abs()).collect();
+        let mut inertia = vec![0.0; n];
         for j in 0..n {
-            // the unit of q''_j does not matter: its own value serves as the unit vector's length
+            // the unit of q''_j does not matter: its own value, or that of q'_j, serves as the unit vector's length
+            let (acceleration, rate) = (accelerations[j].abs(), self.x[n + j].abs());
+            let length = acceleration.max(rate);
+            if length == 0.0 {
+                continue;
+            }
             trial.fill(0.0);
-            trial[j] = accelerations[j];
+            trial[j] = length;
             let column = self.residuals(system, &trial)?;
             for i in 0..n {
-                scale[i] += (column[i] - constant[i]).abs();
+                let share = (column[i] - constant[i]).abs() / length;
+                scale[i] += share * acceleration;
+                inertia[i] += share * rate;
             }
         }
         // where reactions meet without inertia (a massless link) nothing is left to compare with: the size of the other rows then
         let largest = scale.iter().copied().fold(0.0, f64::max);
-        let ratio = |(r, s): (&f64, &f64)| if *r == 0.0 { 0.0 } else { r.abs() / s.max(SMALL * largest) };
-        let worst = residual.iter().zip(&scale).map(ratio).fold(0.0, f64::max);
+        let ratio = |((r, s), i): ((&f64, &f64), &f64)| if *r == 0.0 { 0.0 } else { r.abs() / s.max(SMALL * largest).max(SMALL * i) };
+        let worst = residual.iter().zip(&scale).zip(&inertia).map(ratio).fold(0.0, f64::max);
         worst.is_finite().then_some(worst)
     }
 

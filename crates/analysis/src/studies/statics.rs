@@ -140,9 +140,23 @@ impl System {
         if remainder > RESTS {
             return Err(Fault::sets_itself_in_motion(&described(&free)));
         }
-        // contacts push only; friction of statics is a matter of its law
+        self.one_sided(equations, &values)?;
         let reactions = self.unknowns.iter().zip(values).map(|(&r, value)| reaction(equations, r, value)).collect();
         Ok(Statics { reactions, indeterminacy: relations.len(), free, remainder, notes: Vec::new() })
+    }
+
+    /// Ropes pull and surfaces push.
+    fn one_sided(&self, equations: &Equations, values: &[Option<f64>]) -> Result<(), Fault> {
+        let largest = values.iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
+        for (&r, value) in self.unknowns.iter().zip(values) {
+            let reaction = &equations.reactions[r];
+            if let (Law::Contact { tie, .. }, Some(value)) = (&reaction.law, value)
+                && *value < -NOTHING * largest
+            {
+                return Err(Fault::wrong_side(&reaction.name, *value, &reaction.unit, *tie));
+            }
+        }
+        Ok(())
     }
 
     /// The largest remainder of a row, relative to the terms that meet in all rows.

@@ -96,7 +96,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
     }
 
     fn underflow(&self) -> Fault {
-        Fault::underflow(&self.fastest(), self.now.high)
+        let places = self.system.states().iter().zip(&self.x).take(self.system.n_coordinates());
+        Fault::underflow(&self.fastest(), self.now.high).in_configuration(&crate::machine::configuration(places))
     }
 
     /// Name of the state whose last coefficient limits the step most.

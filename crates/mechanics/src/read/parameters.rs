@@ -71,7 +71,8 @@ pub(super) fn collect_coordinates<'a>(
 ) -> Vec<RawCoordinate<'a>> {
     let rows = top.rows(reader, "coordinates");
     // reactions of a structure at rest need no coordinate
-    let rests = ["supports", "pins", "welds", "sections", "nodes"].into_iter().any(|table| top.has(table));
+    let rests =
+        ["supports", "pins", "welds", "sliders", "rods", "ropes", "threads", "sections", "nodes"].into_iter().any(|table| top.has(table));
     if rows.is_empty() && !rests {
         let fault = Fault::new("M015", top.span_of("coordinates"), "the model has no coordinates", "в модели нет координат")
             .why("a machine without a degree of freedom does not move", "у машины без степеней свободы нет движения")

@@ -108,6 +108,11 @@ impl Connected {
                 self.release(scene, &component.acts);
                 Law::Support
             }
+            // a rope of a structure at rest: statics asks whether it pulls
+            Nature::Contact { gap, restitution, tie: true } if scene.n() == 0 => {
+                self.release(scene, &component.acts);
+                Law::Contact { condition: self.conditions.len(), gap, restitution, tie: true }
+            }
             _ if shape.columns.is_empty() => return Err(no_coordinate(connection)),
             Nature::Ideal => Law::Ideal { condition: self.conditions.len() },
             Nature::Contact { gap, restitution, tie } => Law::Contact { condition: self.conditions.len(), gap, restitution, tie },
