@@ -10,7 +10,11 @@ pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure
     let wishes = simulate::wishes(args)?;
     let detail = if args.out.is_some() { Detail::Steps } else { Detail::Equations };
     let (_, mut machine) = open(&args.model, detail, console)?;
-    let asked = plan::simulation(&machine.model, &machine.equations, wishes)?;
+    let mut asked = plan::simulation(&machine.model, &machine.equations, wishes)?;
+    if args.outputs.is_some() && args.out.is_none() {
+        // columns of plots that nobody draws are not asked for
+        asked.plots.clear();
+    }
     listen_to_interrupts();
     let finding = console.watched(|watch| {
         watch.halve_tolerance = args.halve_tolerance;
