@@ -193,7 +193,7 @@ pub fn transient(machine: &mut Machine, study: &model::Transient, watch: &mut Wa
     };
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
-    let trouble = found.outcome.fault.map(|fault| explained(fault, &machine.equations));
+    let trouble = found.outcome.fault.map(Trouble::from);
     let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations), restarts: machine.model.restarts.clone() };
     Finding::Transient(study.motion.clone(), data, phases, trouble)
 }
@@ -243,7 +243,8 @@ pub fn response(machine: &mut Machine, study: &mechanics::model::Response, watch
 pub(crate) fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
     let expression = fault.expression();
     let mut trouble = Trouble::from(fault);
-    if let Some(e) = expression {
+    // small motions have a graph of their own: an expression of theirs is not one of these
+    if let Some(e) = expression.filter(|e| e.index() < equations.graph.len()) {
         for (words, language) in [(&mut trouble.what.en, Language::En), (&mut trouble.what.ru, Language::Ru)] {
             let printer = Printer::of(equations, language);
             words.push_str(": ");

@@ -121,6 +121,11 @@ pub struct Balance {
 }
 
 impl Law {
+    /// Whether it takes a degree of freedom: an ideal condition, or a rope, which is counted taut.
+    pub fn holds(&self) -> bool {
+        matches!(self, Law::Ideal { .. } | Law::Contact { tie: true, .. })
+    }
+
     /// The condition that the reaction owns.
     pub fn condition(&self) -> Option<usize> {
         match self {

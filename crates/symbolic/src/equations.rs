@@ -61,9 +61,9 @@ pub struct Equations {
 }
 
 impl Equations {
-    /// Coordinates less ideal conditions, as they stand: conditions that repeat others count too.
+    /// Coordinates less ideal conditions and taut ropes, as they stand: conditions that repeat others count too.
     pub fn degrees_of_freedom(&self) -> usize {
-        let ideal = self.reactions.iter().filter(|r| matches!(r.law, crate::connections::Law::Ideal { .. })).count();
+        let ideal = self.reactions.iter().filter(|r| r.law.holds()).count();
         self.coordinates.len().saturating_sub(ideal)
     }
 }

@@ -22,8 +22,7 @@ pub fn open<T>(
 ) -> Result<(Machine, Option<T>), Failure> {
     // a page shows the written derivation
     let detail = if out.is_some() { Detail::Steps } else { Detail::Equations };
-    let overrides = quantities::overrides(&model.overrides)?;
-    let source = Source::open(&model.file)?;
+    let (source, overrides) = super::inputs(model)?;
     let text = match &written {
         Some(study) => format!("{}\n\n[[study]]\n{study}", source.text.trim_end()),
         None => source.text.clone(),

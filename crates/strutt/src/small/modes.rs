@@ -58,7 +58,7 @@ pub fn find(machine: &Machine, study: &Study) -> ModesFound {
     };
     let data = found.as_ref().map(dataset).unwrap_or_else(|| Dataset { partial: true, ..Dataset::default() });
     let data = provenance::stamp(data, &machine.equations, &machine.model_hash);
-    ModesFound { study: study.clone(), data, trouble: fault.map(|f| crate::pipeline::explained(f, &machine.equations)), found }
+    ModesFound { study: study.clone(), data, trouble: fault.map(crate::failure::Trouble::from), found }
 }
 
 fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault> {

@@ -1,7 +1,7 @@
 //! The study `response`: forced oscillations over the frequency of a harmonic load.
 
 use crate::failure::Trouble;
-use crate::pipeline::{Machine, explained};
+use crate::pipeline::Machine;
 use crate::provenance;
 use crate::small::{Small, about_rest, timing_notes};
 use analysis::dataset::Column;
@@ -68,7 +68,7 @@ pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
     };
     if let Err(fault) = about_rest(machine, &study.guess).and_then(|small| sweep(machine, study, small, &mut out)) {
         out.data.partial = true;
-        out.trouble = Some(explained(fault, &machine.equations));
+        out.trouble = Some(Trouble::from(fault));
     }
     out.data = provenance::stamp(out.data, &machine.equations, &machine.model_hash);
     out

@@ -32,6 +32,9 @@ pub fn run(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Findin
     }))
 }
 
+/// Times of ordinary motion tried before the search when the start leads to no regime, s.
+const SETTLE: [f64; 3] = [2.0, 20.0, 200.0];
+
 fn heading() -> Text {
     Text::new("Periodic regime", "Периодический режим")
 }
@@ -42,7 +45,19 @@ pub fn regime(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Out
         Ok(start) => start,
         Err(fault) => return Outcome { fault: Some(fault), ..Outcome::default() },
     };
-    from(machine, study, &start, watch)
+    let first = from(machine, study, &start, watch);
+    let lost = first.fault.as_ref().is_some_and(|f| f.code == "S042");
+    if !lost || study.settle > 0.0 {
+        return first;
+    }
+    // a start far from the regime: let the motion come near it, and longer
+    for settle in SETTLE {
+        let outcome = from(machine, &Periodic { settle, ..study.clone() }, &start, watch);
+        if outcome.fault.is_none() {
+            return outcome;
+        }
+    }
+    first
 }
 
 /// The regime found from a state.

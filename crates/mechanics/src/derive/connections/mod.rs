@@ -304,9 +304,9 @@ impl Connected {
         list
     }
 
-    /// Number of ideal conditions.
+    /// Number of conditions that take a degree of freedom.
     pub fn ideal(&self) -> usize {
-        self.reactions.iter().filter(|r| matches!(r.law, Law::Ideal { .. })).count()
+        self.reactions.iter().filter(|r| r.law.holds()).count()
     }
 
     /// Whether some body is released.
