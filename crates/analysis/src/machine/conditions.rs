@@ -22,10 +22,9 @@ use program::{Bound, ConnectionRoots, Evaluator, Point};
 use symbolic::connections::Law;
 use symbolic::{Equations, Text};
 
-use crate::fault::number;
 use crate::numerics::lu::Lu;
 use crate::numerics::qr::Qr;
-use crate::{Fault, Mode};
+use crate::{Fault, Mode, Quantity};
 
 /// Violations below this many units in the last place of the terms that meet in a condition are left alone.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -49,6 +48,8 @@ pub(super) struct Conditions {
     rows: Vec<Row>,
     /// Conditions left out because they repeat others at the start: index, whether it has a place, name.
     repeated: Vec<(usize, bool, Text)>,
+    /// Names and units, for messages.
+    coordinates: Vec<Quantity>,
     /// Motors: reactions whose impulses keep prescribed motions.
     motors: Vec<usize>,
     /// Whether each coordinate is an angle, and has the size 1.
@@ -109,6 +110,8 @@ impl Conditions {
             return Ok(None);
         }
         let motor = |r: &usize| matches!(equations.reactions[*r].law, Law::Motor);
+        let quantity = |c: &symbolic::equations::Coordinate| Quantity::new(&equations.graph.symbol_info(c.symbols[0]).name, &c.unit);
+        let coordinates = equations.coordinates.iter().map(quantity).collect();
         Ok(Some(Conditions {
             evaluator: bound.evaluator(&Arc::clone(&program.connections))?,
             roots: program.connection_roots(),
@@ -121,6 +124,7 @@ impl Conditions {
             moved: vec![0.0; rows.len()],
             rows,
             repeated,
+            coordinates,
         }))
     }
 
@@ -223,12 +227,12 @@ impl Conditions {
         if rate > ROUNDING {
             self.close(t, x, Level::Rate, rate)?;
         }
-        self.check_repeated(t, x)?;
+        self.check_repeated(x)?;
         Ok(if place > ROUNDING || rate > ROUNDING { drift.max(f64::MIN_POSITIVE) } else { 0.0 })
     }
 
     /// What repeated other conditions at the start must go on doing so: prescribed places may part later.
-    fn check_repeated(&self, t: f64, x: &[f64]) -> Result<(), Fault> {
+    fn check_repeated(&self, x: &[f64]) -> Result<(), Fault> {
         for (condition, has_place, name) in &self.repeated {
             let start = self.roots.jacobian.start + condition * self.n;
             let column = &self.values[start..start + self.n];
@@ -238,9 +242,7 @@ impl Conditions {
             let place = if *has_place { self.values[self.roots.places.start + condition] } else { 0.0 };
             let rate = self.values[self.roots.rates.start + condition];
             if parted(place, size(&x[..self.n])) || parted(rate, size(&x[self.n..2 * self.n])) {
-                let n = number(t);
-                let instant = Text::new(format!("t = {} s", n.en), format!("t = {} с", n.ru));
-                return Err(Fault::contradiction(name, &instant));
+                return Err(Fault::contradiction(name, &super::configuration(self.coordinates.iter().zip(x))));
             }
         }
         Ok(())
