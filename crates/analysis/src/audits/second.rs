@@ -4,10 +4,11 @@
 //! are read off by evaluating r at zero and at unit vectors, so that each residual is compared with the terms that had to cancel in it:
 //!
 //! ```text
-//! value = max over states and rows of |r_i(q'')| / max(|b_i| + sum_j |A_ij q''_j|, 1e-4 of the largest row, 1e-4 of sum_j |A_ij q'_j|/s)
+//! value = max over states and rows of |r_i(q'')| / max(|b_i| + sum_j |A_ij q''_j|, 1e-4 of the largest row, 1e-4 of sum_j |A_ij q'_j|/s, the
+//!         terms of the balance with its reactions)
 //! ```
 //!
-//! The last one serves machines that are driven uniformly: every q'' is zero, b is what the motors leave, and nothing else remains to compare with.
+//! The last two serve machines that are driven: with every q'' zero b is what motors and reactions leave, and nothing else remains to compare with.
 
 use symbolic::Text;
 
@@ -92,6 +93,9 @@ impl Sample {
                 inertia[i] += share * rate;
             }
         }
+        // b is what reactions leave of the loads: rounding follows the terms, not the rest
+        let rows = system.balances(self.t, &self.x, &accelerations, &self.modes).unwrap_or_default();
+        scale.iter_mut().zip(&rows).for_each(|(s, row)| *s = s.max(row[1]));
         // where reactions meet without inertia (a massless link) nothing is left to compare with: the size of the other rows then
         let largest = scale.iter().copied().fold(0.0, f64::max);
         let ratio = |((r, s), i): ((&f64, &f64), &f64)| if *r == 0.0 { 0.0 } else { r.abs() / s.max(SMALL * largest).max(SMALL * i) };

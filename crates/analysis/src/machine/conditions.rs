@@ -19,12 +19,12 @@
 use std::sync::Arc;
 
 use program::{Bound, ConnectionRoots, Evaluator, Point};
-use symbolic::Equations;
 use symbolic::connections::Law;
+use symbolic::{Equations, Text};
 
 use crate::numerics::lu::Lu;
 use crate::numerics::qr::Qr;
-use crate::{Fault, Mode};
+use crate::{Fault, Mode, Quantity};
 
 /// Violations below this many units in the last place of the terms that meet in a condition are left alone.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -32,6 +32,10 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 const STILL: f64 = 1e-3;
 /// Newton steps of one projection.
 const STEPS: usize = 12;
+/// Relative violation from which a condition left out as a repetition contradicts the others: far above rounding near singular positions.
+const CONTRADICTS: f64 = 1e-7;
+/// The same for machines at their origin, where nothing is left to compare with: metres, radians (and per second).
+const MOVED: f64 = 1e-12;
 /// Violation that a projection must reach.
 const REACHED: f64 = 1e-9;
 
@@ -42,6 +46,10 @@ pub(super) struct Conditions {
     roots: ConnectionRoots,
     n: usize,
     rows: Vec<Row>,
+    /// Conditions left out because they repeat others at the start: index, whether it has a place, name.
+    repeated: Vec<(usize, bool, Text)>,
+    /// Names and units, for messages.
+    coordinates: Vec<Quantity>,
     /// Motors: reactions whose impulses keep prescribed motions.
     motors: Vec<usize>,
     /// Whether each coordinate is an angle, and has the size 1.
@@ -80,11 +88,16 @@ impl Conditions {
         let program = bound.program();
         let contacts: Vec<usize> =
             (0..equations.reactions.len()).filter(|r| matches!(equations.reactions[*r].law, Law::Contact { .. })).collect();
-        let mut rows = Vec::new();
+        let (mut rows, mut repeated) = (Vec::new(), Vec::new());
         for (condition, c) in equations.conditions.iter().enumerate() {
             let holds = match c.reaction {
                 None => Holds::Always,
-                Some(r) if !program.solved.contains(&r) => continue,
+                Some(r) if !program.solved.contains(&r) => {
+                    if matches!(equations.reactions[r].law, Law::Ideal { .. }) {
+                        repeated.push((condition, c.place.is_some(), c.name.clone()));
+                    }
+                    continue;
+                }
                 Some(r) => match (&equations.reactions[r].law, program.switches[r], contacts.iter().position(|k| *k == r)) {
                     (Law::Friction(_), Some(guard), _) => Holds::Sticking(guard),
                     (Law::Contact { .. }, Some(guard), Some(contact)) => Holds::Closed(guard, contact),
@@ -97,6 +110,8 @@ impl Conditions {
             return Ok(None);
         }
         let motor = |r: &usize| matches!(equations.reactions[*r].law, Law::Motor);
+        let quantity = |c: &symbolic::equations::Coordinate| Quantity::new(&equations.graph.symbol_info(c.symbols[0]).name, &c.unit);
+        let coordinates = equations.coordinates.iter().map(quantity).collect();
         Ok(Some(Conditions {
             evaluator: bound.evaluator(&Arc::clone(&program.connections))?,
             roots: program.connection_roots(),
@@ -108,6 +123,8 @@ impl Conditions {
             arms: vec![0.0; rows.len()],
             moved: vec![0.0; rows.len()],
             rows,
+            repeated,
+            coordinates,
         }))
     }
 
@@ -210,7 +227,25 @@ impl Conditions {
         if rate > ROUNDING {
             self.close(t, x, Level::Rate, rate)?;
         }
+        self.check_repeated(x)?;
         Ok(if place > ROUNDING || rate > ROUNDING { drift.max(f64::MIN_POSITIVE) } else { 0.0 })
+    }
+
+    /// What repeated other conditions at the start must go on doing so: prescribed places may part later.
+    fn check_repeated(&self, x: &[f64]) -> Result<(), Fault> {
+        for (condition, has_place, name) in &self.repeated {
+            let start = self.roots.jacobian.start + condition * self.n;
+            let column = &self.values[start..start + self.n];
+            let size = |part: &[f64]| column.iter().zip(part).map(|(j, v)| j.abs() * v.abs()).sum::<f64>();
+            let unit: f64 = column.iter().map(|j| j.abs()).sum();
+            let parted = |value: f64, size: f64| value.abs() > (CONTRADICTS * size).max(MOVED * unit);
+            let place = if *has_place { self.values[self.roots.places.start + condition] } else { 0.0 };
+            let rate = self.values[self.roots.rates.start + condition];
+            if parted(place, size(&x[..self.n])) || parted(rate, size(&x[self.n..2 * self.n])) {
+                return Err(Fault::contradiction(name, &super::configuration(self.coordinates.iter().zip(x))));
+            }
+        }
+        Ok(())
     }
 
     /// Newton's method on one level, as long as it helps.
