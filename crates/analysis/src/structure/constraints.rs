@@ -16,7 +16,7 @@ pub type Row<S> = Vec<(usize, S)>;
 pub struct Elimination<S> {
     /// x = T q: each freedom over the independent ones.
     pub transform: Vec<Row<S>>,
-    /// The independent freedoms: q[i] is x[free[i]].
+    /// The independent freedoms: `q[i]` is `x[free[i]]`.
     pub free: Vec<usize>,
     /// Pivot of each independent constraint, and the combination of given constraints that it is.
     pivots: Vec<(usize, Row<S>)>,

@@ -1,7 +1,7 @@
 //! The exact periodic regime: the start that the motion comes back to, its period and its Floquet multipliers.
 //!
 //! A turn leads from a section (a coordinate has made its turn, or has returned to its value in the same direction, or a given period is over) back to
-//! it: x -> P(x), up to translations that leave the motion the same ([`symmetry`]). Newton's method solves P(x) = x with
+//! it: x -> P(x), up to translations that leave the motion the same (`symmetry.rs`). Newton's method solves P(x) = x with
 //!
 //! ```text
 //! dP = (1 - f σᵀ/(σ·f)) Φ       Φ fundamental matrix of the turn ([`fundamental`]), f rates at its end, σ the state that defines the section

@@ -29,7 +29,7 @@ pub struct Form {
     pub turns: Vec<Load>,
 }
 
-/// Forms of the phases between the given instants: phase k lasts from instants[k] to instants[k + 1].
+/// Forms of the phases between the given instants: phase k lasts from `instants[k]` to `instants[k + 1]`.
 ///
 /// *Errors*: S074 connections, S070 not linear, S071 coefficients change with time, S072 a load without a closed form.
 ///

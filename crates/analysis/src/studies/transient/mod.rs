@@ -2,7 +2,7 @@
 //!
 //! Between the scheduled switches of the loads the system is M q'' + B q' + C q = f(t) with constant matrices and an exponential polynomial
 //! f ([`form`]); its motion is known ([`motion`]), and the state at a switch joins the phases. Beside it stands the numeric twin: the same
-//! motion by [`simulate`](super::simulate), and the difference of both as a check.
+//! motion by [`super::simulate`], and the difference of both as a check.
 
 pub mod constants;
 pub mod form;
