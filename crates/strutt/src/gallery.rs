@@ -37,6 +37,7 @@ examples![
     "manipulator",
     "n-pendulum",
     "oscillator",
+    "oscillator-linkage",
     "oscillator-published",
     "pendulum-on-shaft",
     "portal-frame",
