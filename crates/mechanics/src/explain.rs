@@ -3,6 +3,10 @@
 //! One row a code; a test checks that every code of the reader has a row and that every row is used. Later stages add a table of their
 //! own to [`TABLES`] (`M100` to `M199` belong to `derive`).
 
+mod linear;
+
+pub use linear::LINEAR;
+
 /// The explanation of a code.
 #[derive(Clone, Copy, Debug)]
 pub struct Explanation {
@@ -812,75 +816,6 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ),
         "[[phases]]\nphase = \"anew\"",
         "[[phases]]\nphase = \"restarts\"",
-    ),
-];
-
-/// The codes of the studies of small motions.
-pub const LINEAR: &[Explanation] = &[
-    row(
-        "M090",
-        ("unknown scale of mode shapes", "неизвестная нормировка форм"),
-        (
-            "A shape is known up to a factor. `normalise` says how it is chosen: `largest` makes the largest entry 1, `first` the entry of the first \
-             coordinate, `mass` makes xT M x = 1.",
-            "Форма колебаний определена с точностью до множителя. Ключ `normalise` задаёт его: `largest` — наибольшая компонента равна 1, `first` — \
-             компонента первой координаты равна 1, `mass` — xT M x = 1.",
-        ),
-        "normalise = \"max\"",
-        "normalise = \"largest\"",
-    ),
-    row(
-        "M091",
-        ("unknown of the frequency equation", "неизвестное частотного уравнения"),
-        (
-            "The frequency equation is written in a variable of your choice, which must be a factor times the squared frequency. The frequency \
-             itself is written k, or omega where the model uses k for something else; the factor may use constant parameters.",
-            "Частотное уравнение записывается относительно выбранной величины: квадрата частоты с множителем. Сама частота обозначается k, а если \
-             имя k занято — omega; множитель составляется из постоянных параметров.",
-        ),
-        "frequency_variable = { z = \"m*k/c\" }",
-        "frequency_variable = { z = \"m*k^2/c\" }",
-    ),
-    row(
-        "M092",
-        ("not a constant parameter", "не постоянный параметр"),
-        (
-            "A study that goes through values of something (`over`) needs a row of [parameters] that is constant: not a coordinate, not a formula of \
-             time.",
-            "Расчёту, который проходит по значениям величины (`over`), нужна постоянная из [parameters]: не координата и не формула времени.",
-        ),
-        "over = \"phi\"",
-        "over = \"Omega\"",
-    ),
-    row(
-        "M093",
-        ("range of a study", "диапазон расчёта"),
-        (
-            "A range has two ends, the first smaller than the second; frequencies are not negative. The number of points is whole, from 2 to a million.",
-            "У диапазона две границы, первая меньше второй; частоты неотрицательны. Число точек — целое от 2 до миллиона.",
-        ),
-        "range = [\"100 rad/s\", \"1 rad/s\"]",
-        "range = [\"1 rad/s\", \"100 rad/s\"]",
-    ),
-    row(
-        "M094",
-        ("an unknown with a formula", "неизвестное с формулой"),
-        (
-            "The parameters in [unknowns] are found from statics so that the start is a place of rest. Their values are guesses, plain quantities.",
-            "Параметры из [unknowns] находятся из условий равновесия в начальном положении. Их значения — начальные приближения, простые величины.",
-        ),
-        "[unknowns]\nM = \"m*g*l\"",
-        "[unknowns]\nM = \"2 N m\"",
-    ),
-    row(
-        "M095",
-        ("about what motions are small", "около чего движения малы"),
-        (
-            "Modes belong to a state: a place of rest (`rest`), or the motion as it is at the start (`start`), for example a steady rotation.",
-            "Собственные формы относятся к состоянию: положению покоя (`rest`) или движению в начальный момент (`start`), например равномерному вращению.",
-        ),
-        "about = \"middle\"",
-        "about = \"start\"",
     ),
 ];
 

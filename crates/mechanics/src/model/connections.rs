@@ -1,0 +1,223 @@
+//! Connections of a model: what joins, holds, drives, stops and rubs.
+
+use super::{FrameId, Pathway, PointRef, Rest};
+use std::ops::Range;
+use symbolic::{Expr, SymbolId};
+
+/// Something with reactions: a joint, a support, a drive, a stop, a dry friction.
+#[derive(Clone, Debug)]
+pub struct Connection {
+    /// Name.
+    pub name: String,
+    /// Table it stands in: `pins`.
+    pub table: &'static str,
+    /// What it does.
+    pub kind: ConnectionKind,
+    /// Place in the file (its name).
+    pub span: Range<usize>,
+}
+
+/// What a connection does. Signs: a reaction acts on the second of two partners and opposite on the first, unless said otherwise.
+#[derive(Clone, Debug)]
+pub enum ConnectionKind {
+    /// Two points coincide. Components in `axes`, acting on the frame of the second point.
+    Pin {
+        /// The points.
+        between: [PointRef; 2],
+        /// Axes of the components.
+        axes: FrameId,
+    },
+    /// Two points coincide and their frames do not turn against each other (plane: one angle; space: three).
+    Weld {
+        /// The points.
+        between: [PointRef; 2],
+        /// Axes of the components.
+        axes: FrameId,
+    },
+    /// A point stays on a straight line of another frame (slider on a guide, pin in a slot). The normal force acts on the frame of the
+    /// point, positive towards the line's direction turned by +90 degrees.
+    Slider {
+        /// The sliding point.
+        point: PointRef,
+        /// The frame of the line.
+        on: FrameId,
+        /// A point of the line, fixed in `on`; `None`: the line passes through the point's place at the start.
+        through: Option<PointRef>,
+        /// Angle of the line from the x axis of `on`.
+        direction: Expr,
+        /// Whether the frame of the point may turn against `on`; otherwise a moment holds it.
+        turns: bool,
+    },
+    /// Massless rigid rod: the distance of two points is constant. Tension is positive.
+    Rod {
+        /// The ends.
+        between: [PointRef; 2],
+        /// Length.
+        length: Rest,
+    },
+    /// Inextensible rope or thread along points (ends, rings, axles of small pulleys), perhaps winding on drums. Tension is positive.
+    Rope {
+        /// The polygon; at least two points.
+        path: Vec<PointRef>,
+        /// Drums on which it winds, beyond the polygon.
+        wound: Vec<Wound>,
+        /// Length: polygon plus Σ winding radius · angle.
+        length: Rest,
+        /// Whether it may go slack (a contact) or is always held taut (an ideal condition).
+        slack: bool,
+        /// Restitution when it catches.
+        restitution: Expr,
+    },
+    /// Two wheels turn together: belts (open, crossed), chains, gear pairs. The force is what the belt (its tension difference) or the
+    /// tooth transmits; positive when it turns the second wheel in the positive direction.
+    Wheels {
+        /// The wheels.
+        between: [FrameId; 2],
+        /// Pitch radii.
+        radii: [Expr; 2],
+        /// Whether they turn in opposite directions (crossed belt, external gears).
+        opposite: bool,
+        /// The frame that carries both axes; angles count from it. Ground when absent.
+        carrier: Option<FrameId>,
+    },
+    /// A gear on a rack, or a wheel on a straight line, or on a circle: no slip at the contact point. `tangential` acts on the wheel along
+    /// the line's direction, `normal` on the wheel away from the line (towards its side).
+    Rolling {
+        /// The wheel.
+        wheel: FrameId,
+        /// Its centre; the wheel's origin unless given.
+        center: PointRef,
+        /// Radius of the rolling circle.
+        radius: Expr,
+        /// The frame of the track.
+        on: FrameId,
+        /// The track.
+        track: Track,
+        /// Whether the wheel is kept at the distance `radius` from the track (`normal` exists); not for racks.
+        held: bool,
+    },
+    /// A condition written as a formula.
+    Constraint {
+        /// Vanishes: over coordinates and time, or affine in rates.
+        zero: Expr,
+        /// Whether it is on rates.
+        on_rates: bool,
+    },
+    /// A point of a body (or the whole body with `Turn`) is held. The reaction acts on the body.
+    Support {
+        /// Where.
+        at: PointRef,
+        /// Directions held, in `axes`.
+        directions: Vec<SupportDirection>,
+        /// Axes of the components.
+        axes: FrameId,
+    },
+    /// A prescribed motion: pathway = value, or its rate.
+    Motion {
+        /// What moves.
+        pathway: Pathway,
+        /// Over time and constants.
+        value: Expr,
+        /// Whether `value` is the rate.
+        is_rate: bool,
+    },
+    /// An unknown force (or torque) along a pathway that realises a motion; positive increases the pathway.
+    Motor {
+        /// Where it acts: for two frames, the torque acts on the second and opposite on the first.
+        pathway: Pathway,
+    },
+    /// One-sided stop: `gap` is never negative; the force, positive, pushes it open.
+    Stop {
+        /// Over coordinates and time.
+        gap: Pathway,
+        /// Its value at contact, taken off: gap = pathway - clearance when `above`, else clearance - pathway.
+        clearance: Expr,
+        /// Whether the pathway may only grow beyond the clearance.
+        above: bool,
+        /// Restitution.
+        restitution: Expr,
+    },
+    /// Dry friction on a pathway. The force is positive when it resists a growing pathway.
+    Friction {
+        /// Pathway whose rate is the sliding speed.
+        pathway: Pathway,
+        /// Kinetic magnitude over constants, time and `u`, the sliding speed's magnitude; a coefficient when `normal` is given.
+        kinetic: Expr,
+        /// Symbol of `u` in `kinetic`.
+        speed: SymbolId,
+        /// Static limit (or coefficient); `None`: the kinetic one at u = 0.
+        fixed: Option<Expr>,
+        /// Normal force: a formula, which may contain reactions linearly; its magnitude counts.
+        normal: Option<Expr>,
+    },
+}
+
+/// A drum on which a rope winds: winding length = sense · radius · angle of the drum.
+#[derive(Clone, Copy, Debug)]
+pub struct Wound {
+    /// The drum.
+    pub on: FrameId,
+    /// Its radius.
+    pub radius: Expr,
+    /// Whether the rope gets longer on the drum (shorter elsewhere) when the drum turns in the positive direction.
+    pub positive: bool,
+}
+
+/// What a wheel rolls on.
+#[derive(Clone, Copy, Debug)]
+pub enum Track {
+    /// A straight line.
+    Line {
+        /// A point of it; `None`: a line at the distance `radius` from the centre's place at the start.
+        through: Option<PointRef>,
+        /// Its angle from the x axis of the track's frame.
+        direction: Expr,
+        /// Whether the wheel is on the side of the direction turned by +90 degrees.
+        left: bool,
+    },
+    /// A circle about a point of the track's frame.
+    Circle {
+        /// Its centre.
+        center: PointRef,
+        /// Its radius.
+        radius: Expr,
+        /// Whether the wheel is inside.
+        inside: bool,
+    },
+}
+
+/// A direction held by a support.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(missing_docs)]
+pub enum SupportDirection {
+    X,
+    Y,
+    Z,
+    /// Rotation about z (`turn`), or about x, y, z in space.
+    TurnX,
+    TurnY,
+    TurnZ,
+}
+
+/// A component of a connection's reaction.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub enum Part {
+    /// The only component, or the magnitude where there are two or three: `force`.
+    Force,
+    /// `force_x`.
+    ForceX,
+    /// `force_y`.
+    ForceY,
+    /// `force_z`.
+    ForceZ,
+    /// `moment`, about z.
+    Moment,
+    /// `moment_x`.
+    MomentX,
+    /// `moment_y`.
+    MomentY,
+    /// `normal` of a rolling contact.
+    Normal,
+    /// `tangential` of a rolling contact.
+    Tangential,
+}
