@@ -304,8 +304,25 @@ pub const COORDINATE: TableSpec = TableSpec {
     short: Some(("name = \"unit\"", "имя = \"единица\"")),
     fields: &[
         must("unit", Type::Unit, "", ("unit", "единица"), "\"rad\""),
-        may("start", Type::Formula, "", "0", ("value at t = 0, a constant", "значение при t = 0, постоянная"), "\"15 deg\""),
-        may("rate", Type::Formula, "", "0", ("rate at t = 0, a constant", "скорость при t = 0, постоянная"), "\"2 rad/s\""),
+        may(
+            "start",
+            Type::Formula,
+            "",
+            "0",
+            (
+                "value at t = 0, a constant; one that is not given stays 0 wherever the connections allow it, else the coordinates listed last move",
+                "значение при t = 0, постоянная; незаданное остаётся нулём, если это допускают связи, иначе меняются последние в списке координаты",
+            ),
+            "\"15 deg\"",
+        ),
+        may(
+            "rate",
+            Type::Formula,
+            "",
+            "0",
+            ("rate at t = 0, a constant; not given: as for `start`", "скорость при t = 0, постоянная; если не задана — как для `start`"),
+            "\"2 rad/s\"",
+        ),
         may(
             "guess",
             Type::Formula,

@@ -201,6 +201,8 @@ pub struct CoordinateDecl {
     pub rate: Expr,
     /// Whether the file gives start and rate. Others are found from the connections, beginning at `start` and `rate`.
     pub given: [bool; 2],
+    /// Whether the file gives a guess for start and rate; values with neither are 0 wherever the connections allow it.
+    pub guessed: [bool; 2],
     /// What it is; may be empty.
     pub label: Text,
     /// Place in the file.

@@ -92,6 +92,8 @@ pub struct Coordinate {
     pub rate: Expr,
     /// Whether the user gives start and rate: a given value is kept when the machine is assembled, the others are guesses.
     pub given: [bool; 2],
+    /// Whether the user gives a guess for start and rate: such values are sought before defaults of zero are moved.
+    pub guessed: [bool; 2],
 }
 
 /// An auxiliary state s with s' = rate.

@@ -12,6 +12,7 @@
 
 use symbolic::Text;
 
+use super::choice::Level;
 use super::{Bench, listed};
 use symbolic::connections::Law;
 
@@ -21,7 +22,7 @@ use crate::numerics::qr::{Qr, norm};
 use crate::numerics::random::Random;
 
 /// Largest relative violation of a closed loop.
-const CLOSED: f64 = 1e-12;
+pub(super) const CLOSED: f64 = 1e-12;
 const STEPS: usize = 200;
 /// Longest step, rad, or share of the size.
 const LONGEST: f64 = 0.5;
@@ -35,8 +36,7 @@ impl Bench<'_> {
         let rows: Vec<usize> = self.lasting().into_iter().filter(|c| self.equations.conditions[*c].place.is_some()).collect();
         let given: Vec<bool> = self.equations.coordinates.iter().map(|c| c.given[0]).collect();
         let guess = self.x.clone();
-        let free: Vec<usize> = (0..self.n).filter(|j| !given[*j]).collect();
-        if let Some(x) = self.closed_from(&guess, &rows, &free)? {
+        if let Some(x) = self.closed_by_fewest(&guess, &rows, Level::Place)? {
             self.x = x;
             return Ok(());
         }
@@ -69,10 +69,15 @@ impl Bench<'_> {
         }
     }
 
-    /// The closed configuration nearest to `guess` with only the `free` coordinates moved; none when there is none around.
-    fn closed_from(&mut self, guess: &[f64], rows: &[usize], free: &[usize]) -> Result<Option<Vec<f64>>, Fault> {
+    /// The closed configuration to which the way of least change leads.
+    pub(super) fn closed_at_once(&mut self, guess: &[f64], rows: &[usize], free: &[usize]) -> Result<Option<Vec<f64>>, Fault> {
         let mut x = guess.to_vec();
-        if self.approach(&mut x, rows, free)? <= CLOSED {
+        Ok((self.approach(&mut x, rows, free)? <= CLOSED).then_some(x))
+    }
+
+    /// The closed configuration nearest to `guess` with only the `free` coordinates moved; none when there is none around.
+    pub(super) fn closed_from(&mut self, guess: &[f64], rows: &[usize], free: &[usize]) -> Result<Option<Vec<f64>>, Fault> {
+        if let Some(x) = self.closed_at_once(guess, rows, free)? {
             return Ok(Some(x));
         }
         let mut random = Random::new(11);
@@ -174,10 +179,9 @@ impl Bench<'_> {
         let rows = self.lasting();
         let given: Vec<bool> = self.equations.coordinates.iter().map(|c| c.given[1]).collect();
         let guess = self.x.clone();
-        let free: Vec<usize> = (0..self.n).filter(|j| !given[*j]).collect();
-        if let Some(x) = self.rates_from(&guess, &rows, &free)? {
+        if let Some(x) = self.closed_by_fewest(&guess, &rows, Level::Rate)? {
             self.x = x;
-            return self.follow_contacts(rows, &free);
+            return self.follow_contacts(rows, &guess);
         }
         let mut cures = Vec::new();
         for j in (0..self.n).rev().filter(|j| given[*j]) {
@@ -212,7 +216,7 @@ impl Bench<'_> {
 
     /// Rates that nobody gives follow the contacts that are closed: a load on a taut rope starts with its drum. A contact that the given rates
     /// open or close stays as it is.
-    fn follow_contacts(&mut self, mut rows: Vec<usize>, free: &[usize]) -> Result<(), Fault> {
+    fn follow_contacts(&mut self, mut rows: Vec<usize>, guess: &[f64]) -> Result<(), Fault> {
         self.evaluate(&self.x.clone())?;
         let closed = |c: usize| {
             let reaction = self.equations.conditions[c].reaction;
@@ -220,10 +224,9 @@ impl Bench<'_> {
             contact && self.place(c).abs() <= CLOSED * self.place_size(c, &self.x)
         };
         let contacts: Vec<usize> = (0..self.equations.conditions.len()).filter(|c| closed(*c)).collect();
-        let guess = self.x.clone();
         for contact in contacts {
             rows.push(contact);
-            match self.rates_from(&guess, &rows, free)? {
+            match self.closed_by_fewest(guess, &rows, Level::Rate)? {
                 Some(x) => self.x = x,
                 None => drop(rows.pop()),
             }
@@ -232,7 +235,7 @@ impl Bench<'_> {
     }
 
     /// Rates of least change that meet the rows; none when there are none.
-    fn rates_from(&mut self, guess: &[f64], rows: &[usize], free: &[usize]) -> Result<Option<Vec<f64>>, Fault> {
+    pub(super) fn rates_from(&mut self, guess: &[f64], rows: &[usize], free: &[usize]) -> Result<Option<Vec<f64>>, Fault> {
         let (m, n) = (rows.len(), free.len());
         let mut x = guess.to_vec();
         for _ in 0..3 {

@@ -1,9 +1,10 @@
 //! Assembly of a machine with connections: a start that closes all loops, and which conditions and reactions are independent.
 //!
-//! Given start values are kept, the others are guesses that move as little as possible (`closing.rs`). Then the conditions are compared with one
+//! Given start values are kept; of the others as few as can be move (`choice.rs`), as little as possible (`closing.rs`). Then the conditions are compared with one
 //! another (`rank.rs`): one that repeats others is left out with its reaction, and reactions that share a load in a way that rigid bodies
 //! leave open are marked as not unique.
 
+mod choice;
 mod closing;
 mod rank;
 
@@ -36,11 +37,14 @@ pub struct Assembly {
 pub fn assemble(equations: &Equations, parameters: &[f64]) -> Result<Assembly, Fault> {
     let mut bench = Bench::new(equations, parameters)?;
     let mut notes = Vec::new();
+    let before = bench.x.clone();
     if !equations.conditions.is_empty() {
         bench.close_places(&mut notes)?;
+        bench.moved = (0..bench.n).map(|j| bench.x[j] != before[j]).collect();
         bench.close_rates(&mut notes)?;
     }
     let (selection, open) = bench.select(&mut notes)?;
+    notes.extend(bench.moved_values(&before));
     Ok(Assembly { start: bench.x, selection, open, notes })
 }
 
@@ -58,6 +62,8 @@ struct Bench<'e> {
     reach: Vec<f64>,
     /// Typical size of the terms of each condition's place.
     sizes: Vec<f64>,
+    /// Coordinates whose place was moved from the start of the file.
+    moved: Vec<bool>,
 }
 
 impl<'e> Bench<'e> {
@@ -81,6 +87,7 @@ impl<'e> Bench<'e> {
             values: Vec::new(),
             reach: vec![1.0; n],
             sizes: vec![0.0; equations.conditions.len()],
+            moved: vec![false; n],
         };
         bench.measure_reach();
         Ok(bench)

@@ -18,13 +18,13 @@ use crate::numerics::random::Random;
 const NOTHING: f64 = 1e-9;
 
 /// Vectors in their order: which are independent, and how the others combine from these (index, share).
-struct Sorted {
-    kept: Vec<usize>,
+pub(super) struct Sorted {
+    pub(super) kept: Vec<usize>,
     relations: Vec<(usize, Vec<(usize, f64)>)>,
 }
 
 /// Gram-Schmidt, twice is enough.
-fn sort(vectors: &[Vec<f64>]) -> Sorted {
+pub(super) fn sort(vectors: &[Vec<f64>]) -> Sorted {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     let mut sorted = Sorted { kept: Vec::new(), relations: Vec::new() };
     for (i, vector) in vectors.iter().enumerate() {

@@ -56,7 +56,15 @@ impl Build {
         let [start, rate] = [start, rate].map(|s| match s {
             Start::Given(v) | Start::Guess(v) => self.number(v),
         });
-        self.e.coordinates.push(Coordinate { symbols, unit: unit.into(), label: Text::default(), start, rate, given });
+        self.e.coordinates.push(Coordinate {
+            symbols,
+            unit: unit.into(),
+            label: Text::default(),
+            start,
+            rate,
+            given,
+            guessed: given.map(|g| !g),
+        });
         let [q, v, _] = symbols.map(|s| self.e.graph.symbol(s));
         self.output(name, unit, q);
         self.output(&format!("{name}'"), &format!("{unit}/s"), v);

@@ -42,7 +42,15 @@ pub fn shaft(m: f64) -> Machine {
     for (name, unit) in [("x", "m"), ("y", "m"), ("phi", "rad")] {
         let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id(name, primes));
         let label = Text::default();
-        e.coordinates.push(Coordinate { symbols, unit: unit.into(), label: label.clone(), start: zero, rate: zero, given: [true; 2] });
+        e.coordinates.push(Coordinate {
+            symbols,
+            unit: unit.into(),
+            label: label.clone(),
+            start: zero,
+            rate: zero,
+            given: [true; 2],
+            guessed: [false; 2],
+        });
         for (primes, symbol) in symbols.into_iter().enumerate().take(2) {
             let formula = e.graph.symbol(symbol);
             let (unit, name) = (format!("{unit}{}", "/s".repeat(primes)), format!("{name}{}", "'".repeat(primes)));
@@ -100,7 +108,15 @@ pub fn relay() -> Machine {
     let mut e = blank(Graph::new());
     let zero = e.graph.zero();
     let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id("x", primes));
-    e.coordinates.push(Coordinate { symbols, unit: "m".into(), label: Text::default(), start: zero, rate: zero, given: [true; 2] });
+    e.coordinates.push(Coordinate {
+        symbols,
+        unit: "m".into(),
+        label: Text::default(),
+        start: zero,
+        rate: zero,
+        given: [true; 2],
+        guessed: [false; 2],
+    });
     let [x, v, a] = symbols.map(|s| e.graph.symbol(s));
     let graph = &mut e.graph;
     let one = graph.one();
@@ -129,7 +145,15 @@ pub fn single(make: impl Fn(&mut Graph, [Expr; 3]) -> (Expr, Expr)) -> Machine {
     let mut e = blank(Graph::new());
     let zero = e.graph.zero();
     let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id("x", primes));
-    e.coordinates.push(Coordinate { symbols, unit: "m".into(), label: Text::default(), start: zero, rate: zero, given: [true; 2] });
+    e.coordinates.push(Coordinate {
+        symbols,
+        unit: "m".into(),
+        label: Text::default(),
+        start: zero,
+        rate: zero,
+        given: [true; 2],
+        guessed: [false; 2],
+    });
     let (x, v, t) = (e.graph.symbol(symbols[0]), e.graph.symbol(symbols[1]), e.graph.symbol(e.time));
     let (mass, force) = make(&mut e.graph, [x, v, t]);
     e.mass = Matrix::zeros(&mut e.graph, 1, 1);
@@ -150,7 +174,15 @@ pub fn double_pendulum() -> Machine {
     let zero = e.graph.zero();
     for name in ["a", "b"] {
         let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id(name, primes));
-        e.coordinates.push(Coordinate { symbols, unit: "rad".into(), label: Text::default(), start: zero, rate: zero, given: [true; 2] });
+        e.coordinates.push(Coordinate {
+            symbols,
+            unit: "rad".into(),
+            label: Text::default(),
+            start: zero,
+            rate: zero,
+            given: [true; 2],
+            guessed: [false; 2],
+        });
     }
     let symbols: Vec<_> = e.coordinates.iter().map(|c| c.symbols).collect();
     let graph = &mut e.graph;

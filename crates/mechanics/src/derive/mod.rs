@@ -309,6 +309,7 @@ fn coordinates(model: &Model) -> Vec<Coordinate> {
         start: c.start,
         rate: c.rate,
         given: c.given,
+        guessed: c.guessed,
     };
     model.coordinates.iter().map(coordinate).collect()
 }

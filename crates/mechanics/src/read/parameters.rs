@@ -188,12 +188,13 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
     };
     let given = [(&c.start, c.name.clone()), (&c.rate, format!("{}'", c.name))].map(|(raw, name)| raw.is_some() || set.contains(&name));
     let [guess, rate_guess] = c.guesses;
+    let guessed = [guess.is_some() && !given[0], rate_guess.is_some() && !given[1]];
     let start = read(c.start.or(guess), c.name.clone(), dimension.as_ref());
     let rate = read(c.rate.or(rate_guess), format!("{}'", c.name), rate_dimension.as_ref());
     let symbols = [0, 1, 2].map(|primes| reader.builder.graph.symbol_id(&c.name, primes));
     let base = dimension.unwrap_or(Dimension::NONE);
     let units = [0, 1, 2].map(|order| si_label(&base.per_time(order)));
-    CoordinateDecl { name: c.name, symbols, units, start, rate, given, label: c.label, span: c.span }
+    CoordinateDecl { name: c.name, symbols, units, start, rate, given, guessed, label: c.label, span: c.span }
 }
 
 /// Hz where a turning rate is meant loses a factor of 2π.

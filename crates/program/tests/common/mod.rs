@@ -46,7 +46,15 @@ pub fn parameter(e: &mut Equations, name: &str, value: f64) -> Expr {
 pub fn coordinate(e: &mut Equations, name: &str) -> (Expr, Expr) {
     let symbols = [0, 1, 2].map(|primes| e.graph.symbol_id(name, primes));
     let zero = e.graph.zero();
-    e.coordinates.push(Coordinate { symbols, unit: String::new(), label: Text::default(), start: zero, rate: zero, given: [true; 2] });
+    e.coordinates.push(Coordinate {
+        symbols,
+        unit: String::new(),
+        label: Text::default(),
+        start: zero,
+        rate: zero,
+        given: [true; 2],
+        guessed: [false; 2],
+    });
     (e.graph.symbol(symbols[0]), e.graph.symbol(symbols[1]))
 }
 

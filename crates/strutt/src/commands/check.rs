@@ -21,7 +21,7 @@ pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {
     if console.shape == Shape::Json {
         let findings = diagnostics::to_json(&machine.warnings, &source, console.language);
         let value = json!({"ok": true, "file": source.path, "title": console.language.text(&machine.model.title),
-            "model_hash": machine.model_hash, "findings": findings, "counts": counts(&machine)});
+            "model_hash": machine.model_hash, "findings": findings, "counts": counts(&machine), "notes": notes(&machine, console)});
         console.out(format!("{value}\n"))?;
         return Ok(Exit::Done);
     }
@@ -30,8 +30,17 @@ pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {
         Format::Short => console.out(diagnostics::short(&machine.warnings, &source, console.language))?,
     }
     console.out(format!("{}: {}: {}\n", source.path, console.say(Word::Ok), summary(&machine, console)))?;
+    for note in notes(&machine, console) {
+        console.out(format!("{note}\n"))?;
+    }
     console.talk(&format!("{} strutt run {}", console.say(Word::Next), args.model.file));
     Ok(Exit::Done)
+}
+
+/// Remarks of the assembly: start values that were moved, conditions left out.
+fn notes(machine: &Machine, console: &Console) -> Vec<String> {
+    use analysis::System;
+    machine.system.notes().iter().map(|note| console.language.text(note).to_owned()).collect()
 }
 
 /// Word for people, key for machines, number.

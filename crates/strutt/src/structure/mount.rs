@@ -113,7 +113,17 @@ fn amplitude(model: &mut Model, number: usize) {
         format!("амплитуда {number} рамы при неподвижных именованных перемещениях"),
     );
     let units = ["m", "m/s", "m/s^2"].map(str::to_owned);
-    model.coordinates.push(CoordinateDecl { name, symbols, units, start: zero, rate: zero, given: [true, true], label, span: 0..0 });
+    model.coordinates.push(CoordinateDecl {
+        name,
+        symbols,
+        units,
+        start: zero,
+        rate: zero,
+        given: [true, true],
+        guessed: [false, false],
+        label,
+        span: 0..0,
+    });
 }
 
 /// A displacement that follows from the coordinates: a formula, and a result to look at.

@@ -29,6 +29,7 @@ fn machine() -> Equations {
             start: zero,
             rate: zero,
             given: [true; 2],
+            guessed: [false; 2],
         })
         .to_vec();
     let time = graph.symbol_id("t", 0);
