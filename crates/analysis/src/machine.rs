@@ -8,7 +8,7 @@ use program::{Bound, Evaluator, Jets, Operation, Point, Program, Tape, passes};
 use symbolic::connections::Law;
 use symbolic::{Equations, Text};
 
-use crate::connections::assemble;
+use crate::connections::{Undetermined, assemble};
 use crate::fault::Message;
 use crate::{Fault, Guard, GuardKind, Mode, Powers, Quantity, System};
 use conditions::Conditions;
@@ -46,7 +46,7 @@ pub struct Machine {
     /// State at the start, when it was assembled.
     start: Option<Vec<f64>>,
     /// For each output a reaction in it that is not unique.
-    refused: Vec<Option<String>>,
+    refused: Vec<Option<Refusal>>,
     notes: Vec<Text>,
 }
 
@@ -130,7 +130,7 @@ impl Machine {
         let assembly = assemble(equations, parameters)?;
         let program = Arc::new(program::lower::equations_with(equations, &assembly.selection)?);
         let mut machine = Machine::new(equations, &program, parameters, &guard_names(&program))?;
-        machine.refused = refused(equations, &program, &assembly.open);
+        machine.refused = refused(equations, &program, &assembly.undetermined);
         machine.notes = assembly.notes;
         let n = equations.coordinates.len();
         machine.balanced.retain(|&i| i < n || assembly.selection.balances.get(i - n) == Some(&true));
@@ -207,11 +207,19 @@ pub(crate) fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q 
     Text::new(en.join(", "), ru.join(", "))
 }
 
+/// Why an output has no value.
+#[derive(Clone, Debug)]
+struct Refusal {
+    reaction: String,
+    /// The load whose place is missing; none where connections share a load.
+    load: Option<String>,
+}
+
 /// For each output the first reaction in it that has no unique value.
-fn refused(equations: &Equations, program: &Program, open: &[usize]) -> Vec<Option<String>> {
-    let unknown = |r: &usize| open.contains(r) || !program.known.contains(r);
+fn refused(equations: &Equations, program: &Program, undetermined: &Undetermined) -> Vec<Option<Refusal>> {
+    let unknown = |r: &usize| undetermined.open.contains(r) || !program.known.contains(r);
     let unknown: Vec<usize> = (0..program.reactions).filter(unknown).collect();
-    let mut touched: Vec<Option<String>> = vec![None; equations.outputs.len()];
+    let mut touched: Vec<Option<Refusal>> = vec![None; equations.outputs.len()];
     for r in unknown {
         let reaction = &equations.reactions[r];
         let mut symbols = vec![reaction.symbol];
@@ -222,7 +230,9 @@ fn refused(equations: &Equations, program: &Program, open: &[usize]) -> Vec<Opti
         }
         for (slot, output) in touched.iter_mut().zip(&equations.outputs) {
             if slot.is_none() && equations.graph.contains(output.formula, |s| symbols.contains(&s)) {
-                *slot = Some(reaction.name.clone());
+                let load = undetermined.placed.iter().find(|(p, _)| *p == r);
+                let load = load.map(|(_, load)| equations.reactions[*load].name.clone());
+                *slot = Some(Refusal { reaction: reaction.name.clone(), load });
             }
         }
     }
@@ -331,8 +341,12 @@ impl System for Machine {
     }
 
     fn refusal(&self, output: usize) -> Option<Fault> {
-        let reaction = self.refused[output].as_ref()?;
-        Some(Fault::open_reaction(&self.outputs[output].name, reaction))
+        let Refusal { reaction, load } = self.refused[output].as_ref()?;
+        let output = &self.outputs[output].name;
+        Some(match load {
+            Some(load) => Fault::reaction_without_place(output, reaction, load),
+            None => Fault::open_reaction(output, reaction),
+        })
     }
 
     fn notes(&self) -> &[Text] {

@@ -173,5 +173,5 @@ fn redundant_loop_of_a_flat_mechanism_is_told_from_a_singular_one() {
     b.ideal("pin again, x", place);
     let assembly = assemble(&b.e, &[]).unwrap();
     assert_eq!(assembly.selection.conditions, vec![true, true, false]);
-    assert_eq!(assembly.open, vec![0, 2]);
+    assert_eq!(assembly.undetermined.open, vec![0, 2]);
 }

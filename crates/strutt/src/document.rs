@@ -218,7 +218,7 @@ impl Writer<'_> {
             blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
         }
         let mut pieces = Vec::new();
-        for (i, reaction) in self.equations.reactions.iter().enumerate() {
+        for (i, reaction) in self.equations.reactions.iter().filter(|r| r.law.is_reaction()).enumerate() {
             let before = if i == 0 { format!("{}: ", say(self.language, Say::Reactions)) } else { "; ".into() };
             pieces.push(Inline::Words(before));
             pieces.push(Inline::Formula(self.symbol(printer, reaction.symbol)));

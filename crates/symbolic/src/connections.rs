@@ -50,6 +50,9 @@ pub enum Law {
     Support,
     /// An unknown drive that realises prescribed motions; it owns no condition.
     Motor,
+    /// No reaction: a wrench that a load given by a formula of coordinates may have besides its generalized forces, as its place is not given.
+    /// It does no work on the coordinates and enters balances only; `name` is that of the load.
+    Place,
     /// One-sided: the force is not negative, and vanishes while the gap is open.
     Contact {
         /// Index in `Equations::conditions`.
@@ -116,8 +119,6 @@ pub struct Balance {
     pub columns: Vec<(usize, Expr)>,
     /// Applied forces less inertia terms without q''.
     pub rest: Expr,
-    /// Whether all that acts on the body is known as forces and moments; loads written as formulas of coordinates have no place.
-    pub complete: bool,
 }
 
 impl Law {
@@ -126,12 +127,17 @@ impl Law {
         matches!(self, Law::Ideal { .. } | Law::Contact { tie: true, .. })
     }
 
+    /// Whether it is a force of the machine and not an unknown of the balances alone.
+    pub fn is_reaction(&self) -> bool {
+        !matches!(self, Law::Place)
+    }
+
     /// The condition that the reaction owns.
     pub fn condition(&self) -> Option<usize> {
         match self {
             Law::Ideal { condition } | Law::Contact { condition, .. } => Some(*condition),
             Law::Friction(friction) => Some(friction.condition),
-            Law::Support | Law::Motor => None,
+            Law::Support | Law::Motor | Law::Place => None,
         }
     }
 }

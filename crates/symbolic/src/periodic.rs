@@ -34,7 +34,7 @@ impl Equations {
                         list.extend(normal.terms.iter().map(|(_, e)| *e));
                     }
                 }
-                Law::Ideal { .. } | Law::Support | Law::Motor => {}
+                Law::Ideal { .. } | Law::Support | Law::Motor | Law::Place => {}
             }
         }
         for b in &self.balances {

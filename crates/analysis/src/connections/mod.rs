@@ -24,10 +24,19 @@ pub struct Assembly {
     pub start: Vec<f64>,
     /// What takes part in the equations.
     pub selection: Selection,
-    /// Reactions (by index) that are not unique.
-    pub open: Vec<usize>,
+    /// Reactions that have no value.
+    pub undetermined: Undetermined,
     /// Remarks.
     pub notes: Vec<Text>,
+}
+
+/// Reactions that the equations of rigid bodies leave open, by index.
+#[derive(Clone, Debug, Default)]
+pub struct Undetermined {
+    /// All of them.
+    pub open: Vec<usize>,
+    /// Those that depend on the place of a load, with this load.
+    pub placed: Vec<(usize, usize)>,
 }
 
 /// Puts the machine together for these parameters, in the order of `Equations::parameters`.
@@ -43,9 +52,9 @@ pub fn assemble(equations: &Equations, parameters: &[f64]) -> Result<Assembly, F
         bench.moved = (0..bench.n).map(|j| bench.x[j] != before[j]).collect();
         bench.close_rates(&mut notes)?;
     }
-    let (selection, open) = bench.select(&mut notes)?;
+    let (selection, undetermined) = bench.select(&mut notes)?;
     notes.extend(bench.moved_values(&before));
-    Ok(Assembly { start: bench.x, selection, open, notes })
+    Ok(Assembly { start: bench.x, selection, undetermined, notes })
 }
 
 /// The conditions at a state that is being put together.

@@ -9,7 +9,7 @@ use program::lower::Selection;
 use symbolic::Text;
 use symbolic::connections::Law;
 
-use super::{Bench, listed};
+use super::{Bench, Undetermined, listed};
 use crate::Fault;
 use crate::numerics::qr::{Qr, norm};
 use crate::numerics::random::Random;
@@ -81,12 +81,12 @@ impl Bench<'_> {
     }
 
     /// Selection of conditions, reactions and balances; reactions that are not unique.
-    pub(super) fn select(&mut self, notes: &mut Vec<Text>) -> Result<(Selection, Vec<usize>), Fault> {
+    pub(super) fn select(&mut self, notes: &mut Vec<Text>) -> Result<(Selection, Undetermined), Fault> {
         let mut selection = Selection::all(self.equations);
         let mut open = vec![false; self.equations.reactions.len()];
         let x = self.x.clone();
         if self.equations.reactions.is_empty() && self.equations.conditions.is_empty() && self.equations.balances.is_empty() {
-            return Ok((selection, Vec::new()));
+            return Ok((selection, Undetermined::default()));
         }
         self.evaluate(&x)?;
         let rows = self.lasting();
@@ -109,18 +109,25 @@ impl Bench<'_> {
                 selection.reactions[r] = false;
             }
         }
-        self.select_supports(&mut selection, &mut open)?;
-        let open: Vec<usize> = (0..open.len()).filter(|r| open[*r]).collect();
-        if !open.is_empty() {
+        let placed = self.select_supports(&mut selection, &mut open)?;
+        let shown = |r: usize| open[r] && self.equations.reactions[r].law.is_reaction();
+        let open: Vec<usize> = (0..open.len()).filter(|r| shown(*r)).collect();
+        self.refuse_open_pressure(&placed)?;
+        for (r, load) in &placed {
+            notes.push(without_place(&self.equations.reactions[*r].name, &self.equations.reactions[*load].name));
+        }
+        let shared: Vec<usize> = open.iter().copied().filter(|r| !placed.iter().any(|(p, _)| p == r)).collect();
+        if !shared.is_empty() {
+            let open = &shared;
             notes.push(not_unique(&open.iter().map(|&r| self.equations.reactions[r].name.as_str()).collect::<Vec<_>>().join(", ")));
         }
-        Ok((selection, open))
+        Ok((selection, Undetermined { open, placed }))
     }
 
     /// Independent balances for the supports, and supports that rigid bodies leave open.
-    fn select_supports(&mut self, selection: &mut Selection, open: &mut [bool]) -> Result<(), Fault> {
+    fn select_supports(&mut self, selection: &mut Selection, open: &mut [bool]) -> Result<Vec<(usize, usize)>, Fault> {
         let (reactions, b) = (self.equations.reactions.len(), self.equations.balances.len());
-        let is_support = |r: usize| matches!(self.equations.reactions[r].law, Law::Support);
+        let is_support = |r: usize| matches!(self.equations.reactions[r].law, Law::Support | Law::Place);
         let supports: Vec<usize> = (0..reactions).filter(|r| is_support(*r)).collect();
         let released = self.balances.evaluate(&program::Point { states: &self.x, ..Default::default() })?.to_vec();
         let columns: Vec<Vec<f64>> = supports.iter().map(|r| (0..b).map(|i| released[i * reactions + r]).collect()).collect();
@@ -136,12 +143,27 @@ impl Bench<'_> {
         for i in 0..b {
             selection.balances[i] = by_rows.kept.contains(&i);
         }
-        self.spread_open(&released, &supports, open);
+        Ok(self.spread_open(&released, &supports, open))
+    }
+
+    /// A friction pressed by a reaction that has no value has none either, and with it the motion.
+    fn refuse_open_pressure(&self, placed: &[(usize, usize)]) -> Result<(), Fault> {
+        for reaction in &self.equations.reactions {
+            let Law::Friction(friction) = &reaction.law else { continue };
+            let terms = friction.normal.iter().flat_map(|n| &n.terms);
+            for (r, _) in terms {
+                if let Some((_, load)) = placed.iter().find(|(p, _)| p == r) {
+                    let [pressure, load] = [*r, *load].map(|k| self.equations.reactions[k].name.as_str());
+                    return Err(Fault::pressure_without_place(&reaction.name, pressure, load));
+                }
+            }
+        }
         Ok(())
     }
 
     /// A support whose balance contains an open reaction is open too, unless that reaction's share is fixed by the balances.
-    fn spread_open(&self, released: &[f64], supports: &[usize], open: &mut [bool]) {
+    /// Returns the reactions that loads without a place leave open, each with such a load.
+    fn spread_open(&self, released: &[f64], supports: &[usize], open: &mut [bool]) -> Vec<(usize, usize)> {
         let (reactions, b, n) = (self.equations.reactions.len(), self.equations.balances.len(), self.n);
         let ideal = |r: usize| matches!(self.equations.reactions[r].law, Law::Ideal { .. });
         let unknown: Vec<usize> = (0..reactions).filter(|r| ideal(*r)).chain(supports.iter().copied()).collect();
@@ -151,10 +173,17 @@ impl Bench<'_> {
             forces.chain((0..b).map(|i| released[i * reactions + r])).collect()
         };
         let vectors: Vec<Vec<f64>> = unknown.iter().map(|&r| column(r)).collect();
+        let is_place = |r: usize| matches!(self.equations.reactions[r].law, Law::Place);
+        let mut placed = Vec::new();
         for (i, shares) in sort(&vectors).relations {
             open[unknown[i]] = true;
             shares.iter().for_each(|(k, _)| open[unknown[*k]] = true);
+            let members: Vec<usize> = shares.iter().map(|(k, _)| unknown[*k]).chain([unknown[i]]).collect();
+            if let Some(load) = members.iter().copied().find(|r| is_place(*r)) {
+                placed.extend(members.into_iter().filter(|r| !is_place(*r)).map(|r| (r, load)));
+            }
         }
+        placed
     }
 
     /// A dependence that neighbouring configurations do not have is a singular configuration.
@@ -203,6 +232,13 @@ fn repeated(condition: &Text, together: &Text) -> Text {
     Text::new(
         format!("`{}` repeats other conditions and is left out; together they are: {}", condition.en, together.en),
         format!("условие `{}` повторяет другие и не используется; вместе это: {}", condition.ru, together.ru),
+    )
+}
+
+fn without_place(reaction: &str, load: &str) -> Text {
+    Text::new(
+        format!("the reaction {reaction} depends on where the load `{load}` acts, which its formula does not say"),
+        format!("реакция {reaction} зависит от места приложения нагрузки `{load}`, которого её формула не задаёт"),
     )
 }
 

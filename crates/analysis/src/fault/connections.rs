@@ -31,6 +31,16 @@ pub const EXPLANATIONS: &[Explanation] = &[
     Explanation {
         code: "S019", en: ("reaction that is not unique", OPEN_EN), ru: ("неединственная реакция", OPEN_RU)
     },
+    Explanation {
+        code: "S087",
+        en: ("reaction that depends on the place of a load", PLACE_EN),
+        ru: ("реакция, зависящая от места приложения нагрузки", PLACE_RU),
+    },
+    Explanation {
+        code: "S088",
+        en: ("friction pressed by a reaction without a value", PRESSURE_EN),
+        ru: ("трение от неопределённой нормальной реакции", PRESSURE_RU),
+    },
 ];
 
 const NO_STATE_EN: &str = "Neither sticking nor sliding in any direction (neither closed nor open) agrees with the forces at this state. With friction on a computed \
@@ -73,7 +83,52 @@ const OPEN_EN: &str = "Rigid bodies leave the shares of redundant connections op
 const OPEN_RU: &str = "Для твёрдых тел доли лишних связей неопределимы (балка между двумя неподвижными шарнирами, вал на трёх опорах): уравнениям удовлетворяют любые доли с \
     нужной суммой. Движение и остальные реакции верны.";
 
+const PLACE_EN: &str = "A load given `along` a formula (or a potential, a dissipation function) says what work it does when coordinates change, not at which point of \
+    which body it acts. It is taken to act along the body's own displacement; its arm, or the body that takes it where a coordinate moves several, stays open. \
+    Reactions that do not depend on this have their values, this one does. Put the load between points or bodies (`between`, `at`, `on`), or write its formula \
+    with places of points: along = \"x(P)\".";
+const PLACE_RU: &str = "Нагрузка, заданная формулой `along` (а также потенциал или функция рассеяния), говорит, какую работу она совершает при изменении координат, но не в какой \
+    точке и на какое тело она действует. Считается, что она направлена по собственному перемещению тела; её плечо, а если координата движет несколько тел, то и само \
+    тело остаются неизвестными. Реакции, которые от этого не зависят, определены, эта – нет. Приложите нагрузку к точкам или телам (`between`, `at`, `on`) или \
+    запишите её формулу через положения точек: along = \"x(P)\".";
+const PRESSURE_EN: &str = "The normal force of this friction is a reaction that depends on where a load acts, and the load is given by a formula that does not say it. The friction, \
+    and with it the motion, would be arbitrary. Give the load a place, or the friction another normal force.";
+const PRESSURE_RU: &str = "Нормальная сила этого трения – реакция, зависящая от места приложения нагрузки, а нагрузка задана формулой, из которой место не следует. Трение, а с ним \
+    и движение, было бы произвольным. Задайте место приложения нагрузки или другую нормальную силу.";
+
 impl Fault {
+    /// An output over a reaction that depends on where a load acts.
+    pub fn reaction_without_place(output: &str, reaction: &str, load: &str) -> Fault {
+        Fault::new(Message {
+            code: "S087",
+            what: Text::new(
+                format!("the output `{output}` uses the reaction `{reaction}`, which depends on where the load `{load}` acts"),
+                format!("величина `{output}` использует реакцию `{reaction}`, которая зависит от места приложения нагрузки `{load}`"),
+            ),
+            why: Text::new(
+                "a formula of coordinates gives the work of a load; the point, and with it the moment on the body, stays open",
+                "формула через координаты задаёт работу нагрузки; точка приложения, а с ней и момент на теле, остаётся неизвестной",
+            ),
+            help: give_a_place(load),
+        })
+    }
+
+    /// A friction pressed by such a reaction.
+    pub fn pressure_without_place(friction: &str, reaction: &str, load: &str) -> Fault {
+        Fault::new(Message {
+            code: "S088",
+            what: Text::new(
+                format!("`{friction}` is pressed by the reaction `{reaction}`, which depends on where the load `{load}` acts"),
+                format!("`{friction}` прижимается реакцией `{reaction}`, которая зависит от места приложения нагрузки `{load}`"),
+            ),
+            why: Text::new(
+                "a formula of coordinates gives the work of a load and not its place; friction and motion would be arbitrary",
+                "формула через координаты задаёт работу нагрузки, но не её место; трение и движение были бы произвольными",
+            ),
+            help: give_a_place(load),
+        })
+    }
+
     /// Neither side of a friction or contact agrees with the forces.
     pub fn no_contact_state(guard: &Text, t: f64) -> Fault {
         let n = number(t);
@@ -260,4 +315,11 @@ impl Fault {
             ),
         })
     }
+}
+
+fn give_a_place(load: &str) -> Text {
+    Text::new(
+        format!("put `{load}` between points or bodies (`between`, `at`, `on`), or write its formula with places of points, such as x(P)"),
+        format!("приложите `{load}` к точкам или телам (`between`, `at`, `on`) или запишите формулу через положения точек, например x(P)"),
+    )
 }

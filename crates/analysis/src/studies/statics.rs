@@ -83,7 +83,9 @@ impl System {
     fn at_rest(equations: &Equations, start: &[f64]) -> System {
         let (n, b) = (equations.coordinates.len(), equations.balances.len());
         let unknowns: Vec<usize> = (0..equations.reactions.len())
-            .filter(|r| matches!(equations.reactions[*r].law, Law::Ideal { .. } | Law::Support | Law::Motor | Law::Contact { .. }))
+            .filter(|r| {
+                matches!(equations.reactions[*r].law, Law::Ideal { .. } | Law::Support | Law::Motor | Law::Contact { .. } | Law::Place)
+            })
             .collect();
         let mut graph = equations.graph.clone();
         let zero = graph.zero();
@@ -141,8 +143,11 @@ impl System {
             return Err(Fault::sets_itself_in_motion(&described(&free)));
         }
         self.one_sided(equations, &values)?;
-        let reactions = self.unknowns.iter().zip(values).map(|(&r, value)| reaction(equations, r, value)).collect();
-        Ok(Statics { reactions, indeterminacy: relations.len(), free, remainder, notes: Vec::new() })
+        let shown = |k: usize| equations.reactions[self.unknowns[k]].law.is_reaction();
+        let named = self.unknowns.iter().zip(values).enumerate().filter(|(k, _)| shown(*k));
+        let reactions = named.map(|(_, (&r, value))| reaction(equations, r, value)).collect();
+        let indeterminacy = relations.iter().filter(|(k, shares)| shown(*k) || shares.iter().any(|s| shown(*s))).count();
+        Ok(Statics { reactions, indeterminacy, free, remainder, notes: Vec::new() })
     }
 
     /// Ropes pull and surfaces push.

@@ -4,7 +4,7 @@
 //! (or torques) projected with the velocities of the points (or bodies) it acts on.
 
 use super::kinematics::Kinematics;
-use super::pathways::resolve;
+use super::pathways::{Given, located, resolve};
 use super::requests::Resolver;
 use super::scene::{Columns, Found, Scene, Vector};
 use super::wrench::Act;
@@ -102,7 +102,7 @@ pub fn project(scene: &mut Scene, force: &Vector, columns: &Columns<Vector>) -> 
 fn spring(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads, index: usize) -> Found<()> {
     let model = scene.model;
     let spring = &model.springs[index];
-    let path = resolve(scene, kinematics, resolver, (spring.pathway, &spring.span))?;
+    let path = resolve(scene, kinematics, resolver, (&spring.name, spring.pathway, &spring.span))?;
     let [stiffness, preload] = [spring.stiffness, spring.preload].map(|e| resolver.resolve(scene, kinematics, e));
     let (stiffness, preload) = (stiffness?, preload?);
     let rest = match spring.rest {
@@ -168,7 +168,7 @@ pub fn at_start(scene: &mut Scene, e: Expr) -> Expr {
 fn damper(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads, index: usize) -> Found<()> {
     let model = scene.model;
     let damper = &model.dampers[index];
-    let path = resolve(scene, kinematics, resolver, (damper.pathway, &damper.span))?;
+    let path = resolve(scene, kinematics, resolver, (&damper.name, damper.pathway, &damper.span))?;
     let damping = resolver.resolve(scene, kinematics, damper.damping)?;
     let rate = scene.rate_of(&path.gradient);
     let square = scene.graph.square(rate);
@@ -198,7 +198,8 @@ fn free_forms(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Res
         loads.potential_change.push(change);
         let minus = scene.graph.int(-1);
         let projected = scaled(scene, minus, &gradient);
-        loads.acts.push(Act::Along(projected.clone()));
+        let acts = located(scene, kinematics, resolver, (&potential.name, potential.energy), Given::Places)?;
+        loads.act(scene, minus, &acts);
         loads.conservative.push(projected);
     }
     for dissipation in &model.dissipations {
@@ -214,7 +215,9 @@ fn free_forms(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Res
             power.push(scene.graph.mul(force, rate));
             projected.insert(j, scene.graph.neg(force));
         }
-        loads.acts.push(Act::Along(projected.clone()));
+        let minus = scene.graph.int(-1);
+        let acts = located(scene, kinematics, resolver, (&dissipation.name, dissipation.function), Given::Rates)?;
+        loads.act(scene, minus, &acts);
         loads.resisting.push(projected);
         loads.dissipated.extend(power);
     }
@@ -234,7 +237,7 @@ fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
                 project(scene, &vector, &columns)
             }
             Action::OnPathway { pathway, value } => {
-                let path = resolve(scene, kinematics, resolver, (*pathway, &force.span))?;
+                let path = resolve(scene, kinematics, resolver, (&force.name, *pathway, &force.span))?;
                 let value = resolver.resolve(scene, kinematics, *value)?;
                 loads.act(scene, value, &path.acts);
                 scaled(scene, value, &path.gradient)

@@ -12,6 +12,7 @@ mod lagrange;
 mod loads;
 mod newton_euler;
 mod pathways;
+mod place;
 mod requests;
 mod scene;
 mod steps;
@@ -80,7 +81,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
     errors.extend(missing_inertia(&scene, &kinetic.total, &connected));
     let motion = Motion::new(&mut scene, &kinetic, &loads, &connected);
     let inertial = if connected.releases() { newton_euler::inertial(&mut scene, &mut kinematics) } else { Vec::new() };
-    connected.balance(&mut scene, &kinematics, &loads, &inertial);
+    connected.balance(&mut scene, &mut kinematics, &loads, &inertial);
     let mut second = newton_euler::project(&mut scene, &mut kinematics, &loads, &connected);
     second.residuals.extend(connected.balance_residuals(&mut scene));
     let energy = energy(&mut scene, &kinetic.total, (&loads, &connected), second.drives);

@@ -13,7 +13,7 @@ use super::kinematics::{Kinematics, combine};
 use super::lagrange::inertia_parts;
 use super::loads::Loads;
 use super::scene::{Columns, Scene, Vector};
-use super::wrench::Act;
+use super::wrench::{Act, Along, Formula};
 use crate::model::{FrameId, PointRef};
 use symbolic::Expr;
 
@@ -45,6 +45,13 @@ pub fn inertial(scene: &mut Scene, kinematics: &mut Kinematics) -> Vec<Act> {
             let moment = moment(scene, &turning, &parts);
             acts.push(Act::Turn { on: FrameId(i), moment: kinematics.in_ground_axes(scene, FrameId(i), &moment) });
         }
+    }
+    for inertia in &model.inertias {
+        let [a, b] = inertia.between;
+        let mut columns = Columns::from([(a, scene.graph.mul(inertia.value, scene.q[b][2]))]);
+        columns.insert(b, scene.graph.mul(inertia.value, scene.q[a][2]));
+        let name = scene.model.coordinates[a].name.clone();
+        acts.push(Act::Along(Along { name, columns, of: Formula::Function }));
     }
     acts
 }

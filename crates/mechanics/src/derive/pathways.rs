@@ -6,9 +6,9 @@
 use super::kinematics::Kinematics;
 use super::requests::Resolver;
 use super::scene::{Columns, Found, Scene};
-use super::wrench::{Act, generalized};
+use super::wrench::{Act, Along, Formula, generalized};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Axis, FrameId, Pathway, PointRef};
+use crate::model::{Axis, FrameId, Measure, Pathway, PointRef, RequestKind};
 use std::ops::Range;
 use symbolic::{Expr, Text};
 
@@ -30,18 +30,86 @@ pub fn resolve(
     scene: &mut Scene,
     kinematics: &mut Kinematics,
     resolver: &mut Resolver,
-    (pathway, span): (Pathway, &Range<usize>),
+    (name, pathway, span): (&str, Pathway, &Range<usize>),
 ) -> Found<Path> {
     match pathway {
-        Pathway::Along(e) => {
+        Pathway::Along(e, measure) => {
             let value = resolver.resolve(scene, kinematics, e)?;
             scene.must_exist(value);
             let gradient = scene.gradient(value);
-            Ok(Path { value, acts: vec![Act::Along(gradient.clone())], geometric: gradient.clone(), gradient })
+            let acts = located(scene, kinematics, resolver, (name, e), Given::Pathway(measure))?;
+            let geometric = generalized(scene, kinematics, &acts);
+            Ok(Path { value, acts, geometric, gradient })
         }
         Pathway::Distance(a, b) => Ok(distance(scene, kinematics, a, b)),
         Pathway::RelativeAngle(a, b) => relative_angle(scene, kinematics, (a, b), span),
     }
+}
+
+/// What a formula is taken by to find the force that belongs to it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Given {
+    /// The formula is a pathway.
+    Pathway(Measure),
+    /// A potential: by places and angles.
+    Places,
+    /// A dissipation function: by rates.
+    Rates,
+}
+
+/// What a unit force by a formula does: `x(P)`, `angle(B)` in it (`vx(P)`, `omega(B)` for rates) are forces at P and moments on B, by ∂e/∂x(P);
+/// what coordinates do beside them stays a generalized force.
+pub fn located(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    resolver: &mut Resolver,
+    (name, e): (&str, Expr),
+    given: Given,
+) -> Found<Vec<Act>> {
+    let opened = scene.open(e);
+    let model = scene.model;
+    let symbols = scene.graph.symbols_in(&[opened]);
+    let requests: Vec<_> = model.requests.iter().filter(|r| symbols.binary_search(&r.symbol).is_ok()).collect();
+    let of_body = |kind: &RequestKind| match given {
+        Given::Rates => matches!(kind, RequestKind::Velocity(..) | RequestKind::AngularVelocity(_)),
+        _ => matches!(kind, RequestKind::Position(..) | RequestKind::Angle(_)),
+    };
+    let mut acts = Vec::new();
+    let all = requests.iter().all(|r| of_body(&r.kind));
+    for request in requests.iter().filter(|_| all) {
+        let factor = scene.graph.derivative(opened, request.symbol);
+        let factor = resolver.resolve(scene, kinematics, factor)?;
+        let mut vector = |axis: Axis| unit_vector(scene, axis).map(|u| scene.graph.mul(factor, u));
+        acts.push(match request.kind {
+            RequestKind::Position(point, axis) | RequestKind::Velocity(point, axis) => Act::Point { point, force: vector(axis) },
+            RequestKind::Angle(on) | RequestKind::AngularVelocity(on) => Act::Turn { on, moment: vector(Axis::Z) },
+            _ => continue,
+        });
+    }
+    let rest = if all { opened } else { resolver.resolve(scene, kinematics, e)? };
+    let mut columns = Columns::new();
+    for j in 0..=scene.n() {
+        let d = match given {
+            Given::Rates if j == scene.n() => continue,
+            Given::Rates => scene.by_rate(rest, j),
+            _ => scene.along(rest, j),
+        };
+        let d = resolver.resolve(scene, kinematics, d)?;
+        if !scene.graph.is_zero(d) {
+            columns.insert(j, d);
+        }
+    }
+    if given == Given::Places {
+        columns.remove(&scene.n());
+    }
+    if !columns.is_empty() {
+        let of = match given {
+            Given::Pathway(measure) => Formula::Pathway(columns.clone(), measure),
+            _ => Formula::Function,
+        };
+        acts.push(Act::Along(Along { name: name.to_owned(), columns, of }));
+    }
+    Ok(acts)
 }
 
 /// d = |r_B - r_A|; geometric gradient e·(J_B - J_A) with the unit vector e from A to B.

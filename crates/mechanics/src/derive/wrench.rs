@@ -5,11 +5,11 @@
 
 use super::kinematics::Kinematics;
 use super::scene::{Columns, Scene, Vector};
-use crate::model::{FrameId, PointRef};
+use crate::model::{FrameId, Measure, Model, Origin, PointRef};
 use symbolic::Expr;
 
 /// An action on a body, ground axes.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub enum Act {
     /// A force at a point, with which it moves.
     Point {
@@ -34,8 +34,28 @@ pub enum Act {
         /// Moment.
         moment: Vector,
     },
-    /// A generalized force by a formula: it acts nowhere in particular.
-    Along(Columns<Expr>),
+    /// A generalized force by a formula: [`super::place`] finds the bodies it acts on.
+    Along(Along),
+}
+
+/// A generalized force by a formula of coordinates.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Along {
+    /// The element it belongs to.
+    pub name: String,
+    /// Force in each direction.
+    pub columns: Columns<Expr>,
+    /// What it is the force of.
+    pub of: Formula,
+}
+
+/// What a generalized force is the force of.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Formula {
+    /// A pathway: its gradient, and what it measures.
+    Pathway(Columns<Expr>, Measure),
+    /// A function of its own: a potential, a dissipation function, inertia along coordinates.
+    Function,
 }
 
 impl Act {
@@ -46,7 +66,10 @@ impl Act {
             Act::Point { point, force } => Act::Point { point: *point, force: scaled(force) },
             Act::Place { on, at, force } => Act::Place { on: *on, at: *at, force: scaled(force) },
             Act::Turn { on, moment } => Act::Turn { on: *on, moment: scaled(moment) },
-            Act::Along(columns) => Act::Along(columns.iter().map(|(j, e)| (*j, scene.graph.mul(factor, *e))).collect()),
+            Act::Along(along) => {
+                let columns = along.columns.iter().map(|(j, e)| (*j, scene.graph.mul(factor, *e))).collect();
+                Act::Along(Along { columns, ..along.clone() })
+            }
         }
     }
 
@@ -68,6 +91,15 @@ pub fn frame_of(scene: &Scene, point: PointRef) -> FrameId {
     }
 }
 
+/// The frame that a frame is attached to: that of the point where its origin is, whatever axes its angle counts from.
+pub fn carrier(model: &Model, frame: FrameId) -> FrameId {
+    let frame = &model.frames[frame.index()];
+    match frame.origin {
+        Origin::Point(p) => model.points[p.index()].on,
+        Origin::Vector(_) => frame.on,
+    }
+}
+
 /// Generalized forces of actions in all directions.
 pub fn generalized(scene: &mut Scene, kinematics: &mut Kinematics, acts: &[Act]) -> Columns<Expr> {
     let mut sums: Columns<Vec<Expr>> = Columns::new();
@@ -84,7 +116,7 @@ fn one(scene: &mut Scene, kinematics: &mut Kinematics, act: &Act) -> Columns<Exp
         Act::Point { point, force } => (force, kinematics.jacobian(scene, *point)),
         Act::Place { on, at, force } => (force, particle(scene, kinematics, *on, at)),
         Act::Turn { on, moment } => (moment, kinematics.turning_in_ground_axes(scene, *on)),
-        Act::Along(columns) => return columns.clone(),
+        Act::Along(along) => return along.columns.clone(),
     };
     columns.iter().map(|(j, column)| (*j, scene.dot(force, column))).collect()
 }

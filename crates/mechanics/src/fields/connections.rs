@@ -302,8 +302,8 @@ pub const RACK: TableSpec = table(
 pub const ROLLING: TableSpec = table(
     "rolling",
     (
-        "Rolling without slip on a line or a circle. normal acts on the wheel away from the track, tangential along the line's direction.",
-        "Качение без проскальзывания по прямой или окружности. normal действует на колесо от опоры, tangential — вдоль направления прямой.",
+        "Rolling without slip on a line or a circle. normal acts on the wheel away from the track, tangential along the line's direction; on a circle along the normal turned by -90 degrees.",
+        "Качение без проскальзывания по прямой или окружности. normal действует на колесо от опоры, tangential — вдоль направления прямой; на окружности — вдоль нормали, повёрнутой на −90°.",
     ),
     &[
         must("body", Type::Name, "", ("the wheel", "колесо"), "\"roller\""),
@@ -389,8 +389,8 @@ pub const CONSTRAINT: TableSpec = table(
 pub const SUPPORT: TableSpec = table(
     "supports",
     (
-        "Supports: reactions of a body that the coordinates already hold, or hold less than the support. They act on the body.",
-        "Опоры: реакции, действующие на тело, которое уже удержано выбором координат или удерживается опорой.",
+        "Supports: reactions of a body that the coordinates already hold, or hold less than the support. They act on the body and hold it to what it stands on (`on`), which gets the opposite.",
+        "Опоры: реакции, действующие на тело, которое уже удержано выбором координат или удерживается опорой. Опора соединяет тело с тем, на чём оно стоит (`on`); туда действует противоположная реакция.",
     ),
     &[
         must("at", Type::Name, "", ("point, or body for its origin", "точка или тело (тогда его начало)"), "\"A\""),

@@ -5,7 +5,7 @@ use super::reader::{Checked, Fields, Reader, components};
 use crate::fault::Fault;
 use crate::fields;
 use crate::formula::{Context, Kind, Place};
-use crate::model::{Action, Damper, Dissipation, Element, Force, FrameId, Pathway, PointRef, Potential, Rest, Spring, Torque};
+use crate::model::{Action, Damper, Dissipation, Element, Force, FrameId, Measure, Pathway, PointRef, Potential, Rest, Spring, Torque};
 use crate::units::Dimension;
 use symbolic::{Expr, Rational};
 use toml::de::DeValue;
@@ -26,7 +26,7 @@ pub(super) fn springs<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Spri
         let preload = fields.formula_or_zero(reader, "preload", &Context::TIME, force_unit.as_ref()).expr;
         let backlash = backlash(reader, &fields, length);
         reader.scope.declare_element(&name, Element::Spring(found.len()), length);
-        let pathway = path.map_or(Pathway::Along(stiffness.expr), |p| p.0);
+        let pathway = path.map_or(Pathway::Along(stiffness.expr, Measure::Other), |p| p.0);
         found.push(Spring { name, pathway, stiffness: stiffness.expr, rest, preload, backlash, span: fields.span.clone() });
     }
     found
@@ -130,7 +130,7 @@ pub(super) fn dampers<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Damp
         let damping = fields.formula_or_zero(reader, "damping", &Context::PATHWAY, unit.as_ref());
         useful(reader, &fields, "damping", &damping, ("damper", "демпфер"));
         reader.scope.declare_element(&name, Element::Damper(found.len()), length);
-        let pathway = path.map_or(Pathway::Along(damping.expr), |p| p.0);
+        let pathway = path.map_or(Pathway::Along(damping.expr, Measure::Other), |p| p.0);
         found.push(Damper { name, pathway, damping: damping.expr, span: fields.span.clone() });
     }
     found
@@ -148,7 +148,7 @@ pub(super) fn pathway_of<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Op
     match (fields.has("along"), fields.has("between")) {
         (true, false) => {
             let along = fields.formula(reader, "along", &Context::PATHWAY, None)?;
-            along.good.then_some((Pathway::Along(along.expr), along.kind))
+            along.good.then_some((Pathway::Along(along.expr, measured(along.kind)), along.kind))
         }
         (false, true) => between(reader, fields),
         (both, _) => {
@@ -167,6 +167,15 @@ pub(super) fn pathway_of<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Op
             );
             None
         }
+    }
+}
+
+/// What a pathway of this dimension measures.
+fn measured(kind: Kind) -> Measure {
+    match kind {
+        Kind::Known(d) if d.same(&Dimension::LENGTH) => Measure::Length,
+        Kind::Known(d) if d.without_angle().is_none() => Measure::Angle,
+        _ => Measure::Other,
     }
 }
 

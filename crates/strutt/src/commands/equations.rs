@@ -145,11 +145,11 @@ impl<'a> Writer<'a> {
             out.push_str(&self.words(say(self.language, Word::Connections)));
             out.extend(conditions.iter().map(|line| self.formula(line, None)));
         }
-        if !self.equations.reactions.is_empty() {
+        if self.equations.reactions.iter().any(|r| r.law.is_reaction()) {
             out.push('\n');
             out.push_str(&self.words(say(self.language, Word::Reactions)));
         }
-        for reaction in &self.equations.reactions {
+        for reaction in self.equations.reactions.iter().filter(|r| r.law.is_reaction()) {
             let symbol = self.printer.symbol(&self.equations.graph, reaction.symbol, self.form());
             let line = format!("  {symbol} = {}: {}", reaction.name, self.language.text(&reaction.label));
             out.push_str(&self.words(&line));
@@ -187,6 +187,7 @@ pub fn to_json(machine: &Machine, language: Language) -> Value {
     let reactions: Vec<Value> = equations
         .reactions
         .iter()
+        .filter(|r| r.law.is_reaction())
         .map(|r| json!({"name": r.name, "symbol": graph.symbol_info(r.symbol).name, "unit": r.unit, "label": language.text(&r.label)}))
         .collect();
     let energy = |e| if equations.textbook.is_ok() { three(&|form| printer.expression(graph, e, form)) } else { Value::Null };

@@ -3,11 +3,11 @@
 use super::{path, tracks};
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::loads::at_start;
-use crate::derive::pathways::{Path, unit_vector};
+use crate::derive::pathways::{Given, Path, located, unit_vector};
 use crate::derive::requests::Resolver;
-use crate::derive::scene::{Found, Scene, Vector};
-use crate::derive::wrench::{Act, frame_of};
-use crate::model::{Axis, Connection, ConnectionKind, FrameId, Part, Pathway, PointRef, Rest, SupportDirection, Wound};
+use crate::derive::scene::{Columns, Found, Scene, Vector};
+use crate::derive::wrench::{Act, carrier, frame_of, particle};
+use crate::model::{Axis, Connection, ConnectionKind, FrameId, Measure, Part, Pathway, PointRef, Rest, SupportDirection, Wound};
 use symbolic::{Expr, Function, SymbolId, Text};
 
 /// A scalar condition with a scalar reaction.
@@ -80,8 +80,10 @@ pub fn of(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
         ConnectionKind::Wheels { .. } => vec![tracks::wheels(scene, kinematics, resolver, connection)?],
         ConnectionKind::Rolling { .. } => tracks::rolling(scene, kinematics, resolver, connection)?,
         ConnectionKind::Constraint { zero, on_rates } => {
+            let given = if *on_rates { Given::Rates } else { Given::Pathway(Measure::Other) };
+            let acts = located(scene, kinematics, resolver, (name, *zero), given)?;
             let zero = resolver.resolve(scene, kinematics, *zero)?;
-            vec![constraint(scene, name, zero, *on_rates)]
+            vec![constraint(name, (zero, *on_rates), acts)]
         }
         ConnectionKind::Support { at, directions, axes } => support(scene, kinematics, name, (*at, directions, *axes)),
         ConnectionKind::Motion { pathway, value, is_rate } => {
@@ -119,7 +121,7 @@ fn effort(pathway: Pathway, moment: &'static str, force: &'static str) -> (&'sta
     match pathway {
         Pathway::RelativeAngle(..) => (moment, "N m"),
         Pathway::Distance(..) => (force, "N"),
-        Pathway::Along(_) => (force, ""),
+        Pathway::Along(..) => (force, ""),
     }
 }
 
@@ -302,24 +304,13 @@ fn rope(
     })
 }
 
-fn constraint(scene: &mut Scene, name: &str, zero: Expr, on_rates: bool) -> Component {
+fn constraint(name: &str, (zero, on_rates): (Expr, bool), acts: Vec<Act>) -> Component {
     let label = Text::new(format!("constraint {name}"), format!("связь {name}"));
-    let mut columns = crate::derive::scene::Columns::new();
-    if on_rates {
-        for j in 0..scene.n() {
-            let e = scene.by_rate(zero, j);
-            if !scene.graph.is_zero(e) {
-                columns.insert(j, e);
-            }
-        }
-    } else {
-        columns = scene.gradient(zero);
-    }
     let (place, rate) = if on_rates { (None, Some(zero)) } else { (Some(zero), None) };
-    Component { place, rate, ..Component::ideal((Part::Force, "λ", ""), label, vec![Act::Along(columns)]) }
+    Component { place, rate, ..Component::ideal((Part::Force, "λ", ""), label, acts) }
 }
 
-/// Velocity components of the point, or angular velocities of its body, are held.
+/// Velocity components of the point, or angular velocities of its body, are held relative to what the body stands on, which gets the opposite.
 fn support(
     scene: &mut Scene,
     kinematics: &mut Kinematics,
@@ -327,11 +318,13 @@ fn support(
     (at, directions, axes): (PointRef, &[SupportDirection], FrameId),
 ) -> Vec<Component> {
     let axes = axes_of(scene, kinematics, axes);
-    let columns = kinematics.jacobian(scene, at);
-    let velocity = combine(scene, &columns);
     let body = frame_of(scene, at);
-    let turning = kinematics.turning_in_ground_axes(scene, body);
-    let turning = combine(scene, &turning);
+    let base = carrier(scene.model, body);
+    let place = kinematics.position(scene, at);
+    let columns = [kinematics.jacobian(scene, at), particle(scene, kinematics, base, &place)];
+    let velocity = relative(scene, columns);
+    let columns = [body, base].map(|f| kinematics.turning_in_ground_axes(scene, f));
+    let turning = relative(scene, columns);
     let mut list = Vec::new();
     for direction in directions {
         let (turns, i) = match direction {
@@ -343,10 +336,11 @@ fn support(
             SupportDirection::TurnZ => (true, 2),
         };
         let axis = axes[i];
+        let against = axis.map(|e| scene.graph.neg(e));
         let (moving, acts) = if turns {
-            (turning, vec![Act::Turn { on: body, moment: axis }])
+            (turning, vec![Act::Turn { on: body, moment: axis }, Act::Turn { on: base, moment: against }])
         } else {
-            (velocity, vec![Act::Point { point: at, force: axis }])
+            (velocity, vec![Act::Point { point: at, force: axis }, Act::Place { on: base, at: place, force: against }])
         };
         let (what, part, letter) = if turns { moment_about(i) } else { in_axis(i) };
         let rate = scene.dot(&axis, &moving);
@@ -356,6 +350,12 @@ fn support(
         list.push(Component { rate: Some(rate), ..Component::ideal((part, letter, unit), label, acts) });
     }
     list
+}
+
+/// Difference of two velocities.
+fn relative(scene: &mut Scene, columns: [Columns<Vector>; 2]) -> Vector {
+    let [own, base] = columns.map(|c| combine(scene, &c));
+    scene.minus(&own, &base)
 }
 
 /// pathway - value(t), or its rate.

@@ -13,6 +13,7 @@ mod tracks;
 use super::kinematics::Kinematics;
 use super::loads::Loads;
 use super::pathways;
+use super::place::{Open, Placer};
 use super::requests::Resolver;
 use super::scene::{Columns, Scene};
 use super::wrench::{Act, generalized};
@@ -223,12 +224,34 @@ impl Connected {
         Ok(Law::Friction(Box::new(Friction { condition: self.conditions.len(), sliding, kinetic, fixed: limit, normal: law })))
     }
 
-    /// The balances of released bodies, and what each reaction gives there.
-    pub fn balance(&mut self, scene: &mut Scene, kinematics: &Kinematics, loads: &Loads, inertial: &[Act]) {
-        let frames: Vec<FrameId> = self.released.iter().copied().collect();
-        for frame in frames {
-            release::balance(scene, kinematics, frame, (loads, inertial), self);
+    /// The balances of released bodies, and what each reaction gives there; what loads by formulas leave open joins the reactions.
+    pub fn balance(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads, inertial: &[Act]) {
+        if self.released.is_empty() {
+            return;
         }
+        let mut placer = Placer::new(scene, kinematics, is_spatial(scene.model));
+        let loads = placer.place(scene, kinematics, &loads.acts);
+        let inertial = placer.place(scene, kinematics, inertial);
+        self.acts = self.acts.iter().map(|acts| placer.place(scene, kinematics, acts)).collect();
+        let frames: Vec<FrameId> = self.released.iter().copied().collect();
+        for open in placer.open {
+            if release::is_felt(scene, kinematics, &frames, &open.acts) {
+                self.leave_open(scene, open);
+            }
+        }
+        for frame in frames {
+            release::balance(scene, kinematics, frame, (&loads, &inertial), self);
+        }
+    }
+
+    /// An unknown of the balances that is no reaction.
+    fn leave_open(&mut self, scene: &mut Scene, open: Open) {
+        let symbol = self.name(scene, "place", &open.name);
+        let label = Text::new(format!("place of {}", open.name), format!("место приложения {}", open.name));
+        let (forces, released) = (Vec::new(), Vec::new());
+        self.reactions.push(Reaction { symbol, name: open.name, unit: String::new(), label, forces, released, law: Law::Place });
+        self.geometric.push(Columns::new());
+        self.acts.push(open.acts);
     }
 
     /// Σ λ · generalized force, by differentiation, on coordinate j.
@@ -314,10 +337,10 @@ impl Connected {
         !self.released.is_empty()
     }
 
-    /// Σ columns q'' - rest - Σ released λ of every balance that is complete.
+    /// Σ columns q'' - rest - Σ released λ of every balance.
     pub fn balance_residuals(&self, scene: &mut Scene) -> Vec<Expr> {
         let mut residuals = Vec::new();
-        for (row, balance) in self.balances.iter().enumerate().filter(|(_, b)| b.complete) {
+        for (row, balance) in self.balances.iter().enumerate() {
             let mut terms = vec![scene.graph.neg(balance.rest)];
             for (j, e) in &balance.columns {
                 terms.push(scene.graph.mul(*e, scene.q[*j][2]));
@@ -354,7 +377,7 @@ impl Connected {
                         list.extend(normal.terms.iter().map(|(_, e)| *e));
                     }
                 }
-                Law::Ideal { .. } | Law::Support | Law::Motor => {}
+                Law::Ideal { .. } | Law::Support | Law::Motor | Law::Place => {}
             }
         }
         for balance in &self.balances {
@@ -493,5 +516,5 @@ fn path(
     connection: &Connection,
     pathway: crate::model::Pathway,
 ) -> super::scene::Found<pathways::Path> {
-    pathways::resolve(scene, kinematics, resolver, (pathway, &connection.span))
+    pathways::resolve(scene, kinematics, resolver, (&connection.name, pathway, &connection.span))
 }

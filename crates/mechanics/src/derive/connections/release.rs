@@ -2,20 +2,21 @@
 
 use super::Connected;
 use crate::derive::kinematics::Kinematics;
-use crate::derive::loads::Loads;
-use crate::derive::scene::Scene;
-use crate::derive::wrench::Act;
+use crate::derive::scene::{Scene, Vector};
+use crate::derive::wrench::{Act, carrier};
 use crate::model::{Axis, FrameId, Inertia, Model, Origin};
-use symbolic::connections::Balance;
+use symbolic::connections::{Balance, Law};
 use symbolic::{Expr, Substitution, SymbolId, Text};
 
 /// A virtual displacement of a released body.
-#[derive(Clone, Copy)]
+#[derive(Clone, PartialEq)]
 enum Displacement {
     /// Along an axis of the ground.
     Along(Axis),
     /// About an axis of the ground through the body's origin.
     About(Axis),
+    /// Along the force of a reaction.
+    With(Vector, Text),
 }
 
 const PLANE: [Displacement; 3] = [Displacement::Along(Axis::X), Displacement::Along(Axis::Y), Displacement::About(Axis::Z)];
@@ -46,15 +47,6 @@ pub fn is_spatial(model: &Model) -> bool {
         || model.forces.iter().any(|f| matches!(&f.action, crate::model::Action::AtPoint { value, .. } if off(value[2])))
 }
 
-/// The frame that a frame is attached to: that of the point where its origin is, whatever axes its angle counts from.
-fn carrier(model: &Model, frame: FrameId) -> FrameId {
-    let frame = &model.frames[frame.index()];
-    match frame.origin {
-        Origin::Point(p) => model.points[p.index()].on,
-        Origin::Vector(_) => frame.on,
-    }
-}
-
 /// From a frame to the ground, both included.
 fn chain(scene: &Scene, frame: FrameId) -> Vec<FrameId> {
     let mut list = vec![frame];
@@ -74,7 +66,7 @@ pub fn parted(scene: &Scene, a: FrameId, b: FrameId) -> Vec<FrameId> {
 }
 
 /// Work of an action in a virtual displacement of a body: zero unless it acts on the body or on something that stands on it.
-fn work(scene: &mut Scene, kinematics: &Kinematics, act: &Act, (frame, displacement): (FrameId, Displacement)) -> Expr {
+fn work(scene: &mut Scene, kinematics: &Kinematics, act: &Act, (frame, displacement): (FrameId, &Displacement)) -> Expr {
     let carried = act.frame(scene).is_some_and(|f| chain(scene, f).contains(&frame));
     if !carried {
         return scene.graph.zero();
@@ -86,13 +78,14 @@ fn work(scene: &mut Scene, kinematics: &Kinematics, act: &Act, (frame, displacem
         Act::Turn { moment, .. } => {
             return match displacement {
                 Displacement::About(axis) => moment[axis.index()],
-                Displacement::Along(_) => scene.graph.zero(),
+                _ => scene.graph.zero(),
             };
         }
         Act::Along(_) => return scene.graph.zero(),
     };
     match displacement {
         Displacement::Along(axis) => force[axis.index()],
+        Displacement::With(way, _) => scene.dot(way, &force),
         Displacement::About(axis) => {
             let arm = scene.minus(&at, &origin);
             scene.cross(&arm, &force)[axis.index()]
@@ -100,15 +93,50 @@ fn work(scene: &mut Scene, kinematics: &Kinematics, act: &Act, (frame, displacem
     }
 }
 
+/// Whether actions do work in some displacement of the released bodies.
+pub fn is_felt(scene: &mut Scene, kinematics: &Kinematics, frames: &[FrameId], acts: &[Act]) -> bool {
+    let displacements: &[Displacement] = if is_spatial(scene.model) { &SPACE } else { &PLANE };
+    frames.iter().any(|frame| {
+        displacements.iter().any(|displacement| {
+            let parts: Vec<Expr> = acts.iter().map(|act| work(scene, kinematics, act, (*frame, displacement))).collect();
+            let sum = scene.graph.sum(&parts);
+            let sum = scene.tidy(sum);
+            !scene.graph.is_zero(sum)
+        })
+    })
+}
+
+/// Displacements along the forces of the reactions that hold the body, then along and about the axes of the ground. The first give each reaction
+/// its own balance: what holds the body across it and was not asked for has no part there, and the balance serves in every position. A structure
+/// without coordinates stands in one position: the axes of the ground suffice.
+fn displacements(scene: &Scene, frame: FrameId, connected: &Connected) -> Vec<Displacement> {
+    let mut list: Vec<Displacement> = Vec::new();
+    let ground: &[Displacement] = if is_spatial(scene.model) { &SPACE } else { &PLANE };
+    if scene.n() == 0 {
+        return ground.to_vec();
+    }
+    let graph = &scene.graph;
+    let of_ground = |v: &Vector| v.iter().filter(|e| !graph.is_zero(**e)).count() == 1 && v.iter().all(|e| graph.as_number(*e).is_some());
+    for (reaction, acts) in connected.reactions.iter().zip(&connected.acts).filter(|(r, _)| matches!(r.law, Law::Support)) {
+        for act in acts.iter().filter(|act| act.frame(scene) == Some(frame)) {
+            let (Act::Point { force, .. } | Act::Place { force, .. }) = act else { continue };
+            let known = |d: &Displacement| matches!(d, Displacement::With(way, _) if way == force);
+            if !of_ground(force) && !list.iter().any(known) {
+                list.push(Displacement::With(*force, Text::same(&reaction.name)));
+            }
+        }
+    }
+    list.extend(ground.iter().cloned());
+    list
+}
+
 /// Adds the balances of a released body.
-pub fn balance(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId, (loads, inertial): (&Loads, &[Act]), connected: &mut Connected) {
+pub fn balance(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId, (loads, inertial): (&[Act], &[Act]), connected: &mut Connected) {
     let model = scene.model;
-    let displacements: &[Displacement] = if is_spatial(model) { &SPACE } else { &PLANE };
-    let complete = complete(scene, kinematics, frame, (loads, connected));
-    for displacement in displacements {
+    for displacement in &displacements(scene, frame, connected) {
         let row = connected.balances.len();
         for k in 0..connected.reactions.len() {
-            let parts: Vec<Expr> = connected.acts[k].iter().map(|act| work(scene, kinematics, act, (frame, *displacement))).collect();
+            let parts: Vec<Expr> = connected.acts[k].iter().map(|act| work(scene, kinematics, act, (frame, displacement))).collect();
             let e = scene.graph.sum(&parts);
             let e = scene.tidy(e);
             if !scene.graph.is_zero(e) {
@@ -116,10 +144,10 @@ pub fn balance(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId, (load
             }
         }
         let mut sum = |acts: &[Act]| -> Expr {
-            let parts: Vec<Expr> = acts.iter().map(|act| work(scene, kinematics, act, (frame, *displacement))).collect();
+            let parts: Vec<Expr> = acts.iter().map(|act| work(scene, kinematics, act, (frame, displacement))).collect();
             scene.graph.sum(&parts)
         };
-        let (inertia, applied) = (sum(inertial), sum(&loads.acts));
+        let (inertia, applied) = (sum(inertial), sum(loads));
         let mut columns = Vec::new();
         for (j, c) in model.coordinates.iter().enumerate() {
             let e = scene.graph.derivative(inertia, c.symbols[2]);
@@ -132,30 +160,18 @@ pub fn balance(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId, (load
         let still: Vec<(SymbolId, Expr)> = model.coordinates.iter().map(|c| (c.symbols[2], zero)).collect();
         let carried = Substitution::new(still).apply(&mut scene.graph, inertia);
         let rest = scene.graph.sub(applied, carried);
-        let name = label(&model.frames[frame.index()].name, *displacement);
-        connected.balances.push(Balance { name, columns, rest, complete });
+        let name = label(&model.frames[frame.index()].name, displacement);
+        connected.balances.push(Balance { name, columns, rest });
     }
 }
 
-/// Whether no load on the body is a mere formula.
-fn complete(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId, (loads, connected): (&Loads, &Connected)) -> bool {
-    let carried: Vec<FrameId> = (0..scene.model.frames.len()).map(FrameId).filter(|f| chain(scene, *f).contains(&frame)).collect();
-    let mut moving: Vec<usize> = Vec::new();
-    for f in carried {
-        moving.extend(kinematics.frames[f.index()].turning.keys());
-        let origin = kinematics.frames[f.index()].origin;
-        for e in origin {
-            moving.extend(scene.gradient(e).keys());
-        }
-    }
-    let touches = |act: &Act| matches!(act, Act::Along(columns) if columns.keys().any(|j| moving.contains(j)));
-    !loads.acts.iter().any(touches) && !connected.acts.iter().flatten().any(touches)
-}
-
-fn label(body: &str, displacement: Displacement) -> Text {
-    let axis = |a: Axis| ["x", "y", "z"][a.index()];
+fn label(body: &str, displacement: &Displacement) -> Text {
+    let axis = |a: &Axis| ["x", "y", "z"][a.index()];
     match displacement {
         Displacement::Along(a) => Text::new(format!("{body}, forces along {}", axis(a)), format!("{body}, силы вдоль {}", axis(a))),
+        Displacement::With(_, reaction) => {
+            Text::new(format!("{body}, forces along {}", reaction.en), format!("{body}, силы вдоль {}", reaction.ru))
+        }
         Displacement::About(a) => {
             Text::new(format!("{body}, moments about {}", axis(a)), format!("{body}, моменты относительно {}", axis(a)))
         }
