@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 mod conditions;
 
-use program::{Bound, Evaluator, Jets, Operation, Point, Program, Tape, passes};
+use program::{Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
 use symbolic::connections::Law;
 use symbolic::{Equations, Text};
 
 use crate::connections::{Undetermined, assemble};
 use crate::fault::Message;
+use crate::system::Jacobian;
 use crate::{Fault, Guard, GuardKind, Mode, Powers, Quantity, System};
 use conditions::Conditions;
 
@@ -24,6 +25,7 @@ pub struct Machine {
     /// Specialised for the parameters; [`Machine::new`] keeps the general tapes for what is asked rarely.
     bound: Bound,
     jets: Jets,
+    tangent: Tangent,
     observed: Evaluator,
     /// q'' and reactions.
     forces: Evaluator,
@@ -37,6 +39,8 @@ pub struct Machine {
     statics: Evaluator,
     /// Of the last expansion.
     expanded: Switches,
+    /// Of the last Jacobian.
+    linearised: Switches,
     /// Of the last output.
     observing: Switches,
     /// q'', then all reactions.
@@ -102,6 +106,7 @@ impl Machine {
             turning: (0..equations.coordinates.len()).map(|i| equations.turns_freely(i)).collect(),
             outputs: outputs(equations),
             jets: bound.jets(1),
+            tangent: bound.tangent(),
             needs_accelerations: reads_accelerations(observed.tape()),
             observed,
             forces: bound.evaluator(&bound.program().forces)?,
@@ -112,6 +117,7 @@ impl Machine {
             places: general.evaluator(&program.places)?,
             statics: general.evaluator(&program.statics)?,
             expanded: Switches::default(),
+            linearised: Switches::default(),
             observing: Switches::default(),
             accelerations: vec![0.0; program.coordinates + program.reactions],
             guards,
@@ -305,6 +311,12 @@ impl System for Machine {
         self.expanded.set(modes, &self.bound);
         let expanded = self.jets.expand(t, x, &self.expanded.modes, order);
         expanded.map_err(|fault| if fault.singular.is_some() { self.singular(fault.into(), x) } else { fault.into() })
+    }
+
+    fn jacobian(&mut self, t: f64, x: &[f64], modes: &[Mode], jacobian: &mut [f64]) -> Result<Jacobian, Fault> {
+        self.linearised.set(modes, &self.bound);
+        self.tangent.jacobian(t, x, &self.linearised.modes, jacobian)?;
+        Ok(Jacobian::Given)
     }
 
     fn state(&self, i: usize) -> &[f64] {

@@ -116,6 +116,15 @@ pub struct Powers {
     pub dissipated: f64,
 }
 
+/// Whether a system has given its Jacobian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Jacobian {
+    /// It is in the table handed over.
+    Given,
+    /// The system has no derivatives.
+    Absent,
+}
+
 /// A machine as studies see it.
 pub trait System {
     /// States in the order (q, q', s).
@@ -141,6 +150,16 @@ pub trait System {
     ///
     /// *Errors*: the equations are singular or undefined there.
     fn expand(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault>;
+
+    /// Jacobian ∂x'/∂x at (t, x) in the given modes: row i holds the derivatives of x'_i. Does not disturb the last expansion.
+    ///
+    /// A system that gives none is integrated by Taylor series only.
+    ///
+    /// *Shapes*: row-major, length of x squared. *Errors*: the equations have no value or no derivative there.
+    fn jacobian(&mut self, t: f64, x: &[f64], modes: &[Mode], jacobian: &mut [f64]) -> Result<Jacobian, Fault> {
+        let _ = (t, x, modes, jacobian);
+        Ok(Jacobian::Absent)
+    }
 
     /// Coefficients of state `i` from the last [`System::expand`]; length order + 1.
     fn state(&self, i: usize) -> &[f64];

@@ -171,7 +171,7 @@ fn runs_of_zero_coefficients_mislead_no_order() {
     for tolerance in [1e-3, 1e-6, 1e-9] {
         for order in 6..=40 {
             let mut machine = shaft::double_pendulum();
-            let options = Options { tolerance, order: Some(order), span: 5.0 };
+            let options = Options { tolerance, order: Some(order), span: 5.0, ..Options::default() };
             let mut flow = Flow::start(&mut machine, 0.0, &[quarter, quarter, 0.0, 0.0], &options).unwrap();
             while !flow.reached(5.0) {
                 flow.advance(5.0).unwrap();

@@ -73,6 +73,10 @@ impl Evaluator {
     pub fn value(&self, register: Register) -> f64 {
         self.registers[register.index()]
     }
+    /// All registers, for what follows the values through the tape.
+    pub(crate) fn registers(&self) -> &[f64] {
+        &self.registers
+    }
     /// Value of a coefficient.
     pub fn coefficient(&self, c: Coefficient) -> f64 {
         resolve(c, &self.registers)
@@ -210,7 +214,7 @@ pub(crate) fn resolve(c: Coefficient, registers: &[f64]) -> f64 {
 }
 
 /// Which side a choice takes, or the register that cannot decide because it holds no number.
-fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Result<Mode, Register> {
+pub(crate) fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Result<Mode, Register> {
     let register = match (by, point.modes) {
         (By::Value(r), _) => r,
         (By::Mode(g), Some(modes)) if point.active.is_none_or(|a| a[g as usize]) => return Ok(modes[g as usize]),

@@ -6,7 +6,8 @@
 //!
 //! A [`Program`] holds one [`Tape`] for each question (dynamics, forces of connections, outputs, energy, second derivation,
 //! statics, conditions, start). The [`Evaluator`]
-//! interprets any of them and is the oracle; [`Jets`] expands the motion in a Taylor series. Switches are [`Guard`]s with [`Mode`]s.
+//! interprets any of them and is the oracle; [`Jets`] expands the motion in a Taylor series, [`Tangent`] gives
+//! its Jacobian. Switches are [`Guard`]s with [`Mode`]s.
 //! Everything that can go wrong is a [`Fault`] with code, cause and cure.
 //!
 //! ```
@@ -58,6 +59,7 @@ pub mod lower;
 pub mod passes;
 mod program;
 mod solve;
+mod tangent;
 mod tape;
 pub mod text;
 mod verify;
@@ -67,5 +69,6 @@ pub use guard::{Guard, GuardKind, Mode};
 pub use interpret::{Evaluator, Point};
 pub use jets::Jets;
 pub use program::{Bound, ConnectionRoots, ENERGY, Program, RestRoots};
+pub use tangent::Tangent;
 pub use tape::{Bounded, By, Coefficient, Instruction, Operation, Real, Register, Root, Shape, Tape, Unary};
 pub use verify::verify;
