@@ -231,7 +231,13 @@ impl Command {
         });
         let fails = claims.iter().any(|claim| matches!(claim, Claim::Fails(_)));
         let outputs = if fails { None } else { Some(wanted.collect()) };
-        let options = Simulate { grid: Grid::At(times.clone()), tolerance: self.tolerance, method: self.method, outputs, ..Simulate::until(self.until) };
+        let options = Simulate {
+            grid: Grid::At(times.clone()),
+            tolerance: self.tolerance,
+            method: self.method,
+            outputs,
+            ..Simulate::until(self.until)
+        };
         let start = match machine.system.start() {
             Ok(start) => start,
             Err(fault) => return Ok(Outcome::Trouble { code: fault.code, what: fault.what.en.clone() }),
