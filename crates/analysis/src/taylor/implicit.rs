@@ -32,6 +32,8 @@ const SMOOTH: f64 = 0.05;
 const STILL: f64 = 1e-12;
 /// Part of the way to an instant up to which a step is cut in two equal ones.
 const HALVES: f64 = 2.0;
+/// Relative violation of conditions up to which a step may leave them, or a hundred tolerances.
+const DRIFT: f64 = 1e-10;
 
 /// The implicit method of a flow, and when to use it.
 #[derive(Clone, Debug)]
@@ -168,15 +170,21 @@ impl Implicit {
     }
 }
 
+/// Where an implicit step has ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Landing {
+    Done,
+    /// The equations have no value there.
+    OutOfReach,
+    /// The step has left the conditions of connections by too much: they are held by rounding only, which grows with its length.
+    Drifts,
+}
+
 impl<S: System + ?Sized> Flow<'_, S> {
     /// An implicit step towards `target`, of this length at most; false when none is worth its cost, and the Taylor step is to be taken.
     pub(super) fn advance_implicitly(&mut self, length: f64, target: f64) -> Result<bool, Fault> {
         let mut engine = self.implicit.take_engine()?;
-        let found = self.try_lengths(&mut engine, length, target);
-        let done = match found {
-            Some((h, growth)) => self.land(&mut engine, (h, growth), target)?,
-            None => false,
-        };
+        let done = self.step_and_land(&mut engine, length, target)?;
         let counts = engine.counts();
         (self.work.jacobians, self.work.factorisations) = (counts.jacobians, counts.factorisations);
         (self.work.newton, self.work.rates) = (counts.newton, counts.rates);
@@ -190,6 +198,18 @@ impl<S: System + ?Sized> Flow<'_, S> {
             self.note_turns();
         }
         Ok(done)
+    }
+
+    /// Steps that hold, shorter and shorter until one keeps to the conditions of connections too.
+    fn step_and_land(&mut self, engine: &mut Collocation, mut length: f64, target: f64) -> Result<bool, Fault> {
+        while let Some((h, growth)) = self.try_lengths(engine, length, target) {
+            match self.land(engine, (h, growth), target)? {
+                Landing::Done => return Ok(true),
+                Landing::Drifts if 0.5 * h >= self.implicit.least(self.guess) => length = 0.5 * h,
+                Landing::Drifts | Landing::OutOfReach => return Ok(false),
+            }
+        }
+        Ok(false)
     }
 
     /// The length of a step that holds, with the factor for the next.
@@ -216,8 +236,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
         None
     }
 
-    /// Takes the step that holds up to its end or to the first event in it; false when its end is out of reach.
-    fn land(&mut self, engine: &mut Collocation, (h, growth): (f64, f64), target: f64) -> Result<bool, Fault> {
+    /// Takes the step that holds up to its end or to the first event in it.
+    fn land(&mut self, engine: &mut Collocation, (h, growth): (f64, f64), target: f64) -> Result<Landing, Fault> {
         self.step.take_implicit(engine, &self.x);
         let full = h >= self.now.until(target);
         let (length, event) = self.shorten_to_event(h);
@@ -231,7 +251,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let lands = if full && !event { Instant::at(target) } else { self.now.after(length) };
         if self.correct(lands).and_then(|()| self.probe(lands, event)).is_err() {
             self.work.rejected += 1;
-            return Ok(false);
+            return Ok(Landing::OutOfReach);
+        }
+        if self.removed > DRIFT.max(100.0 * self.rule.tolerance) {
+            self.work.rejected += 1;
+            return Ok(Landing::Drifts);
         }
         self.step.length = length;
         self.work.implicit_steps += 1;
@@ -243,7 +267,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             engine.forget();
         }
         self.show_turns();
-        arrived.map(|()| true)
+        arrived.map(|()| Landing::Done)
     }
 
     /// A Taylor step of the length found is accepted.
