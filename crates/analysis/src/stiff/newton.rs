@@ -10,7 +10,7 @@
 
 use super::collocation::{Base, Counts};
 use super::radau::Tableau;
-use super::scales::Scales;
+use super::scales::{NOTHING, Scales};
 use crate::System;
 use crate::numerics::complex::Complex;
 use crate::numerics::complex_lu::ComplexLu;
@@ -125,7 +125,7 @@ impl Newton {
             if iteration == 0 {
                 self.note_noise((tableau, h), scales);
             }
-            let rounded = self.is_rounding(stages);
+            let rounded = self.is_rounding(stages, scales);
             self.correct(tableau);
             stages.values.iter_mut().zip(&self.change.values).for_each(|(z, d)| *z += d);
             scales.measure(base.x, stages);
@@ -188,10 +188,10 @@ impl Newton {
     }
 
     /// Whether nothing but rounding is left of the residuals.
-    fn is_rounding(&self, stages: &Stages) -> bool {
+    fn is_rounding(&self, stages: &Stages, scales: &Scales) -> bool {
         let rows = self.residual.values.chunks(self.n).zip(stages.values.chunks(self.n));
         let mut all = rows.flat_map(|(r, z)| r.iter().zip(z).zip(&self.rounding));
-        all.all(|((r, z), noise)| r.abs() <= noise + ROUNDING * f64::EPSILON * z.abs())
+        all.all(|((r, z), noise)| r.abs() <= noise + ROUNDING * f64::EPSILON * z.abs() + NOTHING * scales.tolerance)
     }
 
     /// d from r.

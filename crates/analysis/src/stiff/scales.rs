@@ -13,6 +13,9 @@ const UNIT_SHARE: f64 = 1e-8;
 /// Multiple of the noise that the control does not look below.
 const NOISY: f64 = 4.0;
 
+/// A state that has decayed to this is zero: below the smallest normal number there are no digits to control.
+pub(super) const NOTHING: f64 = 1e-280;
+
 /// A_i with the groups of states that have one unit.
 #[derive(Clone, Debug)]
 pub(super) struct Scales {
@@ -42,7 +45,7 @@ impl Scales {
         }
         for (k, scale) in self.of.iter_mut().enumerate() {
             let rounding = f64::EPSILON * x[k].abs() + NOISY * self.noise[k];
-            *scale = scale.max(UNIT_SHARE * self.largest[self.group[k]]).max(rounding / self.tolerance).max(f64::MIN_POSITIVE);
+            *scale = scale.max(UNIT_SHARE * self.largest[self.group[k]]).max(rounding / self.tolerance).max(NOTHING);
         }
     }
 }
