@@ -34,7 +34,7 @@ pub const STUDY: TableSpec = TableSpec {
             "method",
             Type::String,
             "",
-            "auto",
+            "\"auto\"",
             (
                 "simulate: how the motion is integrated: taylor (Taylor series), stiff (implicit, for damping that is fast beside the motion), auto (whichever is worth while)",
                 "simulate: как интегрируется движение: taylor (ряды Тейлора), stiff (неявный метод для затухания, быстрого по сравнению с движением), auto (что выгоднее)",
