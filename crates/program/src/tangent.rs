@@ -147,6 +147,9 @@ fn differentiate(
     Ok(())
 }
 
+/// Row, column and register of an entry of a matrix.
+type Entry = (usize, usize, Register);
+
 /// (i, j) of the packed lower triangle, by rows.
 fn triangle(size: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..size).flat_map(|i| (0..=i).map(move |j| (i, j)))
@@ -157,7 +160,7 @@ fn solve(
     rows: &mut [f64],
     n: usize,
     (into, right): (usize, &[Register]),
-    (solution, entries): (&dyn Fn(usize) -> f64, Vec<(usize, usize, Register)>),
+    (solution, entries): (&dyn Fn(usize) -> f64, Vec<Entry>),
     invert: &mut dyn FnMut(&mut [f64]),
 ) {
     let mut b = vec![0.0; right.len()];

@@ -92,15 +92,18 @@ impl PowerBalance {
         system.powers(t, &x, &still, &step.modes).map_or(0.0, |p| p.rate.abs() + p.loads.abs() + p.drives.abs() + p.dissipated.abs())
     }
 
-    /// Power of the parts of the accelerations that are proportional to the rates, by size: a single load may hold terms that cancel, as
-    /// (μ (1 − x²) x' − x) does on the slow branches of a relaxation oscillation.
+    /// Power of the parts of the accelerations that are proportional to the rates, all taken by size: a single load may hold terms that cancel, as
+    /// (μ (1 − x²) x' − x) does on the slow branches of a relaxation oscillation, and so do strong dampers between bodies that move together.
     fn damping_alone<S: System + ?Sized>(&self, t: f64, step: &Step, system: &mut S, still: f64) -> f64 {
         let (n, width) = (system.n_coordinates(), self.x.len());
         let mut jacobian = vec![0.0; width * width];
         if !matches!(system.jacobian(t, &self.x, &step.modes, &mut jacobian), Ok(Jacobian::Given)) {
             return 0.0;
         }
-        let part = |i: usize| (n..2 * n).map(|j| jacobian[(n + i) * width + j] * self.x[j]).sum::<f64>();
+        let part = |i: usize| {
+            let terms: f64 = (n..2 * n).map(|j| (jacobian[(n + i) * width + j] * self.x[j]).abs()).sum();
+            terms.copysign(self.x[n + i])
+        };
         let parts: Vec<f64> = (0..n).map(part).collect();
         system.powers(t, &self.x, &parts, &step.modes).map_or(0.0, |p| (p.rate - still).abs())
     }
