@@ -58,6 +58,8 @@ const GROWTH: f64 = 8.0;
 const SAFETY: f64 = 0.9;
 /// How far the coefficients of a guard may exceed the tolerance.
 const GUARD_SLACK: f64 = 100.0;
+/// Share of its distance from zero by which a guard may be wrong that changes little.
+const FAR: f64 = 0.01;
 
 /// The implicit method with its memory.
 #[derive(Clone, Debug)]
@@ -77,6 +79,7 @@ pub(crate) struct Collocation {
     /// Guards at the nodes, node by node; rows of guards that decide nothing are empty.
     guard_values: Vec<f64>,
     guard_scales: Vec<f64>,
+    guard_noise: Vec<f64>,
     guard_active: Vec<bool>,
     /// Defect of the guards at the last attempt of this step: what does not fall with h is rounding.
     stubborn: Option<f64>,
@@ -101,6 +104,7 @@ impl Collocation {
             guards: Dense::new(n_guards, s),
             guard_values: vec![0.0; (s + 1) * n_guards],
             guard_scales: vec![0.0; n_guards],
+            guard_noise: vec![0.0; n_guards],
             guard_active: vec![false; n_guards],
             stubborn: None,
             point: vec![0.0; n],
@@ -234,6 +238,10 @@ impl Collocation {
                 let value = system.guard(k).first();
                 self.guard_active[k] = value.is_some();
                 self.guard_values[i * self.n_guards + k] = value.copied().unwrap_or(0.0);
+                // an instant is known to its rounding
+                let slope = system.guard(k).get(1).copied().unwrap_or(0.0);
+                let before = if i == 0 { 0.0 } else { self.guard_noise[k] };
+                self.guard_noise[k] = before.max(f64::EPSILON * (slope * base.start.high).abs());
             }
         }
         let mut worst: f64 = 0.0;
@@ -242,7 +250,11 @@ impl Collocation {
             let values = |i: usize| self.guard_values[i * self.n_guards + k];
             let first = values(0);
             self.guard_scales[k] = (1..width).fold(0.0, |m: f64, i| m.max((values(i) - first).abs()));
-            self.guard_scales[k] = self.guard_scales[k].max(f64::EPSILON * first.abs() / self.scales.tolerance);
+            let rounding = f64::EPSILON * first.abs() + self.guard_noise[k];
+            let nearest = (0..width).fold(f64::INFINITY, |m: f64, i| m.min(values(i).abs()));
+            // far from its surface beside its change within the step: only that it stays there matters
+            let far = if nearest > 2.0 * self.guard_scales[k] { FAR * nearest / GUARD_SLACK } else { 0.0 };
+            self.guard_scales[k] = self.guard_scales[k].max(rounding.max(far) / self.scales.tolerance);
             self.guards.fill(k, &self.tableau, first, (1..width).map(values));
             let last = self.guards.row(k)[width - 2..].iter().fold(0.0, |m: f64, a| m.max(a.abs()));
             worst = worst.max(if self.guard_active[k] { last / self.guard_allowance(k) } else { 0.0 });
