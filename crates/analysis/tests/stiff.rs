@@ -74,8 +74,8 @@ fn difference(system: &mut impl System, x: &[f64], modes: &[Mode]) -> f64 {
     let mut exact = vec![0.0; n * n];
     assert_eq!(system.jacobian(0.3, x, modes, &mut exact).unwrap(), Jacobian::Given);
     let (mut worst, mut largest): (f64, f64) = (0.0, 0.0);
-    for j in 0..n {
-        let h = 1e-3 * (1.0 + x[j].abs());
+    for (j, x_j) in x.iter().enumerate() {
+        let h = 1e-3 * (1.0 + x_j.abs());
         let mut at = |factor: f64| {
             let mut y = x.to_vec();
             y[j] += factor * h;
@@ -83,9 +83,9 @@ fn difference(system: &mut impl System, x: &[f64], modes: &[Mode]) -> f64 {
             (0..n).map(|i| system.state(i)[1]).collect::<Vec<_>>()
         };
         let (a, b, c, d) = (at(-2.0), at(-1.0), at(1.0), at(2.0));
+        let slope = |i: usize| (8.0 * (c[i] - b[i]) - (d[i] - a[i])) / (12.0 * h);
         for i in 0..n {
-            let slope = (8.0 * (c[i] - b[i]) - (d[i] - a[i])) / (12.0 * h);
-            worst = worst.max((slope - exact[i * n + j]).abs());
+            worst = worst.max((slope(i) - exact[i * n + j]).abs());
             largest = largest.max(exact[i * n + j].abs());
         }
     }

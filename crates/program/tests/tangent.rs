@@ -26,9 +26,9 @@ fn deviation(bound: &mut Bound, x: &[f64], modes: &[Mode]) -> f64 {
             bound.rates(0.3, &x, modes).unwrap()[..n].to_vec()
         };
         let (a, b, c, d) = (at(-2.0), at(-1.0), at(1.0), at(2.0));
+        let difference = |i: usize| (8.0 * (c[i] - b[i]) - (d[i] - a[i])) / (12.0 * h);
         for i in 0..n {
-            let difference = (8.0 * (c[i] - b[i]) - (d[i] - a[i])) / (12.0 * h);
-            worst = worst.max((difference - exact[i * n + j]).abs());
+            worst = worst.max((difference(i) - exact[i * n + j]).abs());
             largest = largest.max(exact[i * n + j].abs());
         }
     }

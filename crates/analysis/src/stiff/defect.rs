@@ -32,10 +32,10 @@ impl Collocation {
     fn at<S: System + ?Sized>(&mut self, system: &mut S, base: &Base<'_>, (tau, h): (f64, f64)) -> Option<f64> {
         let n = base.x.len();
         let mut defect = vec![0.0; n];
-        for k in 0..n {
+        for (k, d) in defect.iter_mut().enumerate() {
             let (z, slope) = crate::taylor::increment_and_slope(self.powers.row(k), tau);
             self.point[k] = base.x[k] + (z + base.low[k]);
-            defect[k] = slope;
+            *d = slope;
         }
         system.expand(base.time(tau), &self.point, base.modes, 1).ok()?;
         self.counts.rates += 1;
