@@ -25,8 +25,8 @@ use crate::fault::number;
 use crate::numerics::sum::{Instant, two_sum};
 use crate::{Fault, Mode, System};
 use accept::Defect;
-pub use length::HIGHEST_ORDER;
 use length::Rule;
+pub use length::{HIGHEST_ORDER, order_for};
 use switching::Crowd;
 
 /// Smallest and largest tolerance accepted.
