@@ -24,12 +24,25 @@ pub fn crossings(row: &[f64], noise: f64, sign: &mut f64) -> Vec<Bracket> {
     let mut open = vec![(row.to_vec(), 0.0_f64, 0_u32)];
     while let Some((row, from, depth)) = open.pop() {
         let width = 0.5_f64.powi(depth as i32);
-        let (changes, first, last) = signs(&row, noise);
-        if changes > 1 && depth < DEPTH {
+        let (changes, mut first, mut last) = signs(&row, noise);
+        // only the ends are values: a coefficient between says nothing about an end that is noise
+        let ends = [row[0], row[row.len() - 1]].map(|b| b.abs() > noise);
+        let clear = if changes == 0 { first == 0.0 || ends[0] || ends[1] } else { changes == 1 && ends[0] && ends[1] };
+        if !clear && depth < DEPTH {
             let (left, right) = halves(row);
             open.push((right, from + 0.5 * width, depth + 1));
             open.push((left, from, depth + 1));
             continue;
+        }
+        if !clear {
+            // an instant: what its ends say, if anything
+            let sides = [row[0], row[row.len() - 1]].map(f64::signum);
+            (first, last) = match ends {
+                [true, true] => (sides[0], sides[1]),
+                [true, false] => (sides[0], sides[0]),
+                [false, true] => (sides[1], sides[1]),
+                [false, false] => continue,
+            };
         }
         if first == 0.0 {
             continue;

@@ -85,12 +85,19 @@ impl Extremes {
             return;
         }
         let slope: Vec<f64> = c.iter().enumerate().skip(1).map(|(k, c_k)| k as f64 * c_k).collect();
-        let value = |tau: f64| slope.iter().rev().fold(0.0, |sum, c_k| sum * tau + c_k);
+        let mut value = |tau: f64| slope.iter().rev().fold(0.0, |sum, c_k| sum * tau + c_k);
         let row = crossings::from_powers(&slope, h);
         let mut sign = 0.0;
         for Bracket { from, to, .. } in crossings::crossings(&row, 0.0, &mut sign) {
             let (a, b) = (from * h, to * h);
-            let tau = if a < b { bracketed(&mut |tau| value(tau), (a, value(a)), (b, value(b))) } else { a };
+            let tau = if a < b {
+                {
+                    let ends = [value(a), value(b)];
+                    bracketed(&mut value, (a, ends[0]), (b, ends[1]))
+                }
+            } else {
+                a
+            };
             self.offer(j, along.time(tau), along.state(state, tau));
         }
         self.offer(j, along.time(0.0), first);
@@ -108,8 +115,15 @@ impl Extremes {
         self.offer(j, along.time(piece.from), piece.row[0]);
         let mut sign = 0.0;
         for Bracket { from, to, .. } in crossings::crossings(&row, 0.0, &mut sign) {
-            let slope = |u: f64| crossings::value(&row, u);
-            let u = if from < to { bracketed(&mut |u| slope(u), (from, slope(from)), (to, slope(to))) } else { from };
+            let mut slope = |u: f64| crossings::value(&row, u);
+            let u = if from < to {
+                {
+                    let ends = [slope(from), slope(to)];
+                    bracketed(&mut slope, (from, ends[0]), (to, ends[1]))
+                }
+            } else {
+                from
+            };
             let tau = at(u);
             let value = along.outputs(tau)[piece.of];
             self.offer(j, along.time(tau), value);

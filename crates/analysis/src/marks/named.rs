@@ -137,8 +137,9 @@ fn polished<S: System + ?Sized>(bracket: &Bracket, piece: &Piece, along: &mut Al
     if from >= to {
         return from;
     }
-    let value = |u: f64| crossings::value(&piece.row, u);
-    let rough = if piece.row.len() == 2 { 0.5 * (from + to) } else { bracketed(&mut |u| value(u), (from, value(from)), (to, value(to))) };
+    let mut value = |u: f64| crossings::value(&piece.row, u);
+    let ends = [value(from), value(to)];
+    let rough = if piece.row.len() == 2 { 0.5 * (from + to) } else { bracketed(&mut value, (from, ends[0]), (to, ends[1])) };
     let width = piece.to - piece.from;
     let mut exact = |u: f64| along.outputs(piece.from + width * u)[piece.of];
     let near = 1e-9;

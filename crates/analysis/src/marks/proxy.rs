@@ -2,7 +2,7 @@
 //!
 //! On [a, b] the values at Chebyshev's extreme points u_j = (1 - cos(π j/n))/2 give the coefficients of f = Σ c_k T_k(2u - 1). For an analytic f they
 //! fall like ρ^-k, ρ by the nearest singularity; n = 8 is tried, then 16, then the halves. The last two coefficients measure the error: they must fall
-//! below [`ERROR`] of the variation Σ |c_k|, k >= 1, or be rounding of the largest value. A kink or a jump (`abs` in an output) is closed in by halving to
+//! below [`ERROR`] of the variation Σ |c_k|, k >= 1, or be rounding of the largest value in the step. A kink or a jump (`abs` in an output) is closed in by halving to
 //! [`DEEPEST`]; a quantity that is noise itself never converges and is given up after [`PIECES`] pieces a step, which is more than any smooth one needs.
 //!
 //! *Source*: J. P. Boyd, Solving Transcendental Equations (SIAM 2014), chapter 3 (Chebyshev proxies with subdivision).
@@ -109,10 +109,15 @@ impl Proxies {
     pub fn pieces(&self, sample: &mut dyn FnMut(f64) -> Vec<f64>, wanted: &[usize], h: f64) -> Vec<Piece> {
         let mut out: Vec<Piece> = Vec::new();
         let mut spent = vec![0_usize; wanted.len()];
+        // of the whole step: in a small piece beside a zero the rounding is still that of the large terms
+        let mut largest = vec![0.0_f64; wanted.len()];
         let mut open: Vec<(f64, f64, Vec<usize>)> = vec![(0.0, h, (0..wanted.len()).collect())];
         while let Some((from, to, mut left)) = open.pop() {
             let coarse = self.values(&self.coarse, sample, (from, to), &[]);
-            left.retain(|&w| !self.take(&self.coarse, &coarse, (wanted[w], from, to), Last::No, &mut out));
+            for &w in &left {
+                largest[w] = coarse.iter().map(|row| row[wanted[w]].abs()).filter(|v| v.is_finite()).fold(largest[w], f64::max);
+            }
+            left.retain(|&w| !self.take(&self.coarse, &coarse, (wanted[w], from, to), (largest[w], Last::No), &mut out));
             if left.is_empty() {
                 continue;
             }
@@ -121,7 +126,7 @@ impl Proxies {
             left.retain(|&w| {
                 spent[w] += 1;
                 let last = if instant || spent[w] > PIECES { Last::Yes } else { Last::No };
-                !self.take(&self.fine, &fine, (wanted[w], from, to), last, &mut out)
+                !self.take(&self.fine, &fine, (wanted[w], from, to), (largest[w], last), &mut out)
             });
             if !left.is_empty() {
                 let middle = 0.5 * (from + to);
@@ -145,14 +150,20 @@ impl Proxies {
     }
 
     /// Adds the piece when it is exact enough.
-    fn take(&self, points: &Points, values: &[Vec<f64>], (of, from, to): (usize, f64, f64), last: Last, out: &mut Vec<Piece>) -> bool {
+    fn take(
+        &self,
+        points: &Points,
+        values: &[Vec<f64>],
+        (of, from, to): (usize, f64, f64),
+        (largest, last): (f64, Last),
+        out: &mut Vec<Piece>,
+    ) -> bool {
         let f: Vec<f64> = values.iter().map(|row| row[of]).collect();
         if f.iter().any(|v| !v.is_finite()) {
             return last == Last::Yes;
         }
         let c = points.times(&points.to_chebyshev, &f);
         let variation: f64 = c[1..].iter().map(|c| c.abs()).sum();
-        let largest = f.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let tail = c[points.n].abs() + c[points.n - 1].abs();
         if tail <= (ERROR * variation).max(ROUNDING * largest) {
             out.push(Piece { of, from, to, row: points.times(&points.to_bernstein, &c) });

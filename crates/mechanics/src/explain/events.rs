@@ -12,8 +12,8 @@ pub const EVENTS: &[Explanation] = &[
              also meant without the key).",
             "Событие — перемена знака формулы: с минуса на плюс (`rising`), с плюса на минус (`falling`) или любая (`both`, то же без ключа).",
         ),
-        "[events.top]\nzero = \"phi'\"\ndirection = \"down\"",
-        "[events.top]\nzero = \"phi'\"\ndirection = \"falling\"",
+        "[coordinates]\nphi = \"rad\"\n[bodies.b]\nangle = \"phi\"\ninertia = \"1 kg m^2\"\n[events.top]\nzero = \"phi'\"\ndirection = \"down\"",
+        "[coordinates]\nphi = \"rad\"\n[bodies.b]\nangle = \"phi\"\ninertia = \"1 kg m^2\"\n[events.top]\nzero = \"phi'\"\ndirection = \"falling\"",
     ),
     row(
         "M113",
@@ -24,7 +24,7 @@ pub const EVENTS: &[Explanation] = &[
             "Формула события не зависит ни от движения, ни от времени, поэтому её знак никогда не меняется. Сравните с постоянной координату, скорость, \
              реакцию или t.",
         ),
-        "[events.end]\nzero = \"l - 1 [m]\"",
-        "[events.end]\nzero = \"x - l\"",
+        "[parameters]\nl = \"2 m\"\n[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[events.end]\nzero = \"l - 1 [m]\"",
+        "[parameters]\nl = \"2 m\"\n[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[events.end]\nzero = \"x - l\"",
     ),
 ];
