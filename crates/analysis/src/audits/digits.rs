@@ -28,7 +28,8 @@ pub fn digits(size: f64, deviation: f64) -> i32 {
     if deviation == 0.0 {
         return MOST as i32;
     }
-    let digits = (size / (2.0 * deviation)).log10().floor() + 1.0;
+    // half a unit of the last digit is not less than the deviation
+    let digits = (size.log10().floor() - (2.0 * deviation).log10()).floor() + 1.0;
     if digits.is_nan() { 0 } else { digits.clamp(0.0, MOST) as i32 }
 }
 
@@ -96,9 +97,10 @@ mod tests {
     #[test]
     fn digits_count_what_two_numbers_share() {
         assert_eq!(digits(1.0, 0.0), 15);
-        // 3.1416 and 3.1415: the fourth digit holds, the fifth does not
-        assert_eq!(digits(3.1416, 1e-4), 5);
-        assert_eq!(digits(3.0, 1.0), 1);
+        // 2.5182 and 2.5183: four digits, 2.518
+        assert_eq!(digits(2.5182, 1e-4), 4);
+        assert_eq!(digits(3.0, 1.0), 0);
+        assert_eq!(digits(3.0, 0.4), 1);
         assert_eq!(digits(1.0, 3.0), 0);
         assert_eq!(digits(0.0, 1.0), 0);
     }

@@ -69,7 +69,7 @@ fn chebyshev_in_bernstein(k: usize, n: usize) -> Vec<f64> {
     let mut b = Vec::with_capacity(n + 1);
     let (mut upper, mut lower) = (1.0, 1.0);
     for j in 0..=k {
-        let sign = if (k - j) % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if (k - j).is_multiple_of(2) { 1.0 } else { -1.0 };
         b.push(sign * upper / lower);
         let at = |m: usize| m as f64;
         if j < k {
