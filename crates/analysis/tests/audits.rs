@@ -78,7 +78,8 @@ fn run(mut system: Told, tolerance: f64, until: f64) -> Dataset {
 fn ledger_sees_work_that_nobody_did() {
     let honest = run(Told::new(), 1e-12, 20.0);
     let audit = honest.audit("energy_ledger").unwrap();
-    assert!(audit.ok && audit.value < 1e-13, "{audit:?}");
+    // some ten steps, each off by about the tolerance of its change
+    assert!(audit.ok && audit.value < 1e-11, "{audit:?}");
     // a thousandth of the power that flows between the energies
     let told = run(Told { loads: |_, v| 1e-3 * v * v, ..Told::new() }, 1e-12, 20.0);
     assert!(!told.audit("energy_ledger").unwrap().ok);
