@@ -19,6 +19,10 @@ pub struct Dataset {
     pub states: Vec<String>,
     /// What happened along the axis.
     pub events: Vec<Event>,
+    /// Least and greatest values of the motion itself, not of its rows.
+    pub extremes: Vec<Extreme>,
+    /// What a repetition with other steps confirms.
+    pub digits: Option<Digits>,
     /// Work done, by name: steps, evaluations.
     pub counters: Vec<Counter>,
     /// Remarks to show beside the result.
@@ -82,11 +86,54 @@ impl Audit {
     }
 }
 
+/// Least and greatest value of a column, and when they are taken first.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Extreme {
+    /// Index of the column.
+    pub column: usize,
+    /// Least value, SI.
+    pub min: f64,
+    /// Its instant, s.
+    pub t_min: f64,
+    /// Greatest value, SI.
+    pub max: f64,
+    /// Its instant, s.
+    pub t_max: f64,
+}
+
+/// How far a motion and its repetition agree.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Digits {
+    /// Tolerance of the repetition.
+    pub tolerance: f64,
+    /// Order of the repetition.
+    pub order: usize,
+    /// Columns other than the axis.
+    pub columns: Vec<Held>,
+}
+
+/// Agreement of one column.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Held {
+    /// Index of the column.
+    pub column: usize,
+    /// Digits of its largest value in which all rows agree, at most 15.
+    pub digits: i32,
+    /// Deviations of the first value, the least, the greatest and the last, SI.
+    pub deviations: [f64; 4],
+    /// Deviations of the instants of the least and the greatest value, s.
+    pub instants: [f64; 2],
+    /// First row time at which fewer than four digits are left.
+    pub lost: Option<f64>,
+}
+
 /// Something that happened at an instant.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Event {
     /// When.
     pub t: f64,
+    /// The user's name of it; empty for a switch.
+    pub name: String,
     /// What, for people.
     pub what: Text,
     /// Index of the guard.
@@ -118,6 +165,28 @@ impl Dataset {
     /// Value of a counter.
     pub fn counter(&self, key: &str) -> Option<f64> {
         self.counters.iter().find(|c| c.key == key).map(|c| c.value)
+    }
+    /// The table with two rows more at every switch: the columns just before and just after it.
+    pub fn with_switches(&self) -> Dataset {
+        let Some(axis) = self.axis else { return self.clone() };
+        let mut rows: Vec<Vec<f64>> = (0..self.columns[axis].values.len())
+            .map(|k| self.columns.iter().map(|c| c.values.get(k).copied().unwrap_or(f64::NAN)).collect())
+            .collect();
+        for event in self.events.iter().filter(|e| e.name.is_empty()) {
+            for side in &event.outputs {
+                let mut values = side.iter().copied();
+                let row = (0..self.columns.len()).map(|i| if i == axis { event.t } else { values.next().unwrap_or(f64::NAN) });
+                rows.push(row.collect());
+            }
+        }
+        // stable: before stays before after, and rows of the table at the same instant stand first
+        rows.sort_by(|a, b| a[axis].total_cmp(&b[axis]));
+        let column = |(i, c): (usize, &Column)| Column { values: rows.iter().map(|row| row[i]).collect(), ..c.clone() };
+        Dataset { columns: self.columns.iter().enumerate().map(column).collect(), ..self.clone() }
+    }
+    /// Extremes of the column with a name.
+    pub fn extreme(&self, name: &str) -> Option<&Extreme> {
+        self.extremes.iter().find(|e| self.columns.get(e.column).is_some_and(|c| c.quantity.name == name))
     }
     /// Audit with a key.
     pub fn audit(&self, key: &str) -> Option<&Audit> {

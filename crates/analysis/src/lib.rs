@@ -8,6 +8,7 @@ pub mod events;
 pub mod fault;
 pub mod linear;
 pub mod machine;
+pub mod marks;
 pub mod numerics;
 pub mod reduce;
 pub mod stiff;

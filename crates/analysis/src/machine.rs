@@ -45,6 +45,8 @@ pub struct Machine {
     observing: Switches,
     /// q'', then all reactions.
     accelerations: Vec<f64>,
+    /// The guard of each dry friction, in the order of its power among the roots of `energy`.
+    rubbing: Vec<Option<usize>>,
     /// Rows of `second` that hold with the reactions; none without reactions.
     balanced: Vec<usize>,
     /// State at the start, when it was assembled.
@@ -121,6 +123,7 @@ impl Machine {
             observing: Switches::default(),
             accelerations: vec![0.0; program.coordinates + program.reactions],
             guards,
+            rubbing: rubbing(equations, program),
             balanced: if program.reactions > 0 { (0..equations.second.len()).collect() } else { Vec::new() },
             start: None,
             refused: vec![None; program.outputs.roots.len()],
@@ -187,6 +190,12 @@ fn kind(kind: &program::GuardKind) -> GuardKind {
         Kind::ContactForce { of, .. } => GuardKind::Bound { of, exit: Mode::Positive },
         _ => GuardKind::Switch,
     }
+}
+
+/// The guard of each reaction that is a dry friction.
+fn rubbing(equations: &Equations, program: &Program) -> Vec<Option<usize>> {
+    let frictions = equations.reactions.iter().enumerate().filter(|(_, r)| matches!(r.law, Law::Friction(_)));
+    frictions.map(|(i, _)| program.switches.get(i).copied().flatten()).collect()
 }
 
 fn is_tie(equations: &Equations, kind: &program::GuardKind) -> bool {
@@ -376,7 +385,7 @@ impl System for Machine {
         let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
         // the order is that of program::ENERGY
-        let [_, _, _, dissipated, rate, loads, drives] = *self.energy.evaluate(&point).ok()? else { return None };
+        let [_, _, _, dissipated, rate, loads, drives, ..] = *self.energy.evaluate(&point).ok()? else { return None };
         Some(Powers { rate, loads, drives, dissipated })
     }
 
@@ -401,13 +410,29 @@ impl System for Machine {
         true
     }
 
-    fn kinetic_energy(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<f64> {
+    fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
         self.observing.set(modes, &self.bound);
-        // it reads no accelerations
+        // they read no accelerations
         self.accelerations.fill(0.0);
         let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
-        self.energy.evaluate(&point).ok()?.first().copied()
+        let [kinetic, potential, ..] = *self.energy.evaluate(&point).ok()? else { return None };
+        (kinetic.is_finite() && potential.is_finite()).then_some([kinetic, potential])
+    }
+
+    fn n_frictions(&self) -> usize {
+        self.rubbing.len()
+    }
+
+    fn frictions(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<Option<f64>>> {
+        self.observing.set(modes, &self.bound);
+        self.solve_forces(t, x).ok()?;
+        self.accelerations.iter_mut().filter(|r| r.is_nan()).for_each(|r| *r = 0.0);
+        let Switches { modes: own, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(own), active: Some(active) };
+        let powers = self.energy.evaluate(&point).ok()?.get(program::ENERGY.len()..)?;
+        let slides = |guard: &Option<usize>| guard.is_none_or(|g| modes.get(g) != Some(&Mode::Zero));
+        Some(self.rubbing.iter().zip(powers).map(|(guard, power)| slides(guard).then_some(*power)).collect())
     }
 
     fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {

@@ -201,8 +201,19 @@ pub trait System {
         None
     }
 
-    /// Kinetic energy at (t, x); none when the system has no energies.
-    fn kinetic_energy(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<f64> {
+    /// Kinetic and potential energy at (t, x); none when the system has no energies, or they have no value there.
+    fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+        let _ = (t, x, modes);
+        None
+    }
+
+    /// Number of dry frictions.
+    fn n_frictions(&self) -> usize {
+        0
+    }
+
+    /// Power that each dry friction takes at (t, x), none for one that sticks. None altogether where the equations have no solution.
+    fn frictions(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<Option<f64>>> {
         let _ = (t, x, modes);
         None
     }

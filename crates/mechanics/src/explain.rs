@@ -3,8 +3,10 @@
 //! One row a code; a test checks that every code of the reader has a row and that every row is used. Later stages add a table of their
 //! own to [`TABLES`] (`M100` to `M199` belong to `derive`).
 
+mod events;
 mod linear;
 
+pub use events::EVENTS;
 pub use linear::LINEAR;
 
 /// The explanation of a code.
@@ -24,7 +26,7 @@ pub struct Explanation {
 
 /// Every table of explanations.
 pub const TABLES: &[&[Explanation]] =
-    &[EXPLANATIONS, LINEAR, crate::derive::EXPLANATIONS, crate::structure::EXPLANATIONS, crate::section::EXPLANATIONS];
+    &[EXPLANATIONS, LINEAR, EVENTS, crate::derive::EXPLANATIONS, crate::structure::EXPLANATIONS, crate::section::EXPLANATIONS];
 
 /// The explanation of a code; small letters will do.
 pub fn find(code: &str) -> Option<&'static Explanation> {

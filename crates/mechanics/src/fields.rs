@@ -2,6 +2,7 @@
 //! here, and the reference (`docs/model-file.md`) is generated from here.
 
 pub mod connections;
+pub mod events;
 mod sections;
 pub mod structures;
 mod studies;
@@ -262,6 +263,7 @@ pub const TOP: TableSpec = TableSpec {
         may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
         may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
         may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
+        may("events", Type::Table, "", "", ("named events", "именованные события"), ""),
         may("nodes", Type::Table, "", "", ("nodes of a frame or truss", "узлы рамы или фермы"), ""),
         may("displacements", Type::Table, "", "", ("named displacements of a structure", "именованные перемещения конструкции"), ""),
         may("rayleigh", Type::Table, "", "", ("assumed shapes of rods", "принятые формы изгиба стержней"), ""),
@@ -724,6 +726,7 @@ const BEFORE: &[&TableSpec] =
 
 const AFTER: &[&TableSpec] = &[
     &OUTPUT,
+    &events::EVENT,
     &SECTION,
     &PART,
     &structures::NODE,

@@ -50,6 +50,8 @@ pub struct Model {
     pub connections: Vec<Connection>,
     /// Named formulas for the user, in the user's order. An output used in another one is already expanded there.
     pub outputs: Vec<OutputDecl>,
+    /// Formulas whose zeros are instants to be found, in the user's order.
+    pub events: Vec<EventDecl>,
     /// What `derive` must find: placeholder symbols that occur in formulas and what they stand for. In order of first use, so that the
     /// argument of a time derivative contains earlier requests only.
     pub requests: Vec<Request>,
@@ -455,6 +457,36 @@ pub struct OutputDecl {
     pub label: Text,
     /// Place in the file (its name).
     pub span: Range<usize>,
+}
+
+/// A named event.
+#[derive(Clone, Debug)]
+pub struct EventDecl {
+    /// Name.
+    pub name: String,
+    /// A symbol of its own.
+    pub symbol: SymbolId,
+    /// The formula whose zeros are meant; like that of an output.
+    pub zero: Expr,
+    /// SI unit label of the formula.
+    pub unit: String,
+    /// Which changes of sign count.
+    pub direction: EventDirection,
+    /// Whether the motion ends there.
+    pub stop: bool,
+    /// Place of the formula in the file.
+    pub span: Range<usize>,
+}
+
+/// Which changes of sign are events.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EventDirection {
+    /// From minus to plus.
+    Rising,
+    /// From plus to minus.
+    Falling,
+    /// Either.
+    Both,
 }
 
 /// A unit for showing values: shown = SI / factor.

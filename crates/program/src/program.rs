@@ -44,7 +44,8 @@ pub struct Program {
     pub forces: Arc<Tape>,
     /// t, x, q'' and all reactions, modes -> the outputs of the model, in order.
     pub outputs: Arc<Tape>,
-    /// t, x, q'' and all reactions, modes -> T, Π, Φ, dissipated, dE/dt, loads, drives ([`ENERGY`] names them).
+    /// t, x, q'' and all reactions, modes -> T, Π, Φ, dissipated, dE/dt, loads, drives ([`ENERGY`] names them), then the power
+    /// that each dry friction takes, in the order of the reactions.
     pub energy: Arc<Tape>,
     /// t, x, q'' and all reactions -> the residuals of the second derivation (motions, then balances), then the residuals
     /// M q'' - Σ forces λ - h of the first and Σ columns q'' - rest - Σ released λ of the balances. Switches go by value.

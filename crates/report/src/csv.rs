@@ -2,6 +2,7 @@
 
 use crate::number::push_exact;
 use analysis::Dataset;
+use analysis::dataset::Column;
 
 /// Flavour of CSV.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -48,6 +49,39 @@ pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
     out
 }
 
+/// A table of what happened: `event,side,t [s],phi [rad],...`. A named event has one row, a switch two, `before` and `after` it; its first cell is what
+/// switched, in English.
+pub fn write_events(data: &Dataset, dialect: Dialect) -> Vec<u8> {
+    let head = Dataset { columns: data.columns.iter().map(|c| Column { values: Vec::new(), ..c.clone() }).collect(), ..Dataset::default() };
+    let titles = write(&head, dialect);
+    let separator = if dialect == Dialect::Ru { b';' } else { b',' };
+    let mark = if dialect == Dialect::Ru { "\u{feff}" } else { "" };
+    let mut out = mark.as_bytes().to_vec();
+    out.extend_from_slice(b"event");
+    out.push(separator);
+    out.extend_from_slice(b"side");
+    out.push(separator);
+    out.extend_from_slice(&titles[mark.len()..]);
+    for event in &data.events {
+        let named = !event.name.is_empty();
+        let sides: &[(&str, usize)] = if named { &[("at", 1)] } else { &[("before", 0), ("after", 1)] };
+        for (word, side) in sides {
+            push_cell(&mut out, if named { &event.name } else { &event.what.en }, separator);
+            out.push(separator);
+            out.extend_from_slice(word.as_bytes());
+            let mut values = event.outputs[*side].iter();
+            for i in 0..data.columns.len() {
+                out.push(separator);
+                if let Some(x) = if Some(i) == data.axis { Some(&event.t) } else { values.next() } {
+                    push_number(&mut out, *x, dialect);
+                }
+            }
+            out.push(b'\n');
+        }
+    }
+    out
+}
+
 fn push_number(out: &mut Vec<u8>, x: f64, dialect: Dialect) {
     let start = out.len();
     push_exact(out, x);
@@ -72,7 +106,6 @@ fn push_cell(out: &mut Vec<u8>, text: &str, separator: u8) {
 mod tests {
     use super::*;
     use analysis::Quantity;
-    use analysis::dataset::Column;
 
     fn sample(values: Vec<f64>) -> Dataset {
         let t = (0..values.len()).map(|i| i as f64 * 0.1).collect();
@@ -105,6 +138,19 @@ mod tests {
         let mut data = sample(vec![]);
         data.columns[1].quantity.name = "a,\"b\"".into();
         assert_eq!(write(&data, Dialect::Plain), b"t [s],\"a,\"\"b\"\" [rad/s]\"\n");
+    }
+
+    #[test]
+    fn events_have_a_row_and_switches_have_two() {
+        let mut data = sample(vec![0.5]);
+        let both = [vec![1.0], vec![-1.0]];
+        data.events.push(analysis::dataset::Event { t: 0.25, name: "top".into(), outputs: both.clone(), ..Default::default() });
+        data.events.push(analysis::dataset::Event { t: 0.5, what: symbolic::Text::same("stop, hit"), outputs: both, ..Default::default() });
+        let text = String::from_utf8(write_events(&data, Dialect::Plain)).unwrap();
+        let rows: Vec<&str> = text.lines().collect();
+        assert_eq!(rows[0], "event,side,t [s],phi' [rad/s]");
+        assert!(rows[1].starts_with("top,at,2.5") && rows[2].starts_with("\"stop, hit\",before,5.0") && rows[3].contains(",after,5.0"));
+        assert_eq!(rows.len(), 4);
     }
 
     #[test]

@@ -5,6 +5,8 @@
 //!  "parameters": {"m": {"value": 0.02, "unit": "kg", "written": "20 g"}},
 //!  "counters": {"steps": 117},
 //!  "audits": [{"key": "power_balance", "name": "...", "value": 1e-13, "limit": 1e-9, "ok": true}],
+//!  "extremes": [{"name": "phi", "min": -1.0, "t_min": 0.5, "max": 1.0, "t_max": 0.0}],
+//!  "digits": {"tolerance": 1e-13, "order": 29, "columns": {"phi": {"digits": 12}}},
 //!  "events": [{"t": 10.0, "what": "...", "before": {"phi": 0.1, "phi'": -2.0}, "after": {"phi": 0.1, "phi'": 1.6}}],
 //!  "partial": false, "notes": [],
 //!  "columns": {"t": {"unit": "s", "values": [0.0, 0.1]}, "phi": {"unit": "rad", "values": [0.0, 1.5]}}}
@@ -15,7 +17,7 @@
 
 use crate::language::Language;
 use analysis::Dataset;
-use analysis::dataset::Event;
+use analysis::dataset::{Digits, Event, Extreme, Held};
 use serde_json::{Map, Value, json};
 
 /// The JSON of a dataset as bytes, closed by a line feed. `extra` are the study's own fields, written before the columns.
@@ -71,7 +73,36 @@ fn head(data: &Dataset, language: Language) -> Map<String, Value> {
         ("partial", json!(data.partial)),
         ("notes", json!(notes)),
     ];
-    fields.into_iter().map(|(key, value)| (key.into(), value)).collect()
+    let mut head: Map<String, Value> = fields.into_iter().map(|(key, value)| (key.into(), value)).collect();
+    if !data.extremes.is_empty() {
+        head.insert("extremes".into(), data.extremes.iter().map(|e| extreme(data, e)).collect());
+    }
+    if let Some(found) = &data.digits {
+        head.insert("digits".into(), digits(data, found));
+    }
+    head
+}
+
+fn name(data: &Dataset, column: usize) -> &str {
+    data.columns.get(column).map_or("", |c| &c.quantity.name)
+}
+
+/// `{"name": "phi", "min": -1.0, "t_min": 0.5, "max": 1.0, "t_max": 0.0}`, SI.
+fn extreme(data: &Dataset, e: &Extreme) -> Value {
+    json!({"name": name(data, e.column), "min": e.min, "t_min": e.t_min, "max": e.max, "t_max": e.t_max})
+}
+
+/// `{"tolerance": 1e-13, "order": 29, "columns": {"phi": {"digits": 12}}}`; `lost` is the first row time with fewer than four.
+fn digits(data: &Dataset, found: &Digits) -> Value {
+    let column = |held: &Held| {
+        let mut value = json!({"digits": held.digits});
+        if let Some(t) = held.lost {
+            value["lost"] = json!(t);
+        }
+        (name(data, held.column).to_owned(), value)
+    };
+    let columns: Map<String, Value> = found.columns.iter().map(column).collect();
+    json!({"tolerance": found.tolerance, "order": found.order, "columns": columns})
 }
 
 /// Whole counters read as integers.
@@ -96,6 +127,9 @@ fn event(data: &Dataset, event: &Event, language: Language) -> Value {
     };
     let mut fields = Map::new();
     fields.insert("t".into(), json!(event.t));
+    if !event.name.is_empty() {
+        fields.insert("name".into(), json!(event.name));
+    }
     fields.insert("what".into(), json!(language.text(&event.what)));
     if !event.states[1].is_empty() {
         fields.insert("before".into(), Value::Object(side(0)));

@@ -186,6 +186,15 @@ pub struct Simulate {
     /// Compute each motion once more with half the tolerance and show the difference
     #[arg(long)]
     pub halve_tolerance: bool,
+    /// Compute the motion once more with other steps and show which digits hold
+    #[arg(long)]
+    pub check: bool,
+    /// Rows at the named events and switches instead of the times
+    #[arg(long, conflicts_with = "switches")]
+    pub events: bool,
+    /// Also rows at every switch, just before and just after it
+    #[arg(long)]
+    pub switches: bool,
 }
 
 #[derive(Args, Debug)]

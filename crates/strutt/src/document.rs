@@ -4,14 +4,14 @@
 use crate::pipeline::{Calculation, Finding, Phases};
 use crate::words::{Word as Say, say};
 use analysis::Dataset;
-use analysis::dataset::Audit;
+use analysis::dataset::{Audit, Event, Extreme};
 use mechanics::model::{Plot, Simulate};
 use report::document::{Content, Formula, Inline, Rich};
 use report::formula::{Form, Printer};
 use report::table::Column;
 use report::{Block, Cell, Document, Download, Figure, Language, Table, Word};
 use symbolic::equations::Role;
-use symbolic::{Equations, Expr, Text};
+use symbolic::{Equations, Expr};
 
 /// Significant digits of numbers in tables.
 const DIGITS: usize = 4;
@@ -384,23 +384,52 @@ fn notes(data: &Dataset, language: Language) -> Vec<Block> {
 
 /// What happened, and when.
 fn events(data: &Dataset, captions: bool, language: Language) -> Vec<Block> {
-    if data.events.is_empty() {
-        return Vec::new();
+    let mut blocks = named_events(data, captions, language);
+    let switches: Vec<&Event> = data.events.iter().filter(|e| e.name.is_empty()).collect();
+    if switches.is_empty() {
+        return blocks;
     }
     let columns = vec![Column::with_unit(language.word(Word::Time), "s", language), Column::new(language.word(Word::Event))];
     let mut table = Table::new(columns);
-    let listed = &data.events[..data.events.len().min(EVENTS)];
+    let listed = &switches[..switches.len().min(EVENTS)];
     let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
     for (time, event) in Cell::column(&times, 6, language).into_iter().zip(listed) {
         table.row(vec![time, Cell::words(language.text(&event.what))]);
     }
-    let mut blocks = vec![Block::Table(if captions { table.with_caption(language.word(Word::Events)) } else { table })];
-    let more = data.events.len() - listed.len();
-    if more > 0 {
-        let (en, ru) = (format!("and {more} more events: see the JSON file"), format!("и ещё событий: {more}, см. файл JSON"));
-        blocks.push(Block::paragraph(language.pick(en, ru)));
-    }
+    blocks.push(Block::Table(if captions { table.with_caption(language.word(Word::Events)) } else { table }));
+    blocks.extend(more_events(switches.len() - listed.len(), language));
     blocks
+}
+
+fn more_events(more: usize, language: Language) -> Option<Block> {
+    let (en, ru) = (format!("and {more} more events: see the JSON file"), format!("и ещё событий: {more}, см. файл JSON"));
+    (more > 0).then(|| Block::paragraph(language.pick(en, ru)))
+}
+
+/// The events that the file names, with the quantities at their instants.
+fn named_events(data: &Dataset, captions: bool, language: Language) -> Vec<Block> {
+    let named: Vec<&Event> = data.events.iter().filter(|e| !e.name.is_empty()).collect();
+    let listed = &named[..named.len().min(EVENTS)];
+    if listed.is_empty() {
+        return Vec::new();
+    }
+    let quantities: Vec<_> = data.columns.iter().enumerate().filter(|(i, _)| Some(*i) != data.axis).map(|(_, c)| &c.quantity).collect();
+    let mut columns = vec![Column::new(language.word(Word::Event)), Column::with_unit(language.word(Word::Time), "s", language)];
+    let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
+    let mut cells = vec![Cell::column(&times, 6, language)];
+    for (j, quantity) in quantities.iter().enumerate() {
+        let values: Vec<f64> = listed.iter().map(|e| e.outputs[1].get(j).copied().unwrap_or(f64::NAN)).collect();
+        let scale = scale(quantity, values.iter().fold(0.0, |m: f64, v| m.max(v.abs())));
+        columns.push(Column { head: report::document::Rich::symbol(&quantity.symbol), unit: scale.print(language) });
+        cells.push(Cell::column(&values.iter().map(|v| v / scale.size).collect::<Vec<_>>(), DIGITS, language));
+    }
+    let mut table = Table::new(columns);
+    for (k, event) in listed.iter().enumerate() {
+        let row = std::iter::once(Cell::words(&event.name)).chain(cells.iter().map(|column| column[k].clone()));
+        table.row(row.collect());
+    }
+    let table = Block::Table(if captions { table.with_caption(say(language, Say::NamedEvents)) } else { table });
+    std::iter::once(table).chain(more_events(named.len() - listed.len(), language)).collect()
 }
 
 /// The results of a study, without plots.
@@ -479,26 +508,64 @@ pub fn energies(equations: &Equations) -> [(Say, &'static str, Expr); 3] {
 /// What became of each quantity: at the start, least, largest, at the end.
 pub fn results(data: &Dataset, language: Language) -> Table {
     let heads = [Word::Symbol, Word::Unit].map(|w| Column::new(language.word(w)));
-    let values = [say(language, Say::AtStart), language.word(Word::Minimum), language.word(Word::Maximum), language.word(Word::Final)];
+    // without instants the table is that of the rows only
+    let timed = !data.extremes.is_empty();
     let mut columns: Vec<Column> = heads.into();
-    columns.extend(values.map(Column::new));
+    columns.push(Column::new(say(language, Say::AtStart)));
+    for word in [Word::Minimum, Word::Maximum] {
+        columns.push(Column::new(language.word(word)));
+        columns.extend(timed.then(|| Column::with_unit(say(language, Say::WhenTaken), "s", language)));
+    }
+    columns.push(Column::new(language.word(Word::Final)));
     columns.push(Column::new(language.word(Word::Description)));
     let mut table = Table::new(columns);
     for (i, column) in data.columns.iter().enumerate() {
         if Some(i) == data.axis || column.values.is_empty() {
             continue;
         }
-        let finite = || column.values.iter().copied().filter(|v| v.is_finite());
-        let (low, high) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let Some(e) = extreme_of(data, i) else { continue };
         let (first, last) = (column.values[0], column.values[column.values.len() - 1]);
-        let scale = scale(&column.quantity, low.abs().max(high.abs()));
-        let shown = [first, low, high, last].map(|v| v / scale.size);
+        let scale = scale(&column.quantity, e.min.abs().max(e.max.abs()));
+        let shown = [first, e.min, e.max, last].map(|v| v / scale.size);
+        let held = data.digits.as_ref().and_then(|d| d.columns.iter().find(|h| h.column == i));
+        let mut cells = with_digits(&shown, held.map(|h| h.deviations.map(|d| d / scale.size)), language).into_iter();
+        let mut instants = with_digits(&[e.t_min, e.t_max], held.map(|h| h.instants), language).into_iter();
         let mut row = vec![Cell::symbol(&column.quantity.symbol), Cell::words(scale.print(language))];
-        row.extend(Cell::column(&shown, DIGITS, language));
+        row.extend(cells.next());
+        for _ in 0..2 {
+            row.extend(cells.next());
+            row.extend(instants.next().filter(|_| timed));
+        }
+        row.extend(cells);
         row.push(Cell::words(language.text(&column.quantity.label)));
         table.row(row);
     }
     table
+}
+
+/// Least and greatest value of a column: those of the motion, otherwise those of the rows. None when no value is finite.
+fn extreme_of(data: &Dataset, i: usize) -> Option<Extreme> {
+    if let Some(found) = data.extremes.iter().find(|e| e.column == i) {
+        return Some(found.clone());
+    }
+    let finite = data.columns[i].values.iter().copied().filter(|v| v.is_finite());
+    let (min, max) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+    (min <= max).then_some(Extreme { column: i, min, max, ..Extreme::default() })
+}
+
+/// Cells of a row of numbers. Where a repetition deviates, only the digits that it confirms; a dash where not even the first holds.
+fn with_digits<const N: usize>(values: &[f64; N], deviations: Option<[f64; N]>, language: Language) -> Vec<Cell> {
+    let held = deviations.map(|d| std::array::from_fn::<i32, N, _>(|k| analysis::audits::digits::digits(values[k].abs(), d[k])));
+    let few = |k: usize| held.is_some_and(|h| h[k] < DIGITS as i32 && values[k] != 0.0);
+    if !(0..N).any(few) {
+        return Cell::column(values, DIGITS, language);
+    }
+    let cell = |k: usize| match held {
+        Some(h) if few(k) && h[k] < 1 => Cell::words("–"),
+        Some(h) if few(k) => Cell::number(values[k], h[k] as usize, language),
+        _ => Cell::number(values[k], DIGITS, language),
+    };
+    (0..N).map(cell).collect()
 }
 
 /// The user's unit of display, otherwise SI with a prefix.
@@ -550,9 +617,4 @@ fn written(text: &str, language: Language) -> String {
         return text.replacen(from, to, usize::from(number.contains(from)));
     }
     text.to_owned()
-}
-
-/// The audit that reading itself makes: every formula has the dimension of what it defines.
-pub fn dimensions_checked() -> Audit {
-    Audit::at_most("units", Text::new("formulas of wrong dimension", "формул неверной размерности"), 0.0, 0.0)
 }

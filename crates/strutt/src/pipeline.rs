@@ -164,17 +164,31 @@ pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Opti
             let study = plan::with_plots(study, &machine.equations);
             let finding = simulate(machine, &study, watch);
             // plots need several points on every swing; how many swings there are shows in the steps
-            Some(match plan::finer(&study, finding.data()) {
+            let finding = match plan::finer(&study, finding.data()) {
                 Some(finer) => simulate(machine, &finer, watch),
                 None => finding,
-            })
+            };
+            Some(confirm(machine, finding, watch))
         }
     }
 }
 
+/// A motion with the digits that a repetition confirms.
+fn confirm(machine: &mut Machine, finding: Finding, watch: &mut Watch) -> Finding {
+    let Finding::Motion(study, mut data, trouble) = finding else { return finding };
+    if let (false, Ok(start)) = (data.partial, machine.system.start()) {
+        let mut options = plan::options(&study, watch);
+        options.events = plan::events(&machine.model, &machine.equations);
+        studies::simulate::confirm(&mut machine.system, &start, &options, &mut data);
+        watch.lap(Word::TimeRun);
+    }
+    Finding::Motion(study, data, trouble)
+}
+
 /// A motion.
 pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
-    let options = plan::options(study, watch);
+    let mut options = plan::options(study, watch);
+    options.events = plan::events(&machine.model, &machine.equations);
     let outcome = match machine.system.start() {
         Ok(start) => studies::simulate::simulate(&mut machine.system, &start, options),
         Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },

@@ -4,8 +4,10 @@ use crate::failure::{Failure, Trouble};
 use crate::near::nearest;
 use crate::watch::Watch;
 use analysis::Dataset;
+use analysis::marks::named::{Direction, Named};
 use mechanics::Model;
-use mechanics::model::{DEFAULT_TOLERANCE, Method, Plot, Simulate, StudyKind, Times, Transient};
+use mechanics::derive::event_output;
+use mechanics::model::{DEFAULT_TOLERANCE, EventDecl, EventDirection, Method, Plot, Simulate, StudyKind, Times, Transient};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
 
@@ -148,7 +150,7 @@ pub fn known_columns(names: &[String], equations: &Equations) -> Result<(), Fail
 /// # Errors
 /// It does not (C008).
 pub fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
-    let names = || equations.outputs.iter().map(|o| o.name.as_str());
+    let names = || equations.outputs.iter().filter(|o| o.role != Role::Event).map(|o| o.name.as_str());
     if names().any(|n| n == name) {
         return Ok(());
     }
@@ -191,9 +193,25 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
         outputs: Some(study.outputs.clone()),
         interrupt: watch.interrupt,
         tolerance_halving: watch.halve_tolerance,
+        check: watch.check,
         progress,
         ..Options::until(study.until)
     }
+}
+
+/// The named events of the file, by the outputs that hold their formulas.
+pub fn events(model: &Model, equations: &Equations) -> Vec<Named> {
+    let named = |event: &EventDecl| {
+        let holder = event_output(&event.name);
+        let output = equations.outputs.iter().position(|o| o.name == holder)?;
+        let direction = match event.direction {
+            EventDirection::Rising => Direction::Rising,
+            EventDirection::Falling => Direction::Falling,
+            EventDirection::Both => Direction::Both,
+        };
+        Some(Named { name: event.name.clone(), output, direction, stop: event.stop })
+    };
+    model.events.iter().filter_map(named).collect()
 }
 
 /// A range of a coordinate by its index.

@@ -12,6 +12,8 @@ pub struct Watch<'a> {
     pub progress: Option<&'a mut dyn FnMut(f64)>,
     /// Whether each motion is computed once more with half the tolerance, as a check.
     pub halve_tolerance: bool,
+    /// Whether a motion is repeated with other steps to see which digits hold.
+    pub check: bool,
     laps: Vec<(Word, Duration)>,
     start: Instant,
     last: Instant,
@@ -20,7 +22,7 @@ pub struct Watch<'a> {
 impl Default for Watch<'_> {
     fn default() -> Self {
         let now = Instant::now();
-        Watch { interrupt: None, progress: None, halve_tolerance: false, laps: Vec::new(), start: now, last: now }
+        Watch { interrupt: None, progress: None, halve_tolerance: false, check: false, laps: Vec::new(), start: now, last: now }
     }
 }
 

@@ -43,6 +43,9 @@ report::words! {
     Columns: "Quantities", "Величины";
     ClosedForm: "Motion in closed form", "Движение в замкнутой форме";
     AtStart: "at the start", "в начале";
+    WhenTaken: "at t", "при t";
+    NamedEvents: "Named events", "Именованные события";
+    EventTable: "events, 17 digits", "события, 17 знаков";
     Copied: "ready to run", "готово к запуску";
     TimeRead: "read", "чтение";
     TimeDerive: "derive", "вывод уравнений";

@@ -251,4 +251,6 @@ pub enum Role {
     Named,
     /// Power of a motor, `power(B)`.
     Power,
+    /// The formula of a named event, `event(NAME)`; no result of its own.
+    Event,
 }

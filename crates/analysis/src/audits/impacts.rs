@@ -1,8 +1,18 @@
 //! Energy at impacts: each one may lose energy, none may gain it. And the drift of conditions that projections removed.
+//!
+//! What strikes may itself move in a prescribed way (a table), and then its drive does work. With w a velocity that keeps every surface's own motion,
+//! u = J (q' - w) are the rates of the gaps and, since M Δq' = Jᵀ p,
+//!
+//! ```text
+//! loss = (q'₋ - w)ᵀ M (q'₋ - w)/2 - (q'₊ - w)ᵀ M (q'₊ - w)/2 = -Σ p (u₋ + u₊)/2        whatever w of these is taken
+//! ```
+//!
+//! so the energies are those relative to the surfaces, and a table at rest is the case w = 0.
 
 use symbolic::Text;
 
 use crate::dataset::Audit;
+use crate::{Mode, System};
 
 /// What rounding may add to an impact, relative to the energy that takes part.
 const GAIN: f64 = 1e-9;
@@ -21,7 +31,7 @@ pub struct ImpactEnergy {
 const DYING: f64 = 1e-6;
 
 impl ImpactEnergy {
-    /// Kinetic energies just before and after an impact, which moves nothing; returns the loss.
+    /// Kinetic energies relative to the surfaces just before and after an impact; returns the loss.
     pub fn record(&mut self, before: f64, after: f64) -> f64 {
         let lost = before - after;
         self.lost += lost;
@@ -46,6 +56,21 @@ impl ImpactEnergy {
         );
         (self.count > 0).then(|| Audit::at_most("impact_energy", name, self.worst, GAIN))
     }
+}
+
+/// Kinetic energies (q' - w)ᵀ M (q' - w)/2 relative to what is struck, before and after; w are the rates in `surface`. T may have parts linear in q' and
+/// free of it (prescribed motions): T(v) + T(-v) - 2 T(0) = vᵀ M v leaves them out.
+pub fn relative<S: System + ?Sized>(system: &mut S, t: f64, states: [&[f64]; 2], surface: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+    let n = system.n_coordinates();
+    let mut square = |x: &[f64]| -> Option<f64> {
+        let mut energy = |factor: f64| -> Option<f64> {
+            let mut y = x.to_vec();
+            (n..2 * n).for_each(|i| y[i] = factor * (x[i] - surface[i]));
+            Some(system.energies(t, &y, modes)?[0])
+        };
+        Some(0.5 * (energy(1.0)? + energy(-1.0)?) - energy(0.0)?)
+    };
+    Some([square(states[0])?, square(states[1])?])
 }
 
 /// The drift that projections removed; none when there was nothing to project.

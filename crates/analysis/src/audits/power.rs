@@ -7,7 +7,8 @@
 //! Compared with: the powers that cancel, |q'·M q''| + |rest of dE/dt| + |loads| + |drives| + |dissipated|, in the middle or at the end of the step, the power of damping
 //! alone, and, where the machine is momentarily at
 //! rest and all of them vanish, a thousandth of their largest sum so far. In uniform motion there is no power at all, and the acceleration is the
-//! rounding of velocities over the step h: the least scale is the power that changes q'·M q' by 1e-4 of itself within a step.
+//! rounding of velocities over the step h. A force that fades (a saturation) leaves powers smaller than the error that the step was allowed, tol of the
+//! change of a rate within it: that change over h, as an acceleration, is a scale too. The least scale is the power that changes q'·M q' by 1e-4 of itself within a step.
 
 use symbolic::Text;
 
@@ -73,9 +74,10 @@ impl PowerBalance {
         let within = step.start.after(step.length).high;
         let scale = scale.max(self.size_at(within, step, system)).max(self.damping_alone(t, step, system, still.rate));
         let change = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes).map_or(0.0, |p| (p.rate - still.rate).abs());
+        let local = self.local(step, system, t, still.rate);
         let residual = (p.rate - (p.loads + p.drives - p.dissipated)).abs();
         if residual > 0.0 {
-            self.worst = self.worst.max(residual / scale.max(1e-3 * self.largest).max(SMALL * change));
+            self.worst = self.worst.max(residual / scale.max(1e-3 * self.largest).max(SMALL * change).max(local));
         }
         self.taken += 1;
         if self.taken.is_multiple_of(SAMPLES) {
@@ -106,6 +108,20 @@ impl PowerBalance {
         };
         let parts: Vec<f64> = (0..n).map(part).collect();
         system.powers(t, &self.x, &parts, &step.modes).map_or(0.0, |p| (p.rate - still).abs())
+    }
+
+    /// The power that the largest change of the rates within the step would need: what the step's error is measured by.
+    fn local<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, t: f64, still: f64) -> f64 {
+        let n = system.n_coordinates();
+        for i in 0..n {
+            let (mut power, mut change) = (1.0, 0.0_f64);
+            for c in &step.coefficients(n + i)[1..] {
+                power *= step.length;
+                change = change.max(c.abs() * power);
+            }
+            self.rates[n + i] = change.copysign(self.x[n + i]) / step.length;
+        }
+        system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes).map_or(0.0, |p| (p.rate - still).abs())
     }
 
     /// The audit, or none when the system has no energies or did not move.

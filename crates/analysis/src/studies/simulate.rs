@@ -5,15 +5,20 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use symbolic::Text;
 
 use crate::audits::bodies::BodyBalance;
-use crate::audits::impacts::{ImpactEnergy, drift};
-use crate::audits::{halving::tolerance_halving, power::PowerBalance, second::two_derivations};
+use crate::audits::friction::FrictionWork;
+use crate::audits::impacts::{ImpactEnergy, drift, relative};
+use crate::audits::ledger::Ledger;
+use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, second::two_derivations};
 use crate::dataset::{Column, Counter, Dataset, Event};
 use crate::events::words::describe;
 use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
+use crate::marks::Along;
+use crate::marks::extremes::Extremes;
+use crate::marks::named::{Happened, Named, Watcher};
 use crate::stiff::Method;
-use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance};
-use crate::{Fault, Mode, Quantity, System};
+use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance, order_for};
+use crate::{Fault, GuardKind, Mode, Quantity, System};
 
 /// Times at which results are wanted.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -37,6 +42,12 @@ pub struct Simulate<'a> {
     pub tolerance: f64,
     /// Outputs by name; all when absent.
     pub outputs: Option<Vec<String>>,
+    /// Formulas whose zeros are events, some of which end the motion.
+    pub events: Vec<Named>,
+    /// Order of the Taylor polynomials; absent: as the tolerance and the motion ask.
+    pub order: Option<usize>,
+    /// Run again with other steps and see which digits hold.
+    pub check: bool,
     /// Run again with half the tolerance and compare.
     pub tolerance_halving: bool,
     /// Set from outside to stop early; what is done is returned.
@@ -61,6 +72,9 @@ impl Simulate<'_> {
             grid: Grid::Auto,
             tolerance: 1e-12,
             outputs: None,
+            events: Vec::new(),
+            order: None,
+            check: false,
             tolerance_halving: false,
             interrupt: None,
             progress: None,
@@ -105,6 +119,9 @@ pub fn simulate<S: System + ?Sized>(system: &mut S, start: &[f64], mut options: 
     let mut dataset = run.dataset(system, options.tolerance);
     dataset.partial |= fault.is_some();
     dataset.audits.splice(0..0, two_derivations(system, start, options.until, options.seed));
+    if options.check && !dataset.partial {
+        confirm(system, start, &options, &mut dataset);
+    }
     if options.tolerance_halving && !dataset.partial {
         match halved(system, start, &options) {
             Some(finer) if !finer.dataset.partial => {
@@ -121,11 +138,40 @@ pub fn simulate<S: System + ?Sized>(system: &mut S, start: &[f64], mut options: 
 /// The same run with half the tolerance (twice at the lower end).
 fn halved<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simulate<'_>) -> Option<Outcome> {
     let half = 0.5 * options.tolerance;
-    let tolerance = if half < TOLERANCES.0 { 2.0 * options.tolerance } else { half };
-    let again = Simulate {
+    repeated(system, start, options, (if half < TOLERANCES.0 { 2.0 * options.tolerance } else { half }, options.order))
+}
+
+/// Computes a finished motion once more, by a tenth of the tolerance where there is room below it and by an order that a run does not take by itself, and
+/// notes which digits hold. Costs about as much as the motion.
+pub fn confirm<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simulate<'_>, dataset: &mut Dataset) {
+    let tolerance = (0.1 * options.tolerance).max(TOLERANCES.0);
+    // orders of runs are two apart
+    let order = order_for(tolerance) + 3;
+    match repeated(system, start, options, (tolerance, Some(order))) {
+        Some(again) if !again.dataset.partial => {
+            let found = digits::compare(dataset, &again.dataset, tolerance, order);
+            dataset.notes.extend(digits::note(&found, dataset));
+            dataset.digits = Some(found);
+        }
+        _ => dataset.notes.push(Text::new(
+            "the repetition that shows which digits hold was not finished",
+            "повторный расчёт для проверки верных цифр не закончен",
+        )),
+    }
+}
+
+fn repeated<S: System + ?Sized>(
+    system: &mut S,
+    start: &[f64],
+    options: &Simulate<'_>,
+    (tolerance, order): (f64, Option<usize>),
+) -> Option<Outcome> {
+    let mut again = Simulate {
         grid: options.grid.clone(),
         outputs: options.outputs.clone(),
+        events: options.events.clone(),
         tolerance,
+        order,
         interrupt: options.interrupt,
         memory: options.memory,
         method: options.method,
@@ -133,7 +179,6 @@ fn halved<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simulate<
         ..Simulate::until(options.until)
     };
     let mut run = Run::prepare(system, &again).ok()?;
-    let mut again = again;
     let fault = run.integrate(system, start, &mut again).err();
     let mut dataset = run.dataset(system, tolerance);
     dataset.partial |= fault.is_some();
@@ -219,6 +264,12 @@ struct Run {
     power: PowerBalance,
     bodies: BodyBalance,
     impacts: ImpactEnergy,
+    ledger: Ledger,
+    friction: FrictionWork,
+    extremes: Extremes,
+    named: Watcher,
+    /// Event that ended the motion.
+    ended: Option<(f64, usize)>,
     /// Largest drift of conditions that was removed.
     drift: f64,
     work: Work,
@@ -258,7 +309,8 @@ impl Run {
     fn prepare<S: System + ?Sized>(system: &S, options: &Simulate<'_>) -> Result<Run, Fault> {
         check(options)?;
         let chosen = choose(system.outputs(), options.outputs.as_deref())?;
-        if let Some(fault) = chosen.iter().find_map(|&i| system.refusal(i)) {
+        let watched = options.events.iter().map(|e| e.output);
+        if let Some(fault) = chosen.iter().copied().chain(watched).find_map(|i| system.refusal(i)) {
             return Err(fault);
         }
         let outputs: Vec<Quantity> = chosen.iter().map(|&i| system.outputs()[i].clone()).collect();
@@ -269,25 +321,32 @@ impl Run {
             times,
             next: 0,
             outputs,
-            chosen,
             x: vec![0.0; n_x],
             all: vec![0.0; system.outputs().len()],
             events: Vec::new(),
             power: PowerBalance::new(n_x),
             bodies: BodyBalance::new(n_x),
             impacts: ImpactEnergy::default(),
+            ledger: Ledger::new(n_x, options.tolerance),
+            friction: FrictionWork::default(),
+            extremes: Extremes::new(system, &chosen, options.tolerance),
+            named: Watcher::new(&options.events),
+            ended: None,
             drift: 0.0,
             work: Work::default(),
             interrupted: false,
             pace: Pace::default(),
+            chosen,
         })
     }
 
     fn integrate<S: System + ?Sized>(&mut self, system: &mut S, start: &[f64], options: &mut Simulate<'_>) -> Result<(), Fault> {
         let end = options.until;
-        system.show(&self.chosen)?;
+        let mut shown = self.chosen.clone();
+        shown.extend(options.events.iter().map(|e| e.output).filter(|i| !self.chosen.contains(i)));
+        system.show(&shown)?;
         system.placed(0.0, start)?;
-        let flow_options = Options { tolerance: options.tolerance, span: end, method: options.method, ..Options::default() };
+        let flow_options = Options { tolerance: options.tolerance, span: end, order: options.order, method: options.method };
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
         let result = self.record(&mut flow).and_then(|()| self.follow(&mut flow, end, options));
         self.work = flow.work().clone();
@@ -305,11 +364,13 @@ impl Run {
             if outcome.is_err() && flow.step().length == 0.0 {
                 return outcome;
             }
-            self.sample(flow, options)?;
+            let stop = self.look(flow);
+            self.sample(flow, options, stop)?;
+            if let Some(stop) = stop {
+                return self.end_inside(flow, stop);
+            }
             self.record(flow)?;
             let (step, system) = flow.step_and_system();
-            self.power.look(step, system);
-            self.bodies.look(step, system);
             step.state_at(step.start.after(step.length).high, &mut self.x);
             system.placed(step.start.after(step.length).high, &self.x)?;
             outcome?;
@@ -329,10 +390,65 @@ impl Run {
         Ok(())
     }
 
-    /// Values at the requested times inside the last step; its end belongs to the next step.
-    fn sample<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, options: &Simulate<'_>) -> Result<(), Fault> {
+    /// Named events, extremes and checks along the last step. How far into the step the motion goes when an event ends it.
+    fn look<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Option<f64> {
         let (step, system) = flow.step_and_system();
-        let end = step.end();
+        let found = self.named.look(&mut Along::new(step, system, step.length));
+        let stop = found.last().filter(|last| self.named.stops(last) && step.start.after(last.tau).high > 0.0).cloned();
+        for happened in &found {
+            self.name_event(happened, &mut Along::new(step, system, step.length));
+        }
+        let length = stop.as_ref().map_or(step.length, |stop| stop.tau);
+        self.extremes.look(&mut Along::new(step, system, length));
+        self.power.look(step, system);
+        self.bodies.look(step, system);
+        self.ledger.look(step, system, length);
+        self.friction.look(step, system, length);
+        if let Some(stop) = &stop {
+            self.ended = Some((step.start.after(stop.tau).high, stop.event));
+        }
+        stop.map(|stop| stop.tau)
+    }
+
+    /// Lists a named event with the outputs at its instant.
+    fn name_event<S: System + ?Sized>(&mut self, happened: &Happened, along: &mut Along<'_, S>) {
+        if self.events.len() >= EVENTS {
+            return;
+        }
+        let name = self.named.events()[happened.event].name.clone();
+        let (en, ru) = if happened.sign > 0.0 {
+            ("rises through zero", "проходит нуль снизу")
+        } else {
+            ("falls through zero", "проходит нуль сверху")
+        };
+        let what = Text::new(format!("{name}: {en}"), format!("{name}: {ru}"));
+        let all = along.outputs(happened.tau).to_vec();
+        let outputs: Vec<f64> = self.chosen.iter().map(|&i| all[i]).collect();
+        let state = along.whole_state(happened.tau);
+        let t = along.time(happened.tau);
+        let sides = [-happened.sign, happened.sign];
+        let both = [outputs.clone(), outputs];
+        self.events.push(Event { t, name, what, guard: usize::MAX, sides, states: [state.clone(), state], outputs: both });
+    }
+
+    /// The last row, at the instant of the event that ends the motion.
+    fn end_inside<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, tau: f64) -> Result<(), Fault> {
+        let (step, system) = flow.step_and_system();
+        let t = step.start.after(tau).high;
+        step.state_after(tau, &mut self.x);
+        let row = self.times.len();
+        self.times.truncate(self.next);
+        self.times.push((t, row));
+        self.table.resize((row + 1) * self.chosen.len(), f64::NAN);
+        self.fill(system, t, row, &step.modes)?;
+        self.next += 1;
+        Ok(())
+    }
+
+    /// Values at the requested times inside the last step; its end, or that of the motion, belongs to what follows.
+    fn sample<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, options: &Simulate<'_>, stop: Option<f64>) -> Result<(), Fault> {
+        let (step, system) = flow.step_and_system();
+        let end = stop.map_or_else(|| step.end(), |tau| step.start.after(tau));
         while let Some(&(t, row)) = self.times.get(self.next) {
             if end.until(t) >= 0.0 {
                 break;
@@ -355,10 +471,14 @@ impl Run {
         for (cell, &i) in self.table[row * n..(row + 1) * n].iter_mut().zip(&self.chosen) {
             *cell = self.all[i];
         }
+        self.extremes.offer_row(t, &self.table[row * n..(row + 1) * n]);
         Ok(())
     }
 
     fn record<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Result<(), Fault> {
+        if flow.switches().iter().any(|s| matches!(s.change, Change::Impact { .. })) {
+            self.ledger.impact();
+        }
         if flow.switches().is_empty() || self.events.len() >= EVENTS {
             return Ok(());
         }
@@ -381,12 +501,13 @@ impl Run {
                 what = Text::new(format!("{}, {} J lost", what.en, n.en), format!("{}, потеряно {} Дж", what.ru, n.ru));
             }
             let sides = [switch.before.sign(), switch.after.sign()];
-            self.events.push(Event { t: switch.t, what, guard: switch.guard, sides, states: states.clone(), outputs: outputs.clone() });
+            let (states, outputs) = (states.clone(), outputs.clone());
+            self.events.push(Event { t: switch.t, name: String::new(), what, guard: switch.guard, sides, states, outputs });
         }
         Ok(())
     }
 
-    /// Energy that the impacts of this instant take, together.
+    /// Energy that the impacts of this instant take, together, relative to the surfaces that are struck.
     fn loss<S: System + ?Sized>(
         &mut self,
         flow: &mut Flow<'_, S>,
@@ -397,9 +518,22 @@ impl Run {
         if !switches.iter().any(|s| matches!(s.change, Change::Impact { .. })) {
             return None;
         }
-        let t = flow.time();
-        let before = flow.system().kinetic_energy(t, &states[0], modes[0])?;
-        let after = flow.system().kinetic_energy(t, &states[1], modes[1])?;
+        let (t, system) = (flow.time(), flow.system());
+        // all that took part holds: then the rates nearest to rest are those of the surfaces themselves
+        let mut taking = modes[1].to_vec();
+        for (i, guard) in system.guards().iter().enumerate() {
+            let struck = switches.iter().any(|s| s.guard == i && matches!(s.change, Change::Impact { .. }));
+            if struck || (modes[0][i] == Mode::Zero && matches!(guard.kind, GuardKind::Contact { .. })) {
+                taking[i] = Mode::Zero;
+            }
+        }
+        let n = system.n_coordinates();
+        let mut surface = states[1].clone();
+        surface[n..2 * n].fill(0.0);
+        if system.project(t, &mut surface, &taking).is_err() {
+            surface[n..2 * n].fill(0.0);
+        }
+        let [before, after] = relative(system, t, [&states[0], &states[1]], &surface, modes[1])?;
         Some(self.impacts.record(before, after))
     }
 
@@ -429,11 +563,26 @@ impl Run {
                 format!("перечислены только первые {EVENTS} событий"),
             ));
         }
+        if self.ledger.is_unknown() {
+            notes.push(Text::new(
+                "the energy has no value somewhere along the motion: there is no energy ledger",
+                "энергия где-то на пути движения не имеет значения: баланс энергии не составлен",
+            ));
+        }
+        if let Some((t, event)) = self.ended {
+            let (n, name) = (number(t), &self.named.events()[event].name);
+            notes.push(Text::new(
+                format!("the event `{name}` ends the motion at t = {} s", n.en),
+                format!("событие `{name}` завершает движение при t = {} с", n.ru),
+            ));
+        }
         let counters = counters(&self.work, &self.impacts);
         let audits = [
             self.power.audit(tolerance),
+            self.ledger.audit(),
             self.bodies.audit(tolerance),
             self.impacts.audit(),
+            self.friction.audit(),
             drift(self.drift, self.work.projections, tolerance),
         ];
         let audits = audits.into_iter().flatten().collect();
@@ -444,6 +593,7 @@ impl Run {
             audits,
             states,
             events: self.events,
+            extremes: self.extremes.found(),
             counters,
             notes,
             partial: self.interrupted,

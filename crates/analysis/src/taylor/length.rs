@@ -337,7 +337,7 @@ impl Rule {
 }
 
 /// Order for a tolerance; see the table at the head of the file.
-fn order_for(tolerance: f64) -> usize {
+pub fn order_for(tolerance: f64) -> usize {
     (2.0 - 2.1 * tolerance.log10()).round().min(HIGHEST_RULED as f64) as usize
 }
 

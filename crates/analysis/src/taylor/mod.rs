@@ -29,8 +29,8 @@ use crate::stiff::Method;
 use crate::{Fault, Mode, System};
 use accept::Defect;
 use implicit::Implicit;
-pub use length::HIGHEST_ORDER;
 use length::Rule;
+pub use length::{HIGHEST_ORDER, order_for};
 use switching::Crowd;
 
 /// Smallest and largest tolerance accepted.

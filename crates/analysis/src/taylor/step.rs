@@ -89,7 +89,11 @@ impl Step {
 
     /// State at an instant of the step.
     pub fn state_at(&self, t: f64, x: &mut [f64]) {
-        let tau = self.start.until(t);
+        self.state_after(self.start.until(t), x);
+    }
+
+    /// State at `tau` after the start of the step.
+    pub fn state_after(&self, tau: f64, x: &mut [f64]) {
         for (i, x_i) in x.iter_mut().enumerate() {
             let c = self.states.row(i);
             *x_i = match self.turned.get(i) {
@@ -101,7 +105,11 @@ impl Step {
 
     /// Time derivative of the state at an instant of the step, from the polynomials.
     pub fn rate_at(&self, t: f64, rate: &mut [f64]) {
-        let tau = self.start.until(t);
+        self.rate_after(self.start.until(t), rate);
+    }
+
+    /// The same at `tau` after the start of the step.
+    pub fn rate_after(&self, tau: f64, rate: &mut [f64]) {
         for (i, r) in rate.iter_mut().enumerate() {
             *r = slope(self.states.row(i), tau);
         }

@@ -390,5 +390,27 @@ fn outputs(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
             }
         }
     }
+    for event in &model.events {
+        match resolver.resolve(scene, kinematics, event.zero) {
+            Ok(formula) => list.push(Output {
+                name: event_output(&event.name),
+                symbol: event.symbol,
+                unit: event.unit.clone(),
+                display: None,
+                label: Text::default(),
+                role: Role::Event,
+                formula,
+            }),
+            Err(mut diagnostic) => {
+                diagnostic.source = crate::diagnostic::Source::File(event.span.clone());
+                errors.push(*diagnostic);
+            }
+        }
+    }
     if errors.is_empty() { Ok(list) } else { Err(errors) }
+}
+
+/// Name of the output that holds the formula of a named event; brackets keep it apart from the user's names.
+pub fn event_output(name: &str) -> String {
+    format!("event({name})")
 }

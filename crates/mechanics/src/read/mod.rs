@@ -6,6 +6,7 @@
 mod connections;
 mod elements;
 mod evaluate;
+mod events;
 mod frames;
 mod order;
 mod outputs;
@@ -127,6 +128,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     forces.extend(resultants);
     points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
+    let events = events::read(reader, &top);
     let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
     let variants = variants::read(reader, &top);
@@ -156,6 +158,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         potentials,
         dissipations,
         outputs,
+        events,
         notation,
         sections,
         phases,

@@ -47,7 +47,7 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         forces: Arc::new(forces(equations, &names, &arrangement, &dynamics, &guards)?),
         dynamics: Arc::new(dynamics),
         outputs: Arc::new(observed(equations, &guards, "outputs", outputs)?),
-        energy: Arc::new(observed(equations, &guards, "energy", energy(equations))?),
+        energy: Arc::new(energy(equations, &guards)?),
         second: Arc::new(second(equations)?),
         places: Arc::new(places(equations)?),
         statics: Arc::new(statics(equations, &names)?),
@@ -272,10 +272,19 @@ fn observed(equations: &Equations, guards: &GuardTable, name: &str, roots: Vec<(
     Lowering::new(&equations.graph, &over_reactions(equations), Switches::Known(guards)).tape(name, &roots)
 }
 
-fn energy(equations: &Equations) -> Vec<(String, Expr)> {
+/// The energies and powers, then the power that each dry friction takes: λ v, v its sliding speed.
+fn energy(equations: &Equations, guards: &GuardTable) -> Result<Tape, Fault> {
     let e = &equations.energy;
     let formulas = [e.kinetic, e.potential, e.dissipation, e.dissipated, e.rate, e.loads, e.drives];
-    ENERGY.iter().map(|n| (*n).to_owned()).zip(formulas).collect()
+    let mut roots: Vec<(String, Expr)> = ENERGY.iter().map(|n| (*n).to_owned()).zip(formulas).collect();
+    let mut graph = equations.graph.clone();
+    for reaction in &equations.reactions {
+        if let Law::Friction(friction) = &reaction.law {
+            let force = graph.symbol(reaction.symbol);
+            roots.push((format!("taken by {}", reaction.name), graph.mul(force, friction.sliding)));
+        }
+    }
+    Lowering::new(&graph, &over_reactions(equations), Switches::Known(guards)).tape("energy", &roots)
 }
 
 /// Residuals of the second derivation, then those of the first: M q'' - Σ forces λ - h and Σ columns q'' - rest - Σ released λ.

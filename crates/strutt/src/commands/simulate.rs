@@ -20,6 +20,7 @@ pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure
     listen_to_interrupts();
     let finding = console.watched(|watch| {
         watch.halve_tolerance = args.halve_tolerance;
+        watch.check = args.check;
         pipeline::simulate(&mut machine, &study, watch)
     });
     console.timed(Word::TimeWrite, |console| show(&finding, args, console))?;
@@ -53,7 +54,9 @@ pub(super) fn show(finding: &Finding, args: &args::Simulate, console: &Console) 
     }
     match console.shape {
         Shape::Json => console.out(report::json::write(data, &folder::own_fields(finding), console.language)),
+        _ if args.events => console.out(report::csv::write_events(data, report::csv::Dialect::Plain)),
         Shape::Text if args.out.is_some() => Ok(()),
+        _ if args.switches => console.out(report::csv::write(&data.with_switches(), report::csv::Dialect::Plain)),
         Shape::Text if console.terminal => {
             let table = document::results(data, console.language);
             console.out(report::terminal::table(&table, console.language, console.width()))?;

@@ -16,27 +16,100 @@ pub enum When {
     End,
 }
 
+/// What of an extreme is claimed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Which {
+    Least,
+    LeastAt,
+    Greatest,
+    GreatestAt,
+}
+
 /// A claim about a result.
 #[derive(Clone, Debug)]
 pub enum Claim {
-    Value { name: String, when: When, expected: f64, tolerance: Tolerance },
-    Bounded { name: String, limit: f64 },
-    Constant { name: String, tolerance: Tolerance },
-    MeanRate { name: String, from: f64, to: f64, expected: f64, tolerance: Tolerance },
-    Event { number: usize, at: f64, tolerance: f64 },
+    Value {
+        name: String,
+        when: When,
+        expected: f64,
+        tolerance: Tolerance,
+    },
+    Bounded {
+        name: String,
+        limit: f64,
+    },
+    Constant {
+        name: String,
+        tolerance: Tolerance,
+    },
+    MeanRate {
+        name: String,
+        from: f64,
+        to: f64,
+        expected: f64,
+        tolerance: Tolerance,
+    },
+    Event {
+        number: usize,
+        at: f64,
+        tolerance: f64,
+    },
     Events(usize),
-    Audit { name: String, limit: f64 },
+    /// Least or greatest value of the motion, or its instant.
+    Extreme {
+        name: String,
+        which: Which,
+        expected: f64,
+        tolerance: Tolerance,
+    },
+    Audit {
+        name: String,
+        limit: f64,
+    },
+    AuditFails(String),
     AuditsOk,
-    Rest { name: String, expected: f64, tolerance: Tolerance },
-    Equation { number: usize, text: String },
-    Energy { kind: &'static str, text: String },
-    Inertia { name: String, expected: f64, tolerance: Tolerance },
-    Error { code: String, line: Option<usize>, only: bool },
-    Warning { code: String, line: Option<usize> },
+    Rest {
+        name: String,
+        expected: f64,
+        tolerance: Tolerance,
+    },
+    Equation {
+        number: usize,
+        text: String,
+    },
+    Energy {
+        kind: &'static str,
+        text: String,
+    },
+    Inertia {
+        name: String,
+        expected: f64,
+        tolerance: Tolerance,
+    },
+    Error {
+        code: String,
+        line: Option<usize>,
+        only: bool,
+    },
+    Warning {
+        code: String,
+        line: Option<usize>,
+    },
     Fails(String),
-    Field { path: String, text: String },
-    PhaseConstant { phase: usize, key: String, expected: f64, tolerance: Tolerance },
-    PhaseCase { phase: usize, case: String },
+    Field {
+        path: String,
+        text: String,
+    },
+    PhaseConstant {
+        phase: usize,
+        key: String,
+        expected: f64,
+        tolerance: Tolerance,
+    },
+    PhaseCase {
+        phase: usize,
+        case: String,
+    },
 }
 
 /// Reads a claim.
@@ -56,6 +129,8 @@ pub fn parse(line: &str) -> Result<Claim, String> {
         }
         "events" => Ok(Claim::Events(integer(word(1))?)),
         "audits" => Ok(Claim::AuditsOk),
+        "audit" if word(1) == "fails" => Ok(Claim::AuditFails(word(2).to_owned())),
+        "least" | "greatest" => extreme(line).ok_or_else(unknown)?,
         "audit" => {
             let name = line.split('"').nth(1).ok_or_else(unknown)?.to_owned();
             let limit = line.split_once('<').ok_or_else(unknown)?.1;
@@ -118,6 +193,23 @@ fn value(line: &str) -> Option<Result<Claim, String>> {
         t => number(t).map(When::At),
     };
     Some(when.map(|when| Claim::Value { name: column.to_owned(), when, expected, tolerance }))
+}
+
+/// `least NAME = V ± TOL [rel]` or `least NAME at T ± TOL`; `greatest` likewise.
+fn extreme(line: &str) -> Option<Result<Claim, String>> {
+    let (word, rest) = line.split_once(' ')?;
+    let least = word == "least";
+    let (timed, written) = match rest.split_once(" at ") {
+        Some((name, value)) => (true, format!("{name} = {value}")),
+        None => (false, rest.to_owned()),
+    };
+    let which = match (least, timed) {
+        (true, false) => Which::Least,
+        (true, true) => Which::LeastAt,
+        (false, false) => Which::Greatest,
+        (false, true) => Which::GreatestAt,
+    };
+    Some(equality(&written)?.map(|(name, expected, tolerance)| Claim::Extreme { name, which, expected, tolerance }))
 }
 
 /// `mean rate of NAME from A to B = V ± TOL [rel]`.

@@ -1,7 +1,7 @@
 //! Runs the command of a trial and checks its claims.
 
 use crate::chapter::Trial;
-use crate::claim::{Claim, Tolerance, When, parse};
+use crate::claim::{Claim, Tolerance, When, Which, parse};
 use analysis::Dataset;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use mechanics::Diagnostic;
@@ -224,6 +224,7 @@ impl Command {
         let times = self.times(claims);
         // only what is claimed: another output may be undefined with the values that are set
         let wanted = claims.iter().filter_map(|claim| match claim {
+            Claim::Extreme { name, .. } => Some(name.clone()),
             Claim::Value { name, .. } | Claim::Bounded { name, .. } | Claim::Constant { name, .. } | Claim::MeanRate { name, .. } => {
                 Some(name.clone())
             }
@@ -231,11 +232,13 @@ impl Command {
         });
         let fails = claims.iter().any(|claim| matches!(claim, Claim::Fails(_)));
         let outputs = if fails { None } else { Some(wanted.collect()) };
+        let events = strutt::plan::events(&machine.model, &machine.equations);
         let options = Simulate {
             grid: Grid::At(times.clone()),
             tolerance: self.tolerance,
             method: self.method,
             outputs,
+            events,
             ..Simulate::until(self.until)
         };
         let start = match machine.system.start() {
@@ -432,12 +435,27 @@ fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
         Claim::Value { name, when, expected, tolerance } => {
             let row = match when {
                 When::At(t) => times.iter().rposition(|x| x == t),
-                When::End => Some(INSTANTS),
+                When::End => last_row(data),
             };
             let row = row.ok_or("the instant was not asked for")?;
             let found = values(name)?.get(row).copied().unwrap_or(f64::NAN);
             tolerance.check(name, found, *expected)
         }
+        Claim::Extreme { name, which, expected, tolerance } => {
+            let e = data.extreme(name).ok_or_else(|| no_column(data, name))?;
+            let found = match which {
+                Which::Least => e.min,
+                Which::LeastAt => e.t_min,
+                Which::Greatest => e.max,
+                Which::GreatestAt => e.t_max,
+            };
+            tolerance.check(name, found, *expected)
+        }
+        Claim::AuditFails(key) => match data.audits.iter().find(|a| a.key == *key) {
+            Some(audit) if !audit.ok => Ok(()),
+            Some(audit) => Err(format!("it passes with {:.3e}", audit.value)),
+            None => Err(format!("audits: {:?}", data.audits.iter().map(|a| &a.key).collect::<Vec<_>>())),
+        },
         Claim::Bounded { name, limit } => {
             // not-a-number must not pass as small
             let largest = values(name)?.iter().fold(0.0f64, |m, v| if v.is_nan() { f64::INFINITY } else { m.max(v.abs()) });
@@ -468,6 +486,12 @@ fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
         },
         _ => Err("the motion was computed".into()),
     }
+}
+
+/// The row of the latest instant: an event may have ended the motion before the time asked for.
+fn last_row(data: &Dataset) -> Option<usize> {
+    let times = &data.columns.get(data.axis?)?.values;
+    (0..times.len()).max_by(|a, b| times[*a].total_cmp(&times[*b]))
 }
 
 fn constant(name: &str, values: &[f64], tolerance: Tolerance) -> Result<(), String> {

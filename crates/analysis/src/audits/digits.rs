@@ -1,0 +1,107 @@
+//! Digits that hold: the motion is computed once more with a tighter tolerance and another order, and only what both agree on is a digit.
+//!
+//! Two solutions with different steps make different errors; where the motion amplifies errors (chaos, a separatrix, a long run) they part, and what has
+//! parted is no digit of either. A row beside a jump is left out when the instants of the jump differ by more than the row's distance from it: there
+//! the time holds and the value does not mean anything. It is no audit: a chaotic motion is not wrong, its late digits are.
+
+use symbolic::Text;
+
+use crate::dataset::{Dataset, Digits, Extreme, Held};
+use crate::fault::number;
+
+/// More digits than a number has are not claimed.
+const MOST: f64 = 15.0;
+/// Fewer than so many digits of a column are worth a remark.
+const FEW: i32 = 4;
+
+/// Compares a motion with its repetition; `tolerance` and `order` are those of the repetition.
+pub fn compare(data: &Dataset, again: &Dataset, tolerance: f64, order: usize) -> Digits {
+    let left_out = beside_jumps(data, again);
+    let axis = data.axis;
+    let columns = (0..data.columns.len()).filter(|i| Some(*i) != axis && !data.columns[*i].values.is_empty());
+    let columns = columns.filter(|i| again.columns.get(*i).is_some_and(|c| c.values.len() == data.columns[*i].values.len()));
+    Digits { tolerance, order, columns: columns.map(|i| held(data, again, i, &left_out)).collect() }
+}
+
+/// Number of digits of a value of this size that a deviation leaves.
+pub fn digits(size: f64, deviation: f64) -> i32 {
+    if deviation == 0.0 {
+        return MOST as i32;
+    }
+    // half a unit of the last digit is not less than the deviation
+    let digits = (size.log10().floor() - (2.0 * deviation).log10()).floor() + 1.0;
+    if digits.is_nan() { 0 } else { digits.clamp(0.0, MOST) as i32 }
+}
+
+fn held(data: &Dataset, again: &Dataset, i: usize, left_out: &[bool]) -> Held {
+    let (a, b) = (&data.columns[i].values, &again.columns[i].values);
+    let rows = || a.iter().zip(b).enumerate().filter(|(row, _)| left_out.get(*row) != Some(&true));
+    let size = a.iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
+    let worst = rows().map(|(_, (a, b))| apart(*a, *b)).fold(0.0, f64::max);
+    let of = |list: &[Extreme]| list.iter().find(|e| e.column == i).cloned();
+    let both = of(&data.extremes).zip(of(&again.extremes));
+    let extreme = |pick: fn(&Extreme) -> f64| both.as_ref().map_or(worst, |(a, b)| apart(pick(a), pick(b)));
+    let last = a.len() - 1;
+    let limit = size * 10f64.powi(-FEW);
+    let lost = rows().find(|(_, (a, b))| apart(**a, **b) > 0.5 * limit).map(|(row, _)| row);
+    Held {
+        column: i,
+        digits: digits(size, worst),
+        deviations: [apart(a[0], b[0]), extreme(|e| e.min), extreme(|e| e.max), apart(a[last], b[last])],
+        instants: [extreme(|e| e.t_min), extreme(|e| e.t_max)],
+        lost: lost.and_then(|row| data.axis.map(|axis| data.columns[axis].values[row])),
+    }
+}
+
+fn apart(a: f64, b: f64) -> f64 {
+    if a == b || (a.is_nan() && b.is_nan()) { 0.0 } else { (a - b).abs() }
+}
+
+/// Rows nearer to a jump than its instant is known.
+fn beside_jumps(data: &Dataset, again: &Dataset) -> Vec<bool> {
+    let Some(axis) = data.axis else { return Vec::new() };
+    if data.events.len() != again.events.len() {
+        return Vec::new();
+    }
+    let shifts: Vec<(f64, f64)> = data.events.iter().zip(&again.events).map(|(a, b)| (a.t, 2.0 * (a.t - b.t).abs())).collect();
+    data.columns[axis].values.iter().map(|t| shifts.iter().any(|(at, width)| (t - at).abs() <= *width && *width > 0.0)).collect()
+}
+
+/// Says where digits are lost; none when every column keeps at least four.
+pub fn note(found: &Digits, data: &Dataset) -> Option<Text> {
+    let few = found.columns.iter().filter(|c| c.digits < FEW).min_by_key(|c| c.digits)?;
+    let quantity = data.columns.get(few.column)?;
+    let name = &quantity.quantity.name;
+    let from = few.lost.map(crate::fault::rounded);
+    let (en, ru) = match &from {
+        Some(t) => (format!(" from t = {} s on", t.en), format!(" начиная с t = {} с", t.ru)),
+        None => (String::new(), String::new()),
+    };
+    let n = number(found.tolerance);
+    Some(Text::new(
+        format!(
+            "a repetition with tolerance {} and order {} agrees with {} of {name} in {} digits only{en}: the motion is sensitive or long, later digits mean nothing",
+            n.en, found.order, "the rows", few.digits
+        ),
+        format!(
+            "повторный расчёт с точностью {} и порядком {} совпадает по {name} лишь в {} цифрах{ru}: движение чувствительно или слишком длинно, дальнейшие цифры ничего не значат",
+            n.ru, found.order, few.digits
+        ),
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_count_what_two_numbers_share() {
+        assert_eq!(digits(1.0, 0.0), 15);
+        // 2.5182 and 2.5183: four digits, 2.518
+        assert_eq!(digits(2.5182, 1e-4), 4);
+        assert_eq!(digits(3.0, 1.0), 0);
+        assert_eq!(digits(3.0, 0.4), 1);
+        assert_eq!(digits(1.0, 3.0), 0);
+        assert_eq!(digits(0.0, 1.0), 0);
+    }
+}

@@ -1,0 +1,219 @@
+//! Energy ledger: E(t) - E(0) - W(t), W the work of everything that supplies or takes energy, integrated along the motion.
+//!
+//! ```text
+//! W = ∫ (loads + drives - dissipated) dt + Σ energy that impacts take or give + Σ change of E by a switch while the state stands
+//! value = max over t of |E - E(0) - W| / (max T, max |Π - Π(0)|, ∫ |loads| + |drives| + |dissipated| dt)
+//! ```
+//!
+//! Powers are integrated over every step of the dense output by Gauss's rule with five points, exact to degree 9; where the balance of a step does not
+//! close to its tolerance the step is halved until the integral stands, so that what remains is the motion's and not the rule's. Accelerations are the
+//! derivatives of the dense output. A step that ends beside the next one's start (a projection) counts as error. Nothing closes the ledger by itself: it
+//! sees a drift that the power balance at an instant cannot.
+//!
+//! **Limit.** A step errs by at most about tol of its own change, and the changes of N steps add up to at most N times the scale: N tol, not below
+//! 1e-9 where rounding rules, never above [`MOST`], whatever tolerance was asked for.
+
+use symbolic::Text;
+
+use crate::dataset::Audit;
+use crate::numerics::sum::two_sum;
+use crate::taylor::Step;
+use crate::{Mode, Powers, System};
+
+/// A motion whose energy is off by more than this is wrong at any tolerance.
+const MOST: f64 = 1e-3;
+const LEAST: f64 = 1e-9;
+/// Abscissas and weights on [0, 1]. *Source*: DLMF 3.5.5, n = 5.
+const GAUSS: [(f64, f64); 5] = [
+    (0.046_910_077_030_668_0, 0.118_463_442_528_094_54),
+    (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
+    (0.5, 0.284_444_444_444_444_44),
+    (0.769_234_655_052_841_5, 0.239_314_335_249_683_23),
+    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
+];
+/// Halvings of a step.
+const DEEPEST: u32 = 24;
+/// Most parts of a step.
+const PARTS: usize = 400;
+
+/// Work over a part of a step: net, and of all kinds without sign.
+#[derive(Clone, Copy, Debug, Default)]
+struct Work {
+    net: f64,
+    passed: f64,
+}
+
+/// Keeps the ledger.
+#[derive(Clone, Debug)]
+pub struct Ledger {
+    known: bool,
+    /// Potential energy at the start.
+    potential: Option<f64>,
+    /// E - E(0) - W so far, high and low part.
+    open: (f64, f64),
+    passed: f64,
+    kinetic: f64,
+    range: f64,
+    /// Rounding of the energies themselves.
+    rounding: f64,
+    worst: f64,
+    steps: u64,
+    /// Time, state and modes at the end of the last step.
+    last: Option<(f64, Vec<f64>, Vec<Mode>)>,
+    impact: bool,
+    tolerance: f64,
+    x: Vec<f64>,
+    rates: Vec<f64>,
+}
+
+impl Ledger {
+    /// For a system with this many states.
+    pub fn new(n_states: usize, tolerance: f64) -> Ledger {
+        Ledger {
+            known: true,
+            potential: None,
+            open: (0.0, 0.0),
+            passed: 0.0,
+            kinetic: 0.0,
+            range: 0.0,
+            rounding: 0.0,
+            worst: 0.0,
+            steps: 0,
+            last: None,
+            impact: false,
+            tolerance,
+            x: vec![0.0; n_states],
+            rates: vec![0.0; n_states],
+        }
+    }
+
+    /// The jump between the last step and the next is an impact: its energy is accounted for there.
+    pub fn impact(&mut self) {
+        self.impact = true;
+    }
+
+    /// Books a step up to `length`.
+    pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, length: f64) {
+        if self.known && length > 0.0 {
+            self.known = self.book(step, system, length).is_some();
+        }
+    }
+
+    fn book<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, h: f64) -> Option<()> {
+        let before = self.energy(step, system, 0.0)?;
+        self.between(step, system, before)?;
+        let after = self.energy(step, system, h)?;
+        let change = (after[0] - before[0]) + (after[1] - before[1]);
+        let moved = (after[0] - before[0]).abs() + (after[1] - before[1]).abs();
+        let whole = self.gauss(step, system, (0.0, h))?;
+        let size = whole.passed + moved;
+        let closes = (change - whole.net).abs() <= (0.1 * self.tolerance * size).max(4.0 * f64::EPSILON * self.rounding);
+        let work = if closes { whole } else { self.halved(step, system, h, whole)? };
+        self.passed += work.passed;
+        self.add(change - work.net);
+        self.steps += 1;
+        self.last = Some((step.start.after(h).high, self.x.clone(), step.modes.clone()));
+        if let Some((_, x, _)) = &mut self.last {
+            step.state_after(h, x);
+        }
+        Some(())
+    }
+
+    /// What happened since the end of the last step, where the energies were before.
+    fn between<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, now: [f64; 2]) -> Option<()> {
+        let impact = std::mem::take(&mut self.impact);
+        let Some((t, x, modes)) = self.last.take() else { return Some(()) };
+        let mut start = vec![0.0; x.len()];
+        step.state_after(0.0, &mut start);
+        if start == x && modes == step.modes {
+            return Some(());
+        }
+        let before = system.energies(t, &x, &modes)?;
+        // the same state under the new laws
+        let middle = system.energies(step.start.high, &x, &step.modes)?;
+        let switched = (middle[0] - before[0]) + (middle[1] - before[1]);
+        self.passed += switched.abs();
+        let jump = (now[0] - middle[0]) + (now[1] - middle[1]);
+        if impact {
+            self.passed += jump.abs();
+        } else {
+            self.add(jump);
+        }
+        Some(())
+    }
+
+    fn add(&mut self, residual: f64) {
+        let (high, low) = two_sum(self.open.0, residual);
+        self.open = (high, self.open.1 + low);
+        let scale = self.kinetic.max(self.range).max(self.passed).max(64.0 * f64::EPSILON / LEAST * self.rounding);
+        let value = (self.open.0 + self.open.1).abs();
+        if value != 0.0 {
+            let ratio = value / scale;
+            self.worst = if ratio.is_nan() { f64::NAN } else { self.worst.max(ratio) };
+        }
+    }
+
+    /// T and Π; widens the scales.
+    fn energy<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, tau: f64) -> Option<[f64; 2]> {
+        step.state_after(tau, &mut self.x);
+        let [kinetic, potential] = system.energies(step.start.after(tau).high, &self.x, &step.modes)?;
+        let first = *self.potential.get_or_insert(potential);
+        self.kinetic = self.kinetic.max(kinetic.abs());
+        self.range = self.range.max((potential - first).abs());
+        self.rounding = self.rounding.max(kinetic.abs() + potential.abs());
+        Some([kinetic, potential])
+    }
+
+    fn gauss<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, (from, to): (f64, f64)) -> Option<Work> {
+        let n = system.n_coordinates();
+        let mut work = Work::default();
+        for (u, weight) in GAUSS {
+            let tau = from + (to - from) * u;
+            step.state_after(tau, &mut self.x);
+            step.rate_after(tau, &mut self.rates);
+            let p: Powers = system.powers(step.start.after(tau).high, &self.x, &self.rates[n..2 * n], &step.modes)?;
+            let share = weight * (to - from);
+            work.net += share * (p.loads + p.drives - p.dissipated);
+            work.passed += share * (p.loads.abs() + p.drives.abs() + p.dissipated.abs());
+        }
+        Some(work)
+    }
+
+    /// The integral by halving, each part until two halves agree with it.
+    fn halved<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, h: f64, whole: Work) -> Option<Work> {
+        let mut sum = Work::default();
+        let mut open = vec![(0.0, h, whole, 0_u32)];
+        let mut parts = 0;
+        while let Some((from, to, coarse, depth)) = open.pop() {
+            let middle = 0.5 * (from + to);
+            let left = self.gauss(step, system, (from, middle))?;
+            let right = self.gauss(step, system, (middle, to))?;
+            let off = (left.net + right.net - coarse.net).abs();
+            parts += 1;
+            let enough = off <= 1e-3 * self.tolerance * (whole.passed + sum.passed) || off <= 4.0 * f64::EPSILON * self.rounding;
+            if enough || depth >= DEEPEST || parts > PARTS {
+                sum.net += left.net + right.net;
+                sum.passed += left.passed + right.passed;
+            } else {
+                open.push((middle, to, right, depth + 1));
+                open.push((from, middle, left, depth + 1));
+            }
+        }
+        Some(sum)
+    }
+
+    /// The audit; none when the system has no energies or did not move in time.
+    pub fn audit(&self) -> Option<Audit> {
+        let name = Text::new(
+            "energy ledger: largest |E - E(0) - work| relative to the energy that passed",
+            "баланс энергии: наибольшее |E - E(0) - работа| относительно прошедшей энергии",
+        );
+        let limit = (self.steps as f64 * self.tolerance).clamp(LEAST, MOST);
+        (self.known && self.steps > 0).then(|| Audit::at_most("energy_ledger", name, self.worst, limit))
+    }
+
+    /// Whether energies have no value along the motion, so that there is no ledger.
+    pub fn is_unknown(&self) -> bool {
+        !self.known
+    }
+}

@@ -1,0 +1,138 @@
+//! Least and greatest values of a motion, with their instants.
+//!
+//! Candidates are both ends of every step (so both sides of every jump) and the zeros of the derivative inside. A step whose Σ |c_k| h^k cannot exceed
+//! what was found is passed over. Of values that differ by less than the tolerance times the range the first one counts: a periodic motion names its
+//! first peak, not the one that rounding favours.
+
+use super::crossings::{self, Bracket};
+use super::proxy::{Piece, Proxies};
+use super::{Along, bracketed, unknown};
+use crate::System;
+use crate::dataset::Extreme;
+
+/// Collects extremes of columns.
+#[derive(Clone, Debug)]
+pub struct Extremes {
+    list: Vec<Extreme>,
+    /// For each column the output and, when it is one, the state.
+    sources: Vec<(usize, Option<usize>)>,
+    proxies: Proxies,
+    /// Share of the range by which a later value must be better.
+    tie: f64,
+}
+
+impl Extremes {
+    /// For these outputs of a system.
+    pub fn new<S: System + ?Sized>(system: &S, chosen: &[usize], tolerance: f64) -> Extremes {
+        let state = |i: usize| system.states().iter().position(|s| s.name == system.outputs()[i].name);
+        Extremes {
+            list: unknown(chosen.len()),
+            sources: chosen.iter().map(|&i| (i, state(i))).collect(),
+            proxies: Proxies::default(),
+            tie: tolerance,
+        }
+    }
+
+    /// Takes values of all columns at an instant.
+    pub fn offer_row(&mut self, t: f64, values: &[f64]) {
+        for (j, value) in values.iter().enumerate() {
+            self.offer(j, t, *value);
+        }
+    }
+
+    fn offer(&mut self, j: usize, t: f64, value: f64) {
+        let Some(e) = self.list.get_mut(j).filter(|_| value.is_finite()) else { return };
+        if e.min > e.max {
+            *e = Extreme { min: value, t_min: t, max: value, t_max: t, ..e.clone() };
+            return;
+        }
+        let margin = self.tie * (e.max - e.min) + 4.0 * f64::EPSILON * value.abs();
+        if value < e.min - margin {
+            (e.min, e.t_min) = (value, t);
+        }
+        if value > e.max + margin {
+            (e.max, e.t_max) = (value, t);
+        }
+    }
+
+    /// Looks at a step.
+    pub(crate) fn look<S: System + ?Sized>(&mut self, along: &mut Along<'_, S>) {
+        let h = along.length;
+        let mut sampled = Vec::new();
+        for j in 0..self.sources.len() {
+            match self.sources[j] {
+                (_, Some(state)) => self.state(j, state, along),
+                (output, None) => sampled.push(output),
+            }
+        }
+        if sampled.is_empty() {
+            return;
+        }
+        let pieces = self.proxies.pieces(&mut |tau| along.outputs(tau).to_vec(), &sampled, h);
+        for piece in pieces {
+            let columns = (0..self.sources.len()).filter(|j| self.sources[*j] == (piece.of, None)).collect::<Vec<_>>();
+            for j in columns {
+                self.piece(j, &piece, along);
+            }
+        }
+    }
+
+    fn state<S: System + ?Sized>(&mut self, j: usize, state: usize, along: &mut Along<'_, S>) {
+        let (c, h) = (along.polynomial(state), along.length);
+        let reach = c[1..].iter().rev().fold(0.0, |sum, c_k| (sum + c_k.abs()) * h);
+        let first = along.state(state, 0.0);
+        if first + reach <= self.list[j].max && first - reach >= self.list[j].min {
+            return;
+        }
+        let slope: Vec<f64> = c.iter().enumerate().skip(1).map(|(k, c_k)| k as f64 * c_k).collect();
+        let mut value = |tau: f64| slope.iter().rev().fold(0.0, |sum, c_k| sum * tau + c_k);
+        let row = crossings::from_powers(&slope, h);
+        let mut sign = 0.0;
+        for Bracket { from, to, .. } in crossings::crossings(&row, 0.0, &mut sign) {
+            let (a, b) = (from * h, to * h);
+            let tau = if a < b {
+                {
+                    let ends = [value(a), value(b)];
+                    bracketed(&mut value, (a, ends[0]), (b, ends[1]))
+                }
+            } else {
+                a
+            };
+            self.offer(j, along.time(tau), along.state(state, tau));
+        }
+        self.offer(j, along.time(0.0), first);
+        self.offer(j, along.time(h), along.state(state, h));
+    }
+
+    fn piece<S: System + ?Sized>(&mut self, j: usize, piece: &Piece, along: &mut Along<'_, S>) {
+        let (low, high) = piece.row.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), b| (l.min(*b), h.max(*b)));
+        // the polynomial lies in the hull of its coefficients
+        if high <= self.list[j].max && low >= self.list[j].min {
+            return;
+        }
+        let row = crossings::derivative(&piece.row);
+        let at = |u: f64| piece.from + (piece.to - piece.from) * u;
+        self.offer(j, along.time(piece.from), piece.row[0]);
+        let mut sign = 0.0;
+        for Bracket { from, to, .. } in crossings::crossings(&row, 0.0, &mut sign) {
+            let mut slope = |u: f64| crossings::value(&row, u);
+            let u = if from < to {
+                {
+                    let ends = [slope(from), slope(to)];
+                    bracketed(&mut slope, (from, ends[0]), (to, ends[1]))
+                }
+            } else {
+                from
+            };
+            let tau = at(u);
+            let value = along.outputs(tau)[piece.of];
+            self.offer(j, along.time(tau), value);
+        }
+        self.offer(j, along.time(piece.to), piece.row[piece.row.len() - 1]);
+    }
+
+    /// What was found, in the order of the columns; columns without a finite value are left out.
+    pub fn found(self) -> Vec<Extreme> {
+        self.list.into_iter().filter(|e| e.min <= e.max).collect()
+    }
+}

@@ -1,0 +1,155 @@
+//! Named events: instants at which a formula of the user's passes zero, and whether the motion ends there.
+//!
+//! An event is a change of sign, zeros left out: a touch from one side is none, a jump across zero (the rate of a contact at an impact) is one at the
+//! instant of the jump, and a formula that rests at zero for a while changes when it leaves to the other side. A formula that is zero at the start gives
+//! an event there when it leaves in the direction asked for; it does not stop the motion. What is smaller than the rounding of the largest value so far
+//! counts as zero.
+
+use super::crossings::{self, Bracket};
+use super::proxy::{Piece, Proxies};
+use super::{Along, bracketed};
+use crate::System;
+
+/// Which changes of sign count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Direction {
+    /// From minus to plus.
+    Rising,
+    /// From plus to minus.
+    Falling,
+    /// Either.
+    #[default]
+    Both,
+}
+
+/// A named event of a system.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Named {
+    /// Its name.
+    pub name: String,
+    /// Index of the output whose zeros are meant.
+    pub output: usize,
+    /// Which changes count.
+    pub direction: Direction,
+    /// Whether the motion ends at the first one after the start.
+    pub stop: bool,
+}
+
+/// One that happened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Happened {
+    /// Index of the event.
+    pub event: usize,
+    /// After the start of the step.
+    pub tau: f64,
+    /// Sign afterwards.
+    pub sign: f64,
+}
+
+/// Values below this share of the largest so far are zero.
+const ZERO: f64 = 16.0 * f64::EPSILON;
+
+/// Follows the events along a motion.
+#[derive(Clone, Debug)]
+pub struct Watcher {
+    events: Vec<Named>,
+    /// Sign before, and largest value so far.
+    states: Vec<(f64, f64)>,
+    started: bool,
+    proxies: Proxies,
+}
+
+impl Watcher {
+    /// For these events.
+    pub fn new(events: &[Named]) -> Watcher {
+        Watcher { events: events.to_vec(), states: vec![(0.0, 0.0); events.len()], started: false, proxies: Proxies::default() }
+    }
+
+    /// The events watched.
+    pub fn events(&self) -> &[Named] {
+        &self.events
+    }
+
+    /// What happens in a step, in order of time; ends with the first event that stops the motion.
+    pub(crate) fn look<S: System + ?Sized>(&mut self, along: &mut Along<'_, S>) -> Vec<Happened> {
+        if self.events.is_empty() || along.length == 0.0 {
+            return Vec::new();
+        }
+        let outputs: Vec<usize> = self.events.iter().map(|e| e.output).collect();
+        let h = along.length;
+        let pieces = self.proxies.pieces(&mut |tau| along.outputs(tau).to_vec(), &outputs, h);
+        let mut found = Vec::new();
+        for i in 0..self.events.len() {
+            let output = self.events[i].output;
+            for piece in pieces.iter().filter(|p| p.of == output) {
+                self.piece(i, piece, along, &mut found);
+            }
+        }
+        self.started = true;
+        found.sort_by(|a, b| a.tau.total_cmp(&b.tau).then(a.event.cmp(&b.event)));
+        let stops = |e: &Happened| self.events[e.event].stop && along.time(e.tau) > 0.0;
+        if let Some(k) = found.iter().position(stops) {
+            found.truncate(k + 1);
+        }
+        found
+    }
+
+    fn piece<S: System + ?Sized>(&mut self, i: usize, piece: &Piece, along: &mut Along<'_, S>, found: &mut Vec<Happened>) {
+        let (mut sign, largest) = self.states[i];
+        let largest = piece.row.iter().fold(largest, |m: f64, b| m.max(b.abs()));
+        let noise = ZERO * largest;
+        if sign == 0.0 && !self.started && piece.from == 0.0 && piece.row[0].abs() <= noise {
+            // it leaves zero at the start: as if it came from the other side
+            sign = -leaving(&piece.row, noise);
+        }
+        let width = piece.to - piece.from;
+        for bracket in crossings::crossings(&piece.row, noise, &mut sign) {
+            let tau = piece.from + width * polished(&bracket, piece, along);
+            if self.counts(i, bracket.sign) {
+                found.push(Happened { event: i, tau, sign: bracket.sign });
+            }
+        }
+        self.states[i] = (sign, largest);
+    }
+
+    fn counts(&self, i: usize, sign: f64) -> bool {
+        match self.events[i].direction {
+            Direction::Both => true,
+            Direction::Rising => sign > 0.0,
+            Direction::Falling => sign < 0.0,
+        }
+    }
+
+    /// Whether an event ends the motion.
+    pub fn stops(&self, happened: &Happened) -> bool {
+        self.events[happened.event].stop
+    }
+}
+
+/// The sign with which a polynomial leaves its zero at the start.
+fn leaving(row: &[f64], noise: f64) -> f64 {
+    row.iter().find(|b| b.abs() > noise).map_or(0.0, |b| b.signum())
+}
+
+/// The instant inside a bracket: first of the polynomial, then of the quantity itself.
+fn polished<S: System + ?Sized>(bracket: &Bracket, piece: &Piece, along: &mut Along<'_, S>) -> f64 {
+    let Bracket { from, to, .. } = *bracket;
+    if from >= to {
+        return from;
+    }
+    let mut value = |u: f64| crossings::value(&piece.row, u);
+    let ends = [value(from), value(to)];
+    let rough = if piece.row.len() == 2 { 0.5 * (from + to) } else { bracketed(&mut value, (from, ends[0]), (to, ends[1])) };
+    let width = piece.to - piece.from;
+    let mut exact = |u: f64| along.outputs(piece.from + width * u)[piece.of];
+    let near = 1e-9;
+    let (a, b) = ((rough - near).max(from), (rough + near).min(to));
+    let (fa, fb) = (exact(a), exact(b));
+    if fa == 0.0 {
+        return a;
+    }
+    if fb == 0.0 {
+        return b;
+    }
+    if (fa > 0.0) != (fb > 0.0) { bracketed(&mut exact, (a, fa), (b, fb)) } else { rough }
+}
