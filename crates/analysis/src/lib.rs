@@ -10,6 +10,7 @@ pub mod linear;
 pub mod machine;
 pub mod numerics;
 pub mod reduce;
+pub mod rest;
 pub mod structure;
 pub mod studies;
 pub mod system;
