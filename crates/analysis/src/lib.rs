@@ -12,6 +12,7 @@ pub mod marks;
 pub mod numerics;
 pub mod reduce;
 pub mod stiff;
+pub mod rest;
 pub mod structure;
 pub mod studies;
 pub mod system;

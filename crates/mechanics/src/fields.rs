@@ -233,6 +233,17 @@ pub const TOP: TableSpec = TableSpec {
             ),
             "",
         ),
+        may(
+            "impending",
+            Type::Table,
+            "",
+            "",
+            (
+                "dry frictions at their limit in the place of rest that [unknowns] are found for: name = \"+\" when about to slide forward along their path, \"-\" backward",
+                "сухие трения на пределе в положении покоя, для которого ищутся [unknowns]: имя = \"+\", если готово начаться скольжение вперёд по их пути, \"-\" — назад",
+            ),
+            "",
+        ),
         may("coordinates", Type::Table, "", "", ("generalized coordinates", "обобщённые координаты"), ""),
         may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
         may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),

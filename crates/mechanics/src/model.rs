@@ -63,6 +63,8 @@ pub struct Model {
     pub phases: Vec<f64>,
     /// Parameters that are found so that the start is a place of rest; their numbers are guesses.
     pub unknowns: Vec<SymbolId>,
+    /// Frictions at their limit in that place: name, about to slide forward (1) or backward (-1).
+    pub impending: Vec<(String, f64)>,
     /// Instants of these at which the time of forces and torques begins anew, s.
     pub restarts: Vec<f64>,
     /// Studies, in the user's order.

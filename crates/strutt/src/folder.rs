@@ -144,11 +144,20 @@ fn equilibria(data: &Dataset) -> Value {
     let n = data.columns.first().map_or(0, |c| c.values.len());
     let at = |name: &str, row: usize| data.column(name).map_or(f64::NAN, |c| c.values[row]);
     let place = |row: usize| {
-        let coordinates = data.columns.iter().filter(|c| !is_verdict(&c.quantity.name));
+        let coordinates = data.columns.iter().filter(|c| !is_verdict(&c.quantity.name) && !is_reaction(&c.quantity.name));
         let coordinates: Map<String, Value> = coordinates.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect();
         let stable = at("stable", row);
         let stable = if stable.is_nan() { Value::Null } else { json!(stable != 0.0) };
         let mut out = json!({"coordinates": coordinates, "stable": stable, "residual": at("residual", row)});
+        let reactions: Map<String, Value> = data
+            .columns
+            .iter()
+            .filter(|c| is_reaction(&c.quantity.name))
+            .map(|c| (c.quantity.name.clone(), json!(c.values[row])))
+            .collect();
+        if !reactions.is_empty() {
+            out["reactions"] = json!(reactions);
+        }
         if data.column("growth").is_some() {
             let (growth, negative) = (at("growth", row), at("negative_directions", row));
             out["growth"] = json!(growth);
@@ -159,6 +168,11 @@ fn equilibria(data: &Dataset) -> Value {
         out
     };
     (0..n).map(place).collect()
+}
+
+/// Columns of an equilibrium that are reactions: `force(AB)`.
+fn is_reaction(name: &str) -> bool {
+    name.contains('(')
 }
 
 /// Columns of an equilibrium that are no coordinates.

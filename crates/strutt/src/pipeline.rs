@@ -223,7 +223,12 @@ pub fn equilibrium_over(machine: &mut Machine, guess: &[(SymbolId, f64)], over: 
         Ok(start) => {
             let mut options = plan::guesses(&machine.equations, &start, guess);
             options.over = over.and_then(|between| plan::range(&machine.equations, between));
-            let mut outcome = studies::equilibrium::equilibrium(&mut machine.system, &start, &options);
+            let mut outcome = if analysis::rest::report::is_free(&machine.equations) {
+                studies::equilibrium::equilibrium(&mut machine.system, &start, &options)
+            } else {
+                let parameters: Vec<f64> = machine.equations.parameters.iter().map(|p| p.value).collect();
+                analysis::rest::report::study(&machine.equations, &parameters, &start, &options)
+            };
             crate::small::add_roots(machine, &mut outcome.dataset);
             outcome.dataset.notes.extend(crate::small::unknown_notes(machine));
             outcome

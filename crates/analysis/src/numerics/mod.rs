@@ -14,6 +14,7 @@ pub mod qr;
 pub mod random;
 pub mod rank;
 mod refine;
+pub mod simplex;
 pub mod sparse;
 pub mod sum;
 pub mod trouble;

@@ -135,7 +135,7 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
     Outcome { dataset, fault }
 }
 
-fn nothing_between(name: &str, from: f64, to: f64) -> Fault {
+pub(crate) fn nothing_between(name: &str, from: f64, to: f64) -> Fault {
     let (a, b) = (rounded(from), rounded(to));
     Fault::new(Message {
         code: "S007",
@@ -317,19 +317,24 @@ impl<S: Statics + ?Sized> Search<'_, S> {
     }
 
     fn failed(&self) -> Fault {
-        Fault::new(Message {
-            code: "S007",
-            what: Text::new("no equilibrium found from this guess", "из этого приближения равновесие не найдено"),
-            why: Text::new(
-                "the forces do not vanish together near here, or the guess is far from the equilibrium",
-                "силы здесь не обращаются в нуль одновременно, или приближение далеко от равновесия",
-            ),
-            help: Text::new(
-                "give a `guess` nearer to the equilibrium; check that loads can be balanced",
-                "задайте `guess` ближе к равновесию; проверьте, могут ли нагрузки уравновеситься",
-            ),
-        })
+        no_equilibrium()
     }
+}
+
+/// No place of rest was found.
+pub(crate) fn no_equilibrium() -> Fault {
+    Fault::new(Message {
+        code: "S007",
+        what: Text::new("no equilibrium found from this guess", "из этого приближения равновесие не найдено"),
+        why: Text::new(
+            "the forces do not vanish together near here, or the guess is far from the equilibrium",
+            "силы здесь не обращаются в нуль одновременно, или приближение далеко от равновесия",
+        ),
+        help: Text::new(
+            "give a `guess` nearer to the equilibrium; check that loads can be balanced",
+            "задайте `guess` ближе к равновесию; проверьте, могут ли нагрузки уравновеситься",
+        ),
+    })
 }
 
 /// Longest step of Newton's method, SI: a radian or a metre.

@@ -7,6 +7,9 @@
 //! Σ released_k λ_k = -rest  one for each displacement of a released body
 //! ```
 //!
+//! Dry friction at rest and one-sided contacts limit the λ ([`crate::rest::admissible`]): of reactions that are not unique the least and greatest values are
+//! given. A contact that stands open at the start carries nothing.
+//!
 //! A λ without influence on these (a relation among columns) makes the structure statically indeterminate; a displacement that no reaction holds (a
 //! relation among rows) makes it a mechanism, and then it rests only if the loads do no work in that displacement.
 
@@ -16,6 +19,8 @@ use symbolic::{Equations, Expr, SymbolId, Text};
 use crate::connections::assemble;
 use crate::fault::rounded;
 use crate::numerics::qr::{Qr, norm};
+use crate::rest::admissible::{Hold, Holds, Limit};
+use crate::rest::fault_of;
 use crate::{Fault, Quantity};
 
 /// Share below which a remainder counts as nothing.
@@ -30,6 +35,8 @@ pub struct Reaction {
     pub quantity: Quantity,
     /// The value; none where rigid bodies leave it open.
     pub value: Option<f64>,
+    /// Least and greatest value that one-sided contacts and friction admit; infinite where nothing limits it.
+    pub range: [f64; 2],
 }
 
 /// A motion that no connection prevents: shares of displacements and coordinates, the largest 1.
@@ -77,16 +84,18 @@ struct System {
     right: Vec<f64>,
     /// Sizes of the rows, to compare forces with moments.
     scale: Vec<f64>,
+    /// Columns of contacts.
+    contacts: Vec<usize>,
+    /// Frictions at rest.
+    limits: Vec<Limit>,
 }
 
 impl System {
     fn at_rest(equations: &Equations, start: &[f64]) -> System {
         let (n, b) = (equations.coordinates.len(), equations.balances.len());
-        let unknowns: Vec<usize> = (0..equations.reactions.len())
-            .filter(|r| {
-                matches!(equations.reactions[*r].law, Law::Ideal { .. } | Law::Support | Law::Motor | Law::Contact { .. } | Law::Place)
-            })
-            .collect();
+        let numbers = Numbers::at_rest(equations, start);
+        let open = open_contacts(equations, &numbers, start);
+        let unknowns: Vec<usize> = (0..equations.reactions.len()).filter(|r| !open.contains(r)).collect();
         let mut graph = equations.graph.clone();
         let zero = graph.zero();
         let mut roots: Vec<Expr> = vec![zero; (n + b) * (unknowns.len() + 1)];
@@ -102,9 +111,10 @@ impl System {
         for (i, balance) in equations.balances.iter().enumerate() {
             roots[(n + i) * width + width - 1] = balance.rest;
         }
-        let values = Numbers::at_rest(equations, start).evaluate(&roots);
+        let values = numbers.evaluate(&roots);
         let rows = n + b;
-        let mut system = System { rows, unknowns, matrix: Vec::new(), right: Vec::new(), scale: Vec::new() };
+        let (contacts, limits) = one_sided(equations, &unknowns, &numbers);
+        let mut system = System { rows, unknowns, matrix: Vec::new(), right: Vec::new(), scale: Vec::new(), contacts, limits };
         for row in 0..rows {
             let part = &values[row * width..(row + 1) * width];
             let size = part[..width - 1].iter().fold(0.0_f64, |m, a| m.max(a.abs()));
@@ -142,26 +152,19 @@ impl System {
         if remainder > RESTS {
             return Err(Fault::sets_itself_in_motion(&described(&free)));
         }
-        self.one_sided(equations, &values)?;
+        let mut hold = Hold::new(&self.matrix, &self.right, self.unknowns.len());
+        (hold.contacts, hold.limits) = (self.contacts.clone(), self.limits.clone());
+        let holds = hold.judge();
+        if let Some(fault) = fault_of(equations, &self.unknowns, &hold, &holds) {
+            return Err(fault);
+        }
+        let Holds::Between(ranges) = holds else { return Err(Fault::sets_itself_in_motion(&described(&free))) };
+        let settled = |k: usize| values[k].or((ranges[k].0 == ranges[k].1).then_some(ranges[k].0));
         let shown = |k: usize| equations.reactions[self.unknowns[k]].law.is_reaction();
-        let named = self.unknowns.iter().zip(values).enumerate().filter(|(k, _)| shown(*k));
-        let reactions = named.map(|(_, (&r, value))| reaction(equations, r, value)).collect();
+        let named = (0..self.unknowns.len()).filter(|k| shown(*k));
+        let reactions = named.map(|k| reaction(equations, self.unknowns[k], settled(k), ranges[k])).collect();
         let indeterminacy = relations.iter().filter(|(k, shares)| shown(*k) || shares.iter().any(|s| shown(*s))).count();
         Ok(Statics { reactions, indeterminacy, free, remainder, notes: Vec::new() })
-    }
-
-    /// Ropes pull and surfaces push.
-    fn one_sided(&self, equations: &Equations, values: &[Option<f64>]) -> Result<(), Fault> {
-        let largest = values.iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
-        for (&r, value) in self.unknowns.iter().zip(values) {
-            let reaction = &equations.reactions[r];
-            if let (Law::Contact { tie, .. }, Some(value)) = (&reaction.law, value)
-                && *value < -NOTHING * largest
-            {
-                return Err(Fault::wrong_side(&reaction.name, *value, &reaction.unit, *tie));
-            }
-        }
-        Ok(())
     }
 
     /// The largest remainder of a row, relative to the terms that meet in all rows.
@@ -234,11 +237,37 @@ fn with_shares(vectors: &[Vec<f64>]) -> Vec<(usize, Vec<(usize, f64)>)> {
     relations
 }
 
-fn reaction(equations: &Equations, index: usize, value: Option<f64>) -> Reaction {
+/// Contacts that stand open at the start and carry nothing.
+fn open_contacts(equations: &Equations, numbers: &Numbers, start: &[f64]) -> Vec<usize> {
+    let largest = start.iter().fold(1.0_f64, |m, q| m.max(q.abs()));
+    let is_open = |r: &usize| match &equations.reactions[*r].law {
+        Law::Contact { gap, .. } => numbers.evaluate(&[*gap])[0] > NOTHING * largest,
+        _ => false,
+    };
+    (0..equations.reactions.len()).filter(is_open).collect()
+}
+
+/// Columns of contacts, and dry frictions with their limits.
+fn one_sided(equations: &Equations, unknowns: &[usize], numbers: &Numbers) -> (Vec<usize>, Vec<Limit>) {
+    let law = |k: usize| &equations.reactions[unknowns[k]].law;
+    let contacts = (0..unknowns.len()).filter(|k| matches!(law(*k), Law::Contact { .. })).collect();
+    let limit = |k: usize| {
+        let Law::Friction(friction) = law(k) else { return None };
+        let normal = friction.normal.as_ref().map(|normal| {
+            let column = |r: usize| unknowns.iter().position(|own| *own == r);
+            let terms = normal.terms.iter().filter_map(|(r, e)| Some((column(*r)?, numbers.evaluate(&[*e])[0])));
+            (numbers.evaluate(&[normal.constant])[0], terms.collect())
+        });
+        Some(Limit { column: k, coefficient: numbers.evaluate(&[friction.fixed])[0], normal })
+    };
+    (contacts, (0..unknowns.len()).filter_map(limit).collect())
+}
+
+fn reaction(equations: &Equations, index: usize, value: Option<f64>, range: (f64, f64)) -> Reaction {
     let of = &equations.reactions[index];
     let symbol = equations.graph.symbol_info(of.symbol).name.clone();
     let unit = if of.unit.is_empty() { "1".to_owned() } else { of.unit.clone() };
-    Reaction { quantity: Quantity { symbol, label: of.label.clone(), ..Quantity::new(&of.name, &unit) }, value }
+    Reaction { quantity: Quantity { symbol, label: of.label.clone(), ..Quantity::new(&of.name, &unit) }, value, range: [range.0, range.1] }
 }
 
 /// "beam, forces along y: 1; ...".

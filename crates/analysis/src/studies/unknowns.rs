@@ -93,7 +93,7 @@ fn balanced(machine: &mut LinearMachine, parameters: &[usize], prepared: &crate:
     Ok(())
 }
 
-fn undetermined(name: &str) -> Fault {
+pub(crate) fn undetermined(name: &str) -> Fault {
     Fault::new(Message {
         code: "S036",
         what: Text::new(format!("the equations of statics do not determine `{name}`"), format!("уравнения статики не определяют `{name}`")),
@@ -105,7 +105,7 @@ fn undetermined(name: &str) -> Fault {
     })
 }
 
-fn unbalanced(name: &str, force: f64) -> Fault {
+pub(crate) fn unbalanced(name: &str, force: f64) -> Fault {
     let f = rounded(force);
     Fault::new(Message {
         code: "S036",

@@ -69,4 +69,34 @@ pub const LINEAR: &[Explanation] = &[
         "about = \"middle\"",
         "about = \"start\"",
     ),
+    row(
+        "M109",
+        ("no such friction", "нет такого трения"),
+        (
+            "[impending] lists dry frictions of [frictions] that are at their limit in the place of rest; a name there must be one of these.",
+            "В [impending] перечислены сухие трения из [frictions], достигшие предела в положении покоя; имя должно быть одним из них.",
+        ),
+        "[impending]\nflor = \"+\"",
+        "[impending]\nfloor = \"+\"",
+    ),
+    row(
+        "M110",
+        ("direction of impending sliding", "направление готового начаться скольжения"),
+        (
+            "At its limit a friction resists the sliding that is about to begin: forward along its path (`+`) or backward (`-`).",
+            "На пределе трение противится скольжению, готовому начаться: вперёд по пути (`+`) или назад (`-`).",
+        ),
+        "[impending]\nfloor = \"down\"",
+        "[impending]\nfloor = \"-\"",
+    ),
+    row(
+        "M111",
+        ("friction at its limit without an unknown", "трение на пределе без неизвестного"),
+        (
+            "A friction at its limit is an equation F = ± mu N for the place of rest; a load, an angle or a length in [unknowns] makes it come true.",
+            "Трение на пределе — уравнение F = ± mu N для положения покоя; оно выполняется за счёт нагрузки, угла или длины из [unknowns].",
+        ),
+        "[impending]\nfloor = \"+\"",
+        "[unknowns]\nP = \"100 N\"\n[impending]\nfloor = \"+\"",
+    ),
 ];

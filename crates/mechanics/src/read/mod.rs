@@ -134,6 +134,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let variants = variants::read(reader, &top);
 
     let mut unknowns = unknowns::check(reader, &top, &parameters);
+    let impending = unknowns::impending(reader, &top, &connections, !unknowns.is_empty());
     let rests = reader.take_rests();
     unknowns.extend(rests.iter().map(|p| p.symbol));
     parameters.extend(rests);
@@ -163,6 +164,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         sections,
         phases,
         unknowns,
+        impending,
         restarts: schedule.restarts,
         studies,
         structure,

@@ -1,8 +1,8 @@
 //! `[unknowns]`: parameters that statics decide.
 
-use super::reader::{Fields, Reader, short};
+use super::reader::{Fields, Reader, short, string};
 use crate::fault::Fault;
-use crate::model::{Class, ParameterDecl, ParameterValue};
+use crate::model::{Class, Connection, ConnectionKind, ParameterDecl, ParameterValue};
 use symbolic::SymbolId;
 
 /// The symbols of the unknowns; one that the command line sets is known.
@@ -29,4 +29,52 @@ pub(super) fn check<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, parameters: &
         );
     }
     found
+}
+
+/// Frictions that are about to slide, `[impending]`: name and direction.
+pub(super) fn impending<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, connections: &[Connection], wanted: bool) -> Vec<(String, f64)> {
+    let rows = top.rows(reader, "impending");
+    let frictions: Vec<&str> =
+        connections.iter().filter(|c| matches!(c.kind, ConnectionKind::Friction { .. })).map(|c| c.name.as_str()).collect();
+    let mut found = Vec::new();
+    for (name, span, value) in rows {
+        if !frictions.contains(&name) {
+            reader.fault(no_friction(name, span, &frictions));
+            continue;
+        }
+        if !wanted {
+            reader.fault(nothing_unknown(span));
+            continue;
+        }
+        let Some((word, place)) = string(reader, value, "\"+\" or \"-\"", "\"+\" или \"-\"") else { continue };
+        match word.trim() {
+            "+" => found.push((name.to_owned(), 1.0)),
+            "-" | "−" => found.push((name.to_owned(), -1.0)),
+            other => reader.fault(
+                Fault::new("M110", place, format!("`{}` is no direction", short(other)), format!("`{}` — не направление", short(other)))
+                    .why(
+                        "a friction at its limit resists sliding forward or backward along its path",
+                        "трение на пределе противится скольжению вперёд или назад по своему пути",
+                    )
+                    .help("write \"+\" (about to slide forward) or \"-\"", "напишите \"+\" (готово скользить вперёд) или \"-\""),
+            ),
+        }
+    }
+    found
+}
+
+fn no_friction(name: &str, span: std::ops::Range<usize>, frictions: &[&str]) -> Fault {
+    let list = if frictions.is_empty() { "-".to_owned() } else { frictions.join(", ") };
+    Fault::new("M109", span, format!("there is no friction `{}`", short(name)), format!("нет трения `{}`", short(name)))
+        .why(format!("[frictions] has: {list}"), format!("в [frictions] есть: {list}"))
+        .help("name a dry friction of the model", "назовите сухое трение модели")
+}
+
+fn nothing_unknown(span: std::ops::Range<usize>) -> Fault {
+    Fault::new("M111", span, "friction at its limit, but nothing is unknown", "трение на пределе, но неизвестных нет")
+        .why(
+            "every friction at its limit is one more equation, from which one more unknown follows",
+            "каждое трение на пределе добавляет уравнение, из которого находится ещё одно неизвестное",
+        )
+        .help("name a load, an angle or a length in [unknowns]", "назовите нагрузку, угол или длину в [unknowns]")
 }

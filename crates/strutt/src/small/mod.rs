@@ -110,6 +110,9 @@ pub fn solve_unknowns(model: &mechanics::Model, equations: &mut symbolic::Equati
     if wanted.is_empty() {
         return Ok(());
     }
+    if !analysis::rest::report::is_free(equations) || equations.coordinates.is_empty() {
+        return solve_connected(model, equations, &wanted);
+    }
     let mut machine = LinearMachine::new(&Arc::new(equations.clone()), About::Rest)?;
     let starts: Vec<symbolic::Expr> = equations.coordinates.iter().map(|c| c.start).collect();
     let q = machine.values_of(&starts, &Place::rest(&vec![0.0; starts.len()]))?;
@@ -118,6 +121,18 @@ pub fn solve_unknowns(model: &mechanics::Model, equations: &mut symbolic::Equati
         let value = machine.value(i);
         equations.parameters[i].value = value;
         equations.parameters[i].written = format!("{value}");
+    }
+    Ok(())
+}
+
+/// The same with connections, contacts and friction.
+fn solve_connected(model: &mechanics::Model, equations: &mut symbolic::Equations, wanted: &[usize]) -> Result<(), Fault> {
+    let friction = |(name, direction): &(String, f64)| Some((analysis::rest::unknowns::friction_named(equations, name)?, *direction));
+    let impending: Vec<_> = model.impending.iter().filter_map(friction).collect();
+    let found = analysis::rest::unknowns::unknowns(equations, wanted, &impending)?;
+    for (i, value) in wanted.iter().zip(found.values) {
+        equations.parameters[*i].value = value;
+        equations.parameters[*i].written = format!("{value}");
     }
     Ok(())
 }
@@ -132,19 +147,28 @@ pub fn unknown_notes(machine: &Machine) -> Vec<Text> {
 /// Stability of equilibria by the roots of small motions, beside the verdict of the energy: columns `growth` (largest real part of a root)
 /// and `negative_directions` (of the potential energy's Hessian). Nothing is added for machines whose small motions are not defined.
 pub fn add_roots(machine: &Machine, data: &mut Dataset) {
-    if !machine.equations.conditions.is_empty() {
+    if !machine.equations.conditions.is_empty() || data.column("growth").is_some() {
         return;
     }
     let Ok(mut linear) = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest) else { return };
     let names: Vec<String> = linear.coordinates().iter().map(|q| q.name.clone()).collect();
     let rows = data.columns.first().map_or(0, |c| c.values.len());
     let (mut growth, mut negative) = (Vec::new(), Vec::new());
+    let mut verdicts = Vec::new();
     for row in 0..rows {
         let q: Option<Vec<f64>> = names.iter().map(|n| data.column(n).map(|c| c.values[row])).collect();
         let Some(q) = q else { return };
-        let found = linear.at(&Place::rest(&q)).and_then(|m| natural::modes(&m, linear.coordinates(), Normalisation::Largest));
+        let matrices = linear.at(&Place::rest(&q));
+        let found = matrices.clone().and_then(|m| natural::modes(&m, linear.coordinates(), Normalisation::Largest));
+        let fastest = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(0.0_f64, |g, m| g.max(m.root.0.hypot(m.root.1))));
+        let grows = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0)));
+        let verdict = matrices.as_ref().map_or(None, |m| analysis::rest::stability::verdict(m, grows, fastest));
+        verdicts.push(verdict.map_or(f64::NAN, |stable| f64::from(u8::from(stable))));
         growth.push(found.as_ref().map_or(f64::NAN, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0))));
         negative.push(found.as_ref().map_or(f64::NAN, |f| f.undamped.iter().filter(|w| w.is_nan()).count() as f64));
+    }
+    if let Some(stable) = data.columns.iter_mut().find(|c| c.quantity.name == "stable") {
+        stable.values = verdicts;
     }
     let column = |name: &str, unit: &str, label: Text, values: Vec<f64>| Column {
         quantity: Quantity { label, ..Quantity::new(name, unit) },

@@ -38,10 +38,14 @@ fn results(machine: &Machine, found: &Statics) -> Results {
     let name = Text::new("equations of equilibrium: largest relative remainder", "уравнения равновесия: наибольшая относительная невязка");
     let audits = vec![Audit::at_most("equilibrium", name, found.remainder, LIMIT)];
     let data = Dataset { audits, notes: found.notes.clone(), ..Dataset::default() };
-    let facts = found.reactions.iter().map(fact).collect();
+    let ends = found.reactions.iter().filter(|r| r.value.is_none()).flat_map(ends);
+    let facts = found.reactions.iter().map(fact).chain(ends).collect();
     let mut results = Results { kind: "statics", heading: heading(), facts, words: words(machine, found), ..Results::default() };
     results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
-    let reaction = |r: &analysis::studies::statics::Reaction| json!({"name": r.quantity.name, "symbol": r.quantity.symbol, "value": r.value, "unit": r.quantity.unit});
+    let reaction = |r: &analysis::studies::statics::Reaction| {
+        json!({"name": r.quantity.name, "symbol": r.quantity.symbol, "value": r.value, "unit": r.quantity.unit,
+            "least": finite(r.range[0]), "greatest": finite(r.range[1])})
+    };
     let reactions: Vec<Value> = found.reactions.iter().map(reaction).collect();
     let share = |(name, share): &(Text, f64)| json!({"displacement": name.en, "share": share});
     let free: Vec<Value> = found.free.iter().map(|motion| motion.iter().map(share).collect()).collect();
@@ -50,6 +54,19 @@ fn results(machine: &Machine, found: &Statics) -> Results {
     results.own.insert("mobility".into(), json!(found.free.len()));
     results.own.insert("free_motions".into(), json!(free));
     results
+}
+
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+/// Least and greatest value of a reaction that is not unique, where something limits it.
+fn ends(reaction: &analysis::studies::statics::Reaction) -> Vec<Fact> {
+    let words =
+        [("least", Text::new("least value", "наименьшее значение")), ("greatest", Text::new("greatest value", "наибольшее значение"))];
+    let q = &reaction.quantity;
+    let one = |(end, (word, label)): (f64, (&str, Text))| Fact::new(&format!("{word} {}", q.name), &q.symbol, &q.unit, end, label);
+    reaction.range.into_iter().zip(words).filter(|(end, _)| end.is_finite()).map(one).collect()
 }
 
 /// Equations of equilibrium, then the degree of indeterminacy and free motions.

@@ -1,0 +1,245 @@
+//! Which reactions hold a machine at rest: equilibrium, ropes that pull, surfaces that push, friction within its limits.
+//!
+//! The equations of equilibrium A λ = b leave λ = λ0 + Z y with the columns of Z from the null space of A. Of these
+//!
+//! ```text
+//! λ_k ≥ 0                          a contact
+//! |F| ≤ μ |N|                      dry friction at rest; N a linear form of the reactions, or 1 where the limit itself is given
+//! ```
+//!
+//! are admissible. For each choice of the signs of the N it is a linear programme: no y means that the machine does not rest, and the least and greatest λ_k
+//! over all admissible y are what statics says about a reaction (A. A. Markeev, Theoretical Mechanics, on friction at rest).
+
+use crate::numerics::qr::{Qr, norm};
+use crate::numerics::rank::{self, TOLERANCE};
+use crate::numerics::simplex::{Inequality, Optimum, largest};
+
+/// Slack of inequalities, relative to the largest force: at a limit that is reached exactly rounding decides nothing.
+const SLACK: f64 = 1e-9;
+/// Frictions whose normal force may have either sign; beyond, all are taken as they are in λ0.
+const SIGNS: usize = 6;
+/// Share of a direction that counts as none.
+const NOTHING: f64 = 1e-9;
+
+/// Dry friction at rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// Column of the friction.
+    pub column: usize,
+    /// Largest magnitude, or the coefficient of |N|.
+    pub coefficient: f64,
+    /// N = constant + Σ factor λ; none where the limit itself is given.
+    pub normal: Option<(f64, Vec<(usize, f64)>)>,
+}
+
+/// Everything that can hold.
+#[derive(Clone, Debug, Default)]
+pub struct Hold {
+    /// A solution of the equations.
+    pub some: Vec<f64>,
+    /// Directions that change no equation.
+    pub free: Vec<Vec<f64>>,
+    /// What is left of the equations, relative to the largest term.
+    pub remainder: f64,
+    /// Columns of contacts.
+    pub contacts: Vec<usize>,
+    /// Frictions.
+    pub limits: Vec<Limit>,
+}
+
+/// What holds, or why nothing does.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Holds {
+    /// Least and greatest value of each reaction.
+    Between(Vec<(f64, f64)>),
+    /// This contact would have to pull (a rope: to push).
+    WrongSide(usize),
+    /// Frictions are too weak; they would hold with limits this many times as large (infinite: never).
+    Slips(f64),
+}
+
+impl Hold {
+    /// Solves A λ = b (row-major, `rows` x `columns`); rows are compared after scaling to entries of the order 1.
+    pub fn new(matrix: &[f64], right: &[f64], columns: usize) -> Hold {
+        let rows = right.len();
+        let size = |i: usize| matrix[i * columns..(i + 1) * columns].iter().fold(0.0_f64, |m, a| m.max(a.abs()));
+        let scale: Vec<f64> = (0..rows).map(|i| if size(i) > 0.0 { size(i) } else { 1.0 }).collect();
+        let a: Vec<f64> = (0..rows * columns).map(|p| matrix[p] / scale[p / columns.max(1)]).collect();
+        let b: Vec<f64> = (0..rows).map(|i| right[i] / scale[i]).collect();
+        let some = if columns == 0 { Vec::new() } else { Qr::new(&a, rows, columns).least_squares(&b).0 };
+        let mut hold = Hold { some, ..Hold::default() };
+        let (mut largest, mut worst) = (0.0_f64, 0.0_f64);
+        for i in 0..rows {
+            let terms: Vec<f64> = (0..columns).map(|k| a[i * columns + k] * hold.some[k]).collect();
+            largest = terms.iter().fold(largest.max(b[i].abs()), |m, t| m.max(t.abs()));
+            worst = worst.max((terms.iter().sum::<f64>() - b[i]).abs());
+        }
+        hold.remainder = if largest > 0.0 { worst / largest } else { 0.0 };
+        if columns > 0 {
+            hold.free = rank::Qr::new(rows, columns, &a, TOLERANCE.max(1e-10)).null_space();
+        }
+        hold.free.iter_mut().for_each(|z| {
+            let length = norm(z);
+            z.iter_mut().for_each(|v| *v = if v.abs() <= NOTHING * length { 0.0 } else { *v / length });
+        });
+        hold
+    }
+
+    /// Largest force among the reactions; 1 where there is none.
+    fn unit(&self) -> f64 {
+        let largest = self.some.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        if largest > 0.0 { largest } else { 1.0 }
+    }
+
+    /// Whether a reaction is the same in all solutions of the equations.
+    pub fn is_unique(&self, column: usize) -> bool {
+        self.free.iter().all(|z| z[column] == 0.0)
+    }
+
+    /// The admissible reactions, or why there are none.
+    pub fn judge(&self) -> Holds {
+        match self.ranges(1.0) {
+            Some(ranges) => Holds::Between(ranges),
+            None if self.limits.is_empty() || self.sets(f64::INFINITY).all(|set| !self.feasible(&set)) => {
+                Holds::WrongSide(self.worst_contact())
+            }
+            None => Holds::Slips(self.needed()),
+        }
+    }
+
+    /// The contact that is furthest on the wrong side in the solution at hand.
+    fn worst_contact(&self) -> usize {
+        self.contacts.iter().copied().min_by(|a, b| self.some[*a].total_cmp(&self.some[*b])).unwrap_or(0)
+    }
+
+    /// How many times as large all limits have to be.
+    fn needed(&self) -> f64 {
+        let holds = |times: f64| self.sets(times).any(|set| self.feasible(&set));
+        let (mut low, mut high) = (1.0_f64, 2.0_f64);
+        while !holds(high) {
+            (low, high) = (high, 4.0 * high);
+            if high > 1e9 {
+                return f64::INFINITY;
+            }
+        }
+        for _ in 0..60 {
+            let middle = (low * high).sqrt();
+            if holds(middle) { high = middle } else { low = middle }
+        }
+        high
+    }
+
+    /// Least and greatest value of each reaction with limits so many times as large; none when nothing is admissible.
+    fn ranges(&self, times: f64) -> Option<Vec<(f64, f64)>> {
+        let mut found: Option<Vec<(f64, f64)>> = None;
+        for set in self.sets(times).filter(|set| self.feasible(set)) {
+            let ranges: Vec<(f64, f64)> = (0..self.some.len()).map(|k| self.range(k, &set)).collect();
+            found = Some(match found {
+                None => ranges,
+                Some(old) => old.iter().zip(&ranges).map(|(a, b)| (a.0.min(b.0), a.1.max(b.1))).collect(),
+            });
+        }
+        found
+    }
+
+    fn range(&self, k: usize, set: &[Inequality]) -> (f64, f64) {
+        if self.is_unique(k) {
+            return (self.some[k], self.some[k]);
+        }
+        let unit = self.unit();
+        let along: Vec<f64> = self.free.iter().map(|z| z[k]).collect();
+        let end = |sign: f64| {
+            let c: Vec<f64> = along.iter().map(|a| sign * a).collect();
+            match largest(&c, set) {
+                Optimum::At(value, _) => self.some[k] + sign * value * unit,
+                _ => sign * f64::INFINITY,
+            }
+        };
+        let (least, most) = (end(-1.0), end(1.0));
+        // slack leaves a range of its own size where there is one value
+        if most - least <= 100.0 * SLACK * unit { (0.5 * (least + most), 0.5 * (least + most)) } else { (least, most) }
+    }
+
+    fn feasible(&self, set: &[Inequality]) -> bool {
+        largest(&vec![0.0; self.free.len()], set) != Optimum::Nowhere
+    }
+
+    /// The inequalities over y in units of the largest force, one set for each choice of signs of the normal forces. An infinite `times` leaves
+    /// frictions without limits.
+    fn sets(&self, times: f64) -> impl Iterator<Item = Vec<Inequality>> + '_ {
+        let open: Vec<usize> = (0..self.limits.len()).filter(|i| self.sign(*i).is_none()).take(SIGNS).collect();
+        (0..1_usize << open.len()).map(move |choice| {
+            let mut set: Vec<Inequality> = self.contacts.iter().map(|k| self.form(0.0, &[(*k, 1.0)])).collect();
+            for (i, limit) in self.limits.iter().enumerate().filter(|_| times.is_finite()) {
+                let chosen = open.iter().position(|o| *o == i).map(|bit| if choice >> bit & 1 == 0 { 1.0 } else { -1.0 });
+                let sign = chosen.or(self.sign(i)).unwrap_or(1.0);
+                let mu = times * limit.coefficient * sign;
+                let (constant, terms) = limit.normal.clone().unwrap_or((1.0, Vec::new()));
+                for side in [1.0, -1.0] {
+                    let forms: Vec<(usize, f64)> = terms.iter().map(|(k, f)| (*k, mu * f)).chain([(limit.column, side)]).collect();
+                    set.push(self.form(mu * constant, &forms));
+                }
+            }
+            set
+        })
+    }
+
+    /// The sign of N where the equations or the contacts fix it.
+    fn sign(&self, limit: usize) -> Option<f64> {
+        let Some((constant, terms)) = &self.limits[limit].normal else { return Some(1.0) };
+        let pushed = *constant >= 0.0 && terms.iter().all(|(k, f)| *f >= 0.0 && self.contacts.contains(k));
+        if pushed {
+            return Some(1.0);
+        }
+        let unique = terms.iter().all(|(k, _)| self.is_unique(*k));
+        let value = constant + terms.iter().map(|(k, f)| f * self.some[*k]).sum::<f64>();
+        unique.then_some(if value < 0.0 { -1.0 } else { 1.0 })
+    }
+
+    /// constant + Σ factor λ ≥ 0 over y, in units of the largest force.
+    fn form(&self, constant: f64, terms: &[(usize, f64)]) -> Inequality {
+        let unit = self.unit();
+        let value = constant + terms.iter().map(|(k, f)| f * self.some[*k]).sum::<f64>();
+        let along = self.free.iter().map(|z| terms.iter().map(|(k, f)| f * z[*k]).sum()).collect();
+        (along, value / unit + SLACK)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A block of weight 10 on an incline of slope tan a: N = 10 cos a, F = 10 sin a; columns N, F.
+    fn block(slope: f64, mu: f64) -> Hold {
+        let a = slope.atan();
+        let mut hold = Hold::new(&[1.0, 0.0, 0.0, 1.0], &[10.0 * a.cos(), 10.0 * a.sin()], 2);
+        hold.contacts = vec![0];
+        hold.limits = vec![Limit { column: 1, coefficient: mu, normal: Some((0.0, vec![(0, 1.0)])) }];
+        hold
+    }
+
+    #[test]
+    fn a_block_holds_up_to_its_cone() {
+        assert!(matches!(block(0.29, 0.3).judge(), Holds::Between(_)));
+        assert!(matches!(block(0.3, 0.3).judge(), Holds::Between(_)));
+        let Holds::Slips(times) = block(0.36, 0.3).judge() else { panic!() };
+        assert!((times - 1.2).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_rope_does_not_push() {
+        let mut hold = Hold::new(&[1.0], &[-5.0], 1);
+        hold.contacts = vec![0];
+        assert_eq!(hold.judge(), Holds::WrongSide(0));
+    }
+
+    #[test]
+    fn two_rough_walls_share_within_limits() {
+        // F1 + F2 = 6 with |F1| <= 4, |F2| <= 5
+        let mut hold = Hold::new(&[1.0, 1.0], &[6.0], 2);
+        hold.limits = vec![Limit { column: 0, coefficient: 4.0, normal: None }, Limit { column: 1, coefficient: 5.0, normal: None }];
+        let Holds::Between(ranges) = hold.judge() else { panic!() };
+        assert!((ranges[0].0 - 1.0).abs() < 1e-7 && (ranges[0].1 - 4.0).abs() < 1e-7, "{ranges:?}");
+        assert!((ranges[1].0 - 2.0).abs() < 1e-7 && (ranges[1].1 - 5.0).abs() < 1e-7, "{ranges:?}");
+    }
+}

@@ -1,0 +1,71 @@
+//! Faults of rest: friction that is too weak, loads that friction leaves open.
+
+use symbolic::Text;
+
+use crate::Fault;
+use crate::fault::{Explanation, Message, rounded};
+
+/// S093.
+pub const SLIPS: Explanation =
+    Explanation {
+        code: "S093", en: ("friction is too weak to hold", SLIPS_EN), ru: ("трения недостаточно для покоя", SLIPS_RU)
+    };
+/// S094.
+pub const OPEN: Explanation = Explanation {
+    code: "S094",
+    en: ("friction leaves an unknown open", OPEN_EN),
+    ru: ("трение оставляет неизвестное неопределённым", OPEN_RU),
+};
+
+const SLIPS_EN: &str = "Equilibrium needs a friction force beyond its static limit for every choice of the reactions that the equations leave open: the machine \
+    sets itself in motion. The message says how many times as large all limits of friction would have to be.";
+const SLIPS_RU: &str = "При любом выборе реакций, которые оставляют открытыми уравнения, для равновесия нужна сила трения больше предельной: машина приходит в \
+    движение. В сообщении указано, во сколько раз должны быть больше все предельные силы трения.";
+const OPEN_EN: &str = "With dry friction a machine rests under a range of loads, so that statics alone gives no number for the unknown. The ends of the range belong to \
+    impending motion: name the frictions that are about to slide, and in which direction of their path, in [impending].";
+const OPEN_RU: &str = "При сухом трении машина покоится в некотором диапазоне нагрузок, и статика не определяет неизвестное однозначно. Границы диапазона соответствуют \
+    предельному равновесию: укажите в [impending], какие трения на пределе и в какую сторону по своему пути готово начаться скольжение.";
+
+/// Friction that would have to be so many times as strong.
+pub(crate) fn slips(frictions: &str, times: f64) -> Fault {
+    let n = rounded(times);
+    let why = if times.is_finite() {
+        Text::new(
+            format!("it would rest with limits of friction {} times as large", n.en),
+            format!("покой был бы возможен при предельных силах трения, в {} раза больших", n.ru),
+        )
+    } else {
+        Text::new("no friction holds here, however large", "здесь не удержит никакое трение")
+    };
+    Fault::new(Message {
+        code: "S093",
+        what: Text::new(
+            format!("friction does not hold the machine at rest: {frictions}"),
+            format!("трение не удерживает машину в покое: {frictions}"),
+        ),
+        why,
+        help: Text::new(
+            "raise the coefficients, change the loads, or ask for the limiting load with [unknowns] and [impending]",
+            "увеличьте коэффициенты, измените нагрузки или найдите предельную нагрузку с помощью [unknowns] и [impending]",
+        ),
+    })
+}
+
+/// An unknown that friction at rest leaves open.
+pub(crate) fn open(unknown: &str, friction: &str) -> Fault {
+    Fault::new(Message {
+        code: "S094",
+        what: Text::new(
+            format!("`{unknown}` may lie in a range while friction holds: statics do not determine it"),
+            format!("пока держит трение, `{unknown}` может лежать в диапазоне: статика его не определяет"),
+        ),
+        why: Text::new(
+            "dry friction at rest takes any value up to its limit",
+            "сила сухого трения в покое принимает любое значение до предельного",
+        ),
+        help: Text::new(
+            format!("ask for an end of the range: [impending] {friction} = \"+\" (about to slide forward) or \"-\""),
+            format!("найдите границу диапазона: [impending] {friction} = \"+\" (готово скользить вперёд) или \"-\""),
+        ),
+    })
+}

@@ -1,0 +1,305 @@
+//! Places of rest of a machine with connections.
+//!
+//! Equilibria are the points of the surface c(q) = 0 at which the forces have no component along it: h + Jᵀ λ = 0. Newton's method on (q, λ) from
+//!
+//! * the start and the guesses,
+//! * with a range and one degree of freedom left: every change of sign of the force along the curve c(q) = 0, which is followed from the start in
+//!   both directions to the ends of the range, through dead points (predictor along the tangent, corrector of least change);
+//! * with a range and more freedom: places along the range and, by seeded random numbers, around them, drawn onto the surface.
+//!
+//! Contacts are closed as at the start; while they are few every choice of closed ones is tried, and a place counts only where open gaps are not
+//! negative and closed contacts do not pull.
+
+use symbolic::{Equations, Text};
+
+use super::newton::{self, RESIDUAL, balance, worst};
+use super::system::{Parts, RestSystem, Row, Rows};
+use super::{closed_contacts, gap_size};
+use crate::Fault;
+use crate::numerics::qr::{Qr, norm};
+use crate::numerics::random::Random;
+use crate::numerics::rank;
+use crate::studies::equilibrium::{Equilibrium, Range};
+
+/// Contacts of which every choice of closed ones is tried.
+const CONTACTS: usize = 4;
+/// Places along a range where several freedoms are left, and tries at each.
+const PLACES: usize = 49;
+const TRIES: usize = 4;
+/// Step along a curve, rad or share of the machine's length.
+const STRIDE: f64 = 0.01;
+/// Steps along a curve to either side.
+const STRIDES: usize = 20_000;
+
+/// A place of rest.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// Coordinates.
+    pub q: Vec<f64>,
+    /// Every reaction of the equations; 0 for open contacts and for frictions, none for supports.
+    pub reactions: Vec<Option<f64>>,
+    /// Contacts (by reaction) that are closed.
+    pub closed: Vec<usize>,
+    /// Largest relative remainder of an equation.
+    pub residual: f64,
+}
+
+/// Places of rest and what there is to say about the search.
+#[derive(Clone, Debug, Default)]
+pub struct Places {
+    /// Along the coordinate of the range, else in the order in which they were found.
+    pub list: Vec<Place>,
+    /// Remarks.
+    pub notes: Vec<Text>,
+}
+
+/// All places that the options ask for; `start` is an assembled place.
+///
+/// *Errors*: a formula has no value at the start.
+pub fn places(equations: &Equations, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Result<Places, Fault> {
+    let n = equations.coordinates.len();
+    let own = closed_contacts(equations, &start[..n], parameters)?;
+    let mut found = Places::default();
+    for closed in choices(equations, &own) {
+        let parts = Parts::holding(equations, |r| closed.contains(&r)).smooth(equations);
+        let system = RestSystem::new(equations, parts, parameters)?;
+        let angles = equations.coordinates.iter().map(|c| c.unit == "rad").collect();
+        let mut search = Search { equations, system, closed, angles, found: &mut found };
+        search.run(&start[..n], options)?;
+    }
+    if let Some(Range { coordinate, from, to }) = options.over {
+        let slack = 1e-9 * (to - from);
+        found.list.retain(|p| (from - slack..=to + slack).contains(&p.q[coordinate]));
+        found.list.sort_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
+    }
+    Ok(found)
+}
+
+/// Sets of closed contacts: those of the start first.
+fn choices(equations: &Equations, own: &[usize]) -> Vec<Vec<usize>> {
+    let is_contact = |r: &usize| matches!(equations.reactions[*r].law, symbolic::connections::Law::Contact { .. });
+    let contacts: Vec<usize> = (0..equations.reactions.len()).filter(is_contact).collect();
+    let mut list = vec![own.to_vec()];
+    if contacts.len() <= CONTACTS {
+        let set = |bits: usize| contacts.iter().enumerate().filter(|(i, _)| bits >> i & 1 == 1).map(|(_, r)| *r).collect::<Vec<usize>>();
+        list.extend((0..1_usize << contacts.len()).map(set).filter(|s| s != own));
+    }
+    list
+}
+
+struct Search<'s> {
+    equations: &'s Equations,
+    system: RestSystem,
+    closed: Vec<usize>,
+    angles: Vec<bool>,
+    found: &'s mut Places,
+}
+
+fn rest_rows(rows: &Rows, _: &[f64]) -> Vec<Row> {
+    rows.forces.iter().chain(&rows.places).cloned().collect()
+}
+
+impl Search<'_> {
+    fn run(&mut self, start: &[f64], options: &Equilibrium) -> Result<(), Fault> {
+        self.newton(start);
+        let n = self.system.n;
+        for guess in options.guesses.iter().filter(|g| g.len() == n) {
+            self.newton(guess);
+        }
+        let Some(range) = options.over else { return Ok(()) };
+        let mut on_surface = start.to_vec();
+        if self.draw(&mut on_surface, None).is_none() {
+            return Ok(());
+        }
+        match self.tangents(&on_surface).map(|t| t.len()) {
+            Some(0) | None => {}
+            Some(1) => {
+                for side in [1.0, -1.0] {
+                    self.follow(&on_surface, range, side);
+                }
+            }
+            Some(_) => self.scatter(&on_surface, range),
+        }
+        Ok(())
+    }
+
+    /// Newton's method from a guess; what it finds is kept when it is admissible and new.
+    fn newton(&mut self, guess: &[f64]) {
+        let mut z = self.system.z(guess);
+        if balance(&mut self.system, &mut z).is_err() {
+            return;
+        }
+        // a place that rests already is not moved
+        let resting = self.system.at(&z).is_ok_and(|rows| worst(&rest_rows(&rows, &z), &z, self.system.n) <= RESIDUAL * 1e-2);
+        let free: Vec<usize> = (0..self.system.width()).collect();
+        let solved = resting || matches!(newton::solve(&mut self.system, &mut z, &free, &rest_rows), Ok(Some(_)));
+        if solved {
+            self.keep(&z);
+        }
+    }
+
+    fn keep(&mut self, z: &[f64]) {
+        let n = self.system.n;
+        let Ok(rows) = self.system.at(z) else { return };
+        let q = &z[..n];
+        let largest = z[n..].iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let pulls = |c: usize| z[n + c] < -1e-9 * largest;
+        let is_closed = |c: usize| self.closed.contains(&self.system.reactions[c]);
+        if (0..self.system.reactions.len()).any(|c| is_closed(c) && pulls(c)) {
+            return;
+        }
+        let open = self.system.contacts.iter().zip(&rows.gaps).filter(|(r, _)| !self.closed.contains(r));
+        if open.into_iter().any(|(_, gap)| gap.value < -1e-9 * gap_size(gap, q)) {
+            return;
+        }
+        let same = |p: &Place| p.q.iter().zip(q).all(|(a, b)| (a - b).abs() <= 1e-7 * (1.0 + a.abs().max(b.abs())));
+        if self.found.list.iter().any(same) {
+            return;
+        }
+        let mut reactions: Vec<Option<f64>> = vec![Some(0.0); self.equations.reactions.len()];
+        for (r, reaction) in self.equations.reactions.iter().enumerate() {
+            if matches!(reaction.law, symbolic::connections::Law::Support | symbolic::connections::Law::Place) {
+                reactions[r] = None;
+            }
+        }
+        self.system.reactions.iter().enumerate().for_each(|(c, r)| reactions[*r] = Some(z[n + c]));
+        let residual = worst(&rest_rows(&rows, z), z, n);
+        self.found.list.push(Place { q: q.to_vec(), reactions, closed: self.closed.clone(), residual });
+    }
+
+    /// Draws q onto the surface by least changes, with one coordinate held where asked; the rows there.
+    fn draw(&mut self, q: &mut [f64], held: Option<usize>) -> Option<Rows> {
+        let n = self.system.n;
+        for _ in 0..50 {
+            let z = self.system.z(q);
+            let rows = self.system.at(&z).ok()?;
+            let placed: Vec<&Row> = rows.places.iter().filter(|r| r.slopes[..n].iter().any(|s| *s != 0.0)).collect();
+            if placed.iter().all(|r| newton::relative(r, &z, n) <= 1e-13) || placed.is_empty() {
+                return Some(rows);
+            }
+            let free: Vec<usize> = (0..n).filter(|j| Some(*j) != held).collect();
+            let (m, k) = (placed.len(), free.len());
+            let size = |r: &Row| free.iter().fold(f64::MIN_POSITIVE, |m, j| m.max(r.slopes[*j].abs()));
+            let matrix: Vec<f64> = (0..k * m).map(|p| placed[p % m].slopes[free[p / m]] / size(placed[p % m])).collect();
+            let right: Vec<f64> = placed.iter().map(|r| -r.value / size(r)).collect();
+            let step = Qr::new(&matrix, k, m).shortest(&right);
+            let longest = step.iter().fold(0.0_f64, |l, s| l.max(s.abs()));
+            let share = if longest > 0.5 { 0.5 / longest } else { 1.0 };
+            free.iter().zip(&step).for_each(|(j, s)| q[*j] += share * s);
+            if longest <= 4.0 * f64::EPSILON * norm(q) {
+                let z = self.system.z(q);
+                let rows = self.system.at(&z).ok()?;
+                let closed = rows.places.iter().all(|r| newton::relative(r, &z, n) <= 1e-10);
+                return closed.then_some(rows);
+            }
+        }
+        None
+    }
+
+    /// An orthonormal basis of the motions along the surface.
+    fn tangents(&mut self, q: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let n = self.system.n;
+        let rows = self.system.at(&self.system.z(q)).ok()?;
+        Some(tangents_of(&rows, n))
+    }
+
+    /// Follows the curve from q until the range ends, the curve closes, or it branches.
+    fn follow(&mut self, from: &[f64], range: Range, side: f64) {
+        let n = self.system.n;
+        let (low, high) = (range.from.min(from[range.coordinate]), range.to.max(from[range.coordinate]));
+        let mut q = from.to_vec();
+        let mut way: Option<Vec<f64>> = None;
+        let (mut before, mut earlier): (Option<(Vec<f64>, f64)>, Option<f64>) = (None, None);
+        for count in 0..STRIDES {
+            let Some(rows) = self.draw(&mut q, None) else { return };
+            let tangents = tangents_of(&rows, n);
+            let [tangent] = tangents.as_slice() else { return };
+            let along: f64 = match &way {
+                Some(way) => way.iter().zip(tangent).map(|(a, b)| a * b).sum(),
+                None => side * if tangent[range.coordinate] < 0.0 { -1.0 } else { 1.0 },
+            };
+            let tangent: Vec<f64> = tangent.iter().map(|t| t * along.signum()).collect();
+            let force: f64 = rows.forces.iter().zip(&tangent).map(|(r, t)| r.value * t).sum();
+            if let Some((place, old)) = &before {
+                let touches = earlier.is_some_and(|e| e * old > 0.0 && old.abs() <= e.abs() && old.abs() <= force.abs());
+                if old * force <= 0.0 {
+                    let share = if force == *old { 0.5 } else { old / (old - force) };
+                    let middle: Vec<f64> = place.iter().zip(&q).map(|(a, b)| a + share * (b - a)).collect();
+                    self.newton(&middle);
+                } else if touches {
+                    let place = place.clone();
+                    self.newton(&place);
+                }
+                let home = q.iter().zip(from).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+                if count > 3 && home < 0.5 * STRIDE * self.length(&q) {
+                    return;
+                }
+            }
+            if q[range.coordinate] < low - 1e-9 || q[range.coordinate] > high + 1e-9 {
+                return;
+            }
+            earlier = before.as_ref().map(|b| b.1);
+            before = Some((q.clone(), force));
+            let stride = STRIDE * self.length(&q);
+            q.iter_mut().zip(&tangent).for_each(|(q, t)| *q += stride * t);
+            way = Some(tangent);
+        }
+        self.found.notes.push(Text::new(
+            "the way along the range was not followed to its end: there may be more places of rest",
+            "путь вдоль диапазона пройден не до конца: возможны и другие положения равновесия",
+        ));
+    }
+
+    /// The unit of strides: angles count as they are, lengths by the size of the machine.
+    fn length(&self, q: &[f64]) -> f64 {
+        if self.angles.iter().any(|a| *a) {
+            return 1.0;
+        }
+        let size = q.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        if size > 0.0 { size } else { 1.0 }
+    }
+
+    /// Places along the range and around them.
+    fn scatter(&mut self, from: &[f64], range: Range) {
+        let mut random = Random::new(17);
+        let size = self.length(from);
+        for k in 0..=PLACES {
+            let value = range.from + (range.to - range.from) * k as f64 / PLACES as f64;
+            for one in 0..TRIES {
+                let mut q = from.to_vec();
+                for (j, q_j) in q.iter_mut().enumerate().filter(|_| one > 0) {
+                    *q_j += random.between(-1.0, 1.0) * if self.angles[j] { std::f64::consts::PI } else { size };
+                }
+                q[range.coordinate] = value;
+                if self.draw(&mut q, Some(range.coordinate)).is_some() {
+                    self.newton(&q);
+                }
+            }
+        }
+        let note = Text::new(
+            "found by Newton's method from guesses along the range: there may be more",
+            "найдены методом Ньютона из приближений вдоль диапазона: могут быть и другие",
+        );
+        if !self.found.notes.contains(&note) {
+            self.found.notes.push(note);
+        }
+    }
+}
+
+/// An orthonormal basis of the null space of the places' rows.
+pub(super) fn tangents_of(rows: &Rows, n: usize) -> Vec<Vec<f64>> {
+    let size = |r: &Row| r.slopes[..n].iter().fold(0.0_f64, |m, s| m.max(s.abs()));
+    let scaled: Vec<f64> =
+        rows.places.iter().filter(|r| size(r) > 0.0).flat_map(|r| r.slopes[..n].iter().map(move |s| s / size(r))).collect();
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    for mut t in rank::null_space(scaled.len() / n.max(1), n, &scaled) {
+        for b in &basis {
+            let share: f64 = t.iter().zip(b).map(|(a, b)| a * b).sum();
+            t.iter_mut().zip(b).for_each(|(a, b)| *a -= share * b);
+        }
+        let length = norm(&t);
+        t.iter_mut().for_each(|a| *a /= length);
+        basis.push(t);
+    }
+    basis
+}

@@ -1,0 +1,275 @@
+//! The study `equilibrium` of machines with connections: places of rest, how they are held, whether they are stable.
+//!
+//! With dry friction a machine rests in whole ranges. Its start counts as a place of rest when reactions within the limits of friction hold it there; further places
+//! are those where it would rest without friction, of which friction makes neighbourhoods.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use symbolic::connections::Law;
+use symbolic::linear::About;
+use symbolic::{Equations, SymbolId, Text};
+
+use super::admissible::Holds;
+use super::newton::{RESIDUAL, balance, worst};
+use super::places::{Place, places};
+use super::stability::{free_directions, verdict, with_closed};
+use super::system::{Parts, RestSystem};
+use super::{closed_contacts, fault_of, hold};
+use crate::dataset::{Audit, Column, Dataset};
+use crate::fault::number;
+use crate::linear::{LinearMachine, Place as Linearised};
+use crate::studies::equilibrium::{Equilibrium, no_equilibrium, nothing_between};
+use crate::studies::modes::{Normalisation, modes};
+use crate::studies::simulate::Outcome;
+use crate::{Fault, Quantity};
+
+/// Remainder of the equations of statics that counts as none.
+const RESTS: f64 = 1e-9;
+/// Largest force of rest by the second derivation, relative to its terms.
+const SECOND: f64 = 1e-9;
+
+/// A place with what is known of it.
+struct Row {
+    place: Place,
+    stable: Option<bool>,
+    growth: f64,
+    negative: f64,
+    free: usize,
+    second: f64,
+}
+
+/// Places of rest of a machine whose equations have conditions, contacts, frictions or no coordinates at all.
+///
+/// *Errors* beside what was found: S007 no place, S093 friction that is too weak, S062 a rope that would push.
+pub fn study(equations: &Equations, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Outcome {
+    match attempt(equations, parameters, start, options) {
+        Ok(outcome) => outcome,
+        Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
+    }
+}
+
+fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Result<Outcome, Fault> {
+    let n = equations.coordinates.len();
+    let q = &start[..n];
+    let mut notes = vec![Text::new(
+        "rates are zero; prescribed motions and loads are taken at t = 0",
+        "скорости равны нулю; заданные движения и нагрузки взяты при t = 0",
+    )];
+    let rough = equations.reactions.iter().any(|r| matches!(r.law, Law::Friction(_)));
+    let held = if rough || n == 0 { Some(held(equations, parameters, q)?) } else { None };
+    let mut found = if n == 0 { Default::default() } else { places(equations, parameters, start, options)? };
+    notes.append(&mut found.notes);
+    let mut rows: Vec<Row> = Vec::new();
+    for place in found.list {
+        rows.push(judged(equations, parameters, place)?);
+    }
+    let inside = options.over.is_none_or(|r| (r.from..=r.to).contains(&q[r.coordinate]));
+    let mut fault = None;
+    match held {
+        Some(Ok((place, ranges))) if inside && !rows.iter().any(|r| close(&r.place.q, &place.q)) => {
+            notes.extend(ranges);
+            let second = second(equations, parameters, &place);
+            rows.insert(0, Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second });
+            if rough {
+                notes.push(Text::new(
+                    "dry friction holds the machine at its start; the places of rest are not isolated",
+                    "в начальном положении машину удерживает сухое трение; положения покоя не изолированы",
+                ));
+            }
+        }
+        Some(Err(why)) if rows.is_empty() => fault = Some(why),
+        _ if rough && !rows.is_empty() => notes.push(Text::new(
+            "these are the places of rest without dry friction; with it the machine also rests around them",
+            "это положения равновесия без сухого трения; с ним машина покоится и в их окрестности",
+        )),
+        _ => {}
+    }
+    if rows.is_empty() && fault.is_none() {
+        fault = Some(match options.over {
+            Some(r) => nothing_between(&name(equations, r.coordinate), r.from, r.to),
+            None => no_equilibrium(),
+        });
+    }
+    if rows.iter().any(|r| r.free > 0) {
+        notes.push(Text::new(
+            "neutral: no force resists a small motion in at least one direction, so these places are not isolated",
+            "безразличное равновесие: хотя бы в одном направлении малому движению ничто не противится, и эти положения не изолированы",
+        ));
+    }
+    Ok(Outcome { dataset: dataset(equations, &rows, notes), fault })
+}
+
+fn close(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-7 * (1.0 + a.abs().max(b.abs())))
+}
+
+fn name(equations: &Equations, coordinate: usize) -> String {
+    equations.graph.symbol_info(equations.coordinates[coordinate].symbols[0]).name.clone()
+}
+
+/// A place that is held, with remarks on what is not unique; or why it is not.
+type Held = Result<(Place, Vec<Text>), Fault>;
+
+/// Whether the start is held by everything there is.
+fn held(equations: &Equations, parameters: &[f64], q: &[f64]) -> Result<Held, Fault> {
+    let closed = closed_contacts(equations, q, parameters)?;
+    let mut system = RestSystem::new(equations, Parts::holding(equations, |r| closed.contains(&r)), parameters)?;
+    let mut z = system.z(q);
+    balance(&mut system, &mut z)?;
+    let rows = system.at(&z)?;
+    let hold = hold(equations, &system, &rows, &z);
+    if hold.remainder > RESTS {
+        return Ok(Err(no_equilibrium()));
+    }
+    let holds = hold.judge();
+    if let Some(fault) = fault_of(equations, &system.reactions, &hold, &holds) {
+        return Ok(Err(fault));
+    }
+    let Holds::Between(ranges) = holds else { return Ok(Err(no_equilibrium())) };
+    let mut reactions = vec![Some(0.0); equations.reactions.len()];
+    let mut notes = Vec::new();
+    for (c, (least, most)) in ranges.iter().enumerate() {
+        let r = system.reactions[c];
+        reactions[r] = (least == most).then_some(*least);
+        if least < most {
+            notes.push(between(&equations.reactions[r].name, [*least, *most], &equations.reactions[r].unit));
+        }
+    }
+    for limit in &hold.limits {
+        let (least, most) = ranges[limit.column];
+        let normal = limit.normal.as_ref().map_or(1.0, |(c, terms)| c + terms.iter().map(|(k, f)| f * hold.some[*k]).sum::<f64>());
+        let unique = limit.normal.as_ref().is_none_or(|(_, terms)| terms.iter().all(|(k, _)| hold.is_unique(*k)));
+        if least == most && unique {
+            let reaction = &equations.reactions[system.reactions[limit.column]];
+            notes.push(at_most(&reaction.name, least, limit.coefficient * normal.abs(), &reaction.unit));
+        }
+    }
+    let all: Vec<super::system::Row> = rows.forces.iter().chain(&rows.places).cloned().collect();
+    let residual = worst(&all, &z, system.n);
+    Ok(Ok((Place { q: q.to_vec(), reactions, closed, residual }, notes)))
+}
+
+fn between(name: &str, ends: [f64; 2], unit: &str) -> Text {
+    let end = |v: f64| if v.is_finite() { number(v) } else { Text::same(if v > 0.0 { "+∞" } else { "−∞" }) };
+    let [a, b] = ends.map(end);
+    Text::new(
+        format!("{name} is not determined: any value between {} and {} {unit} holds the machine", a.en, b.en),
+        format!("{name} не определяется: машину удерживает любое значение от {} до {} {unit}", a.ru, b.ru),
+    )
+}
+
+fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Text {
+    let (v, l) = (number(value), number(limit));
+    Text::new(
+        format!("{name} = {} {unit}, its limit is {} {unit}", v.en, l.en),
+        format!("{name} = {} {unit}, предельное значение {} {unit}", v.ru, l.ru),
+    )
+}
+
+fn judged(equations: &Equations, parameters: &[f64], place: Place) -> Result<Row, Fault> {
+    let second = second(equations, parameters, &place);
+    let mut row = Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second };
+    // a condition that is no surface (a circuit among the connections) has no small motions of this kind
+    let strange = equations.conditions.iter().any(|c| c.place.is_none());
+    let closed = with_closed(equations, &row.place.closed);
+    let Ok(mut linear) = LinearMachine::new(&Arc::new(closed), About::Rest) else { return Ok(row) };
+    let of = |symbol: &SymbolId| {
+        let r = equations.reactions.iter().position(|r| r.symbol == *symbol);
+        r.and_then(|r| row.place.reactions[r]).unwrap_or(0.0)
+    };
+    let multipliers = linear.linear().multipliers.iter().map(of).collect();
+    let at = Linearised { multipliers, ..Linearised::rest(&row.place.q) };
+    let Ok(matrices) = linear.at(&at) else { return Ok(row) };
+    let along = matrices.allowed().map_or(matrices.clone(), |(z, k)| matrices.reduced(&z, k));
+    row.free = if along.n == 0 { 0 } else { free_directions(&along) };
+    if along.n == 0 {
+        (row.stable, row.negative, row.growth) = (Some(true), 0.0, 0.0);
+        return Ok(row);
+    }
+    let names = linear.coordinates().to_vec();
+    let found = modes(&matrices, &names, Normalisation::Largest).ok();
+    let size = |m: &crate::studies::modes::Mode| m.root.0.hypot(m.root.1);
+    let fastest = found.as_ref().map_or(0.0, |f| f.modes.iter().map(size).fold(0.0, f64::max));
+    let growth = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0)));
+    if let Some(found) = &found {
+        row.growth = growth;
+        row.negative = found.undamped.iter().filter(|w| w.is_nan()).count() as f64;
+    }
+    row.stable = if strange { None } else { verdict(&along, growth, fastest) };
+    Ok(row)
+}
+
+/// The second derivation at rest: its largest residual relative to the terms of the first.
+fn second(equations: &Equations, parameters: &[f64], place: &Place) -> f64 {
+    let n = equations.coordinates.len();
+    let mut values: BTreeMap<SymbolId, f64> = equations.parameters.iter().map(|p| p.symbol).zip(parameters.iter().copied()).collect();
+    values.extend(equations.coordinates.iter().map(|c| c.symbols[0]).zip(place.q.iter().copied()));
+    let known: Vec<(SymbolId, f64)> =
+        equations.reactions.iter().zip(&place.reactions).filter_map(|(r, v)| v.map(|v| (r.symbol, v))).collect();
+    // an open reaction leaves nothing to compare
+    if known.len() < equations.reactions.iter().filter(|r| !matches!(r.law, Law::Support | Law::Place)).count() {
+        return 0.0;
+    }
+    values.extend(known);
+    let graph = &equations.graph;
+    for (symbol, formula) in
+        equations.definitions.iter().map(|d| (d.symbol, d.formula)).chain(equations.auxiliaries.iter().map(|a| (a.symbol, a.start)))
+    {
+        let value = graph.evaluate(&[formula], &|s| values.get(&s).copied().unwrap_or(0.0))[0];
+        values.insert(symbol, value);
+    }
+    let at = |roots: &[symbolic::Expr]| graph.evaluate(roots, &|s| values.get(&s).copied().unwrap_or(0.0));
+    let residuals = at(&equations.second[..n.min(equations.second.len())]);
+    let mut sizes: Vec<f64> = at(&equations.force).iter().map(|h| h.abs()).collect();
+    for (reaction, value) in equations.reactions.iter().zip(&place.reactions) {
+        let list: Vec<symbolic::Expr> = reaction.forces.iter().map(|(_, e)| *e).collect();
+        for ((j, _), e) in reaction.forces.iter().zip(at(&list)) {
+            sizes[*j] = sizes[*j].max((e * value.unwrap_or(0.0)).abs());
+        }
+    }
+    let largest = sizes.iter().fold(0.0_f64, |m, s| m.max(*s));
+    let of = |(r, s): (&f64, &f64)| if *r == 0.0 { 0.0 } else { r.abs() / s.max(1e-3 * largest).max(f64::MIN_POSITIVE) };
+    // without any force there is nothing to compare but rounding
+    if largest <= 1e-12 { 0.0 } else { residuals.iter().zip(&sizes).map(of).fold(0.0, f64::max) }
+}
+
+fn dataset(equations: &Equations, rows: &[Row], notes: Vec<Text>) -> Dataset {
+    let column = |quantity: Quantity, of: &dyn Fn(&Row) -> f64| Column { quantity, values: rows.iter().map(of).collect() };
+    let labelled = |name: &str, unit: &str, label: Text| Quantity { label, ..Quantity::new(name, unit) };
+    let mut columns = Vec::new();
+    for (j, c) in equations.coordinates.iter().enumerate() {
+        let quantity = Quantity { label: c.label.clone(), ..Quantity::new(&name(equations, j), &c.unit) };
+        columns.push(column(quantity, &|r| r.place.q[j]));
+    }
+    for (k, reaction) in equations.reactions.iter().enumerate().filter(|(_, r)| !matches!(r.law, Law::Support | Law::Place)) {
+        let symbol = equations.graph.symbol_info(reaction.symbol).name.clone();
+        let quantity = Quantity { symbol, ..labelled(&reaction.name, &reaction.unit, reaction.label.clone()) };
+        columns.push(column(quantity, &|r| r.place.reactions[k].unwrap_or(f64::NAN)));
+    }
+    let stable = |r: &Row| r.stable.map_or(f64::NAN, |s| f64::from(u8::from(s)));
+    let label = Text::new("largest relative force", "наибольшая относительная сила");
+    columns.push(column(labelled("residual", "1", label), &|r| r.place.residual));
+    columns.push(column(labelled("stable", "1", Text::new("1 stable, 0 unstable", "1 устойчиво, 0 неустойчиво")), &stable));
+    let label = Text::new("largest real part of a root", "наибольшая вещественная часть корня");
+    columns.push(column(labelled("growth", "1/s", label), &|r| r.growth));
+    let label = Text::new("directions in which the potential energy falls", "направлений убывания потенциальной энергии");
+    columns.push(column(labelled("negative_directions", "1", label), &|r| r.negative));
+    let most = |of: &dyn Fn(&Row) -> f64| rows.iter().map(of).fold(0.0, f64::max);
+    let first = Text::new("equilibrium: largest relative force", "равновесие: наибольшая относительная сила");
+    let other = Text::new(
+        "equilibrium by the second derivation: largest relative force",
+        "равновесие по второму выводу: наибольшая относительная сила",
+    );
+    let audits = vec![
+        Audit::at_most("equilibrium", first, most(&|r| r.place.residual), RESIDUAL),
+        Audit::at_most("equilibrium_second", other, most(&|r| r.second), SECOND),
+    ];
+    let audits = if rows.is_empty() { Vec::new() } else { audits };
+    Dataset { columns, notes, audits, ..Dataset::default() }
+}
+
+/// A machine that no reaction and no condition touches.
+pub fn is_free(equations: &Equations) -> bool {
+    equations.reactions.is_empty() && equations.conditions.is_empty()
+}

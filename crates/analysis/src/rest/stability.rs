@@ -1,0 +1,70 @@
+//! Whether a place of rest is stable, from small motions M y'' + B y' + C y = 0 along the surface of the connections.
+//!
+//! | roots | verdict |
+//! |---|---|
+//! | one with positive real part | unstable |
+//! | all with negative real parts | stable (Lyapunov's first method) |
+//! | on the axis; C symmetric and positive definite, B without negative damping | stable (Lagrange, Dirichlet: the energy is a minimum) |
+//! | on the axis; C singular | neutral to first order: small motions do not decide |
+//! | on the axis; held by gyroscopic or circulatory forces alone | small motions do not decide |
+//!
+//! Where bodies without mass leave no roots the energy decides alone. *Source*: D. R. Merkin, Introduction to the Theory of Stability, ch. 3 and 6.
+
+use symbolic::Equations;
+use symbolic::connections::Law;
+
+use crate::linear::{Matrices, largest, parts};
+use crate::numerics::lu::positive_definite;
+use crate::numerics::rank;
+
+/// Real parts below this share of the largest root count as none.
+const AXIS: f64 = 1e-9;
+
+/// The equations with closed contacts as lasting connections, and dry friction and open contacts gone: what small motions are taken of.
+pub fn with_closed(equations: &Equations, closed: &[usize]) -> Equations {
+    let mut out = equations.clone();
+    for (r, reaction) in out.reactions.iter_mut().enumerate() {
+        if let Law::Contact { condition, .. } = reaction.law
+            && closed.contains(&r)
+        {
+            reaction.law = Law::Ideal { condition };
+        }
+    }
+    out
+}
+
+/// The verdict: stable, unstable, or undecided; `growth` is the largest real part of a root (NaN where there are none to be had), `fastest` the largest
+/// root. The matrices are those along the surface.
+pub fn verdict(along: &Matrices, growth: f64, fastest: f64) -> Option<bool> {
+    let n = along.n;
+    if n == 0 {
+        return Some(true);
+    }
+    if growth > AXIS * fastest {
+        return Some(false);
+    }
+    if growth < -AXIS * fastest {
+        return Some(true);
+    }
+    let (even, odd) = parts(&along.stiffness, n);
+    let (damping, gyroscopic) = parts(&along.damping, n);
+    let scale = largest(&along.stiffness);
+    if scale == 0.0 || largest(&odd) > AXIS * scale || free_directions(along) > 0 {
+        return None;
+    }
+    match positive_definite(&even, n) {
+        Some(true) if largest(&damping) == 0.0 || positive_definite(&damping, n) != Some(false) => Some(true),
+        Some(false) if largest(&gyroscopic) == 0.0 => Some(false),
+        _ => None,
+    }
+}
+
+/// Directions along the surface that no stiffness resists.
+pub fn free_directions(along: &Matrices) -> usize {
+    let n = along.n;
+    let scale = largest(&along.stiffness);
+    if scale == 0.0 {
+        return n;
+    }
+    n - rank::rank(n, n, &along.stiffness)
+}
