@@ -137,6 +137,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
         en: ("no equilibrium to linearise about", NOWHERE_EN),
         ru: ("нет равновесия для линеаризации", NOWHERE_RU),
     },
+    Explanation { code: "S077", en: ("a number without a value", OVERFLOW_EN), ru: ("число без значения", OVERFLOW_RU) },
+    Explanation {
+        code: "S076", en: ("the load is not periodic", PERIODIC_EN), ru: ("нагрузка непериодична", PERIODIC_RU)
+    },
     Explanation {
         code: "S030", en: ("unknown load or parameter", NAME_EN), ru: ("неизвестная нагрузка или параметр", NAME_RU)
     },
@@ -206,6 +210,16 @@ const VARYING_EN: &str = "A mass, a damping or a stiffness is a formula of time 
     form. A change at the switches of phases is allowed.";
 const VARYING_RU: &str = "Масса, сопротивление или жёсткость — функция времени (параметрическое возбуждение, вращающаяся система с неравными жёсткостями). Замкнутого решения у \
     таких систем нет. Изменение при переключении этапов допустимо.";
+const OVERFLOW_EN: &str = "A result is infinite or undefined where no infinity is meant. Parameters of extreme size overflow: a mass of 1e300 kg beside one of 1e-300 kg, a \
+    growing motion followed for too long. Check the units of the parameters. Wrong: m = 1e300 kg. Right: numbers that a machine can have.";
+const OVERFLOW_RU: &str = "Результат бесконечен или не определён там, где бесконечности быть не может. Параметры крайней величины вызывают переполнение: масса 1e300 кг \
+    рядом с массой 1e-300 кг, слишком долго прослеженное нарастающее движение. Проверьте единицы параметров. Неверно: m = 1e300 kg. Верно: числа, возможные \
+    для машины.";
+const PERIODIC_EN: &str = "The study `response` gives the steady oscillation under periodic loads. Time may stand in sines and cosines of p t + d, also inside sign, abs, \
+    min, max, if, roots and powers; the frequencies within one such formula must have whole ratios. Wrong: F*exp(-a*t), F*sin(p*t^2). Right: F*sign(sin(p*t)).";
+const PERIODIC_RU: &str = "Расчёт `response` находит установившиеся колебания при периодических нагрузках. Время может входить в синусы и косинусы от p t + d, в том \
+    числе внутри sign, abs, min, max, if, корней и степеней; частоты внутри одной такой формулы должны относиться как целые числа. Неверно: F*exp(-a*t), \
+    F*sin(p*t^2). Верно: F*sign(sin(p*t)).";
 const LOAD_EN: &str = "Closed forms exist for loads made of constants, powers of t, sines and cosines of p t + d, exponentials of t, and products of these. A run-up \
     sin(e*t^2/2), an amplitude like 1/(1 + t), or a switch at instants that follow from a sine are not of this kind. Within a phase the frequency must be \
     constant; another phase may have another one.";
@@ -504,3 +518,25 @@ const UNREST_EN: &str = "Some displacement is prevented by nothing, and the load
      displacements that belong to it with their shares. Add a support, or a load that balances it.";
 const UNREST_RU: &str = "Некоторому перемещению ничто не препятствует, и нагрузки совершают на нём работу: равновесие невозможно. В сообщении \
      перечислены входящие в него перемещения и их доли. Добавьте опору или уравновешивающую нагрузку.";
+
+/// A result, which must be a number.
+///
+/// *Errors*: S077 when it is infinite or undefined.
+pub fn finite(value: f64, name: &str) -> Result<f64, Fault> {
+    if value.is_finite() { Ok(value) } else { Err(undefined(name)) }
+}
+
+fn undefined(name: &str) -> Fault {
+    Fault::new(Message {
+        code: "S077",
+        what: Text::new(format!("{name} has no finite value"), format!("у величины {name} нет конечного значения")),
+        why: Text::new(
+            "numbers of extreme size overflow, or a motion grows beyond all bounds",
+            "числа крайней величины вызывают переполнение, либо движение неограниченно нарастает",
+        ),
+        help: Text::new(
+            "check the units and sizes of the parameters, or shorten the time",
+            "проверьте единицы и величину параметров или сократите время",
+        ),
+    })
+}

@@ -17,6 +17,7 @@ pub mod structure;
 pub mod studies;
 pub mod system;
 pub mod taylor;
+pub mod waveform;
 
 pub use dataset::Dataset;
 pub use fault::Fault;

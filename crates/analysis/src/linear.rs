@@ -7,13 +7,14 @@ use std::sync::Arc;
 
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
-use symbolic::linear::{About, HarmonicLoad, Timing};
+use symbolic::linear::{About, Loads, Timing};
 use symbolic::{Derivation, Equations, Expr, Linear, SymbolId, Text};
 
 use crate::fault::Message;
 use crate::machine::notation;
 use crate::numerics::rank;
 use crate::studies::equilibrium::{Statics, rest_near};
+use crate::waveform::Shape;
 use crate::{Fault, Quantity};
 
 /// The matrices of small motions, row-major n x n, SI.
@@ -31,6 +32,8 @@ pub struct Matrices {
     pub force: Vec<f64>,
     /// Harmonic loads.
     pub loads: Vec<Harmonic>,
+    /// Loads of other waveforms: index of the form, factor on each coordinate.
+    pub shaped: Vec<(usize, Vec<f64>)>,
     /// Conditions J δq = 0 of connections, row-major; empty without.
     pub jacobian: Vec<f64>,
 }
@@ -63,6 +66,7 @@ impl Matrices {
             stiffness: square(&self.stiffness),
             force: vector(&self.force),
             loads: self.loads.iter().map(|l| Harmonic { rate: l.rate, cos: vector(&l.cos), sin: vector(&l.sin) }).collect(),
+            shaped: self.shaped.iter().map(|(form, factors)| (*form, vector(factors))).collect(),
             jacobian: Vec::new(),
         }
     }
@@ -113,6 +117,8 @@ pub struct LinearMachine {
     names: Vec<Quantity>,
     parameters: Vec<Quantity>,
     values: Vec<f64>,
+    /// Waveforms of [`Linear::forms`], with their rates as a tape.
+    shapes: Vec<Shape>,
     /// Size of reactions, so that Newton's steps are measured alike.
     unit: f64,
 }
@@ -152,17 +158,22 @@ impl LinearMachine {
     ///
     /// *Errors*: formulas outside their domain for the parameters.
     pub fn new(equations: &Arc<Equations>, about: About) -> Result<LinearMachine, Fault> {
-        let linear = Linear::new(equations, about);
+        let mut linear = Linear::new(equations, about);
         let symbols = |k: usize| linear.coordinates.iter().map(move |c| c[k]);
         let inputs = Inputs {
             parameters: equations.parameters.iter().map(|p| p.symbol).collect(),
-            states: symbols(0).chain(symbols(1)).chain(linear.multipliers.iter().copied()).collect(),
+            states: symbols(0)
+                .chain(symbols(1))
+                .chain(linear.multipliers.iter().copied())
+                .chain(linear.forms.iter().map(|f| f.mean))
+                .collect(),
             accelerations: symbols(2).collect(),
             definitions: linear.definitions.clone(),
             ..Inputs::default()
         };
         let tape = Arc::new(lower::expressions(&linear.graph, "linear", &inputs, &roots(&linear))?);
         let values: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+        let shapes = shapes(&mut linear, &inputs, &values)?;
         let quantity = |symbol: SymbolId, unit: &str, label: &Text| {
             let name = &equations.graph.symbol_info(symbol).name;
             Quantity { label: label.clone(), symbol: notation(equations, name), ..Quantity::new(name, unit) }
@@ -176,6 +187,7 @@ impl LinearMachine {
             inputs,
             values,
             linear,
+            shapes,
             unit: 1.0,
         })
     }
@@ -215,7 +227,56 @@ impl LinearMachine {
     pub fn set(&mut self, parameter: usize, value: f64) -> Result<(), Fault> {
         self.values[parameter] = value;
         self.evaluator = Evaluator::new(&self.tape, &self.values)?;
+        for shape in self.shapes.iter_mut().filter(|s| s.parameters.contains(&parameter)) {
+            shape.bind(&self.values)?;
+        }
         Ok(())
+    }
+
+    /// The waveforms of loads and observed quantities for the parameters as they are.
+    pub fn shapes(&self) -> &[Shape] {
+        &self.shapes
+    }
+
+    /// A waveform at phases, for the parameters as they are.
+    ///
+    /// *Errors*: no finite value there.
+    pub fn waveform(&self, form: usize, phases: &[f64]) -> Result<Vec<f64>, Fault> {
+        self.shapes[form].values(&self.values, phases)
+    }
+
+    /// Waveforms that came up since the last call.
+    fn learn(&mut self) -> Result<(), Fault> {
+        let known = self.shapes.len();
+        self.inputs.states.extend(self.linear.forms[known..].iter().map(|f| f.mean));
+        let time = self.linear.time();
+        for i in known..self.linear.forms.len() {
+            let shape = self.linear.forms[i].wave.shape;
+            self.shapes.push(Shape::new(&mut self.linear.graph, shape, time, &self.inputs, &self.values)?);
+        }
+        Ok(())
+    }
+
+    /// Generalized forces (index of a coordinate, force) of the equations at rest over time, as a tape.
+    ///
+    /// *Errors*: a symbol without a meaning here.
+    pub fn over_time(&mut self, forces: &[(usize, Expr)]) -> Result<Values, Fault> {
+        let list = self.linear.over_time(forces);
+        let named: Vec<(String, Expr)> = list.iter().enumerate().map(|(i, e)| (format!("force {}", i + 1), *e)).collect();
+        let inputs = Inputs { time: Some(self.linear.time()), ..self.inputs.clone() };
+        Ok(Values(Arc::new(lower::expressions(&self.linear.graph, "forces", &inputs, &named)?)))
+    }
+
+    /// Their values at a place and at instants, for the parameters as they are.
+    ///
+    /// *Errors*: no finite value there.
+    pub fn values_over_time(&self, prepared: &Values, place: &Place, times: &[f64]) -> Result<Vec<Vec<f64>>, Fault> {
+        let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
+        let states = self.states(place);
+        let mut at = |time: f64| -> Result<Vec<f64>, Fault> {
+            Ok(evaluator.evaluate(&Point { time, states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
+        };
+        times.iter().map(|t| at(*t)).collect()
     }
 
     /// The matrices at a place.
@@ -237,11 +298,14 @@ impl LinearMachine {
         let (conditions, rest) = rest.split_at(m);
         let (jacobian, rest) = rest.split_at(m * n);
         let (reach, rest) = rest.split_at(n * k);
-        let loads = rest.chunks_exact(2 * n + 1).map(|l| Harmonic { rate: l[0], cos: l[1..=n].to_vec(), sin: l[n + 1..].to_vec() });
+        let (loads, shaped) = rest.split_at((2 * n + 1) * self.linear.loads.len());
+        let shaped = self.linear.shaped.iter().zip(shaped.chunks_exact(n.max(1))).map(|((form, _), f)| (*form, f.to_vec()));
+        let loads = loads.chunks_exact(2 * n + 1).map(|l| Harmonic { rate: l[0], cos: l[1..=n].to_vec(), sin: l[n + 1..].to_vec() });
         let matrices = Matrices {
             n,
             jacobian: jacobian.to_vec(),
             loads: loads.collect(),
+            shaped: shaped.collect(),
             mass: mass.to_vec(),
             damping: damping.to_vec(),
             stiffness: stiffness.to_vec(),
@@ -254,6 +318,7 @@ impl LinearMachine {
     fn states(&self, place: &Place) -> Vec<f64> {
         let mut states = place.states();
         states.resize(2 * self.names.len() + self.linear.multipliers.len(), 0.0);
+        states.extend(self.shapes.iter().map(|s| s.wave.mean));
         states
     }
 
@@ -339,8 +404,12 @@ impl LinearMachine {
     }
 
     /// The harmonics of generalized forces (by coordinate) of the equations that were linearised; none when they are not harmonic.
-    pub fn harmonics_of(&mut self, forces: &[(usize, Expr)]) -> Option<(Vec<Expr>, Vec<HarmonicLoad>)> {
-        self.linear.harmonics_of(&self.equations, forces)
+    ///
+    /// *Errors*: a formula without a value somewhere in the period.
+    pub fn harmonics_of(&mut self, forces: &[(usize, Expr)]) -> Result<Option<Loads>, Fault> {
+        let found = self.linear.harmonics_of(&self.equations, forces);
+        self.learn()?;
+        Ok(found)
     }
 
     /// An observer of formulas of the equations near the state.
@@ -348,7 +417,7 @@ impl LinearMachine {
     /// *Errors*: a formula that cannot be lowered.
     pub fn observer(&mut self, formulas: &[Expr]) -> Result<Observer, Fault> {
         let mut roots = Vec::new();
-        let (mut rows, mut frozen) = (Vec::new(), false);
+        let (mut rows, mut forms, mut frozen) = (Vec::new(), Vec::new(), false);
         for (k, formula) in formulas.iter().enumerate() {
             let output = self.linear.output(&self.equations, *formula);
             frozen |= output.frozen;
@@ -362,10 +431,13 @@ impl LinearMachine {
                 push("cos", wave.cos);
                 push("sin", wave.sin);
             }
+            output.forms.iter().for_each(|(_, factor)| push("factor", *factor));
             rows.push(output.waves.len());
+            forms.push(output.forms.iter().map(|f| f.0).collect());
         }
+        self.learn()?;
         let tape = Arc::new(lower::expressions(&self.linear.graph, "observer", &self.inputs, &roots)?);
-        Ok(Observer { n: self.names.len(), tape, rows, frozen })
+        Ok(Observer { n: self.names.len(), tape, rows, forms, frozen })
     }
 
     /// What an observer sees at a place, with the parameters as they are now.
@@ -382,12 +454,13 @@ impl LinearMachine {
             rest = tail;
             head.to_vec()
         };
-        let seen = observer.rows.iter().map(|waves| Seen {
+        let seen = observer.rows.iter().zip(&observer.forms).map(|(waves, forms)| Seen {
             mean: take(1)[0],
             by_place: take(n),
             by_rate: take(n),
             by_acceleration: take(n),
             waves: (0..*waves).map(|_| take(3)).map(|w| (w[0], w[1], w[2])).collect(),
+            forms: forms.iter().map(|form| (*form, take(1)[0])).collect(),
         });
         Ok(seen.collect())
     }
@@ -404,6 +477,8 @@ pub struct Observer {
     tape: Arc<Tape>,
     /// Number of harmonics of each formula.
     rows: Vec<usize>,
+    /// Waveforms of each formula.
+    forms: Vec<Vec<usize>>,
     /// Whether a formula had to be taken at t = 0.
     pub frozen: bool,
 }
@@ -421,6 +496,13 @@ pub struct Seen {
     pub by_acceleration: Vec<f64>,
     /// (ν, c, s).
     pub waves: Vec<(f64, f64, f64)>,
+    /// (index of the waveform, factor).
+    pub forms: Vec<(usize, f64)>,
+}
+
+fn shapes(linear: &mut Linear, inputs: &Inputs, values: &[f64]) -> Result<Vec<Shape>, Fault> {
+    let time = linear.time();
+    linear.forms.clone().iter().map(|f| Shape::new(&mut linear.graph, f.wave.shape, time, inputs, values)).collect()
 }
 
 fn roots(linear: &Linear) -> Vec<(String, Expr)> {
@@ -437,6 +519,9 @@ fn roots(linear: &Linear) -> Vec<(String, Expr)> {
         push("rate", &[load.rate]);
         push("cos", &load.cos);
         push("sin", &load.sin);
+    }
+    for (_, factors) in &linear.shaped {
+        push("factor", factors);
     }
     roots
 }

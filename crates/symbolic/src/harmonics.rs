@@ -1,8 +1,10 @@
 //! Functions of time as sums of harmonics: e = mean + Σ c_k cos(ν_k t) + s_k sin(ν_k t), exactly.
 //!
 //! Sums, products and whole powers of sines and cosines of arguments affine in time are such sums; products are split by
-//! 2 cos α cos β = cos(α - β) + cos(α + β) and its companions. Everything else that depends on time is not.
+//! 2 cos α cos β = cos(α - β) + cos(α + β) and its companions. Other periodic functions of time are kept whole, each a [`Waveform`] times
+//! a factor free of time. Everything else that depends on time is neither.
 
+use crate::waveform::{Waveform, waveform};
 use crate::{Expr, Function, Graph, Node, Rational, SymbolId};
 use rustc_hash::FxHashMap;
 
@@ -22,8 +24,10 @@ pub struct Wave {
 pub struct Harmonics {
     /// The part free of time.
     pub mean: Expr,
-    /// The rest.
+    /// Sines and cosines.
     pub waves: Vec<Wave>,
+    /// Other periodic functions: waveform and factor.
+    pub forms: Vec<(Waveform, Expr)>,
 }
 
 /// Products with more harmonics than this are given up.
@@ -37,27 +41,29 @@ pub type Decide<'d> = dyn FnMut(&mut Graph, Expr) -> Option<bool> + 'd;
 /// A decomposition; remembers its results, so use one for many expressions.
 pub struct Decomposition<'d> {
     time: SymbolId,
+    /// What moves with the machine, and so belongs to no waveform.
+    states: Vec<SymbolId>,
     decide: &'d mut Decide<'d>,
     memo: FxHashMap<Expr, Option<Harmonics>>,
 }
 
 impl<'d> Decomposition<'d> {
-    /// By the symbol of time; `decide` settles switches whose guard depends on time: whether the guard is not negative.
-    pub fn new(time: SymbolId, decide: &'d mut Decide<'d>) -> Decomposition<'d> {
-        Decomposition { time, decide, memo: FxHashMap::default() }
+    /// By the symbols of time and of the states; `decide` settles switches whose guard depends on time: whether the guard is not negative.
+    pub fn new(time: SymbolId, states: &[SymbolId], decide: &'d mut Decide<'d>) -> Decomposition<'d> {
+        Decomposition { time, states: states.to_vec(), decide, memo: FxHashMap::default() }
     }
 
     /// The harmonics of `e`; none when it depends on time in another way.
     pub fn apply(&mut self, graph: &mut Graph, e: Expr) -> Option<Harmonics> {
         for e in graph.pending(&[e], &self.memo) {
-            let found = self.step(graph, e);
+            let found = self.step(graph, e).or_else(|| self.form(graph, e));
             self.memo.insert(e, found);
         }
         self.memo[&e].clone()
     }
 
     fn step(&mut self, graph: &mut Graph, e: Expr) -> Option<Harmonics> {
-        let constant = |e| Some(Harmonics { mean: e, waves: Vec::new() });
+        let constant = |e| Some(Harmonics::still(e));
         match graph.node(e).clone() {
             Node::Symbol(s) if s == self.time => None,
             Node::Number(_) | Node::Pi | Node::Symbol(_) => constant(e),
@@ -75,24 +81,51 @@ impl<'d> Decomposition<'d> {
     /// `e` when none of its operands moves, with switches in them settled.
     fn still(&self, graph: &mut Graph, e: Expr, children: &[Expr]) -> Option<Harmonics> {
         for c in children {
-            self.memo.get(c)?.as_ref().filter(|h| h.waves.is_empty())?;
+            self.memo.get(c)?.as_ref().filter(|h| h.is_still())?;
         }
         let replace = |c: Expr| self.memo.get(&c).and_then(|h| h.as_ref()).map_or(c, |h| h.mean);
-        Some(Harmonics { mean: graph.rebuild(e, replace), waves: Vec::new() })
+        Some(Harmonics::still(graph.rebuild(e, replace)))
+    }
+
+    /// `e` as one waveform.
+    fn form(&self, graph: &mut Graph, e: Expr) -> Option<Harmonics> {
+        if graph.contains(e, |s| self.states.contains(&s)) {
+            return None;
+        }
+        let found = waveform(graph, self.time, e)?;
+        let (zero, one) = (graph.zero(), graph.one());
+        Some(Harmonics { forms: vec![(found, one)], ..Harmonics::still(zero) })
     }
 
     fn switch(&mut self, graph: &mut Graph, e: Expr, guard: Expr, (then, otherwise): (Expr, Expr)) -> Option<Harmonics> {
         if graph.contains(guard, |s| s == self.time) {
+            if let Some(found) = self.form(graph, e).or_else(|| self.chopped(graph, e)) {
+                return Some(found);
+            }
             let side = if (self.decide)(graph, guard)? { then } else { otherwise };
             return self.memo.get(&side)?.clone();
         }
         self.still(graph, e, &[guard, then, otherwise])
     }
 
+    /// A periodic guard between two sides free of time: otherwise + (then - otherwise) χ with χ = 1 while the guard holds, else 0.
+    fn chopped(&mut self, graph: &mut Graph, e: Expr) -> Option<Harmonics> {
+        let Node::Switch { guard, strict, then, otherwise } = graph.node(e).clone() else { return None };
+        let side = |e: Expr| self.memo.get(&e)?.as_ref().filter(|h| h.is_still()).map(|h| h.mean);
+        let (then, otherwise) = (side(then)?, side(otherwise)?);
+        let (zero, one) = (graph.zero(), graph.one());
+        let switch = graph.switch(guard, strict, one, zero);
+        let mut found = self.form(graph, switch)?;
+        let difference = graph.sub(then, otherwise);
+        found.forms.iter_mut().for_each(|f| f.1 = difference);
+        found.mean = otherwise;
+        Some(found)
+    }
+
     /// sin(ν t + α) = sin α cos ν t + cos α sin ν t, and so on.
     fn wave(&mut self, graph: &mut Graph, e: Expr, function: Function, argument: Expr) -> Option<Harmonics> {
         if !graph.contains(argument, |s| s == self.time) {
-            return Some(Harmonics { mean: e, waves: Vec::new() });
+            return Some(Harmonics::still(e));
         }
         let rate = graph.derivative(argument, self.time);
         if graph.contains(rate, |s| s == self.time) || graph.is_zero(rate) {
@@ -102,17 +135,21 @@ impl<'d> Decomposition<'d> {
         let phase = crate::Substitution::new([(self.time, zero)]).apply(graph, argument);
         let (s, c) = (graph.call(Function::Sin, &[phase]), graph.call(Function::Cos, &[phase]));
         let (cos, sin) = if function == Function::Sin { (s, c) } else { (c, graph.neg(s)) };
-        let mut found = Harmonics { mean: zero, waves: Vec::new() };
+        let mut found = Harmonics::still(zero);
         found.add(graph, Wave { rate, cos, sin });
         Some(found)
     }
 
     fn sum(&self, graph: &mut Graph, constant: &Rational, terms: &[(Expr, Rational)]) -> Option<Harmonics> {
         let mut means = Vec::with_capacity(terms.len());
-        let mut found = Harmonics { mean: graph.zero(), waves: Vec::new() };
+        let mut found = Harmonics::still(graph.zero());
         for (term, factor) in terms {
             let part = self.memo.get(term)?.clone()?;
             means.push((part.mean, factor.clone()));
+            for (form, own) in part.forms {
+                let own = graph.scale(own, factor);
+                found.add_form(graph, form, own);
+            }
             for wave in part.waves {
                 let (cos, sin) = (graph.scale(wave.cos, factor), graph.scale(wave.sin, factor));
                 found.add(graph, Wave { cos, sin, ..wave });
@@ -124,25 +161,56 @@ impl<'d> Decomposition<'d> {
 
     fn product(&self, graph: &mut Graph, coefficient: &Rational, factors: &[(Expr, Rational)]) -> Option<Harmonics> {
         let mut still: Vec<(Expr, Rational)> = Vec::new();
-        let mut moving: Vec<Harmonics> = Vec::new();
+        let mut moving: Vec<(Harmonics, Expr, Rational)> = Vec::new();
         for (base, exponent) in factors {
             let part = self.memo.get(base)?.clone()?;
-            if part.waves.is_empty() {
+            if part.is_still() {
                 still.push((part.mean, exponent.clone()));
                 continue;
             }
-            let power = exponent.to_i64().filter(|n| (1..=LARGEST_POWER).contains(n))?;
-            moving.extend((0..power).map(|_| part.clone()));
+            moving.push((part, *base, exponent.clone()));
         }
-        let mut found = Harmonics { mean: graph.monomial(coefficient.clone(), &still), waves: Vec::new() };
-        for factor in moving {
-            found = found.times(graph, &factor)?;
+        let outer = Harmonics::still(graph.monomial(coefficient.clone(), &still));
+        if let Some(found) = expanded(graph, &outer, &moving) {
+            return Some(found);
         }
-        Some(found)
+        let whole: Vec<(Expr, Rational)> = moving.into_iter().map(|(_, base, exponent)| (base, exponent)).collect();
+        let whole = graph.monomial(Rational::ONE, &whole);
+        self.form(graph, whole)?.times(graph, &outer)
     }
 }
 
+/// The product of sums of harmonics; none when it has too many terms, or when two waveforms meet.
+fn expanded(graph: &mut Graph, outer: &Harmonics, moving: &[(Harmonics, Expr, Rational)]) -> Option<Harmonics> {
+    let mut found = outer.clone();
+    for (factor, _, exponent) in moving {
+        let power = exponent.to_i64().filter(|n| (1..=LARGEST_POWER).contains(n))?;
+        for _ in 0..power {
+            found = found.times(graph, factor)?;
+        }
+    }
+    Some(found)
+}
+
 impl Harmonics {
+    /// What does not depend on time.
+    pub fn still(mean: Expr) -> Harmonics {
+        Harmonics { mean, waves: Vec::new(), forms: Vec::new() }
+    }
+
+    /// Whether it does not depend on time.
+    pub fn is_still(&self) -> bool {
+        self.waves.is_empty() && self.forms.is_empty()
+    }
+
+    fn add_form(&mut self, graph: &mut Graph, form: Waveform, factor: Expr) {
+        match self.forms.iter_mut().find(|(f, _)| *f == form) {
+            Some((_, own)) => *own = graph.add(*own, factor),
+            None => self.forms.push((form, factor)),
+        }
+        self.forms.retain(|(_, factor)| !graph.is_zero(*factor));
+    }
+
     /// Adds a wave to the one of the same rate.
     fn add(&mut self, graph: &mut Graph, wave: Wave) {
         if graph.is_zero(wave.cos) && graph.is_zero(wave.sin) {
@@ -166,7 +234,16 @@ impl Harmonics {
     }
 
     fn times(&self, graph: &mut Graph, other: &Harmonics) -> Option<Harmonics> {
-        let mut found = Harmonics { mean: graph.mul(self.mean, other.mean), waves: Vec::new() };
+        if (!self.forms.is_empty() && !other.is_still()) || (!other.forms.is_empty() && !self.is_still()) {
+            return None;
+        }
+        let mut found = Harmonics::still(graph.mul(self.mean, other.mean));
+        for (mean, forms) in [(self.mean, &other.forms), (other.mean, &self.forms)] {
+            for (form, factor) in forms {
+                let factor = graph.mul(mean, *factor);
+                found.add_form(graph, *form, factor);
+            }
+        }
         for (mean, waves) in [(self.mean, &other.waves), (other.mean, &self.waves)] {
             for wave in waves {
                 let (cos, sin) = (graph.mul(mean, wave.cos), graph.mul(mean, wave.sin));
@@ -227,7 +304,7 @@ mod tests {
         let product = g.product(&[cube, y, a]);
         let e = g.add(product, y);
         let mut never = |_: &mut Graph, _: Expr| None;
-        let found = Decomposition::new(time, &mut never).apply(&mut g, e).expect("harmonic");
+        let found = Decomposition::new(time, &[], &mut never).apply(&mut g, e).expect("harmonic");
         let value = |s: SymbolId| [0.37, 1.3, 0.4, 0.9][s.index()];
         let mut sum = g.evaluate(&[found.mean], &value)[0];
         for wave in &found.waves {
@@ -247,6 +324,6 @@ mod tests {
         let s = g.call(Function::Sin, &[t]);
         let e = g.mul(t, s);
         let mut never = |_: &mut Graph, _: Expr| None;
-        assert_eq!(Decomposition::new(time, &mut never).apply(&mut g, e), None);
+        assert_eq!(Decomposition::new(time, &[], &mut never).apply(&mut g, e), None);
     }
 }

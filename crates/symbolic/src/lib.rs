@@ -19,6 +19,7 @@ mod text;
 mod textbook;
 mod trigonometry;
 mod walk;
+pub mod waveform;
 
 pub use characteristic::characteristic;
 pub use derivative::Derivation;

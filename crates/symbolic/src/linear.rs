@@ -16,6 +16,7 @@
 
 use crate::connections::Law;
 use crate::harmonics::{Decomposition, Harmonics};
+use crate::waveform::Waveform;
 use crate::{Derivation, Equations, Expr, Graph, Matrix, Rational, Substitution, SymbolId};
 
 /// About what the equations are linearised.
@@ -47,6 +48,10 @@ pub struct Linear {
     pub force: Vec<Expr>,
     /// Harmonic loads, by rate.
     pub loads: Vec<HarmonicLoad>,
+    /// Waveforms of the loads and of what is observed.
+    pub forms: Vec<Form>,
+    /// Loads of these forms: index of the form, factor on each coordinate.
+    pub shaped: Vec<(usize, Vec<Expr>)>,
     /// λ of the ideal connections.
     pub multipliers: Vec<SymbolId>,
     /// What vanishes in every place the connections allow; zero for conditions on rates.
@@ -79,6 +84,18 @@ pub struct Timing {
     pub varying: bool,
 }
 
+/// A periodic function of time with a symbol for its mean over a period, which is a number of the parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Form {
+    /// The function.
+    pub wave: Waveform,
+    /// Stands for its mean in [`Linear::force`] and in the matrices.
+    pub mean: SymbolId,
+}
+
+/// Loads that repeat: mean, sines, waveforms (index, factors).
+pub type Loads = (Vec<Expr>, Vec<HarmonicLoad>, Vec<(usize, Vec<Expr>)>);
+
 /// Σ_i e_i (c_i cos ν t + s_i sin ν t), one entry for each equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HarmonicLoad {
@@ -103,6 +120,8 @@ pub struct LinearOutput {
     pub by_acceleration: Vec<Expr>,
     /// (rate, cos, sin) of what time does to it directly.
     pub waves: Vec<crate::harmonics::Wave>,
+    /// Waveforms by index, with their factors.
+    pub forms: Vec<(usize, Expr)>,
     /// Whether it had to be taken at t = 0.
     pub frozen: bool,
 }
@@ -122,9 +141,11 @@ impl Linear {
         let all: Vec<Expr> = force.iter().chain(&mass).copied().collect();
         let split = split(equations, &mut graph, &all, &mut timing);
         let (split_force, split_mass) = split.split_at(n);
-        timing.varying = split_mass.iter().any(|h| !h.waves.is_empty());
-        let mean: Vec<Expr> = split_force.iter().map(|h| h.mean).collect();
-        let mass = Matrix::from_rows(&rows(split_mass.iter().map(|h| h.mean).collect(), n));
+        timing.varying = split_mass.iter().any(|h| !h.is_still());
+        let mut forms = Vec::new();
+        let mean: Vec<Expr> = split_force.iter().map(|h| averaged(&mut graph, &mut forms, h)).collect();
+        let mass = split_mass.iter().map(|h| averaged(&mut graph, &mut forms, h)).collect();
+        let mass = Matrix::from_rows(&rows(mass, n));
 
         let mut linear = Linear {
             about,
@@ -137,6 +158,8 @@ impl Linear {
             stiffness: Matrix::zeros(&mut graph, n, n),
             force: Vec::new(),
             loads: Vec::new(),
+            shaped: Vec::new(),
+            forms,
             definitions: still(equations, &moving),
             coordinates,
             moving,
@@ -273,6 +296,19 @@ impl Linear {
                 self.loads[place].cos[i] = cos;
                 self.loads[place].sin[i] = sin;
             }
+            for (wave, factor) in &harmonics.forms {
+                self.timing.varying |= graph.contains(*factor, |s| self.coordinates.iter().any(|c| c.contains(&s)));
+                let factor = rest.apply(graph, *factor);
+                if graph.is_zero(factor) {
+                    continue;
+                }
+                let form = known(graph, &mut self.forms, *wave);
+                let place = self.shaped.iter().position(|(f, _)| *f == form).unwrap_or_else(|| {
+                    self.shaped.push((form, vec![zero; n]));
+                    self.shaped.len() - 1
+                });
+                self.shaped[place].1[i] = factor;
+            }
         }
     }
 
@@ -282,6 +318,7 @@ impl Linear {
         let formula = Substitution::new(self.moving.iter().copied()).apply(graph, formula);
         let mut timing = Timing::default();
         let harmonics = split(equations, graph, &[formula], &mut timing).remove(0);
+        let average = averaged(graph, &mut self.forms, &harmonics);
         let zero = graph.zero();
         let mut rest = Substitution::new(match self.about {
             About::Rest => self.coordinates.iter().flat_map(|[_, v, a]| [(*v, zero), (*a, zero)]).collect::<Vec<_>>(),
@@ -289,20 +326,23 @@ impl Linear {
         });
         let mut by = |graph: &mut Graph, level: usize| -> Vec<Expr> {
             let derive = |c: &[SymbolId; 3]| {
-                let d = graph.derivative(harmonics.mean, c[level]);
+                let d = graph.derivative(average, c[level]);
                 rest.apply(graph, d)
             };
             self.coordinates.iter().map(derive).collect()
         };
         let (by_place, by_rate, by_acceleration) = (by(graph, 0), by(graph, 1), by(graph, 2));
-        let mean = rest.apply(graph, harmonics.mean);
+        let mean = rest.apply(graph, average);
         let waves =
             harmonics.waves.iter().map(|w| crate::harmonics::Wave { cos: rest.apply(graph, w.cos), sin: rest.apply(graph, w.sin), ..*w });
-        LinearOutput { mean, by_place, by_rate, by_acceleration, waves: waves.collect(), frozen: timing.frozen }
+        let waves: Vec<crate::harmonics::Wave> = waves.collect();
+        let form = |(wave, factor): &(Waveform, Expr)| (known(graph, &mut self.forms, *wave), rest.apply(graph, *factor));
+        let forms = harmonics.forms.iter().map(form).collect();
+        LinearOutput { mean, by_place, by_rate, by_acceleration, waves, forms, frozen: timing.frozen }
     }
 
-    /// Mean and harmonics of further generalized forces (index of a coordinate, force), at rest; none when they are not harmonic.
-    pub fn harmonics_of(&mut self, equations: &Equations, forces: &[(usize, Expr)]) -> Option<(Vec<Expr>, Vec<HarmonicLoad>)> {
+    /// Generalized forces of the equations (index of a coordinate, force) at rest, with the time in them.
+    pub fn over_time(&mut self, forces: &[(usize, Expr)]) -> Vec<Expr> {
         let n = self.coordinates.len();
         let zero = self.graph.zero();
         let mut all = vec![zero; n];
@@ -313,17 +353,24 @@ impl Linear {
             let force = rest.apply(&mut self.graph, force);
             all[*i] = self.graph.add(all[*i], force);
         }
+        all
+    }
+
+    /// Mean and harmonics of further generalized forces (index of a coordinate, force), at rest; none when they do not repeat.
+    pub fn harmonics_of(&mut self, equations: &Equations, forces: &[(usize, Expr)]) -> Option<Loads> {
+        let all = self.over_time(forces);
         let mut timing = Timing::default();
         let found = split(equations, &mut self.graph, &all, &mut timing);
         if timing.frozen {
             return None;
         }
-        let loads = std::mem::take(&mut self.loads);
+        let (loads, shaped) = (std::mem::take(&mut self.loads), std::mem::take(&mut self.shaped));
         let varying = self.timing.varying;
         self.gather_loads(&found);
         self.timing.varying = varying;
-        let own = std::mem::replace(&mut self.loads, loads);
-        Some((found.iter().map(|h| h.mean).collect(), own))
+        let (waves, forms) = (std::mem::replace(&mut self.loads, loads), std::mem::replace(&mut self.shaped, shaped));
+        let mean = found.iter().map(|h| averaged(&mut self.graph, &mut self.forms, h)).collect();
+        Some((mean, waves, forms))
     }
 
     /// The same with expressions in place of the coordinates (and definitions), for print.
@@ -399,6 +446,27 @@ fn still(equations: &Equations, moving: &[(SymbolId, Expr)]) -> Vec<(SymbolId, E
     list.map(|d| (d.symbol, d.formula)).collect()
 }
 
+/// The index of a waveform.
+fn known(graph: &mut Graph, forms: &mut Vec<Form>, wave: Waveform) -> usize {
+    // no name in a file holds a space
+    forms.iter().position(|f| f.wave == wave).unwrap_or_else(|| {
+        let mean = graph.symbol_id(&format!("mean {}", forms.len() + 1), 0);
+        forms.push(Form { wave, mean });
+        forms.len() - 1
+    })
+}
+
+/// The mean of a sum of harmonics, with symbols for the means of its waveforms.
+fn averaged(graph: &mut Graph, forms: &mut Vec<Form>, harmonics: &Harmonics) -> Expr {
+    let mut terms = vec![harmonics.mean];
+    for (wave, factor) in &harmonics.forms {
+        let form = known(graph, forms, *wave);
+        let mean = graph.symbol(forms[form].mean);
+        terms.push(graph.mul(*factor, mean));
+    }
+    graph.sum(&terms)
+}
+
 /// Splits expressions into harmonics; when one of them is none, all are taken at t = 0.
 fn split(equations: &Equations, graph: &mut Graph, list: &[Expr], timing: &mut Timing) -> Vec<Harmonics> {
     let mut settled = false;
@@ -407,14 +475,16 @@ fn split(equations: &Equations, graph: &mut Graph, list: &[Expr], timing: &mut T
         settled = true;
         Some(value >= 0.0)
     };
-    let mut decomposition = Decomposition::new(equations.time, &mut decide);
+    let states: Vec<SymbolId> =
+        equations.coordinates.iter().flat_map(|c| c.symbols).chain(equations.reactions.iter().map(|r| r.symbol)).collect();
+    let mut decomposition = Decomposition::new(equations.time, &states, &mut decide);
     let found: Option<Vec<Harmonics>> = list.iter().map(|e| decomposition.apply(graph, *e)).collect();
     timing.settled |= settled;
     found.unwrap_or_else(|| {
         timing.frozen = true;
         let zero = graph.zero();
         let mut start = Substitution::new([(equations.time, zero)]);
-        list.iter().map(|e| Harmonics { mean: start.apply(graph, *e), waves: Vec::new() }).collect()
+        list.iter().map(|e| Harmonics::still(start.apply(graph, *e))).collect()
     })
 }
 

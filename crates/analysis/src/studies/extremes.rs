@@ -124,26 +124,33 @@ impl Search<'_, '_> {
             return self.poles(from, to);
         }
         let powers = self.powers();
-        let mut found = Vec::new();
+        // modes without damping beside damped ones have poles too
+        let mut found = self.poles(from, to)?;
+        let poles: Vec<f64> = found.iter().map(|r| r.omega).collect();
         for c in peaks::candidates(&powers, 1.0) {
             let (low, high) = (self.omegas[c - 1], self.omegas[c + 1]);
+            if poles.iter().any(|w| (low..=high).contains(w)) {
+                continue;
+            }
             let peak = peaks::refine(&mut |w| square(self.value(w)), low, high, 1.0);
             found.push(self.resonance(peak)?);
         }
+        found.sort_by(|a, b| a.omega.total_cmp(&b.omega));
         Ok(found)
     }
 
     /// Without damping: natural frequencies that the load excites and the output shows.
     fn poles(&mut self, from: f64, to: f64) -> Result<Vec<Resonance>, Fault> {
         let mut found: Vec<Resonance> = Vec::new();
-        for (i, mode) in self.modes.modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation) {
+        for (i, mode) in self.modes.modes.iter().enumerate().filter(|(_, m)| m.kind == Kind::Oscillation && m.root.0 == 0.0) {
             let omega = mode.damped;
             if omega < from || omega > to || found.iter().any(|f| (f.omega - omega).abs() <= 1e-9 * omega) {
                 continue;
             }
             // near a pole of residue R the amplitude is R/|ω - ω_i|: a hundred times nearer, a hundred times larger
             let (near, far) = (self.value(omega * (1.0 + 1e-6)), self.value(omega * (1.0 + 1e-4)));
-            if magnitude(near) < 30.0 * magnitude(far) {
+            let grows = magnitude(near) > 30.0 * magnitude(far);
+            if !grows {
                 continue;
             }
             found.push(Resonance {

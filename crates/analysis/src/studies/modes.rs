@@ -129,6 +129,19 @@ const RESIDUAL: f64 = 1e-9;
 ///
 /// Conditions of connections reduce the problem to the motions they allow; shapes are given for all coordinates.
 pub fn modes(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> Result<Modes, Fault> {
+    let found = allowed(system, names, normalisation)?;
+    for (i, mode) in found.modes.iter().enumerate() {
+        let numbers = [mode.omega, mode.damped, mode.root.0, mode.root.1];
+        let shape = mode.shape.iter().flat_map(|z| [z.0, z.1]);
+        for value in numbers.into_iter().chain(shape) {
+            crate::fault::finite(value, &format!("mode {}", i + 1))?;
+        }
+    }
+    Ok(found)
+}
+
+/// The modes that the conditions allow.
+fn allowed(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> Result<Modes, Fault> {
     let Some((z, k)) = system.allowed() else { return free(system, names, normalisation) };
     let mut found = free(&system.reduced(&z, k), names, Normalisation::Mass)?;
     for (i, mode) in found.modes.iter_mut().enumerate() {
@@ -179,11 +192,11 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
     Ok(Modes { modes: list, damping: kind, gyroscopic: turns, circulatory: follows, undamped, audits, notes })
 }
 
-/// ω², or zero when xᵀ C x is rounding of its terms.
+/// ω², or zero when xᵀ C x is rounding of its terms; what overflows stays infinite.
 fn settled(value: f64, shape: &[f64], stiffness: &[f64]) -> f64 {
     let n = shape.len();
     let terms: f64 = (0..n * n).map(|p| (shape[p / n] * stiffness[p] * shape[p % n]).abs()).sum();
-    if value.abs() <= CANCELLED * terms { 0.0 } else { value }
+    if value.is_finite() && value.abs() <= CANCELLED * terms { 0.0 } else { value }
 }
 
 /// Undamped shapes as a basis, xᵀ M x = 1.

@@ -1,54 +1,92 @@
-//! Forced oscillations over the frequency of a harmonic load: (C - ω² M + i ω B) X = F.
+//! Forced oscillations over the frequency of periodic loads: (C - ω² M + i ω B) X = F for every harmonic.
 //!
 //! c cos ωt + s sin ωt is Re((c - i s) exp iωt). Where the load's frequency is a parameter of the model, this parameter follows ω, so that a
 //! load whose amplitude grows with the frequency (unbalance), a base that moves and matrices that depend on the speed are right by
-//! themselves. Phases are relative to the load: to sin ωt or cos ωt, whichever the largest load component mostly is; lag is negative.
+//! themselves. All loads whose frequencies follow the parameter act together, each at its order, the multiple of ω at which it oscillates;
+//! a waveform acts at all orders of its Fourier series. Phases are relative to the load: to sin ωt or cos ωt, whichever the largest load
+//! component mostly is; lag is negative.
 //!
 //! *Source*: C. W. de Silva, Vibration: Fundamentals and Practice, ch. 3; L. Meirovitch, Fundamentals of Vibrations, ch. 3.
 
 use std::f64::consts::PI;
 
+use symbolic::linear::HarmonicLoad;
 use symbolic::{Expr, Text};
 
 use crate::Fault;
 use crate::fault::{Message, rounded};
-use crate::linear::{LinearMachine, Matrices, Observer, Place, Values};
-use crate::numerics::lu::Lu;
+use crate::linear::{LinearMachine, Matrices, Observer, Place, Seen, Values};
+use crate::studies::impedance::{Amplitudes, solve};
 use crate::studies::modes::Complex;
+use crate::waveform::LISTED;
 
 /// What excites.
 #[derive(Clone, Debug)]
 pub enum Source {
-    /// A harmonic load of the equations, by its index in [`Matrices::loads`].
-    OfEquations(usize),
-    /// Expressions of the linear graph: rate (none for a load that takes any frequency), cosine parts, sine parts.
+    /// All periodic loads of the equations.
+    OfEquations,
+    /// Expressions of the linear graph.
     Given {
-        /// ν.
-        rate: Option<Expr>,
-        /// c and s of every coordinate, one after another.
-        parts: Vec<Expr>,
+        /// Sines.
+        waves: Vec<HarmonicLoad>,
+        /// Waveforms by index, factors on each coordinate.
+        shaped: Vec<(usize, Vec<Expr>)>,
+        /// The load as the equations have it, by coordinate.
+        forces: Vec<(usize, Expr)>,
     },
+    /// A constant load that takes any frequency with its value as amplitude.
+    Constant(Vec<Expr>),
     /// A unit load c = 1 on one coordinate.
     Unit(usize),
 }
 
+/// The loads at some values of the parameters.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Excitation {
+    /// Rate (none when it takes any), F = c - i s over the rate's absolute value.
+    pub waves: Vec<(Option<f64>, Vec<Complex>)>,
+    /// Index of the waveform, rate, factors.
+    pub shaped: Vec<(usize, f64, Vec<f64>)>,
+}
+
+/// One order: a harmonic of the whole load.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Component {
+    /// Multiple of ω.
+    pub order: f64,
+    /// Waves of the excitation, by index.
+    pub(super) waves: Vec<usize>,
+    /// Waveforms of the excitation by index, and which of their harmonics.
+    pub(super) harmonics: Vec<(usize, usize)>,
+}
+
 /// A forced machine.
 pub struct Forced<'m> {
-    machine: &'m mut LinearMachine,
-    place: Place,
-    observer: Observer,
-    source: Source,
+    pub(super) machine: &'m mut LinearMachine,
+    pub(super) place: Place,
+    pub(super) observer: Observer,
+    pub(super) source: Source,
     given: Option<Values>,
-    /// The parameter that is the frequency, and its number for rate 1.
+    /// The loads over time, as the equations have them.
+    whole: Values,
+    /// Rates of the waveforms.
+    rates: Values,
+    /// The parameter that is the frequency, and its number for ω = 1.
     follows: Option<(usize, f64)>,
+    /// The frequency ω with the parameters as the model gives them.
+    own: Option<f64>,
     /// Whether phases count from sin ωt.
     from_sine: bool,
+    components: Vec<Component>,
+    current: usize,
+    /// Frequencies of loads that do not follow the parameter.
+    pub left_out: Vec<f64>,
 }
 
 /// The machine at a frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// ω.
+    /// Frequency of the load, its order times ω.
     pub omega: f64,
     /// Complex amplitudes of the coordinates; infinite at a resonance without damping.
     pub coordinates: Vec<Complex>,
@@ -65,7 +103,7 @@ pub fn magnitude(z: Complex) -> f64 {
 
 /// arg z in [-π, π), so that a motion against its load lags by π.
 pub fn phase(z: Complex) -> f64 {
-    if z == (0.0, 0.0) {
+    if z == (0.0, 0.0) || !z.0.is_finite() {
         return f64::NAN;
     }
     if z.1.abs() <= 1e-14 * z.0.abs() {
@@ -74,12 +112,17 @@ pub fn phase(z: Complex) -> f64 {
     z.1.atan2(z.0)
 }
 
+/// Loads below this share of the largest are no component.
+const SILENT: f64 = 1e-13;
+/// Orders that differ by this share are one.
+const SAME: f64 = 1e-12;
+
 impl<'m> Forced<'m> {
     /// A machine at its place with a load, and formulas to observe.
     ///
     /// `parameter` is the frequency; none when the load takes any frequency.
     ///
-    /// *Errors*: S033 when the rate of the load does not follow the parameter in proportion, S032 when the load vanishes.
+    /// *Errors*: S033 when no rate of the load follows the parameter in proportion, S032 when the load vanishes.
     pub fn new(
         machine: &'m mut LinearMachine,
         place: &Place,
@@ -88,47 +131,152 @@ impl<'m> Forced<'m> {
         formulas: &[Expr],
     ) -> Result<Forced<'m>, Fault> {
         let observer = machine.observer(formulas)?;
-        let given = match &source {
-            Source::Given { rate, parts } => {
-                let list: Vec<Expr> = rate.iter().chain(parts).copied().collect();
-                Some(machine.prepare(&list)?)
+        let list: Vec<Expr> = match &source {
+            Source::Given { waves, shaped, .. } => {
+                let wave = |l: &HarmonicLoad| std::iter::once(l.rate).chain(l.cos.clone()).chain(l.sin.clone()).collect::<Vec<_>>();
+                waves.iter().flat_map(wave).chain(shaped.iter().flat_map(|s| s.1.clone())).collect()
             }
-            _ => None,
+            Source::Constant(parts) => parts.clone(),
+            Source::OfEquations | Source::Unit(_) => Vec::new(),
         };
-        let mut forced = Forced { machine, place: place.clone(), observer, source, given, follows: None, from_sine: false };
-        if let Some(parameter) = parameter {
-            forced.follows = Some((parameter, forced.per_rate(parameter)?));
-        }
+        let given = if list.is_empty() { None } else { Some(machine.prepare(&list)?) };
+        let rates: Vec<Expr> = machine.linear().forms.iter().map(|f| f.wave.rate).collect();
+        let rates = machine.prepare(&rates)?;
+        let forces: Vec<(usize, Expr)> = match &source {
+            Source::OfEquations => machine.equations().force.iter().copied().enumerate().collect(),
+            Source::Given { forces, .. } => forces.clone(),
+            Source::Constant(_) | Source::Unit(_) => Vec::new(),
+        };
+        let whole = machine.over_time(&forces)?;
+        let mut forced = Forced {
+            whole,
+            machine,
+            place: place.clone(),
+            observer,
+            source,
+            given,
+            rates,
+            follows: None,
+            own: None,
+            from_sine: false,
+            components: Vec::new(),
+            current: 0,
+            left_out: Vec::new(),
+        };
+        forced.arrange(parameter)?;
         Ok(forced)
     }
 
-    /// value/rate of the frequency's parameter.
-    fn per_rate(&mut self, parameter: usize) -> Result<f64, Fault> {
-        let own = self.machine.value(parameter);
-        let probe = if own == 0.0 { 1.0 } else { own };
-        let mut rates = [0.0; 2];
-        for (k, rate) in rates.iter_mut().enumerate() {
-            self.machine.set(parameter, probe * (k + 1) as f64)?;
-            let matrices = self.machine.at(&self.place)?;
-            *rate = self.load(&matrices)?.0.unwrap_or(f64::NAN);
-        }
-        self.machine.set(parameter, own)?;
-        let proportional = rates[0].abs() > 0.0 && (rates[1] - 2.0 * rates[0]).abs() <= 1e-12 * rates[1].abs();
-        if proportional { Ok(probe / rates[0]) } else { Err(not_proportional(&self.machine.parameters()[parameter].name)) }
-    }
-
-    /// The frequency of the load with the parameters as the model gives them.
-    pub fn own_frequency(&mut self) -> Result<Option<f64>, Fault> {
+    /// Orders of the loads that follow the parameter.
+    fn arrange(&mut self, parameter: Option<usize>) -> Result<(), Fault> {
         let matrices = self.machine.at(&self.place)?;
-        Ok(self.load(&matrices)?.0.map(f64::abs))
+        let excitation = self.excitation(&matrices)?;
+        if excitation.waves.iter().all(|w| w.0.is_none()) && excitation.shaped.is_empty() {
+            self.components = vec![Component { order: 1.0, waves: (0..excitation.waves.len()).collect(), harmonics: Vec::new() }];
+            return Ok(());
+        }
+        let rates =
+            |e: &Excitation| e.waves.iter().map(|w| w.0.unwrap_or(f64::NAN)).chain(e.shaped.iter().map(|s| s.1)).collect::<Vec<f64>>();
+        let own = rates(&excitation);
+        // rates per unit of the parameter, or as they are
+        let (per, value) = match parameter {
+            Some(parameter) => {
+                let value = self.machine.value(parameter);
+                let probe = if value == 0.0 { 1.0 } else { value };
+                let mut seen = Vec::new();
+                for k in [1.0, 2.0] {
+                    self.machine.set(parameter, probe * k)?;
+                    let matrices = self.machine.at(&self.place)?;
+                    seen.push(rates(&self.excitation(&matrices)?));
+                }
+                self.machine.set(parameter, value)?;
+                let per = |(a, b): (&f64, &f64)| if a.abs() > 0.0 && (b - 2.0 * a).abs() <= 1e-12 * b.abs() { a / probe } else { f64::NAN };
+                (seen[0].iter().zip(&seen[1]).map(per).collect::<Vec<f64>>(), value)
+            }
+            None => (own.clone(), 1.0),
+        };
+        let mut following: Vec<f64> = per.iter().map(|r| r.abs()).filter(|r| *r > 0.0).collect();
+        following.sort_by(f64::total_cmp);
+        following.dedup_by(|a, b| (*a - *b).abs() <= SAME * b.abs());
+        self.left_out = own.iter().zip(&per).filter(|(_, p)| p.is_nan()).map(|(w, _)| w.abs()).collect();
+        let angular = parameter.is_some_and(|p| self.machine.parameters()[p].unit == "rad/s");
+        let axis = match (&following[..], parameter) {
+            ([], Some(p)) => return Err(not_proportional(&self.machine.parameters()[p].name)),
+            ([], None) => return Err(no_load()),
+            ([only], _) => *only,
+            // several orders of a speed are counted from the speed itself
+            ([least, ..], _) => {
+                if angular {
+                    1.0
+                } else {
+                    *least
+                }
+            }
+        };
+        self.follows = parameter.map(|p| (p, axis.recip()));
+        self.own = Some(axis * value.abs());
+        let loads = excitation.waves.len();
+        for (i, rate) in per.iter().enumerate().filter(|(_, r)| r.abs() > 0.0) {
+            let order = rate.abs() / axis;
+            if i < loads {
+                self.component(order).waves.push(i);
+                continue;
+            }
+            let (form, ..) = excitation.shaped[i - loads];
+            let wave = self.machine.shapes()[form].wave.clone();
+            let largest = wave.cos.iter().chain(&wave.sin).fold(0.0_f64, |m, v| m.max(v.abs()));
+            for k in 1..=LISTED {
+                if wave.cos[k - 1].hypot(wave.sin[k - 1]) > SILENT * largest {
+                    self.component(order * k as f64).harmonics.push((i - loads, k));
+                }
+            }
+        }
+        self.components.sort_by(|a, b| a.order.total_cmp(&b.order));
+        self.current = self.components.iter().position(|c| (c.order - 1.0).abs() <= SAME).unwrap_or(0);
+        if self.components.is_empty() { Err(no_load()) } else { Ok(()) }
     }
 
-    /// Counts phases from the wave that the largest component of the load mostly is at a frequency.
+    fn component(&mut self, order: f64) -> &mut Component {
+        let place = self.components.iter().position(|c| (c.order - order).abs() <= SAME * order).unwrap_or_else(|| {
+            let order = if (order - order.round()).abs() <= SAME * order { order.round() } else { order };
+            self.components.push(Component { order, ..Component::default() });
+            self.components.len() - 1
+        });
+        &mut self.components[place]
+    }
+
+    /// The orders at which the load acts, ascending; of a waveform the first [`LISTED`] harmonics.
+    pub fn components(&self) -> &[Component] {
+        &self.components
+    }
+
+    /// Which order [`Forced::at`] is about: at first order 1, or the lowest.
+    pub fn current(&self) -> usize {
+        self.current
+    }
+
+    /// Chooses the order.
+    pub fn choose(&mut self, component: usize) {
+        self.current = component.min(self.components.len().saturating_sub(1));
+    }
+
+    /// Whether a waveform acts, whose series has no end.
+    pub fn endless(&self) -> bool {
+        self.components.iter().any(|c| !c.harmonics.is_empty())
+    }
+
+    /// ω with the parameters as the model gives them; none when the load takes any frequency.
+    pub fn own_frequency(&self) -> Option<f64> {
+        self.own
+    }
+
+    /// Counts phases from the wave that the largest component of the load mostly is at a frequency ω.
     ///
     /// *Errors*: S032 when there is no load.
     pub fn refer(&mut self, omega: f64) -> Result<(), Fault> {
         let matrices = self.matrices(omega)?;
-        let (_, load) = self.load(&matrices)?;
+        let excitation = self.excitation(&matrices)?;
+        let load = self.load(&excitation, self.current, matrices.n);
         let largest =
             load.iter().fold((0.0, 0.0), |best: Complex, z| if magnitude(*z) > magnitude(best) * (1.0 + 1e-12) { *z } else { best });
         if magnitude(largest) == 0.0 {
@@ -143,73 +291,146 @@ impl<'m> Forced<'m> {
         self.from_sine
     }
 
-    /// M, B, C at a frequency; the parameter follows it, and the equilibrium follows the parameter.
+    /// M, B, C at a frequency ω; the parameter follows it, and the equilibrium follows the parameter.
     pub fn matrices(&mut self, omega: f64) -> Result<Matrices, Fault> {
-        if let Some((parameter, per_rate)) = self.follows {
-            self.machine.set(parameter, omega * per_rate)?;
+        if let Some((parameter, per)) = self.follows {
+            self.machine.set(parameter, omega * per)?;
             self.place = self.machine.settle(&self.place.q)?;
         }
         self.machine.at(&self.place)
     }
 
-    /// Rate of the load, and F = c - i s.
-    fn load(&mut self, matrices: &Matrices) -> Result<(Option<f64>, Vec<Complex>), Fault> {
+    /// The loads for the parameters as they are.
+    pub(super) fn excitation(&self, matrices: &Matrices) -> Result<Excitation, Fault> {
         let n = matrices.n;
-        match &self.source {
-            Source::OfEquations(i) => {
-                let Some(load) = matrices.loads.get(*i) else { return Err(no_load()) };
-                let sign = load.rate.signum();
-                Ok((Some(load.rate), load.cos.iter().zip(&load.sin).map(|(c, s)| (*c, -sign * s)).collect()))
+        let complex = |rate: f64, cos: &[f64], sin: &[f64]| -> Vec<Complex> {
+            let sign = if rate < 0.0 { -1.0 } else { 1.0 };
+            cos.iter().zip(sin).map(|(c, s)| (*c, -sign * s)).collect()
+        };
+        let values = match &self.given {
+            Some(given) => self.machine.values(given, &self.place)?,
+            None => Vec::new(),
+        };
+        let rates = self.form_rates()?;
+        Ok(match &self.source {
+            Source::OfEquations => Excitation {
+                waves: matrices.loads.iter().map(|l| (Some(l.rate), complex(l.rate, &l.cos, &l.sin))).collect(),
+                shaped: matrices.shaped.iter().map(|(form, f)| (*form, rates[*form], f.clone())).collect(),
+            },
+            Source::Given { waves, shaped, .. } => {
+                let (first, rest) = values.split_at((2 * n + 1) * waves.len());
+                let wave = |l: &[f64]| (Some(l[0]), complex(l[0], &l[1..=n], &l[n + 1..]));
+                Excitation {
+                    waves: first.chunks_exact(2 * n + 1).map(wave).collect(),
+                    shaped: shaped.iter().zip(rest.chunks_exact(n)).map(|((form, _), f)| (*form, rates[*form], f.to_vec())).collect(),
+                }
             }
-            Source::Given { rate, .. } => {
-                let Some(given) = &self.given else { return Err(no_load()) };
-                let values = self.machine.values(given, &self.place)?;
-                let (head, parts) = values.split_at(usize::from(rate.is_some()));
-                let sign = head.first().map_or(1.0, |rate| rate.signum());
-                Ok((head.first().copied(), (0..n).map(|i| (parts[i], -sign * parts[n + i])).collect()))
+            Source::Constant(_) => Excitation { waves: vec![(None, values.iter().map(|c| (*c, 0.0)).collect())], shaped: Vec::new() },
+            Source::Unit(i) => {
+                let unit = (0..n).map(|k| (f64::from(u8::from(k == *i)), 0.0)).collect();
+                Excitation { waves: vec![(None, unit)], shaped: Vec::new() }
             }
-            Source::Unit(i) => Ok((None, (0..n).map(|k| (f64::from(u8::from(k == *i)), 0.0)).collect())),
-        }
+        })
     }
 
-    /// The forced motion at ω.
+    /// Rates of the waveforms.
+    pub(super) fn form_rates(&self) -> Result<Vec<f64>, Fault> {
+        self.machine.values(&self.rates, &self.place)
+    }
+
+    /// The loads at instants as the equations have them, less those that do not follow ω.
+    pub(super) fn forces(&self, excitation: &Excitation, times: &[f64]) -> Result<Vec<Vec<f64>>, Fault> {
+        let mut list = self.machine.values_over_time(&self.whole, &self.place, times)?;
+        let used = |i: usize| self.components.iter().any(|c| c.waves.contains(&i));
+        for (rate, load) in excitation.waves.iter().enumerate().filter(|(i, _)| !used(*i)).map(|(_, w)| w) {
+            for (row, t) in list.iter_mut().zip(times) {
+                let (s, c) = (rate.unwrap_or(0.0).abs() * t).sin_cos();
+                row.iter_mut().zip(load).for_each(|(v, z)| *v -= z.0 * c - z.1 * s);
+            }
+        }
+        let used = |i: usize| self.components.iter().any(|c| c.harmonics.iter().any(|h| h.0 == i));
+        for (form, rate, factors) in excitation.shaped.iter().enumerate().filter(|(i, _)| !used(*i)).map(|(_, s)| s) {
+            let values = self.machine.waveform(*form, &times.iter().map(|t| rate * t).collect::<Vec<_>>())?;
+            for (row, w) in list.iter_mut().zip(values) {
+                row.iter_mut().zip(factors).for_each(|(v, f)| *v -= f * w);
+            }
+        }
+        Ok(list)
+    }
+
+    /// F = c - i s of an order.
+    pub(super) fn load(&self, excitation: &Excitation, component: usize, n: usize) -> Vec<Complex> {
+        let Some(component) = self.components.get(component) else { return vec![(0.0, 0.0); n] };
+        let mut sum = vec![(0.0, 0.0); n];
+        for i in &component.waves {
+            sum.iter_mut().zip(&excitation.waves[*i].1).for_each(|(s, z)| *s = (s.0 + z.0, s.1 + z.1));
+        }
+        for (i, k) in &component.harmonics {
+            let (form, rate, factors) = &excitation.shaped[*i];
+            let wave = &self.machine.shapes()[*form].wave;
+            let (c, s) = (wave.cos[k - 1], -wave.sin[k - 1] * if *rate < 0.0 { -1.0 } else { 1.0 });
+            sum.iter_mut().zip(factors).for_each(|(z, f)| *z = (z.0 + f * c, z.1 + f * s));
+        }
+        sum
+    }
+
+    /// The forced motion of the chosen order at the frequency `omega` of that order.
     ///
     /// *Errors*: formulas without a value at this frequency.
     pub fn at(&mut self, omega: f64) -> Result<Point, Fault> {
-        let matrices = self.matrices(omega)?;
-        let (rate, load) = self.load(&matrices)?;
-        // from here on exp(iωt) stands for the wave from which phases count: -i exp(iωt) is its sine
-        let turn = |z: Complex| if self.from_sine { (-z.1, z.0) } else { z };
-        let load: Vec<Complex> = load.into_iter().map(turn).collect();
-        let coordinates = solve(&matrices, omega, &load);
-        let mut still = solve(&matrices, 0.0, &load);
-        if still.iter().any(|z| z.0.is_infinite()) {
-            // nothing restores a free motion: there is no static displacement
-            still.fill((f64::NAN, f64::NAN));
+        let order = self.components.get(self.current).map_or(1.0, |c| c.order);
+        let matrices = self.matrices(omega / order)?;
+        let excitation = self.excitation(&matrices)?;
+        let turn = |z: Complex| self.turned(z);
+        let load: Vec<Complex> = self.load(&excitation, self.current, matrices.n).into_iter().map(turn).collect();
+        let (moving, still) = (solve(&matrices, omega, &load), solve(&matrices, 0.0, &load));
+        for z in &moving.regular {
+            crate::fault::finite(z.0 + z.1, "response")?;
         }
         let seen = self.machine.observe(&self.observer, &self.place)?;
-        // what oscillates with the load by itself, the motion of a base for example
-        let own = |other: f64| rate.is_some_and(|rate| (other.abs() - rate.abs()).abs() <= 1e-9 * rate.abs());
-        let see = |x: &[Complex], omega: f64| -> Vec<Complex> {
-            let one = |s: &crate::linear::Seen| {
-                let mut y = (0.0, 0.0);
-                for (i, z) in x.iter().enumerate() {
-                    // ∂y/∂q + iω ∂y/∂q' - ω² ∂y/∂q''
-                    let g = (s.by_place[i] - omega * omega * s.by_acceleration[i], omega * s.by_rate[i]);
-                    if g != (0.0, 0.0) {
-                        y = (y.0 + g.0 * z.0 - g.1 * z.1, y.1 + g.0 * z.1 + g.1 * z.0);
-                    }
-                }
-                for (rate, c, s) in s.waves.iter().filter(|w| own(w.0)) {
-                    let direct = turn((*c, -s * rate.signum()));
-                    y = (y.0 + direct.0, y.1 + direct.1);
-                }
-                y
+        let direct = self.direct(&seen, omega)?;
+        let free = !matches!(self.source, Source::OfEquations | Source::Given { .. });
+        let see = |x: &Amplitudes, omega: f64| -> Vec<Complex> {
+            let one = |(s, own): (&Seen, &Complex)| {
+                let (g, slope) = gains(s, omega);
+                let y = x.seen(&g, &slope);
+                if free || *own == (0.0, 0.0) || y.0.is_infinite() { y } else { cancelled((y.0 + own.0, y.1 + own.1), magnitude(y)) }
             };
-            seen.iter().map(one).collect()
+            seen.iter().zip(&direct).map(one).collect()
         };
-        let (outputs, still) = (see(&coordinates, omega), see(&still, 0.0));
-        Ok(Point { omega, coordinates, outputs, still })
+        // nothing restores a free motion: there is no static displacement
+        let unbounded = |z: Complex| if z.0.is_infinite() { (f64::NAN, f64::NAN) } else { z };
+        let still = see(&still, 0.0).into_iter().map(unbounded).collect();
+        Ok(Point { omega, coordinates: moving.coordinates(), outputs: see(&moving, omega), still })
+    }
+
+    /// -i exp(iωt) is the sine of the wave that exp(iωt) stands for.
+    pub(super) fn turned(&self, z: Complex) -> Complex {
+        if self.from_sine { (-z.1, z.0) } else { z }
+    }
+
+    /// What outputs do by themselves at a frequency, the motion of a base for example.
+    fn direct(&self, seen: &[Seen], omega: f64) -> Result<Vec<Complex>, Fault> {
+        let rates = self.form_rates()?;
+        let own = |rate: f64| (rate.abs() - omega).abs() <= 1e-9 * omega;
+        let one = |s: &Seen| {
+            let mut y = (0.0, 0.0);
+            for (rate, c, s) in s.waves.iter().filter(|w| own(w.0)) {
+                let z = self.turned((*c, -s * rate.signum()));
+                y = (y.0 + z.0, y.1 + z.1);
+            }
+            for (form, factor) in &s.forms {
+                let (rate, wave) = (rates.get(*form).copied().unwrap_or(f64::NAN), &self.machine.shapes()[*form].wave);
+                let k = (omega / rate.abs()).round();
+                if (1.0..=LISTED as f64).contains(&k) && own(k * rate) {
+                    let k = k as usize - 1;
+                    let z = self.turned((factor * wave.cos[k], -factor * wave.sin[k] * rate.signum()));
+                    y = (y.0 + z.0, y.1 + z.1);
+                }
+            }
+            y
+        };
+        Ok(seen.iter().map(one).collect())
     }
 
     /// Puts the parameter back.
@@ -223,31 +444,16 @@ impl<'m> Forced<'m> {
     }
 }
 
-/// (C - ω² M + i ω B) X = F as a real system of twice the size; infinite where it is singular.
-pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Vec<Complex> {
-    if let Some((z, k)) = m.allowed() {
-        // X = Z Y with Zᵀ (C - ω² M + i ω B) Z Y = Zᵀ F
-        let onto = |c: usize| (0..m.n).fold((0.0, 0.0), |s, i| (s.0 + z[i * k + c] * load[i].0, s.1 + z[i * k + c] * load[i].1));
-        let y = solve(&m.reduced(&z, k), omega, &(0..k).map(onto).collect::<Vec<_>>());
-        return (0..m.n).map(|i| (0..k).fold((0.0, 0.0), |s, c| (s.0 + z[i * k + c] * y[c].0, s.1 + z[i * k + c] * y[c].1))).collect();
-    }
-    let n = m.n;
-    let mut a = vec![0.0; 4 * n * n];
-    for i in 0..n {
-        for j in 0..n {
-            let k = m.stiffness[i * n + j] - omega * omega * m.mass[i * n + j];
-            let b = omega * m.damping[i * n + j];
-            a[i * 2 * n + j] = k;
-            a[i * 2 * n + n + j] = -b;
-            a[(n + i) * 2 * n + j] = b;
-            a[(n + i) * 2 * n + n + j] = k;
-        }
-    }
-    let right: Vec<f64> = load.iter().map(|z| z.0).chain(load.iter().map(|z| z.1)).collect();
-    match Lu::new(&a, 2 * n).solve(&right) {
-        Some(x) => (0..n).map(|i| (x[i], x[n + i])).collect(),
-        None => vec![(f64::INFINITY, 0.0); n],
-    }
+/// g = ∂y/∂q + iω ∂y/∂q' - ω² ∂y/∂q'' and dg/dω.
+pub(super) fn gains(s: &Seen, omega: f64) -> (Vec<Complex>, Vec<Complex>) {
+    let n = s.by_place.len();
+    let g = (0..n).map(|i| (s.by_place[i] - omega * omega * s.by_acceleration[i], omega * s.by_rate[i])).collect();
+    (g, (0..n).map(|i| (-2.0 * omega * s.by_acceleration[i], s.by_rate[i])).collect())
+}
+
+/// A sum, zero where it is rounding of its terms.
+fn cancelled(sum: Complex, terms: f64) -> Complex {
+    if magnitude(sum) <= 4.0 * f64::EPSILON * terms { (0.0, 0.0) } else { sum }
 }
 
 fn no_load() -> Fault {
@@ -268,6 +474,22 @@ fn no_load() -> Fault {
 /// There is no harmonic load.
 pub fn without_load() -> Fault {
     no_load()
+}
+
+/// The loads are not periodic.
+pub fn no_period() -> Fault {
+    Fault::new(Message {
+        code: "S076",
+        what: Text::new("the load is not periodic", "нагрузка непериодична"),
+        why: Text::new(
+            "time stands outside of sines and cosines, or their frequencies have no whole ratios, so there is no steady response at a frequency",
+            "время входит не только в синусы и косинусы, либо их частоты несоизмеримы, поэтому установившегося отклика на частоте нет",
+        ),
+        help: Text::new(
+            "write the load with sin and cos of p*t (also inside sign, abs, if, min, max), name another one with load, or use simulate",
+            "запишите нагрузку через sin и cos от p*t (также внутри sign, abs, if, min, max), укажите другую ключом load или примените simulate",
+        ),
+    })
 }
 
 /// Several parameters could be the frequency.

@@ -23,8 +23,10 @@ pub struct Tracks {
     pub ratio: Vec<Vec<f64>>,
     /// Where a frequency equals the parameter (or half, twice it), when the parameter is a speed.
     pub critical: Vec<Critical>,
-    /// First value at which a motion grows.
+    /// First value at which a motion grows, located to rounding.
     pub unstable_from: Option<f64>,
+    /// Ranges of the parameter in which a motion grows, with their ends located to rounding (those of the range itself as they are).
+    pub unstable: Vec<[f64; 2]>,
     /// The same as columns.
     pub data: Dataset,
 }
@@ -49,12 +51,11 @@ pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], poi
     let n = run.machine.coordinates().len();
     let mut out = Tracks { parameter: quantity.name.clone(), omega: vec![Vec::new(); n], ratio: vec![Vec::new(); n], ..Tracks::default() };
     let mut before: Vec<Option<Mode>> = Vec::new();
+    let mut grows = Vec::new();
     for k in 0..points {
         let value = ends[0] + (ends[1] - ends[0]) * k as f64 / (points - 1).max(1) as f64;
         let (list, mass) = run.modes(value)?;
-        if out.unstable_from.is_none() && list.iter().any(|m| m.root.0 > 1e-9 * (m.omega + m.root.0)) {
-            out.unstable_from = Some(value);
-        }
+        grows.push(growing(&list));
         let slots =
             if before.is_empty() { list.into_iter().filter(worth_following).map(Some).collect() } else { matched(&before, list, &mass) };
         out.values.push(value);
@@ -66,11 +67,18 @@ pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], poi
         // a mode that is lost for a while keeps its last shape
         before = slots.into_iter().enumerate().map(|(j, s)| s.or_else(|| before.get(j).cloned().flatten())).collect();
     }
+    out.unstable = run.unstable(&out.values, &grows)?;
+    out.unstable_from = out.unstable.first().map(|r| r[0]);
     if quantity.unit == "rad/s" || quantity.unit == "1/s" {
         out.critical = run.critical(&out)?;
     }
     out.data = dataset(&out, &quantity);
     Ok(out)
+}
+
+/// Whether a motion grows, beyond rounding.
+fn growing(list: &[Mode]) -> bool {
+    list.iter().any(|m| m.root.0 > 1e-9 * (m.omega + m.root.0))
 }
 
 fn worth_following(mode: &Mode) -> bool {
@@ -94,44 +102,107 @@ impl Run<'_> {
         Ok((found.modes, matrices.mass))
     }
 
-    /// Sign changes of ω_j - Ω between the values, refined by bisection among the roots nearest to the curve.
-    fn critical(&mut self, tracks: &Tracks) -> Result<Vec<Critical>, Fault> {
-        let mut found = Vec::new();
-        for (mode, omega) in tracks.omega.iter().enumerate() {
-            for k in 1..tracks.values.len() {
-                let [a, b] = [k - 1, k].map(|i| tracks.values[i]);
-                let [fa, fb] = [omega[k - 1] - a, omega[k] - b];
-                if fa.is_nan() || fb.is_nan() || fa * fb > 0.0 || (fa == 0.0 && k > 1) || (omega[k - 1] == 0.0 && omega[k] == 0.0) {
-                    continue;
+    /// Ranges in which a motion grows; their ends by bisection between neighbouring values.
+    fn unstable(&mut self, values: &[f64], grows: &[bool]) -> Result<Vec<[f64; 2]>, Fault> {
+        let mut ranges: Vec<[f64; 2]> = Vec::new();
+        for (k, here) in grows.iter().enumerate() {
+            let before = k > 0 && grows[k - 1];
+            match (before, *here) {
+                (false, true) => {
+                    let start = if k == 0 { values[0] } else { self.threshold([values[k - 1], values[k]], false)? };
+                    ranges.push([start, values[values.len() - 1]]);
                 }
-                if let Some(value) = self.crossing([a, b], [omega[k - 1], omega[k]])? {
-                    found.push(Critical { mode, value, order: 1.0 });
+                (true, false) => {
+                    let end = self.threshold([values[k - 1], values[k]], true)?;
+                    ranges.iter_mut().rev().take(1).for_each(|r| r[1] = end);
                 }
+                _ => {}
             }
         }
-        found.sort_by(|a, b| a.value.total_cmp(&b.value).then(a.mode.cmp(&b.mode)));
-        Ok(found)
+        Ok(ranges)
     }
 
-    fn crossing(&mut self, [mut a, mut b]: [f64; 2], [mut wa, mut wb]: [f64; 2]) -> Result<Option<f64>, Fault> {
-        for _ in 0..200 {
-            if (b - a).abs() <= 4.0 * f64::EPSILON * b.abs().max(a.abs()) {
+    fn threshold(&mut self, [mut a, mut b]: [f64; 2], at_a: bool) -> Result<f64, Fault> {
+        for _ in 0..100 {
+            let middle = 0.5 * (a + b);
+            if (b - a).abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs()) || middle == a || middle == b {
                 break;
             }
-            let middle = 0.5 * (a + b);
-            let expected = 0.5 * (wa + wb);
-            let (list, _) = self.modes(middle)?;
-            let near = list.iter().filter(|m| worth_following(m)).map(|m| m.damped);
-            let Some(w) = near.min_by(|x, y| (x - expected).abs().total_cmp(&(y - expected).abs())) else { return Ok(None) };
-            if (wa - a) * (w - middle) <= 0.0 {
-                (b, wb) = (middle, w);
-            } else {
-                (a, wa) = (middle, w);
-            }
+            if growing(&self.modes(middle)?.0) == at_a { a = middle } else { b = middle }
         }
-        Ok(Some(0.5 * (a + b)))
+        Ok(0.5 * (a + b))
+    }
+
+    /// How many modes oscillate below Ω, at Ω: a crossing with the line ω = Ω changes it.
+    fn below(&mut self, speed: f64) -> Result<Count, Fault> {
+        let (list, _) = self.modes(speed)?;
+        let oscillating: Vec<f64> = list.iter().filter(|m| worth_following(m) && m.damped > 0.0).map(|m| m.damped).collect();
+        let below = oscillating.iter().filter(|w| **w < speed).count();
+        let nearest = oscillating.iter().map(|w| (w - speed).abs()).fold(f64::INFINITY, f64::min);
+        Ok(Count { below, all: oscillating.len(), nearest })
+    }
+
+    /// Crossings with the line ω = Ω: between values where the number of modes below the line changes, and where a mode comes so near to
+    /// the line between them that it may cross it twice.
+    fn critical(&mut self, tracks: &Tracks) -> Result<Vec<Critical>, Fault> {
+        let mut places = Vec::new();
+        let counts = tracks.values.iter().map(|v| self.below(*v)).collect::<Result<Vec<Count>, Fault>>()?;
+        for k in 1..tracks.values.len() {
+            self.cell([tracks.values[k - 1], tracks.values[k]], [counts[k - 1], counts[k]], DEEPEST, &mut places)?;
+        }
+        places.sort_by(f64::total_cmp);
+        places.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
+        let mode = |value: f64| {
+            let k = tracks.values.windows(2).position(|w| value <= w[1]).unwrap_or(0);
+            let distance = |w: &[f64]| {
+                let [a, b] = [w[k] - tracks.values[k], w[k + 1] - tracks.values[k + 1]];
+                if a.is_nan() || b.is_nan() {
+                    f64::INFINITY
+                } else if a * b <= 0.0 {
+                    0.0
+                } else {
+                    a.abs().min(b.abs())
+                }
+            };
+            let best = (0..tracks.omega.len()).map(|j| (j, distance(&tracks.omega[j])));
+            best.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |b| b.0)
+        };
+        Ok(places.into_iter().map(|value| Critical { mode: mode(value), value, order: 1.0 }).collect())
+    }
+
+    /// The crossings in a cell: halved while its ends differ by more than one crossing, or a mode is nearer to the line than the cell is wide.
+    fn cell(&mut self, [a, b]: [f64; 2], [at_a, at_b]: [Count; 2], depth: usize, found: &mut Vec<f64>) -> Result<(), Fault> {
+        let changes = at_a.below.abs_diff(at_b.below);
+        let near = at_a.nearest.min(at_b.nearest) <= 2.0 * (b - a);
+        let middle = 0.5 * (a + b);
+        let last = (b - a).abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs()) || middle <= a || middle >= b;
+        if last {
+            // a mode that begins or ends to oscillate here crosses nothing
+            if changes > 0 && at_a.all == at_b.all {
+                found.push(middle);
+            }
+            return Ok(());
+        }
+        if changes == 0 && (!near || depth == 0) {
+            return Ok(());
+        }
+        let at_middle = self.below(middle)?;
+        let depth = if changes == 0 { depth - 1 } else { depth };
+        self.cell([a, middle], [at_a, at_middle], depth, found)?;
+        self.cell([middle, b], [at_middle, at_b], depth, found)
     }
 }
+
+/// Modes that oscillate, how many of them below the line, and how near the nearest is to it.
+#[derive(Clone, Copy)]
+struct Count {
+    below: usize,
+    all: usize,
+    nearest: f64,
+}
+
+/// Halvings of a cell in which a mode comes near to the line without a sign of crossing.
+const DEEPEST: usize = 6;
 
 /// Successors in the order of their predecessors.
 fn matched(before: &[Option<Mode>], list: Vec<Mode>, mass: &[f64]) -> Vec<Option<Mode>> {
@@ -178,7 +249,10 @@ fn dataset(tracks: &Tracks, parameter: &Quantity) -> Dataset {
     let mut columns = vec![Column { quantity: parameter.clone(), values: tracks.values.clone() }];
     let used = |values: &[f64]| values.iter().any(|v| v.is_finite());
     for (j, values) in tracks.omega.iter().enumerate().filter(|(_, v)| used(v)) {
-        let label = Text::new(format!("frequency of mode {}", j + 1), format!("частота формы {}", j + 1));
+        let label = Text::new(
+            format!("frequency of mode {} with damping, |Im λ|", j + 1),
+            format!("частота формы {} с учётом затухания, |Im λ|", j + 1),
+        );
         let quantity = Quantity { label, symbol: format!("omega_{}", j + 1), ..Quantity::new(&format!("omega_{}", j + 1), "rad/s") };
         columns.push(Column { quantity, values: values.clone() });
     }
@@ -188,13 +262,21 @@ fn dataset(tracks: &Tracks, parameter: &Quantity) -> Dataset {
         columns.push(Column { quantity, values: values.clone() });
     }
     let mut notes = Vec::new();
-    if let Some(value) = tracks.unstable_from {
-        let v = crate::fault::rounded(value);
+    let last = tracks.values.last().copied().unwrap_or(f64::NAN);
+    for [from, to] in &tracks.unstable {
+        let [v, w] = [*from, *to].map(crate::fault::rounded);
         let unit = if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) };
-        notes.push(Text::new(
-            format!("from {} = {}{unit} on a motion grows", parameter.name, v.en),
-            format!("начиная с {} = {}{unit} движение растёт", parameter.name, v.ru),
-        ));
+        notes.push(if *to == last {
+            Text::new(
+                format!("from {} = {}{unit} on a motion grows", parameter.name, v.en),
+                format!("начиная с {} = {}{unit} движение растёт", parameter.name, v.ru),
+            )
+        } else {
+            Text::new(
+                format!("between {} = {} and {}{unit} a motion grows", parameter.name, v.en, w.en),
+                format!("между {} = {} и {}{unit} движение растёт", parameter.name, v.ru, w.ru),
+            )
+        });
     }
     Dataset { axis: Some(0), columns, notes, ..Dataset::default() }
 }

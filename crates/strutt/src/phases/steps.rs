@@ -223,8 +223,22 @@ impl<'a> Writer<'a> {
                 root(fraction(set.size(o.k2 * a), set.size(a))),
                 set.result(o.k2.sqrt(), "rad/s"),
             ]));
+        } else {
+            blocks.push(self.line(vec![
+                square(self.letter("k")),
+                fraction(self.letter("c"), self.letter("a")),
+                fraction(set.number(o.k2 * a), set.size(a)),
+                set.result(o.k2, "1/s^2"),
+            ]));
         }
         let (en, ru) = match c.case {
+            Case::Underdamped if o.n < 0.0 => {
+                ("n < 0: negative damping, growing oscillations.", "n < 0: отрицательное сопротивление, нарастающие колебания.")
+            }
+            Case::Critical | Case::Overdamped if o.n < 0.0 => (
+                "n < 0, |n| ≥ k: negative damping, growth without oscillation.",
+                "n < 0, |n| ≥ k: отрицательное сопротивление, нарастание без колебаний.",
+            ),
             Case::Undamped => ("n = 0: no damping.", "n = 0: сопротивления нет."),
             Case::Underdamped => ("n < k: small damping, decaying oscillations.", "n < k: малое сопротивление, затухающие колебания."),
             Case::Critical => ("n = k: critical damping.", "n = k: критическое (граничное) сопротивление."),
@@ -248,16 +262,12 @@ impl<'a> Writer<'a> {
             Case::Overdamped => {
                 let numbers = minus(square(set.factor(o.n)), square(set.size(k)));
                 blocks.push(self.line(vec![self.letter("k1"), root(minus(n2, k2)), root(numbers), set.result(c.k1, "1/s")]));
-                blocks.push(self.line(vec![
-                    self.letter("r1"),
-                    Layout::Sum(vec![(Sign::Minus, self.letter("n")), (Sign::Plus, self.letter("k1"))]),
-                    set.result(c.roots[0].re, "1/s"),
-                ]));
-                blocks.push(self.line(vec![
-                    self.letter("r2"),
-                    Layout::Sum(vec![(Sign::Minus, self.letter("n")), (Sign::Minus, self.letter("k1"))]),
-                    set.result(c.roots[1].re, "1/s"),
-                ]));
+                // the first root is the one nearer to zero: -n + k1 with damping, -n - k1 with growth
+                let (near, far) = if o.n < 0.0 { (Sign::Minus, Sign::Plus) } else { (Sign::Plus, Sign::Minus) };
+                for (name, sign, root) in [("r1", near, c.roots[0]), ("r2", far, c.roots[1])] {
+                    let sum = Layout::Sum(vec![(Sign::Minus, self.letter("n")), (sign, self.letter("k1"))]);
+                    blocks.push(self.line(vec![self.letter(name), sum, set.result(root.re, "1/s")]));
+                }
             }
             Case::Free | Case::Unstable if c.roots[0] != c.roots[1] => {
                 blocks.push(self.line(vec![self.letter("r1"), set.result(c.roots[0].re, "1/s")]));
@@ -289,7 +299,9 @@ impl<'a> Writer<'a> {
         };
         let difference = minus(square(self.letter("k")), square(letter("p")));
         let damping = product(vec![whole(4), square(self.letter("n")), square(letter("p"))]);
-        let numbers = minus(square(set.size(k)), square(set.size(p)));
+        // of an unstable equilibrium k² is a negative number, and k none
+        let stiffness = if o.k2 < 0.0 { set.number(o.k2) } else { square(set.size(k)) };
+        let numbers = minus(stiffness, square(set.size(p)));
         let damping_number = product(vec![whole(4), square(set.factor(o.n)), square(set.size(p))]);
         if o.n == 0.0 {
             let bars = |x: Layout| Layout::Fence(report::formula::Bracket::Bar, Box::new(x));
@@ -299,7 +311,12 @@ impl<'a> Writer<'a> {
                 fraction(set.size(h), bars(numbers)),
                 set.result(amplitude, &self.units[0]),
             ]));
-            let (en, ru) = if p > k {
+            let (en, ru) = if o.k2 < 0.0 {
+                (
+                    "k² < p²: the forced motion is opposite to the load, ε = π.",
+                    "k² < p²: вынужденные колебания в противофазе с нагрузкой, ε = π.",
+                )
+            } else if p > k {
                 (
                     "p > k: the forced motion is opposite to the load, ε = π.",
                     "p > k: вынужденные колебания в противофазе с нагрузкой, ε = π.",
@@ -463,9 +480,10 @@ impl<'a> Writer<'a> {
         blocks
     }
 
-    /// q(0) or q'(0) of the phase.
+    /// q or q' at the start of the phase, in the time of the motion.
     fn initial(&self, order: usize) -> Layout {
-        Layout::Row(vec![self.q[order].clone(), fence(whole(0))])
+        let start = if self.start > 0.0 { self.set.size(self.start) } else { whole(0) };
+        Layout::Row(vec![self.q[order].clone(), fence(start)])
     }
 
     /// The solution with its numbers.

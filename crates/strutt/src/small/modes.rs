@@ -237,5 +237,5 @@ fn mode(m: &modes::Mode, names: &[Quantity], complex: bool) -> Value {
 fn tracks_json(tracks: &Tracks) -> Value {
     let critical: Vec<Value> = tracks.critical.iter().map(|c| json!({"mode": c.mode + 1, "value": c.value, "order": c.order})).collect();
     json!({"parameter": tracks.parameter, "values": tracks.values, "omega": tracks.omega, "damping_ratio": tracks.ratio, "critical": critical,
-        "unstable_from": tracks.unstable_from})
+        "unstable_from": tracks.unstable_from, "unstable": tracks.unstable})
 }

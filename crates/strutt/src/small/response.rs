@@ -1,25 +1,42 @@
-//! The study `response`: forced oscillations over the frequency of a harmonic load.
+//! The study `response`: forced oscillations over the frequency of periodic loads.
 
 use crate::failure::Trouble;
 use crate::pipeline::Machine;
 use crate::provenance;
 use crate::small::{Small, about_rest, timing_notes};
+use analysis::dataset::Audit;
 use analysis::dataset::Column;
 use analysis::studies::extremes::{Antiresonance, Resonance, extremes};
 use analysis::studies::modes::{Complex, Kind, Modes, Normalisation, modes};
 use analysis::studies::response::{self as forced, Forced, Point, Source, magnitude, phase};
+use analysis::studies::superposition::{self, Care, Superposed};
 use analysis::{Dataset, Fault, Quantity};
 use mechanics::model::Response as Study;
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 use symbolic::equations::Role;
-use symbolic::linear::HarmonicLoad;
 use symbolic::{Equations, Expr, SymbolId, Text};
 
 /// Frequencies of an automatic grid.
 const POINTS: usize = 401;
 /// Points on each side of a natural frequency, in half-widths of the resonance.
 const NEAR: [f64; 12] = [0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0, 8.0];
+
+/// Orders of a waveform whose curves and resonances are shown.
+const SHOWN: usize = 9;
+/// Largest residual of the superposed motion, relative to its terms.
+const RESIDUAL: f64 = 1e-8;
+
+/// An order with its motion at the frequency that the file gives, and its curve.
+#[derive(Clone, Debug, Default)]
+pub struct Order {
+    /// Multiple of ω.
+    pub order: f64,
+    /// At the frequency that the file gives.
+    pub own: Option<Point>,
+    /// Along the grid; empty for high harmonics of a waveform.
+    pub points: Vec<Point>,
+}
 
 /// What the study found.
 #[derive(Clone, Debug)]
@@ -38,8 +55,18 @@ pub struct ResponseFound {
     pub antiresonances: Vec<Antiresonance>,
     /// Modes of the machine as the file has it.
     pub modes: Option<Modes>,
-    /// The response at the frequency that the file gives.
+    /// The response at the frequency that the file gives, at the first order.
     pub own: Option<Point>,
+    /// All orders of the load, when there are several.
+    pub orders: Vec<Order>,
+    /// Order that the main columns show.
+    pub main: f64,
+    /// All orders together at that frequency.
+    pub superposed: Option<Superposed>,
+    /// Order of each resonance.
+    pub resonance_orders: Vec<f64>,
+    /// Order of each antiresonance.
+    pub antiresonance_orders: Vec<f64>,
     /// Motions at the frequencies asked for.
     pub shapes: Vec<Point>,
     /// The coordinates.
@@ -61,6 +88,11 @@ pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
         antiresonances: Vec::new(),
         modes: None,
         own: None,
+        orders: Vec::new(),
+        main: 1.0,
+        superposed: None,
+        resonance_orders: Vec::new(),
+        antiresonance_orders: Vec::new(),
         shapes: Vec::new(),
         coordinates: Vec::new(),
         bodies: bodies(machine),
@@ -84,24 +116,137 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let notes = timing_notes(&small.machine);
     let own_value = parameter.map(|p| small.machine.value(p));
     let mut forced = Forced::new(&mut small.machine, &small.place, source, parameter, &formulas)?;
-    let own = forced.own_frequency()?.filter(|w| *w > 0.0);
+    let own = forced.own_frequency().filter(|w| *w > 0.0);
     let omegas = grid(study, &found, own)?;
+    let main = forced.current();
+    out.main = forced.components().get(main).map_or(1.0, |c| c.order);
     forced.refer(own.unwrap_or(omegas[0]))?;
-    let points = omegas.iter().map(|w| forced.at(*w)).collect::<Result<Vec<Point>, Fault>>()?;
-    out.shapes = study.shapes.iter().map(|w| forced.at(*w)).collect::<Result<_, _>>()?;
-    out.own = own.map(|w| forced.at(w)).transpose()?;
-    (out.resonances, out.antiresonances) = extremes(&mut forced, &found, &points, quantities.len())?;
+    let points = over(&mut forced, &omegas)?;
+    out.shapes = over(&mut forced, &study.shapes)?;
+    out.own = own.map(|w| forced.at(out.main * w)).transpose()?;
+    out.data = Dataset { axis: Some(0), columns: columns(&omegas, &points, &quantities), notes, ..Dataset::default() };
+    each_order(&mut forced, &found, &omegas, (own, quantities.len()), out)?;
+    forced.choose(main);
+    together(&mut forced, &omegas, own, &quantities, out)?;
     if let Some(value) = own_value {
         forced.restore(value)?;
     }
     let from_sine = forced.from_sine();
-    out.data = Dataset { axis: Some(0), columns: columns(&points, &quantities), notes, ..Dataset::default() };
     out.data.notes.extend(found.notes.iter().cloned());
     out.data.notes.push(reference(from_sine));
+    out.data.notes.extend(left_out(&forced.left_out));
     out.coordinates = names;
     out.outputs = quantities;
     out.modes = Some(found);
     Ok(())
+}
+
+/// The chosen order along frequencies ω.
+fn over(forced: &mut Forced, omegas: &[f64]) -> Result<Vec<Point>, Fault> {
+    let order = forced.components().get(forced.current()).map_or(1.0, |c| c.order);
+    omegas.iter().map(|w| forced.at(order * w)).collect()
+}
+
+/// Curves, resonances and antiresonances of every order; of a waveform, of its first harmonics.
+fn each_order(
+    forced: &mut Forced,
+    found: &Modes,
+    omegas: &[f64],
+    (own, outputs): (Option<f64>, usize),
+    out: &mut ResponseFound,
+) -> Result<(), Fault> {
+    let orders: Vec<f64> = forced.components().iter().map(|c| c.order).collect();
+    let endless = forced.endless();
+    for (i, order) in orders.iter().enumerate() {
+        forced.choose(i);
+        let own = own.map(|w| forced.at(order * w)).transpose()?;
+        let shown = !endless || i < SHOWN;
+        let points = if shown { over(forced, omegas)? } else { Vec::new() };
+        if shown {
+            let (high, low) = extremes(forced, found, &points, outputs)?;
+            out.resonance_orders.extend(high.iter().map(|_| *order));
+            out.antiresonance_orders.extend(low.iter().map(|_| *order));
+            out.resonances.extend(high);
+            out.antiresonances.extend(low);
+        }
+        if orders.len() > 1 {
+            out.orders.push(Order { order: *order, own, points });
+        }
+    }
+    // output after output, as they are asked for
+    let mut high: Vec<(f64, Resonance)> = out.resonance_orders.drain(..).zip(out.resonances.drain(..)).collect();
+    high.sort_by_key(|(_, r)| r.output);
+    (out.resonance_orders, out.resonances) = high.into_iter().unzip();
+    let mut low: Vec<(f64, Antiresonance)> = out.antiresonance_orders.drain(..).zip(out.antiresonances.drain(..)).collect();
+    low.sort_by_key(|(_, a)| a.output);
+    (out.antiresonance_orders, out.antiresonances) = low.into_iter().unzip();
+    Ok(())
+}
+
+/// All orders together: columns of their amplitudes and of the largest value, the motion over a period at the frequency of the file.
+fn together(forced: &mut Forced, omegas: &[f64], own: Option<f64>, quantities: &[Quantity], out: &mut ResponseFound) -> Result<(), Fault> {
+    out.superposed = own.map(|w| superposition::superpose(forced, w, Care::Number)).transpose()?.flatten();
+    if let Some(superposed) = out.superposed.as_ref().filter(|s| s.residual.is_finite()) {
+        let name = Text::new(
+            "response: residual of the equations of motion over a period",
+            "вынужденные колебания: невязка уравнений движения за период",
+        );
+        out.data.audits.push(Audit::at_most("superposition", name, superposed.residual, RESIDUAL));
+    }
+    if out.orders.is_empty() {
+        return Ok(());
+    }
+    let list: Vec<f64> = out.orders.iter().map(|o| o.order).collect();
+    if superposition::common(&list).is_none() {
+        out.data.notes.push(Text::new(
+            "the frequencies of the loads have no common period: each has its own amplitudes, and there is no largest value over a period",
+            "частоты нагрузок несоизмеримы, общего периода нет: для каждой даны свои амплитуды, наибольшего значения за период не существует",
+        ));
+    }
+    let curves: Vec<Option<Superposed>> =
+        omegas.iter().map(|w| superposition::superpose(forced, *w, Care::Curve)).collect::<Result<_, _>>()?;
+    for (k, q) in quantities.iter().enumerate() {
+        for order in out.orders.iter().filter(|o| !o.points.is_empty() && o.order != out.main) {
+            let values = order.points.iter().map(|p| magnitude(p.outputs[k])).collect();
+            let name = order_name(order.order);
+            let label = Text::new(format!("amplitude of {} at the order {name}", q.name), format!("амплитуда {} порядка {name}", q.name));
+            out.data.columns.push(own_column(q, &format!("amplitude_{name}"), label, values));
+        }
+        let largest = curves.iter().map(|s| s.as_ref().map_or(f64::NAN, |s| s.outputs[k].largest.0)).collect();
+        let label = Text::new(
+            format!("largest distance of {} from its mean over a period", q.name),
+            format!("наибольшее за период отклонение {} от среднего", q.name),
+        );
+        out.data.columns.push(own_column(q, "largest", label, largest));
+    }
+    Ok(())
+}
+
+fn order_name(order: f64) -> String {
+    if order == order.round() { format!("{order}") } else { format!("{}", (order * 1e6).round() / 1e6) }
+}
+
+fn own_column(q: &Quantity, tail: &str, label: Text, values: Vec<f64>) -> Column {
+    let quantity =
+        Quantity { name: format!("{}_{tail}", q.name), symbol: format!("{}_{tail}", q.symbol), unit: q.unit.clone(), label, display: None };
+    Column { quantity, values }
+}
+
+fn left_out(rates: &[f64]) -> Option<Text> {
+    if rates.is_empty() {
+        return None;
+    }
+    let list = |decimal: &str| {
+        let one = |w: &f64| report::number::short(*w, 6, report::Language::En).replace('.', decimal);
+        rates.iter().map(one).collect::<Vec<_>>().join("; ")
+    };
+    Some(Text::new(
+        format!(
+            "left out: loads whose frequency does not follow the one along the axis ({} rad/s); name them with load or over",
+            list(".")
+        ),
+        format!("не учтены нагрузки, частота которых не меняется вдоль оси ({} рад/с); задайте их ключом load или over", list(",")),
+    ))
 }
 
 /// Bodies with mass whose place or angle changes with each coordinate, directly or with what they stand on.
@@ -137,9 +282,13 @@ fn reference(from_sine: bool) -> Text {
 /// The load and the parameter that is its frequency.
 fn source(study: &Study, small: &mut Small) -> Result<(Source, Option<usize>), Fault> {
     let Some(name) = &study.load else {
-        let loads = small.machine.linear().loads.clone();
-        let (index, parameter) = choose(study, small, &loads)?;
-        return Ok((Source::OfEquations(index), parameter));
+        if small.machine.timing().frozen {
+            return Err(forced::no_period());
+        }
+        let linear = small.machine.linear();
+        let waves = linear.loads.iter().map(|l| l.rate);
+        let rates: Vec<Expr> = waves.chain(linear.shaped.iter().map(|(form, _)| linear.forms[*form].wave.rate)).collect();
+        return Ok((Source::OfEquations, choose(study, small, &rates)?));
     };
     if let Some(i) = small.machine.coordinates().iter().position(|q| q.name == *name) {
         return Ok((Source::Unit(i), None));
@@ -151,37 +300,37 @@ fn source(study: &Study, small: &mut Small) -> Result<(Source, Option<usize>), F
         let what = Text::new(format!("there is no load `{name}`"), format!("нет нагрузки `{name}`"));
         return Err(Fault::unknown(what, &names));
     };
-    let Some((mean, loads)) = small.machine.harmonics_of(&applied.forces) else { return Err(forced::without_load()) };
-    if loads.is_empty() {
+    let Some((mean, waves, shaped)) = small.machine.harmonics_of(&applied.forces)? else { return Err(forced::no_period()) };
+    if waves.is_empty() && shaped.is_empty() {
         // a constant force takes any frequency with its value as amplitude
         let sines = small.machine.zeros();
-        return Ok((Source::Given { rate: None, parts: mean.into_iter().chain(sines).collect() }, None));
+        return Ok((Source::Constant(mean.into_iter().chain(sines).take(small.machine.coordinates().len()).collect()), None));
     }
-    let (index, parameter) = choose(study, small, &loads)?;
-    let load = &loads[index];
-    Ok((Source::Given { rate: Some(load.rate), parts: load.cos.iter().chain(&load.sin).copied().collect() }, parameter))
+    let linear = small.machine.linear();
+    let rates = waves.iter().map(|l| l.rate).chain(shaped.iter().map(|(form, _)| linear.forms[*form].wave.rate));
+    let parameter = choose(study, small, &rates.collect::<Vec<_>>())?;
+    Ok((Source::Given { waves, shaped, forces: applied.forces.clone() }, parameter))
 }
 
-/// Which of the loads is meant, and the parameter that sets its rate.
-fn choose(study: &Study, small: &Small, loads: &[HarmonicLoad]) -> Result<(usize, Option<usize>), Fault> {
-    if loads.is_empty() {
+/// The parameter that sets the rates of the loads.
+fn choose(study: &Study, small: &Small, rates: &[Expr]) -> Result<Option<usize>, Fault> {
+    if rates.is_empty() {
         return Err(forced::without_load());
     }
-    let setting: Vec<Vec<usize>> = loads.iter().map(|l| parameters_of(small, l.rate)).collect();
-    if let Some(name) = &study.frequency {
-        let names: Vec<String> = small.machine.parameters().iter().map(|p| p.name.clone()).collect();
-        let what = || Text::new(format!("no load has the frequency `{name}`"), format!("нет нагрузки с частотой `{name}`"));
-        let Some(wanted) = small.machine.parameter(name) else { return Err(Fault::unknown(what(), &names)) };
-        let Some(index) = setting.iter().position(|list| list.contains(&wanted)) else { return Err(Fault::unknown(what(), &names)) };
-        return Ok((index, Some(wanted)));
-    }
-    let mut all: Vec<usize> = setting.iter().flatten().copied().collect();
+    let mut all: Vec<usize> = rates.iter().flat_map(|r| parameters_of(small, *r)).collect();
     all.sort_unstable();
     all.dedup();
+    let parameters = small.machine.parameters();
+    if let Some(name) = &study.frequency {
+        let wanted = small.machine.parameter(name).filter(|p| all.contains(p));
+        let names: Vec<String> = all.iter().map(|p| parameters[*p].name.clone()).collect();
+        let what = Text::new(format!("no load has the frequency `{name}`"), format!("нет нагрузки с частотой `{name}`"));
+        return wanted.map(Some).ok_or_else(|| Fault::unknown(what, &names));
+    }
     match all[..] {
-        [] => Ok((0, None)),
-        [only] => Ok((setting.iter().position(|list| list.contains(&only)).unwrap_or(0), Some(only))),
-        _ => Err(forced::ambiguous(&all.iter().map(|p| small.machine.parameters()[*p].name.clone()).collect::<Vec<_>>())),
+        [] => Ok(None),
+        [only] => Ok(Some(only)),
+        _ => Err(forced::ambiguous(&all.iter().map(|p| parameters[*p].name.clone()).collect::<Vec<_>>())),
     }
 }
 
@@ -208,8 +357,10 @@ fn load_name(study: &Study, small: &Small, source: &Source, parameter: Option<us
     match (source, &study.load, frequency) {
         (Source::Unit(_), Some(name), _) => Text::new(format!("unit load on {name}"), format!("единичная нагрузка по {name}")),
         (_, Some(name), _) => Text::same(name.clone()),
-        (_, None, Some(p)) => Text::new(format!("the loads of frequency {p}"), format!("нагрузки частоты {p}")),
-        (_, None, None) => Text::new("the harmonic load", "гармоническая нагрузка"),
+        (_, None, Some(p)) => {
+            Text::new(format!("the loads whose frequency follows {p}"), format!("нагрузки, частота которых задана величиной {p}"))
+        }
+        (_, None, None) => Text::new("the periodic loads", "периодические нагрузки"),
     }
 }
 
@@ -265,15 +416,15 @@ fn grid(study: &Study, found: &Modes, own: Option<f64>) -> Result<Vec<f64>, Faul
 }
 
 /// ω, f, then amplitude, phase, real and imaginary part and dynamic coefficient of each output.
-fn columns(points: &[Point], outputs: &[Quantity]) -> Vec<Column> {
+fn columns(omegas: &[f64], points: &[Point], outputs: &[Quantity]) -> Vec<Column> {
     let column = |name: String, symbol: String, unit: &str, label: Text, values: Vec<f64>| Column {
         quantity: Quantity { name, symbol, unit: unit.into(), label, display: None },
         values,
     };
     let omega = Text::new("frequency of the load", "частота нагрузки");
     let mut list = vec![
-        column("omega".into(), "omega".into(), "rad/s", omega.clone(), points.iter().map(|p| p.omega).collect()),
-        column("f".into(), "f".into(), "1/s", omega, points.iter().map(|p| p.omega / TAU).collect()),
+        column("omega".into(), "omega".into(), "rad/s", omega.clone(), omegas.to_vec()),
+        column("f".into(), "f".into(), "1/s", omega, omegas.iter().map(|w| w / TAU).collect()),
     ];
     for (k, q) in outputs.iter().enumerate() {
         let of = |pick: fn(Complex) -> f64| points.iter().map(|p| pick(p.outputs[k])).collect::<Vec<f64>>();
@@ -299,20 +450,20 @@ pub fn to_json(found: &ResponseFound) -> Map<String, Value> {
     own.insert("study".into(), json!("response"));
     own.insert("load".into(), json!(found.load.en));
     let name = |k: usize| found.outputs.get(k).map_or("", |q| q.name.as_str());
-    let resonance = |r: &Resonance| {
-        json!({"output": name(r.output), "omega": r.omega, "f": r.omega / TAU, "amplitude": r.amplitude, "phase": r.phase,
+    let resonance = |(r, order): (&Resonance, &f64)| {
+        json!({"output": name(r.output), "order": order, "omega": r.omega / order, "f": r.omega / order / TAU, "load_omega": r.omega, "amplitude": r.amplitude, "phase": r.phase,
             "dynamic_coefficient": r.gain, "mode": r.mode.map(|m| m + 1), "quality_factor": r.quality, "half_power": r.half_power})
     };
-    own.insert("resonances".into(), found.resonances.iter().map(resonance).collect());
-    let anti = |a: &Antiresonance| {
+    own.insert("resonances".into(), found.resonances.iter().zip(&found.resonance_orders).map(resonance).collect());
+    let anti = |(a, order): (&Antiresonance, &f64)| {
         let absorbs: Vec<Value> = a
             .absorbs
             .iter()
             .map(|(i, share)| json!({"coordinate": found.coordinates.get(*i).map(|q| q.name.clone()), "energy_share": share, "bodies": found.bodies.get(*i)}))
             .collect();
-        json!({"output": name(a.output), "omega": a.omega, "f": a.omega / TAU, "amplitude": a.amplitude, "zero": a.exact, "absorbed_by": absorbs})
+        json!({"output": name(a.output), "order": order, "omega": a.omega / order, "f": a.omega / order / TAU, "load_omega": a.omega, "amplitude": a.amplitude, "zero": a.exact, "absorbed_by": absorbs})
     };
-    own.insert("antiresonances".into(), found.antiresonances.iter().map(anti).collect());
+    own.insert("antiresonances".into(), found.antiresonances.iter().zip(&found.antiresonance_orders).map(anti).collect());
     if let Some(modes) = &found.modes {
         let one = |m: &analysis::studies::modes::Mode| {
             let quality = if m.ratio == 0.0 { Value::Null } else { json!(0.5 / m.ratio) };
@@ -321,8 +472,26 @@ pub fn to_json(found: &ResponseFound) -> Map<String, Value> {
         own.insert("modes".into(), modes.modes.iter().map(one).collect());
     }
     own.insert("at_frequency".into(), found.own.as_ref().map_or(Value::Null, |p| point(found, p)));
+    own.insert("orders".into(), found.orders.iter().map(|o| order_json(found, o)).collect());
+    own.insert("superposed".into(), found.superposed.as_ref().map_or(Value::Null, |s| superposed_json(found, s)));
     own.insert("shapes".into(), found.shapes.iter().map(|p| point(found, p)).collect());
     own
+}
+
+fn order_json(found: &ResponseFound, order: &Order) -> Value {
+    let mut value = order.own.as_ref().map_or_else(|| json!({}), |p| point(found, p));
+    value["order"] = json!(order.order);
+    value
+}
+
+/// Static part, extremes and their instants over a period.
+fn superposed_json(found: &ResponseFound, s: &Superposed) -> Value {
+    let one = |r: &superposition::Range| {
+        let value = |v: (f64, f64)| json!({"value": v.0, "t": v.1, "phase": v.1 * s.omega});
+        json!({"mean": r.mean, "max": value(r.max), "min": value(r.min), "largest": value(r.largest)})
+    };
+    let outputs: Map<String, Value> = found.outputs.iter().zip(&s.outputs).map(|(q, r)| (q.name.clone(), one(r))).collect();
+    json!({"omega": s.omega, "period": s.period, "outputs": outputs, "residual": s.residual})
 }
 
 /// One frequency: outputs and the deformed shape.

@@ -12,6 +12,8 @@ use report::{Block, Cell, Figure, Language, Table, Word};
 
 /// Significant digits.
 const DIGITS: usize = 6;
+/// Orders of a waveform that a table shows.
+const ORDERS: usize = 9;
 
 /// A dataset as a table, column for column.
 pub fn plain_table(data: &[analysis::dataset::Column], language: Language) -> Table {
@@ -88,7 +90,9 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
     if let Some(tracks) = &f.tracks {
         blocks.push(Block::Table(plain_table(&thinned(&tracks.data), language)));
         for c in &tracks.critical {
-            let value = report::number::short(c.value, DIGITS, language);
+            let unit = f.small.machine.parameters().iter().find(|q| q.name == tracks.parameter).map_or("rad/s", |q| q.unit.as_str());
+            let number = report::number::short(c.value, DIGITS, language);
+            let value = report::number::with_unit(&number, &report::unit::print(unit, language));
             let words = language.pick("Critical speed", "Критическая скорость");
             let mode = language.pick("mode", "форма");
             blocks.push(Block::paragraph(format!("{words}: {value} ({mode} {})", c.mode + 1)));
@@ -109,7 +113,17 @@ pub fn campbell(data: &Dataset, language: Language) -> Option<Figure> {
     let mut figure = Figure::over_axis(data, &names, language)?;
     figure.name = "campbell".into();
     figure.y.log = false;
+    figure.series.extend(line_of_speed(data, &figure));
     Some(figure)
+}
+
+/// The line ω = Ω over a speed, as far as the frequencies reach.
+fn line_of_speed(data: &Dataset, figure: &Figure) -> Option<Series> {
+    let axis = data.columns.first().filter(|c| matches!(c.quantity.unit.as_str(), "rad/s" | "1/s"))?;
+    let highest = figure.series.iter().flat_map(|s| &s.y).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(*v));
+    let y = axis.values.iter().map(|v| if *v <= 1.05 * highest { *v } else { f64::NAN }).collect();
+    let name = axis.quantity.symbol.clone();
+    Some(Series { label: format!("1×{name}"), name, x: axis.values.clone(), y })
 }
 
 /// At most a dozen rows of a long dataset, the ends among them.
@@ -129,6 +143,12 @@ pub fn response(found: &ResponseFound, language: Language, page: bool) -> Vec<Bl
     let mut blocks = vec![Block::paragraph(format!("{}: {}", language.pick("Load", "Нагрузка"), language.text(&found.load)))];
     if let Some(own) = &found.own {
         blocks.push(Block::Table(own_table(found, own, language)));
+    }
+    if !found.orders.is_empty() {
+        blocks.push(Block::Table(orders_table(found, language)));
+    }
+    if let Some(superposed) = &found.superposed {
+        blocks.push(Block::Table(superposed_table(found, superposed, language)));
     }
     for shape in &found.shapes {
         blocks.push(Block::Table(shape_table(found, shape, language)));
@@ -183,6 +203,38 @@ fn own_table(found: &ResponseFound, own: &analysis::studies::response::Point, la
     table
 }
 
+/// Amplitude and phase of every order at the frequency of the file.
+fn orders_table(found: &ResponseFound, language: Language) -> Table {
+    use analysis::studies::response::{magnitude, phase};
+    let words = language.pick(["harmonic of", "order", "amplitude", "phase"], ["гармоника", "порядок", "амплитуда", "фаза"]);
+    let mut table = Table::new(heads(&[(words[0], ""), (words[1], ""), ("ω", "rad/s"), (words[2], ""), (words[3], "rad")], language));
+    for (k, q) in found.outputs.iter().enumerate() {
+        for (order, own) in found.orders.iter().take(ORDERS).filter_map(|o| Some((o.order, o.own.as_ref()?))) {
+            let z = own.outputs[k];
+            let mut row = vec![Cell::symbol(q.symbol.clone())];
+            row.extend([order, own.omega, magnitude(z), phase(z)].map(|x| number(x, language)));
+            table.row(row);
+        }
+    }
+    table
+}
+
+/// All orders together over a period.
+fn superposed_table(found: &ResponseFound, s: &analysis::studies::superposition::Superposed, language: Language) -> Table {
+    let words = language.pick(
+        ["over a period", "mean", "largest deviation", "at", "greatest", "least"],
+        ["за период", "среднее", "наибольшее отклонение", "в момент", "наибольшее", "наименьшее"],
+    );
+    let columns = [(words[0], ""), (words[1], ""), (words[2], ""), (words[3], "s"), (words[4], ""), (words[5], "")];
+    let mut table = Table::new(heads(&columns, language));
+    for (q, r) in found.outputs.iter().zip(&s.outputs) {
+        let mut row = vec![Cell::symbol(q.symbol.clone())];
+        row.extend([r.mean, r.largest.0, r.largest.1, r.max.0, r.min.0].map(|x| number(x, language)));
+        table.row(row);
+    }
+    table
+}
+
 fn shape_table(found: &ResponseFound, shape: &analysis::studies::response::Point, language: Language) -> Table {
     use analysis::studies::response::{magnitude, phase};
     let omega = report::number::short(shape.omega, DIGITS, language);
@@ -204,11 +256,19 @@ fn resonances(found: &ResponseFound, language: Language) -> Table {
         ["resonance of", "amplitude", "phase", "coefficient", "quality"],
         ["резонанс", "амплитуда", "фаза", "коэффициент", "добротность"],
     );
-    let columns = [(words[0], ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "rad"), (words[3], ""), (words[4], "")];
+    let mut columns = vec![(words[0], ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "rad"), (words[3], ""), (words[4], "")];
+    if !found.orders.is_empty() {
+        columns.insert(1, (language.pick("order", "порядок"), ""));
+    }
     let mut table = Table::new(heads(&columns, language));
-    for r in &found.resonances {
+    let several = !found.orders.is_empty();
+    for (r, order) in found.resonances.iter().zip(&found.resonance_orders) {
         let mut row = vec![Cell::symbol(found.outputs[r.output].symbol.clone())];
-        row.extend([r.omega, r.omega / std::f64::consts::TAU, r.amplitude, r.phase, r.gain, r.quality].map(|x| number(x, language)));
+        if several {
+            row.push(number(*order, language));
+        }
+        let omega = r.omega / order;
+        row.extend([omega, omega / std::f64::consts::TAU, r.amplitude, r.phase, r.gain, r.quality].map(|x| number(x, language)));
         table.row(row);
     }
     table
@@ -217,14 +277,15 @@ fn resonances(found: &ResponseFound, language: Language) -> Table {
 fn antiresonances(found: &ResponseFound, language: Language) -> Table {
     let words = language.pick(["antiresonance of", "amplitude", "absorbed by"], ["антирезонанс", "амплитуда", "поглощает"]);
     let mut table = Table::new(heads(&[(words[0], ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "")], language));
-    for a in &found.antiresonances {
+    for (a, order) in found.antiresonances.iter().zip(&found.antiresonance_orders) {
         let name = |(i, share): &(usize, f64)| {
             let symbol = report::symbol::plain(&found.coordinates[*i].symbol, language);
             format!("{symbol} {} %", report::number::short(100.0 * share, 3, language))
         };
         let absorbs: Vec<String> = a.absorbs.iter().map(name).collect();
         let mut row = vec![Cell::symbol(found.outputs[a.output].symbol.clone())];
-        row.extend([a.omega, a.omega / std::f64::consts::TAU, a.amplitude].map(|x| number(x, language)));
+        let omega = a.omega / order;
+        row.extend([omega, omega / std::f64::consts::TAU, a.amplitude].map(|x| number(x, language)));
         row.push(Cell::words(absorbs.join(", ")));
         table.row(row);
     }
@@ -244,9 +305,10 @@ pub fn response_figures(found: &ResponseFound, language: Language) -> Vec<Figure
             .pick(if log || tail == "amplitude" { "Amplitudes" } else { "Phases" }, if tail == "amplitude" { "Амплитуды" } else { "Фазы" })
             .into();
         (figure.x.log, figure.y.log) = (found.study.log, log);
-        for r in found.resonances.iter().filter(|_| tail == "amplitude") {
-            let label = report::number::short(r.omega, 4, language);
-            let mark = Mark::Vertical { x: r.omega, label };
+        for (r, order) in found.resonances.iter().zip(&found.resonance_orders).filter(|_| tail == "amplitude") {
+            let omega = r.omega / order;
+            let label = report::number::short(omega, 4, language);
+            let mark = Mark::Vertical { x: omega, label };
             if !figure.marks.contains(&mark) {
                 figure.marks.push(mark);
             }

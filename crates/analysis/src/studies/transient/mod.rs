@@ -178,7 +178,7 @@ fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], op
         let modes = modes(system, phase, t, &x);
         system.observe(t, &x, &modes, &mut values)?;
         for (column, i) in rows.iter_mut().zip(&chosen) {
-            column[row] = values[*i];
+            column[row] = crate::fault::finite(values[*i], &all[*i].name)?;
         }
         Ok(())
     })?;

@@ -152,7 +152,7 @@ impl Oscillator {
             () if self.k2 < 0.0 => Case::Unstable,
             () if self.k2 == 0.0 => Case::Free,
             () if self.n.abs() <= EQUAL * k => Case::Undamped,
-            () if (self.n - k).abs() <= EQUAL * size => Case::Critical,
+            () if (self.n.abs() - k).abs() <= EQUAL * size => Case::Critical,
             () if d < 0.0 => Case::Underdamped,
             () => Case::Overdamped,
         };

@@ -1,0 +1,242 @@
+//! (C - ω² M + i ω B) X = F, also where the matrix is singular: at a natural frequency without damping.
+//!
+//! Beside such a frequency, at ω + δ, X = P/δ + X₀ + O(δ) with A₀ P = 0, A₁ P + A₀ X₀ = F and A₁ X₀ + A₀ X₁ = M P, where A₀ is the matrix
+//! at ω and A₁ = -2 ω M + i B its derivative. Quantities that P does not move are finite and follow X₀, the limit of their amplitudes; all
+//! others are infinite. A load that does no work on the free oscillation has P = 0.
+
+use crate::linear::Matrices;
+use crate::numerics::lu::Lu;
+use crate::numerics::rank::Qr;
+use crate::studies::modes::Complex;
+
+/// Amplitudes of the coordinates.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Amplitudes {
+    /// X₀.
+    pub regular: Vec<Complex>,
+    /// P; empty where the matrix is regular or the free oscillation is not excited.
+    pub pole: Vec<Complex>,
+}
+
+/// Pivots of the scaled matrix below this share are zero: a few roundings of its terms.
+const SINGULAR: f64 = 2e-14;
+/// Work of the load on a free oscillation below this share of its terms is none.
+const IDLE: f64 = 1e-11;
+/// A share of a free oscillation below this moves nothing.
+const UNMOVED: f64 = 1e-9;
+
+impl Amplitudes {
+    /// X, infinite where the pole moves the coordinate.
+    pub fn coordinates(&self) -> Vec<Complex> {
+        let n = self.regular.len();
+        let unit = |i: usize| (0..n).map(|k| (f64::from(u8::from(k == i)), 0.0)).collect::<Vec<_>>();
+        (0..n).map(|i| self.seen(&unit(i), &[])).collect()
+    }
+
+    /// Σ g_i X_i; `slope` is dg/dω, empty for none. Infinite where Σ g_i P_i is not zero, and zero where only rounding is left.
+    pub fn seen(&self, g: &[Complex], slope: &[Complex]) -> Complex {
+        let (pole, terms) = dot(g, &self.pole);
+        let largest = self.pole.iter().map(|z| size(*z)).fold(0.0, f64::max);
+        let reach = g.iter().map(|z| size(*z)).fold(0.0, f64::max) * largest;
+        if terms > 1e-6 * UNMOVED * reach && size(pole) > UNMOVED * terms {
+            return (f64::INFINITY, 0.0);
+        }
+        let (value, terms) = dot(g, &self.regular);
+        let (turn, more) = dot(slope, &self.pole);
+        let sum = (value.0 + turn.0, value.1 + turn.1);
+        if size(sum) <= 4.0 * f64::EPSILON * (terms + more) { (0.0, 0.0) } else { sum }
+    }
+}
+
+fn size(z: Complex) -> f64 {
+    z.0.hypot(z.1)
+}
+
+/// Σ a_i b_i and Σ |a_i b_i|.
+fn dot(a: &[Complex], b: &[Complex]) -> (Complex, f64) {
+    let mut sum = ((0.0, 0.0), 0.0);
+    for (x, y) in a.iter().zip(b).filter(|(x, y)| **x != (0.0, 0.0) && **y != (0.0, 0.0)) {
+        sum.0 = (sum.0.0 + x.0 * y.0 - x.1 * y.1, sum.0.1 + x.0 * y.1 + x.1 * y.0);
+        sum.1 += size(*x) * size(*y);
+    }
+    sum
+}
+
+/// The amplitudes that a load F exp(iωt) forces; conditions of connections reduce the problem to the motions they allow.
+pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
+    if let Some((z, k)) = m.allowed() {
+        // X = Z Y with Zᵀ (C - ω² M + i ω B) Z Y = Zᵀ F
+        let onto = |c: usize| (0..m.n).fold((0.0, 0.0), |s, i| (s.0 + z[i * k + c] * load[i].0, s.1 + z[i * k + c] * load[i].1));
+        let y = solve(&m.reduced(&z, k), omega, &(0..k).map(onto).collect::<Vec<_>>());
+        let back = |y: &[Complex]| -> Vec<Complex> {
+            let entry = |i: usize| y.iter().enumerate().fold((0.0, 0.0), |s, (c, v)| (s.0 + z[i * k + c] * v.0, s.1 + z[i * k + c] * v.1));
+            if y.is_empty() { Vec::new() } else { (0..m.n).map(entry).collect() }
+        };
+        let regular = if k == 0 { vec![(0.0, 0.0); m.n] } else { back(&y.regular) };
+        return Amplitudes { regular, pole: back(&y.pole) };
+    }
+    let system = Real::new(m, omega);
+    let right = system.load(load);
+    match system.regular(&right) {
+        Some(x) => Amplitudes { regular: system.unscaled(&x), pole: Vec::new() },
+        None => system.limit(&right),
+    }
+}
+
+/// The matrices as real ones of twice the size, [Re -Im; Im Re], in coordinates scaled to like stiffness.
+struct Real {
+    n: usize,
+    scale: Vec<f64>,
+    /// A₀, A₁, M.
+    matrix: Vec<f64>,
+    slope: Vec<f64>,
+    mass: Vec<f64>,
+}
+
+impl Real {
+    fn new(m: &Matrices, omega: f64) -> Real {
+        let n = m.n;
+        let own = |i: usize| m.stiffness[i * n + i].abs() + omega * omega * m.mass[i * n + i].abs() + omega * m.damping[i * n + i].abs();
+        let scale: Vec<f64> = (0..n).map(|i| if own(i) > 0.0 { own(i).sqrt().recip() } else { 1.0 }).collect();
+        let double = |re: &dyn Fn(usize) -> f64, im: &dyn Fn(usize) -> f64| -> Vec<f64> {
+            let mut a = vec![0.0; 4 * n * n];
+            for p in 0..n * n {
+                let (i, j) = (p / n, p % n);
+                let (re, im) = (re(p) * scale[i] * scale[j], im(p) * scale[i] * scale[j]);
+                a[i * 2 * n + j] = re;
+                a[i * 2 * n + n + j] = -im;
+                a[(n + i) * 2 * n + j] = im;
+                a[(n + i) * 2 * n + n + j] = re;
+            }
+            a
+        };
+        let matrix = double(&|p| m.stiffness[p] - omega * omega * m.mass[p], &|p| omega * m.damping[p]);
+        let slope = double(&|p| -2.0 * omega * m.mass[p], &|p| m.damping[p]);
+        let mass = double(&|p| m.mass[p], &|_| 0.0);
+        Real { n, scale, matrix, slope, mass }
+    }
+
+    fn load(&self, load: &[Complex]) -> Vec<f64> {
+        let scaled = |part: fn(&Complex) -> f64| load.iter().zip(&self.scale).map(move |(z, d)| part(z) * d);
+        scaled(|z| z.0).chain(scaled(|z| z.1)).collect()
+    }
+
+    fn unscaled(&self, x: &[f64]) -> Vec<Complex> {
+        (0..self.n).map(|i| (x[i] * self.scale[i], x[self.n + i] * self.scale[i])).collect()
+    }
+
+    fn product(&self, a: &[f64], x: &[f64]) -> Vec<f64> {
+        a.chunks(2 * self.n).map(|row| row.iter().zip(x).map(|(a, x)| a * x).sum()).collect()
+    }
+
+    /// The solution where the matrix is regular; entries that are rounding only are zero.
+    fn regular(&self, right: &[f64]) -> Option<Vec<f64>> {
+        let size = 2 * self.n;
+        if Qr::new(size, size, &self.matrix, SINGULAR).rank() < size {
+            return None;
+        }
+        let lu = Lu::new(&self.matrix, size);
+        let mut x = lu.solve(right).unwrap_or_else(|| Qr::new(size, size, &self.matrix, SINGULAR).least_squares(right).0);
+        let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let doubtful: Vec<usize> = (0..size).filter(|i| x[*i] != 0.0 && x[*i].abs() < 1e-12 * largest).collect();
+        if doubtful.is_empty() {
+            return Some(x);
+        }
+        // an entry is known to ε |A⁻¹| (|A| |x| + |F|); its row of the inverse solves Aᵀ y = e_i
+        let absolute: Vec<f64> = self.matrix.iter().map(|a| a.abs()).collect();
+        let terms: Vec<f64> =
+            self.product(&absolute, &x.iter().map(|v| v.abs()).collect::<Vec<_>>()).iter().zip(right).map(|(a, f)| a + f.abs()).collect();
+        let transposed = Lu::new(&turned(&self.matrix, size), size);
+        for i in doubtful {
+            let unit: Vec<f64> = (0..size).map(|k| f64::from(u8::from(k == i))).collect();
+            let Some(row) = transposed.solve(&unit) else { continue };
+            let bound: f64 = row.iter().zip(&terms).map(|(r, t)| (r * t).abs()).sum();
+            if x[i].abs() <= 4.0 * f64::EPSILON * bound {
+                x[i] = 0.0;
+            }
+        }
+        Some(x)
+    }
+
+    /// P and X₀ where it is singular.
+    fn limit(&self, right: &[f64]) -> Amplitudes {
+        let size = 2 * self.n;
+        let qr = Qr::new(size, size, &self.matrix, SINGULAR);
+        let free = qr.null_space();
+        let k = free.len();
+        // columns and rows have one rank, which rounding may not show at one and the same threshold
+        let across = turned(&self.matrix, size);
+        let thresholds = (0..40).map(|p| SINGULAR * 1.5_f64.powi(p));
+        let Some(left) = thresholds.map(|t| Qr::new(size, size, &across, t).null_space()).find(|l| l.len() == k) else {
+            // what the load does on the free oscillation is not known: all that it moves counts as infinite
+            let pole = (0..size).map(|i| free.iter().map(|x| x[i]).sum()).collect::<Vec<f64>>();
+            return Amplitudes { regular: self.unscaled(&qr.least_squares(right).0), pole: self.unscaled(&pole) };
+        };
+        let against = |v: &[f64]| -> Vec<f64> { left.iter().map(|w| w.iter().zip(v).map(|(a, b)| a * b).sum()).collect() };
+        let small = |a: &[f64]| -> Vec<f64> {
+            let columns: Vec<Vec<f64>> = free.iter().map(|x| against(&self.product(a, x))).collect();
+            (0..k * k).map(|p| columns[p % k][p / k]).collect()
+        };
+        let combine = |c: &[f64]| -> Vec<f64> { (0..size).map(|i| free.iter().zip(c).map(|(x, c)| x[i] * c).sum()).collect() };
+        let length = right.iter().fold(0.0_f64, |m, v| m.hypot(*v));
+        let work = against(right);
+        let excited = work.iter().any(|w| w.abs() > IDLE * length);
+        let slope = Lu::new(&small(&self.slope), k);
+        let pole = match (excited, slope.solve(&work)) {
+            (false, _) => vec![0.0; size],
+            (true, Some(a)) => combine(&a),
+            // nothing restores the free motion: a double pole
+            (true, None) => combine(&work),
+        };
+        let moved = self.product(&self.slope, &pole);
+        let rest: Vec<f64> = right.iter().zip(&moved).map(|(f, p)| f - p).collect();
+        let particular = qr.least_squares(&rest).0;
+        let (bent, pulled) = (self.product(&self.slope, &particular), self.product(&self.mass, &pole));
+        let wanted: Vec<f64> = bent.iter().zip(&pulled).map(|(b, p)| p - b).collect();
+        let along = slope.solve(&against(&wanted)).or_else(|| {
+            let inertia: Vec<f64> = against(&self.product(&self.mass, &particular)).iter().map(|v| -v).collect();
+            Lu::new(&small(&self.mass), k).solve(&inertia)
+        });
+        let shift = combine(&along.unwrap_or_else(|| vec![0.0; k]));
+        let regular: Vec<f64> = particular.iter().zip(&shift).map(|(x, s)| x + s).collect();
+        let noise = 1e-14 * regular.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let regular: Vec<f64> = regular.into_iter().map(|v| if v.abs() <= noise { 0.0 } else { v }).collect();
+        Amplitudes { regular: self.unscaled(&regular), pole: if excited { self.unscaled(&pole) } else { Vec::new() } }
+    }
+}
+
+fn turned(a: &[f64], n: usize) -> Vec<f64> {
+    (0..n * n).map(|p| a[(p % n) * n + p / n]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chain() -> Matrices {
+        // two equal masses between three equal springs: ω = 10 (in phase) and 10√3 (against each other)
+        Matrices {
+            n: 2,
+            mass: vec![1.0, 0.0, 0.0, 1.0],
+            damping: vec![0.0; 4],
+            stiffness: vec![200.0, -100.0, -100.0, 200.0],
+            ..Matrices::default()
+        }
+    }
+
+    #[test]
+    fn a_load_that_does_no_work_on_the_free_oscillation_leaves_its_limit() {
+        let found = solve(&chain(), 10.0, &[(1.0, 0.0), (-1.0, 0.0)]);
+        assert!(found.pole.is_empty());
+        let x = found.coordinates();
+        assert!((x[0].0 - 1.0 / 200.0).abs() < 1e-16 && (x[1].0 + 1.0 / 200.0).abs() < 1e-16, "{x:?}");
+    }
+
+    #[test]
+    fn what_the_free_oscillation_does_not_move_is_finite() {
+        let found = solve(&chain(), 10.0, &[(1.0, 0.0), (0.0, 0.0)]);
+        assert!(found.coordinates().iter().all(|z| z.0.is_infinite()));
+        let stretch = found.seen(&[(1.0, 0.0), (-1.0, 0.0)], &[]);
+        assert!((stretch.0 - 1.0 / 200.0).abs() < 1e-15, "{stretch:?}");
+    }
+}
