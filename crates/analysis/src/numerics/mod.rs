@@ -1,5 +1,6 @@
 //! Small numerical tools.
 
+pub mod certify;
 pub mod complex;
 pub mod divided;
 pub mod eigen;
