@@ -144,7 +144,10 @@ fn tensions(found: &StaticsFound, language: Language) -> Option<Figure> {
         for (i, rod) in r.frame.rods.iter().enumerate() {
             let [a, b] = rod.ends.map(|k| r.frame.nodes[k].at);
             let label = signed(if force(i).abs() <= ZERO * top { 0.0 } else { force(i) }, &scale, language);
-            drawn.marks.push(Mark::Point { x: 0.5 * (a[0] + b[0]), y: 0.5 * (a[1] + b[1]), label });
+            // diagonals that meet carry their values below the middle and to one side of it, apart from each other
+            let share = if a[1] == b[1] { 0.5 } else { 0.5 + 0.12 * (a[1] - b[1]).signum() };
+            let at = [0, 1].map(|k| a[k] + share * (b[k] - a[k]));
+            drawn.marks.push(Mark::Point { x: at[0], y: at[1], label });
         }
     }
     Some(drawn)
