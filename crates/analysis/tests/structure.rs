@@ -161,14 +161,14 @@ fn amplitudes_complete_the_named_displacements() {
         let modes = analysis::numerics::eigen::symmetric(n, &found.stiffness, &found.mass).unwrap();
         modes.values[..4].iter().zip(&all).map(|(v, w)| (v.sqrt() / w - 1.0).abs()).fold(0.0, f64::max)
     };
-    // with all amplitudes nothing is lost; fewer make the frame stiffer, ever less so
+    // with all amplitudes nothing is lost; with fewer the modes that span the space are kept, the next ones come out too high
     assert!(with(1000) < 1e-9, "{:e}", with(1000));
-    assert!(with(6) < 0.02 && with(12) < with(6), "{:e} {:e}", with(6), with(12));
+    assert!(with(4) < 1e-9 && with(2) > 1e-6, "{:e} {:e}", with(4), with(2));
 }
 
 #[test]
-fn large_frames_are_solved_sparse_and_agree() {
-    // ladder of bays: the dense and the sparse way, by the same study
+fn large_frames_are_solved_sparse_and_converge() {
+    // ladder of bays
     let build = |bays: usize| {
         let mut frame = Frame::default();
         for i in 0..=bays {
@@ -192,9 +192,8 @@ fn large_frames_are_solved_sparse_and_agree() {
         frame
     };
     let small = build(20);
-    // three parts make it exceed the limit of dense matrices
-    let (dense, sparse) = (omegas(&small.divided(2), 4), omegas(&small.divided(4), 4));
-    for (a, b) in dense.iter().zip(&sparse) {
+    let (coarse, fine) = (omegas(&small.divided(2), 4), omegas(&small.divided(4), 4));
+    for (a, b) in coarse.iter().zip(&fine) {
         assert!(a > b && a / b - 1.0 < 1e-3, "{a} {b}");
     }
 }

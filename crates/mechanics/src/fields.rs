@@ -216,8 +216,8 @@ pub const TOP: TableSpec = TableSpec {
             "m/s^2",
             "\"g\"",
             (
-                "gravity: false for none; a formula acts along -y of the ground; or a vector",
-                "тяжесть: false — нет; формула действует вдоль -y; или вектор",
+                "gravity: false for none; a formula acts along -y of the ground; or a vector. Without this key it acts on bodies only; given, also on nodes and rods with mass",
+                "тяжесть: false — нет; формула действует вдоль -y; или вектор. Без этого ключа действует только на тела; заданная — и на узлы и стержни с массой",
             ),
             "[\"0\", \"0\", \"-g\"]",
         ),

@@ -248,4 +248,24 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[rods.AB]\ndivisions = 0",
         "[rods.AB]\ndivisions = 16",
     ),
+    row(
+        "M305",
+        ("component out of the plane of a structure", "составляющая вне плоскости конструкции"),
+        (
+            "Frames and trusses are plane: their nodes lie in the plane x, y, forces and displacements too, couples turn about z. A third coordinate or component that is not zero would be lost, so it is refused.",
+            "Рамы и фермы плоские: узлы, силы и перемещения лежат в плоскости x, y, моменты действуют вокруг z. Третья координата или составляющая, не равная нулю, была бы потеряна, поэтому она не принимается.",
+        ),
+        "[nodes.T]\nat = [\"1 m\", \"1 m\", \"2 m\"]",
+        "[nodes.T]\nat = [\"1 m\", \"1 m\"]",
+    ),
+    row(
+        "M306",
+        ("coarse division of a frame", "грубое деление рамы"),
+        (
+            "Rods with mass take the static shapes that their ends give them. Where the wave of a mode is not long beside a rod, its frequency is too high. Rods in twice as many parts gave frequencies that differ by more than 5 %. Ask for an `accuracy` in [structure], or divide the rods.",
+            "Стержни с массой принимают статические формы по перемещениям своих концов. Если длина волны формы не велика по сравнению со стержнем, частота завышена. При вдвое большем числе частей частоты изменились более чем на 5 %. Задайте `accuracy` в [structure] или разделите стержни.",
+        ),
+        "[nodes.A]\nat = [\"0\", \"0\"]\n[nodes.B]\nat = [\"1 m\", \"0\"]\n[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"1 N m^2\"\nmass = \"2 kg\"\n[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]\n[structure]\ncondense = false\n",
+        "[nodes.A]\nat = [\"0\", \"0\"]\n[nodes.B]\nat = [\"1 m\", \"0\"]\n[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"1 N m^2\"\nmass = \"2 kg\"\ndivisions = 8\n[supports.S]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]\n[structure]\ncondense = false\nmodes = 2\n",
+    ),
 ];

@@ -74,10 +74,10 @@ pub fn symmetric(n: usize, stiffness: &[f64], mass: &[f64]) -> Result<Modes, Fau
         (0..n * n).map(entry).collect()
     };
     let (k, m) = (scaled(stiffness), scaled(mass));
-    let lower = cholesky(n, &m).map_err(trouble::massless)?;
-    let (mut values, y) = kernels::self_adjoint(n, &reduced(n, &lower, &k)).ok_or_else(|| trouble::unconverged(0, n))?;
-    let mut vectors = y;
-    vectors.chunks_mut(n.max(1)).for_each(|x| back(n, &lower, x));
+    let (mut values, mut vectors) = pencil(n, &k, &m)?;
+    if values.first().zip(values.last()).is_some_and(|(low, high)| *low < high / SPREAD) {
+        from_below(n, &k, &m, &mut values, &mut vectors);
+    }
     let count = if n <= SMALL { n } else { REFINED };
     refine(Dense { n, k: &k, m: &m }, &mut values, &mut vectors, count);
     let mut order: Vec<usize> = (0..n).collect();
@@ -89,6 +89,42 @@ pub fn symmetric(n: usize, stiffness: &[f64], mass: &[f64]) -> Result<Modes, Fau
         modes.vectors.extend(x.iter().zip(&scales).map(|(x, s)| x * s));
     }
     Ok(modes)
+}
+
+/// Largest over smallest eigenvalue beyond which the lower half is taken from the inverse problem.
+const SPREAD: f64 = 1e6;
+
+/// All solutions by M = L Lᵀ: values ascending, vectors with xᵀ M x = 1; each value errs by some 1e-16 of the largest.
+fn pencil(n: usize, k: &[f64], m: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Fault> {
+    let lower = cholesky(n, m).map_err(trouble::massless)?;
+    let (values, mut vectors) = kernels::self_adjoint(n, &reduced(n, &lower, k)).ok_or_else(|| trouble::unconverged(0, n))?;
+    vectors.chunks_mut(n.max(1)).for_each(|x| back(n, &lower, x));
+    Ok((values, vectors))
+}
+
+/// Takes the lower eigenpairs from M x = theta K x, theta = 1/lambda, whose values err by 1e-16 of 1/(smallest eigenvalue): where the
+/// spectrum is wider than the digits of a number, each problem knows only its own end. The ends are joined in the widest gap near the
+/// geometric mean of the spectrum. Nothing changes when K is not positive definite.
+fn from_below(n: usize, k: &[f64], m: &[f64], values: &mut [f64], vectors: &mut [f64]) {
+    let scales: Vec<f64> = (0..n).map(|i| scale(k[i * n + i])).collect();
+    let scaled = |a: &[f64]| -> Vec<f64> { (0..n * n).map(|e| scales[e / n] * a[e] * scales[e % n]).collect() };
+    let Ok((thetas, inverse)) = pencil(n, &scaled(m), &scaled(k)) else { return };
+    if thetas.iter().any(|theta| *theta <= 0.0) {
+        return;
+    }
+    let lambda = |i: usize| 1.0 / thetas[n - 1 - i];
+    let middle = (lambda(0) * values[n - 1]).sqrt();
+    let near = |i: &usize| (1e-2 * middle..1e2 * middle).contains(&lambda(*i));
+    let gap = |i: &usize| lambda(*i) / lambda(*i - 1);
+    let joint = (1..n).filter(near).max_by(|i, j| gap(i).total_cmp(&gap(j)));
+    let joint = joint.unwrap_or_else(|| (0..n).filter(|i| lambda(*i) < middle).count());
+    for i in 0..joint {
+        let own = &inverse[(n - 1 - i) * n..(n - i) * n];
+        // xᵀ K x = 1 there, so that xᵀ M x = theta
+        let factor = thetas[n - 1 - i].sqrt().recip();
+        values[i] = lambda(i);
+        vectors[i * n..(i + 1) * n].iter_mut().zip(own.iter().zip(&scales)).for_each(|(v, (x, s))| *v = factor * s * x);
+    }
 }
 
 /// Makes the first entry of some size positive.

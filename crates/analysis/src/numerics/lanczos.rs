@@ -9,6 +9,7 @@ use crate::Fault;
 use crate::numerics::eigen::{Modes, orient};
 use crate::numerics::factor::Factored;
 use crate::numerics::random::Random;
+use crate::numerics::refine::sharpen;
 use crate::numerics::sparse::Sparse;
 use crate::numerics::trouble::Pivot;
 use crate::numerics::{kernels, trouble};
@@ -364,6 +365,7 @@ impl<'a> Search<'a> {
         found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut modes = Modes { n, values: found.iter().map(|f| f.0).collect(), vectors: Vec::with_capacity(n * found.len()) };
         found.iter().for_each(|&(_, j)| modes.vectors.extend(self.vector(j)));
+        sharpen(self.k, self.m, &mut modes);
         Lowest { modes, residuals: found.iter().map(|&(_, j)| residuals[j]).collect(), counters: self.counters }
     }
 }
@@ -374,7 +376,7 @@ fn columns<'a>(n: usize, block: &'a [f64], masses: &'a [f64]) -> impl Iterator<I
 }
 
 /// Factor of K - sigma M, positive definite, with the shift nearest zero that makes it so.
-fn positive(k: &Sparse, m: &Sparse, counters: &mut Counters) -> Result<(Factored, f64), Fault> {
+pub(super) fn positive(k: &Sparse, m: &Sparse, counters: &mut Counters) -> Result<(Factored, f64), Fault> {
     let ratio = |(k, m): (f64, f64)| if m > 0.0 { k.abs() / m } else { 0.0 };
     let largest = k.diagonal().into_iter().zip(m.diagonal()).map(ratio).fold(0.0, f64::max);
     // a structure without any stiffness still has masses

@@ -1,5 +1,6 @@
 //! Small numerical tools.
 
+pub mod certify;
 pub mod complex;
 pub mod complex_lu;
 pub mod divided;

@@ -3,6 +3,9 @@
 //! r = K x_i - lambda_i M x_i,  x_i <- x_i - sum over j of x_j (x_j . r) / (lambda_j - lambda_i),  lambda_i = Rayleigh's quotient.
 //! *Source*: after T. Ogita, K. Aishima, Iterative refinement for symmetric eigenvalue decomposition, Japan J. Indust. Appl. Math. 35 (2018).
 
+use crate::numerics::eigen::Modes;
+use crate::numerics::kernels;
+use crate::numerics::sparse::Sparse;
 use crate::numerics::sum::two_sum;
 
 /// A sum in twice the digits.
@@ -102,6 +105,27 @@ fn correct(pencil: Dense, values: &mut [f64], vectors: &mut [f64], i: usize) {
         let factor = norm.sqrt().recip();
         vectors[own.clone()].iter_mut().zip(&x).for_each(|(v, x)| *v = x * factor);
         values[i] = quotient(pencil, &vectors[own]).0.round();
+    }
+}
+
+/// Takes out of each of a few eigenvectors the shares of the others that rounding left in it, by the same correction. Where the highest
+/// eigenvalue is 10^12 of the lowest, solutions with K leave 1e-11 of the first shape in the fourth.
+pub(super) fn sharpen(k: &Sparse, m: &Sparse, modes: &mut Modes) {
+    let n = modes.n;
+    for i in 0..modes.values.len() {
+        let rest = k.defect(m, modes.values[i], modes.shape(i));
+        let mut x = modes.shape(i).to_vec();
+        for j in (0..modes.values.len()).filter(|j| *j != i) {
+            let other = modes.shape(j);
+            let share = kernels::dot(other, &rest) / (modes.values[j] - modes.values[i]);
+            if share.abs() < CORRECTION {
+                x.iter_mut().zip(other).for_each(|(x, o)| *x -= share * o);
+            }
+        }
+        let norm = kernels::dot(&x, &m.product(&x)).sqrt();
+        if norm > 0.0 && norm.is_finite() {
+            modes.vectors[i * n..(i + 1) * n].iter_mut().zip(&x).for_each(|(v, x)| *v = x / norm);
+        }
     }
 }
 

@@ -173,6 +173,29 @@ impl Sparse {
         self.form(x).over(mass.form(x)).round()
     }
 
+    /// K x - value M x, small problems in twice the digits.
+    pub(super) fn defect(&self, mass: &Sparse, value: f64, x: &[f64]) -> Vec<f64> {
+        if self.stored() + mass.stored() > 400_000 {
+            return self.product(x).iter().zip(mass.product(x)).map(|(k, m)| k - value * m).collect();
+        }
+        let (stiff, heavy) = (self.exact_product(x), mass.exact_product(x));
+        stiff.iter().zip(&heavy).map(|(k, m)| k.add_times(-value, *m).round()).collect()
+    }
+
+    /// A x in twice the digits.
+    fn exact_product(&self, x: &[f64]) -> Vec<Double> {
+        let mut out = vec![Double::default(); self.n];
+        for j in 0..self.n {
+            for (i, v) in self.column(j) {
+                out[i] = out[i].add(v, x[j]);
+                if i != j {
+                    out[j] = out[j].add(v, x[i]);
+                }
+            }
+        }
+        out
+    }
+
     fn form(&self, x: &[f64]) -> Double {
         let mut sum = Double::default();
         for j in 0..self.n {

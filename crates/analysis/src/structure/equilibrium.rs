@@ -1,11 +1,12 @@
 //! Whether a structure stands: mechanisms with their free motion, and the degree of statical indeterminacy.
 
-use super::assembly::name_of;
+use super::assembly::{Sparse, name_of};
 use super::{Assembly, Frame, RodKind, Scalar, dense, faults};
 use crate::Fault;
+use crate::numerics::trouble::Trouble;
 
-/// Structures with more independent freedoms than this are not searched for mechanisms by elimination; the factorisation finds them.
-pub const SEARCHED: usize = 400;
+/// Structures with more independent freedoms than this are computed with sparse matrices, and mechanisms are found by their factors.
+pub const SEARCHED: usize = 100;
 
 /// Exact numbers grow with every elimination: beyond this many independent freedoms machine numbers are used.
 pub const EXACT: usize = 30;
@@ -45,9 +46,24 @@ pub fn standing<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<S
             let null = dense::null_space(&assembly.stiffness(frame).dense(), n);
             null.iter().map(|q| assembly.elimination.expand(q).iter().map(S::value).collect()).collect()
         }
-        _ => Vec::new(),
+        _ => free_motion(frame, assembly)?.into_iter().collect(),
     };
     Ok(Standing { unknowns: of_rods + of_supports + of_springs, equations, motions })
+}
+
+/// The first motion that the sparse factors find free.
+fn free_motion<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<Option<Vec<f64>>, Fault> {
+    let stiffness = assembly.stiffness(frame);
+    let entries = stiffness.entries.iter().map(|(i, j, v)| (*i, *j, v.value())).collect();
+    let matrix = crate::studies::structure_modes::compressed(&Sparse { n: stiffness.n, entries })?;
+    match matrix.factor() {
+        Ok(_) => Ok(None),
+        Err(Trouble::Fault(fault)) => Err(fault),
+        Err(Trouble::Pivot(pivot)) => {
+            let expand = |row: &super::constraints::Row<S>| row.iter().map(|(j, c)| c.value() * pivot.motion[*j]).sum();
+            Ok(Some(assembly.elimination.transform.iter().map(expand).collect()))
+        }
+    }
 }
 
 /// Every node has a rod, every connected piece something that holds it.

@@ -58,6 +58,36 @@ pub const EXPLANATIONS: &[Explanation] = &[
              Задайте названным стержням жёсткость: EA (или E и A) на растяжение, EI на изгиб.",
         ),
     },
+    Explanation {
+        code: "S063",
+        en: (
+            "frame of extreme proportions",
+            "Supports that are 10^-16 of a span apart, or stiffnesses of rods that differ by more than some 10^12, leave a motion of the structure \
+             to rounding: its frequencies and displacements would be no numbers. Nodes that were meant as one, a rod of nearly no length, a unit \
+             that was mistyped, or a rod that is meant as rigid is the usual cause. The message names the softest and the stiffest rod.",
+        ),
+        ru: (
+            "рама с крайними соотношениями",
+            "Если опоры отстоят друг от друга на 10^-16 пролёта или жёсткости стержней различаются более чем в 10^12 раз, движение конструкции \
+             определяется погрешностью округления, и её частоты и перемещения не имеют смысла. Обычная причина — узлы, которые должны совпадать, \
+             стержень почти нулевой длины, ошибка в единице или стержень, который следовало задать жёстким. В сообщении названы самый податливый \
+             и самый жёсткий стержни.",
+        ),
+    },
+    Explanation {
+        code: "S064",
+        en: (
+            "modes of a frame that are not confirmed",
+            "A frame that is part of a machine moves by its lowest shapes. Each shape is checked by its residual, and their number by Sturm's count; \
+             with `accuracy` the frequencies are compared with those of a finer division. One of these checks failed, and no motion is computed \
+             from such shapes.",
+        ),
+        ru: (
+            "неподтверждённые формы рамы",
+            "Рама в составе машины движется по своим низшим формам. Каждая форма проверяется невязкой, их число — счётом Штурма; при заданном \
+             `accuracy` частоты сравниваются с более подробной сеткой. Одна из проверок не пройдена, и движение по таким формам не рассчитывается.",
+        ),
+    },
 ];
 
 fn fault(code: &'static str, what: Text, why: Text, help: Text) -> Fault {
@@ -124,6 +154,61 @@ pub fn massless() -> Fault {
         Text::new("the structure has no inertia in any of its motions", "ни одно движение конструкции не имеет инерции"),
         Text::new("no node or rod that can move has a mass", "у подвижных узлов и стержней нет массы"),
         Text::new("give a mass to a node or a rod", "задайте массу узлу или стержню"),
+    )
+}
+
+/// Stiffnesses beside which others vanish in rounding.
+pub fn extreme(frame: &super::Frame<f64>) -> Fault {
+    let stiffness = |r: &super::Rod<f64>| match &r.kind {
+        super::RodKind::Beam { bending, .. } => Some(bending / r.length.powi(3)),
+        super::RodKind::Bar(axial) => axial.map(|ea| ea / r.length),
+        super::RodKind::Rigid => None,
+    };
+    let mut rods: Vec<(&str, f64)> = frame.rods.iter().filter_map(|r| Some((r.name.as_str(), stiffness(r)?))).collect();
+    rods.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let (low, high) = match (rods.first(), rods.last()) {
+        (Some(low), Some(high)) => (*low, *high),
+        _ => (("-", 0.0), ("-", 0.0)),
+    };
+    let one = |(name, k): (&str, f64), unit: &str| format!("{name}: {k:.1e} {unit}");
+    fault(
+        "S063",
+        Text::new(
+            format!("rounding decides whether the structure stands (softest rod {}, stiffest {})", one(low, "N/m"), one(high, "N/m")),
+            format!(
+                "неизменяемость конструкции определяется погрешностью округления (самый податливый стержень {}, самый жёсткий {})",
+                one(low, "Н/м"),
+                one(high, "Н/м")
+            ),
+        ),
+        Text::new(
+            "supports or nodes at nearly one place, or stiffnesses (EI/l³, EA/l) so different that beside one the other vanishes in 16 digits",
+            "опоры или узлы почти в одной точке либо столь разные жёсткости (EI/l³, EA/l), что одна теряется рядом с другой в 16 цифрах",
+        ),
+        Text::new(
+            "join nodes that are meant as one, take a very stiff rod as `rigid = true`, check the units",
+            "объедините узлы, которые должны совпадать, задайте очень жёсткий стержень как `rigid = true`, проверьте единицы",
+        ),
+    )
+}
+
+/// Modes that their residuals or Sturm's count do not confirm, or that are not as accurate as wanted.
+pub fn unconfirmed(residual: f64, missing: f64) -> Fault {
+    let n = crate::fault::rounded(residual);
+    fault(
+        "S064",
+        Text::new(
+            format!("the modes of the frame are not confirmed: residual {}, modes missing {missing}", n.en),
+            format!("формы рамы не подтверждены: невязка {}, пропущено форм {missing}", n.ru),
+        ),
+        Text::new(
+            "the frame's own shapes are its coordinates in the machine; unconfirmed ones would make every study wrong",
+            "собственные формы рамы служат её координатами в машине; неподтверждённые исказили бы все расчёты",
+        ),
+        Text::new(
+            "check stiffnesses and masses for extreme ratios, ask for a lower `accuracy` or fewer `modes`",
+            "проверьте крайние отношения жёсткостей и масс, уменьшите требование `accuracy` или число `modes`",
+        ),
     )
 }
 

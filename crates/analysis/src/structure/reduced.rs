@@ -99,7 +99,7 @@ pub fn reduce<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, condensation:
         keep = all.clone();
     }
     let condensed = keep.len() < all.len();
-    let (mut basis, mut stiffness) = condense(&k, n_q, &keep)?;
+    let (mut basis, mut stiffness) = condense(frame, &k, n_q, &keep)?;
     let n = keep.len();
     let mut mass = dense::congruence(&m, &basis, n_q, n);
     let mut coordinates: Vec<Quantity> = keep.iter().map(|i| own_quantity(frame, assembly, *i)).collect();
@@ -114,7 +114,7 @@ pub fn reduce<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, condensation:
         stiffness = dense::congruence(&stiffness, &inverse, n, n);
         coordinates = frame.displacements.iter().map(quantity).collect();
     }
-    let flexibility = dense::solve(&stiffness, n, &dense::identity(n), n).unwrap_or_default();
+    let flexibility = dense::solve(&stiffness, n, &dense::identity(n), n).ok_or_else(|| extreme(frame))?;
     Ok(Reduced { coordinates, named, condensed, mass, stiffness, flexibility, basis, n_q })
 }
 
@@ -133,7 +133,7 @@ fn own_quantity<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, i: usize) -
 }
 
 /// All independent freedoms over the kept ones, and the stiffness that is left.
-fn condense<S: Scalar>(k: &[S], n: usize, keep: &[usize]) -> Result<(Vec<S>, Vec<S>), Fault> {
+fn condense<S: Scalar>(frame: &Frame<S>, k: &[S], n: usize, keep: &[usize]) -> Result<(Vec<S>, Vec<S>), Fault> {
     let m = keep.len();
     let follow: Vec<usize> = (0..n).filter(|i| !keep.contains(i)).collect();
     let pick = |rows: &[usize], columns: &[usize]| -> Vec<S> {
@@ -142,15 +142,18 @@ fn condense<S: Scalar>(k: &[S], n: usize, keep: &[usize]) -> Result<(Vec<S>, Vec
     let mut basis = vec![S::zero(); n * m];
     keep.iter().enumerate().for_each(|(j, i)| basis[i * m + j] = S::one());
     if !follow.is_empty() {
-        let share = dense::solve(&pick(&follow, &follow), follow.len(), &pick(&follow, keep), m).ok_or_else(|| {
-            faults::mechanism("?", &symbolic::Text::new("a motion without inertia is free", "свободно движение без инерции"), 1)
-        })?;
+        let share = dense::solve(&pick(&follow, &follow), follow.len(), &pick(&follow, keep), m).ok_or_else(|| extreme(frame))?;
         for (a, i) in follow.iter().enumerate() {
             (0..m).for_each(|j| basis[i * m + j] = share[a * m + j].neg());
         }
     }
     let stiffness = dense::product(&pick(keep, &(0..n).collect::<Vec<_>>()), &basis, m, n, m);
     Ok((basis, stiffness))
+}
+
+/// A structure that stands and whose stiffness is singular all the same.
+fn extreme<S: Scalar>(frame: &Frame<S>) -> Fault {
+    frame.map(&|s: &S| Some(s.value())).map_or_else(faults::massless, |frame| faults::extreme(&frame))
 }
 
 /// Names of constraints, for messages.

@@ -9,9 +9,14 @@
 //! *Source*: R. R. Craig, M. C. C. Bampton, Coupling of substructures for dynamic analyses, AIAA J. 6 (1968) 1313, with displacements in place
 //! of boundary nodes.
 
+use super::equilibrium::SEARCHED;
 use super::reduced::{Condensation, displacements, reduce};
-use super::{Assembly, Frame, dense};
+use super::{Assembly, Frame, dense, faults};
 use crate::Fault;
+use crate::numerics::certify::Certificate;
+use crate::numerics::eigen::Modes;
+use crate::numerics::sparse::Sparse;
+use crate::studies::structure_modes::{compressed, lowest_dense, lowest_sparse};
 
 /// A frame over few coordinates: the named displacements that are independent, then amplitudes.
 #[derive(Clone, Debug)]
@@ -30,23 +35,111 @@ pub struct Substructure {
     pub n_q: usize,
 }
 
+/// What coordinates are chosen from: shapes over the independent freedoms with their matrices.
+struct Space {
+    /// Number of shapes.
+    n: usize,
+    mass: Vec<f64>,
+    stiffness: Vec<f64>,
+    flexibility: Vec<f64>,
+    /// All independent freedoms over the shapes, n_q x n.
+    basis: Vec<f64>,
+    /// Named displacements over the shapes, one row each.
+    named: Vec<Vec<f64>>,
+}
+
 /// The coordinates of a frame, at most `count` amplitudes.
 ///
-/// *Errors*: no inertia, faults of the eigensolver.
+/// Where these are fewer than the freedoms, the space is spanned by the `count` lowest oscillations and the static shapes K⁻¹ Pᵀ of unit forces
+/// along the named displacements: both the lowest frequencies and the statics of the named displacements are those of the whole frame.
+///
+/// *Errors*: no inertia, S063, S064, faults of the eigensolver.
 pub fn substructure(frame: &Frame<f64>, assembly: &Assembly<f64>, condensation: Condensation, count: usize) -> Result<Substructure, Fault> {
+    let n_q = assembly.n();
+    let space = match n_q > SEARCHED && condensation != Condensation::Turns {
+        true => sparse(frame, assembly, count)?,
+        false => dense_space(frame, assembly, condensation, count)?,
+    };
+    coordinates(space, n_q)
+}
+
+/// All of a small frame, condensed; or the few shapes that matter.
+fn dense_space(frame: &Frame<f64>, assembly: &Assembly<f64>, condensation: Condensation, count: usize) -> Result<Space, Fault> {
     let mut bare = frame.clone();
     bare.displacements.clear();
     let reduced = reduce(&bare, assembly, condensation)?;
     let (n, n_q) = (reduced.n(), reduced.n_q);
-    let rows: Vec<Vec<f64>> = displacements(frame, assembly).iter().map(|p| dense::product(p, &reduced.basis, 1, n_q, n)).collect();
-    let named = independent(&rows, &reduced.flexibility, n);
+    let named: Vec<Vec<f64>> = displacements(frame, assembly).iter().map(|p| dense::product(p, &reduced.basis, 1, n_q, n)).collect();
+    if named.len() + count >= n {
+        let (mass, stiffness, flexibility, basis) = (reduced.mass, reduced.stiffness, reduced.flexibility, reduced.basis);
+        return Ok(Space { n, mass, stiffness, flexibility, basis, named });
+    }
+    let (modes, certificate) = lowest_dense(&reduced.stiffness, &reduced.mass, n, count)?;
+    confirmed(&certificate)?;
+    let (k, m) = (Sparse::from_dense(n, &reduced.stiffness)?, Sparse::from_dense(n, &reduced.mass)?);
+    let mut space = few(frame, [&k, &m], &modes, &named)?;
+    space.basis = dense::product(&reduced.basis, &space.basis, n_q, n, space.n);
+    Ok(space)
+}
+
+fn sparse(frame: &Frame<f64>, assembly: &Assembly<f64>, count: usize) -> Result<Space, Fault> {
+    let (k, m) = (assembly.stiffness(frame), assembly.mass(frame));
+    let (modes, certificate) = lowest_sparse(&k, &m, count)?;
+    confirmed(&certificate)?;
+    few(frame, [&compressed(&k)?, &compressed(&m)?], &modes, &displacements(frame, assembly))
+}
+
+fn confirmed(certificate: &Certificate) -> Result<(), Fault> {
+    let audits = certificate.audits();
+    if audits.iter().all(|a| a.ok) { Ok(()) } else { Err(faults::unconfirmed(audits[0].value, audits[1].value)) }
+}
+
+/// Smallest share of its energy that a static shape adds to what is there.
+const NEW: f64 = 1e-10;
+
+/// The space of some oscillations and of the static shapes of unit forces, with K = 1.
+fn few(frame: &Frame<f64>, [k, m]: [&Sparse; 2], modes: &Modes, rows: &[Vec<f64>]) -> Result<Space, Fault> {
+    let factor = k.factor().map_err(|_| faults::extreme(frame))?;
+    let mut shapes: Vec<Vec<f64>> = Vec::new();
+    for (j, value) in modes.values.iter().enumerate() {
+        shapes.push(modes.shape(j).iter().map(|x| x / value.sqrt()).collect());
+    }
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    for row in rows {
+        let mut shape = row.clone();
+        factor.solve(&mut shape, 1);
+        let own = dot(row, &shape);
+        for _ in 0..2 {
+            let force = k.product(&shape);
+            let shares: Vec<f64> = shapes.iter().map(|s| dot(s, &force)).collect();
+            for (other, share) in shapes.iter().zip(shares) {
+                shape.iter_mut().zip(other).for_each(|(x, o)| *x -= share * o);
+            }
+        }
+        let left = dot(&shape, &k.product(&shape));
+        if left > NEW * own && shapes.len() < k.size() {
+            shapes.push(shape.iter().map(|x| x / left.sqrt()).collect());
+        }
+    }
+    let (n, n_q) = (shapes.len(), k.size());
+    let heavy: Vec<Vec<f64>> = shapes.iter().map(|s| m.product(s)).collect();
+    let mass = (0..n * n).map(|e| 0.5 * (dot(&shapes[e / n], &heavy[e % n]) + dot(&shapes[e % n], &heavy[e / n]))).collect();
+    let basis = (0..n_q * n).map(|e| shapes[e % n][e / n]).collect();
+    let named = rows.iter().map(|row| shapes.iter().map(|s| dot(row, s)).collect()).collect();
+    Ok(Space { n, mass, stiffness: dense::identity(n), flexibility: dense::identity(n), basis, named })
+}
+
+/// Named displacements, then amplitudes of shapes in which they rest.
+fn coordinates(space: Space, n_q: usize) -> Result<Substructure, Fault> {
+    let (n, rows) = (space.n, &space.named);
+    let named = independent(rows, &space.flexibility, n);
     let p: Vec<f64> = named.iter().flat_map(|i| rows[*i].clone()).collect();
     let m = named.len();
-    let dpt = dense::product(&reduced.flexibility, &dense::transpose(&p, m, n), n, n, m);
+    let dpt = dense::product(&space.flexibility, &dense::transpose(&p, m, n), n, n, m);
     let small = dense::product(&p, &dpt, m, n, m);
-    let inverse = dense::solve(&small, m, &dense::identity(m), m).unwrap_or_default();
+    let inverse = dense::solve(&small, m, &dense::identity(m), m).ok_or_else(|| faults::unconfirmed(1.0, 0.0))?;
     let fixed = dense::product(&dpt, &inverse, n, m, m);
-    let free = resting(&p, &reduced, m, count)?;
+    let free = resting(&p, &space, m)?;
     let amplitudes = free.len();
     let width = m + amplitudes;
     let mut local = vec![0.0; n * width];
@@ -54,7 +147,7 @@ pub fn substructure(frame: &Frame<f64>, assembly: &Assembly<f64>, condensation: 
         (0..m).for_each(|j| local[i * width + j] = fixed[i * m + j]);
         free.iter().enumerate().for_each(|(j, shape)| local[i * width + m + j] = shape[i]);
     }
-    let mut stiffness = dense::congruence(&reduced.stiffness, &local, n, width);
+    let mut stiffness = dense::congruence(&space.stiffness, &local, n, width);
     // exactly uncoupled; what rounding leaves would look like a spring
     for i in 0..m {
         for j in m..width {
@@ -65,11 +158,11 @@ pub fn substructure(frame: &Frame<f64>, assembly: &Assembly<f64>, condensation: 
     for i in m..width {
         (m..width).filter(|j| *j != i).for_each(|j| stiffness[i * width + j] = 0.0);
     }
-    let mut mass = dense::congruence(&reduced.mass, &local, n, width);
+    let mut mass = dense::congruence(&space.mass, &local, n, width);
     for i in m..width {
         (m..width).for_each(|j| mass[i * width + j] = f64::from(u8::from(i == j)));
     }
-    Ok(Substructure { named, amplitudes, mass, stiffness, basis: dense::product(&reduced.basis, &local, n_q, n, width), n_q })
+    Ok(Substructure { named, amplitudes, mass, stiffness, basis: dense::product(&space.basis, &local, n_q, n, width), n_q })
 }
 
 /// The functionals that are independent of those before them, in the metric of the flexibility.
@@ -98,22 +191,23 @@ fn energy(a: &[f64], b: &[f64], flexibility: &[f64], n: usize) -> f64 {
     a.iter().zip(&d).map(|(x, y)| x * y).sum()
 }
 
-/// The lowest oscillations in which the named displacements rest, xᵀ M x = 1.
-fn resting(p: &[f64], reduced: &super::reduced::Reduced<f64>, m: usize, count: usize) -> Result<Vec<Vec<f64>>, Fault> {
-    let n = reduced.n();
+/// The oscillations in which the named displacements rest, xᵀ M x = 1.
+fn resting(p: &[f64], space: &Space, m: usize) -> Result<Vec<Vec<f64>>, Fault> {
+    let n = space.n;
     if m >= n {
         return Ok(Vec::new());
     }
     // columns that solve P x = 0: the pivots of P follow the others
     let rows: Vec<super::constraints::Row<f64>> =
-        (0..m).map(|i| (0..n).filter(|j| p[i * n + j].abs() > 1e-14).map(|j| (j, p[i * n + j])).collect()).collect();
+        (0..m).map(|i| (0..n).filter(|j| p[i * n + j] != 0.0).map(|j| (j, p[i * n + j])).collect()).collect();
     let elimination = super::constraints::eliminate(n, &rows, &|i| i);
     let k = elimination.free.len();
     let mut basis = vec![0.0; n * k];
     for (i, row) in elimination.transform.iter().enumerate() {
         row.iter().for_each(|(j, c)| basis[i * k + j] = *c);
     }
-    let (stiffness, mass) = (dense::congruence(&reduced.stiffness, &basis, n, k), dense::congruence(&reduced.mass, &basis, n, k));
-    let found = crate::studies::structure_modes::lowest_dense(&stiffness, &mass, k, count)?;
+    let (stiffness, mass) = (dense::congruence(&space.stiffness, &basis, n, k), dense::congruence(&space.mass, &basis, n, k));
+    let (found, certificate) = lowest_dense(&stiffness, &mass, k, k)?;
+    confirmed(&certificate)?;
     Ok((0..found.values.len()).map(|j| dense::product(&basis, found.shape(j), n, k, 1)).collect())
 }

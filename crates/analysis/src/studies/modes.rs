@@ -15,7 +15,9 @@ use symbolic::Text;
 use crate::dataset::Audit;
 use crate::fault::Message;
 use crate::linear::{Matrices, largest, parts};
+use crate::numerics::certify::certify;
 use crate::numerics::eigen;
+use crate::numerics::sparse::Sparse;
 use crate::{Fault, Quantity};
 
 /// How shapes are scaled.
@@ -183,10 +185,12 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
         notes.extend(normalise(mode, &system.mass, normalisation).map(|what| what(i + 1)));
     }
     notes.extend(remarks(&list));
-    let audits = match kind {
+    let mut audits = match kind {
         Damping::General => vec![residual(system, &list)],
         _ => vec![orthogonality(system, &stiffness, &list)],
     };
+    let pencil = (Sparse::from_dense(n, &stiffness)?, Sparse::from_dense(n, &system.mass)?);
+    audits.extend(certify(&pencil.0, &pencil.1, &undamped, n)?.audits());
     let frequency = |v: &f64| if *v < 0.0 { f64::NAN } else { v.sqrt() };
     let undamped = values.iter().map(frequency).collect();
     Ok(Modes { modes: list, damping: kind, gyroscopic: turns, circulatory: follows, undamped, audits, notes })

@@ -4,11 +4,12 @@
 //! equation det(I - λ D M) = 0, λ = ω², has exact coefficients. Large ones are solved sparse for the lowest modes.
 
 use crate::dataset::{Audit, Column, Counter, Dataset};
+use crate::numerics::certify::{Certificate, certify};
 use crate::numerics::{eigen, sparse};
 use crate::structure::assembly::Sparse;
 use crate::structure::equilibrium::{EXACT, SEARCHED, describe, standing, stands_undivided};
 use crate::structure::reduced::{Condensation, Reduced, quantity, reduce};
-use crate::structure::{Assembly, Frame, continuum, dense, faults};
+use crate::structure::{Assembly, Frame, RodKind, continuum, dense, faults};
 use crate::{Fault, Quantity};
 use symbolic::{Rational, Text};
 
@@ -57,6 +58,10 @@ pub struct Mode {
     pub shape: Vec<f64>,
     /// Displacements of all freedoms of the assembly, in the scale of `shape`.
     pub freedoms: Vec<f64>,
+    /// Bound of the relative error of ω² by the residual.
+    pub residual: f64,
+    /// Number of modes below it by Sturm's count; none when no count was certain.
+    pub below: Option<usize>,
 }
 
 /// What the study finds.
@@ -89,12 +94,67 @@ pub fn modes(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Mode
     stands_undivided(frame, exact)?;
     let mut found = match options.accuracy {
         Some(wanted) => refined(frame, options, wanted)?,
-        None => plain(frame, exact, options)?,
+        None => {
+            let mut found = plain(frame, exact, options)?;
+            found.dataset.notes.extend(coarse(frame, options, &found.modes));
+            found
+        }
     };
+    finite(&found)?;
     if options.continuum {
         beside(&mut found);
     }
     Ok(found)
+}
+
+/// The modes of the frame as it is, without further words; none when they fail.
+pub fn modes_alone(frame: &Frame<f64>, options: &Modes) -> Option<Vec<Mode>> {
+    plain(frame, None, options).ok().map(|found| found.modes)
+}
+
+/// Overflow is no frequency.
+fn finite(found: &StructureModes) -> Result<(), Fault> {
+    let good = |m: &Mode| m.omega.is_finite() && m.omega > 0.0 && m.freedoms.iter().all(|v| v.is_finite());
+    if found.modes.iter().all(good) { Ok(()) } else { Err(faults::extreme(&found.frame)) }
+}
+
+/// Share by which a frequency may differ from that of a finer division without a remark.
+const COARSE: f64 = 0.05;
+/// Largest number of freedoms of a frame that is computed once more with a finer division.
+const COMPARED: usize = 20_000;
+
+/// What a division of all rods into twice as many parts says about the modes, when some are off: rods with mass take the static shape that
+/// their ends give them, which is wrong where the wave is not long beside a part.
+pub fn coarse(frame: &Frame<f64>, options: &Modes, modes: &[Mode]) -> Option<Text> {
+    let bends = |r: &crate::structure::Rod<f64>| matches!(r.kind, RodKind::Beam { .. }) && r.mass > 0.0;
+    let parts: usize = frame.rods.iter().map(|r| 6 * r.divisions).sum();
+    if !frame.rods.iter().any(bends) || parts > COMPARED {
+        return None;
+    }
+    let mut finer = frame.clone();
+    finer.displacements.clear();
+    finer.rods.iter_mut().filter(|r| matches!(r.kind, RodKind::Beam { .. })).for_each(|r| r.divisions *= 2);
+    let options = Modes { condensation: Condensation::Massless, count: modes.len(), ..options.clone() };
+    let better = plain(&finer, None, &options).ok()?;
+    let off = |(i, (m, b)): (usize, (&Mode, &Mode))| {
+        let share = m.omega / b.omega - 1.0;
+        (share.abs() > COARSE).then(|| (i + 1, 100.0 * share))
+    };
+    let list: Vec<(usize, f64)> = modes.iter().zip(&better.modes).enumerate().filter_map(off).collect();
+    if list.is_empty() {
+        return None;
+    }
+    let said = |of: &str| list.iter().map(|(i, share)| format!("{i} ({share:+.0} %)")).collect::<Vec<_>>().join(of);
+    Some(Text::new(
+        format!(
+            "warning: coarse model: with rods in twice as many parts the frequencies of these modes differ: {}; give [structure] an `accuracy` or the rods more `divisions`",
+            said(", ")
+        ),
+        format!(
+            "внимание: грубая модель: при вдвое большем числе частей стержней частоты этих форм другие: {}; задайте `accuracy` в [structure] или большее `divisions` стержням",
+            said(", ")
+        ),
+    ))
 }
 
 /// The exact frequencies of the distributed mass as a column, and how far the modes are from them.
@@ -125,21 +185,22 @@ fn plain(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -
     if assembly.n() == 0 {
         return Err(faults::massless());
     }
-    if assembly.n() > SEARCHED {
+    if assembly.n() > SEARCHED && options.condensation != Condensation::Turns {
         return large(frame, assembly, options);
     }
     let reduced = reduce(frame, &assembly, options.condensation)?;
     let n = reduced.n();
-    let found = lowest_dense(&reduced.stiffness, &reduced.mass, n, options.count)?;
+    let (found, certificate) = lowest_dense(&reduced.stiffness, &reduced.mass, n, options.count)?;
     let expand = |x: &[f64]| assembly.elimination.expand(&dense::product(&reduced.basis, x, reduced.n_q, n, 1));
     let shown = Shown::of(frame, &assembly, reduced.named.then_some(&reduced));
-    let modes = shown.modes(&found, &reduced.coordinates, &expand, options.normalise);
+    let modes = shown.modes(&found, &certificate, &expand, options.normalise);
     let exact = exact.filter(|_| n <= EQUATION && assembly.n() <= EXACT);
     let exact = exact.and_then(|f| reduce(f, &Assembly::of(f), options.condensation).ok());
     let equation = exact.as_ref().map(|r| frequency_equation(r, n));
     let coordinates = shown.coordinates(&reduced.coordinates);
     let orthogonality = orthogonality(&found, &reduced.mass, n);
-    let dataset = dataset(&modes, &coordinates, orthogonality, assembly.n());
+    let mut dataset = dataset(&modes, &coordinates, orthogonality, assembly.n());
+    dataset.audits.extend(certificate.audits());
     Ok(StructureModes {
         dataset,
         modes,
@@ -168,25 +229,29 @@ fn large(frame: &Frame<f64>, assembly: Assembly<f64>, options: &Modes) -> Result
     if m.entries.iter().all(|e| e.2 == 0.0) {
         return Err(faults::massless());
     }
-    let found = eigen::lowest(&compressed(&k)?, &compressed(&m)?, options.count, eigen::Options::default())?;
-    let found = found.modes;
+    let (found, certificate) = lowest_sparse(&k, &m, options.count)?;
     let n = assembly.n();
-    if let Some(first) = found.values.first().filter(|v| free(**v, &found.values)) {
-        let _ = first;
+    if found.values.first().is_some_and(|v| free(*v, &found.values)) {
         let motion = assembly.elimination.expand(found.shape(0));
         let (node, words) = describe(frame, &assembly, &motion);
         return Err(faults::mechanism(&node, &words, 1));
     }
-    let all: Vec<Quantity> = Vec::new();
     let shown = Shown::of(frame, &assembly, None);
     let expand = |x: &[f64]| assembly.elimination.expand(x);
-    let modes = shown.modes(&found, &all, &expand, options.normalise);
-    let coordinates = shown.coordinates(&all);
+    let modes = shown.modes(&found, &certificate, &expand, options.normalise);
+    let coordinates = shown.coordinates(&[]);
     let worst = (0..found.values.len())
         .flat_map(|i| (0..i).map(move |j| (i, j)))
         .map(|(i, j)| m.apply(found.shape(i)).iter().zip(found.shape(j)).map(|(a, b)| a * b).sum::<f64>().abs())
         .fold(0.0, f64::max);
-    let dataset = dataset(&modes, &coordinates, worst, n);
+    let mut dataset = dataset(&modes, &coordinates, worst, n);
+    dataset.audits.extend(certificate.audits());
+    if options.condensation == Condensation::Automatic && frame.rods.iter().all(|r| r.divisions == 1) {
+        dataset.notes.push(Text::new(
+            format!("more than {SEARCHED} independent displacements: turns of nodes keep their inertia (condense = false)"),
+            format!("более {SEARCHED} независимых перемещений: повороты узлов сохраняют инерцию (condense = false)"),
+        ));
+    }
     Ok(StructureModes {
         dataset,
         modes,
@@ -211,19 +276,33 @@ pub(crate) fn compressed(matrix: &Sparse<f64>) -> Result<sparse::Sparse, Fault> 
     sparse::Sparse::from_triplets(&triplets)
 }
 
-/// The lowest modes of small matrices; M may be singular.
-pub(crate) fn lowest_dense(stiffness: &[f64], mass: &[f64], n: usize, count: usize) -> Result<eigen::Modes, Fault> {
-    let mut modes = match eigen::symmetric(n, stiffness, mass) {
+/// Modes beyond the wanted ones, so that Sturm's count finds a gap above the last wanted one.
+const BEYOND: usize = 2;
+
+/// The lowest modes of small matrices, M may be singular, with their certificate.
+pub(crate) fn lowest_dense(stiffness: &[f64], mass: &[f64], n: usize, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
+    let (k, m) = (sparse::Sparse::from_dense(n, stiffness)?, sparse::Sparse::from_dense(n, mass)?);
+    let modes = match eigen::symmetric(n, stiffness, mass) {
         Ok(modes) => modes,
-        Err(_) => {
-            let (k, m) = (sparse::Sparse::from_dense(n, stiffness)?, sparse::Sparse::from_dense(n, mass)?);
-            eigen::lowest(&k, &m, n, eigen::Options::default())?.modes
-        }
+        Err(_) => eigen::lowest(&k, &m, n, eigen::Options::default())?.modes,
     };
+    certified(&k, &m, modes, count)
+}
+
+/// The lowest modes of sparse matrices with their certificate.
+pub(crate) fn lowest_sparse(k: &Sparse<f64>, m: &Sparse<f64>, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
+    let (k, m) = (compressed(k)?, compressed(m)?);
+    let modes = eigen::lowest(&k, &m, count + BEYOND, eigen::Options::default())?.modes;
+    certified(&k, &m, modes, count)
+}
+
+/// Checks the lowest `count` modes and leaves the others out.
+fn certified(k: &sparse::Sparse, m: &sparse::Sparse, mut modes: eigen::Modes, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
     let count = count.min(modes.values.len());
+    let certificate = certify(k, m, &modes, count)?;
     modes.values.truncate(count);
-    modes.vectors.truncate(count * n);
-    Ok(modes)
+    modes.vectors.truncate(count * modes.n);
+    Ok((modes, certificate))
 }
 
 /// Largest x_iᵀ M x_j of different modes with x_iᵀ M x_i = 1.
@@ -262,7 +341,13 @@ impl Shown {
         if self.direct { own.to_vec() } else { self.quantities.clone() }
     }
 
-    fn modes(&self, found: &eigen::Modes, _: &[Quantity], expand: &dyn Fn(&[f64]) -> Vec<f64>, normalise: Normalise) -> Vec<Mode> {
+    fn modes(
+        &self,
+        found: &eigen::Modes,
+        certificate: &Certificate,
+        expand: &dyn Fn(&[f64]) -> Vec<f64>,
+        normalise: Normalise,
+    ) -> Vec<Mode> {
         let one = |j: usize| {
             let x = found.shape(j);
             let mut freedoms = expand(x);
@@ -272,7 +357,8 @@ impl Shown {
             };
             let divisor = scale(&shape, &freedoms, normalise);
             shape.iter_mut().chain(&mut freedoms).for_each(|v| *v /= divisor);
-            Mode { omega: found.values[j].max(0.0).sqrt(), shape, freedoms }
+            let (residual, below) = (certificate.residuals[j], certificate.below(j));
+            Mode { omega: found.values[j].max(0.0).sqrt(), shape, freedoms, residual, below }
         };
         (0..found.values.len()).map(one).collect()
     }
@@ -303,7 +389,10 @@ fn refined(frame: &Frame<f64>, options: &Modes, wanted: f64) -> Result<Structure
     loop {
         divisions *= 2;
         let next = plain(&frame.divided(divisions), None, options)?;
-        let change = last.modes.iter().zip(&next.modes).map(|(a, b)| (a.omega / b.omega - 1.0).abs() / 15.0).fold(0.0, f64::max);
+        // a coarse division may have fewer modes than are wanted
+        let all = last.modes.len() == next.modes.len();
+        let change = last.modes.iter().zip(&next.modes).map(|(a, b)| (a.omega / b.omega - 1.0).abs() / 15.0);
+        let change = change.fold(if all { 0.0 } else { 1.0 }, f64::max);
         last = next;
         if change <= wanted || divisions >= 256 {
             let name =

@@ -3,7 +3,7 @@
 
 use crate::dataset::{Audit, Column, Counter, Dataset};
 use crate::structure::equilibrium::{EXACT, SEARCHED, Standing, stands};
-use crate::structure::statics::{Statics, Station, dense_solver, product, solve, sparse_solver};
+use crate::structure::statics::{Solver, Statics, Station, dense_solver, product, solve, sparse_solver};
 use crate::structure::truss::{Joint, Section, is_truss, joints, sections};
 use crate::structure::{Action, Assembly, Component, Displacement, Frame, Load, Scalar};
 use crate::{Fault, Quantity};
@@ -12,11 +12,16 @@ use symbolic::{Rational, Text};
 /// Places between the ends of a part where a curved diagram is shown.
 const BETWEEN: usize = 15;
 
+/// Largest number of independent freedoms of a frame whose flexibility matrix is shown.
+const FLEXIBLE: usize = 400;
+
 /// What the study finds.
 #[derive(Clone, Debug)]
 pub struct StructureStatics {
     /// Stations of all rods, one after another.
     pub dataset: Dataset,
+    /// Sums of loads and reactions.
+    pub balance: Balance,
     /// How the structure stands.
     pub standing: Standing,
     /// The state.
@@ -68,16 +73,20 @@ pub fn statics(frame: &Frame<f64>, exact: Option<&Frame<Rational>>) -> Result<St
     };
     let exact_state = exact.as_ref().zip(exact_assembly.as_ref()).filter(|(e, _)| e.loads.len() == frame.loads.len());
     let exact_state = exact_state.map(|(e, a)| solve(e, a, &e.loads, &dense_solver(e, a))).transpose()?;
+    let solver: Box<Solver<f64>> = match assembly.n() > SEARCHED {
+        true => Box::new(sparse_solver(&frame, &assembly)?),
+        false => Box::new(dense_solver(&frame, &assembly)),
+    };
     let state = match &exact_state {
         Some(state) => state.machine(),
-        None if assembly.n() > SEARCHED => solve(&frame, &assembly, &frame.loads, &sparse_solver(&frame, &assembly)?)?,
-        None => solve(&frame, &assembly, &frame.loads, &dense_solver(&frame, &assembly))?,
+        None => solve(&frame, &assembly, &frame.loads, &*solver)?,
     };
     let diagrams: Vec<Vec<Station<f64>>> = (0..frame.rods.len()).map(|i| state.stations(&assembly, i, BETWEEN)).collect();
-    let small = assembly.n() <= SEARCHED && frame.displacements.len() <= 12;
-    let flexibility = small.then(|| flexibility(&frame, &assembly)).transpose()?;
+    let small = assembly.n() <= FLEXIBLE && frame.displacements.len() <= 12;
+    let flexibility = small.then(|| flexibility(&frame, &assembly, &*solver)).transpose()?;
     let exact_flexibility = exact.as_ref().zip(exact_assembly.as_ref()).filter(|_| small);
-    let exact_flexibility = exact_flexibility.and_then(|(e, a)| self::flexibility(e, a).ok());
+    let exact_flexibility = exact_flexibility.and_then(|(e, a)| self::flexibility(e, a, &dense_solver(e, a)).ok());
+    drop(solver);
     let value = |d: &Displacement<f64>| {
         let row = assembly.functional(&frame, &d.place, &d.component);
         row.iter().map(|(i, c)| c * state.freedoms[*i]).sum()
@@ -87,11 +96,13 @@ pub fn statics(frame: &Frame<f64>, exact: Option<&Frame<Rational>>) -> Result<St
     let (joints, sections) =
         if truss { (joints(&frame, &assembly, &state), sections(&frame, &assembly, &state)) } else { (Vec::new(), Vec::new()) };
     let mut dataset = dataset(&diagrams, &standing);
-    dataset.audits.push(balance(&frame, &state));
+    let balance = balance(&frame, &state);
+    dataset.audits.extend(balance.audits());
     dataset.audits.extend(sections_agree(&sections, &state, &assembly));
     dataset.audits.extend(flexibility.as_ref().filter(|f| !f.matrix.is_empty()).map(products_agree));
     Ok(StructureStatics {
         dataset,
+        balance,
         standing,
         exact: exact_state,
         diagrams,
@@ -109,13 +120,12 @@ pub fn statics(frame: &Frame<f64>, exact: Option<&Frame<Rational>>) -> Result<St
 /// The flexibility matrix by unit forces along the named displacements.
 ///
 /// *Errors*: as the statics.
-pub fn flexibility<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<Flexibility<S>, Fault> {
+pub fn flexibility<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, solver: &Solver<S>) -> Result<Flexibility<S>, Fault> {
     let n = frame.displacements.len();
-    let solver = dense_solver(frame, assembly);
     let mut diagrams = Vec::new();
     let mut displacements = vec![S::zero(); n * n];
     for (j, d) in frame.displacements.iter().enumerate() {
-        let state = solve(frame, assembly, &[unit(d)], &solver)?;
+        let state = solve(frame, assembly, &[unit(d)], solver)?;
         diagrams.push((0..frame.rods.len()).map(|rod| state.stations(assembly, rod, 0)).collect::<Vec<_>>());
         for (i, other) in frame.displacements.iter().enumerate() {
             let row = assembly.functional(frame, &other.place, &other.component);
@@ -173,20 +183,53 @@ fn resampled<S: Scalar>(diagram: &[Station<S>], cuts: &[S]) -> Vec<Station<S>> {
     out
 }
 
-/// Sum of all loads and reactions, forces and moments about the origin, relative to their sizes.
-fn balance(frame: &Frame<f64>, state: &Statics<f64>) -> Audit {
-    let mut sums = [0.0_f64; 3];
+/// Sums along x and y and of moments about the origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Balance {
+    /// Of all loads.
+    pub loads: [f64; 3],
+    /// Of all supports and springs.
+    pub reactions: [f64; 3],
+    /// Of the absolute values of all terms.
+    pub sizes: [f64; 3],
+}
+
+impl Balance {
+    /// What is left of each sum, relative to its terms, each with its own size.
+    fn audits(&self) -> [Audit; 2] {
+        let left = |k: usize| (self.loads[k] + self.reactions[k]).abs();
+        let over = |rest: f64, size: f64| if size > 0.0 { rest / size } else { rest };
+        let forces = over(left(0).max(left(1)), self.sizes[0].max(self.sizes[1]));
+        [
+            Audit::at_most("balance", Text::new("balance of loads and reactions", "равновесие нагрузок и реакций"), forces, 1e-9),
+            Audit::at_most(
+                "balance_moments",
+                Text::new("balance of moments of loads and reactions", "равновесие моментов нагрузок и реакций"),
+                over(left(2), self.sizes[2]),
+                1e-9,
+            ),
+        ]
+    }
+}
+
+/// Sum of all loads and reactions, forces and moments about the origin.
+fn balance(frame: &Frame<f64>, state: &Statics<f64>) -> Balance {
+    let mut balance = Balance::default();
     let mut sizes = [0.0_f64; 3];
+    let mut sums = [0.0_f64; 3];
     let mut add = |at: [f64; 2], f: [f64; 3]| {
         let terms = [[f[0], 0.0, 0.0], [f[1], 0.0, 0.0], [f[2], at[0] * f[1], -at[1] * f[0]]];
         for k in 0..3 {
             sums[k] += terms[k].iter().sum::<f64>();
             sizes[k] += terms[k].iter().map(|t| t.abs()).sum::<f64>();
         }
+        sums
     };
     for load in &frame.loads {
         match &load.action {
-            Action::Point { at, value } => add(point(frame, at), *value),
+            Action::Point { at, value } => {
+                add(point(frame, at), *value);
+            }
             Action::Distributed { rod, value } => {
                 let r = &frame.rods[*rod];
                 let start = frame.nodes[r.ends[0]].at;
@@ -198,16 +241,18 @@ fn balance(frame: &Frame<f64>, state: &Statics<f64>) -> Audit {
             }
         }
     }
+    balance.loads = add([0.0; 2], [0.0; 3]);
+    let mut sums = balance.loads;
     for (support, r) in frame.supports.iter().zip(&state.reactions) {
         let [c, s] = support.axis;
-        add(frame.nodes[support.node].at, [c * r[0] - s * r[1], s * r[0] + c * r[1], r[2]]);
+        sums = add(frame.nodes[support.node].at, [c * r[0] - s * r[1], s * r[0] + c * r[1], r[2]]);
     }
     for (node, f) in frame.nodes.iter().zip(&state.springs) {
-        add(node.at, *f);
+        sums = add(node.at, *f);
     }
-    let largest = sizes.iter().fold(0.0_f64, |m, s| m.max(*s));
-    let worst = sums.iter().fold(0.0_f64, |m, s| m.max(s.abs())) / if largest > 0.0 { largest } else { 1.0 };
-    Audit::at_most("balance", Text::new("balance of loads and reactions", "равновесие нагрузок и реакций"), worst, 1e-9)
+    balance.reactions = [0, 1, 2].map(|k| sums[k] - balance.loads[k]);
+    balance.sizes = sizes;
+    balance
 }
 
 fn point(frame: &Frame<f64>, place: &crate::structure::Place<f64>) -> [f64; 2] {

@@ -92,7 +92,7 @@ pub const SECTION: TableSpec = TableSpec {
         PART_ANGLE,
         LABEL,
     ],
-    example: "[sections.girder]\nparts = [\n  { profile = \"I20\" },\n  { rectangle = [\"12 cm\", \"1 cm\"], at = [\"0\", \"10,5 cm\"] },\n  { circle = \"1 cm\", at = [\"0\", \"5 cm\"], remove = true },\n]\n",
+    example: "[sections.girder]\nparts = [\n  { profile = \"I20\" },\n  { rectangle = [\"12 cm\", \"1 cm\"], at = [\"0\", \"10,5 cm\"] },\n  { circle = \"4 mm\", at = [\"0\", \"10,5 cm\"], remove = true },\n]\n",
 };
 
 /// `parts = [{ ... }]`.

@@ -187,7 +187,7 @@ pub const STRUCTURE: TableSpec = TableSpec {
             "condense",
             Type::Bool,
             "",
-            "true for undivided rods",
+            "true for undivided rods of frames with at most 100 independent displacements",
             (
                 "whether turns of nodes that carry inertia follow the other displacements statically",
                 "следуют ли повороты узлов, несущие инерцию, за остальными перемещениями статически",
@@ -201,8 +201,8 @@ pub const STRUCTURE: TableSpec = TableSpec {
             "1",
             "",
             (
-                "wanted relative accuracy of the frequencies: rods are divided until it is reached",
-                "нужная относительная точность частот: стержни делятся, пока она не достигнута",
+                "wanted relative accuracy of the frequencies: rods are divided until it is reached, in every study",
+                "нужная относительная точность частот: стержни делятся, пока она не достигнута, в любом расчёте",
             ),
             "1e-8",
         ),

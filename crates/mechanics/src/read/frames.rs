@@ -296,29 +296,46 @@ fn point<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>) -> Poin
     Point { name, on, at, span: fields.span.clone() }
 }
 
-/// The acceleration of gravity; `None` when off or when no body feels it.
-pub(super) fn gravity<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, frames: &[Frame]) -> Option<[Expr; 3]> {
+/// The acceleration of gravity, where it acts.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Gravity {
+    /// On bodies; `None` when off or when no body feels it.
+    pub bodies: Option<[Expr; 3]>,
+    /// On nodes and rods, when the file gives it.
+    pub structure: Option<[Expr; 3]>,
+}
+
+/// Reads `gravity`; what does not stand in the file acts on bodies only.
+pub(super) fn gravity<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, frames: &[Frame]) -> Gravity {
     let felt = frames.iter().filter_map(|f| f.mass.as_ref()).any(|m| m.gravity && !reader.builder.graph.is_zero(m.mass));
+    let stands = !reader.structure.nodes.is_empty();
     let zero = reader.builder.graph.zero();
+    let down = |reader: &mut Reader, size: Expr| [zero, reader.builder.graph.neg(size), zero];
     let vector = match top.get("gravity").map(|v| (v, v.get_ref())) {
-        Some((_, DeValue::Boolean(false))) => return None,
+        Some((_, DeValue::Boolean(false))) => return Gravity::default(),
         Some((value, DeValue::Array(_))) => components(reader, value, &Context::CONSTANT, &Dimension::ACCELERATION),
         Some((value, DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_))) => {
-            let raw = reader.raw(value)?;
+            let Some(raw) = reader.raw(value) else { return Gravity::default() };
             let size = reader.value(&raw, &Context::CONSTANT, Some(&Dimension::ACCELERATION)).expr;
-            [zero, reader.builder.graph.neg(size), zero]
+            down(reader, size)
         }
-        None | Some((_, DeValue::Boolean(true))) if felt => {
+        Some((_, DeValue::Boolean(true))) if felt || stands => {
             let size = default_gravity(reader);
-            [zero, reader.builder.graph.neg(size), zero]
+            down(reader, size)
         }
-        None | Some((_, DeValue::Boolean(true))) => return None,
+        None if felt => {
+            let size = default_gravity(reader);
+            down(reader, size)
+        }
+        None | Some((_, DeValue::Boolean(true))) => return Gravity::default(),
         Some((value, other)) => {
             reader.fault(wrong_type(value.span(), "false, a formula or a vector", "false, формула или вектор", other.type_str()));
-            return None;
+            return Gravity::default();
         }
     };
-    (felt && vector.iter().any(|e| *e != zero)).then_some(vector)
+    let acts = vector.iter().any(|e| *e != zero);
+    let given = stands && acts && top.has("gravity");
+    Gravity { bodies: (felt && acts).then_some(vector), structure: given.then_some(vector) }
 }
 
 fn default_gravity<'a>(reader: &mut Reader<'a>) -> Expr {

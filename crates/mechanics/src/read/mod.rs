@@ -13,6 +13,7 @@ mod outputs;
 mod overrides;
 mod parameters;
 mod phases;
+mod plane;
 mod ranges;
 mod reader;
 mod sections;
@@ -129,6 +130,9 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
     let events = events::read(reader, &top);
+    if let Some(acceleration) = gravity.structure {
+        plane::weight(reader, &top, acceleration);
+    }
     let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
     let variants = variants::read(reader, &top);
@@ -146,7 +150,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         time: builder.time,
         graph: builder.graph,
         requests: builder.requests,
-        gravity,
+        gravity: gravity.bodies,
         parameters,
         coordinates,
         frames,

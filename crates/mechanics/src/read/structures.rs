@@ -4,6 +4,7 @@
 
 use super::frames::two_names;
 use super::parameters::names;
+use super::plane;
 use super::reader::{Checked, Fields, Reader, components, short, string, wrong_type};
 use crate::fault::{Fault, nearest};
 use crate::fields;
@@ -30,11 +31,11 @@ const PARTS: i64 = 100_000;
 /// What is read so far.
 #[derive(Default)]
 pub(super) struct Draft {
-    nodes: Vec<Node>,
+    pub(super) nodes: Vec<Node>,
     node_index: HashMap<String, usize>,
-    rods: Vec<Rod>,
+    pub(super) rods: Vec<Rod>,
     rod_index: HashMap<String, usize>,
-    loads: Vec<Load>,
+    pub(super) loads: Vec<Load>,
     /// Area and second moment by name.
     sections: HashMap<String, (Expr, Expr)>,
 }
@@ -46,7 +47,7 @@ pub(super) fn nodes<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, sections: &[S
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }
-        let at = fields.vector(reader, "at", &Context::CONSTANT, &Dimension::LENGTH);
+        let at = plane_vector(reader, &fields, "at", &Context::CONSTANT, &Dimension::LENGTH);
         let mass = positive(reader, &fields, "mass", &Dimension::MASS, false);
         let inertia = positive(reader, &fields, "inertia", &Dimension::INERTIA, false);
         let springs = [("spring_x", STIFFNESS), ("spring_y", STIFFNESS), ("spring_turn", Dimension::ENERGY)];
@@ -55,8 +56,16 @@ pub(super) fn nodes<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, sections: &[S
         let [mass, inertia] = [mass, inertia].map(|e| e.unwrap_or(zero));
         let springs = springs.map(|e| e.unwrap_or(zero));
         reader.structure.node_index.insert(name.clone(), reader.structure.nodes.len());
-        reader.structure.nodes.push(Node { name, at: [at[0], at[1]], mass, inertia, springs, span: fields.span.clone() });
+        reader.structure.nodes.push(Node { name, at, mass, inertia, springs, span: fields.span.clone() });
     }
+}
+
+/// A vector in the plane under a key; zeros without it.
+fn plane_vector<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, context: &Context, wanted: &Dimension) -> [Expr; 2] {
+    let zero = reader.builder.graph.zero();
+    let Some(value) = fields.get(key) else { return [zero; 2] };
+    let parts = components(reader, value, context, wanted);
+    plane::along(reader, value, parts)
 }
 
 /// The rows of a table that we share with the connections of bodies: ours, or the others.
@@ -362,7 +371,8 @@ pub(super) fn force<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>
         return false;
     }
     if let (Some(site), Some(value)) = (site(reader, fields, "at"), fields.get("value")) {
-        let [x, y, _] = components(reader, value, &Context::TIME, &Dimension::FORCE);
+        let parts = components(reader, value, &Context::TIME, &Dimension::FORCE);
+        let [x, y] = plane::along(reader, value, parts);
         let zero = reader.builder.graph.zero();
         reader.structure.loads.push(Load { name: name.to_owned(), action: Action::Point { site, value: [x, y, zero] } });
     }
@@ -375,7 +385,13 @@ pub(super) fn torque<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a
         return false;
     }
     if let Some(site) = site(reader, fields, "on") {
-        let couple = fields.formula_or_zero(reader, "value", &Context::TIME, Some(&Dimension::ENERGY)).expr;
+        let couple = match fields.get("value") {
+            Some(value) if value.get_ref().as_array().is_some() => {
+                let parts = components(reader, value, &Context::TIME, &Dimension::ENERGY);
+                plane::about(reader, value, parts)
+            }
+            _ => fields.formula_or_zero(reader, "value", &Context::TIME, Some(&Dimension::ENERGY)).expr,
+        };
         let zero = reader.builder.graph.zero();
         reader.structure.loads.push(Load { name: name.to_owned(), action: Action::Point { site, value: [zero, zero, couple] } });
     }
@@ -427,10 +443,9 @@ fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
             unknown(reader, &rod, span, true);
             continue;
         };
-        let start = fields.vector(reader, "value", &Context::TIME, &per_length);
-        let end = if fields.has("value_end") { fields.vector(reader, "value_end", &Context::TIME, &per_length) } else { start };
-        let value = [[start[0], start[1]], [end[0], end[1]]];
-        reader.structure.loads.push(Load { name, action: Action::Distributed { rod, value } });
+        let start = plane_vector(reader, &fields, "value", &Context::TIME, &per_length);
+        let end = if fields.has("value_end") { plane_vector(reader, &fields, "value_end", &Context::TIME, &per_length) } else { start };
+        reader.structure.loads.push(Load { name, action: Action::Distributed { rod, value: [start, end] } });
     }
 }
 
@@ -451,7 +466,8 @@ fn direction<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Directi
     match fields.get("direction").map(|v| (v, v.get_ref())) {
         None => Some(Direction::Along([zero, one])),
         Some((value, DeValue::Array(_))) => {
-            let [x, y, _] = components(reader, value, &Context::CONSTANT, &Dimension::NONE);
+            let parts = components(reader, value, &Context::CONSTANT, &Dimension::NONE);
+            let [x, y] = plane::along(reader, value, parts);
             Some(Direction::Along(unit(reader, x, y)))
         }
         Some((value, _)) => {

@@ -4,7 +4,7 @@ use super::modes::Found as ModesFound;
 use super::statics::Found as StaticsFound;
 use analysis::structure::statics::Station;
 use analysis::structure::{Assembly, Frame, elements};
-use report::figure::{Axis, Kind, Series};
+use report::figure::{Axis, Kind, Mark, Series};
 use report::unit::Scale;
 use report::{Figure, Language};
 
@@ -33,25 +33,167 @@ pub fn statics(found: &StaticsFound, language: Language) -> Vec<Figure> {
     if r.statics.freedoms.iter().any(|v| *v != 0.0) {
         let title = language.pick("Deflection, magnified", "Перемещения, увеличено").to_owned();
         let shape = deformed(&r.frame, &r.assembly, &r.statics.freedoms);
-        out.push(figure(
-            "deflection",
-            title,
-            vec![straight(&r.frame, language), curve("w", language.pick("deflected", "после нагружения"), shape)],
-        ));
+        let series = vec![straight(&r.frame, language), curve("w", language.pick("deflected", "после нагружения"), shape)];
+        let mut drawn = figure("deflection", title, series);
+        drawn.marks = names(&r.frame);
+        out.push(drawn);
     }
-    type Pick = fn(&Station<f64>) -> f64;
-    let kinds: [(&str, &str, &str, Pick); 3] = [
-        ("M", "Bending moments, drawn on the side in tension", "Изгибающие моменты, на растянутом волокне", |s| -s.moment),
-        ("V", "Shear forces", "Поперечные силы", |s| s.shear),
-        ("N", "Normal forces", "Продольные силы", |s| s.normal),
-    ];
-    for (symbol, en, ru, pick) in kinds {
-        if let Some(line) = ordinates(&r.frame, &r.diagrams, pick) {
-            let title = language.pick(en, ru).to_owned();
-            out.push(figure(&format!("diagram-{symbol}"), title, vec![straight(&r.frame, language), curve(symbol, "", line)]));
+    if r.frame.rods.iter().all(|rod| rod.is_bar()) && r.diagrams.iter().all(|d| uniform(d)) {
+        out.extend(tensions(found, language));
+        return out;
+    }
+    for diagram in &DIAGRAMS {
+        if let Some(line) = ordinates(&r.frame, &r.diagrams, diagram) {
+            let title = language.pick(diagram.en, diagram.ru).to_owned();
+            let scale = Scale::of_column(diagram.unit, largest(&r.diagrams, diagram.value));
+            let label = language.pick(diagram.words.0, diagram.words.1);
+            let series = curve(diagram.symbol, &format!("{label}, {}", scale.print(language)), line);
+            let mut drawn = figure(&format!("diagram-{}", diagram.symbol), title, vec![straight(&r.frame, language), series]);
+            drawn.marks = names(&r.frame);
+            drawn.marks.extend(values(&r.frame, &r.diagrams, diagram, &scale, language));
+            out.push(drawn);
         }
     }
     out
+}
+
+/// A diagram of section forces.
+struct Diagram {
+    symbol: &'static str,
+    unit: &'static str,
+    words: (&'static str, &'static str),
+    en: &'static str,
+    ru: &'static str,
+    value: fn(&Station<f64>) -> f64,
+    /// Sign of the ordinate to the left of the rod.
+    side: f64,
+}
+
+const DIAGRAMS: [Diagram; 3] = [
+    Diagram {
+        symbol: "M",
+        unit: "N m",
+        words: ("bending moment", "изгибающий момент"),
+        en: "Bending moments, drawn on the side in tension",
+        ru: "Изгибающие моменты, на растянутом волокне",
+        value: |s| s.moment,
+        side: -1.0,
+    },
+    Diagram {
+        symbol: "V",
+        unit: "N",
+        words: ("shear force", "поперечная сила"),
+        en: "Shear forces",
+        ru: "Поперечные силы",
+        value: |s| s.shear,
+        side: 1.0,
+    },
+    Diagram {
+        symbol: "N",
+        unit: "N",
+        words: ("normal force", "продольная сила"),
+        en: "Normal forces",
+        ru: "Продольные силы",
+        value: |s| s.normal,
+        side: 1.0,
+    },
+];
+
+/// Share of the largest value below which a value is zero in a drawing.
+const ZERO: f64 = 1e-9;
+/// Frames with more nodes or rods are drawn without words.
+const WORDS: usize = 40;
+
+fn largest(diagrams: &[Vec<Station<f64>>], value: fn(&Station<f64>) -> f64) -> f64 {
+    diagrams.iter().flatten().map(|s| value(s).abs()).fold(0.0, f64::max)
+}
+
+/// Whether a bar carries its force alone, without any load between its ends.
+fn uniform(diagram: &[Station<f64>]) -> bool {
+    diagram.len() <= 2 && diagram.iter().all(|s| s.shear == 0.0 && s.moment == 0.0)
+}
+
+/// A truss with its rods in tension and in compression, each with its force: diagrams across the rods would cover each other.
+fn tensions(found: &StaticsFound, language: Language) -> Option<Figure> {
+    let r = &found.result;
+    let top = largest(&r.diagrams, |s| s.normal);
+    if top == 0.0 {
+        return None;
+    }
+    let scale = Scale::of_column("N", top);
+    let force = |i: usize| r.diagrams[i].first().map_or(0.0, |s| s.normal);
+    let of = |wanted: &dyn Fn(f64) -> bool| {
+        let mut line = Line::default();
+        for (_, rod) in r.frame.rods.iter().enumerate().filter(|(i, _)| wanted(force(*i))) {
+            rod.ends.iter().for_each(|i| push(&mut line, r.frame.nodes[*i].at));
+            push(&mut line, [f64::NAN, f64::NAN]);
+        }
+        line
+    };
+    let unit = scale.print(language);
+    let pick = |en: &str, ru: &str| language.pick(format!("{en}, {unit}"), format!("{ru}, {unit}"));
+    let series = vec![
+        curve("N", &pick("tension (+)", "растяжение (+)"), of(&|v| v > ZERO * top)),
+        curve("N", &pick("compression (−)", "сжатие (−)"), of(&|v| v < -ZERO * top)),
+        curve("N", language.pick("no force", "усилия нет"), of(&|v| v.abs() <= ZERO * top)),
+    ];
+    let series = series.into_iter().filter(|s| !s.x.is_empty()).collect();
+    let mut drawn = figure("diagram-N", language.pick("Forces in the rods", "Усилия в стержнях").to_owned(), series);
+    drawn.marks = names(&r.frame);
+    if r.frame.rods.len() <= WORDS {
+        for (i, rod) in r.frame.rods.iter().enumerate() {
+            let [a, b] = rod.ends.map(|k| r.frame.nodes[k].at);
+            let label = signed(if force(i).abs() <= ZERO * top { 0.0 } else { force(i) }, &scale, language);
+            // diagonals that meet carry their values below the middle and to one side of it, apart from each other
+            let share = if a[1] == b[1] { 0.5 } else { 0.5 + 0.12 * (a[1] - b[1]).signum() };
+            let at = [0, 1].map(|k| a[k] + share * (b[k] - a[k]));
+            drawn.marks.push(Mark::Point { x: at[0], y: at[1], label });
+        }
+    }
+    Some(drawn)
+}
+
+/// A value with its sign, in the unit of the legend.
+fn signed(v: f64, scale: &Scale, language: Language) -> String {
+    let text = report::number::short(v / scale.size, 4, language);
+    if v > 0.0 { format!("+{text}") } else { text }
+}
+
+/// The nodes by name.
+fn names(frame: &Frame<f64>) -> Vec<Mark> {
+    let mark = |n: &analysis::structure::Node<f64>| Mark::Point { x: n.at[0], y: n.at[1], label: n.name.clone() };
+    if frame.nodes.len() > WORDS { Vec::new() } else { frame.nodes.iter().map(mark).collect() }
+}
+
+/// Values of a diagram at its corners and its largest value inside a rod; one where all are equal.
+fn values(frame: &Frame<f64>, diagrams: &[Vec<Station<f64>>], diagram: &Diagram, scale: &Scale, language: Language) -> Vec<Mark> {
+    let top = largest(diagrams, diagram.value);
+    let mut marks = Vec::new();
+    if frame.rods.len() > WORDS {
+        return marks;
+    }
+    for (rod, d) in frame.rods.iter().zip(diagrams).filter(|(_, d)| !d.is_empty()) {
+        let v = |i: usize| (diagram.value)(&d[i]);
+        let same = |a: f64, b: f64| (a - b).abs() <= 1e-6 * top;
+        let largest = (0..d.len()).max_by(|i, j| v(*i).abs().total_cmp(&v(*j).abs()).then(j.cmp(i))).unwrap_or(0);
+        let mut shown = match d.iter().all(|s| same((diagram.value)(s), v(0))) {
+            true => vec![(0.5 * rod.length, v(0))],
+            false => [0, largest, d.len() - 1].map(|i| (d[i].s, v(i))).to_vec(),
+        };
+        shown.dedup_by(|a, b| a == b || a.0 != b.0 && same(a.1, b.1) && (a.0 - b.0).abs() < 0.1 * rod.length);
+        for (s, value) in shown.into_iter().filter(|(_, v)| v.abs() > ZERO * top) {
+            let [x, y] = ordinate(frame, rod, s, SHARE * size(frame) / top * diagram.side * value);
+            marks.push(Mark::Point { x, y, label: signed(value, scale, language) });
+        }
+    }
+    marks
+}
+
+/// The place across a rod.
+fn ordinate(frame: &Frame<f64>, rod: &analysis::structure::Rod<f64>, at: f64, v: f64) -> [f64; 2] {
+    let start = frame.nodes[rod.ends[0]].at;
+    let [c, s] = rod.direction;
+    [start[0] + c * at - s * v, start[1] + s * at + c * v]
 }
 
 type Line = (Vec<f64>, Vec<f64>);
@@ -114,20 +256,17 @@ fn deformed(frame: &Frame<f64>, assembly: &Assembly<f64>, freedoms: &[f64]) -> L
 }
 
 /// A diagram drawn across the rods; none when it vanishes.
-fn ordinates(frame: &Frame<f64>, diagrams: &[Vec<Station<f64>>], pick: fn(&Station<f64>) -> f64) -> Option<Line> {
-    let largest = diagrams.iter().flatten().map(|s| pick(s).abs()).fold(0.0, f64::max);
+fn ordinates(frame: &Frame<f64>, diagrams: &[Vec<Station<f64>>], diagram: &Diagram) -> Option<Line> {
+    let largest = largest(diagrams, diagram.value);
     if largest == 0.0 {
         return None;
     }
-    let factor = SHARE * size(frame) / largest;
+    let factor = SHARE * size(frame) / largest * diagram.side;
     let mut line = Line::default();
-    for (rod, diagram) in frame.rods.iter().zip(diagrams) {
-        let start = frame.nodes[rod.ends[0]].at;
-        let [c, s] = rod.direction;
-        let place = |at: f64, v: f64| [start[0] + c * at - s * v, start[1] + s * at + c * v];
-        push(&mut line, place(0.0, 0.0));
-        diagram.iter().for_each(|station| push(&mut line, place(station.s, factor * pick(station))));
-        push(&mut line, place(rod.length, 0.0));
+    for (rod, stations) in frame.rods.iter().zip(diagrams) {
+        push(&mut line, ordinate(frame, rod, 0.0, 0.0));
+        stations.iter().for_each(|s| push(&mut line, ordinate(frame, rod, s.s, factor * (diagram.value)(s))));
+        push(&mut line, ordinate(frame, rod, rod.length, 0.0));
         push(&mut line, [f64::NAN, f64::NAN]);
     }
     Some(line)

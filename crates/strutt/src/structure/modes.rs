@@ -80,7 +80,7 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     let mode = |m: &structure_modes::Mode| {
         let shape: Map<String, Value> = result.coordinates.iter().zip(&m.shape).map(|(q, v)| (q.name.clone(), json!(v))).collect();
         json!({"omega": m.omega, "f": m.omega / tau, "T": tau / m.omega, "damping_ratio": 0.0, "omega_d": m.omega, "kind": "oscillation",
-            "shape": shape})
+            "shape": shape, "residual": m.residual, "modes_below": m.below})
     };
     own.insert("study".into(), json!("modes"));
     own.insert("coordinates".into(), result.coordinates.iter().map(|q| json!(q.name)).collect());

@@ -4,12 +4,14 @@
 
 use super::bind::{Bound, bind};
 use crate::failure::Trouble;
-use analysis::structure::equilibrium::{EXACT, SEARCHED, stands_undivided};
+use analysis::structure::equilibrium::{EXACT, stands_undivided};
 use analysis::structure::loads::loading;
 use analysis::structure::reduced::{Condensation, reduce};
 use analysis::structure::substructure::{Substructure, substructure};
 use analysis::structure::{Action, Assembly, Frame, Load, dense};
+use analysis::studies::structure_modes::{self, Modes};
 use mechanics::Model;
+use mechanics::diagnostic::Diagnostic;
 use mechanics::model::{
     self, Class, ConstantInertia, CoordinateDecl, Force, OutputDecl, ParameterDecl, ParameterValue, Pathway, Potential,
 };
@@ -20,6 +22,8 @@ use symbolic::{Expr, Rational, Text};
 type Entry = (usize, usize, f64, Option<Rational>);
 /// Largest number of freedoms of a frame without named displacements that becomes part of the machine.
 const NAMELESS: usize = 100;
+/// Largest number of freedoms of a frame that becomes part of the machine.
+const MOUNTED: usize = 20_000;
 /// Amplitudes without another wish.
 const AMPLITUDES: usize = 8;
 
@@ -27,14 +31,15 @@ const AMPLITUDES: usize = 8;
 ///
 /// # Errors
 /// Mechanisms and loose nodes.
-pub fn mount(model: &mut Model) -> Result<(), Box<Trouble>> {
-    let Some(structure) = model.structure.clone() else { return Ok(()) };
-    let bound = bind(model, &structure);
-    let found = coordinates(&structure, &bound).map_err(|fault| Box::new(Trouble::from(fault)))?;
+pub fn mount(model: &mut Model) -> Result<Vec<Diagnostic>, Box<Trouble>> {
+    let Some(structure) = model.structure.clone() else { return Ok(Vec::new()) };
+    let mut bound = bind(model, &structure);
+    let (found, remark) = coordinates(&structure, &mut bound).map_err(|fault| Box::new(Trouble::from(fault)))?;
+    let warnings = remark.filter(|_| speaks(model)).map(|words| Diagnostic::warning("M306", 0..0, words)).into_iter().collect();
     let first = model.coordinates.len() - structure.displacements.len().min(model.coordinates.len());
     let Some(found) = found else {
         model.coordinates.truncate(first);
-        return Ok(());
+        return Ok(warnings);
     };
     let all = model.coordinates.split_off(first);
     let (kept, followers): (Vec<_>, Vec<_>) = all.into_iter().enumerate().partition(|(i, _)| found.named.contains(i));
@@ -49,7 +54,13 @@ pub fn mount(model: &mut Model) -> Result<(), Box<Trouble>> {
     inertias(model, &mass, first);
     potential(model, &stiffness, first);
     loads(model, &structure, &bound, &found, first);
-    Ok(())
+    Ok(warnings)
+}
+
+/// Whether the coordinates of the frame are used by a study that says nothing about their division itself.
+fn speaks(model: &Model) -> bool {
+    let quiet = |s: &model::Study| matches!(s.kind, model::StudyKind::Modes(_) | model::StudyKind::Statics);
+    !is_bare(model) || model.studies.is_empty() || !model.studies.iter().all(quiet)
 }
 
 /// Whether the model is a frame and nothing else.
@@ -73,16 +84,29 @@ fn condensation(structure: &file::Structure) -> Condensation {
     }
 }
 
-fn coordinates(structure: &file::Structure, bound: &Bound) -> Result<Option<Substructure>, analysis::Fault> {
+/// The coordinates of the frame, divided as its wanted accuracy needs, and what a finer division says about a frame without such a wish.
+fn coordinates(structure: &file::Structure, bound: &mut Bound) -> Result<(Option<Substructure>, Option<Text>), analysis::Fault> {
     stands_undivided(&bound.frame, bound.exact.as_ref())?;
     let assembly = Assembly::of(&bound.frame);
     // nobody can speak of the displacements of a large frame without their names
     let nameless = structure.displacements.is_empty() && assembly.n() > NAMELESS;
-    if nameless || assembly.n() == 0 || assembly.n() > SEARCHED || assembly.mass(&bound.frame).entries.iter().all(|e| e.2 == 0.0) {
-        return Ok(None);
+    if nameless || assembly.n() == 0 || assembly.n() > MOUNTED || assembly.mass(&bound.frame).entries.iter().all(|e| e.2 == 0.0) {
+        return Ok((None, None));
     }
     let count = structure.options.modes.unwrap_or(AMPLITUDES);
-    substructure(&bound.frame, &assembly, condensation(structure), count).map(Some)
+    let options = Modes { count, condensation: condensation(structure), accuracy: structure.options.accuracy, ..Modes::default() };
+    if options.accuracy.is_none() {
+        let found = substructure(&bound.frame, &assembly, options.condensation, count)?;
+        let modes = structure_modes::modes_alone(&bound.frame, &options);
+        return Ok((Some(found), modes.and_then(|modes| structure_modes::coarse(&bound.frame, &options, &modes))));
+    }
+    let refined = structure_modes::modes(&bound.frame, None, &options)?;
+    if let Some(audit) = refined.dataset.audits.iter().find(|a| !a.ok) {
+        return Err(analysis::structure::faults::unconfirmed(audit.value, 0.0));
+    }
+    *bound = Bound { frame: refined.frame, exact: None };
+    let found = substructure(&bound.frame, &refined.assembly, options.condensation, count)?;
+    Ok((Some(found), None))
 }
 
 fn entries(bound: &Bound, structure: &file::Structure, found: &Substructure) -> (Vec<Entry>, Vec<Entry>) {

@@ -134,6 +134,7 @@ pub fn statics(found: &StaticsFound, language: Language, page: bool) -> Vec<Bloc
     if !r.displacements.is_empty() {
         blocks.push(Block::Table(displacements(found, language)));
     }
+    blocks.extend(nodes(found, language).map(Block::Table));
     blocks.extend(joints(found, language));
     blocks.extend(sections(found, language));
     let names: Vec<String> = r.frame.displacements.iter().map(|d| d.symbol.clone()).collect();
@@ -149,6 +150,7 @@ pub fn statics(found: &StaticsFound, language: Language, page: bool) -> Vec<Bloc
     blocks
 }
 
+/// Reactions of supports and springs, the sum of the loads, and the sum of all, which is zero; its moments about the origin.
 fn reactions(found: &StaticsFound, language: Language) -> Table {
     let r = &found.result;
     let mut table = Table::new(vec![
@@ -157,23 +159,80 @@ fn reactions(found: &StaticsFound, language: Language) -> Table {
         Column::with_unit(Rich::symbol("R_y"), "N", language),
         Column::with_unit(Rich::symbol("M"), "N m", language),
     ]);
+    let sizes = r.balance.sizes;
+    let show = |k: usize, v: f64| Cell::Number(number(settled(v, sizes[k]), language));
     for (support, f) in r.frame.supports.iter().zip(&r.statics.reactions) {
         let [c, s] = support.axis;
-        let value = |held: bool, v: f64| if held { Cell::Number(number(v, language)) } else { Cell::words("–") };
+        let value = |held: bool, k: usize, v: f64| if held { show(k, v) } else { Cell::words("–") };
         let straight = s == 0.0;
         table.row(vec![
             Cell::words(format!("{} ({})", support.name, r.frame.nodes[support.node].name)),
-            value(support.holds[0] || !straight && support.holds[1], c * f[0] - s * f[1]),
-            value(support.holds[1] || !straight && support.holds[0], s * f[0] + c * f[1]),
-            value(support.holds[2], f[2]),
+            value(support.holds[0] || !straight && support.holds[1], 0, c * f[0] - s * f[1]),
+            value(support.holds[1] || !straight && support.holds[0], 1, s * f[0] + c * f[1]),
+            value(support.holds[2], 2, f[2]),
         ]);
     }
+    let sprung = r.frame.nodes.iter().zip(&r.statics.springs).filter(|(n, _)| n.springs.iter().any(|s| *s != 0.0));
+    for (node, force) in sprung {
+        let cell = |k: usize| if node.springs[k] != 0.0 { show(k, force[k]) } else { Cell::words("–") };
+        let name = language.pick(format!("spring ({})", node.name), format!("пружина ({})", node.name));
+        table.row(vec![Cell::words(name), cell(0), cell(1), cell(2)]);
+    }
+    let row = |name: &str, sums: [f64; 3]| {
+        let mut cells = vec![Cell::words(name)];
+        cells.extend((0..3).map(|k| show(k, sums[k])));
+        cells
+    };
+    table.row(row(
+        language.pick("all supports and springs; M about (0, 0)", "все опоры и пружины; M относительно (0, 0)"),
+        r.balance.reactions,
+    ));
+    table.row(row(language.pick("all loads; M about (0, 0)", "все нагрузки; M относительно (0, 0)"), r.balance.loads));
+    let total = [0, 1, 2].map(|k| r.balance.reactions[k] + r.balance.loads[k]);
+    table.row(row(language.pick("sum", "сумма"), total));
     table
+}
+
+/// Zero where only rounding of the terms is left.
+fn settled(v: f64, size: f64) -> f64 {
+    if v.abs() <= 1e-12 * size { 0.0 } else { v }
+}
+
+/// Frames with more nodes show no table of displacements.
+const NODES: usize = 60;
+
+/// Displacements of all nodes.
+fn nodes(found: &StaticsFound, language: Language) -> Option<Table> {
+    let r = &found.result;
+    let x = &r.statics.freedoms;
+    if r.frame.nodes.len() > NODES || x.iter().all(|v| *v == 0.0) {
+        return None;
+    }
+    let largest = |k: usize| (0..r.frame.nodes.len()).map(|i| x[3 * i + k].abs()).fold(0.0, f64::max);
+    let sizes = [largest(0).max(largest(1)), largest(0).max(largest(1)), largest(2)];
+    let mut table = Table::new(vec![
+        Column::new(language.pick("Node", "Узел")),
+        Column::with_unit(Rich::symbol("u_x"), "m", language),
+        Column::with_unit(Rich::symbol("u_y"), "m", language),
+        Column::with_unit(Rich::symbol("phi"), "rad", language),
+    ]);
+    for (i, node) in r.frame.nodes.iter().enumerate() {
+        let mut row = vec![Cell::words(node.name.clone())];
+        let cell = |k: usize| match r.assembly.freedoms.used[3 * i + k] {
+            true => Cell::Number(number(settled(x[3 * i + k], sizes[k]), language)),
+            false => Cell::words("–"),
+        };
+        row.extend((0..3).map(cell));
+        table.row(row);
+    }
+    Some(table)
 }
 
 fn rods(found: &StaticsFound, language: Language) -> Table {
     let r = &found.result;
-    let bars = r.frame.rods.iter().all(|rod| rod.is_bar());
+    // bars bend under their own weight only
+    let straight = |d: &Vec<analysis::structure::statics::Station<f64>>| d.iter().all(|s| s.moment == 0.0);
+    let bars = r.frame.rods.iter().all(|rod| rod.is_bar()) && r.diagrams.iter().all(straight);
     let mut heads = vec![Column::new(language.pick("Rod", "Стержень")), Column::with_unit(Rich::symbol("N"), "N", language)];
     if !bars {
         heads.extend(
@@ -184,15 +243,20 @@ fn rods(found: &StaticsFound, language: Language) -> Table {
         );
     }
     let mut table = Table::new(heads);
+    let size = |value: fn(&analysis::structure::statics::Station<f64>) -> f64| {
+        r.diagrams.iter().flatten().map(|s| value(s).abs()).fold(0.0, f64::max)
+    };
+    let sizes = [size(|s| s.normal), size(|s| s.shear), size(|s| s.moment)];
     for (rod, d) in r.frame.rods.iter().zip(&r.diagrams) {
         let (Some(first), Some(last)) = (d.first(), d.last()) else { continue };
         let largest = |v: Vec<f64>| v.into_iter().fold(0.0_f64, |m, x| if x.abs() > m.abs() { x } else { m });
-        let show = |v: f64| Cell::Number(number(v, language));
-        let mut row = vec![Cell::words(rod.name.clone()), show(largest(d.iter().map(|s| s.normal).collect()))];
+        let show = |v: f64, size: f64| Cell::Number(number(settled(v, size), language));
+        let [normal, shear, moment] = sizes;
+        let mut row = vec![Cell::words(rod.name.clone()), show(largest(d.iter().map(|s| s.normal).collect()), normal.max(shear))];
         if !bars {
-            row.push(show(largest(d.iter().map(|s| s.shear).collect())));
-            row.extend([first.moment, last.moment].map(show));
-            row.push(show(largest(d.iter().map(|s| s.moment).collect())));
+            row.push(show(largest(d.iter().map(|s| s.shear).collect()), shear.max(normal)));
+            row.extend([first.moment, last.moment].map(|m| show(m, moment)));
+            row.push(show(largest(d.iter().map(|s| s.moment).collect()), moment));
         }
         table.row(row);
     }

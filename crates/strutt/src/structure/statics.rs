@@ -57,6 +57,9 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     own.insert("equations_of_equilibrium".into(), json!(r.standing.equations));
     own.insert("mechanisms".into(), json!(r.standing.motions.len()));
     own.insert("reactions".into(), Value::Object(reactions(r)));
+    own.insert("springs".into(), Value::Object(springs(r)));
+    let sums = |v: [f64; 3]| json!({"x": v[0], "y": v[1], "turn": v[2]});
+    own.insert("balance".into(), json!({"loads": sums(r.balance.loads), "reactions": sums(r.balance.reactions)}));
     let normal = |i: usize| r.statics.normal(&r.assembly, i);
     let forces: Map<String, Value> = r.frame.rods.iter().enumerate().map(|(i, rod)| (rod.name.clone(), json!(normal(i)))).collect();
     own.insert("forces".into(), Value::Object(forces));
@@ -107,6 +110,16 @@ fn reactions(r: &StructureStatics) -> Map<String, Value> {
         (support.name.clone(), Value::Object(own))
     };
     r.frame.supports.iter().zip(&r.statics.reactions).map(one).collect()
+}
+
+/// Forces of springs on their nodes.
+fn springs(r: &StructureStatics) -> Map<String, Value> {
+    let one = |(node, f): (&analysis::structure::Node<f64>, &[f64; 3])| {
+        let parts = ["x", "y", "turn"].iter().zip(f).zip(&node.springs).filter(|(_, s)| **s != 0.0);
+        let own: Map<String, Value> = parts.map(|((key, f), _)| ((*key).to_owned(), json!(f))).collect();
+        (!own.is_empty()).then(|| (node.name.clone(), Value::Object(own)))
+    };
+    r.frame.nodes.iter().zip(&r.statics.springs).filter_map(one).collect()
 }
 
 fn diagram(d: &[Station<f64>]) -> Value {

@@ -1,0 +1,203 @@
+//! Whether found solutions of K x = lambda M x are solutions, and whether none below them is missing; independent of how they were found.
+//!
+//! With r = K x - lambda M x (in twice the digits) and any sigma for which K - sigma M is positive definite, an eigenvalue lies within
+//!
+//! ```text
+//! |lambda_j - lambda| <= |lambda_j - sigma| |(K - sigma M)⁻¹ r| / |x|        norms |x|² = xᵀ M x
+//! |lambda_j - lambda| <= sqrt(rᵀ M⁻¹ r) / |x|
+//! ```
+//!
+//! (K - sigma M)⁻¹ M and M⁻¹ K are self-adjoint in this inner product; the first bound is sharp for low modes, the second for high ones. The
+//! number of eigenvalues below s is the number of negative pivots of K - s M (Sylvester's law of inertia, Sturm's count).
+//! *Source*: B. N. Parlett, The Symmetric Eigenvalue Problem, 3.3, 4.5, 15.
+
+use crate::Fault;
+use crate::dataset::Audit;
+use crate::numerics::eigen::Modes;
+use crate::numerics::factor::Factored;
+use crate::numerics::kernels::dot;
+use crate::numerics::lanczos::positive;
+use crate::numerics::sparse::Sparse;
+use symbolic::Text;
+
+/// What the check found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Certificate {
+    /// Bound of the relative error of each eigenvalue by its residual.
+    pub residuals: Vec<f64>,
+    /// Eigenvalues found below the limit of the count, and eigenvalues that are there; none when no limit gave a certain count.
+    pub count: Option<(usize, usize)>,
+}
+
+/// Largest bound by the residual: the squares of frequencies are right to eight digits, mostly to twice as many.
+const RESIDUAL: f64 = 1e-8;
+/// Relative distance of neighbours between which a limit of the count fits.
+const GAP: f64 = 1e-3;
+/// Places of the limit in a gap, tried until no pivot vanishes.
+const PLACES: [f64; 4] = [0.4, 0.55, 0.25, 0.7];
+
+/// Checks the first `wanted` solutions; further ones may be given, which let the count reach above the last wanted one.
+///
+/// *Shapes*: M positive semidefinite, eigenvalues ascending. *Errors*: memory, K and M that vanish for the same motion.
+pub fn certify(k: &Sparse, m: &Sparse, modes: &Modes, wanted: usize) -> Result<Certificate, Fault> {
+    let wanted = wanted.min(modes.values.len());
+    if wanted == 0 {
+        return Ok(Certificate::default());
+    }
+    let (factor, shift) = positive(k, m, &mut Default::default())?;
+    let masses = Factored::new(m, None)?;
+    let masses = masses.defect().is_none().then_some(masses);
+    let residuals = (0..wanted).map(|j| residual(k, m, modes, j, (&factor, shift), masses.as_ref())).collect();
+    let limits = limits(&modes.values, wanted, shift, modes.n);
+    let count = limits.into_iter().find_map(|(limit, expected)| Some((expected, below(k, m, limit, &factor)?)));
+    Ok(Certificate { residuals, count })
+}
+
+/// Number of eigenvalues below a limit; none when a pivot vanishes.
+fn below(k: &Sparse, m: &Sparse, limit: f64, plan: &Factored) -> Option<usize> {
+    let shifted = k.sum(1.0, m, -limit);
+    if shifted.size() == 1 {
+        // its only entry is its pivot
+        return Some(shifted.diagonal().iter().filter(|d| **d < 0.0).count());
+    }
+    let (below, certain) = Factored::new(&shifted, Some(plan)).ok()?.inertia();
+    certain.then_some(below)
+}
+
+/// The smaller of both bounds, relative to the distance from the shift.
+fn residual(k: &Sparse, m: &Sparse, modes: &Modes, j: usize, (factor, shift): (&Factored, f64), masses: Option<&Factored>) -> f64 {
+    let (x, value) = (modes.shape(j), modes.values[j]);
+    let rest = k.defect(m, value, x);
+    let length = dot(x, &m.product(x)).max(0.0).sqrt();
+    let mut low = rest.clone();
+    factor.solve(&mut low, 1);
+    let bound = dot(&low, &m.product(&low)).max(0.0).sqrt() / length;
+    let high = masses.map_or(f64::INFINITY, |masses| {
+        let mut solved = rest.clone();
+        masses.solve(&mut solved, 1);
+        dot(&rest, &solved).max(0.0).sqrt() / (length * (value - shift).abs())
+    });
+    let least = bound.min(high);
+    if least.is_nan() { f64::INFINITY } else { least }
+}
+
+/// Limits of the count with the number of found eigenvalues below each: in the first wide gap above the wanted ones, else in the nearest
+/// below, else below all. Above all n eigenvalues nothing can be missing.
+fn limits(values: &[f64], wanted: usize, shift: f64, n: usize) -> Vec<(f64, usize)> {
+    let wide = |j: &usize| values[*j] - values[*j - 1] > GAP * (values[*j] - shift).abs();
+    let above = (wanted..values.len()).find(|j| *j > 0 && wide(j));
+    let j = above.or_else(|| (1..wanted).rev().find(wide));
+    let top = values[values.len() - 1];
+    let (low, high, expected) = match j {
+        _ if values.len() == n && top > shift => (top, top + (top - shift), n),
+        Some(j) => (values[j - 1], values[j], j),
+        None => (shift, values[0], 0),
+    };
+    PLACES.iter().map(|place| (low + place * (high - low), expected)).collect()
+}
+
+impl Certificate {
+    /// Largest bound.
+    pub fn worst(&self) -> f64 {
+        self.residuals.iter().fold(0.0, |m, r| m.max(*r))
+    }
+
+    /// Number of eigenvalues that lie below the i-th found one: i, and those that the count has more.
+    pub fn below(&self, i: usize) -> Option<usize> {
+        self.count.map(|(expected, counted)| (i + counted).saturating_sub(expected))
+    }
+
+    /// Both checks.
+    pub fn audits(&self) -> [Audit; 2] {
+        let missing = self.count.map_or(1.0, |(expected, counted)| expected.abs_diff(counted) as f64);
+        [
+            Audit::at_most(
+                "residual",
+                Text::new("residuals of the modes, relative", "невязки собственных форм, относительные"),
+                self.worst(),
+                RESIDUAL,
+            ),
+            Audit::at_most("sturm", Text::new("modes missing by Sturm's count", "пропущено частот по счёту Штурма"), missing, 0.0),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::eigen;
+
+    /// A chain of n equal masses and springs: lambda_j = 4 sin²(j pi/(2 n + 2)).
+    fn chain(n: usize) -> (Sparse, Sparse, Modes) {
+        let entry = |i: usize, j: usize| if i == j { 2.0 } else { -f64::from(u8::from(i.abs_diff(j) == 1)) };
+        let k: Vec<f64> = (0..n * n).map(|e| entry(e / n, e % n)).collect();
+        let m: Vec<f64> = (0..n * n).map(|e| f64::from(u8::from(e / n == e % n))).collect();
+        let modes = eigen::symmetric(n, &k, &m).unwrap();
+        (Sparse::from_dense(n, &k).unwrap(), Sparse::from_dense(n, &m).unwrap(), modes)
+    }
+
+    fn without(modes: &Modes, skipped: usize) -> Modes {
+        let kept: Vec<usize> = (0..modes.values.len()).filter(|j| *j != skipped).collect();
+        Modes {
+            n: modes.n,
+            values: kept.iter().map(|j| modes.values[*j]).collect(),
+            vectors: kept.iter().flat_map(|j| modes.shape(*j).to_vec()).collect(),
+        }
+    }
+
+    fn passes(certificate: &Certificate) -> [bool; 2] {
+        certificate.audits().map(|a| a.ok)
+    }
+
+    #[test]
+    fn right_modes_pass() {
+        let (k, m, modes) = chain(12);
+        for wanted in [1, 5, 12] {
+            let found = certify(&k, &m, &modes, wanted).unwrap();
+            assert_eq!(passes(&found), [true, true], "{found:?}");
+            assert_eq!(found.below(wanted - 1), Some(wanted - 1));
+        }
+    }
+
+    #[test]
+    fn one_and_two_freedoms_are_counted() {
+        for n in [1, 2, 3] {
+            let (k, m, modes) = chain(n);
+            let found = certify(&k, &m, &modes, n).unwrap();
+            assert_eq!(passes(&found), [true, true], "{n}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn every_skipped_mode_is_counted() {
+        let (k, m, modes) = chain(12);
+        for skipped in 0..6 {
+            let found = certify(&k, &m, &without(&modes, skipped), 6).unwrap();
+            assert_eq!(passes(&found), [true, false], "{skipped}: {found:?}");
+            assert_eq!(found.below(5), Some(6));
+        }
+    }
+
+    #[test]
+    fn a_wrong_value_or_shape_has_a_residual() {
+        let (k, m, modes) = chain(12);
+        let mut value = modes.clone();
+        value.values[2] *= 1.0 + 1e-6;
+        assert!(!passes(&certify(&k, &m, &value, 6).unwrap())[0]);
+        let mut shape = modes.clone();
+        shape.vectors[3 * 12 + 4] += 1e-5;
+        assert!(!passes(&certify(&k, &m, &shape, 6).unwrap())[0]);
+    }
+
+    #[test]
+    fn free_motions_and_repeated_values_are_counted() {
+        // two equal free pairs: 0, 0, 2, 2
+        let k = [1.0, -1.0, 0.0, 0.0, -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, -1.0, 1.0];
+        let m: Vec<f64> = (0..16).map(|e| f64::from(u8::from(e / 4 == e % 4))).collect();
+        let modes = eigen::symmetric(4, &k, &m).unwrap();
+        let (k, m) = (Sparse::from_dense(4, &k).unwrap(), Sparse::from_dense(4, &m).unwrap());
+        assert_eq!(passes(&certify(&k, &m, &modes, 4).unwrap()), [true, true]);
+        assert_eq!(passes(&certify(&k, &m, &modes, 3).unwrap()), [true, true]);
+        assert!(!passes(&certify(&k, &m, &without(&modes, 0), 3).unwrap())[1]);
+    }
+}
