@@ -48,7 +48,10 @@ pub(super) fn spectrum(turn: &Turn, seed: u64) -> Result<Spectrum, Fault> {
         None => (turn.matrix.clone(), None),
     };
     let r = if shift.is_some() { n - 1 } else { n };
-    let mut multipliers = with_errors(r, &rest, turn.liouville, seed)?;
+    // rounding is that of the whole matrix, however small what is left of it
+    let largest = turn.matrix.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let size = largest * ROUNDING.max(turn.liouville);
+    let mut multipliers = with_errors(r, &rest, size, seed)?;
     name_smallest(&mut multipliers, turn.log_determinant);
     if let Some((value, _)) = shift {
         multipliers.push(Multiplier { re: value, trivial: true, error: 1e-12 * (1.0 + value.abs()), ..Multiplier::default() });
@@ -80,14 +83,12 @@ fn without_shift(n: usize, matrix: &[f64], flow: &[f64]) -> (Vec<f64>, Option<(f
     (rest, Some((value, off)))
 }
 
-/// Eigenvalues, each with what it moves by when the matrix is rounded otherwise.
-fn with_errors(n: usize, matrix: &[f64], liouville: f64, seed: u64) -> Result<Vec<Multiplier>, Fault> {
+/// Eigenvalues, each with what it moves by when the entries of the matrix move by `size`.
+fn with_errors(n: usize, matrix: &[f64], size: f64, seed: u64) -> Result<Vec<Multiplier>, Fault> {
     if n == 0 {
         return Ok(Vec::new());
     }
     let values = general(n, matrix)?.values;
-    let largest = matrix.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let size = largest * ROUNDING.max(liouville);
     let mut errors = vec![0.0_f64; n];
     let mut random = Random::new(seed);
     for _ in 0..TRIALS {
