@@ -114,9 +114,9 @@ impl<S: System + ?Sized> Along<'_, '_, S> {
         let mut right = Vec::with_capacity(STAGES);
         for i in 0..STAGES {
             let a = self.matrix(t + radau.c[i] * h)?;
-            for k in 0..n * n {
+            for (k, entry) in a.iter().enumerate() {
                 let row = (i * n + k / n) * size + k % n;
-                (0..STAGES).for_each(|j| matrix[row + j * n] = -h * radau.a[i][j] * a[k]);
+                (0..STAGES).for_each(|j| matrix[row + j * n] = -h * radau.a[i][j] * entry);
             }
             right.push(a);
         }
@@ -199,8 +199,7 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>) ->
             Some((fine, off)) if off.is_finite() => (0.9 * (TOLERANCE / off.max(1e-30)).powf(1.0 / (2 * STAGES) as f64), Some((fine, off))),
             _ => (0.25, None),
         };
-        if let Some((fine, off)) = found.filter(|(_, off)| *off <= TOLERANCE || h < 1e-12 * stretch.period && *off < 1e-10) {
-            let _ = off;
+        if let Some((fine, _)) = found.filter(|(_, off)| *off <= TOLERANCE) {
             let divergence = along.settled_divergence(t, h)?;
             out.liouville += (fine.determinant() - divergence.exp()).abs() / fine.hadamard().max(divergence.exp());
             out.divergence += divergence;
