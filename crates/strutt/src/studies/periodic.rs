@@ -91,7 +91,13 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         interrupt: watch.interrupt,
         ..Options::default()
     };
-    analysis::studies::periodic::periodic(&mut machine.system, start, &options)
+    let mut outcome = analysis::studies::periodic::periodic(&mut machine.system, start, &options);
+    let forced = outcome.fault.as_ref().is_some_and(|f| f.code == "S043");
+    if forced && study.period.is_some() && study.section != Section::Time {
+        // the period is given, and it is the section that cannot be
+        outcome.fault = Some(analysis::studies::periodic::section_of_forced());
+    }
+    outcome
 }
 
 /// A parameter with its value, found for a wanted period.

@@ -467,7 +467,7 @@ fn too_quick(t: f64) -> Fault {
 }
 
 /// A forced motion begins where its forces begin.
-fn section_of_forced() -> Fault {
+pub fn section_of_forced() -> Fault {
     Fault::new(Message {
         code: "S057",
         what: Text::new("a forced motion cannot begin at a section", "вынужденное движение не может начинаться с сечения"),
