@@ -25,7 +25,8 @@ pub struct Machine {
     /// Specialised for the parameters; [`Machine::new`] keeps the general tapes for what is asked rarely.
     bound: Bound,
     jets: Jets,
-    tangent: Tangent,
+    /// Made when slopes are first asked for.
+    tangent: Option<Box<Tangent>>,
     observed: Evaluator,
     /// q'' and reactions.
     forces: Evaluator,
@@ -108,7 +109,7 @@ impl Machine {
             turning: (0..equations.coordinates.len()).map(|i| equations.turns_freely(i)).collect(),
             outputs: outputs(equations),
             jets: bound.jets(1),
-            tangent: bound.tangent(),
+            tangent: None,
             needs_accelerations: reads_accelerations(observed.tape()),
             observed,
             forces: bound.evaluator(&bound.program().forces)?,
@@ -324,7 +325,8 @@ impl System for Machine {
 
     fn jacobian(&mut self, t: f64, x: &[f64], modes: &[Mode], jacobian: &mut [f64]) -> Result<Jacobian, Fault> {
         self.linearised.set(modes, &self.bound);
-        self.tangent.jacobian(t, x, &self.linearised.modes, jacobian)?;
+        let tangent = self.tangent.get_or_insert_with(|| Box::new(Tangent::new(&self.bound)));
+        tangent.jacobian(t, x, &self.linearised.modes, jacobian)?;
         Ok(Jacobian::Given)
     }
 
@@ -334,6 +336,20 @@ impl System for Machine {
 
     fn guard(&self, i: usize) -> &[f64] {
         if self.expanded.active.get(i) == Some(&true) { self.jets.guard(i) } else { &[] }
+    }
+
+    fn slopes(&mut self, t: f64, x: &[f64], modes: &[Mode], rows: &mut Vec<f64>) -> Result<bool, Fault> {
+        self.observing.set(modes, &self.bound);
+        let tangent = self.tangent.get_or_insert_with(|| Box::new(Tangent::new(&self.bound)));
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, modes: Some(modes), active: Some(active), ..Point::default() };
+        rows.clear();
+        rows.extend_from_slice(tangent.evaluate(&point)?);
+        let width = x.len() + 1;
+        for (i, _) in active.iter().enumerate().filter(|(_, active)| !**active) {
+            rows[(x.len() + i) * width..(x.len() + i + 1) * width].fill(0.0);
+        }
+        Ok(true)
     }
 
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault> {

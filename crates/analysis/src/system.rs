@@ -167,6 +167,15 @@ pub trait System {
     /// Coefficients of guard `i` from the last [`System::expand`]; length order + 1. Empty when the guard decides nothing in these modes.
     fn guard(&self, i: usize) -> &[f64];
 
+    /// Derivatives at (t, x) in the given modes, exact up to rounding, put into `rows`: row by row those of the rates x', then of the guards; columns
+    /// x, then t. False when the system knows values only. Does not disturb the last expansion.
+    ///
+    /// *Errors*: the equations are singular or undefined there.
+    fn slopes(&mut self, t: f64, x: &[f64], modes: &[Mode], rows: &mut Vec<f64>) -> Result<bool, Fault> {
+        let _ = (t, x, modes, rows);
+        Ok(false)
+    }
+
     /// Only these outputs, by index, will be asked for from now on; [`System::observe`] may leave the others alone.
     ///
     /// *Errors*: an output is undefined for the parameters.

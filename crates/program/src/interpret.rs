@@ -82,6 +82,11 @@ impl Evaluator {
         resolve(c, &self.registers)
     }
 
+    /// The side that a choice took in the last evaluation; none when what decides is no number.
+    pub(crate) fn decided(&self, by: By, point: &Point) -> Option<Mode> {
+        decide(by, &self.registers, point, &self.tape).ok()
+    }
+
     /// Values of the roots at a point, in order.
     ///
     /// *Errors*: P008 for missing inputs, P005 or P009 for a mass matrix that is not positive, and for a root that is not finite the first operation that

@@ -1,194 +1,217 @@
-//! The Jacobian of the motion, ∂x'/∂x, from the tape: exact derivatives, no differences.
+//! Derivatives of the dynamics by state and time: forward differentiation along the tape, all directions in one pass.
 //!
-//! The interpreter fills the registers with values; one more walk over the instructions that the present modes need carries, for every
-//! register r, the row ∂r/∂x_1 ... ∂r/∂x_n by the rule of each operation (forward mode; A. Griewank, A. Walther, Evaluating Derivatives, SIAM 2008,
-//! chapter 3). A linear system A y = b gives
-//!
-//! ```text
-//! A ∂y = ∂b - ∂A y        the factors of A serve all n directions
-//! ```
-//!
-//! Inside a mode the motion is smooth; at a switching surface the derivative is that of the side which the mode names.
+//! Every register carries its derivatives beside its value, u' = Σ ∂op/∂a a'; a system A x = b gives A x' = b' - A' x with the matrix of the
+//! value. The derivatives are exact up to rounding in the modes given: of a choice only the branch that is taken counts.
+//! *Source*: A. Griewank, A. Walther, Evaluating Derivatives, 3.1.
 
 use crate::general::General;
-use crate::guard::needed;
-use crate::interpret::{decide, defective};
 use crate::solve::Factor;
 use crate::{Bound, Evaluator, Fault, Instruction, Mode, Operation, Point, Register, Unary};
 
-/// Values and derivatives of the dynamics by the states.
+/// The dynamics with their derivatives.
 #[derive(Clone, Debug)]
 pub struct Tangent {
-    evaluator: Evaluator,
-    /// Number of directions: the states.
-    n: usize,
-    /// Row r: ∂(register r)/∂x.
-    rows: Vec<f64>,
-    /// Instructions of the body that the present modes need, by index.
-    live: Vec<usize>,
-    modes: Option<Vec<Mode>>,
+    values: Evaluator,
+    /// Registers x columns.
+    slopes: Vec<f64>,
+    /// States, then time.
+    columns: usize,
+    /// One row of slopes under construction, or the right sides of a system.
+    row: Vec<f64>,
+    roots: Vec<f64>,
     factor: Factor,
     general: General,
 }
 
 impl Tangent {
-    /// For the dynamics of a program with its parameters.
+    /// For the dynamics of a machine.
     pub fn new(bound: &Bound) -> Tangent {
-        let evaluator = bound.dynamics.clone();
-        let n = evaluator.tape().shape.states;
-        let rows = vec![0.0; evaluator.tape().registers() * n];
-        Tangent { evaluator, n, rows, live: Vec::new(), modes: None, factor: Factor::default(), general: General::default() }
+        let columns = bound.dimension() + 1;
+        let values = bound.dynamics.clone();
+        let tape = values.tape();
+        Tangent {
+            slopes: vec![0.0; tape.registers() * columns],
+            roots: vec![0.0; (bound.dimension() + tape.guards.len()) * columns],
+            values,
+            columns,
+            row: vec![0.0; columns],
+            factor: Factor::default(),
+            general: General::default(),
+        }
+    }
+
+    /// Derivatives, row by row: of x' (one row per state), then of the guards (zero where one has no formula). Columns: the states, then time. A
+    /// slope that does not exist (that of a square root at zero) is not finite.
+    ///
+    /// *Shapes*: (states + guards) x (states + 1). *Units*: SI. *Errors*: those of the equations at the point.
+    pub fn evaluate(&mut self, point: &Point) -> Result<&[f64], Fault> {
+        self.values.evaluate(point)?;
+        let tape = std::sync::Arc::clone(self.values.tape());
+        for instruction in &tape.body {
+            self.differentiate(instruction, point)?;
+        }
+        let rates = tape.roots.iter().take(self.columns - 1).map(|root| Some(root.register));
+        for (row, register) in self.roots.chunks_mut(self.columns).zip(rates.chain(tape.guards.iter().copied())) {
+            match register.map(|r| r.index() * self.columns) {
+                Some(from) => row.copy_from_slice(&self.slopes[from..from + self.columns]),
+                None => row.fill(0.0),
+            }
+        }
+        Ok(&self.roots)
     }
 
     /// ∂x'/∂x at (t, x) in these modes, row i = derivatives of x'_i.
     ///
-    /// *Shapes*: n x n, row-major. *Errors*: those of the interpreter; P007 when x' has a value but no derivative.
+    /// *Shapes*: n x n, row-major. *Errors*: those of [`Tangent::evaluate`]; P007 when x' has a value but no derivative.
     pub fn jacobian(&mut self, time: f64, states: &[f64], modes: &[Mode], jacobian: &mut [f64]) -> Result<(), Fault> {
-        let point = Point { time, states, modes: Some(modes), ..Point::default() };
-        self.evaluator.evaluate(&point)?;
-        self.choose(modes);
-        let tape = self.evaluator.tape().clone();
-        for &k in &self.live {
-            let instruction = &tape.body[k];
-            differentiate(instruction, &self.evaluator, &point, self.n, &mut self.rows, (&mut self.factor, &mut self.general))?;
+        let (columns, n) = (self.columns, self.columns - 1);
+        let rows = self.evaluate(&Point { time, states, modes: Some(modes), ..Point::default() })?;
+        for (row, slopes) in jacobian.chunks_mut(n.max(1)).zip(rows.chunks(columns)) {
+            row.copy_from_slice(&slopes[..n]);
         }
-        for (row, root) in jacobian.chunks_mut(self.n.max(1)).zip(&tape.roots) {
-            let start = root.register.index() * self.n;
-            row.copy_from_slice(&self.rows[start..start + self.n]);
-            if row.iter().any(|d| !d.is_finite()) {
-                return Err(Fault::about("P007", root.name.clone()));
+        match jacobian.iter().position(|d| !d.is_finite()) {
+            None => Ok(()),
+            Some(k) => Err(Fault::about("P007", self.values.tape().roots[k / n].name.clone())),
+        }
+    }
+
+    /// row += factor times the slopes of a register; a slope of zero adds nothing even where the factor is infinite.
+    fn add(&mut self, factor: f64, of: Register) {
+        let from = of.index() * self.columns;
+        for (r, s) in self.row.iter_mut().zip(&self.slopes[from..from + self.columns]) {
+            if *s != 0.0 {
+                *r += factor * s;
             }
         }
+    }
+
+    /// Puts the row under construction at a register.
+    fn put(&mut self, into: usize) {
+        let from = into * self.columns;
+        self.slopes[from..from + self.columns].copy_from_slice(&self.row);
+        self.row.fill(0.0);
+    }
+
+    fn differentiate(&mut self, instruction: &Instruction, point: &Point) -> Result<(), Fault> {
+        let into = instruction.into.index();
+        let own = self.values.value(instruction.into);
+        let at = |t: &Tangent, r: &Register| t.values.value(*r);
+        match &instruction.operation {
+            Operation::Number(_) | Operation::Parameter(_) | Operation::Acceleration(_) => {}
+            Operation::Time => self.row[self.columns - 1] = 1.0,
+            Operation::State(slot) => self.row[*slot as usize] = 1.0,
+            Operation::Linear { terms, .. } => {
+                for (c, r) in terms {
+                    let c = self.values.coefficient(*c);
+                    self.add(c, *r);
+                }
+            }
+            Operation::Multiply(a, b) => {
+                let (x, y) = (at(self, a), at(self, b));
+                self.add(y, *a);
+                self.add(x, *b);
+            }
+            Operation::Square(a) => self.add(2.0 * at(self, a), *a),
+            Operation::Divide(a, b) => {
+                let y = at(self, b);
+                self.add(1.0 / y, *a);
+                self.add(-own / y, *b);
+            }
+            Operation::Power(a, p) => {
+                let p = self.values.coefficient(*p);
+                let slope = if p == 0.0 { 0.0 } else { p * at(self, a).powf(p - 1.0) };
+                self.add(slope, *a);
+            }
+            Operation::Unary(f, a) => self.add(slope(*f, at(self, a), own), *a),
+            Operation::Atan2(a, b) => {
+                let (y, x) = (at(self, a), at(self, b));
+                let square = y * y + x * x;
+                self.add(x / square, *a);
+                self.add(-y / square, *b);
+            }
+            Operation::SinCos(a) => {
+                let cosine = self.values.value(Register(instruction.into.0 + 1));
+                self.add(cosine, *a);
+                self.put(into);
+                self.add(-own, *a);
+                self.put(into + 1);
+                return Ok(());
+            }
+            Operation::SinhCosh(a) => {
+                let cosh = self.values.value(Register(instruction.into.0 + 1));
+                self.add(cosh, *a);
+                self.put(into);
+                self.add(own, *a);
+                self.put(into + 1);
+                return Ok(());
+            }
+            Operation::Choose { by, sides } => {
+                if let Some(mode) = self.values.decided(*by, point) {
+                    self.add(1.0, sides[mode.side()]);
+                }
+            }
+            Operation::Solve { matrix, right } => {
+                let values = &self.values;
+                self.factor.load(right.len(), matrix.iter().map(|r| r.map_or(0.0, |r| values.value(r))));
+                // the value has been found with this matrix: it is regular
+                if self.factor.factor().is_ok() {
+                    let place = |i: usize, j: usize| matrix[if i >= j { i * (i + 1) / 2 + j } else { j * (j + 1) / 2 + i }];
+                    self.system(into, right, &place, &|t: &mut Tangent, b: &mut [f64]| t.factor.solve(b));
+                }
+                return Ok(());
+            }
+            Operation::System { matrix, right } => {
+                let values = &self.values;
+                self.general.load(right.len(), matrix.iter().map(|r| r.map_or(0.0, |r| values.value(r))));
+                if self.general.factor().is_ok() {
+                    let n = right.len();
+                    self.system(into, right, &|i, j| matrix[i * n + j], &|t: &mut Tangent, b: &mut [f64]| t.general.solve_refined(b));
+                }
+                return Ok(());
+            }
+        }
+        self.put(into);
         Ok(())
     }
 
-    fn choose(&mut self, modes: &[Mode]) {
-        if self.modes.as_deref() == Some(modes) {
-            return;
-        }
-        let (wanted, _) = needed(&self.evaluator, modes);
-        let body = &self.evaluator.tape().body;
-        let writes = |i: &Instruction| wanted[i.into.index()..i.into.index() + i.operation.width()].iter().any(|w| *w);
-        self.live = (0..body.len()).filter(|k| writes(&body[*k])).collect();
-        self.modes = Some(modes.to_vec());
-        self.rows.fill(0.0);
-    }
-}
-
-/// row(into) = Σ factor row(of).
-fn combine(rows: &mut [f64], n: usize, into: usize, terms: &[(f64, Register)]) {
-    let (done, rest) = rows.split_at_mut(into * n);
-    let row = &mut rest[..n];
-    row.fill(0.0);
-    // a term whose factor has no value counts only where its argument moves
-    for (factor, of) in terms {
-        let of = &done[of.index() * n..(of.index() + 1) * n];
-        row.iter_mut().zip(of).filter(|(_, d)| **d != 0.0).for_each(|(sum, d)| *sum += factor * d);
-    }
-}
-
-fn differentiate(
-    instruction: &Instruction,
-    values: &Evaluator,
-    point: &Point<'_>,
-    n: usize,
-    rows: &mut [f64],
-    (factor, general): (&mut Factor, &mut General),
-) -> Result<(), Fault> {
-    let into = instruction.into.index();
-    let at = |r: &Register| values.value(*r);
-    let own = |k: usize| values.value(Register((into + k) as u32));
-    match &instruction.operation {
-        Operation::Number(_) | Operation::Parameter(_) | Operation::Time | Operation::Acceleration(_) => {}
-        Operation::State(slot) => rows[into * n + *slot as usize] = 1.0,
-        Operation::Linear { terms, .. } => {
-            let terms: Vec<(f64, Register)> = terms.iter().map(|(c, r)| (values.coefficient(*c), *r)).collect();
-            combine(rows, n, into, &terms);
-        }
-        Operation::Multiply(a, b) => combine(rows, n, into, &[(at(b), *a), (at(a), *b)]),
-        Operation::Square(a) => combine(rows, n, into, &[(2.0 * at(a), *a)]),
-        Operation::Divide(a, b) => combine(rows, n, into, &[(1.0 / at(b), *a), (-own(0) / at(b), *b)]),
-        Operation::Power(a, p) => {
-            let p = values.coefficient(*p);
-            combine(rows, n, into, &[(p * at(a).powf(p - 1.0), *a)]);
-        }
-        Operation::Unary(f, a) => combine(rows, n, into, &[(slope(*f, at(a), own(0)), *a)]),
-        Operation::Atan2(y, x) => {
-            let square = at(x) * at(x) + at(y) * at(y);
-            combine(rows, n, into, &[(at(x) / square, *y), (-at(y) / square, *x)]);
-        }
-        Operation::SinCos(a) => {
-            combine(rows, n, into, &[(own(1), *a)]);
-            combine(rows, n, into + 1, &[(-own(0), *a)]);
-        }
-        Operation::SinhCosh(a) => {
-            combine(rows, n, into, &[(own(1), *a)]);
-            combine(rows, n, into + 1, &[(own(0), *a)]);
-        }
-        Operation::Choose { by, sides } => {
-            let side = decide(*by, values.registers(), point, values.tape()).map_or_else(|undecided| undecided, |mode| sides[mode.side()]);
-            combine(rows, n, into, &[(1.0, side)]);
-        }
-        Operation::Solve { matrix, right } => {
-            factor.load(right.len(), matrix.iter().map(|r| r.map_or(0.0, |r| at(&r))));
-            factor.factor().map_err(|defect| defective(values.tape(), instruction.into, defect))?;
-            let entries = matrix.iter().zip(triangle(right.len())).filter_map(|(r, place)| r.map(|r| (place, r)));
-            let both = entries.flat_map(|((i, j), r)| [Some((i, j, r)), (i != j).then_some((j, i, r))]).flatten();
-            solve(rows, n, (into, right), (&|k| own(k), both.collect()), &mut |b| factor.solve(b));
-        }
-        Operation::System { matrix, right } => {
-            let size = right.len();
-            general.load(size, matrix.iter().map(|r| r.map_or(0.0, |r| at(&r))));
-            general.factor().map_err(|defect| defective(values.tape(), instruction.into, defect))?;
-            let entries = matrix.iter().enumerate().filter_map(|(k, r)| r.map(|r| (k / size, k % size, r)));
-            solve(rows, n, (into, right), (&|k| own(k), entries.collect()), &mut |b| general.solve(b));
-        }
-    }
-    Ok(())
-}
-
-/// Row, column and register of an entry of a matrix.
-type Entry = (usize, usize, Register);
-
-/// (i, j) of the packed lower triangle, by rows.
-fn triangle(size: usize) -> impl Iterator<Item = (usize, usize)> {
-    (0..size).flat_map(|i| (0..=i).map(move |j| (i, j)))
-}
-
-/// Rows of the solution y: A ∂y = ∂b - ∂A y, direction by direction; `entries` are (i, j, register) of A.
-fn solve(
-    rows: &mut [f64],
-    n: usize,
-    (into, right): (usize, &[Register]),
-    (solution, entries): (&dyn Fn(usize) -> f64, Vec<Entry>),
-    invert: &mut dyn FnMut(&mut [f64]),
-) {
-    let mut b = vec![0.0; right.len()];
-    for direction in 0..n {
-        for (value, r) in b.iter_mut().zip(right) {
-            *value = rows[r.index() * n + direction];
-        }
-        for (i, j, r) in &entries {
-            b[*i] -= rows[r.index() * n + direction] * solution(*j);
-        }
-        invert(&mut b);
-        for (k, value) in b.iter().enumerate() {
-            rows[(into + k) * n + direction] = *value;
+    /// A x' = b' - A' x, column by column.
+    fn system(
+        &mut self,
+        into: usize,
+        right: &[Register],
+        place: &dyn Fn(usize, usize) -> Option<Register>,
+        solve: &dyn Fn(&mut Tangent, &mut [f64]),
+    ) {
+        let n = right.len();
+        for column in 0..self.columns {
+            let slope = |t: &Tangent, r: Register| t.slopes[r.index() * t.columns + column];
+            let mut b: Vec<f64> = right.iter().map(|r| slope(self, *r)).collect();
+            for (i, b) in b.iter_mut().enumerate() {
+                for j in 0..n {
+                    if let Some(entry) = place(i, j) {
+                        *b -= slope(self, entry) * self.values.value(Register((into + j) as u32));
+                    }
+                }
+            }
+            if b.iter().any(|v| *v != 0.0) {
+                solve(self, &mut b);
+            }
+            b.iter().enumerate().for_each(|(j, v)| self.slopes[(into + j) * self.columns + column] = *v);
         }
     }
 }
 
-/// f'(x), with the value f(x) at hand.
-fn slope(f: Unary, x: f64, value: f64) -> f64 {
+/// Derivative at x of a function with the value `own` there.
+fn slope(f: Unary, x: f64, own: f64) -> f64 {
     match f {
-        Unary::SquareRoot => 0.5 / value,
-        Unary::Exp => value,
+        Unary::SquareRoot => 0.5 / own,
+        Unary::Exp => own,
         Unary::Log => 1.0 / x,
-        Unary::Tan => 1.0 + value * value,
-        // 1 - tanh² would cancel near saturation
-        Unary::Tanh => x.cosh().recip().powi(2),
-        Unary::Asin => ((1.0 - x) * (1.0 + x)).sqrt().recip(),
-        Unary::Acos => -((1.0 - x) * (1.0 + x)).sqrt().recip(),
+        Unary::Tan => 1.0 + own * own,
+        Unary::Asin => 1.0 / ((1.0 - x) * (1.0 + x)).sqrt(),
+        Unary::Acos => -1.0 / ((1.0 - x) * (1.0 + x)).sqrt(),
         Unary::Atan => 1.0 / (1.0 + x * x),
+        // 1 - tanh² without cancellation
+        Unary::Tanh => x.cosh().recip().powi(2),
     }
 }

@@ -10,6 +10,14 @@ pub fn seconds(key: &str, text: &str) -> Result<f64, Failure> {
     if value.is_finite() { Ok(value) } else { Err(bad(key, text, &not_finite(), &Text::default())) }
 }
 
+/// What stands for a key of a study: a bare number gets the SI unit, as it does for all options; a formula stays.
+pub fn with_unit(text: &str, unit: &str) -> String {
+    match text.trim().replace(',', ".").parse::<f64>() {
+        Ok(value) if value.is_finite() => format!("{value:e} {unit}"),
+        _ => text.to_owned(),
+    }
+}
+
 /// Times with commas between; with semicolons between, decimal commas are allowed.
 pub fn times(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
     let separator = if text.contains(';') { ';' } else { ',' };

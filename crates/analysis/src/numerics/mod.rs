@@ -7,6 +7,7 @@ pub mod divided;
 pub mod eigen;
 pub mod expm;
 pub mod factor;
+pub(crate) mod gauss;
 mod kernels;
 pub mod lanczos;
 pub mod lu;

@@ -18,8 +18,9 @@
 
 use symbolic::Text;
 
-use crate::dataset::{Column, Dataset};
+use crate::dataset::{Audit, Column, Dataset};
 use crate::fault::Message;
+use crate::numerics::gauss::EIGHT;
 use crate::taylor::{Flow, Options, Step};
 use crate::{Fault, Mode, Quantity, System};
 
@@ -53,15 +54,10 @@ pub struct Balance {
     pub dataset: Dataset,
 }
 
-/// Abscissas and weights of Gauss's rule with eight points on [-1, 1]; the other half by symmetry.
-const GAUSS: [(f64, f64); 4] = [
-    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
-    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
-    (0.796_666_477_413_626_7, 0.222_381_034_453_374_47),
-    (0.960_289_856_497_536_2, 0.101_228_536_290_376_26),
-];
 /// Parts of a step: a step spans about a radian of the quickest motion.
 const PARTS: usize = 4;
+/// The same for the check, on other places.
+const CHECK: usize = 3;
 /// Most steps of a cycle.
 const STEPS: usize = 100_000;
 
@@ -74,14 +70,19 @@ struct Reduced {
     rate: f64,
 }
 
-/// The balance over one cycle from the state `start`.
+/// The balance over one cycle from the state `start`. `lead` is the same machine with its shaft held to the uniform rate, whose motion shows the places
+/// and which contacts are closed; without it the machine's own motion does.
 ///
 /// *Errors*: S046 when the shaft does not turn through the cycle, S047 when the system has no energies, and every fault of a motion.
-pub fn cycle<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Cycle) -> Result<Balance, Fault> {
-    // places alone matter: where the loads stop the shaft, it is made quicker
-    let steps = match turn(system, start, options, 1.0) {
-        Err(fault) if fault.code == "S046" => turn(system, start, options, 30.0)?,
-        other => other?,
+pub fn cycle<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], options: &Cycle) -> Result<Balance, Fault> {
+    let alike = |lead: &S| lead.states() == system.states() && lead.guards().len() == system.guards().len();
+    let steps = match lead.filter(|lead| alike(lead)) {
+        Some(lead) => turn(lead, start, options, 1.0)?,
+        // places alone matter: where the loads stop the shaft, it is made quicker
+        None => match turn(system, start, options, 1.0) {
+            Err(fault) if fault.code == "S046" => turn(system, start, options, 30.0)?,
+            other => other?,
+        },
     };
     let j = options.angle;
     let first = start[j];
@@ -93,7 +94,7 @@ pub fn cycle<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Cycle)
         for k in 0..PARTS {
             let a = part * k as f64;
             rows.fill(system, step, a, a + part, work, options)?;
-            for (node, weight) in GAUSS.iter().flat_map(|&(x, w)| [(-x, w), (x, w)]) {
+            for (node, weight) in EIGHT {
                 let here = reduced(system, step, a + 0.5 * part * (1.0 + node), options)?;
                 let share = 0.5 * part * weight * here.rate;
                 work += here.moment * share;
@@ -105,7 +106,67 @@ pub fn cycle<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Cycle)
         }
     }
     rows.finish(system, &steps, work, options)?;
-    Ok(Balance { work, size, inertia: inertia / angle, excess: high - low, dataset: rows.dataset(system, options) })
+    let mut dataset = rows.dataset(system, options);
+    dataset.audits.push(periodic_inertia(system, &steps, options)?);
+    dataset.audits.push(same_work(system, &steps, work, size, options)?);
+    Ok(Balance { work, size, inertia: inertia / angle, excess: high - low, dataset })
+}
+
+/// The machine at the end of the cycle is the one at its start.
+fn periodic_inertia<S: System + ?Sized>(system: &mut S, steps: &[(Step, f64)], options: &Cycle) -> Result<Audit, Fault> {
+    let name = Text::new(
+        "the reduced inertia is the same after the cycle: relative difference",
+        "приведённый момент инерции после цикла тот же: относительное расхождение",
+    );
+    let (Some((first, _)), Some((last, length))) = (steps.first(), steps.last()) else {
+        return Ok(Audit::at_most("periodic_inertia", name, 0.0, 1e-9));
+    };
+    let (a, b) = (reduced(system, first, 0.0, options)?, reduced(system, last, *length, options)?);
+    let off = (a.inertia - b.inertia).abs() / a.inertia.abs().max(b.inertia.abs()).max(f64::MIN_POSITIVE);
+    Ok(Audit::at_most("periodic_inertia", name, off, 1e-9))
+}
+
+/// The work once more, without reduction: powers of the motion that led through the cycle, with its own accelerations, on other places. Over a cycle
+/// in which the kinetic energy returns,
+///
+/// ```text
+/// ∮ M dφ = ∫ (loads - dissipated - dE/dt) dt + [T]         for a shaft that turns at any rate
+/// ```
+///
+/// provided that the loads do not feel the rate; the check is made where the motion is the uniform one.
+fn same_work<S: System + ?Sized>(system: &mut S, steps: &[(Step, f64)], work: f64, size: f64, options: &Cycle) -> Result<Audit, Fault> {
+    let (n, n_x) = (system.n_coordinates(), system.states().len());
+    let (mut x, mut slope) = (vec![0.0; n_x], vec![0.0; n_x]);
+    let (mut again, mut uneven) = (0.0, 0.0_f64);
+    let mut kinetic: [Option<f64>; 2] = [None, None];
+    for (step, length) in steps {
+        let part = length / CHECK as f64;
+        for k in 0..CHECK {
+            for (node, weight) in EIGHT {
+                let t = step.start.after(part * (k as f64 + 0.5 * (1.0 + node))).high;
+                step.state_at(t, &mut x);
+                step.rate_at(t, &mut slope);
+                uneven = uneven.max((x[n + options.angle] / options.rate - 1.0).abs());
+                let p = power(system, t, &x, &slope[n..2 * n], &step.modes)?;
+                again += 0.5 * part * weight * (p.loads - p.dissipated - p.rate);
+            }
+        }
+        for (end, t) in [(0, step.start.high), (1, step.start.after(*length).high)] {
+            step.state_at(t, &mut x);
+            let energy = system.kinetic_energy(t, &x, &step.modes);
+            if end == 1 || kinetic[0].is_none() {
+                kinetic[end] = energy;
+            }
+        }
+    }
+    let gained = kinetic[1].unwrap_or(0.0) - kinetic[0].unwrap_or(0.0);
+    let name = Text::new(
+        "work of the cycle by the powers of the uniform motion: relative difference",
+        "работа за цикл по мощностям равномерного движения: относительное расхождение",
+    );
+    // a shaft that could not be held to the uniform rate has another motion
+    let off = if uneven > 1e-9 { 0.0 } else { (again + gained - work).abs() / size.max(f64::MIN_POSITIVE) };
+    Ok(Audit::at_most("work_of_uniform_motion", name, off, 1e-9))
 }
 
 /// The steps of the motion through the cycle, each with the part of it that counts.
@@ -223,7 +284,7 @@ impl Rows {
                 if sign * (place(middle) - angle) < 0.0 { low = middle } else { high = middle }
             }
             let mut done = work;
-            for (node, weight) in GAUSS.iter().flat_map(|&(x, w)| [(-x, w), (x, w)]) {
+            for (node, weight) in EIGHT {
                 let here = reduced(system, step, a + 0.5 * (high - a) * (1.0 + node), options)?;
                 done += 0.5 * (high - a) * weight * here.rate * here.moment;
             }

@@ -130,3 +130,55 @@ pub(crate) const DEAD_POINT: Explanation = Explanation {
         "Расчёт `kinematics` не может вести координату дальше: звенья вытянулись в линию или промежуток выходит за достижимые положения. Положение названо в сообщении. Механизму с двумя степенями свободы нужна вторая ведущая координата в `with`.",
     ),
 };
+
+pub(crate) const NO_DERIVATIVE: Explanation = Explanation {
+    code: "S054",
+    en: (
+        "the equations have no derivative there",
+        "Multipliers say how a small change of the start grows over a period; they are solutions of the variational equations, whose coefficients are the \
+         derivatives of the equations by the state. A square root or a fractional power at its zero has none. Period, start and motion do not need it and \
+         are given.",
+    ),
+    ru: (
+        "уравнения не имеют там производной",
+        "Мультипликаторы показывают, как малое изменение начала растёт за период; это решения уравнений в вариациях, коэффициенты которых — производные \
+         уравнений по состоянию. У квадратного корня или дробной степени в нуле их нет. Период, начало и движение в них не нуждаются и приведены.",
+    ),
+};
+
+pub(crate) const TOO_QUICK: Explanation = Explanation {
+    code: "S055",
+    en: (
+        "the variations cannot be followed",
+        "The variational equations are integrated with a step of their own, which became too small or was taken too often: a disturbance oscillates millions \
+         of times in a period, or the equations are singular at that instant. No multiplier is given then.",
+    ),
+    ru: (
+        "решения в вариациях не удаётся продолжить",
+        "Уравнения в вариациях интегрируются со своим шагом, а он стал слишком мал или понадобился слишком часто: возмущение колеблется миллионы раз за \
+         период, или в этот момент уравнения вырождены. Мультипликаторы тогда не приводятся.",
+    ),
+};
+
+pub(crate) const NOTHING_MOVES: Explanation = Explanation {
+    code: "S056",
+    en: (
+        "nothing can move",
+        "The study `periodic` looks for a motion that repeats. A truss, a frame or any model without coordinates has none.",
+    ),
+    ru: ("двигаться нечему", "Расчёт `periodic` ищет повторяющееся движение. У фермы, рамы и любой модели без координат его нет."),
+};
+
+pub(crate) const SECTION_OF_FORCED: Explanation = Explanation {
+    code: "S057",
+    en: (
+        "a section for a forced motion",
+        "`section` chooses where the period of a free motion begins. Where time occurs in the equations the period begins at t = 0 and lasts `period`; a start \
+         elsewhere would be another motion under the same forces.",
+    ),
+    ru: (
+        "сечение для вынужденного движения",
+        "`section` выбирает, где начинается период свободного движения. Если время входит в уравнения, период начинается при t = 0 и длится `period`; начало в \
+         другом месте было бы другим движением под теми же силами.",
+    ),
+};

@@ -87,6 +87,15 @@ impl Step {
         self.states.row(state)
     }
 
+    /// A state at the start, with the whole turns that were taken off.
+    pub fn start_value(&self, state: usize) -> f64 {
+        let own = self.states.row(state)[0];
+        match self.turned.get(state) {
+            Some([high, low]) => high + (own + low),
+            None => own,
+        }
+    }
+
     /// State at an instant of the step.
     pub fn state_at(&self, t: f64, x: &mut [f64]) {
         self.state_after(self.start.until(t), x);

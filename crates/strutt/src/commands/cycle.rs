@@ -3,6 +3,7 @@
 use super::{Exit, study};
 use crate::args;
 use crate::console::{Console, listen_to_interrupts};
+use crate::quantities;
 use mechanics::model::StudyKind;
 use strutt::{Failure, Trouble, studies};
 
@@ -25,8 +26,10 @@ pub fn run(args: &args::Cycle, console: &mut Console) -> Result<Exit, Failure> {
 fn written(args: &args::Cycle) -> Option<String> {
     let angle = args.angle.as_ref()?;
     let mut text = study::row("kind", "cycle") + &study::row("angle", angle);
-    let keys = [("speed", &args.speed), ("period", &args.period), ("irregularity", &args.irregularity), ("turns", &args.turns)];
-    for (key, value) in keys {
+    for (key, value, unit) in [("speed", &args.speed, "rad/s"), ("period", &args.period, "s")] {
+        text += &value.as_ref().map(|v| study::row(key, &quantities::with_unit(v, unit))).unwrap_or_default();
+    }
+    for (key, value) in [("irregularity", &args.irregularity), ("turns", &args.turns)] {
         text += &value.as_ref().map(|v| study::row(key, v)).unwrap_or_default();
     }
     Some(text)

@@ -27,9 +27,10 @@ fn written(args: &args::Periodic) -> Option<String> {
         return None;
     }
     let mut text = study::row("kind", "periodic");
-    for (key, value) in [("section", &args.section), ("turns", &args.turns), ("period", &args.period)] {
+    for (key, value) in [("section", &args.section), ("turns", &args.turns)] {
         text += &value.as_ref().map(|v| study::row(key, v)).unwrap_or_default();
     }
+    text += &args.period.as_ref().map(|v| study::row("period", &quantities::with_unit(v, "s"))).unwrap_or_default();
     Some(text)
 }
 

@@ -52,6 +52,14 @@ fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(
     let (balance, speed) = balance(&mut changed, study)?;
     results.data = provenance::stamp(balance.dataset.clone(), &changed.equations, &machine.model_hash);
     results.words.extend(formula);
+    if study.unknown.is_some() {
+        let name = Text::new(
+            "with the drive found, the work over the cycle vanishes: share of what is done",
+            "с найденной движущей силой работа за цикл равна нулю: доля совершённой",
+        );
+        let off = balance.work.abs() / balance.size.max(f64::MIN_POSITIVE);
+        results.data.audits.push(analysis::dataset::Audit::at_most("closed_balance", name, off, 1e-9));
+    }
     facts(results, &changed, &balance, speed, &values);
     running(results, &mut changed, study)?;
     if results.plots.is_empty() {
@@ -78,8 +86,27 @@ fn balance(machine: &mut Machine, study: &Cycle) -> Result<(Balance, f64), Troub
     }
     let range = TAU * study.turns.abs() * rate.signum();
     let options = Options { angle, range, rate, points: study.points, tolerance: 1e-14 };
-    let found = cycle(&mut machine.system, &start, &options).map_err(|fault| explained(fault, &machine.equations))?;
+    let mut held = held(machine, study, rate);
+    let start = match held.as_ref().map(|held| held.system.start()) {
+        Some(Ok(uniform)) => uniform,
+        _ => start,
+    };
+    let lead = held.as_mut().map(|held| &mut held.system);
+    let found = cycle(&mut machine.system, lead, &start, &options).map_err(|fault| explained(fault, &machine.equations))?;
     Ok((found, rate))
+}
+
+/// The machine with its shaft held to the uniform rate by one more condition, so that ropes are taut and contacts closed as they are in uniform
+/// running; none where the shaft's motion is given already.
+fn held(machine: &Machine, study: &Cycle, rate: f64) -> Option<Machine> {
+    let name = format!("uniform_turning_of_{}", study.name);
+    let condition = format!("\n\n[constraints.{name}]\nzero_rate = \"{}' - ({rate:e} [rad/s])\"\n", study.name);
+    let mut source = machine.origin.source.clone();
+    source.text = source.text.trim_end().to_owned() + &condition;
+    let own = format!("{}'", study.name);
+    let mut overrides: Vec<(String, String)> = machine.origin.overrides.iter().filter(|(n, _)| *n != own).cloned().collect();
+    overrides.push((own, format!("{rate:e}")));
+    pipeline::build(&source, &overrides, &mut Watch::default()).ok()
 }
 
 /// The value of a parameter for which the work over the cycle vanishes, and the balance in words.
@@ -217,7 +244,10 @@ fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Resul
         "δ",
         "1",
         by_mean,
-        text("irregularity (max − min)/mean", "неравномерность хода (max − min)/среднее"),
+        text(
+            "irregularity (ω_max − ω_min)/ω_mean of the first cycle, ω_mean its mean over time",
+            "неравномерность хода (ω_max − ω_min)/ω_ср первого цикла, ω_ср — среднее по времени",
+        ),
     ));
     results.facts.push(Fact::new(
         "irregularity_max",

@@ -10,7 +10,7 @@ use crate::words::Word;
 use crate::{Failure, provenance};
 use analysis::studies::periodic::{Multiplier, Outcome, Periodic as Options, Regime, Return};
 use analysis::studies::simulate::Grid;
-use mechanics::model::{Periodic, Section, Times};
+use mechanics::model::{Periodic, Section, StudyKind, Times};
 use serde_json::{Value, json};
 use symbolic::Text;
 
@@ -46,7 +46,7 @@ pub fn regime(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Out
         Err(fault) => return Outcome { fault: Some(fault), ..Outcome::default() },
     };
     let first = from(machine, study, &start, watch);
-    let lost = first.fault.as_ref().is_some_and(|f| f.code == "S042");
+    let lost = first.fault.as_ref().is_some_and(|f| ["S041", "S042"].contains(&f.code));
     if !lost || study.settle > 0.0 {
         return first;
     }
@@ -91,7 +91,13 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         interrupt: watch.interrupt,
         ..Options::default()
     };
-    analysis::studies::periodic::periodic(&mut machine.system, start, &options)
+    let mut outcome = analysis::studies::periodic::periodic(&mut machine.system, start, &options);
+    let forced = outcome.fault.as_ref().is_some_and(|f| f.code == "S043");
+    if forced && study.period.is_some() && study.section != Section::Time {
+        // the period is given, and it is the section that cannot be
+        outcome.fault = Some(analysis::studies::periodic::section_of_forced());
+    }
+    outcome
 }
 
 /// A parameter with its value, found for a wanted period.
@@ -114,8 +120,14 @@ fn tuned(
         let mut other = machine.with_values(&[(name, value)]).map_err(in_words)?;
         let outcome = match &start {
             // the regime found before is the better guess
-            Some(x) => from(&mut other, &Periodic { settle: 0.0, ..study.clone() }, x, watch),
-            None => regime(&mut other, study, watch),
+            Some(x) => {
+                let study = Periodic { settle: 0.0, ..reread(machine, &other, study) };
+                from(&mut other, &study, x, watch)
+            }
+            None => {
+                let study = reread(machine, &other, study);
+                regime(&mut other, &study, watch)
+            }
         };
         if let Some(fault) = &outcome.fault {
             return Err(Trouble::from(fault.clone()));
@@ -157,6 +169,20 @@ fn tuned(
         )
         .why("the period does not depend on the parameter, or not enough", "период не зависит от параметра или зависит слабо")
         .help("choose another parameter, or a period near the present one", "выберите другой параметр или период, близкий к нынешнему")),
+    }
+}
+
+/// The study as it reads with other values of parameters: its formulas may depend on them.
+pub fn reread(machine: &Machine, other: &Machine, study: &Periodic) -> Periodic {
+    let of = |machine: &Machine| -> Vec<Periodic> {
+        let periodic = |s: &mechanics::model::Study| if let StudyKind::Periodic(p) = &s.kind { Some(p.clone()) } else { None };
+        machine.model.studies.iter().filter_map(periodic).collect()
+    };
+    let place = of(machine).iter().position(|p| p.section == study.section && p.period == study.period);
+    match place.and_then(|k| of(other).get(k).cloned()) {
+        // what the command line says of the rest holds
+        Some(fresh) => Periodic { section: fresh.section, period: fresh.period, ..study.clone() },
+        None => study.clone(),
     }
 }
 
@@ -222,25 +248,12 @@ fn facts(results: &mut Results, machine: &Machine, regime: &Regime, tuning: Opti
         results.facts.push(Fact::new(&tuning.name, symbol, unit, tuning.value, label));
         results.own.insert("unknown".into(), json!({"name": tuning.name, "value": tuning.value, "unit": unit}));
     }
-    let verdict = match regime.stable {
-        Some(true) => text(
-            "The regime is stable: every multiplier lies inside the unit circle.",
-            "Режим устойчив: все мультипликаторы лежат внутри единичной окружности.",
-        ),
-        Some(false) => text(
-            "The regime is unstable: a multiplier lies outside the unit circle.",
-            "Режим неустойчив: есть мультипликатор вне единичной окружности.",
-        ),
-        None => text(
-            "The multipliers do not decide the stability: one lies on the unit circle.",
-            "Мультипликаторы не решают вопрос об устойчивости: один из них лежит на единичной окружности.",
-        ),
-    };
-    results.words.push(verdict);
-    let multipliers: Vec<Value> =
-        regime.multipliers.iter().map(|m| json!({"re": m.re, "im": m.im, "abs": m.abs(), "trivial": m.trivial})).collect();
+    results.words.extend(least(regime));
+    results.words.push(verdict(regime));
+    let multipliers: Vec<Value> = regime.multipliers.iter().map(json_of).collect();
     results.own.insert("multipliers".into(), json!(multipliers));
     results.own.insert("stable".into(), json!(regime.stable));
+    results.own.insert("least_period".into(), json!(regime.period / regime.parts.max(1) as f64));
     let names = machine.system_states();
     let by_name = |values: &[f64]| -> Value {
         names.iter().zip(values).map(|(n, v)| (n.clone(), json!(v))).collect::<serde_json::Map<_, _>>().into()
@@ -249,11 +262,85 @@ fn facts(results: &mut Results, machine: &Machine, regime: &Regime, tuning: Opti
     results.own.insert("gain".into(), by_name(&regime.gain));
 }
 
+fn json_of(m: &Multiplier) -> Value {
+    let mut value = json!({"re": m.re, "im": m.im, "abs": m.abs(), "trivial": m.trivial, "error": m.error});
+    if let (Some(log), Some(fields)) = (m.log_abs, value.as_object_mut()) {
+        fields.insert("ln_abs".into(), json!(log));
+    }
+    value
+}
+
+/// What is to be said where the period is not the least one, or not that of the forces.
+fn least(regime: &Regime) -> Option<Text> {
+    let (parts, forces) = (regime.parts.max(1), regime.forces.max(1));
+    let print = |k: usize| {
+        let en = report::number::short(regime.period / k as f64, 10, report::Language::En);
+        (en.clone(), en.replace('.', ","))
+    };
+    if parts > 1 {
+        let (en, ru) = print(parts);
+        return Some(Text::new(
+            format!("The motion repeats already after {en} s: this period holds the least one {parts} times."),
+            format!("Движение повторяется уже через {ru} с: этот период содержит наименьший {parts} раз(а)."),
+        ));
+    }
+    (forces > 1).then(|| {
+        let (en, ru) = print(forces);
+        Text::new(
+            format!("Subharmonic regime: the forces repeat after {en} s, the motion only after {forces} such times."),
+            format!("Субгармонический режим: силы повторяются через {ru} с, движение — лишь через {forces} таких промежутков."),
+        )
+    })
+}
+
+fn verdict(regime: &Regime) -> Text {
+    let text = |en: &str, ru: &str| Text::new(en, ru);
+    let own = || regime.multipliers.iter().filter(|m| !m.trivial);
+    match regime.stable {
+        Some(true) if own().next().is_none() => text(
+            "The regime is stable: nothing but the shift along it can be disturbed.",
+            "Режим устойчив: кроме сдвига вдоль него, возмущать нечего.",
+        ),
+        Some(true) => text(
+            "The regime is stable: every multiplier lies inside the unit circle.",
+            "Режим устойчив: все мультипликаторы лежат внутри единичной окружности.",
+        ),
+        Some(false) => text(
+            "The regime is unstable: a multiplier lies outside the unit circle.",
+            "Режим неустойчив: есть мультипликатор вне единичной окружности.",
+        ),
+        None if regime.multipliers.is_empty() => {
+            text("Without multipliers nothing is said of stability.", "Без мультипликаторов об устойчивости ничего не сказано.")
+        }
+        None => {
+            let nearest = own().min_by(|a, b| (a.abs() - 1.0).abs().total_cmp(&(b.abs() - 1.0).abs()));
+            let (off, error) = nearest.map_or((0.0, 0.0), |m| ((m.abs() - 1.0).abs(), m.error));
+            let short = |x: f64| report::number::short(x, 2, report::Language::En);
+            let (off, error) = (short(off), short(error));
+            text(
+                &format!(
+                    "The multipliers do not decide the stability: one is {off} away from the unit circle, and is known to {error} (neutral)."
+                ),
+                &format!(
+                    "Мультипликаторы не решают вопрос об устойчивости: один из них отстоит от единичной окружности на {} при погрешности {} (нейтральный случай).",
+                    off.replace('.', ","),
+                    error.replace('.', ",")
+                ),
+            )
+        }
+    }
+}
+
 fn multiplier_words(m: &Multiplier) -> Text {
     let re = report::number::short(m.re, 6, report::Language::En);
     let im = report::number::short(m.im.abs(), 6, report::Language::En);
     let sign = if m.im < 0.0 { "−" } else { "+" };
-    let number = if m.im == 0.0 { re } else { format!("{re} {sign} {im} i") };
+    let number = match m.log_abs {
+        Some(log) => format!("±10^({})", report::number::short(log / std::f64::consts::LN_10, 6, report::Language::En)),
+        None if m.re == 0.0 && m.im == 0.0 => format!("0 ± {}", report::number::short(m.error, 1, report::Language::En)),
+        None if m.im == 0.0 => re,
+        None => format!("{re} {sign} {im} i"),
+    };
     let ru = number.replace('.', ",");
     match m.trivial {
         true => Text::new(format!("{number} (shift along the motion)"), format!("{ru} (сдвиг вдоль движения)")),

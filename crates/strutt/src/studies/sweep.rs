@@ -10,7 +10,7 @@ use crate::{folder, provenance};
 use analysis::dataset::Column;
 use analysis::reduce::{NAMES, Reduction, reduce};
 use analysis::{Dataset, Quantity};
-use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, StudyKind, Sweep, SweepRange, Times};
+use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, Simulate, StudyKind, Sweep, SweepRange, Times};
 use serde_json::{Value, json};
 use std::sync::atomic::Ordering;
 use symbolic::Text;
@@ -51,7 +51,7 @@ pub fn run(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Finding {
 
 fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Trouble> {
     let wanted = wanted(machine, &study.observe)?;
-    let base = base(machine, study, &wanted)?;
+    let (base, of) = base(machine, study, &wanted)?;
     let count: usize = study.over.iter().map(|range| range.values.len()).product();
     let mut columns: Vec<Column> = study.over.iter().map(|range| column_of(machine, range)).collect();
     columns.extend(wanted.iter().map(|(quantity, _)| Column { quantity: quantity.clone(), values: Vec::new() }));
@@ -65,7 +65,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
             break;
         }
         let values = place(&study.over, row);
-        let outcome = one(machine, &base, &values, &mut guess, watch);
+        let outcome = one(machine, &Repeated { base: &base, of }, &values, &mut guess, watch);
         for (column, (_, value)) in columns.iter_mut().zip(&values) {
             column.values.push(*value);
         }
@@ -185,14 +185,15 @@ fn unknown(name: &str, machine: &Machine) -> Trouble {
 }
 
 /// The study to repeat, with the columns that are wanted.
-fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Result<StudyKind, Trouble> {
+fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Result<(StudyKind, Option<usize>), Trouble> {
     let fields = || wanted.iter().filter_map(|(_, w)| if let Wanted::Field(name) = w { Some(name.as_str()) } else { None });
     let of_periodic = fields().any(|name| OF_PERIODIC.iter().any(|p| name.starts_with(p)));
     let kind = study.of.as_deref().or(of_periodic.then_some("periodic"));
-    let in_file = machine.model.studies.iter().map(|s| &s.kind).find(|k| match kind {
-        Some(kind) => name_of(k) == kind,
-        None => !matches!(k, StudyKind::Equations | StudyKind::Sweep(_) | StudyKind::Kinematics(_)),
+    let of = machine.model.studies.iter().position(|s| match kind {
+        Some(kind) => name_of(&s.kind) == kind,
+        None => !matches!(s.kind, StudyKind::Equations | StudyKind::Sweep(_) | StudyKind::Kinematics(_)),
     });
+    let in_file = of.map(|k| &machine.model.studies[k].kind);
     let mut base = match (in_file, kind) {
         (Some(kind), _) => kind.clone(),
         (None, Some("periodic")) => StudyKind::Periodic(automatic()),
@@ -208,12 +209,38 @@ fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Resu
     };
     let columns: Vec<String> =
         wanted.iter().filter_map(|(_, w)| if let Wanted::Column(n, _) = w { Some(n.clone()) } else { None }).collect();
-    match &mut base {
+    show(&mut base, columns);
+    Ok((base, of))
+}
+
+/// Lets a study give these columns only.
+fn show(base: &mut StudyKind, columns: Vec<String>) {
+    match base {
         StudyKind::Periodic(study) => (study.outputs, study.plots) = (columns, Vec::new()),
         StudyKind::Simulate(study) | StudyKind::Inverse(study) => (study.outputs, study.plots) = (columns, Vec::new()),
         _ => {}
     }
-    Ok(base)
+}
+
+/// What is repeated, and which study of the file it is.
+struct Repeated<'a> {
+    base: &'a StudyKind,
+    of: Option<usize>,
+}
+
+impl Repeated<'_> {
+    /// The study as the file reads with the values: its formulas (a period 2*pi/w) may depend on them.
+    fn at(&self, changed: &Machine) -> StudyKind {
+        let Some(fresh) = self.of.and_then(|k| changed.model.studies.get(k)) else { return self.base.clone() };
+        let mut fresh = fresh.kind.clone();
+        if let StudyKind::Periodic(Periodic { outputs, .. })
+        | StudyKind::Simulate(Simulate { outputs, .. })
+        | StudyKind::Inverse(Simulate { outputs, .. }) = self.base
+        {
+            show(&mut fresh, outputs.clone());
+        }
+        fresh
+    }
 }
 
 /// The periodic study that finds what returns by itself.
@@ -245,13 +272,14 @@ fn name_of(kind: &StudyKind) -> &'static str {
 /// The study at one place.
 fn one(
     machine: &Machine,
-    base: &StudyKind,
+    repeated: &Repeated<'_>,
     values: &[(String, f64)],
     guess: &mut Option<Vec<f64>>,
     watch: &mut Watch,
 ) -> Result<Finding, Trouble> {
     let values: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     let mut changed = machine.with_values(&values).map_err(in_words)?;
+    let base = &repeated.at(&changed);
     let mut inner = Watch::default();
     inner.interrupt = watch.interrupt;
     if let (StudyKind::Periodic(study), Some(x)) = (base, guess.as_ref())

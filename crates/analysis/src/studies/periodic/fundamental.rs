@@ -1,7 +1,6 @@
 //! Fundamental matrix of a turn: how a small change of the start changes the end.
 //!
-//! Inside a step the end is the Taylor polynomial p(x, h), and its derivative by x is a central difference of fourth order in *frozen*
-//! modes, where p is analytic. At a switch on the surface g = 0 the perturbed motion arrives later by dt = -(grad g · dx)/(dg/dt), and
+//! Between switches it solves the variational equations (`variation.rs`). At a switch on the surface g = 0 the perturbed motion arrives later by dt = -(grad g · dx)/(dg/dt), and
 //!
 //! ```text
 //! dx+ = D dx- + (D f- + D_t - f+) dt        saltation; D, D_t derivatives of what an impact does to the state, otherwise 1 and 0
@@ -11,11 +10,11 @@
 //! Non-Smooth Mechanical Systems, 7.
 
 use super::orbit::{Jump, Orbit};
-use crate::events::Switch;
-use crate::taylor::Step;
+use super::variation::{self, Stretch};
+use crate::events::{Change, Switch};
 use crate::{Fault, GuardKind, Mode, System};
 
-/// Half width of the differences, in scales of the state: (1e-3)^4 of truncation against 1e-16/1e-3 of rounding.
+/// Half width of differences, in scales of the state: (1e-3)^4 of truncation against 1e-16/1e-3 of rounding.
 const WIDTH: f64 = 1e-3;
 
 /// Rows by state, one column per state.
@@ -36,6 +35,40 @@ impl Square {
         let n = self.n;
         let entry = |k: usize| (0..n).map(|l| self.at(k / n, l) * right.at(l, k % n)).sum();
         Square { n, values: (0..n * n).map(entry).collect() }
+    }
+    /// Puts entries into scales.
+    pub(super) fn scale(&mut self, scales: &[f64]) {
+        let n = self.n;
+        self.values.iter_mut().enumerate().for_each(|(k, v)| *v *= scales[k % n] / scales[k / n]);
+    }
+    /// Takes entries out of scales.
+    pub(super) fn unscale(&mut self, scales: &[f64]) {
+        let n = self.n;
+        self.values.iter_mut().enumerate().for_each(|(k, v)| *v *= scales[k / n] / scales[k % n]);
+    }
+    pub(super) fn determinant(&self) -> f64 {
+        let (n, mut a, mut out) = (self.n, self.values.clone(), 1.0);
+        for k in 0..n {
+            let pivot = (k..n).fold(k, |best, i| if a[i * n + k].abs() > a[best * n + k].abs() { i } else { best });
+            if pivot != k {
+                (0..n).for_each(|j| a.swap(k * n + j, pivot * n + j));
+                out = -out;
+            }
+            let diagonal = a[k * n + k];
+            out *= diagonal;
+            if diagonal == 0.0 {
+                return 0.0;
+            }
+            for i in k + 1..n {
+                let factor = a[i * n + k] / diagonal;
+                (k..n).for_each(|j| a[i * n + j] -= factor * a[k * n + j]);
+            }
+        }
+        out
+    }
+    /// Product of the lengths of the columns: no determinant is larger.
+    pub(super) fn hadamard(&self) -> f64 {
+        (0..self.n).map(|j| (0..self.n).map(|i| self.at(i, j) * self.at(i, j)).sum::<f64>().sqrt()).product()
     }
     pub(super) fn apply(&self, x: &[f64]) -> Vec<f64> {
         (0..self.n).map(|i| (0..self.n).map(|j| self.at(i, j) * x[j]).sum()).collect()
@@ -78,41 +111,86 @@ fn along(x: &[f64], j: usize, scale: f64, value: &mut impl FnMut(&[f64]) -> Resu
     Ok(Vec::new())
 }
 
-/// Value at h of the polynomial with these coefficients.
-fn polynomial(c: &[f64], h: f64) -> f64 {
-    c.iter().rev().fold(0.0, |sum, c_k| sum * h + c_k)
+/// Derivatives of the rates, then of the guards, by x and t: exact where the system knows them, otherwise central differences.
+pub(super) fn slopes<S: System + ?Sized>(
+    system: &mut S,
+    t: f64,
+    x: &[f64],
+    modes: &[Mode],
+    scales: &[f64],
+    rows: &mut Vec<f64>,
+) -> Result<(), Fault> {
+    if system.slopes(t, x, modes, rows)? {
+        return Ok(());
+    }
+    let mut values = |t: f64, x: &[f64]| {
+        system.expand(t, x, modes, 1)?;
+        let rates = (0..x.len()).map(|i| system.state(i)[1]);
+        let guards = (0..modes.len()).map(|g| system.guard(g).first().copied().unwrap_or(0.0));
+        Ok(rates.chain(guards).collect::<Vec<f64>>())
+    };
+    let by_state = derivative(x, scales, |x| values(t, x))?;
+    let by_time = derivative(&[t], &[1e-2 * (1.0 + t.abs())], |t| values(t[0], x))?;
+    rows.clear();
+    by_state.iter().zip(&by_time).for_each(|(row, time)| rows.extend(row.iter().chain(time)));
+    Ok(())
 }
 
-/// Derivative of a step's end by its start.
-fn of_step<S: System + ?Sized>(system: &mut S, step: &Step, n: usize, scales: &[f64]) -> Result<Square, Fault> {
-    let x: Vec<f64> = (0..n).map(|i| step.coefficients(i)[0]).collect();
-    let (t, h, order) = (step.start.high, step.length, step.order);
-    let rows = derivative(&x, scales, |place| {
-        system.expand(t, place, &step.modes, order)?;
-        // the change only: the start itself would cost digits
-        Ok((0..n).map(|i| polynomial(&system.state(i)[1..], h) * h).collect())
-    })?;
-    let mut matrix = Square { n, values: rows.concat() };
-    (0..n).for_each(|i| matrix.values[i * n + i] += 1.0);
-    Ok(matrix)
+/// How a change of the start changes the end of a turn.
+#[derive(Clone, Debug)]
+pub(super) struct Fundamental {
+    /// Rows by state.
+    pub(super) matrix: Square,
+    /// ln |det|: ∫ tr A dt and what the switches add; none when a switch takes a direction away.
+    pub(super) log_determinant: Option<f64>,
+    /// By how much Liouville's formula is missed.
+    pub(super) liouville: f64,
+    /// What leaves the derivative undefined.
+    pub(super) blur: Blur,
 }
 
-/// The fundamental matrix, and whether a switch left it undefined (grazing).
-pub(super) fn of_orbit<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64]) -> Result<(Square, bool), Fault> {
+/// Why a derivative by the start is one-sided or missing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Blur {
+    /// It is not.
+    #[default]
+    None,
+    /// A switch is only touched.
+    Grazing,
+    /// Two switches happen at once, and which comes first decides.
+    Corner,
+    /// Infinitely many impacts.
+    Accumulation,
+}
+
+/// The fundamental matrix of a turn.
+pub(super) fn of_orbit<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64]) -> Result<Fundamental, Fault> {
     let n = orbit.first.len();
-    let mut total = Square::identity(n);
-    let mut jumps = orbit.jumps.iter().peekable();
-    let mut grazing = false;
-    for (k, step) in orbit.steps.iter().enumerate() {
-        total = of_step(system, step, n, scales)?.times(&total);
-        while let Some(jump) = jumps.next_if(|j| j.after == k) {
-            match saltation(system, jump, scales)? {
-                Some(matrix) => total = matrix.times(&total),
-                None => grazing = true,
+    let mut out = Fundamental { matrix: Square::identity(n), log_determinant: Some(0.0), liouville: 0.0, blur: Blur::None };
+    let mut from = 0;
+    for jump in orbit.jumps.iter().map(Some).chain([None]) {
+        let to = jump.map_or(orbit.steps.len(), |j| j.after + 1);
+        // a change of modes without a switch parts the motion too
+        for steps in orbit.steps[from..to].chunk_by(|a, b| a.modes == b.modes) {
+            let varied = variation::vary(system, &Stretch { steps, scales, period: orbit.period })?;
+            out.matrix = varied.matrix.times(&out.matrix);
+            out.log_determinant = out.log_determinant.map(|l| l + varied.divergence);
+            out.liouville += varied.liouville;
+        }
+        from = to;
+        let Some(jump) = jump else { break };
+        match saltation(system, jump, scales)? {
+            Saltation::Matrix(matrix) => {
+                let mut scaled = matrix.clone();
+                scaled.scale(scales);
+                let size = scaled.determinant().abs();
+                out.log_determinant = out.log_determinant.filter(|_| size > 1e-12 * scaled.hadamard()).map(|l| l + size.ln());
+                out.matrix = matrix.times(&out.matrix);
             }
+            Saltation::Undefined(blur) => out.blur = blur,
         }
     }
-    Ok((total, grazing))
+    Ok(out)
 }
 
 /// Rates of the state in given modes.
@@ -121,40 +199,64 @@ pub(super) fn rates<S: System + ?Sized>(system: &mut S, t: f64, x: &[f64], modes
     Ok((0..x.len()).map(|i| system.state(i)[1]).collect())
 }
 
-/// Derivative of the state after a switch by the state before it; none when the switch is grazing.
-fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64]) -> Result<Option<Square>, Fault> {
+/// Derivative of the state after a switch by the state before it.
+enum Saltation {
+    Matrix(Square),
+    Undefined(Blur),
+}
+
+/// A guard is on its surface when it is below this share of its range.
+const CAUSE: f64 = 1e-7;
+/// Surfaces whose normals differ by more than this are two.
+const PARALLEL: f64 = 1e-7;
+
+fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64]) -> Result<Saltation, Fault> {
     let n = jump.before.len();
+    if jump.switches.iter().any(|s| matches!(s.change, Change::Rests { .. })) {
+        return Ok(Saltation::Undefined(Blur::Accumulation));
+    }
     let closing: Vec<usize> = jump.switches.iter().filter(|s| closes(system, s)).map(|s| s.guard).collect();
     let (map, map_rate) = reset(system, jump, &closing, scales)?;
-    let Some(surface) = jump.switches.iter().find_map(|s| surface(system, s)) else { return Ok(Some(map)) };
+    let surfaces: Vec<usize> = jump.switches.iter().filter_map(|s| surface(system, s)).collect();
     let modes = &jump.modes[0];
-    let guard = |system: &mut S, x: &[f64]| {
-        system.expand(jump.t, x, modes, 1)?;
-        let g = system.guard(surface);
-        Ok::<[f64; 2], Fault>([g.first().copied().unwrap_or(0.0), g.get(1).copied().unwrap_or(0.0)])
-    };
-    let speed = guard(system, &jump.before)?[1];
-    let gradient = derivative(&jump.before, scales, |x| Ok(vec![guard(system, x)?[0]]))?.concat();
-    let size: f64 = gradient.iter().zip(scales).map(|(g, s)| (g * s).abs()).sum();
+    let mut rows = Vec::new();
+    slopes(system, jump.t, &jump.before, modes, scales, &mut rows)?;
     let before = rates(system, jump.t, &jump.before, modes)?;
+    let values: Vec<f64> = surfaces.iter().map(|s| system.guard(*s).first().copied().unwrap_or(0.0)).collect();
     let after = rates(system, jump.t, &jump.then, &jump.modes[1])?;
-    if gradient.iter().all(|g| *g == 0.0) {
-        // an instant that does not depend on the state
-        return Ok(Some(map));
-    }
     let fastest = before.iter().zip(scales).map(|(f, s)| (f / s).abs()).fold(0.0, f64::max);
-    if speed.abs() <= 1e-9 * size * fastest {
-        return Ok(None);
+    // instant of the switch by the state before it: dt = -(grad g . dx)/(dg/dt)
+    let mut later: Option<Vec<f64>> = None;
+    for (surface, value) in surfaces.into_iter().zip(values) {
+        let row = &rows[(n + surface) * (n + 1)..(n + surface + 1) * (n + 1)];
+        let size: f64 = row[..n].iter().zip(scales).map(|(g, s)| (g * s).abs()).sum();
+        if size == 0.0 || value.abs() > CAUSE * size {
+            // an instant that does not depend on the state, or a change that another surface has caused
+            continue;
+        }
+        let speed = row[n] + row[..n].iter().zip(&before).map(|(g, f)| g * f).sum::<f64>();
+        if speed.is_nan() || speed.abs() <= 1e-9 * size * fastest {
+            return Ok(Saltation::Undefined(Blur::Grazing));
+        }
+        let own: Vec<f64> = row[..n].iter().map(|g| -g / speed).collect();
+        let differs = |other: &Vec<f64>| {
+            let entries = own.iter().zip(other).zip(scales);
+            let (off, whole) = entries.fold((0.0, 0.0), |(off, whole), ((a, b), s)| (off + ((a - b) * s).abs(), whole + (a * s).abs()));
+            off > PARALLEL * whole
+        };
+        if later.as_ref().is_some_and(differs) {
+            return Ok(Saltation::Undefined(Blur::Corner));
+        }
+        later.get_or_insert(own);
     }
+    let Some(later) = later else { return Ok(Saltation::Matrix(map)) };
     let carried = map.apply(&before);
     let mut matrix = map;
     for i in 0..n {
         let jump_of_rate = carried[i] + map_rate[i] - after[i];
-        for (entry, slope) in matrix.values[i * n..(i + 1) * n].iter_mut().zip(&gradient) {
-            *entry -= jump_of_rate * slope / speed;
-        }
+        matrix.values[i * n..(i + 1) * n].iter_mut().zip(&later).for_each(|(entry, dt)| *entry += jump_of_rate * dt);
     }
-    Ok(Some(matrix))
+    Ok(Saltation::Matrix(matrix))
 }
 
 fn closes<S: System + ?Sized>(system: &S, switch: &Switch) -> bool {

@@ -8,24 +8,28 @@
 //! ```
 //!
 //! on the tangent space of all conditions of connections; far from the regime the map itself is iterated. The multipliers are the eigenvalues of Φ
-//! on that space. For an autonomous machine one of them is 1 (a shift along the motion), which checks the whole computation.
+//! on that space (`spectrum.rs`). For an autonomous machine one of them is 1 (a shift along the motion), which checks the whole computation, as does
+//! Liouville's formula (`variation.rs`).
 //! *Source*: A. H. Nayfeh, B. Balachandran, Applied Nonlinear Dynamics, 5.2, 7.4.
 
 mod fundamental;
 mod newton;
 mod orbit;
+mod spectrum;
 mod symmetry;
+mod variation;
 
 pub(crate) use fundamental::derivative;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use fundamental::Blur;
+use newton::Found;
 use symbolic::Text;
 
 use super::simulate::{self, Grid};
 use crate::dataset::{Audit, Dataset};
 use crate::fault::{Message, number, rounded};
-use crate::numerics::eigen::general;
 use crate::taylor::check_tolerance;
 use crate::{Fault, System};
 
@@ -94,12 +98,16 @@ pub struct Multiplier {
     pub im: f64,
     /// Whether it belongs to a shift along the motion or another translation, and is 1 for that reason.
     pub trivial: bool,
+    /// By how much it may be wrong.
+    pub error: f64,
+    /// ln of the magnitude, where only Liouville's formula knows it: the numbers themselves are then 0.
+    pub log_abs: Option<f64>,
 }
 
 impl Multiplier {
     /// Magnitude.
     pub fn abs(&self) -> f64 {
-        self.re.hypot(self.im)
+        self.log_abs.map_or(self.re.hypot(self.im), f64::exp)
     }
 }
 
@@ -108,14 +116,18 @@ impl Multiplier {
 pub struct Regime {
     /// Period, s.
     pub period: f64,
-    /// Largest first.
+    /// Largest first; none where the turn has no derivative by its start, or does not close.
     pub multipliers: Vec<Multiplier>,
     /// State at the start.
     pub start: Vec<f64>,
     /// What the states gain in a period: whole turns and drift.
     pub gain: Vec<f64>,
-    /// Whether every multiplier that is not trivial lies inside the unit circle; none when one is on it.
+    /// Whether every multiplier that is not trivial lies inside the unit circle; none when one is on it, or they are not known.
     pub stable: Option<bool>,
+    /// The least period is this part of `period`.
+    pub parts: usize,
+    /// The forces repeat so many times in `period`; 1 when time does not occur.
+    pub forces: usize,
     /// The motion over one period.
     pub dataset: Dataset,
 }
@@ -129,12 +141,14 @@ pub struct Outcome {
     pub fault: Option<Fault>,
 }
 
-/// Multipliers this near to the unit circle decide nothing.
-const NEUTRAL: f64 = 1e-5;
+/// Multipliers this near to the unit circle decide nothing, whatever their error.
+const NEUTRAL: f64 = 1e-10;
+/// Most returns tried when nobody says how many a period has.
+const RETURNS: usize = 4;
 
 /// Searches the periodic regime from the state `start` at t = 0.
 ///
-/// *Errors*: S041 when the motion does not come back, S042 when the search does not settle, S043 when a machine driven in time gets no
+/// *Errors*: S056 when there is nothing to move, S057 for a section of a forced machine, S041 when the motion does not come back, S042 when the search does not settle, S043 when a machine driven in time gets no
 /// period or a wrong one, and every fault of a motion.
 pub fn periodic<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>) -> Outcome {
     match search(system, start, options) {
@@ -147,24 +161,13 @@ pub fn periodic<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Per
 
 fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>) -> Result<Regime, Fault> {
     check_tolerance(options.tolerance)?;
-    let mut found = newton::solve(system, start, options)?;
-    if let Some(begin) = options.begin {
-        let again = &Periodic {
-            by: options.by.clone(),
-            returns: options.returns,
-            longest: options.longest,
-            tolerance: options.tolerance,
-            interrupt: options.interrupt,
-            ..Periodic::default()
-        };
-        let x = found.orbit.first_zero(begin).ok_or_else(never_passed)?;
-        found = newton::solve(system, &found.at_time_zero(x), again)?;
+    if system.states().is_empty() {
+        return Err(nothing_moves());
     }
-    let (matrix, grazing) = found.monodromy(system)?;
-    let n = found.returning(None).len();
-    let mut values = if n == 0 { Vec::new() } else { general(n, &matrix)?.values };
-    values.sort_by(|a, b| b.0.hypot(b.1).total_cmp(&a.0.hypot(a.1)).then(b.0.total_cmp(&a.0)).then(b.1.total_cmp(&a.1)));
-    let multipliers = named(&values, found.trivial());
+    let mut found = returned(system, start, options)?;
+    if let Some(begin) = options.begin {
+        found = begun(system, found, begin, options)?;
+    }
     let plan = simulate::Simulate {
         grid: options.grid.clone(),
         outputs: options.outputs.clone(),
@@ -178,32 +181,137 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         return Err(fault);
     }
     let mut dataset = run.dataset;
-    found.audits(system, &multipliers, options.tolerance, &mut dataset.audits)?;
-    if grazing {
-        dataset.notes.push(Text::new(
-            "a switch is only touched (grazing): the multipliers are those of one side",
-            "поверхность переключения лишь затронута (касание): мультипликаторы односторонние",
-        ));
-    }
+    let closure = found.closure(system)?;
+    let closes = closure.ok;
+    dataset.audits.insert(0, closure);
+    let multipliers = if closes { multipliers(system, &found, options, &mut dataset)? } else { None };
+    let (parts, forces) = found.repeats(system)?;
     let gain = found.orbit.last.iter().zip(&found.orbit.first).map(|(b, a)| b - a).collect();
-    Ok(Regime { period: found.orbit.period, stable: stable(&multipliers), multipliers, start: found.orbit.first, gain, dataset })
+    let period = found.orbit.period;
+    if let (Return::Period(given), false) = (&options.by, found.is_driven()) {
+        dataset.notes.push(own_period(*given, period));
+    }
+    Ok(Regime {
+        period,
+        stable: multipliers.as_deref().and_then(stable),
+        multipliers: multipliers.unwrap_or_default(),
+        start: found.orbit.first,
+        gain,
+        parts,
+        forces,
+        dataset,
+    })
 }
 
-/// The multipliers, the `trivial` nearest to 1 marked.
-fn named(values: &[(f64, f64)], trivial: usize) -> Vec<Multiplier> {
-    let mut out: Vec<Multiplier> = values.iter().map(|&(re, im)| Multiplier { re, im, trivial: false }).collect();
-    for _ in 0..trivial.min(out.len()) {
-        let distance = |m: &Multiplier| if m.trivial { f64::INFINITY } else { (m.re - 1.0).hypot(m.im) };
-        if let Some(nearest) = out.iter_mut().min_by(|a, b| distance(a).total_cmp(&distance(b))) {
-            nearest.trivial = true;
+/// A turn that closes; a motion that repeats only after several returns is given them.
+fn returned<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>) -> Result<Found, Fault> {
+    let first = newton::solve(system, start, options);
+    if options.returns > 1 || !matches!(options.by, Return::Automatic) || !first.as_ref().is_err_and(|f| f.code == "S042") {
+        return first;
+    }
+    for returns in 2..=RETURNS {
+        let more = Periodic { returns, begin: None, by: Return::Automatic, grid: Grid::Auto, outputs: None, ..*options };
+        if let Ok(found) = newton::solve(system, start, &more) {
+            return Ok(found);
         }
     }
-    out
+    first
+}
+
+/// The same regime from where the formula passes zero from below.
+fn begun<S: System + ?Sized>(system: &mut S, found: Found, begin: Formula<'_>, options: &Periodic<'_>) -> Result<Found, Fault> {
+    if found.is_driven() {
+        return Err(section_of_forced());
+    }
+    let x = found.orbit.first_zero(begin).ok_or_else(never_passed)?;
+    let x = found.at_time_zero(x);
+    let again = Periodic { settle: 0.0, begin: None, by: options.by.clone(), grid: Grid::Auto, outputs: None, ..*options };
+    // corrected once more; where the section lies on a switch or at rest, the correction may lead away from it
+    match newton::solve(system, &x, &again) {
+        Ok(other) if other.away_from(&x) < 1e-6 && (other.orbit.period / found.orbit.period - 1.0).abs() < 1e-6 => Ok(other),
+        _ => found.shifted(system, &x, options),
+    }
+}
+
+/// The multipliers with their audits; none where the turn has no derivative by its start.
+fn multipliers<S: System + ?Sized>(
+    system: &mut S,
+    found: &Found,
+    options: &Periodic<'_>,
+    dataset: &mut Dataset,
+) -> Result<Option<Vec<Multiplier>>, Fault> {
+    let (turn, blur) = match found.turn(system) {
+        Ok(found) => found,
+        Err(fault) if fault.code == "S054" || fault.code == "S055" => {
+            dataset.notes.push(no_multipliers(&fault));
+            return Ok(None);
+        }
+        Err(fault) => return Err(fault),
+    };
+    if let Some(note) = blurred(blur) {
+        dataset.notes.push(note);
+        return Ok(None);
+    }
+    let spectrum = spectrum::spectrum(&turn, options.seed)?;
+    if let Some(off) = spectrum.shift {
+        let name = Text::new(
+            "a shift along the motion has the multiplier 1: difference",
+            "сдвиг вдоль движения имеет мультипликатор 1: отклонение",
+        );
+        dataset.audits.insert(1, Audit::at_most("trivial_multiplier", name, off, 1e-7));
+    }
+    let name = Text::new(
+        "Liouville's formula: determinant of the variations against the divergence",
+        "формула Лиувилля: определитель решений в вариациях против дивергенции",
+    );
+    dataset.audits.insert(1, Audit::at_most("liouville", name, turn.liouville, 1e-8));
+    Ok(Some(spectrum.multipliers))
+}
+
+/// What a multiplier's distance from the unit circle must exceed.
+fn margin(m: &Multiplier) -> f64 {
+    m.error.max(NEUTRAL)
 }
 
 fn stable(multipliers: &[Multiplier]) -> Option<bool> {
-    let largest = multipliers.iter().filter(|m| !m.trivial).map(Multiplier::abs).fold(0.0, f64::max);
-    if largest.is_nan() || (largest - 1.0).abs() <= NEUTRAL { None } else { Some(largest < 1.0) }
+    let own = || multipliers.iter().filter(|m| !m.trivial);
+    if own().any(|m| m.abs() - 1.0 > margin(m)) {
+        return Some(false);
+    }
+    own().all(|m| 1.0 - m.abs() > margin(m)).then_some(true)
+}
+
+fn blurred(blur: Blur) -> Option<Text> {
+    match blur {
+        Blur::None => None,
+        Blur::Grazing => Some(Text::new(
+            "no multipliers: a switch is only touched (grazing), and the motion has no derivative by its start there",
+            "мультипликаторов нет: поверхность переключения лишь затронута (касание), производной движения по началу там нет",
+        )),
+        Blur::Corner => Some(Text::new(
+            "no multipliers: two switches happen at one instant, and which of them a neighbouring motion meets first decides",
+            "мультипликаторов нет: два переключения происходят одновременно, и важно, которое из них соседнее движение встретит первым",
+        )),
+        Blur::Accumulation => Some(Text::new(
+            "no multipliers: infinitely many impacts lie in the period",
+            "мультипликаторов нет: в периоде бесконечно много ударов",
+        )),
+    }
+}
+
+fn no_multipliers(fault: &Fault) -> Text {
+    Text::new(
+        format!("no multipliers: {} [{}]", fault.what.en, fault.code),
+        format!("мультипликаторов нет: {} [{}]", fault.what.ru, fault.code),
+    )
+}
+
+fn own_period(given: f64, period: f64) -> Text {
+    let (g, p) = (rounded(given), rounded(period));
+    Text::new(
+        format!("time does not occur in the equations: the period is the motion's own, {} s, and the given {} s was not used", p.en, g.en),
+        format!("время в уравнения не входит: период {} с — собственный период движения, заданные {} с не использованы", p.ru, g.ru),
+    )
 }
 
 /// Checks of a regime.
@@ -220,8 +328,18 @@ fn interrupted(options: &Periodic<'_>) -> bool {
 }
 
 /// The motion does not come back to the section.
-fn no_return(name: &Text, longest: f64) -> Fault {
-    let n = rounded(longest);
+fn no_return(name: &Text, options: &Periodic<'_>) -> Fault {
+    let n = rounded(options.longest);
+    let help = match options.by {
+        Return::Period(_) => Text::new(
+            "time does not occur in the equations, so a period cannot be given: name what returns, for example section = \"x'\", and begin nearer to the regime",
+            "время в уравнения не входит, и период задать нельзя: назовите то, что возвращается, например section = \"x'\", и начните ближе к режиму",
+        ),
+        _ => Text::new(
+            "name what turns or returns (section = \"phi\" or section = \"x'\"), or let the motion settle first (settle = \"20 s\")",
+            "назовите то, что совершает оборот или возвращается (section = \"phi\" или section = \"x'\"), или дайте движению установиться (settle = \"20 s\")",
+        ),
+    };
     Fault::new(Message {
         code: "S041",
         what: Text::new(
@@ -232,10 +350,7 @@ fn no_return(name: &Text, longest: f64) -> Fault {
             "the machine comes to rest, runs away, or needs another section",
             "машина останавливается, уходит неограниченно далеко или нужно другое сечение",
         ),
-        help: Text::new(
-            "name the coordinate that turns or returns (`by`), let the motion settle first, or give the period",
-            "укажите координату, которая совершает оборот или возвращается (`by`), дайте движению установиться или задайте период",
-        ),
+        help,
     })
 }
 
@@ -253,8 +368,8 @@ fn unsettled(residual: f64, turns: usize) -> Fault {
             "начало далеко от режима, движение не периодическое (биения, хаос) или повторяется только через несколько возвращений",
         ),
         help: Text::new(
-            "begin nearer to the regime (`settle`), or give the number of returns in a period",
-            "начните ближе к режиму (`settle`) или задайте число возвращений за период",
+            "begin nearer to the regime (settle = \"20 s\"), name another section, or give a period that holds all returns",
+            "начните ближе к режиму (settle = \"20 s\"), выберите другое сечение или задайте период, охватывающий все возвращения",
         ),
     })
 }
@@ -295,5 +410,71 @@ fn never_passed() -> Fault {
             "choose a section that the motion crosses, for example a rate: section = \"x'\"",
             "выберите сечение, которое движение пересекает, например скорость: section = \"x'\"",
         ),
+    })
+}
+
+/// A machine without states.
+fn nothing_moves() -> Fault {
+    Fault::new(Message {
+        code: "S056",
+        what: Text::new("nothing can move, so nothing can repeat", "двигаться нечему, и повторяться нечему"),
+        why: Text::new("the model has no coordinates", "в модели нет координат"),
+        help: Text::new(
+            "ask for statics or modes of a structure; a machine needs [coordinates]",
+            "для конструкции запросите statics или modes; машине нужны [coordinates]",
+        ),
+    })
+}
+
+/// The rates have no derivative by the state.
+fn no_derivative(t: f64) -> Fault {
+    let n = rounded(t);
+    Fault::new(Message {
+        code: "S054",
+        what: Text::new(
+            format!("at t = {} s the equations have no derivative by the state", n.en),
+            format!("при t = {} с уравнения не имеют производной по состоянию", n.ru),
+        ),
+        why: Text::new(
+            "a root, a fractional power or a similar formula is at its zero there",
+            "корень, дробная степень или подобная формула обращается там в нуль",
+        ),
+        help: Text::new(
+            "replace the formula near its zero by a smooth one; the period and the start hold without it",
+            "замените формулу вблизи нуля гладкой; период и начало верны и без этого",
+        ),
+    })
+}
+
+/// The variational equations cannot be followed.
+fn too_quick(t: f64) -> Fault {
+    let n = rounded(t);
+    Fault::new(Message {
+        code: "S055",
+        what: Text::new(
+            format!("the variations cannot be followed beyond t = {} s", n.en),
+            format!("решения в вариациях не удаётся продолжить дальше t = {} с", n.ru),
+        ),
+        why: Text::new(
+            "a disturbance moves too quickly beside the regime, or the equations are singular there",
+            "возмущение изменяется слишком быстро по сравнению с режимом, или уравнения там вырождены",
+        ),
+        help: Text::new(
+            "replace what is all but rigid by a connection; the period and the start hold without it",
+            "замените почти жёсткое звено связью; период и начало верны и без этого",
+        ),
+    })
+}
+
+/// A forced motion begins where its forces begin.
+pub fn section_of_forced() -> Fault {
+    Fault::new(Message {
+        code: "S057",
+        what: Text::new("a forced motion cannot begin at a section", "вынужденное движение не может начинаться с сечения"),
+        why: Text::new(
+            "time occurs in the equations: the period begins at t = 0, where the state is what the forces make it",
+            "время входит в уравнения: период начинается при t = 0, где состояние определяют силы",
+        ),
+        help: Text::new("keep `period` and drop `section`", "оставьте `period` и уберите `section`"),
     })
 }

@@ -129,7 +129,7 @@ impl Watched {
         let Section::Level { state, level, drift, sign, .. } = self.section else { return None };
         // sign (x - level - drift t) as a polynomial of the time within the step, from below to above at a passage
         let mut c: Vec<f64> = step.coefficients(state).iter().map(|c| sign * c).collect();
-        c[0] = sign * ((step.coefficients(state)[0] - level) - drift * step.start.high);
+        c[0] = sign * ((step.start_value(state) - level) - drift * step.start.high);
         c[1] -= sign * drift;
         if step.start.high == 0.0 && c[0].abs() <= 1e-13 * level.abs() {
             // the start itself, rounded
@@ -192,12 +192,22 @@ fn first_return(step: &Step, watched: &mut [Watched]) -> Option<(f64, usize)> {
 }
 
 impl Orbit {
+    /// State at an instant of the turn.
+    pub(super) fn state_at(&self, t: f64) -> Vec<f64> {
+        let mut x = self.first.clone();
+        let k = self.steps.partition_point(|s| s.end().high < t).min(self.steps.len().saturating_sub(1));
+        if let Some(step) = self.steps.get(k) {
+            step.state_at(t, &mut x);
+        }
+        x
+    }
+
     /// Range of each state along the turn, seen from a frame that moves with these velocities, and its largest magnitude.
     pub(super) fn ranges(&self, frame: &[f64]) -> Vec<(f64, f64)> {
         let end = self.steps.last().map_or(0.0, |s| s.end().high);
         let mut out = Vec::new();
         for (i, v) in frame.iter().enumerate() {
-            let values = self.steps.iter().map(|s| s.coefficients(i)[0] - v * s.start.high).chain([self.last[i] - v * end]);
+            let values = self.steps.iter().map(|s| s.start_value(i) - v * s.start.high).chain([self.last[i] - v * end]);
             let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
             out.push((high - low, low.abs().max(high.abs())));
         }

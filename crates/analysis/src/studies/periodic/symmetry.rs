@@ -4,13 +4,16 @@
 //! of all these rows is a direction (dq, ds, dt) of translation. A motion is periodic when it comes back up to such translations and whole
 //! turns of angles.
 
-use super::fundamental::derivative;
+use super::fundamental::{derivative, slopes};
 use super::orbit::Orbit;
+use crate::numerics::random::Random;
 use crate::numerics::rank::Qr;
 use crate::{Fault, Mode, System};
 
 /// Points of the turn at which derivatives are taken.
 const POINTS: usize = 12;
+/// Off the motion the laws are looked at this share of the scales beside it: where the machine rests, its laws may say nothing of time.
+const BESIDE: f64 = 0.05;
 /// Share of a row below which an entry is rounding of the differences.
 const NOISE: f64 = 1e-9;
 
@@ -44,13 +47,14 @@ pub(super) fn find<S: System + ?Sized>(
     let places: Vec<usize> = (0..n).chain(2 * n..n_x).collect();
     let sizes: Vec<f64> = places.iter().map(|&i| scales[i]).chain([orbit.period]).collect();
     let columns = places.len() + 1;
-    let samples = samples(orbit);
+    let samples = samples(system, orbit, scales);
     let mut table = Table { samples, places: places.clone(), sizes: sizes.clone(), matrix: Vec::new(), norms: Vec::new() };
     for k in 0..table.samples.len() {
         rows(system, k, scales, orbit.period, &mut table)?;
     }
     if reach == Reach::Possible {
-        for k in (0..table.samples.len()).step_by(4) {
+        let own: Vec<usize> = (0..table.samples.len()).filter(|&k| table.samples[k].own).collect();
+        for &k in own.iter().step_by(4) {
             conditions(system, k, scales, orbit.period, &mut table)?;
         }
     }
@@ -90,6 +94,8 @@ pub(super) fn find<S: System + ?Sized>(
 }
 
 struct Sample {
+    /// Whether the motion passes there.
+    own: bool,
     t: f64,
     x: Vec<f64>,
     modes: Vec<Mode>,
@@ -120,11 +126,18 @@ fn laws<S: System + ?Sized>(system: &mut S, t: f64, x: &[f64], modes: &[Mode]) -
 /// Adds the rows of one instant.
 fn rows<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], period: f64, table: &mut Table) -> Result<(), Fault> {
     let n = system.n_coordinates();
-    let Sample { t, x, modes } = &table.samples[sample];
+    let Sample { t, x, modes, .. } = &table.samples[sample];
     let values = laws(system, *t, x, modes)?;
-    let by_state = derivative(x, scales, |place| laws(system, *t, place, modes))?;
-    let by_time = derivative(&[*t], &[period], |time| laws(system, time[0], x, modes))?;
-    for (k, (row, time)) in by_state.iter().zip(&by_time).enumerate() {
+    let mut slopes_of = Vec::new();
+    slopes(system, *t, x, modes, scales, &mut slopes_of)?;
+    for (k, row) in slopes_of.chunks(x.len() + 1).skip(n).enumerate() {
+        let (row, time) = row.split_at(x.len());
+        if !row.iter().chain(time).all(|v| v.is_finite()) {
+            // a slope that does not exist says nothing
+            table.matrix.resize(table.matrix.len() + table.places.len() + 1, 0.0);
+            table.norms.push(f64::INFINITY);
+            continue;
+        }
         let total: f64 = row.iter().zip(scales).map(|(d, s)| (d * s).abs()).sum::<f64>() + (time[0] * period).abs();
         let own = match scales.get(n + k) {
             Some(scale) => scale / period,
@@ -140,7 +153,7 @@ fn rows<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], perio
 
 /// Adds rows that vanish for directions in which the machine can be moved: the projection on the conditions leaves them as they are.
 fn conditions<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], period: f64, table: &mut Table) -> Result<(), Fault> {
-    let Sample { t, x, modes } = &table.samples[sample];
+    let Sample { t, x, modes, .. } = &table.samples[sample];
     let mut moved = |t: f64, place: &[f64]| {
         let mut place = place.to_vec();
         system.project(t, &mut place, modes)?;
@@ -198,14 +211,23 @@ fn refined<S: System + ?Sized>(system: &mut S, table: &Table, mut frame: Vec<f64
     Ok(frame)
 }
 
-fn samples(orbit: &Orbit) -> Vec<Sample> {
+/// States of the motion, each with another one beside it at another instant.
+fn samples<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64]) -> Vec<Sample> {
     let stride = orbit.steps.len().div_ceil(POINTS).max(1);
-    let sample = |s: &crate::taylor::Step| Sample {
-        t: s.start.high,
-        x: (0..orbit.first.len()).map(|i| s.coefficients(i)[0]).collect(),
-        modes: s.modes.clone(),
-    };
-    orbit.steps.iter().step_by(stride).map(sample).collect()
+    let begin = orbit.steps.first().map_or(0.0, |s| s.start.high);
+    let mut random = Random::new(1);
+    let mut out = Vec::new();
+    for s in orbit.steps.iter().step_by(stride) {
+        let x: Vec<f64> = (0..orbit.first.len()).map(|i| s.start_value(i)).collect();
+        let beside: Vec<f64> = x.iter().zip(scales).map(|(x, scale)| x + BESIDE * scale * random.between(-1.0, 1.0)).collect();
+        out.push(Sample { own: true, t: s.start.high, x, modes: s.modes.clone() });
+        let t = begin + orbit.period * random.between(0.0, 1.0);
+        // a formula need not have a value there
+        if laws(system, t, &beside, &s.modes).is_ok_and(|v| v.iter().all(|v| v.is_finite())) {
+            out.push(Sample { own: false, t, x: beside, modes: s.modes.clone() });
+        }
+    }
+    out
 }
 
 /// Whether the laws are the same after a whole turn of a state.
@@ -230,7 +252,7 @@ fn unchanged<S: System + ?Sized>(
     change: impl Fn(&Sample) -> (f64, Vec<f64>),
 ) -> Result<bool, Fault> {
     let n = system.n_coordinates();
-    let samples = samples(orbit);
+    let samples = samples(system, orbit, scales);
     let mut here = Vec::with_capacity(samples.len());
     for sample in &samples {
         here.push(laws(system, sample.t, &sample.x, &sample.modes)?);

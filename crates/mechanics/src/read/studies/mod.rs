@@ -129,6 +129,22 @@ fn duration<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str)
     Some(number)
 }
 
+/// A time that may be zero.
+fn waiting<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<f64> {
+    let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::TIME))?;
+    let number = reader.number(&value)?;
+    if number < 0.0 {
+        reader.fault(Fault::new(
+            "M065",
+            fields.span_of(key),
+            format!("`{key}` is {number} s; it must not be negative"),
+            format!("`{key}` равно {number} с; отрицательным быть не может"),
+        ));
+        return None;
+    }
+    Some(number)
+}
+
 fn tolerance<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> f64 {
     let Some(value) = fields.formula(reader, "tolerance", &Context::CONSTANT, Some(&Dimension::NONE)) else { return DEFAULT_TOLERANCE };
     let Some(number) = reader.number(&value) else { return DEFAULT_TOLERANCE };

@@ -1,7 +1,7 @@
 //! The study `periodic`: what begins a period, and what is known of it.
 
 use super::simulate::grid;
-use super::{angular, constant_parameter, duration, outputs, plot::plots, tolerance};
+use super::{angular, constant_parameter, duration, outputs, plot::plots, tolerance, waiting};
 use crate::fault::Fault;
 use crate::formula::{Context, EntryKind, Kind};
 use crate::model::{Periodic, Section, StudyKind};
@@ -11,7 +11,7 @@ use crate::units::Dimension;
 pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
     let section = section(reader, fields);
     let period = duration(reader, fields, "period");
-    let settle = duration(reader, fields, "settle").unwrap_or(0.0);
+    let settle = waiting(reader, fields, "settle").unwrap_or(0.0);
     let wanted = duration(reader, fields, "wanted_period");
     let unknown = constant_parameter(reader, fields, "unknown");
     if fields.has("wanted_period") != fields.has("unknown") {

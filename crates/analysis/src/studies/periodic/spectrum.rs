@@ -1,0 +1,116 @@
+//! Multipliers of a turn from its fundamental matrix: the shift along the motion apart, each with the error it may have.
+//!
+//! For an autonomous machine Φ f = f, f the rates at the start: the shift in time is known by its vector and not by its value. A reflection H that
+//! turns f into the first axis leaves
+//!
+//! ```text
+//! H Φ H = | 1  * |
+//!         | 0  B |        the eigenvalues of B are the multipliers of the return map
+//! ```
+//!
+//! so that a second multiplier 1 (a conservative machine) stands alone and keeps its digits. How far a multiplier can be trusted is seen by
+//! disturbing B by its own rounding.
+
+use super::Multiplier;
+use crate::Fault;
+use crate::numerics::eigen::general;
+use crate::numerics::random::Random;
+
+/// What is known of a turn, on the states that have to come back, in their scales.
+pub(super) struct Turn {
+    pub(super) n: usize,
+    /// Row-major.
+    pub(super) matrix: Vec<f64>,
+    /// Rates at the start; none when time is not free.
+    pub(super) flow: Option<Vec<f64>>,
+    /// ln |det| of the matrix, where it is known apart from it.
+    pub(super) log_determinant: Option<f64>,
+    /// By how much Liouville's formula was missed.
+    pub(super) liouville: f64,
+}
+
+/// Multipliers and how well Φ f = f is met.
+pub(super) struct Spectrum {
+    pub(super) multipliers: Vec<Multiplier>,
+    /// |Φ f - f|/|f|.
+    pub(super) shift: Option<f64>,
+}
+
+/// Rounding of an entry of the matrix, in its largest one.
+const ROUNDING: f64 = 1e-12;
+/// Disturbances tried.
+const TRIALS: u64 = 3;
+
+pub(super) fn spectrum(turn: &Turn, seed: u64) -> Result<Spectrum, Fault> {
+    let n = turn.n;
+    let (rest, shift) = match &turn.flow {
+        Some(flow) => without_shift(n, &turn.matrix, flow),
+        None => (turn.matrix.clone(), None),
+    };
+    let r = if shift.is_some() { n - 1 } else { n };
+    // rounding is that of the whole matrix, however small what is left of it
+    let largest = turn.matrix.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let size = largest * ROUNDING.max(turn.liouville);
+    let mut multipliers = with_errors(r, &rest, size, seed)?;
+    name_smallest(&mut multipliers, turn.log_determinant);
+    if let Some((value, _)) = shift {
+        multipliers.push(Multiplier { re: value, trivial: true, error: 1e-12 * (1.0 + value.abs()), ..Multiplier::default() });
+    }
+    multipliers.sort_by(|a, b| b.abs().total_cmp(&a.abs()).then(b.re.total_cmp(&a.re)).then(b.im.total_cmp(&a.im)));
+    Ok(Spectrum { multipliers, shift: shift.map(|(_, off)| off) })
+}
+
+/// B, and of the first axis its eigenvalue and how well it is met.
+fn without_shift(n: usize, matrix: &[f64], flow: &[f64]) -> (Vec<f64>, Option<(f64, f64)>) {
+    let length = flow.iter().map(|f| f * f).sum::<f64>().sqrt();
+    let f: Vec<f64> = flow.iter().map(|v| v / length).collect();
+    let image: Vec<f64> = (0..n).map(|i| (0..n).map(|j| matrix[i * n + j] * f[j]).sum()).collect();
+    let off = image.iter().zip(&f).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
+    let value = image.iter().zip(&f).map(|(a, b)| a * b).sum();
+    // reflection with f -> ± e_1, the sign that does not cancel
+    let mut v = f.clone();
+    v[0] += if f[0] < 0.0 { -1.0 } else { 1.0 };
+    let square: f64 = v.iter().map(|x| x * x).sum();
+    let reflect = |x: &mut [f64]| {
+        let amount = 2.0 * x.iter().zip(&v).map(|(a, b)| a * b).sum::<f64>() / square;
+        x.iter_mut().zip(&v).for_each(|(x, v)| *x -= amount * v);
+    };
+    let mut rows = matrix.to_vec();
+    rows.chunks_mut(n).for_each(reflect);
+    let mut columns: Vec<f64> = (0..n * n).map(|k| rows[(k % n) * n + k / n]).collect();
+    columns.chunks_mut(n).for_each(reflect);
+    let rest = (0..(n - 1) * (n - 1)).map(|k| columns[(k % (n - 1) + 1) * n + k / (n - 1) + 1]).collect();
+    (rest, Some((value, off)))
+}
+
+/// Eigenvalues, each with what it moves by when the entries of the matrix move by `size`.
+fn with_errors(n: usize, matrix: &[f64], size: f64, seed: u64) -> Result<Vec<Multiplier>, Fault> {
+    if n == 0 {
+        return Ok(Vec::new());
+    }
+    let values = general(n, matrix)?.values;
+    let mut errors = vec![0.0_f64; n];
+    let mut random = Random::new(seed);
+    for _ in 0..TRIALS {
+        let disturbed: Vec<f64> = matrix.iter().map(|v| v + size * random.between(-1.0, 1.0)).collect();
+        let moved = general(n, &disturbed)?.values;
+        for (error, value) in errors.iter_mut().zip(&values) {
+            let nearest = moved.iter().map(|m| (m.0 - value.0).hypot(m.1 - value.1)).fold(f64::INFINITY, f64::min);
+            *error = error.max(2.0 * nearest);
+        }
+    }
+    let multiplier =
+        |((re, im), error): (&(f64, f64), &f64)| Multiplier { re: *re, im: *im, error: error.max(size), ..Multiplier::default() };
+    Ok(values.iter().zip(&errors).map(multiplier).collect())
+}
+
+/// A multiplier below its error is no number: it is zero as far as the matrix tells. When it is the only one, the determinant gives it.
+fn name_smallest(multipliers: &mut [Multiplier], log_determinant: Option<f64>) {
+    let lost = |m: &Multiplier| m.re.hypot(m.im) <= m.error;
+    let known: f64 = multipliers.iter().filter(|m| !lost(m)).map(|m| m.abs().ln()).sum();
+    let alone = multipliers.iter().filter(|m| lost(m)).count() == 1;
+    for m in multipliers.iter_mut().filter(|m| lost(m)) {
+        (m.re, m.im) = (0.0, 0.0);
+        m.log_abs = log_determinant.filter(|_| alone).map(|whole| whole - known);
+    }
+}
