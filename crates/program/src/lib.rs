@@ -57,6 +57,7 @@ mod jets;
 pub mod lower;
 pub mod passes;
 mod program;
+mod rounding;
 mod solve;
 mod tape;
 pub mod text;

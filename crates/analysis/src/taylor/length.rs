@@ -237,6 +237,13 @@ impl Rule {
         }
     }
 
+    /// The next lower order; false at the lowest. Just after a power has left zero its high coefficients exceed the range of numbers.
+    pub(super) fn lower(&mut self) -> bool {
+        let Some(level) = self.level.checked_sub(1) else { return false };
+        self.settle(level);
+        true
+    }
+
     fn settle(&mut self, level: usize) {
         self.level = level;
         self.order = self.levels[level].order;

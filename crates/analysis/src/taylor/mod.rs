@@ -3,7 +3,8 @@
 //! One expansion per step gives the polynomials of the states, hence the step length (`length.rs`), the dense output ([`Step`]) and
 //! polynomial event functions ([`crate::events::roots`]). The order starts from the tolerance and adapts to the motion. A step goes so:
 //!
-//! 1. length from the last two coefficients, and the order of the next expansion; never across a scheduled instant, which is hit exactly;
+//! 1. length from the last two coefficients, and the order of the next expansion; never across a scheduled instant, which is hit exactly, and never
+//!    across what an operation does beyond its polynomial ([`System::faithful`]);
 //! 2. first sign change of a guard on the step shortens it;
 //! 3. new state; the expansion there is the next step's, and its first coefficients, compared with the derivative of the old polynomials, measure the
 //!    defect of the step: a step that relied on accidental zeros among the last coefficients is taken back;
@@ -57,6 +58,8 @@ pub struct Work {
     pub steps: u64,
     /// Steps taken back.
     pub rejected: u64,
+    /// Steps shortened because an operation would have left its polynomial.
+    pub shortened: u64,
     /// Expansions of the full order.
     pub expansions: u64,
     /// Expansions of order 1, for the defect of steps that end at an event.
@@ -200,6 +203,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             self.rule.adapt(&self.step.states);
         }
         h = self.trusted(&self.step, h);
+        h = self.faithful(h);
         let mut defect = Defect::default();
         loop {
             self.check_length(h)?;
@@ -258,6 +262,13 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     pub fn switches(&self) -> &[Switch] {
         &self.switches
     }
+    /// The part of a step on which every operation does what its polynomial says. What it cuts says nothing about the length of the next step.
+    fn faithful(&mut self, h: f64) -> f64 {
+        let shorter = self.system.faithful(h, self.rule.tolerance);
+        self.work.shortened += u64::from(shorter < h);
+        shorter
+    }
+
     /// Work done.
     pub fn work(&self) -> &Work {
         &self.work
@@ -277,8 +288,13 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     }
 
     pub(crate) fn expand_here(&mut self) -> Result<(), Fault> {
-        self.work.expansions += 1;
-        self.system.expand(self.now.high, &self.x, &self.modes, self.rule.order)
+        loop {
+            self.work.expansions += 1;
+            match self.system.expand(self.now.high, &self.x, &self.modes, self.rule.order) {
+                Err(fault) if fault.is_overflow() && self.rule.lower() => {}
+                outcome => return outcome,
+            }
+        }
     }
 
     fn take_expansion(&mut self) {

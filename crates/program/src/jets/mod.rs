@@ -10,15 +10,22 @@
 //! what the forward copy holds beyond order k (finite leftovers of earlier expansions). Sums have a fixed order, so results are the
 //! same bits on every machine.
 
+mod curve;
+mod faithful;
 mod plan;
 mod recurrences;
 
 use crate::guard::needed;
 use crate::interpret::defective;
-use crate::{Bound, Evaluator, Fault, Mode, Operation, Point};
+use crate::{Bound, Evaluator, Fault, Mode, Operation, Point, Register, Unary};
+use curve::Curve;
+use faithful::Watch;
 use plan::Plan;
 use recurrences::{Memory, Step};
 use symbolic::Text;
+
+/// What is nearer in time than this share of it is now.
+const RESOLUTION: f64 = 32.0 * f64::EPSILON;
 
 /// Taylor expander of the dynamics, with its memory.
 #[derive(Clone, Debug)]
@@ -30,6 +37,8 @@ pub struct Jets {
     live: Vec<Step>,
     /// Those of them that guards need: one order more is wanted there.
     tail: Vec<Step>,
+    /// Check of a step against what the operations do inside it.
+    watch: Watch,
     modes: Option<Vec<Mode>>,
     order: usize,
     largest: usize,
@@ -41,7 +50,7 @@ impl Jets {
         let evaluator = bound.dynamics.clone();
         let plan = Plan::new(&evaluator);
         let memory = Memory::new(&plan, order);
-        Jets { plan, memory, evaluator, live: Vec::new(), tail: Vec::new(), modes: None, order: 0, largest: order }
+        Jets { plan, memory, evaluator, live: Vec::new(), tail: Vec::new(), watch: Watch::default(), modes: None, order: 0, largest: order }
     }
 
     /// Expands the solution through (t, x) to `order`.
@@ -61,12 +70,67 @@ impl Jets {
         }
         self.choose_branches(modes);
         self.order = order;
-        if self.advance(time, states) {
+        self.memory.at_zero.clear();
+        if self.advance(time, states) && !self.begins_at_zero(time) {
+            return Ok(());
+        }
+        if self.keep_at_zero(time, states, modes) && self.advance(time, states) {
             return Ok(());
         }
         let fault = self.blame(time, states, modes);
         self.modes = None;
         Err(fault)
+    }
+
+    /// The longest step, at most `h`, over which the coefficients of the last expansion say what every operation does, within `tolerance` of the
+    /// largest value that it takes: nothing that is flat at its start stays hidden. A root or power at zero is kept constant for no less than the
+    /// resolution of time.
+    pub fn faithful(&mut self, h: f64, tolerance: f64) -> f64 {
+        let time = self.memory.get(self.plan.time, 0);
+        self.watch.faithful(self.memory.rows(self.order), h, tolerance, RESOLUTION * time.abs())
+    }
+
+    /// Operations whose step had to be divided by [`Jets::faithful`] since the modes changed.
+    pub fn looks(&self) -> u64 {
+        self.watch.looks
+    }
+
+    /// Whether a root or power is nearer to zero than time is resolved.
+    fn begins_at_zero(&self, time: f64) -> bool {
+        self.order > 1
+            && self.watch.nodes.iter().filter(|n| matches!(n.curve, Curve::Root | Curve::Power(_))).any(|n| {
+                let (a, slope) = (self.memory.get(n.a, 0), self.memory.get(n.a, 1));
+                a != 0.0 && a.abs() < RESOLUTION * time.abs() * slope.abs()
+            })
+    }
+
+    /// Finds the roots and powers whose argument is zero up to rounding, or as near as time is resolved; false when there is none.
+    fn keep_at_zero(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> bool {
+        let slopes: Vec<f64> = self.watch.nodes.iter().map(|n| if self.order > 1 { self.memory.get(n.a, 1) } else { 0.0 }).collect();
+        let point = Point { time, states, modes: Some(modes), ..Point::default() };
+        if self.evaluator.evaluate(&point).is_err() {
+            return false;
+        }
+        let tape = self.evaluator.tape().clone();
+        let mut at_zero = Vec::new();
+        for (node, slope) in self.watch.nodes.iter().zip(slopes) {
+            if !matches!(node.curve, Curve::Root | Curve::Power(_)) {
+                continue;
+            }
+            let argument = tape.body.iter().find(|i| self.plan.row_of(i.into) == Some(node.c)).and_then(|i| match i.operation {
+                Operation::Unary(Unary::SquareRoot, a) | Operation::Power(a, _) => Some(a),
+                _ => None,
+            });
+            let Some(argument) = argument else { continue };
+            let value = self.evaluator.value(argument);
+            let near = value.abs() < RESOLUTION * time.abs() * slope.abs();
+            if value != 0.0 && (near || value.abs() <= self.evaluator.rounding(argument)) {
+                at_zero.push(node.c);
+            }
+        }
+        self.memory.defect = None;
+        self.memory.at_zero = at_zero;
+        !self.memory.at_zero.is_empty()
     }
 
     /// Coefficients x_i[0..=order] of state `i`.
@@ -101,6 +165,7 @@ impl Jets {
         let (wanted, active) = needed(&self.evaluator, modes);
         self.live = self.plan.steps(modes, &wanted);
         self.tail = self.plan.guard_steps(&self.live, &active);
+        self.watch = Watch::new(self.plan.watched(&self.live), self.plan.count as usize);
         self.memory.clear(&self.plan, modes);
         self.modes = Some(modes.to_vec());
     }
@@ -145,7 +210,7 @@ impl Jets {
         if let Some((row, defect)) = self.memory.defect {
             let tape = self.evaluator.tape();
             let into = tape.body.iter().map(|i| i.into).find(|into| self.plan.row_of(*into) == Some(row));
-            return defective(tape, into.unwrap_or(crate::Register(0)), defect);
+            return defective(tape, into.unwrap_or(Register(0)), defect);
         }
         let point = Point { time, states, modes: Some(modes), ..Point::default() };
         if let Err(fault) = self.evaluator.evaluate(&point) {

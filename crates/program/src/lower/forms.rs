@@ -152,6 +152,11 @@ impl Builder {
                 let base = self.whole(value);
                 list.push(self.whole_power(base, n.unsigned_abs()));
             }
+            // a root has no series at zero, and its cube hides how little the power misses there
+            (None, Some(n), value) if n > 1 => {
+                let base = self.whole(value);
+                list.push(self.power(base, Coefficient::number(0.5 * n as f64)));
+            }
             // x^(n/2) = (√x)^n
             (None, Some(n), value) => {
                 let base = self.whole(value);

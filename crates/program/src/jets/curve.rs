@@ -1,0 +1,123 @@
+//! Nonlinear operations as functions of intervals: what values they take while their arguments run through given ranges.
+//!
+//! Every function here is monotone between known points, so its range follows from the ends and those points; products, quotients and angles of
+//! boxes follow from the corners. Results are widened by a few units in the last place, for the rounding of the functions themselves.
+
+use std::f64::consts::PI;
+
+/// Rounding of a library function.
+const ULPS: f64 = 4.0 * f64::EPSILON;
+
+/// low..=high.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Range {
+    pub low: f64,
+    pub high: f64,
+}
+
+impl Range {
+    pub(crate) fn new(a: f64, b: f64) -> Range {
+        Range { low: a.min(b), high: a.max(b) }
+    }
+
+    pub(crate) fn width(self) -> f64 {
+        self.high - self.low
+    }
+
+    /// Largest absolute value.
+    pub(crate) fn size(self) -> f64 {
+        self.low.abs().max(self.high.abs())
+    }
+
+    fn contains(self, x: f64) -> bool {
+        self.low <= x && x <= self.high
+    }
+
+    fn widened(self) -> Range {
+        let room = ULPS * self.size() + f64::MIN_POSITIVE;
+        Range { low: self.low - room, high: self.high + room }
+    }
+}
+
+/// An operation that can be flat where its argument moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Curve {
+    /// a b
+    Product,
+    /// a²
+    Square,
+    /// a/b
+    Quotient,
+    /// √a
+    Root,
+    /// a^p
+    Power(f64),
+    Exp,
+    Tanh,
+    Sinh,
+    Cosh,
+    Log,
+    Asin,
+    Acos,
+    Atan,
+    /// Angle of the point (b, a), continued over ±π
+    Angle,
+}
+
+impl Curve {
+    /// Whether a and b both count.
+    pub(crate) fn has_two(self) -> bool {
+        matches!(self, Curve::Product | Curve::Quotient | Curve::Angle)
+    }
+
+    /// Value at (a, b). Roots and powers are continued by their value at zero, because a switch ends the step there.
+    pub(crate) fn value(self, a: f64, b: f64) -> f64 {
+        match self {
+            Curve::Product => a * b,
+            Curve::Square => a * a,
+            Curve::Quotient => a / b,
+            Curve::Root => a.max(0.0).sqrt(),
+            Curve::Power(p) => a.max(0.0).powf(p),
+            Curve::Exp => a.exp(),
+            Curve::Tanh => a.tanh(),
+            Curve::Sinh => a.sinh(),
+            Curve::Cosh => a.cosh(),
+            Curve::Log => a.ln(),
+            Curve::Asin => a.clamp(-1.0, 1.0).asin(),
+            Curve::Acos => a.clamp(-1.0, 1.0).acos(),
+            Curve::Atan => a.atan(),
+            Curve::Angle => a.atan2(b),
+        }
+    }
+
+    /// The values for all (a, b) in a box; none where the box holds a point without a value.
+    pub(crate) fn range(self, a: Range, b: Range) -> Option<Range> {
+        let range = match self {
+            Curve::Product => corners(a, b, |a, b| a * b),
+            Curve::Quotient if b.contains(0.0) => return None,
+            Curve::Quotient => corners(a, b, |a, b| a / b),
+            Curve::Square | Curve::Cosh if a.contains(0.0) => {
+                Range { low: self.value(0.0, 0.0), high: self.value(a.low, 0.0).max(self.value(a.high, 0.0)) }
+            }
+            Curve::Log if a.low <= 0.0 => return None,
+            Curve::Power(p) if p < 0.0 && a.low <= 0.0 => return None,
+            Curve::Angle if a.contains(0.0) && b.contains(0.0) => return None,
+            // left of the axis the angle is taken about pi
+            Curve::Angle if b.high < 0.0 => {
+                let about = corners(a, b, |a, b| (-a).atan2(-b));
+                Range { low: about.low + PI, high: about.high + PI }
+            }
+            Curve::Angle => corners(a, b, f64::atan2),
+            _ => Range::new(self.value(a.low, 0.0), self.value(a.high, 0.0)),
+        };
+        (!range.low.is_nan() && !range.high.is_nan()).then(|| range.widened())
+    }
+}
+
+fn corners(a: Range, b: Range, f: impl Fn(f64, f64) -> f64) -> Range {
+    let values = [f(a.low, b.low), f(a.low, b.high), f(a.high, b.low), f(a.high, b.high)];
+    if values.iter().any(|v| v.is_nan()) {
+        return Range { low: f64::NAN, high: f64::NAN };
+    }
+    values.iter().fold(Range { low: values[0], high: values[0] }, |r, v| Range { low: r.low.min(*v), high: r.high.max(*v) })
+}
