@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use symbolic::Text;
 
 use crate::audits::bodies::BodyBalance;
+use crate::audits::defect::InteriorDefect;
 use crate::audits::impacts::{ImpactEnergy, drift};
 use crate::audits::{halving::tolerance_halving, power::PowerBalance, second::two_derivations};
 use crate::dataset::{Column, Counter, Dataset, Event};
@@ -213,6 +214,7 @@ struct Run {
     events: Vec<Event>,
     power: PowerBalance,
     bodies: BodyBalance,
+    defect: InteriorDefect,
     impacts: ImpactEnergy,
     /// Largest drift of conditions that was removed.
     drift: f64,
@@ -270,6 +272,7 @@ impl Run {
             events: Vec::new(),
             power: PowerBalance::new(n_x),
             bodies: BodyBalance::new(n_x),
+            defect: InteriorDefect::new(n_x),
             impacts: ImpactEnergy::default(),
             drift: 0.0,
             work: Work::default(),
@@ -305,6 +308,7 @@ impl Run {
             let (step, system) = flow.step_and_system();
             self.power.look(step, system);
             self.bodies.look(step, system);
+            self.defect.look(step, system);
             step.state_at(step.start.after(step.length).high, &mut self.x);
             system.placed(step.start.after(step.length).high, &self.x)?;
             outcome?;
@@ -428,6 +432,7 @@ impl Run {
         let audits = [
             self.power.audit(tolerance),
             self.bodies.audit(tolerance),
+            self.defect.audit(tolerance),
             self.impacts.audit(),
             drift(self.drift, self.work.projections, tolerance),
         ];

@@ -70,13 +70,14 @@ impl Curve {
         matches!(self, Curve::Product | Curve::Quotient | Curve::Angle)
     }
 
-    /// Value at (a, b). Roots and powers are continued by their value at zero, because a switch ends the step there.
+    /// Value at (a, b). Roots and fractional powers are continued by their value at zero, because a switch ends the step there.
     pub(crate) fn value(self, a: f64, b: f64) -> f64 {
         match self {
             Curve::Product => a * b,
             Curve::Square => a * a,
             Curve::Quotient => a / b,
             Curve::Root => a.max(0.0).sqrt(),
+            Curve::Power(p) if p.fract() == 0.0 => a.powf(p),
             Curve::Power(p) => a.max(0.0).powf(p),
             Curve::Exp => a.exp(),
             Curve::Tanh => a.tanh(),
@@ -100,7 +101,7 @@ impl Curve {
                 Range { low: self.value(0.0, 0.0), high: self.value(a.low, 0.0).max(self.value(a.high, 0.0)) }
             }
             Curve::Log if a.low <= 0.0 => return None,
-            Curve::Power(p) if p < 0.0 && a.low <= 0.0 => return None,
+            Curve::Power(p) if (p < 0.0 || p.fract() == 0.0) && a.low <= 0.0 => return None,
             Curve::Angle if a.contains(0.0) && b.contains(0.0) => return None,
             // left of the axis the angle is taken about pi
             Curve::Angle if b.high < 0.0 => {

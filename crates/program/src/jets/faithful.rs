@@ -20,7 +20,8 @@
 //! 112-117; the norm is that of K. Makino, M. Berz, Taylor models and other validated functional inclusion methods, IJPAM 4 (2003) 379-456.
 //!
 //! **Powers at zero.** √a and a^p have no series at a = 0, but a motion passes it: the force is integrable. There the operation is kept constant over a
-//! step so short that the impulse it misses is nothing, sup |f - c_0| h' <= tol² W h; the steps after it grow with the distance from the singular point.
+//! step so short that what it misses is nothing, sup |f - c_0| <= 10 tol W and sup |f - c_0| h' <= tol² W h; the steps after it grow with the distance
+//! from the singular point.
 
 use super::curve::{Curve, Range};
 use super::recurrences::Row;
@@ -32,6 +33,12 @@ pub(super) struct Watched {
     pub(super) a: Row,
     pub(super) b: Row,
     pub(super) c: Row,
+}
+
+impl Watched {
+    pub(super) fn is_power(&self) -> bool {
+        matches!(self.curve, Curve::Root | Curve::Power(_))
+    }
 }
 
 /// How much further than its polynomial a function may range without being looked at closely.
@@ -177,11 +184,12 @@ impl Watch {
         let (row, start) = (rows.row(node.a), rows.row(node.c)[0]);
         let reach = |powers: &[f64]| {
             let far = row[0].abs() + way(&row[1..], &powers[1..]);
-            (node.curve.value(far, 0.0) - start).abs().max(start.abs())
+            (node.curve.value(far, 0.0) - start).abs()
         };
-        let allowed = tolerance * tolerance * reach(&self.powers) * h;
+        let whole = reach(&self.powers);
+        let is_little = |off: f64, shorter: f64| off <= 10.0 * tolerance * whole && off * shorter <= tolerance * tolerance * whole * h;
         let mut shorter = h;
-        while shorter > f64::MIN_POSITIVE && reach(&self.powers) * shorter > allowed {
+        while shorter > f64::MIN_POSITIVE && !is_little(reach(&self.powers), shorter) {
             shorter *= 0.25;
             self.measure(rows.count, shorter);
         }
@@ -192,7 +200,7 @@ impl Watch {
 
 /// A root or power whose argument begins at zero: its row holds the value alone.
 fn is_singular(rows: Rows<'_>, node: Watched) -> bool {
-    matches!(node.curve, Curve::Root | Curve::Power(_)) && rows.row(node.c)[1..].iter().all(|c_k| *c_k == 0.0)
+    node.is_power() && rows.row(node.c)[1..].iter().all(|c_k| *c_k == 0.0)
 }
 
 /// Σ |c_k| p_k in a fixed order.

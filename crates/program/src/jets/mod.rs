@@ -18,8 +18,7 @@ mod recurrences;
 use crate::guard::needed;
 use crate::interpret::defective;
 use crate::{Bound, Evaluator, Fault, Mode, Operation, Point, Register, Unary};
-use curve::Curve;
-use faithful::Watch;
+use faithful::{Watch, Watched};
 use plan::Plan;
 use recurrences::{Memory, Step};
 use symbolic::Text;
@@ -74,9 +73,10 @@ impl Jets {
         if self.advance(time, states) && !self.begins_at_zero(time) {
             return Ok(());
         }
-        if self.keep_at_zero(time, states, modes) && self.advance(time, states) {
+        if self.keep_at_zero(time, states, modes) {
             return Ok(());
         }
+        self.memory.at_zero.clear();
         let fault = self.blame(time, states, modes);
         self.modes = None;
         Err(fault)
@@ -97,40 +97,46 @@ impl Jets {
 
     /// Whether a root or power is nearer to zero than time is resolved.
     fn begins_at_zero(&self, time: f64) -> bool {
-        self.order > 1
-            && self.watch.nodes.iter().filter(|n| matches!(n.curve, Curve::Root | Curve::Power(_))).any(|n| {
-                let (a, slope) = (self.memory.get(n.a, 0), self.memory.get(n.a, 1));
-                a != 0.0 && a.abs() < RESOLUTION * time.abs() * slope.abs()
-            })
+        self.order > 1 && self.watch.nodes.iter().any(|n| n.is_power() && self.memory.get(n.a, 0) != 0.0 && self.is_near(n, time))
     }
 
-    /// Finds the roots and powers whose argument is zero up to rounding, or as near as time is resolved; false when there is none.
+    fn is_near(&self, node: &Watched, time: f64) -> bool {
+        let (a, slope) = (self.memory.get(node.a, 0), self.memory.get(node.a, 1));
+        a.abs() < RESOLUTION * time.abs() * slope.abs()
+    }
+
+    /// Expands once more with the roots and powers whose argument is zero up to rounding, or as near as time is resolved, kept constant; false when
+    /// there is none, or one of a truly negative number. Negative ones are taken for zero first, because the slopes may depend on them.
     fn keep_at_zero(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> bool {
-        let slopes: Vec<f64> = self.watch.nodes.iter().map(|n| if self.order > 1 { self.memory.get(n.a, 1) } else { 0.0 }).collect();
-        let point = Point { time, states, modes: Some(modes), ..Point::default() };
-        if self.evaluator.evaluate(&point).is_err() {
-            return false;
-        }
-        let tape = self.evaluator.tape().clone();
-        let mut at_zero = Vec::new();
-        for (node, slope) in self.watch.nodes.iter().zip(slopes) {
-            if !matches!(node.curve, Curve::Root | Curve::Power(_)) {
-                continue;
-            }
-            let argument = tape.body.iter().find(|i| self.plan.row_of(i.into) == Some(node.c)).and_then(|i| match i.operation {
-                Operation::Unary(Unary::SquareRoot, a) | Operation::Power(a, _) => Some(a),
-                _ => None,
-            });
-            let Some(argument) = argument else { continue };
-            let value = self.evaluator.value(argument);
-            let near = value.abs() < RESOLUTION * time.abs() * slope.abs();
-            if value != 0.0 && (near || value.abs() <= self.evaluator.rounding(argument)) {
-                at_zero.push(node.c);
+        // the registers tell how large rounding may be, even where a result has no value
+        let _ = self.evaluator.evaluate(&Point { time, states, modes: Some(modes), ..Point::default() });
+        let powers: Vec<Watched> = self.watch.nodes.iter().filter(|n| n.is_power()).copied().collect();
+        let rounded = |jets: &Jets, n: &Watched| jets.memory.get(n.a, 0).abs() <= jets.rounding_under(n);
+        let (mut negative, mut near) = (Vec::new(), Vec::new());
+        for node in powers {
+            let a = self.memory.get(node.a, 0);
+            if a < 0.0 {
+                negative.push(node);
+            } else if a > 0.0 && (self.order > 1 && self.is_near(&node, time) || rounded(self, &node)) {
+                near.push(node);
             }
         }
         self.memory.defect = None;
-        self.memory.at_zero = at_zero;
-        !self.memory.at_zero.is_empty()
+        self.memory.at_zero = negative.iter().chain(&near).map(|n| n.c).collect();
+        if self.memory.at_zero.is_empty() || !self.advance(time, states) {
+            return false;
+        }
+        negative.iter().all(|n| self.order > 1 && self.is_near(n, time) || rounded(self, n))
+    }
+
+    /// Rounding of the argument of a power, by the last evaluation.
+    fn rounding_under(&self, node: &Watched) -> f64 {
+        let tape = self.evaluator.tape();
+        let argument = tape.body.iter().find(|i| self.plan.row_of(i.into) == Some(node.c)).and_then(|i| match i.operation {
+            Operation::Unary(Unary::SquareRoot, a) | Operation::Power(a, _) => Some(a),
+            _ => None,
+        });
+        argument.map_or(0.0, |a| self.evaluator.rounding(a))
     }
 
     /// Coefficients x_i[0..=order] of state `i`.

@@ -269,8 +269,8 @@ impl Memory {
             Step::Tangent { a, helper, sign, .. } => {
                 let x = self.get(a, 0);
                 let t = if sign > 0.0 { x.tan() } else { x.tanh() };
-                // 1 - tanh² of a saturated tanh has no digits left
-                let u = if sign > 0.0 { 1.0 + t * t } else { x.cosh().powi(-2) };
+                // 1 - tanh² has few digits left near saturation; what tanh itself does not show any more is nothing
+                let u = if sign > 0.0 { 1.0 + t * t } else { Some(x.cosh().powi(-2)).filter(|u| *u > f64::EPSILON).unwrap_or(0.0) };
                 self.put(helper + 1, 0, u);
                 t
             }

@@ -138,7 +138,7 @@ impl Builder {
 
     /// Sorts base^exponent into numerator and denominator.
     fn factor(&mut self, value: Value, exponent: &Rational, top: &mut Vec<Register>, bottom: &mut Vec<Register>) {
-        let small = |r: &Rational| r.to_i64().filter(|n| n.unsigned_abs() <= 64);
+        let small = |r: &Rational| r.to_i64().filter(|n| n.unsigned_abs() <= 1024);
         let whole = small(exponent);
         let half = if whole.is_none() { small(&(exponent + exponent)) } else { None };
         let list = if exponent.is_negative() { bottom } else { top };
