@@ -122,3 +122,52 @@ fn corners(a: Range, b: Range, f: impl Fn(f64, f64) -> f64) -> Range {
     }
     values.iter().fold(Range { low: values[0], high: values[0] }, |r, v| Range { low: r.low.min(*v), high: r.high.max(*v) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CURVES: [Curve; 14] = [
+        Curve::Product,
+        Curve::Square,
+        Curve::Quotient,
+        Curve::Root,
+        Curve::Power(1.75),
+        Curve::Exp,
+        Curve::Tanh,
+        Curve::Sinh,
+        Curve::Cosh,
+        Curve::Log,
+        Curve::Asin,
+        Curve::Acos,
+        Curve::Atan,
+        Curve::Angle,
+    ];
+
+    /// A fixed sequence in -1..1.
+    fn numbers() -> impl FnMut() -> f64 {
+        let mut n = 0.0_f64;
+        move || {
+            n += 1.0;
+            2.0 * (n * 0.754_877_666_246_692_7).fract() - 1.0
+        }
+    }
+
+    #[test]
+    fn range_holds_every_value_of_the_box() {
+        let mut next = numbers();
+        for _ in 0..4000 {
+            let size = 10.0_f64.powf(2.0 * next());
+            let [a, b] = [0; 2].map(|_| Range::new(size * next(), size * next()));
+            for curve in CURVES {
+                let Some(range) = curve.range(a, b) else { continue };
+                for k in 0..=20 {
+                    let (s, r) = (f64::from(k) / 20.0, f64::from(k * 7 % 21) / 20.0);
+                    let value = curve.value(a.low + s * a.width(), b.low + r * b.width());
+                    let turned = curve == Curve::Angle && range.contains(value + 2.0 * PI);
+                    assert!(range.contains(value) || turned, "{curve:?} {a:?} {b:?}: {value} not in {range:?}");
+                }
+            }
+        }
+    }
+}

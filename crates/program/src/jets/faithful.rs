@@ -369,3 +369,89 @@ fn halve(row: &[f64]) -> (Vec<f64>, Vec<f64>) {
     }
     (left, right)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const COUNT: usize = 20;
+
+    /// A fixed sequence in -1..1.
+    fn numbers() -> impl FnMut() -> f64 {
+        let mut n = 0.0_f64;
+        move || {
+            n += 1.0;
+            2.0 * (n * 0.754_877_666_246_692_7).fract() - 1.0
+        }
+    }
+
+    fn value(c: &[f64], tau: f64) -> f64 {
+        c.iter().rev().fold(0.0, |sum, c_k| sum * tau + c_k)
+    }
+
+    #[test]
+    fn ways_and_parts_hold_the_polynomial() {
+        let mut next = numbers();
+        for _ in 0..300 {
+            let h = 10.0_f64.powf(next());
+            let cells: Vec<f64> = (0..COUNT).map(|k| next() * h.powi(-(k as i32))).collect();
+            let rows = Rows { cells: &cells, stride: COUNT, count: COUNT };
+            let node = Watched { curve: Curve::Exp, a: 0, b: 0, c: 0 };
+            let mut watch = Watch::new(vec![node], 1);
+            watch.measure(COUNT, h);
+            let way = watch.way(rows, 0);
+            let part = Part::whole(rows, node, h).halves()[1].halves()[0].clone();
+            let range = part.range(0);
+            for k in 0..=50 {
+                let u = f64::from(k) / 50.0;
+                assert!((value(&cells, u * h) - cells[0]).abs() <= way * (1.0 + 1e-13));
+                let inside = value(&cells, (part.left + u * part.width()) * h);
+                assert!(range.low - 1e-12 <= inside && inside <= range.high + 1e-12, "{inside} not in {range:?}");
+            }
+        }
+    }
+
+    /// Taylor coefficients vanish where tanh(slope tau - far) is saturated: the step must end before it rises, and not long before.
+    #[test]
+    fn saturated_step_is_met_at_any_width() {
+        for slope in [1e2, 1e3, 1e5, 1e8] {
+            let mut cells = vec![0.0; 2 * COUNT];
+            (cells[0], cells[1], cells[COUNT]) = (-0.5 * slope, slope, -1.0);
+            let rows = Rows { cells: &cells, stride: COUNT, count: COUNT };
+            let mut watch = Watch::new(vec![Watched { curve: Curve::Tanh, a: 0, b: 0, c: 1 }], 2);
+            let h = watch.faithful(rows, 1.0, 1e-12, 0.0);
+            let off = (slope * h - 0.5 * slope).tanh() + 1.0;
+            assert!(off <= 1e-12 && h > 0.4 - 20.0 / slope, "{slope}: {h}, {off}");
+        }
+    }
+
+    /// A bell curve that has underflowed where the step begins, passed twice within it.
+    #[test]
+    fn far_bell_curve_is_met() {
+        for width in [0.01, 1e-4, 1e-6] {
+            let mut cells = vec![0.0; 2 * COUNT];
+            let w = 1.0 / (width * width);
+            (cells[0], cells[1], cells[2]) = (-0.25 * w, w, -w);
+            let rows = Rows { cells: &cells, stride: COUNT, count: COUNT };
+            let mut watch = Watch::new(vec![Watched { curve: Curve::Exp, a: 0, b: 0, c: 1 }], 2);
+            let h = watch.faithful(rows, 2.0, 1e-12, 0.0);
+            let bell = (-w * (h - 0.5).powi(2)).exp();
+            assert!(bell <= 1e-12 && h > 0.5 - 1e2 * width, "{width}: {h}");
+        }
+    }
+
+    #[test]
+    fn resolved_function_costs_nothing() {
+        // exp(tau) up to h = 3
+        let mut cells = vec![0.0; 2 * COUNT];
+        cells[1] = 1.0;
+        (0..COUNT).fold(1.0, |c, k| {
+            cells[COUNT + k] = c;
+            c / (k + 1) as f64
+        });
+        let rows = Rows { cells: &cells, stride: COUNT, count: COUNT };
+        let mut watch = Watch::new(vec![Watched { curve: Curve::Exp, a: 0, b: 0, c: 1 }], 2);
+        assert_eq!(watch.faithful(rows, 3.0, 1e-12, 0.0), 3.0);
+        assert_eq!(watch.looks, 0);
+    }
+}
