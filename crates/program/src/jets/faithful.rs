@@ -91,7 +91,7 @@ impl Watch {
 
     /// The longest step, at most `h`, on which every operation is good; a power at zero asks for no less than `least`.
     pub(super) fn faithful(&mut self, rows: Rows<'_>, mut h: f64, tolerance: f64, least: f64) -> f64 {
-        if rows.count < 2 || !(h > 0.0) {
+        if rows.count < 2 || h.is_nan() || h <= 0.0 {
             return h;
         }
         self.measure(rows.count, h);
