@@ -376,6 +376,11 @@ impl Fault {
         })
     }
 
+    /// Whether coefficients of that order exceed the range of numbers; a lower order may not.
+    pub(crate) fn is_overflow(&self) -> bool {
+        matches!(self.code, "P006" | "P007")
+    }
+
     /// The step fell below the resolution of time.
     pub fn underflow(state: &Text, t: f64) -> Fault {
         let n = number(t);

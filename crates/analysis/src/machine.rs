@@ -330,6 +330,19 @@ impl System for Machine {
         Ok(Jacobian::Given)
     }
 
+    fn faithful(&mut self, h: f64, tolerance: f64) -> f64 {
+        self.jets.faithful(h, tolerance)
+    }
+
+    fn rates(&mut self, t: f64, x: &[f64], modes: &[Mode], rates: &mut [f64]) -> bool {
+        self.observing.set(modes, &self.bound);
+        match self.bound.rates(t, x, &self.observing.modes) {
+            Ok(values) if values.len() >= rates.len() => rates.copy_from_slice(&values[..rates.len()]),
+            _ => return false,
+        }
+        true
+    }
+
     fn state(&self, i: usize) -> &[f64] {
         self.jets.state(i)
     }
@@ -393,6 +406,10 @@ impl System for Machine {
     fn modes_by_value(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
         let modes = self.bound.modes(t, x).ok()?;
         Some(modes.into_iter().map(returned).collect())
+    }
+
+    fn sides(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
+        self.modes_by_value(t, x)
     }
 
     fn powers(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Powers> {

@@ -161,6 +161,19 @@ pub trait System {
         Ok(Jacobian::Absent)
     }
 
+    /// The longest step, at most `h`, over which the coefficients of the last [`System::expand`] say what the equations and the guards do, within the
+    /// tolerance: no term that is flat at its start stays hidden. A system that cannot tell returns `h`.
+    fn faithful(&mut self, h: f64, tolerance: f64) -> f64 {
+        let _ = tolerance;
+        h
+    }
+
+    /// x' at (t, x) in the given modes, without disturbing the last expansion; false when it has no value there or the system cannot tell.
+    fn rates(&mut self, t: f64, x: &[f64], modes: &[Mode], rates: &mut [f64]) -> bool {
+        let _ = (t, x, modes, rates);
+        false
+    }
+
     /// Coefficients of state `i` from the last [`System::expand`]; length order + 1.
     fn state(&self, i: usize) -> &[f64];
 
@@ -202,6 +215,12 @@ pub trait System {
     fn modes_by_value(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
         let _ = (t, x);
         Some(vec![Mode::Positive; self.guards().len()])
+    }
+
+    /// Sides of the guards at the start, from their values; none when the system leaves them to the search.
+    fn sides(&mut self, t: f64, x: &[f64]) -> Option<Vec<Mode>> {
+        let _ = (t, x);
+        None
     }
 
     /// Powers at (t, x) with given accelerations q''; none when the system has no energies.

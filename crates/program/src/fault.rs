@@ -297,8 +297,8 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
         "P007",
         ("No Taylor series", "Нет ряда Тейлора"),
         (
-            "The value exists but its rates do not: sqrt(0), asin(1), a distance of zero. The integrator needs a smooth right-hand side between switches.",
-            "Значение существует, а производные нет: sqrt(0), asin(1), нулевое расстояние. Интегратору нужна гладкая правая часть между переключениями.",
+            "The value exists but its rates do not: asin(1), the angle of a point at the origin. The integrator needs a smooth right-hand side between switches; roots and fractional powers that pass zero are integrated.",
+            "Значение существует, а производные нет: asin(1), угол точки в начале координат. Интегратору нужна гладкая правая часть между переключениями; корни и дробные степени, проходящие через нуль, интегрируются.",
         ),
     ),
     (

@@ -1,6 +1,7 @@
 //! The interpreter: one tape, one state, plain floating-point numbers. The oracle for every other back-end.
 
 use crate::general::General;
+use crate::rounding;
 use crate::solve::{self, Defect};
 use crate::{By, Coefficient, Fault, Instruction, Mode, Operation, Register, Singular, Tape, Unary};
 use std::sync::Arc;
@@ -85,6 +86,11 @@ impl Evaluator {
     /// The side that a choice took in the last evaluation; none when what decides is no number.
     pub(crate) fn decided(&self, by: By, point: &Point) -> Option<Mode> {
         decide(by, &self.registers, point, &self.tape).ok()
+    }
+
+    /// Bound of the rounding in a register after the last evaluation; states and time count as rounded once.
+    pub(crate) fn rounding(&self, register: Register) -> f64 {
+        rounding::bound(&self.tape, &self.registers, register)
     }
 
     /// Values of the roots at a point, in order.
@@ -254,7 +260,8 @@ fn execute(
         Operation::Multiply(a, b) => at(a) * at(b),
         Operation::Square(a) => at(a) * at(a),
         Operation::Divide(a, b) => at(a) / at(b),
-        Operation::Power(a, p) => at(a).powf(resolve(*p, registers)),
+        Operation::Power(a, p) => rounding::radicand(tape, registers, *a).powf(resolve(*p, registers)),
+        Operation::Unary(Unary::SquareRoot, a) => rounding::radicand(tape, registers, *a).sqrt(),
         Operation::Unary(f, a) => f.apply(at(a)),
         Operation::Atan2(a, b) => at(a).atan2(at(b)),
         Operation::SinCos(a) => {

@@ -58,6 +58,7 @@ mod jets;
 pub mod lower;
 pub mod passes;
 mod program;
+mod rounding;
 mod solve;
 mod tangent;
 mod tape;

@@ -15,6 +15,8 @@ use strutt::{Failure, Source, Trouble, Watch};
 /// Set by Ctrl+C.
 pub static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
+/// Between lines on the progress where no terminal shows it.
+const BETWEEN_LINES: Duration = Duration::from_secs(10);
 /// A calculation shows its progress when it takes longer.
 const PATIENCE: Duration = Duration::from_secs(1);
 
@@ -139,7 +141,7 @@ impl Console {
 
     /// Runs a calculation under watch: Ctrl+C stops it, a bar shows its progress, its phases are timed.
     pub fn watched<T>(&mut self, calculate: impl FnOnce(&mut Watch) -> T) -> T {
-        let mut bar = Bar { started: Instant::now(), shown: None, enabled: !self.quiet && std::io::stderr().is_terminal() };
+        let mut bar = Bar::new(self.quiet, self.language);
         let mut tell = |share: f64| bar.tell(share);
         let mut watch = Watch::default();
         watch.interrupt = Some(&INTERRUPTED);
@@ -182,17 +184,54 @@ pub fn listen_to_interrupts() {
     });
 }
 
+/// How far a long calculation has come: a bar on a terminal, elsewhere a line now and then.
 struct Bar {
     started: Instant,
+    /// When the last line was written.
+    told: Instant,
     shown: Option<indicatif::ProgressBar>,
-    enabled: bool,
+    form: Form,
+    language: Language,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Silent,
+    Bar,
+    Lines,
 }
 
 impl Bar {
+    fn new(quiet: bool, language: Language) -> Bar {
+        let form = match (quiet, std::io::stderr().is_terminal()) {
+            (true, _) => Form::Silent,
+            (false, true) => Form::Bar,
+            (false, false) => Form::Lines,
+        };
+        let now = Instant::now();
+        Bar { started: now, told: now, shown: None, form, language }
+    }
+
     fn tell(&mut self, share: f64) {
-        if !self.enabled || self.started.elapsed() < PATIENCE {
-            return;
+        match self.form {
+            Form::Bar if self.started.elapsed() >= PATIENCE => self.draw(share),
+            Form::Lines if self.told.elapsed() >= BETWEEN_LINES => self.line(share),
+            _ => {}
         }
+    }
+
+    /// What is done, how long it took, how long the rest takes at the same pace.
+    fn line(&mut self, share: f64) {
+        self.told = Instant::now();
+        let elapsed = self.started.elapsed().as_secs_f64();
+        let (done, left) = (100.0 * share, elapsed * (1.0 - share) / share.max(f64::MIN_POSITIVE));
+        complain(&match self.language {
+            Language::Ru => format!("выполнено {done:.1} % за {elapsed:.0} с, осталось около {left:.0} с\n").replace('.', ","),
+            _ => format!("{done:.1} % done in {elapsed:.0} s, about {left:.0} s left\n"),
+        });
+    }
+
+    fn draw(&mut self, share: f64) {
         let bar = self.shown.get_or_insert_with(|| {
             let style = indicatif::ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed}").ok();
             let bar = indicatif::ProgressBar::new(1000);

@@ -68,15 +68,18 @@ impl Derivation {
         graph.sum(&terms)
     }
 
-    /// D b^x = b^x (D x log b + x D b / b)
+    /// D b^x = b^x log b D x + x b^(x-1) D b; without a denominator, so that it has a value at b = 0
     fn power(&self, graph: &mut Graph, e: Expr, base: Expr, exponent: Expr) -> Expr {
         let (db, dx) = (self.memo[&base], self.memo[&exponent]);
         let log = graph.call(Function::Log, &[base]);
-        let first = graph.mul(dx, log);
-        let ratio = graph.div(db, base);
-        let second = graph.mul(exponent, ratio);
-        let inner = graph.add(first, second);
-        graph.mul(e, inner)
+        let growth = graph.mul(dx, log);
+        let first = graph.mul(e, growth);
+        let one = graph.one();
+        let less = graph.sub(exponent, one);
+        let lower = graph.power(base, less);
+        let slope = graph.mul(exponent, lower);
+        let second = graph.mul(slope, db);
+        graph.add(first, second)
     }
 
     fn call(&self, graph: &mut Graph, e: Expr, function: Function, arguments: &[Expr]) -> Expr {

@@ -1,6 +1,7 @@
 //! Checks of a result by means that the result did not use.
 
 pub mod bodies;
+pub mod defect;
 pub mod digits;
 pub mod friction;
 pub mod halving;

@@ -26,9 +26,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
     pub(crate) fn decide_at_start(&mut self) -> Result<(), Fault> {
         self.before.clone_from(&self.x);
         self.touched.fill(false);
-        self.modes.fill(Mode::Zero);
+        self.sides_of_switches(Mode::Zero);
         if self.has_contacts() {
-            self.modes.fill(Mode::Positive);
+            self.sides_of_switches(Mode::Positive);
             self.expand_here()?;
             self.measure()?;
             self.sides_at_start()?;
@@ -40,6 +40,17 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let impacts = self.come_to_rest(impacts)?;
         self.list(&impacts, Listed::Impacts);
         Ok(())
+    }
+
+    /// Switches away from their surfaces take their sides; the formula on the surface need not have a value here. The other guards become `others`.
+    fn sides_of_switches(&mut self, others: Mode) {
+        self.modes.fill(others);
+        let Some(sides) = self.system.sides(self.now.high, &self.x) else { return };
+        for (i, side) in sides.into_iter().enumerate() {
+            if self.system.guards()[i].kind == GuardKind::Switch && side != Mode::Zero {
+                self.modes[i] = side;
+            }
+        }
     }
 
     /// Decides the modes after the guards in `touched` have reached their surfaces, and records what changed.

@@ -96,11 +96,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         for i in 0..self.modes.len() {
             let guard = &self.system.guards()[i];
             let (around, contact) = match guard.kind {
-                GuardKind::Switch => {
-                    self.modes[i] = Mode::Zero;
-                    continue;
-                }
-                GuardKind::Bound { .. } => continue,
+                GuardKind::Switch | GuardKind::Bound { .. } => continue,
                 GuardKind::Friction { .. } => (rates, false),
                 GuardKind::Contact { .. } => (places, true),
             };

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use symbolic::Text;
 
 use crate::audits::bodies::BodyBalance;
+use crate::audits::defect::InteriorDefect;
 use crate::audits::friction::FrictionWork;
 use crate::audits::impacts::{ImpactEnergy, drift, relative};
 use crate::audits::ledger::Ledger;
@@ -263,6 +264,7 @@ struct Run {
     events: Vec<Event>,
     power: PowerBalance,
     bodies: BodyBalance,
+    defect: InteriorDefect,
     impacts: ImpactEnergy,
     ledger: Ledger,
     friction: FrictionWork,
@@ -326,6 +328,7 @@ impl Run {
             events: Vec::new(),
             power: PowerBalance::new(n_x),
             bodies: BodyBalance::new(n_x),
+            defect: InteriorDefect::new(n_x),
             impacts: ImpactEnergy::default(),
             ledger: Ledger::new(n_x, options.tolerance),
             friction: FrictionWork::default(),
@@ -402,6 +405,7 @@ impl Run {
         self.extremes.look(&mut Along::new(step, system, length));
         self.power.look(step, system);
         self.bodies.look(step, system);
+        self.defect.look(step, system);
         self.ledger.look(step, system, length);
         self.friction.look(step, system, length);
         if let Some(stop) = &stop {
@@ -581,6 +585,7 @@ impl Run {
             self.power.audit(tolerance),
             self.ledger.audit(),
             self.bodies.audit(tolerance),
+            self.defect.audit(tolerance),
             self.impacts.audit(),
             self.friction.audit(),
             drift(self.drift, self.work.projections, tolerance),

@@ -3,7 +3,8 @@
 //! One expansion per step gives the polynomials of the states, hence the step length (`length.rs`), the dense output ([`Step`]) and
 //! polynomial event functions ([`crate::events::roots`]). The order starts from the tolerance and adapts to the motion. A step goes so:
 //!
-//! 1. length from the last two coefficients, and the order of the next expansion; never across a scheduled instant, which is hit exactly;
+//! 1. length from the last two coefficients, and the order of the next expansion; never across a scheduled instant, which is hit exactly, and never
+//!    across what an operation does beyond its polynomial ([`System::faithful`]);
 //! 2. first sign change of a guard on the step shortens it;
 //! 3. new state; the expansion there is the next step's, and its first coefficients, compared with the derivative of the old polynomials, measure the
 //!    defect of the step: a step that relied on accidental zeros among the last coefficients is taken back;
@@ -63,6 +64,8 @@ pub struct Work {
     pub steps: u64,
     /// Steps taken back.
     pub rejected: u64,
+    /// Steps shortened because an operation would have left its polynomial.
+    pub shortened: u64,
     /// Expansions of the full order.
     pub expansions: u64,
     /// Expansions of order 1, for the defect of steps that end at an event.
@@ -234,6 +237,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             self.rule.adapt(&self.step.states);
         }
         h = self.trusted(&self.step, h);
+        h = self.faithful(h);
         let mut defect = Defect::default();
         loop {
             self.check_length(h)?;
@@ -293,6 +297,13 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     pub fn switches(&self) -> &[Switch] {
         &self.switches
     }
+    /// The part of a step on which every operation does what its polynomial says. What it cuts says nothing about the length of the next step.
+    fn faithful(&mut self, h: f64) -> f64 {
+        let shorter = self.system.faithful(h, self.rule.tolerance);
+        self.work.shortened += u64::from(shorter < h);
+        shorter
+    }
+
     /// Work done.
     pub fn work(&self) -> &Work {
         &self.work
@@ -417,7 +428,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
 fn expand_within_range<S: System + ?Sized>(system: &mut S, rule: &mut Rule, (t, x): (f64, &[f64]), modes: &[Mode]) -> Result<(), Fault> {
     loop {
         match system.expand(t, x, modes, rule.order) {
-            Err(fault) if fault.code == "P006" && rule.lower() => {}
+            Err(fault) if fault.is_overflow() && rule.lower() => {}
             outcome => return outcome,
         }
     }

@@ -10,15 +10,21 @@
 //! what the forward copy holds beyond order k (finite leftovers of earlier expansions). Sums have a fixed order, so results are the
 //! same bits on every machine.
 
+mod curve;
+mod faithful;
 mod plan;
 mod recurrences;
 
 use crate::guard::needed;
 use crate::interpret::defective;
-use crate::{Bound, Evaluator, Fault, Mode, Operation, Point};
+use crate::{Bound, Evaluator, Fault, Mode, Operation, Point, Register, Unary};
+use faithful::{Watch, Watched};
 use plan::Plan;
 use recurrences::{Memory, Step};
 use symbolic::Text;
+
+/// What is nearer in time than this share of it is now.
+const RESOLUTION: f64 = 32.0 * f64::EPSILON;
 
 /// Taylor expander of the dynamics, with its memory.
 #[derive(Clone, Debug)]
@@ -30,6 +36,8 @@ pub struct Jets {
     live: Vec<Step>,
     /// Those of them that guards need: one order more is wanted there.
     tail: Vec<Step>,
+    /// Check of a step against what the operations do inside it.
+    watch: Watch,
     modes: Option<Vec<Mode>>,
     order: usize,
     largest: usize,
@@ -41,7 +49,7 @@ impl Jets {
         let evaluator = bound.dynamics.clone();
         let plan = Plan::new(&evaluator);
         let memory = Memory::new(&plan, order);
-        Jets { plan, memory, evaluator, live: Vec::new(), tail: Vec::new(), modes: None, order: 0, largest: order }
+        Jets { plan, memory, evaluator, live: Vec::new(), tail: Vec::new(), watch: Watch::default(), modes: None, order: 0, largest: order }
     }
 
     /// Expands the solution through (t, x) to `order`.
@@ -61,12 +69,74 @@ impl Jets {
         }
         self.choose_branches(modes);
         self.order = order;
-        if self.advance(time, states) {
+        self.memory.at_zero.clear();
+        if self.advance(time, states) && !self.begins_at_zero(time) {
             return Ok(());
         }
+        if self.keep_at_zero(time, states, modes) {
+            return Ok(());
+        }
+        self.memory.at_zero.clear();
         let fault = self.blame(time, states, modes);
         self.modes = None;
         Err(fault)
+    }
+
+    /// The longest step, at most `h`, over which the coefficients of the last expansion say what every operation does, within `tolerance` of the
+    /// largest value that it takes: nothing that is flat at its start stays hidden. A root or power at zero is kept constant for no less than the
+    /// resolution of time.
+    pub fn faithful(&mut self, h: f64, tolerance: f64) -> f64 {
+        let time = self.memory.get(self.plan.time, 0);
+        self.watch.faithful(self.memory.rows(self.order), h, tolerance, RESOLUTION * time.abs())
+    }
+
+    /// Operations whose step had to be divided by [`Jets::faithful`] since the modes changed.
+    pub fn looks(&self) -> u64 {
+        self.watch.looks
+    }
+
+    /// Whether a root or power is nearer to zero than time is resolved.
+    fn begins_at_zero(&self, time: f64) -> bool {
+        self.order > 1 && self.watch.nodes.iter().any(|n| n.is_power() && self.memory.get(n.a, 0) != 0.0 && self.is_near(n, time))
+    }
+
+    fn is_near(&self, node: &Watched, time: f64) -> bool {
+        let (a, slope) = (self.memory.get(node.a, 0), self.memory.get(node.a, 1));
+        a.abs() < RESOLUTION * time.abs() * slope.abs()
+    }
+
+    /// Expands once more with the roots and powers whose argument is zero up to rounding, or as near as time is resolved, kept constant; false when
+    /// there is none, or one of a truly negative number. Negative ones are taken for zero first, because the slopes may depend on them.
+    fn keep_at_zero(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> bool {
+        // the registers tell how large rounding may be, even where a result has no value
+        let _ = self.evaluator.evaluate(&Point { time, states, modes: Some(modes), ..Point::default() });
+        let powers: Vec<Watched> = self.watch.nodes.iter().filter(|n| n.is_power()).copied().collect();
+        let rounded = |jets: &Jets, n: &Watched| jets.memory.get(n.a, 0).abs() <= jets.rounding_under(n);
+        let (mut negative, mut near) = (Vec::new(), Vec::new());
+        for node in powers {
+            let a = self.memory.get(node.a, 0);
+            if a < 0.0 {
+                negative.push(node);
+            } else if a > 0.0 && (self.order > 1 && self.is_near(&node, time) || rounded(self, &node)) {
+                near.push(node);
+            }
+        }
+        self.memory.defect = None;
+        self.memory.at_zero = negative.iter().chain(&near).map(|n| n.c).collect();
+        if self.memory.at_zero.is_empty() || !self.advance(time, states) {
+            return false;
+        }
+        negative.iter().all(|n| self.order > 1 && self.is_near(n, time) || rounded(self, n))
+    }
+
+    /// Rounding of the argument of a power, by the last evaluation.
+    fn rounding_under(&self, node: &Watched) -> f64 {
+        let tape = self.evaluator.tape();
+        let argument = tape.body.iter().find(|i| self.plan.row_of(i.into) == Some(node.c)).and_then(|i| match i.operation {
+            Operation::Unary(Unary::SquareRoot, a) | Operation::Power(a, _) => Some(a),
+            _ => None,
+        });
+        argument.map_or(0.0, |a| self.evaluator.rounding(a))
     }
 
     /// Coefficients x_i[0..=order] of state `i`.
@@ -101,6 +171,7 @@ impl Jets {
         let (wanted, active) = needed(&self.evaluator, modes);
         self.live = self.plan.steps(modes, &wanted);
         self.tail = self.plan.guard_steps(&self.live, &active);
+        self.watch = Watch::new(self.plan.watched(&self.live), self.plan.count as usize);
         self.memory.clear(&self.plan, modes);
         self.modes = Some(modes.to_vec());
     }
@@ -145,7 +216,7 @@ impl Jets {
         if let Some((row, defect)) = self.memory.defect {
             let tape = self.evaluator.tape();
             let into = tape.body.iter().map(|i| i.into).find(|into| self.plan.row_of(*into) == Some(row));
-            return defective(tape, into.unwrap_or(crate::Register(0)), defect);
+            return defective(tape, into.unwrap_or(Register(0)), defect);
         }
         let point = Point { time, states, modes: Some(modes), ..Point::default() };
         if let Err(fault) = self.evaluator.evaluate(&point) {

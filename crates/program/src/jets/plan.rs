@@ -1,5 +1,7 @@
 //! The dynamics tape as a list of steps over rows, with numbers for all coefficients.
 
+use super::curve::Curve;
+use super::faithful::Watched;
 use super::recurrences::{Row, Step};
 use crate::{By, Coefficient, Evaluator, Mode, Operation, Register, Unary};
 
@@ -260,6 +262,37 @@ impl Plan {
         steps
     }
 
+    /// The operations among `live` that can hide something; see `faithful.rs`. Sines and tangents move wherever their argument does.
+    pub(super) fn watched(&self, live: &[Step]) -> Vec<Watched> {
+        let mut list = Vec::new();
+        let mut watch = |curve, a, b, c| list.push(Watched { curve, a, b, c });
+        for step in live {
+            match *step {
+                Step::Multiply { row, a, b } => watch(Curve::Product, a, b, row),
+                Step::Square { row, a } => watch(Curve::Square, a, a, row),
+                Step::Divide { row, a, b } => watch(Curve::Quotient, a, b, row),
+                Step::SquareRoot { row, a } => watch(Curve::Root, a, a, row),
+                Step::Power { row, a, p, .. } => watch(Curve::Power(p), a, a, row),
+                Step::Exp { row, a, .. } => watch(Curve::Exp, a, a, row),
+                Step::SinCos { row, a, sign, .. } if sign > 0.0 => {
+                    watch(Curve::Sinh, a, a, row);
+                    watch(Curve::Cosh, a, a, row + 1);
+                }
+                Step::Tangent { row, a, sign, .. } if sign < 0.0 => watch(Curve::Tanh, a, a, row),
+                Step::Inverse { row, a, f, .. } => watch(inverse(f), a, a, row),
+                Step::Atan2 { row, y, x, .. } => watch(Curve::Angle, y, x, row),
+                Step::Solve { row, system } => {
+                    let system = &self.systems[system as usize];
+                    if let ([(0, 0, entry)], [right]) = (&system.moving[..], &system.right[..]) {
+                        watch(Curve::Quotient, *right, *entry, row);
+                    }
+                }
+                _ => {}
+            }
+        }
+        list
+    }
+
     pub(super) fn width(&self, step: &Step) -> usize {
         match step {
             Step::System { system, .. } => self.generals[*system as usize].size,
@@ -291,5 +324,14 @@ impl Plan {
     pub(super) fn active_guards<'a>(&'a self, tail: &'a [Step]) -> impl Iterator<Item = Row> + 'a {
         let writes = |s: &Step, row: Row| (s.row()..s.row() + self.width(s) as Row).contains(&row);
         self.guards.iter().copied().filter(move |g| tail.iter().any(|s| writes(s, *g)))
+    }
+}
+
+fn inverse(f: Unary) -> Curve {
+    match f {
+        Unary::Asin => Curve::Asin,
+        Unary::Acos => Curve::Acos,
+        Unary::Atan => Curve::Atan,
+        _ => Curve::Log,
     }
 }

@@ -4,6 +4,7 @@
 //! (f g)_k = Σ_{j=0}^{k} f_j g_{k-j}. Helper rows called *weighted* hold the coefficients of t-derivatives shifted down: w_{j-1} = j a_j,
 //! so that Σ_{j=1}^{k} j a_j b_{k-j} is again a product of runs.
 
+use super::faithful::Rows;
 use super::plan::{Plan, Resolved};
 use crate::general::General;
 use crate::solve::{Defect, Factor};
@@ -137,6 +138,8 @@ pub(super) struct Memory {
     scratch: Vec<f64>,
     /// The first row of a system that could not be factored, and why.
     pub(super) defect: Option<(Row, Defect)>,
+    /// Rows of roots and powers whose argument is zero up to rounding: they hold the value alone.
+    pub(super) at_zero: Vec<Row>,
 }
 
 /// Runs are multiplied in groups of this many.
@@ -168,7 +171,13 @@ impl Memory {
             resolved: vec![Resolved::default(); plan.generals.len()],
             scratch: vec![0.0; largest],
             defect: None,
+            at_zero: Vec::new(),
         }
+    }
+
+    /// What the check of a step reads; rows hold coefficients 0..count.
+    pub(super) fn rows(&self, count: usize) -> Rows<'_> {
+        Rows { cells: &self.cells, stride: 2 * self.stride, count }
     }
 
     /// Forgets everything but constants and takes the branches of these modes.
@@ -246,6 +255,8 @@ impl Memory {
             Step::Multiply { a, b, .. } => self.get(a, 0) * self.get(b, 0),
             Step::Square { a, .. } => self.get(a, 0) * self.get(a, 0),
             Step::Divide { a, b, .. } => self.get(a, 0) / self.get(b, 0),
+            Step::SquareRoot { row, a } if self.is_at_zero(row) => self.get(a, 0).max(0.0).sqrt(),
+            Step::Power { row, a, p, .. } if self.is_at_zero(row) => self.get(a, 0).max(0.0).powf(p),
             Step::SquareRoot { a, .. } => self.get(a, 0).sqrt(),
             Step::Power { a, p, .. } => self.get(a, 0).powf(p),
             Step::Exp { a, .. } => self.get(a, 0).exp(),
@@ -258,7 +269,9 @@ impl Memory {
             Step::Tangent { a, helper, sign, .. } => {
                 let x = self.get(a, 0);
                 let t = if sign > 0.0 { x.tan() } else { x.tanh() };
-                self.put(helper + 1, 0, 1.0 + sign * (t * t));
+                // 1 - tanh² has few digits left near saturation; what tanh itself does not show any more is nothing
+                let u = if sign > 0.0 { 1.0 + t * t } else { Some(x.cosh().powi(-2)).filter(|u| *u > f64::EPSILON).unwrap_or(0.0) };
+                self.put(helper + 1, 0, u);
                 t
             }
             Step::Inverse { a, f, helper, .. } => self.begin_inverse(a, f, helper),
@@ -364,13 +377,25 @@ impl Memory {
         self.put(step.row(), k, value);
     }
 
+    /// Roots and powers at zero have no series; see `faithful.rs`.
+    #[inline(always)]
+    fn is_at_zero(&self, row: Row) -> bool {
+        !self.at_zero.is_empty() && self.at_zero.contains(&row)
+    }
+
     fn square_root(&mut self, row: Row, a: Row, k: usize) -> f64 {
+        if self.get(row, 0) == 0.0 || self.is_at_zero(row) {
+            return 0.0;
+        }
         let rest = if k < 2 { 0.0 } else { self.partial(row, 1, row, k) };
         (self.get(a, k) - rest) / (2.0 * self.get(row, 0))
     }
 
     /// Both weighted rows: of a, then of c.
     fn power(&mut self, row: Row, a: Row, p: f64, weighted: Row, k: usize) -> f64 {
+        if self.get(a, 0) == 0.0 || self.is_at_zero(row) {
+            return 0.0;
+        }
         self.weigh(weighted, a, k);
         let first = p * self.cauchy(weighted, 0, row, k - 1);
         let second = if k < 2 { 0.0 } else { self.partial(weighted + 1, 0, a, k - 1) };

@@ -138,7 +138,7 @@ impl Builder {
 
     /// Sorts base^exponent into numerator and denominator.
     fn factor(&mut self, value: Value, exponent: &Rational, top: &mut Vec<Register>, bottom: &mut Vec<Register>) {
-        let small = |r: &Rational| r.to_i64().filter(|n| n.unsigned_abs() <= 64);
+        let small = |r: &Rational| r.to_i64().filter(|n| n.unsigned_abs() <= 1024);
         let whole = small(exponent);
         let half = if whole.is_none() { small(&(exponent + exponent)) } else { None };
         let list = if exponent.is_negative() { bottom } else { top };
@@ -151,6 +151,11 @@ impl Builder {
             (Some(n), _, value) => {
                 let base = self.whole(value);
                 list.push(self.whole_power(base, n.unsigned_abs()));
+            }
+            // a root has no series at zero, and its cube hides how little the power misses there
+            (None, Some(n), value) if n > 1 => {
+                let base = self.whole(value);
+                list.push(self.power(base, Coefficient::number(0.5 * n as f64)));
             }
             // x^(n/2) = (√x)^n
             (None, Some(n), value) => {

@@ -13,7 +13,7 @@ use crate::{By, Coefficient, Evaluator, Fault, Mode, Operation, Register, Tape};
 use std::sync::Arc;
 
 /// Whole exponents up to this are multiplied out.
-const WHOLE: f64 = 64.0;
+const WHOLE: f64 = 1024.0;
 
 /// The tape with these numbers for its parameters; it still takes (and ignores) a list of parameters of the same length.
 ///

@@ -1,0 +1,78 @@
+//! How far rounding can have moved the value of a register: running error analysis along a tape.
+//!
+//! A root of a difference that vanishes (the speed of an instantaneous centre, the depth of a contact at its first touch) is taken of a few units in
+//! the last place, of either sign. Whether a negative radicand is rounding or a formula out of its domain is decided by this bound and not by a fixed
+//! small number. Each operation moves the errors of its operands by its derivative and adds its own:
+//!
+//! ```text
+//! e(a + b) = e_a + e_b + u |a + b|      e(a b) = |a| e_b + |b| e_a + u |a b|      e(f(a)) = |f'(a)| e_a + u |f(a)|
+//! ```
+//!
+//! *Source*: N. J. Higham, Accuracy and Stability of Numerical Algorithms, section 3.3.
+
+use crate::{Coefficient, Operation, Register, Tape, Unary};
+
+/// Rounding of one operation; a few units, because libraries' functions have some.
+const UNIT: f64 = 2.0 * f64::EPSILON;
+/// Bound of the solution of a system relative to its largest component: the linear solve loses some digits.
+const SOLVED: f64 = 1e4 * f64::EPSILON;
+/// Slack of the whole bound: states come from integration and assembly, which leave them a few units off.
+const SLACK: f64 = 8.0;
+
+/// The radicand in a register, zero when it is negative by no more than rounding.
+pub(crate) fn radicand(tape: &Tape, registers: &[f64], register: Register) -> f64 {
+    let value = registers[register.index()];
+    if value < 0.0 && -value <= bound(tape, registers, register) { 0.0 } else { value }
+}
+
+/// Bound of the rounding in a register, whose value and those before it are known.
+pub(crate) fn bound(tape: &Tape, registers: &[f64], register: Register) -> f64 {
+    let mut errors = vec![0.0; register.index() + 1];
+    for instruction in tape.instructions().take_while(|i| i.into <= register) {
+        let first = instruction.into.index();
+        let error = error(&instruction.operation, first, registers, &errors);
+        for k in first..(first + instruction.operation.width()).min(errors.len()) {
+            errors[k] = error + UNIT * registers[k].abs();
+        }
+    }
+    SLACK * errors[register.index()]
+}
+
+/// What the operands' errors make in the result.
+fn error(operation: &Operation, into: usize, registers: &[f64], errors: &[f64]) -> f64 {
+    let (x, e) = (|r: &Register| registers[r.index()], |r: &Register| errors[r.index()]);
+    match operation {
+        Operation::Linear { constant, terms } => {
+            let factor = |c: &Coefficient| crate::interpret::resolve(*c, registers);
+            let start = UNIT * factor(constant).abs();
+            terms.iter().fold(start, |sum, (c, r)| sum + factor(c).abs() * (e(r) + UNIT * x(r).abs()))
+        }
+        Operation::Multiply(a, b) => x(a).abs() * e(b) + x(b).abs() * e(a),
+        Operation::Square(a) => 2.0 * x(a).abs() * e(a) + e(a) * e(a),
+        Operation::Divide(a, b) => (e(a) + x(a).abs() * e(b) / x(b).abs()) / x(b).abs(),
+        Operation::Power(a, p) => {
+            let p = crate::interpret::resolve(*p, registers);
+            if x(a) > e(a) { (p * registers[into] / x(a)).abs() * e(a) } else { e(a).powf(p) }
+        }
+        Operation::Unary(f, a) => unary(*f, x(a), e(a), registers[into]),
+        Operation::Atan2(a, b) => (e(a) + e(b)) / x(a).hypot(x(b)),
+        Operation::SinCos(a) => e(a),
+        Operation::SinhCosh(a) => x(a).cosh() * e(a),
+        Operation::Choose { sides, .. } => sides.iter().map(e).filter(|e| e.is_finite()).fold(0.0, f64::max),
+        Operation::Solve { right, .. } | Operation::System { right, .. } => {
+            SOLVED * (into..into + right.len()).fold(0.0, |m: f64, k| m.max(registers[k].abs()))
+        }
+        _ => 0.0,
+    }
+}
+
+fn unary(f: Unary, x: f64, e: f64, value: f64) -> f64 {
+    match f {
+        Unary::SquareRoot => (e / (2.0 * value)).min(e.sqrt()),
+        Unary::Exp => value * e,
+        Unary::Log => e / x.abs(),
+        Unary::Tan => (1.0 + value * value) * e,
+        Unary::Asin | Unary::Acos => (e / ((1.0 - x) * (1.0 + x)).abs().sqrt()).min(e.sqrt()),
+        Unary::Atan | Unary::Tanh => e,
+    }
+}
