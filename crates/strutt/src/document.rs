@@ -490,8 +490,10 @@ pub fn results(data: &Dataset, language: Language) -> Table {
         }
         let finite = || column.values.iter().copied().filter(|v| v.is_finite());
         let (low, high) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        // a column without a single number has no extremes
+        let (low, high) = if low > high { (f64::NAN, f64::NAN) } else { (low, high) };
         let (first, last) = (column.values[0], column.values[column.values.len() - 1]);
-        let scale = scale(&column.quantity, low.abs().max(high.abs()));
+        let scale = scale(&column.quantity, if low.is_nan() { 0.0 } else { low.abs().max(high.abs()) });
         let shown = [first, low, high, last].map(|v| v / scale.size);
         let mut row = vec![Cell::symbol(&column.quantity.symbol), Cell::words(scale.print(language))];
         row.extend(Cell::column(&shown, DIGITS, language));

@@ -33,7 +33,7 @@ pub enum Claim {
     Inertia { name: String, expected: f64, tolerance: Tolerance },
     Error { code: String, line: Option<usize>, only: bool },
     Warning { code: String, line: Option<usize> },
-    Fails(String),
+    Fails { code: String, text: String },
     Field { path: String, text: String },
     PhaseConstant { phase: usize, key: String, expected: f64, tolerance: Tolerance },
     PhaseCase { phase: usize, case: String },
@@ -90,7 +90,11 @@ pub fn parse(line: &str) -> Result<Claim, String> {
         }
         "phase" => phase(line).ok_or_else(unknown)?,
         "mean" => mean_rate(line).ok_or_else(unknown)?,
-        "fails" => Ok(Claim::Fails(word(1).to_owned())),
+        "fails" => {
+            let rest = line["fails".len()..].trim();
+            let (code, text) = rest.split_once(':').unwrap_or((rest, ""));
+            Ok(Claim::Fails { code: code.trim().to_owned(), text: text.trim().to_owned() })
+        }
         _ if line.contains(" constant ") => {
             let (name, rest) = line.split_once(" constant ").ok_or_else(unknown)?;
             let tolerance = tolerance(rest.trim().strip_prefix('±').ok_or_else(unknown)?)?;

@@ -16,7 +16,6 @@ mod newton;
 mod orbit;
 mod symmetry;
 
-pub(crate) use fundamental::derivative;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
