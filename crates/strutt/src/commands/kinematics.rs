@@ -49,7 +49,10 @@ fn change(study: &mut Kinematics, args: &args::Kinematics, machine: &Machine) ->
     let empty = matches!((study.from, study.to), (Some(from), KinematicsEnd::At(to)) if from == to);
     if empty || study.to == KinematicsEnd::Turns(0.0) || study.rate == Some(0.0) || study.points < 2 {
         return Err(Trouble::new("C036", "the range of positions is empty", "промежуток положений пуст")
-            .why("two different ends, a rate other than zero and at least two positions are needed", "нужны разные концы, ненулевая скорость и не менее двух положений")
+            .why(
+                "two different ends, a rate other than zero and at least two positions are needed",
+                "нужны разные концы, ненулевая скорость и не менее двух положений",
+            )
             .help("for example --from 0 --to \"90 deg\" --points 91", "например, --from 0 --to \"90 град\" --points 91")
             .misuse());
     }

@@ -10,9 +10,9 @@ use analysis::dataset::Column;
 use analysis::studies::kinematics::{Place, Way, follow};
 use analysis::{Dataset, Quantity, System};
 use mechanics::model::{Kinematics, KinematicsEnd};
+use program::lower::Drive;
 use serde_json::json;
 use std::f64::consts::TAU;
-use program::lower::Drive;
 use symbolic::{Equations, Expr, Graph, SymbolId, Text};
 
 /// Runs the study.
@@ -114,8 +114,7 @@ impl Centres {
         while file.contains(&prefix) {
             prefix.push('_');
         }
-        let bodies: Vec<_> =
-            named.enumerate().map(|(i, body)| (body, ["x", "y", "w"].map(|what| format!("{prefix}{i}_{what}")))).collect();
+        let bodies: Vec<_> = named.enumerate().map(|(i, body)| (body, ["x", "y", "w"].map(|what| format!("{prefix}{i}_{what}")))).collect();
         let mut text = file.clone();
         for (i, (body, [x, y, w])) in bodies.iter().enumerate() {
             let quoted = serde_json::Value::from(body.as_str()).to_string();
@@ -228,8 +227,7 @@ impl Table<'_> {
     fn formulas(&self, places: &[Place]) -> Vec<Column> {
         let formulas = Formulas::new(self.equations);
         let lead = self.name(self.over);
-        let chosen: Vec<_> =
-            self.equations.outputs.iter().filter(|o| o.name != lead && formulas.is_kinematic(o.formula)).collect();
+        let chosen: Vec<_> = self.equations.outputs.iter().filter(|o| o.name != lead && formulas.is_kinematic(o.formula)).collect();
         let exprs: Vec<Expr> = chosen.iter().map(|o| o.formula).collect();
         let mut table: Vec<Vec<f64>> = vec![Vec::with_capacity(places.len()); exprs.len()];
         for place in places {

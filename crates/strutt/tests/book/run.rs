@@ -308,7 +308,11 @@ impl Outcome {
         match (self, claim) {
             (Outcome::Findings(diagnostics), Claim::Error { code, line, only }) => findings(model, diagnostics, code, *line, *only),
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
-            (Outcome::Trouble { code, what }, Claim::Fails { code: expected, text }) if code == expected && what.contains(text.as_str()) => Ok(()),
+            (Outcome::Trouble { code, what }, Claim::Fails { code: expected, text })
+                if code == expected && what.contains(text.as_str()) =>
+            {
+                Ok(())
+            }
             (Outcome::Fields { own, .. }, Claim::Rest { name, expected, tolerance }) => {
                 let found = json_field(own, name)?.as_f64().unwrap_or(f64::NAN);
                 tolerance.check(name, found, *expected)

@@ -294,7 +294,10 @@ fn worse(a: f64, b: f64) -> f64 {
 fn change_point(s: f64) -> Text {
     let s = ten_digits(s);
     Text::new(
-        format!("at {} the position is singular (a change point): values there are interpolated between its sides, along the smooth way", s.en),
+        format!(
+            "at {} the position is singular (a change point): values there are interpolated between its sides, along the smooth way",
+            s.en
+        ),
         format!("при {} положение особое: значения в нём интерполированы по соседним положениям на гладком продолжении пути", s.ru),
     )
 }

@@ -121,7 +121,9 @@ impl Linkage<'_> {
 
     /// Why the linkage cannot stand at a place where the drives do not determine it: the driven coordinate turns back there, or several ways meet.
     pub(super) fn stuck(&mut self, at: &Spot, s: f64) -> Result<Fault, Fault> {
-        let single = self.directions(0.0, at)?.len() == 1;
+        // along the way itself, not along that to its first place
+        self.arrived();
+        let single = self.directions(s, at)?.len() == 1;
         Ok(if single { self.dead(at) } else { self.singular(at, s) })
     }
 

@@ -16,7 +16,6 @@ mod newton;
 mod orbit;
 mod symmetry;
 
-
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use symbolic::Text;
