@@ -97,6 +97,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
     crate::studies::explain::NO_ENERGY,
     crate::studies::explain::NO_DRIVE,
     crate::studies::explain::DEAD_POINT,
+    crate::studies::explain::ENTERED,
+    crate::studies::explain::UNDETERMINED,
+    crate::studies::explain::OVERDRIVEN,
+    crate::studies::explain::BRANCHES,
     Explanation {
         code: "S021",
         en: ("mass matrix not positive definite", trouble::MASS_EN),

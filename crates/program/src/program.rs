@@ -136,7 +136,7 @@ impl Program {
     }
 }
 
-fn consecutive<const N: usize>(sizes: [usize; N]) -> [Range<usize>; N] {
+pub(crate) fn consecutive<const N: usize>(sizes: [usize; N]) -> [Range<usize>; N] {
     let mut end = 0;
     sizes.map(|size| {
         end += size;

@@ -334,19 +334,19 @@ pub struct Kinematics {
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
     /// First value [default: the start]
-    #[arg(long, value_name = "QUANTITY", requires = "over", allow_hyphen_values = true)]
+    #[arg(long, value_name = "QUANTITY", allow_hyphen_values = true)]
     pub from: Option<String>,
     /// Last value
-    #[arg(long, value_name = "QUANTITY", requires = "over", conflicts_with = "turns", allow_hyphen_values = true)]
+    #[arg(long, value_name = "QUANTITY", conflicts_with = "turns", allow_hyphen_values = true)]
     pub to: Option<String>,
     /// Turns of an angle [default: 1]
-    #[arg(long, value_name = "NUMBER", requires = "over", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub turns: Option<String>,
     /// Uniform rate of the driven coordinate [default: its starting rate, or 1]
-    #[arg(long, value_name = "QUANTITY", requires = "over", allow_hyphen_values = true)]
+    #[arg(long, value_name = "QUANTITY", allow_hyphen_values = true)]
     pub rate: Option<String>,
     /// Number of positions
-    #[arg(long, value_name = "N", requires = "over")]
+    #[arg(long, value_name = "N")]
     pub points: Option<usize>,
     /// Columns by name, in this order: phi,phi',omega_p
     #[arg(long, value_name = "A,B,...", value_delimiter = ',')]

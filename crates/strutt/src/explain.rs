@@ -193,6 +193,14 @@ const OWN: &[(&str, Wording, Wording)] = &[
         ),
     ),
     (
+        "C036",
+        ("No positions", "Нет положений"),
+        (
+            "A range of positions needs two different ends (or turns other than zero), a rate other than zero and at least two positions.",
+            "Промежутку положений нужны разные концы (или ненулевое число оборотов), ненулевая скорость и не менее двух положений.",
+        ),
+    ),
+    (
         "C020",
         ("No variants", "Нет вариантов"),
         (

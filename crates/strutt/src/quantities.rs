@@ -38,6 +38,12 @@ pub fn frequencies(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
     text.split(separator).map(one).collect()
 }
 
+/// A quantity of this dimension, SI.
+pub fn quantity(key: &str, text: &str, dimension: &Dimension) -> Result<f64, Failure> {
+    let value = parse_quantity(text, dimension).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
+    if value.is_finite() { Ok(value) } else { Err(bad(key, text, &not_finite(), &Text::default())) }
+}
+
 /// A pure number.
 pub fn number(key: &str, text: &str) -> Result<f64, Failure> {
     let value = parse_quantity(text, &Dimension::NONE).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;

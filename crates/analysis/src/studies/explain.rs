@@ -123,11 +123,59 @@ pub(crate) const DEAD_POINT: Explanation = Explanation {
     code: "S049",
     en: (
         "dead point of a linkage",
-        "The study `kinematics` cannot drive the coordinate further: levers stand in line, or the range leaves what the linkage can reach. The message names the configuration. A linkage of two degrees of freedom needs a second driven coordinate in `with`.",
+        "The study `kinematics` cannot drive the coordinate further: levers stand in line, or the range leaves what the linkage can reach. The message names the position, located to ten digits.",
     ),
     ru: (
         "мёртвое положение механизма",
-        "Расчёт `kinematics` не может вести координату дальше: звенья вытянулись в линию или промежуток выходит за достижимые положения. Положение названо в сообщении. Механизму с двумя степенями свободы нужна вторая ведущая координата в `with`.",
+        "Расчёт `kinematics` не может вести координату дальше: звенья вытянулись в линию или промежуток выходит за достижимые положения. Положение, найденное с десятью знаками, названо в сообщении.",
+    ),
+};
+
+pub(crate) const ENTERED: Explanation = Explanation {
+    code: "S025",
+    en: (
+        "kinematics through a contact",
+        "Along the range of the study `kinematics` the gap of a stop or a contact becomes negative. Connections are followed by geometry alone; whether a contact stops the linkage, or opens, is decided by forces. End the range before it, or ask for the motion with `simulate`.",
+    ),
+    ru: (
+        "кинематика сквозь контакт",
+        "На промежутке расчёта `kinematics` зазор упора или контакта становится отрицательным. Кинематика следует геометрии связей; останавливает ли упор механизм, решают силы. Закончите промежуток раньше или рассчитайте движение в `simulate`.",
+    ),
+};
+
+pub(crate) const UNDETERMINED: Explanation = Explanation {
+    code: "S026",
+    en: (
+        "driven coordinates that do not determine the motion",
+        "The linkage has more degrees of freedom than driven coordinates: some coordinates are free, and no number for them would follow from the file. Give as many further driven coordinates as formulas of the first in `with`.",
+    ),
+    ru: (
+        "ведущие координаты не определяют движение",
+        "Степеней свободы у механизма больше, чем ведущих координат: некоторые координаты свободны, и значения для них из файла не следуют. Задайте недостающие ведущие координаты формулами от первой в `with`.",
+    ),
+};
+
+pub(crate) const OVERDRIVEN: Explanation = Explanation {
+    code: "S027",
+    en: (
+        "driven coordinates that contradict the connections",
+        "More coordinates are driven than the linkage has degrees of freedom, and the formulas in `with` do not agree with the connections. Leave the coordinates that follow from the connections out of `with`.",
+    ),
+    ru: (
+        "ведущие координаты противоречат связям",
+        "Ведомых координат больше, чем степеней свободы, и формулы в `with` не согласуются со связями. Уберите из `with` координаты, которые следуют из связей.",
+    ),
+};
+
+pub(crate) const BRANCHES: Explanation = Explanation {
+    code: "S028",
+    en: (
+        "position in which a linkage branches",
+        "In a change point (all links of a parallelogram in line) the driven coordinates do not determine where the links go next. Inside a range the study `kinematics` passes such a point along the smooth way, and interpolates the values in it; it cannot begin there, nor continue where no smooth way is found. Begin elsewhere, or drive a further coordinate through it.",
+    ),
+    ru: (
+        "положение, в котором движение механизма разветвляется",
+        "В особом положении (все звенья параллелограмма на одной прямой) ведущие координаты не определяют дальнейшего движения звеньев. Внутри промежутка расчёт `kinematics` проходит такое положение по гладкому продолжению пути и интерполирует значения в нём; начать в нём или продолжить там, где гладкого пути нет, нельзя. Начните в другом положении или ведите ещё одну координату.",
     ),
 };
 

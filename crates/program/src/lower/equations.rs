@@ -125,7 +125,7 @@ fn parameters_only(equations: &Equations) -> Inputs {
     }
 }
 
-fn over_states(equations: &Equations) -> Inputs {
+pub(super) fn over_states(equations: &Equations) -> Inputs {
     Inputs { time: Some(equations.time), states: state_symbols(equations), ..parameters_only(equations) }
 }
 
@@ -245,7 +245,7 @@ fn connections(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
     Lowering::new(&graph, &over_states(equations), Switches::Value).tape("connections", &roots)
 }
 
-fn sparse(entries: &[(usize, Expr)], length: usize, zero: Expr) -> Vec<Expr> {
+pub(super) fn sparse(entries: &[(usize, Expr)], length: usize, zero: Expr) -> Vec<Expr> {
     let mut row = vec![zero; length];
     for (i, e) in entries {
         row[*i] = *e;

@@ -5,7 +5,9 @@ mod connections;
 mod equations;
 mod expressions;
 mod forms;
+mod linkage;
 
 pub use connections::Selection;
 pub use equations::{equations, equations_with};
 pub use expressions::{Inputs, expressions};
+pub use linkage::{Drive, LinkageRoots, linkage};

@@ -3,7 +3,9 @@
 use super::{Exit, study};
 use crate::args;
 use crate::console::{Console, listen_to_interrupts};
-use mechanics::model::StudyKind;
+use crate::quantities;
+use mechanics::model::{Kinematics, KinematicsEnd, StudyKind};
+use strutt::pipeline::Machine;
 use strutt::{Failure, Trouble, plan, studies};
 
 pub fn run(args: &args::Kinematics, console: &mut Console) -> Result<Exit, Failure> {
@@ -15,12 +17,46 @@ pub fn run(args: &args::Kinematics, console: &mut Console) -> Result<Exit, Failu
     };
     let (mut machine, study) = study::open(&args.model, written(args), pick, out, console)?;
     let mut study = study.ok_or_else(nothing_driven)?;
+    if args.over.is_none() {
+        change(&mut study, args, &machine)?;
+    }
     if let Some(names) = &args.outputs {
         study.outputs = names.iter().map(|n| n.trim().to_owned()).filter(|n| !n.is_empty()).collect();
-        plan::known_columns(&study.outputs, &machine.equations)?;
+        let own = studies::kinematics::own_columns(&machine, &study);
+        let others: Vec<String> = study.outputs.iter().filter(|o| !own.contains(o)).cloned().collect();
+        plan::known_columns(&others, &machine.equations)?;
     }
     let finding = console.watched(|watch| studies::kinematics::run(&mut machine, &study, watch));
     study::finish(machine, finding, out, console)
+}
+
+/// Keys of the command line in place of those of the file's study.
+fn change(study: &mut Kinematics, args: &args::Kinematics, machine: &Machine) -> Result<(), Failure> {
+    let dimension = study::dimension_of(&study.name, machine);
+    if let Some(text) = &args.from {
+        study.from = Some(quantities::quantity("--from", text, &dimension)?);
+    }
+    if let Some(text) = &args.to {
+        study.to = KinematicsEnd::At(quantities::quantity("--to", text, &dimension)?);
+    }
+    if let Some(text) = &args.turns {
+        study.to = KinematicsEnd::Turns(quantities::number("--turns", text)?);
+    }
+    if let Some(text) = &args.rate {
+        study.rate = Some(quantities::quantity("--rate", text, &dimension.per_time(1))?);
+    }
+    study.points = args.points.unwrap_or(study.points);
+    let empty = matches!((study.from, study.to), (Some(from), KinematicsEnd::At(to)) if from == to);
+    if empty || study.to == KinematicsEnd::Turns(0.0) || study.rate == Some(0.0) || study.points < 2 {
+        return Err(Trouble::new("C036", "the range of positions is empty", "промежуток положений пуст")
+            .why(
+                "two different ends, a rate other than zero and at least two positions are needed",
+                "нужны разные концы, ненулевая скорость и не менее двух положений",
+            )
+            .help("for example --from 0 --to \"90 deg\" --points 91", "например, --from 0 --to \"90 град\" --points 91")
+            .misuse());
+    }
+    Ok(())
 }
 
 /// The study that the command line describes, as the file would.

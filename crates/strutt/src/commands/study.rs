@@ -6,6 +6,7 @@ use crate::console::{Console, Shape};
 use crate::quantities;
 use mechanics::derive::Detail;
 use mechanics::model::{StudyKind, Times};
+use mechanics::units::Dimension;
 use std::path::Path;
 use strutt::pipeline::{self, Calculation, Finding, Machine};
 use strutt::words::Word;
@@ -62,6 +63,12 @@ pub fn times(table: &args::Table) -> Result<Option<Times>, Failure> {
         (None, Some(every)) => Some(Times::Every(quantities::seconds("--every", every)?)),
         (None, None) => None,
     })
+}
+
+/// Dimension of a coordinate, by its name.
+pub fn dimension_of(coordinate: &str, machine: &Machine) -> Dimension {
+    let found = machine.model.coordinates.iter().find(|c| c.name == coordinate);
+    found.and_then(|c| mechanics::units::parse_unit(&c.units[0]).ok()).map_or(Dimension::NONE, |u| u.dimension)
 }
 
 /// Columns that the command line asks for.

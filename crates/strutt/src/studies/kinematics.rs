@@ -7,12 +7,13 @@ use crate::source::Source;
 use crate::watch::Watch;
 use crate::words::Word;
 use analysis::dataset::Column;
-use analysis::studies::kinematics::{Place, follow};
-use analysis::{Dataset, Quantity};
+use analysis::studies::kinematics::{Place, Way, follow};
+use analysis::{Dataset, Quantity, System};
 use mechanics::model::{Kinematics, KinematicsEnd};
+use program::lower::Drive;
 use serde_json::json;
 use std::f64::consts::TAU;
-use symbolic::{Equations, Expr, SymbolId, Text};
+use symbolic::{Equations, Expr, Graph, SymbolId, Text};
 
 /// Runs the study.
 pub fn run(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) -> Finding {
@@ -28,6 +29,15 @@ pub fn run(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) -> Find
     Finding::Study(Box::new(results))
 }
 
+/// Columns that the study adds to the outputs of the file: transfer functions and instantaneous centres.
+pub fn own_columns(machine: &Machine, study: &Kinematics) -> Vec<String> {
+    let names = machine.model.coordinates.iter().map(|c| c.name.as_str()).filter(|name| *name != study.name);
+    let transfers = names.flat_map(|name| [format!("d{name}/d{}", study.name), format!("d2{name}/d{}2", study.name)]);
+    let bodies = machine.model.frames.iter().skip(1).map(|f| f.name.as_str());
+    let centres = bodies.flat_map(|body| [format!("P_x_{body}"), format!("P_y_{body}"), format!("omega({body})")]);
+    transfers.chain(centres).collect()
+}
+
 fn fill(machine: &mut Machine, study: &Kinematics, results: &mut Results) {
     let start = match machine.system.start() {
         Ok(start) => start,
@@ -37,8 +47,8 @@ fn fill(machine: &mut Machine, study: &Kinematics, results: &mut Results) {
             return;
         }
     };
-    let centred = with_centres(machine);
-    let equations = centred.as_ref().map_or(&machine.equations, |m| &m.equations);
+    let centres = Centres::of(machine, study);
+    let equations = &machine.equations;
     let n = equations.coordinates.len();
     let index = |symbol: SymbolId| equations.coordinates.iter().position(|c| c.symbols[0] == symbol);
     let over = index(study.over).unwrap_or(0);
@@ -50,56 +60,88 @@ fn fill(machine: &mut Machine, study: &Kinematics, results: &mut Results) {
     let rate = study.rate.unwrap_or(if start[n + over] == 0.0 { 1.0 } else { start[n + over] });
     let last = study.points.max(2) - 1;
     let ways: Vec<f64> = (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
-    let with: Vec<(usize, Expr, Expr)> = driven_too(equations, study, &index);
-    let formulas = Formulas::new(equations);
-    let driven = |s: f64| {
-        let mut q = vec![0.0; n];
-        q[over] = s;
-        let zero = vec![0.0; n];
-        let mut all = vec![(over, s, 1.0)];
-        for &(i, value, slope) in &with {
-            let at = formulas.values(&q, &zero, &zero, &[value, slope]);
-            all.push((i, at[0], at[1]));
-        }
-        all
-    };
-    let (places, fault) = follow(&mut machine.system, &start, &ways, &driven);
-    let data = columns(equations, study, over, rate, &ways, &places, &formulas);
+    let (graph, with) = driven_too(equations, study, &index);
+    let followed = follow(equations, &start, Way { over, at: &ways, rate, with, graph: &graph });
+    let observed = centres.machine.as_ref().map_or(equations, |m| &m.equations);
+    let table = Table { equations: observed, study, over, rate, ways: &ways, centres: &centres };
+    let mut data = table.columns(&followed.places);
+    data.audits.extend(followed.audits);
+    data.notes.extend(machine.system.notes().iter().cloned().chain(followed.notes));
     results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
     results.own.insert("over".into(), json!(study.name));
     results.own.insert("rate".into(), json!(rate));
-    if let Some(fault) = fault {
+    if let Some(fault) = followed.fault {
         results.data.partial = true;
         results.trouble = Some(explained(fault, &machine.equations));
     }
     if results.plots.is_empty() {
         let name = |i: usize| equations.graph.symbol_info(equations.coordinates[i].symbols[0]).name.clone();
-        let y: Vec<String> = (0..n).filter(|&i| i != over).map(name).collect();
+        let y: Vec<String> = (0..n).filter(|&i| i != over).map(name).filter(|y| results.data.column(y).is_some()).collect();
         results.plots = y.into_iter().map(|y| mechanics::model::Plot { title: Text::default(), x: None, y: vec![y] }).collect();
     }
 }
 
-/// The other driven coordinates with their derivatives by the first.
-fn driven_too(equations: &Equations, study: &Kinematics, index: &dyn Fn(SymbolId) -> Option<usize>) -> Vec<(usize, Expr, Expr)> {
+/// The other driven coordinates with both derivatives by the first, and the graph in which these stand.
+fn driven_too(equations: &Equations, study: &Kinematics, index: &dyn Fn(SymbolId) -> Option<usize>) -> (Graph, Vec<(usize, Drive)>) {
     let mut graph = equations.graph.clone();
-    let slope = |graph: &mut symbolic::Graph, e: Expr| graph.derivative(e, study.over);
-    study.with.iter().filter_map(|(symbol, e)| Some((index(*symbol)?, *e, slope(&mut graph, *e)))).collect()
+    let with = study.with.iter().filter_map(|(symbol, value)| {
+        let slope = graph.derivative(*value, study.over);
+        let curvature = graph.derivative(slope, study.over);
+        Some((index(*symbol)?, [*value, slope, curvature]))
+    });
+    let with = with.collect();
+    (graph, with)
 }
 
-/// The machine with the instantaneous centres of its bodies as outputs; none when they have none (in space, or formulas that do not read).
-fn with_centres(machine: &Machine) -> Option<Machine> {
-    let model = &machine.model;
-    let mut text = machine.origin.source.text.clone();
-    text.push('\n');
-    let bodies: Vec<&str> = model.frames.iter().skip(1).map(|f| f.name.as_str()).filter(|name| name.is_ascii()).collect();
-    for body in &bodies {
-        text += &format!("\n[points.ic_{body}_]\non = \"{body}\"\nat = [\"0\", \"0\"]\n");
-        text += &format!("\n[outputs.P_x_{body}]\nvalue = \"x(ic_{body}_) - vy(ic_{body}_)/omega({body})\"\n");
-        text += &format!("\n[outputs.P_y_{body}]\nvalue = \"y(ic_{body}_) + vx(ic_{body}_)/omega({body})\"\n");
-        text += &format!("\n[outputs.omega_{body}_]\nvalue = \"omega({body})\"\n");
+/// The machine with what the instantaneous centres of its bodies follow from as outputs, under names that the file does not use.
+struct Centres {
+    /// None when no centre is asked for, or the machine has none (in space).
+    machine: Option<Machine>,
+    /// Body, then the names of the outputs x, y, angular velocity.
+    bodies: Vec<(String, [String; 3])>,
+}
+
+impl Centres {
+    fn of(machine: &Machine, study: &Kinematics) -> Centres {
+        let file = &machine.origin.source.text;
+        let wanted = |body: &str| {
+            let own = [format!("P_x_{body}"), format!("P_y_{body}"), format!("omega({body})")];
+            let taken = own.iter().any(|name| machine.equations.outputs.iter().any(|o| o.name == *name));
+            !taken && (study.outputs.is_empty() || study.outputs.iter().any(|o| own.contains(o)))
+        };
+        let named = machine.model.frames.iter().skip(1).map(|f| f.name.clone()).filter(|name| wanted(name));
+        let mut prefix = "centre_of_".to_owned();
+        while file.contains(&prefix) {
+            prefix.push('_');
+        }
+        let bodies: Vec<_> = named.enumerate().map(|(i, body)| (body, ["x", "y", "w"].map(|what| format!("{prefix}{i}_{what}")))).collect();
+        let mut text = file.clone();
+        for (i, (body, [x, y, w])) in bodies.iter().enumerate() {
+            let quoted = serde_json::Value::from(body.as_str()).to_string();
+            text += &format!("\n[points.{prefix}{i}]\non = {quoted}\nat = [\"0\", \"0\"]\n");
+            text += &format!("[outputs.{x}]\nvalue = \"x({prefix}{i}) - vy({prefix}{i})/omega({body})\"\n");
+            text += &format!("[outputs.{y}]\nvalue = \"y({prefix}{i}) + vx({prefix}{i})/omega({body})\"\n");
+            text += &format!("[outputs.{w}]\nvalue = \"omega({body})\"\n");
+        }
+        let source = Source { path: machine.origin.source.path.clone(), text };
+        let built = if bodies.is_empty() { None } else { pipeline::build(&source, &machine.origin.overrides, &mut Watch::default()).ok() };
+        let bodies = if built.is_some() { bodies } else { Vec::new() };
+        Centres { machine: built, bodies }
     }
-    let source = Source { path: machine.origin.source.path.clone(), text };
-    pipeline::build(&source, &machine.origin.overrides, &mut Watch::default()).ok()
+
+    /// Name, label and unit of an output that is one of ours; none for the user's.
+    fn shown(&self, output: &str) -> Option<(String, Text)> {
+        let (body, names) = self.bodies.iter().find(|(_, names)| names.iter().any(|n| n == output))?;
+        let label = |axis: &str| {
+            let ru = format!("мгновенный центр скоростей {body}, {axis}");
+            Text::new(format!("instantaneous centre of velocity of {body}, {axis}"), ru)
+        };
+        Some(match names.iter().position(|n| n == output)? {
+            0 => (format!("P_x_{body}"), label("x")),
+            1 => (format!("P_y_{body}"), label("y")),
+            _ => (format!("omega({body})"), Text::new(format!("angular velocity of {body}"), format!("угловая скорость {body}"))),
+        })
+    }
 }
 
 /// Formulas over places, rates and accelerations, by the plain evaluator of the graph.
@@ -115,13 +157,18 @@ impl<'e> Formulas<'e> {
         Formulas { equations, constants }
     }
 
-    fn values(&self, q: &[f64], rates: &[f64], accelerations: &[f64], formulas: &[Expr]) -> Vec<f64> {
+    /// At a place, driven at the uniform rate.
+    fn values(&self, place: &Place, rate: f64, formulas: &[Expr]) -> Vec<f64> {
         let graph = &self.equations.graph;
         let mut values = self.constants.clone();
+        values[self.equations.time.index()] = place.time;
         for (i, c) in self.equations.coordinates.iter().enumerate() {
-            values[c.symbols[0].index()] = q[i];
-            values[c.symbols[1].index()] = rates[i];
-            values[c.symbols[2].index()] = accelerations[i];
+            values[c.symbols[0].index()] = place.q[i];
+            values[c.symbols[1].index()] = rate * place.first[i];
+            values[c.symbols[2].index()] = rate * rate * place.second[i];
+        }
+        for (a, value) in self.equations.auxiliaries.iter().zip(&place.auxiliaries) {
+            values[a.symbol.index()] = *value;
         }
         for d in &self.equations.definitions {
             values[d.symbol.index()] = graph.evaluate(&[d.formula], &|s| values[s.index()])[0];
@@ -139,64 +186,83 @@ impl<'e> Formulas<'e> {
     }
 }
 
-fn columns(
-    equations: &Equations,
-    study: &Kinematics,
+/// The places as columns.
+struct Table<'t> {
+    equations: &'t Equations,
+    study: &'t Kinematics,
     over: usize,
     rate: f64,
-    ways: &[f64],
-    places: &[Place],
-    formulas: &Formulas<'_>,
-) -> Dataset {
-    let graph = &equations.graph;
-    let name = |i: usize| graph.symbol_info(equations.coordinates[i].symbols[0]).name.clone();
-    let shown = |n: &str| equations.notation.iter().find(|(name, _)| name == n).map_or(n, |(_, s)| s.as_str()).to_owned();
-    let wanted = |n: &str| study.outputs.is_empty() || study.outputs.iter().any(|w| w == n);
-    let count = places.len();
-    let mut columns = Vec::new();
-    let own = &equations.coordinates[over];
-    let axis = Quantity { symbol: shown(&name(over)), label: own.label.clone(), ..Quantity::new(&name(over), &own.unit) };
-    columns.push(Column { quantity: axis, values: ways[..count].to_vec() });
-    let chosen: Vec<_> = equations
-        .outputs
-        .iter()
-        .filter(|o| o.name != name(over) && formulas.is_kinematic(o.formula))
-        .filter(|o| wanted(&o.name) || o.name.starts_with("P_") || o.name.starts_with("omega_") && o.name.ends_with('_'))
-        .collect();
-    let exprs: Vec<Expr> = chosen.iter().map(|o| o.formula).collect();
-    let mut table: Vec<Vec<f64>> = vec![Vec::with_capacity(count); exprs.len()];
-    for place in places {
-        let rates: Vec<f64> = place.first.iter().map(|b| b * rate).collect();
-        let accelerations: Vec<f64> = place.second.iter().map(|c| c * rate * rate).collect();
-        let row = formulas.values(&place.q, &rates, &accelerations, &exprs);
-        // an instantaneous centre at infinity is no number
-        table.iter_mut().zip(row).for_each(|(column, v)| column.push(if v.is_finite() && v.abs() < 1e9 { v } else { f64::NAN }));
+    ways: &'t [f64],
+    centres: &'t Centres,
+}
+
+impl Table<'_> {
+    fn columns(&self, places: &[Place]) -> Dataset {
+        let own = &self.equations.coordinates[self.over];
+        let name = self.name(self.over);
+        let axis = Quantity { symbol: self.symbol(&name), label: own.label.clone(), ..Quantity::new(&name, &own.unit) };
+        let mut columns = vec![Column { quantity: axis, values: self.ways[..places.len()].to_vec() }];
+        columns.extend(self.formulas(places));
+        columns.extend(self.transfers(places));
+        // in the order in which they were asked for
+        if !self.study.outputs.is_empty() {
+            let place = |c: &Column| self.study.outputs.iter().position(|o| *o == c.quantity.name);
+            let mut chosen: Vec<Column> = columns.iter().skip(1).filter(|c| place(c).is_some()).cloned().collect();
+            chosen.sort_by_key(|c| place(c));
+            columns.truncate(1);
+            columns.extend(chosen);
+        }
+        Dataset { axis: Some(0), columns, ..Dataset::default() }
     }
-    for (output, values) in chosen.iter().zip(table) {
-        let symbol = graph.symbol_info(output.symbol);
-        let symbol = format!("{}{}", shown(&symbol.name), "'".repeat(usize::from(symbol.primes)));
-        let label = match output.name.strip_prefix("P_") {
-            Some(rest) if output.label.en.is_empty() => {
-                let (axis, body) = rest.split_at(1);
-                let body = body.trim_start_matches('_');
-                Text::new(
-                    format!("instantaneous centre of velocity of {body}, {axis}"),
-                    format!("мгновенный центр скоростей {body}, {axis}"),
-                )
+
+    fn name(&self, i: usize) -> String {
+        self.equations.graph.symbol_info(self.equations.coordinates[i].symbols[0]).name.clone()
+    }
+
+    fn symbol(&self, name: &str) -> String {
+        self.equations.notation.iter().find(|(n, _)| n == name).map_or(name, |(_, s)| s.as_str()).to_owned()
+    }
+
+    /// Coordinates, rates, accelerations, the user's outputs and the instantaneous centres: all formulas free of reactions.
+    fn formulas(&self, places: &[Place]) -> Vec<Column> {
+        let formulas = Formulas::new(self.equations);
+        let lead = self.name(self.over);
+        let chosen: Vec<_> = self.equations.outputs.iter().filter(|o| o.name != lead && formulas.is_kinematic(o.formula)).collect();
+        let exprs: Vec<Expr> = chosen.iter().map(|o| o.formula).collect();
+        let mut table: Vec<Vec<f64>> = vec![Vec::with_capacity(places.len()); exprs.len()];
+        for place in places {
+            let row = formulas.values(place, self.rate, &exprs);
+            // an instantaneous centre at infinity is no number
+            table.iter_mut().zip(row).for_each(|(column, v)| column.push(if v.is_finite() && v.abs() < 1e9 { v } else { f64::NAN }));
+        }
+        let quantity = |output: &symbolic::equations::Output| match self.centres.shown(&output.name) {
+            Some((name, label)) => Quantity { label, ..Quantity::new(&name, &output.unit) },
+            None => {
+                let symbol = self.equations.graph.symbol_info(output.symbol);
+                let symbol = format!("{}{}", self.symbol(&symbol.name), "'".repeat(usize::from(symbol.primes)));
+                let label = output.label.clone();
+                Quantity { symbol, label, display: output.display.clone(), ..Quantity::new(&output.name, &output.unit) }
             }
-            _ => output.label.clone(),
         };
-        let quantity = Quantity { symbol, label, display: output.display.clone(), ..Quantity::new(&output.name, &output.unit) };
-        columns.push(Column { quantity, values });
+        chosen.into_iter().zip(table).map(|(output, values)| Column { quantity: quantity(output), values }).collect()
     }
-    for (i, coordinate) in equations.coordinates.iter().enumerate().filter(|(i, _)| *i != over) {
-        let unit = if coordinate.unit == own.unit { "1".to_owned() } else { format!("{}/{}", coordinate.unit, own.unit) };
-        let label = Text::new("transfer function, first order", "передаточная функция первого порядка");
-        let first = Quantity { label, ..Quantity::new(&format!("d{}/d{}", name(i), name(over)), &unit) };
-        let label = Text::new("transfer function, second order", "передаточная функция второго порядка");
-        let second = Quantity { label, ..Quantity::new(&format!("d2{}/d{}2", name(i), name(over)), &unit) };
-        columns.push(Column { quantity: first, values: places.iter().map(|p| p.first[i]).collect() });
-        columns.push(Column { quantity: second, values: places.iter().map(|p| p.second[i]).collect() });
+
+    fn transfers(&self, places: &[Place]) -> Vec<Column> {
+        let over = &self.equations.coordinates[self.over];
+        let lead = self.name(self.over);
+        let mut columns = Vec::new();
+        for (i, coordinate) in self.equations.coordinates.iter().enumerate().filter(|(i, _)| *i != self.over) {
+            let own = self.name(i);
+            let per = |unit: &str, by: &str| if unit == by { "1".to_owned() } else { format!("{unit}/{by}") };
+            let first = per(&coordinate.unit, &over.unit);
+            let second = if first == "1" { format!("1/{}", over.unit) } else { format!("{first}^2") };
+            let label = Text::new("transfer function, first order", "передаточная функция первого порядка");
+            let quantity = Quantity { label, ..Quantity::new(&format!("d{own}/d{lead}"), &first) };
+            columns.push(Column { quantity, values: places.iter().map(|p| p.first[i]).collect() });
+            let label = Text::new("transfer function, second order", "передаточная функция второго порядка");
+            let quantity = Quantity { label, ..Quantity::new(&format!("d2{own}/d{lead}2"), &second) };
+            columns.push(Column { quantity, values: places.iter().map(|p| p.second[i]).collect() });
+        }
+        columns
     }
-    Dataset { axis: Some(0), columns, ..Dataset::default() }
 }

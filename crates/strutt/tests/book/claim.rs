@@ -95,7 +95,10 @@ pub enum Claim {
         code: String,
         line: Option<usize>,
     },
-    Fails(String),
+    Fails {
+        code: String,
+        text: String,
+    },
     Field {
         path: String,
         text: String,
@@ -165,7 +168,11 @@ pub fn parse(line: &str) -> Result<Claim, String> {
         }
         "phase" => phase(line).ok_or_else(unknown)?,
         "mean" => mean_rate(line).ok_or_else(unknown)?,
-        "fails" => Ok(Claim::Fails(word(1).to_owned())),
+        "fails" => {
+            let rest = line["fails".len()..].trim();
+            let (code, text) = rest.split_once(':').unwrap_or((rest, ""));
+            Ok(Claim::Fails { code: code.trim().to_owned(), text: text.trim().to_owned() })
+        }
         _ if line.contains(" constant ") => {
             let (name, rest) = line.split_once(" constant ").ok_or_else(unknown)?;
             let tolerance = tolerance(rest.trim().strip_prefix('±').ok_or_else(unknown)?)?;

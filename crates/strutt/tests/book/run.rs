@@ -230,7 +230,7 @@ impl Command {
             }
             _ => None,
         });
-        let fails = claims.iter().any(|claim| matches!(claim, Claim::Fails(_)));
+        let fails = claims.iter().any(|claim| matches!(claim, Claim::Fails { .. }));
         let outputs = if fails { None } else { Some(wanted.collect()) };
         let events = strutt::plan::events(&machine.model, &machine.equations);
         let options = Simulate {
@@ -321,7 +321,11 @@ impl Outcome {
         match (self, claim) {
             (Outcome::Findings(diagnostics), Claim::Error { code, line, only }) => findings(model, diagnostics, code, *line, *only),
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
-            (Outcome::Trouble { code, .. }, Claim::Fails(expected)) if code == expected => Ok(()),
+            (Outcome::Trouble { code, what }, Claim::Fails { code: expected, text })
+                if code == expected && what.contains(text.as_str()) =>
+            {
+                Ok(())
+            }
             (Outcome::Fields { own, .. }, Claim::Rest { name, expected, tolerance }) => {
                 let found = json_field(own, name)?.as_f64().unwrap_or(f64::NAN);
                 tolerance.check(name, found, *expected)

@@ -19,8 +19,6 @@ mod spectrum;
 mod symmetry;
 mod variation;
 
-pub(crate) use fundamental::derivative;
-
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use fundamental::Blur;
