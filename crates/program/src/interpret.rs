@@ -74,10 +74,6 @@ impl Evaluator {
     pub fn value(&self, register: Register) -> f64 {
         self.registers[register.index()]
     }
-    /// All registers, for what follows the values through the tape.
-    pub(crate) fn registers(&self) -> &[f64] {
-        &self.registers
-    }
     /// Value of a coefficient.
     pub fn coefficient(&self, c: Coefficient) -> f64 {
         resolve(c, &self.registers)

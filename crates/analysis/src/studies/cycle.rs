@@ -153,7 +153,7 @@ fn same_work<S: System + ?Sized>(system: &mut S, steps: &[(Step, f64)], work: f6
         }
         for (end, t) in [(0, step.start.high), (1, step.start.after(*length).high)] {
             step.state_at(t, &mut x);
-            let energy = system.kinetic_energy(t, &x, &step.modes);
+            let energy = system.energies(t, &x, &step.modes).map(|[kinetic, _]| kinetic);
             if end == 1 || kinetic[0].is_none() {
                 kinetic[end] = energy;
             }
