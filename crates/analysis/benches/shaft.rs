@@ -24,7 +24,7 @@ fn main() {
         for order in [None, Some(10), Some(12), Some(14), Some(16), Some(18), Some(20), Some(22), Some(24), Some(26), Some(30)] {
             let mut line = String::new();
             let ms = shortest(|| {
-                let options = Options { tolerance, order, span: 30.0 };
+                let options = Options { tolerance, order, span: 30.0, ..Options::default() };
                 let mut flow = Flow::start(&mut machine, 0.0, &start, &options).expect("the start is regular");
                 while !flow.reached(30.0) {
                     flow.advance(30.0).expect("the motion is regular");

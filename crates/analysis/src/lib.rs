@@ -1,5 +1,5 @@
-//! Analysis: what a study may see of a machine ([`System`]), what it returns ([`Dataset`]), the Taylor integrator with events, and one
-//! file per study. Nothing here prints, writes files or knows mechanics.
+//! Analysis: what a study may see of a machine ([`System`]), what it returns ([`Dataset`]), the Taylor integrator with events, an
+//! implicit method for stiff motions beside it, and one file per study. Nothing here prints, writes files or knows mechanics.
 
 pub mod audits;
 pub mod connections;
@@ -10,6 +10,7 @@ pub mod linear;
 pub mod machine;
 pub mod numerics;
 pub mod reduce;
+pub mod stiff;
 pub mod structure;
 pub mod studies;
 pub mod system;
@@ -19,4 +20,4 @@ pub use dataset::Dataset;
 pub use fault::Fault;
 pub use linear::{LinearMachine, Matrices};
 pub use machine::Machine;
-pub use system::{Guard, GuardKind, Mode, Powers, Quantity, System};
+pub use system::{Guard, GuardKind, Jacobian, Mode, Powers, Quantity, System};

@@ -116,6 +116,15 @@ pub struct Powers {
     pub dissipated: f64,
 }
 
+/// Whether a system has given its Jacobian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Jacobian {
+    /// It is in the table handed over.
+    Given,
+    /// The system has no derivatives.
+    Absent,
+}
+
 /// A machine as studies see it.
 pub trait System {
     /// States in the order (q, q', s).
@@ -141,6 +150,24 @@ pub trait System {
     ///
     /// *Errors*: the equations are singular or undefined there.
     fn expand(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault>;
+
+    /// Jacobian ∂x'/∂x at (t, x) in the given modes, from [`System::slopes`]: row i holds the derivatives of x'_i. A system that gives none is
+    /// integrated by Taylor series only.
+    ///
+    /// *Shapes*: row-major, length of x squared. *Errors*: the equations have no value or no derivative there.
+    fn jacobian(&mut self, t: f64, x: &[f64], modes: &[Mode], jacobian: &mut [f64]) -> Result<Jacobian, Fault> {
+        let (n, mut rows) = (x.len(), Vec::new());
+        if !self.slopes(t, x, modes, &mut rows)? {
+            return Ok(Jacobian::Absent);
+        }
+        for (i, (row, slopes)) in jacobian.chunks_mut(n.max(1)).zip(rows.chunks(n + 1)).enumerate() {
+            row.copy_from_slice(&slopes[..n]);
+            if !row.iter().all(|d| d.is_finite()) {
+                return Err(Fault::not_finite(&Text::same(&self.states()[i].name), t));
+            }
+        }
+        Ok(Jacobian::Given)
+    }
 
     /// Coefficients of state `i` from the last [`System::expand`]; length order + 1.
     fn state(&self, i: usize) -> &[f64];

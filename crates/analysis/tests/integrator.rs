@@ -180,7 +180,7 @@ fn push(tolerance: f64, order: Option<usize>) -> Push {
         a * (b * t).exp() * (1.0 / b + 2.0 * (1..=60).map(|n| term(f64::from(n))).sum::<f64>())
     };
     let mut system = swelling(a, b, r);
-    let options = Options { tolerance, order, span: end };
+    let options = Options { tolerance, order, span: end, ..Default::default() };
     let mut flow = Flow::start(&mut system, 0.0, &[0.0], &options).unwrap();
     let (mut orders, mut cost, mut error) = ((usize::MAX, 0), 0.0, 0.0_f64);
     while !flow.reached(end) {

@@ -537,10 +537,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
     ),
     row(
         "M065",
-        ("times or tolerance of a study", "времена или точность расчёта"),
+        ("times, tolerance or method of a study", "времена, точность или метод расчёта"),
         (
-            "Durations are positive, times ascend up to the end of the motion, and the tolerance lies between 1e-16 and 1e-2.",
-            "Длительности положительны, моменты времени возрастают до конца движения, точность от 1e-16 до 1e-2.",
+            "Durations are positive, times ascend up to the end of the motion, the tolerance lies between 1e-16 and 1e-2, and the method is auto, taylor or stiff.",
+            "Длительности положительны, моменты времени возрастают до конца движения, точность от 1e-16 до 1e-2, метод — auto, taylor или stiff.",
         ),
         "until = \"-1 s\"",
         "until = \"1 s\"",

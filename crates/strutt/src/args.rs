@@ -139,6 +139,25 @@ pub enum Form {
     Mathml,
 }
 
+/// Methods of integration.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    Auto,
+    Taylor,
+    Stiff,
+}
+
+impl Method {
+    /// As the model file has it.
+    pub fn of_model(self) -> mechanics::model::Method {
+        match self {
+            Method::Auto => mechanics::model::Method::Auto,
+            Method::Taylor => mechanics::model::Method::Taylor,
+            Method::Stiff => mechanics::model::Method::Stiff,
+        }
+    }
+}
+
 #[derive(Args, Debug)]
 pub struct Simulate {
     #[command(flatten)]
@@ -149,6 +168,9 @@ pub struct Simulate {
     /// Relative tolerance of a step, 1e-15 ... 1e-3 [default: 1e-12]
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
+    /// How the motion is integrated [default: auto]
+    #[arg(long, value_name = "METHOD")]
+    pub method: Option<Method>,
     /// Results exactly at these times: 0,0.5,10
     #[arg(long, value_name = "T1,T2,...", conflicts_with = "every", allow_hyphen_values = true)]
     pub at: Option<String>,

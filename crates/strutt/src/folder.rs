@@ -114,6 +114,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
             own.insert("study".into(), json!("simulate"));
             own.insert("until".into(), json!(study.until));
             own.insert("tolerance".into(), json!(study.tolerance));
+            own.insert("method".into(), json!(study.method.name()));
         }
         Finding::Transient(study, _, phases, _) => {
             own.insert("study".into(), json!("transient"));

@@ -5,7 +5,7 @@ use crate::near::nearest;
 use crate::watch::Watch;
 use analysis::Dataset;
 use mechanics::Model;
-use mechanics::model::{DEFAULT_TOLERANCE, Plot, Simulate, StudyKind, Times, Transient};
+use mechanics::model::{DEFAULT_TOLERANCE, Method, Plot, Simulate, StudyKind, Times, Transient};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
 
@@ -19,6 +19,8 @@ pub struct Wishes {
     pub until: Option<f64>,
     /// Relative tolerance.
     pub tolerance: Option<f64>,
+    /// How it is integrated.
+    pub method: Option<Method>,
     /// Times of the results.
     pub times: Option<Times>,
     /// Columns by name.
@@ -62,6 +64,7 @@ fn motion(of_file: Option<Simulate>, equations: &Equations, wishes: Wishes, name
         until: 0.0,
         times: Times::Automatic,
         tolerance: DEFAULT_TOLERANCE,
+        method: Method::default(),
         outputs: Vec::new(),
         plots: Vec::new(),
     });
@@ -87,6 +90,7 @@ fn motion(of_file: Option<Simulate>, equations: &Equations, wishes: Wishes, name
         study.times = Times::At(vec![0.0]);
     }
     study.tolerance = wishes.tolerance.unwrap_or(study.tolerance);
+    study.method = wishes.method.unwrap_or(study.method);
     match wishes.outputs {
         Some(names) => {
             names.iter().try_for_each(|name| known(name, equations))?;
@@ -183,6 +187,7 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
     Options {
         grid,
         tolerance: study.tolerance,
+        method: analysis::stiff::Method::named(study.method.name()).unwrap_or_default(),
         outputs: Some(study.outputs.clone()),
         interrupt: watch.interrupt,
         tolerance_halving: watch.halve_tolerance,

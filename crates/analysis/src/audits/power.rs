@@ -4,15 +4,16 @@
 //! tested together with the equations. The derivative of a polynomial of order p multiplies its truncation error by at most p, hence the limit
 //! 1e3 tol (p <= 40, 25 in reserve), and 1e-9 where rounding rules. A wrong term of the equations shows as 1e-3 and more.
 //!
-//! Compared with: the powers that cancel, |q'·M q''| + |rest of dE/dt| + |loads| + |drives| + |dissipated|, and, where the machine is momentarily at
+//! Compared with: the powers that cancel, |q'·M q''| + |rest of dE/dt| + |loads| + |drives| + |dissipated|, in the middle or at the end of the step, the power of damping
+//! alone, and, where the machine is momentarily at
 //! rest and all of them vanish, a thousandth of their largest sum so far. In uniform motion there is no power at all, and the acceleration is the
 //! rounding of velocities over the step h: the least scale is the power that changes q'·M q' by 1e-4 of itself within a step.
 
 use symbolic::Text;
 
-use crate::System;
 use crate::dataset::Audit;
 use crate::taylor::Step;
+use crate::{Jacobian, System};
 
 /// Share of q'·M q' within a step below which a power is rounding of the velocities.
 const SMALL: f64 = 1e-4;
@@ -69,6 +70,8 @@ impl PowerBalance {
         for i in 0..n {
             self.rates[n + i] = self.x[n + i] / step.length;
         }
+        let within = step.start.after(step.length).high;
+        let scale = scale.max(self.size_at(within, step, system)).max(self.damping_alone(t, step, system, still.rate));
         let change = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes).map_or(0.0, |p| (p.rate - still.rate).abs());
         let residual = (p.rate - (p.loads + p.drives - p.dissipated)).abs();
         if residual > 0.0 {
@@ -78,6 +81,31 @@ impl PowerBalance {
         if self.taken.is_multiple_of(SAMPLES) {
             self.stride *= 2;
         }
+    }
+
+    /// How large the powers are that meet at an instant of a step, the inertial one left aside: where a motion breaks loose within a step, its middle
+    /// is known to the tolerance of the whole.
+    fn size_at<S: System + ?Sized>(&mut self, t: f64, step: &Step, system: &mut S) -> f64 {
+        let mut x = vec![0.0; self.x.len()];
+        step.state_at(t, &mut x);
+        let still = vec![0.0; system.n_coordinates()];
+        system.powers(t, &x, &still, &step.modes).map_or(0.0, |p| p.rate.abs() + p.loads.abs() + p.drives.abs() + p.dissipated.abs())
+    }
+
+    /// Power of the parts of the accelerations that are proportional to the rates, all taken by size: a single load may hold terms that cancel, as
+    /// (μ (1 − x²) x' − x) does on the slow branches of a relaxation oscillation, and so do strong dampers between bodies that move together.
+    fn damping_alone<S: System + ?Sized>(&self, t: f64, step: &Step, system: &mut S, still: f64) -> f64 {
+        let (n, width) = (system.n_coordinates(), self.x.len());
+        let mut jacobian = vec![0.0; width * width];
+        if !matches!(system.jacobian(t, &self.x, &step.modes, &mut jacobian), Ok(Jacobian::Given)) {
+            return 0.0;
+        }
+        let part = |i: usize| {
+            let terms: f64 = (n..2 * n).map(|j| (jacobian[(n + i) * width + j] * self.x[j]).abs()).sum();
+            terms.copysign(self.x[n + i])
+        };
+        let parts: Vec<f64> = (0..n).map(part).collect();
+        system.powers(t, &self.x, &parts, &step.modes).map_or(0.0, |p| (p.rate - still).abs())
     }
 
     /// The audit, or none when the system has no energies or did not move.

@@ -1,6 +1,7 @@
 //! Small numerical tools.
 
 pub mod complex;
+pub mod complex_lu;
 pub mod divided;
 pub mod eigen;
 pub mod expm;

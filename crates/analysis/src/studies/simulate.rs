@@ -11,6 +11,7 @@ use crate::dataset::{Column, Counter, Dataset, Event};
 use crate::events::words::describe;
 use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
+use crate::stiff::Method;
 use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance};
 use crate::{Fault, Mode, Quantity, System};
 
@@ -44,6 +45,8 @@ pub struct Simulate<'a> {
     pub progress: Option<&'a mut dyn FnMut(f64)>,
     /// Largest table, bytes; while it is made and handed over the process takes up to three times as much. Default 1e9.
     pub memory: f64,
+    /// How the motion is integrated. Default auto.
+    pub method: Method,
     /// Most steps: a run whose pace shows that it needs more is given up with a fault. Default 1e10.
     pub most_steps: f64,
     /// Seed of the audits' random states.
@@ -62,6 +65,7 @@ impl Simulate<'_> {
             interrupt: None,
             progress: None,
             memory: 1e9,
+            method: Method::Auto,
             most_steps: 1e10,
             seed: 1,
         }
@@ -124,6 +128,7 @@ fn halved<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simulate<
         tolerance,
         interrupt: options.interrupt,
         memory: options.memory,
+        method: options.method,
         most_steps: options.most_steps,
         ..Simulate::until(options.until)
     };
@@ -282,7 +287,7 @@ impl Run {
         let end = options.until;
         system.show(&self.chosen)?;
         system.placed(0.0, start)?;
-        let flow_options = Options { tolerance: options.tolerance, span: end, ..Options::default() };
+        let flow_options = Options { tolerance: options.tolerance, span: end, method: options.method, ..Options::default() };
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
         let result = self.record(&mut flow).and_then(|()| self.follow(&mut flow, end, options));
         self.work = flow.work().clone();
@@ -460,16 +465,28 @@ pub(super) fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<
 }
 
 fn counters(work: &Work, impacts: &ImpactEnergy) -> Vec<Counter> {
-    let mean = if work.steps > 0 { work.orders as f64 / work.steps as f64 } else { 0.0 };
     let row = |key, en: &str, ru: &str, value: f64| Counter { key, name: Text::new(en, ru), value };
     let mut rows = vec![
         row("steps", "steps", "шагов", work.steps as f64),
         row("rejected", "steps taken back", "шагов отвергнуто", work.rejected as f64),
-        row("mean_order", "mean order", "средний порядок", mean),
+        row("mean_order", "mean order", "средний порядок", work.mean_order()),
         row("highest_order", "highest order", "наибольший порядок", work.highest_order as f64),
         row("evaluations", "Taylor expansions", "тейлоровских разложений", (work.expansions + work.probes) as f64),
         row("events", "switches", "переключений", work.switches as f64),
     ];
+    if work.implicit_steps > 0 {
+        rows.extend([
+            row("implicit_steps", "implicit steps among them", "из них неявных", work.implicit_steps as f64),
+            row("stages", "stages of an implicit step", "стадий неявного шага", work.stages as f64),
+        ]);
+    }
+    if work.newton > 0 {
+        rows.extend([
+            row("jacobians", "Jacobians", "матриц Якоби", work.jacobians as f64),
+            row("factorisations", "factorisations", "разложений матриц", work.factorisations as f64),
+            row("newton_iterations", "Newton iterations", "итераций Ньютона", work.newton as f64),
+        ]);
+    }
     if work.projections > 0 {
         rows.push(row("projections", "steps moved back onto the connections", "шагов, возвращённых на связи", work.projections as f64));
     }

@@ -40,14 +40,13 @@ impl Defect {
 impl<S: System + ?Sized> Flow<'_, S> {
     /// Expansion at the next state in the old modes; of order 1 when the modes are about to change.
     pub(super) fn probe(&mut self, at: Instant, event: bool) -> Result<(), Fault> {
-        let order = if event {
+        if event {
             self.work.probes += 1;
-            1
+            self.system.expand(at.high, &self.next_x, &self.modes, 1)?;
         } else {
             self.work.expansions += 1;
-            self.rule.order
-        };
-        self.system.expand(at.high, &self.next_x, &self.modes, order)?;
+            super::expand_within_range(self.system, &mut self.rule, (at.high, &self.next_x), &self.modes)?;
+        }
         match (0..self.x.len()).find(|&i| !self.system.state(i).iter().all(|c| c.is_finite())) {
             Some(i) => Err(Fault::not_finite(&Text::same(&self.system.states()[i].name), at.high)),
             None => Ok(()),

@@ -237,6 +237,12 @@ impl Rule {
         }
     }
 
+    /// Goes two orders down; false at the lowest.
+    pub(super) fn lower(&mut self) -> bool {
+        let lower = self.level.checked_sub(1);
+        lower.inspect(|level| self.settle(*level)).is_some()
+    }
+
     fn settle(&mut self, level: usize) {
         self.level = level;
         self.order = self.levels[level].order;

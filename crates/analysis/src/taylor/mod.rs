@@ -10,6 +10,7 @@
 //! 4. at an event the modes are decided anew ([`crate::events`]).
 
 mod accept;
+mod implicit;
 mod length;
 mod step;
 mod switching;
@@ -18,13 +19,16 @@ mod turns;
 use symbolic::Text;
 
 pub use step::Step;
+pub(crate) use step::{Series, increment_and_slope};
 
 use crate::events::Switch;
 use crate::events::roots::RootFinder;
 use crate::fault::number;
 use crate::numerics::sum::{Instant, two_sum};
+use crate::stiff::Method;
 use crate::{Fault, Mode, System};
 use accept::Defect;
+use implicit::Implicit;
 pub use length::HIGHEST_ORDER;
 use length::Rule;
 use switching::Crowd;
@@ -42,11 +46,13 @@ pub struct Options {
     /// Length of the run, s: a time scale for motions that have none of their own (polynomials of time), used only to judge what is small.
     /// Default 1.
     pub span: f64,
+    /// Taylor series, the implicit method, or whichever is worth while. Default auto.
+    pub method: Method,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { tolerance: 1e-12, order: None, span: 1.0 }
+        Options { tolerance: 1e-12, order: None, span: 1.0, method: Method::Auto }
     }
 }
 
@@ -69,6 +75,26 @@ pub struct Work {
     pub orders: u64,
     /// Highest order.
     pub highest_order: usize,
+    /// Those of the accepted steps that are implicit.
+    pub implicit_steps: u64,
+    /// Degree of their polynomials.
+    pub stages: usize,
+    /// Jacobians.
+    pub jacobians: u64,
+    /// Factorisations of a matrix of the size of the state.
+    pub factorisations: u64,
+    /// Newton iterations, each with the rates at all nodes of a step.
+    pub newton: u64,
+    /// Single rates for the defect between nodes.
+    pub rates: u64,
+}
+
+impl Work {
+    /// Mean order of the Taylor steps, 0 without any.
+    pub fn mean_order(&self) -> f64 {
+        let taylor = self.steps - self.implicit_steps;
+        if taylor > 0 { self.orders as f64 / taylor as f64 } else { 0.0 }
+    }
 }
 
 /// A motion under way.
@@ -122,6 +148,7 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) natural: f64,
     pub(crate) switches: Vec<Switch>,
     crowd: Crowd,
+    implicit: Implicit,
     pub(crate) roots: RootFinder,
     pub(crate) work: Work,
 }
@@ -134,6 +161,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         check_tolerance(options.tolerance)?;
         let units: Vec<&str> = system.states().iter().map(|q| q.unit.as_str()).collect();
         let rule = Rule::new(options.tolerance, options.order, &units);
+        let implicit = Implicit::new(options, &units, system.guards().len());
         for (value, state) in x.iter().zip(system.states()) {
             if !value.is_finite() {
                 return Err(Fault::not_finite(&Text::same(&state.name), t));
@@ -172,6 +200,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             natural: 0.0,
             switches: Vec::new(),
             crowd: Crowd::default(),
+            implicit,
             roots: RootFinder::default(),
             work: Work::default(),
         };
@@ -196,6 +225,11 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         let (target, limit) = self.target(end);
         let mut h = self.rule.length(&self.step.states, self.guess, limit);
         self.guess = h;
+        if let Some(length) = self.implicit.proposal(h, limit, &self.deflation)
+            && self.advance_implicitly(length, target)?
+        {
+            return Ok(());
+        }
         if h < limit {
             self.rule.adapt(&self.step.states);
         }
@@ -215,6 +249,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
                 h = self.take_back(h, 0.5, None)?;
             } else {
                 self.step.length = length;
+                self.note_taylor_step(lands);
                 let arrived = self.arrive(lands, event);
                 self.show_turns();
                 return arrived;
@@ -278,7 +313,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
 
     pub(crate) fn expand_here(&mut self) -> Result<(), Fault> {
         self.work.expansions += 1;
-        self.system.expand(self.now.high, &self.x, &self.modes, self.rule.order)
+        expand_within_range(self.system, &mut self.rule, (self.now.high, &self.x), &self.modes)
     }
 
     fn take_expansion(&mut self) {
@@ -347,8 +382,6 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         self.work.projections += u64::from(self.removed > 0.0);
         self.drift = self.drift.max(self.removed);
         self.work.steps += 1;
-        self.work.orders += self.step.order as u64;
-        self.work.highest_order = self.work.highest_order.max(self.step.order);
         self.expanded = !event;
         let scheduled = self.mark_scheduled();
         let wrong = !event && self.mark_wrong_sides();
@@ -357,6 +390,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         }
         self.remember_guard_scales();
         self.expanded = false;
+        self.implicit.interrupt();
         self.decide()?;
         self.expanded = true;
         self.watch_crowd()
@@ -376,6 +410,16 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             *scale = scale.max(crate::events::size(self.trial.guards.row(i), self.natural));
         }
         Ok(())
+    }
+}
+
+/// Expansion at (t, x), of a lower order where coefficients overflow: those of a damping of 1e13 1/s do at order 25.
+fn expand_within_range<S: System + ?Sized>(system: &mut S, rule: &mut Rule, (t, x): (f64, &[f64]), modes: &[Mode]) -> Result<(), Fault> {
+    loop {
+        match system.expand(t, x, modes, rule.order) {
+            Err(fault) if fault.code == "P006" && rule.lower() => {}
+            outcome => return outcome,
+        }
     }
 }
 

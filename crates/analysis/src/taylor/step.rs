@@ -1,6 +1,7 @@
 //! One accepted step: the Taylor polynomials of all states, which are the dense output.
 
 use crate::numerics::sum::Instant;
+use crate::stiff::Collocation;
 use crate::{Mode, System};
 
 /// Taylor polynomials of a step, x_i(start + tau) = sum_k c_ik tau^k for 0 <= tau <= length.
@@ -26,24 +27,27 @@ pub struct Step {
 
 /// Rows of Taylor coefficients of one length.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Series {
+pub(crate) struct Series {
     values: Vec<f64>,
     stride: usize,
 }
 
 impl Series {
-    pub(super) fn row(&self, i: usize) -> &[f64] {
+    pub(crate) fn row(&self, i: usize) -> &[f64] {
         &self.values[i * self.stride..(i + 1) * self.stride]
     }
     pub(super) fn n_rows(&self) -> usize {
         self.values.len().checked_div(self.stride).unwrap_or(0)
     }
-    fn reset(&mut self, stride: usize) {
+    fn set_first(&mut self, i: usize, value: f64) {
+        self.values[i * self.stride] = value;
+    }
+    pub(crate) fn reset(&mut self, stride: usize) {
         self.values.clear();
         self.stride = stride;
     }
     /// Adds a row; a shorter one is continued by zeros.
-    fn push(&mut self, row: &[f64]) {
+    pub(crate) fn push(&mut self, row: &[f64]) {
         let n = row.len().min(self.stride);
         self.values.extend_from_slice(&row[..n]);
         self.values.resize(self.values.len() + self.stride - n, 0.0);
@@ -62,6 +66,15 @@ impl Step {
         for i in 0..n_guards {
             self.guards.push(system.guard(i));
         }
+    }
+
+    /// Takes the polynomials of an implicit step from the state x.
+    pub(super) fn take_implicit(&mut self, engine: &Collocation, x: &[f64]) {
+        self.order = engine.degree();
+        let (states, guards) = engine.polynomials();
+        self.states.clone_from(states);
+        x.iter().enumerate().for_each(|(k, x)| self.states.set_first(k, *x));
+        self.guards.clone_from(guards);
     }
 
     /// End of the step.
@@ -112,7 +125,7 @@ pub(super) fn increment(c: &[f64], tau: f64) -> f64 {
 
 /// x(tau) - x(0) and x'(tau) in one pass: x = x(0) + tau V(tau) gives x' = V + tau V'.
 #[inline]
-pub(super) fn increment_and_slope(c: &[f64], tau: f64) -> (f64, f64) {
+pub(crate) fn increment_and_slope(c: &[f64], tau: f64) -> (f64, f64) {
     let (mut value, mut rate) = (0.0, 0.0);
     for &c_k in c[1..].iter().rev() {
         rate = rate * tau + value;

@@ -31,6 +31,17 @@ pub const STUDY: TableSpec = TableSpec {
         ),
         may("tolerance", Type::Formula, "1", "1e-12", ("relative tolerance of a step", "относительная точность шага"), "1e-9"),
         may(
+            "method",
+            Type::String,
+            "",
+            "\"auto\"",
+            (
+                "simulate: how the motion is integrated: taylor (Taylor series), stiff (implicit, for damping that is fast beside the motion), auto (whichever is worth while)",
+                "simulate: как интегрируется движение: taylor (ряды Тейлора), stiff (неявный метод для затухания, быстрого по сравнению с движением), auto (что выгоднее)",
+            ),
+            "\"stiff\"",
+        ),
+        may(
             "outputs",
             Type::Names,
             "",

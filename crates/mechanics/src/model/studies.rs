@@ -260,10 +260,34 @@ pub struct Simulate {
     pub times: Times,
     /// Relative tolerance.
     pub tolerance: f64,
+    /// How the motion is integrated.
+    pub method: Method,
     /// Outputs wanted, by name (also coordinates and rates); empty means all.
     pub outputs: Vec<String>,
     /// Plots wanted.
     pub plots: Vec<Plot>,
+}
+
+/// How a motion is integrated.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Method {
+    /// Taylor series, or the implicit method where the motion is stiff.
+    #[default]
+    Auto,
+    /// Taylor series.
+    Taylor,
+    /// The implicit method.
+    Stiff,
+}
+
+impl Method {
+    /// The methods with their names.
+    pub const ALL: [(Method, &'static str); 3] = [(Method::Auto, "auto"), (Method::Taylor, "taylor"), (Method::Stiff, "stiff")];
+
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        Method::ALL.iter().find(|row| row.0 == self).map_or("", |row| row.1)
+    }
 }
 
 /// Times at which results are wanted.

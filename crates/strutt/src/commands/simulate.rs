@@ -41,7 +41,8 @@ pub(super) fn wishes(args: &args::Simulate) -> Result<Wishes, Failure> {
     };
     let outputs =
         args.outputs.as_ref().map(|list| list.iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect());
-    Ok(Wishes { until, tolerance, times, outputs })
+    let method = args.method.map(args::Method::of_model);
+    Ok(Wishes { until, tolerance, method, times, outputs })
 }
 
 /// CSV in pipes, a summary on terminals, unless said otherwise.

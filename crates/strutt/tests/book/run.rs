@@ -99,6 +99,7 @@ struct Command {
     verb: String,
     until: f64,
     tolerance: f64,
+    method: analysis::stiff::Method,
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
     linearise: bool,
@@ -114,6 +115,7 @@ impl Command {
             verb: words[0].clone(),
             until: 0.0,
             tolerance: TOLERANCE,
+            method: Default::default(),
             set: Vec::new(),
             guess: Vec::new(),
             name: String::new(),
@@ -138,6 +140,7 @@ impl Command {
                 (None, "until") => command.until = quantity(value)?,
                 (None, "name") => value.clone_into(&mut command.name),
                 (None, "variant") => command.variant = Some(value.to_owned()),
+                (None, "method") => command.method = analysis::stiff::Method::named(value).ok_or_else(|| format!("no method: {value}"))?,
                 (None, "tolerance") => command.tolerance = value.parse().map_err(|_| format!("not a number: {value}"))?,
                 (None, _) => return Err(format!("unknown option `{word}`")),
             }
@@ -205,6 +208,7 @@ impl Command {
             until: self.until,
             times: Times::At(times.clone()),
             tolerance: self.tolerance,
+            method: Default::default(),
             outputs: machine.equations.outputs.iter().map(|o| o.name.clone()).collect(),
             plots: Vec::new(),
         };
@@ -227,7 +231,13 @@ impl Command {
         });
         let fails = claims.iter().any(|claim| matches!(claim, Claim::Fails(_)));
         let outputs = if fails { None } else { Some(wanted.collect()) };
-        let options = Simulate { grid: Grid::At(times.clone()), tolerance: self.tolerance, outputs, ..Simulate::until(self.until) };
+        let options = Simulate {
+            grid: Grid::At(times.clone()),
+            tolerance: self.tolerance,
+            method: self.method,
+            outputs,
+            ..Simulate::until(self.until)
+        };
         let start = match machine.system.start() {
             Ok(start) => start,
             Err(fault) => return Ok(Outcome::Trouble { code: fault.code, what: fault.what.en.clone() }),

@@ -35,7 +35,7 @@ const KINDS: &[Row] = &[
     Row { name: "equilibrium", keys: &["guess", "over", "range"], read: equilibrium::read },
     Row { name: "modes", keys: &["guess", "about", "normalise", "frequency_variable", "over", "range", "points"], read: linear::modes },
     Row { name: "response", keys: &["guess", "load", "over", "range", "points", "log", "outputs", "shapes"], read: linear::response },
-    Row { name: "simulate", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: simulate::read },
+    Row { name: "simulate", keys: &["until", "every", "at", "tolerance", "method", "outputs", "plot"], read: simulate::read },
     Row { name: "transient", keys: &["until", "every", "at", "tolerance", "outputs", "plot", "linearise"], read: transient::read },
     Row { name: "inverse", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: inverse::read },
     Row { name: "statics", keys: &[], read: statics::read },

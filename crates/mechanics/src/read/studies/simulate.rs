@@ -4,8 +4,8 @@ use super::plot::plots;
 use super::{duration, outputs, tolerance};
 use crate::fault::Fault;
 use crate::formula::Context;
-use crate::model::{Simulate, StudyKind, Times};
-use crate::read::reader::{Fields, Reader, wrong_type};
+use crate::model::{Method, Simulate, StudyKind, Times};
+use crate::read::reader::{Fields, Reader, short, string, wrong_type};
 use crate::read::syntax::Value;
 use crate::units::Dimension;
 
@@ -24,9 +24,22 @@ pub(super) fn simulate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &
     }
     let times = grid(reader, fields, until);
     let tolerance = tolerance(reader, fields);
+    let method = method(reader, fields);
     let outputs = outputs(reader, fields);
     let plots = fields.get("plot").map(|v| plots(reader, v)).unwrap_or_default();
-    Some(Simulate { until: until?, times, tolerance, outputs, plots })
+    Some(Simulate { until: until?, times, tolerance, method, outputs, plots })
+}
+
+fn method<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Method {
+    let Some((word, span)) = fields.get("method").and_then(|v| string(reader, v, "a string", "строка")) else {
+        return Method::default();
+    };
+    if let Some((method, _)) = Method::ALL.iter().find(|row| row.1 == word.as_str()) {
+        return *method;
+    }
+    let (en, ru) = (format!("unknown method `{}`", short(&word)), format!("неизвестный метод `{}`", short(&word)));
+    reader.fault(Fault::new("M065", span, en, ru).help("auto, taylor or stiff", "auto, taylor или stiff"));
+    Method::default()
 }
 
 /// `every` or `at`.

@@ -1,0 +1,51 @@
+//! Stiff motions: collocation at Radau's nodes, whose polynomial is the dense output.
+//!
+//! A step of length h looks for the polynomial u of degree s with u(t) = x and
+//!
+//! ```text
+//! u'(t + c_i h) = f(t + c_i h, u(t + c_i h))     i = 1 ... s
+//! ```
+//!
+//! Damping that is fast beside the motion does not limit h: the method is L-stable. What limits it is whether u follows the motion *over its whole
+//! length*, because outputs and events are read from u everywhere, not only at the end, where the order is 2s - 1. So a step is accepted on the decay of
+//! the Legendre coefficients of u, by the same majorant as in the Taylor integrator (`taylor/length.rs`), on the equations halfway between the nodes
+//! (`defect.rs`), and on both for the guards. The number of stages follows from the tolerance: 13 at 1e-12.
+//!
+//! *Source*: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, Springer 1996, IV.8; the control of the whole polynomial is ours.
+
+mod collocation;
+mod defect;
+mod dense;
+mod newton;
+pub mod radau;
+mod scales;
+
+pub(crate) use collocation::{Base, Collocation, Verdict};
+
+/// How a motion is integrated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Taylor series; the implicit method where it is worth while.
+    #[default]
+    Auto,
+    /// Taylor series only.
+    Taylor,
+    /// The implicit method, except for the first step after an event.
+    Stiff,
+}
+
+impl Method {
+    /// The methods with their names in files and on the command line.
+    pub const ALL: [(Method, &'static str); 3] = [(Method::Auto, "auto"), (Method::Taylor, "taylor"), (Method::Stiff, "stiff")];
+
+    /// The method of that name.
+    pub fn named(name: &str) -> Option<Method> {
+        Method::ALL.iter().find(|row| row.1 == name).map(|row| row.0)
+    }
+}
+
+/// Stages for a tolerance: each Legendre coefficient is then about a tenth of the one before, 5 ... 15.
+pub(crate) fn stages(tolerance: f64) -> usize {
+    let digits = -tolerance.log10();
+    (2 * (0.5 * digits).round() as usize + 1).clamp(5, 15)
+}

@@ -1,0 +1,289 @@
+//! When the implicit method takes a step instead of the Taylor series, and how it does.
+//!
+//! A Taylor step is as long as the fastest mode allows, even when that mode has died out: h lambda is about 10 at most. The motion is *stiff* where its smooth
+//! rest would allow far longer steps. That is found by trial, never by the size of an eigenvalue: a fast mode that carries energy is resolved by both methods and an
+//! implicit step over it is refused by its own control. A trial is made
+//!
+//! - after [`FIRST`] Taylor steps since the last event, when the states at every fourth step lie on a smooth curve (the last one is met by the cubic
+//!   through the four before), then after twice as many, and so on;
+//! - smooth or not (rounding may be all that is left of a motion) after [`FORCED`] steps, then after four times as many.
+//!
+//! So a machine that is not stiff pays for a handful of trials, and one that is never takes more than a bounded number of Taylor steps before it is
+//! recognised. A trial step is [`WORTH`] Taylor steps long or more; where the accepted steps become shorter than half of that, the Taylor series
+//! takes over again, and at each event it takes the first steps, because the modes are decided by derivatives.
+
+use super::{Flow, Options};
+use crate::numerics::sum::Instant;
+use crate::stiff::{Base, Collocation, Method, Verdict};
+use crate::{Fault, System};
+
+/// Taylor steps before the first trial on a smooth motion.
+const FIRST: u64 = 24;
+/// Taylor steps before the first trial on any motion, with one state; more states make a trial dearer.
+const FORCED: u64 = 256;
+/// Taylor steps that an implicit step of a small system costs, and what each state adds.
+const WORTH: f64 = 12.0;
+const WORTH_OF_STATE: f64 = 0.5;
+/// Steps between samples of the motion.
+const APART: u64 = 4;
+/// Share of a state's change within the samples by which it may miss the cubic.
+const SMOOTH: f64 = 0.05;
+/// Share of its size below which a change is rounding.
+const STILL: f64 = 1e-12;
+/// Part of the way to an instant up to which a step is cut in two equal ones.
+const HALVES: f64 = 2.0;
+/// Relative violation of conditions up to which a step may leave them, or a hundred tolerances.
+const DRIFT: f64 = 1e-10;
+
+/// The implicit method of a flow, and when to use it.
+#[derive(Clone, Debug)]
+pub(super) struct Implicit {
+    method: Method,
+    /// Made at the first trial.
+    engine: Option<Collocation>,
+    tolerance: f64,
+    units: Vec<String>,
+    n_guards: usize,
+    /// Length of the next step while the method is in use.
+    next: Option<f64>,
+    impossible: bool,
+    /// Taylor steps since the last event or implicit step.
+    taken: u64,
+    /// When the next trials are due.
+    smooth_due: u64,
+    forced_due: u64,
+    /// The last five samples: instant, state.
+    samples: Vec<(Instant, Vec<f64>)>,
+}
+
+impl Implicit {
+    pub(super) fn new(options: &Options, units: &[&str], n_guards: usize) -> Implicit {
+        let mut implicit = Implicit {
+            method: options.method,
+            engine: None,
+            tolerance: options.tolerance,
+            units: units.iter().map(|unit| (*unit).to_owned()).collect(),
+            n_guards,
+            next: None,
+            impossible: units.is_empty(),
+            taken: 0,
+            smooth_due: 0,
+            forced_due: 0,
+            samples: Vec::new(),
+        };
+        implicit.interrupt();
+        implicit
+    }
+
+    /// An event, or the series has taken over: everything is to be learnt again.
+    pub(super) fn interrupt(&mut self) {
+        self.next = None;
+        self.taken = 0;
+        self.smooth_due = FIRST;
+        self.forced_due = FORCED * (16 + self.units.len() as u64) / 16;
+        self.samples.clear();
+        if let Some(engine) = &mut self.engine {
+            engine.forget();
+        }
+    }
+
+    /// Taylor steps that an implicit one must replace.
+    fn worth(&self) -> f64 {
+        WORTH + WORTH_OF_STATE * self.units.len() as f64
+    }
+
+    /// The length of an implicit step to be tried, when a Taylor step has the length `taylor`.
+    pub(super) fn proposal(&mut self, taylor: f64, limit: f64, deflation: &[usize]) -> Option<f64> {
+        let leaves_surface = deflation.iter().any(|k| *k > 0);
+        if self.method == Method::Taylor || self.impossible || leaves_surface || !(taylor > 0.0 && taylor < limit) {
+            return None;
+        }
+        let least = self.least(taylor);
+        match (self.method, self.next) {
+            (_, Some(next)) if next >= least => Some(next.min(limit)),
+            (Method::Stiff, _) if self.taken > 0 => Some((4.0 * taylor).min(limit)),
+            (Method::Stiff, _) => None,
+            (_, Some(_)) => {
+                self.interrupt();
+                None
+            }
+            (_, None) => (limit > 2.0 * least && self.is_due()).then_some(2.0 * least),
+        }
+    }
+
+    /// Below this length the Taylor series is the cheaper way.
+    fn least(&self, taylor: f64) -> f64 {
+        if self.method == Method::Stiff { 0.5 * taylor } else { self.worth() * taylor }
+    }
+
+    fn is_due(&self) -> bool {
+        self.taken >= self.forced_due || (self.taken >= self.smooth_due && self.is_smooth())
+    }
+
+    fn sample(&mut self, at: Instant, x: &[f64]) {
+        self.taken += 1;
+        if !self.taken.is_multiple_of(APART) || self.method != Method::Auto {
+            return;
+        }
+        let mut slot = if self.samples.len() < 5 { (at, x.to_vec()) } else { self.samples.remove(0) };
+        slot.0 = at;
+        slot.1.copy_from_slice(x);
+        self.samples.push(slot);
+    }
+
+    /// Whether the last sample is where the cubic through the four before leads.
+    fn is_smooth(&self) -> bool {
+        let [a, .., last] = &self.samples[..] else { return false };
+        if self.samples.len() < 5 {
+            return false;
+        }
+        let times: Vec<f64> = self.samples.iter().map(|s| a.0.until(s.0.high) + s.0.low).collect();
+        let smooth = |k: usize| {
+            let values: Vec<f64> = self.samples.iter().map(|s| s.1[k]).collect();
+            let change = values.iter().fold(0.0, |m: f64, v| m.max((v - values[0]).abs()));
+            let size = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            (next_of_cubic(&times, &values) - last.1[k]).abs() <= SMOOTH * change + STILL * size
+        };
+        (0..last.1.len()).all(smooth)
+    }
+
+    fn refused(&mut self) {
+        if self.next.is_some() {
+            self.interrupt();
+            return;
+        }
+        self.smooth_due = 2 * self.taken.max(FIRST);
+        if self.taken >= self.forced_due {
+            self.forced_due = 4 * self.taken;
+        }
+    }
+
+    /// The engine, made when it is first wanted.
+    fn take_engine(&mut self) -> Result<Collocation, Fault> {
+        match self.engine.take() {
+            Some(engine) => Ok(engine),
+            None => {
+                let units: Vec<&str> = self.units.iter().map(String::as_str).collect();
+                Collocation::new(self.tolerance, &units, self.n_guards)
+            }
+        }
+    }
+}
+
+/// Where an implicit step has ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Landing {
+    Done,
+    /// The equations have no value there.
+    OutOfReach,
+    /// The step has left the conditions of connections by too much: they are held by rounding only, which grows with its length.
+    Drifts,
+}
+
+impl<S: System + ?Sized> Flow<'_, S> {
+    /// An implicit step towards `target`, of this length at most; false when none is worth its cost, and the Taylor step is to be taken.
+    pub(super) fn advance_implicitly(&mut self, length: f64, target: f64) -> Result<bool, Fault> {
+        let mut engine = self.implicit.take_engine()?;
+        let done = self.step_and_land(&mut engine, length, target)?;
+        let counts = engine.counts();
+        (self.work.jacobians, self.work.factorisations) = (counts.jacobians, counts.factorisations);
+        (self.work.newton, self.work.rates) = (counts.newton, counts.rates);
+        self.work.stages = engine.degree();
+        self.implicit.engine = Some(engine);
+        if !done {
+            self.implicit.refused();
+            // the series is still the one of this point, but the system has been elsewhere
+            self.expand_here()?;
+            self.take_expansion();
+            self.note_turns();
+        }
+        Ok(done)
+    }
+
+    /// Steps that hold, shorter and shorter until one keeps to the conditions of connections too.
+    fn step_and_land(&mut self, engine: &mut Collocation, mut length: f64, target: f64) -> Result<bool, Fault> {
+        while let Some((h, growth)) = self.try_lengths(engine, length, target) {
+            match self.land(engine, (h, growth), target)? {
+                Landing::Done => return Ok(true),
+                Landing::Drifts if 0.5 * h >= self.implicit.least(self.guess) => length = 0.5 * h,
+                Landing::Drifts | Landing::OutOfReach => return Ok(false),
+            }
+        }
+        Ok(false)
+    }
+
+    /// The length of a step that holds, with the factor for the next.
+    fn try_lengths(&mut self, engine: &mut Collocation, length: f64, target: f64) -> Option<(f64, f64)> {
+        let limit = self.now.until(target);
+        let least = self.implicit.least(self.guess).min(0.5 * limit);
+        let mut h = if length < limit && HALVES * length > limit { 0.5 * limit } else { length };
+        let mut first = true;
+        while first || (h >= least && !self.vanishes(h)) {
+            first = false;
+            let base = Base { start: self.now, x: &self.x, low: &self.low, modes: &self.modes };
+            match engine.attempt(self.system, &base, h) {
+                Verdict::Holds(growth) => return Some((h, growth)),
+                Verdict::Shorter(factor) => {
+                    self.work.rejected += 1;
+                    h *= factor;
+                }
+                Verdict::Impossible => {
+                    self.implicit.impossible = true;
+                    return None;
+                }
+            }
+        }
+        None
+    }
+
+    /// Takes the step that holds up to its end or to the first event in it.
+    fn land(&mut self, engine: &mut Collocation, (h, growth): (f64, f64), target: f64) -> Result<Landing, Fault> {
+        self.step.take_implicit(engine, &self.x);
+        let full = h >= self.now.until(target);
+        let (length, event) = self.shorten_to_event(h);
+        self.evaluate(length);
+        if !event {
+            // the stage itself has digits that the powers lose
+            for (i, change) in engine.change().iter().enumerate() {
+                (self.next_x[i], self.next_low[i]) = crate::numerics::sum::two_sum(self.x[i], change + self.low[i]);
+            }
+        }
+        let lands = if full && !event { Instant::at(target) } else { self.now.after(length) };
+        if self.correct(lands).and_then(|()| self.probe(lands, event)).is_err() {
+            self.work.rejected += 1;
+            return Ok(Landing::OutOfReach);
+        }
+        if self.removed > DRIFT.max(100.0 * self.rule.tolerance) {
+            self.work.rejected += 1;
+            return Ok(Landing::Drifts);
+        }
+        self.step.length = length;
+        self.work.implicit_steps += 1;
+        engine.keep();
+        self.implicit.next = Some(h * growth);
+        self.implicit.taken = 0;
+        let arrived = self.arrive(lands, event);
+        if self.implicit.next.is_none() {
+            engine.forget();
+        }
+        self.show_turns();
+        arrived.map(|()| Landing::Done)
+    }
+
+    /// A Taylor step of the length found is accepted.
+    pub(super) fn note_taylor_step(&mut self, lands: Instant) {
+        self.work.orders += self.step.order as u64;
+        self.work.highest_order = self.work.highest_order.max(self.step.order);
+        self.implicit.sample(lands, &self.next_x);
+        if let Some(engine) = &mut self.implicit.engine {
+            engine.forget();
+        }
+    }
+}
+
+/// Value at the last of five times of the cubic through the first four points.
+fn next_of_cubic(times: &[f64], values: &[f64]) -> f64 {
+    let [.., t] = times else { return 0.0 };
+    let weight = |i: usize| (0..4).filter(|j| *j != i).map(|j| (t - times[j]) / (times[i] - times[j])).product::<f64>();
+    (0..4).map(|i| values[i] * weight(i)).sum()
+}
