@@ -10,7 +10,6 @@ use symbolic::{Equations, Text};
 
 use crate::connections::{Undetermined, assemble};
 use crate::fault::Message;
-use crate::system::Jacobian;
 use crate::{Fault, Guard, GuardKind, Mode, Powers, Quantity, System};
 use conditions::Conditions;
 
@@ -40,8 +39,6 @@ pub struct Machine {
     statics: Evaluator,
     /// Of the last expansion.
     expanded: Switches,
-    /// Of the last Jacobian.
-    linearised: Switches,
     /// Of the last output.
     observing: Switches,
     /// q'', then all reactions.
@@ -120,7 +117,6 @@ impl Machine {
             places: general.evaluator(&program.places)?,
             statics: general.evaluator(&program.statics)?,
             expanded: Switches::default(),
-            linearised: Switches::default(),
             observing: Switches::default(),
             accelerations: vec![0.0; program.coordinates + program.reactions],
             guards,
@@ -321,13 +317,6 @@ impl System for Machine {
         self.expanded.set(modes, &self.bound);
         let expanded = self.jets.expand(t, x, &self.expanded.modes, order);
         expanded.map_err(|fault| if fault.singular.is_some() { self.singular(fault.into(), x) } else { fault.into() })
-    }
-
-    fn jacobian(&mut self, t: f64, x: &[f64], modes: &[Mode], jacobian: &mut [f64]) -> Result<Jacobian, Fault> {
-        self.linearised.set(modes, &self.bound);
-        let tangent = self.tangent.get_or_insert_with(|| Box::new(Tangent::new(&self.bound)));
-        tangent.jacobian(t, x, &self.linearised.modes, jacobian)?;
-        Ok(Jacobian::Given)
     }
 
     fn faithful(&mut self, h: f64, tolerance: f64) -> f64 {

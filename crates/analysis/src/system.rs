@@ -151,14 +151,22 @@ pub trait System {
     /// *Errors*: the equations are singular or undefined there.
     fn expand(&mut self, t: f64, x: &[f64], modes: &[Mode], order: usize) -> Result<(), Fault>;
 
-    /// Jacobian ∂x'/∂x at (t, x) in the given modes: row i holds the derivatives of x'_i. Does not disturb the last expansion.
-    ///
-    /// A system that gives none is integrated by Taylor series only.
+    /// Jacobian ∂x'/∂x at (t, x) in the given modes, from [`System::slopes`]: row i holds the derivatives of x'_i. A system that gives none is
+    /// integrated by Taylor series only.
     ///
     /// *Shapes*: row-major, length of x squared. *Errors*: the equations have no value or no derivative there.
     fn jacobian(&mut self, t: f64, x: &[f64], modes: &[Mode], jacobian: &mut [f64]) -> Result<Jacobian, Fault> {
-        let _ = (t, x, modes, jacobian);
-        Ok(Jacobian::Absent)
+        let (n, mut rows) = (x.len(), Vec::new());
+        if !self.slopes(t, x, modes, &mut rows)? {
+            return Ok(Jacobian::Absent);
+        }
+        for (i, (row, slopes)) in jacobian.chunks_mut(n.max(1)).zip(rows.chunks(n + 1)).enumerate() {
+            row.copy_from_slice(&slopes[..n]);
+            if !row.iter().all(|d| d.is_finite()) {
+                return Err(Fault::not_finite(&Text::same(&self.states()[i].name), t));
+            }
+        }
+        Ok(Jacobian::Given)
     }
 
     /// The longest step, at most `h`, over which the coefficients of the last [`System::expand`] say what the equations and the guards do, within the

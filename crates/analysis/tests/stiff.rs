@@ -1,10 +1,8 @@
 //! The implicit method on systems and machines: Jacobians, exactness, agreement with the Taylor series.
 
 #[path = "common/linkage.rs"]
-#[allow(dead_code)]
 mod linkage;
 #[path = "common/shaft.rs"]
-#[allow(dead_code)]
 mod shaft;
 
 use analysis::stiff::Method;
@@ -119,8 +117,8 @@ fn polynomials_of_the_degree_of_the_method_are_exact() {
     let options = Options { method: Method::Stiff, span: 1.0, ..Options::default() };
     let (x, work) = flow(&mut system, &[1.0], 1.0, &options);
     assert!((x[0] - 1.0).abs() < 1e-14, "{}", x[0] - 1.0);
-    // each step may be eight times as long as the one before
-    assert!(work.implicit_steps <= 14 && work.stages == 13, "{work:?}");
+    // a million time constants; the last coefficients are rounding, beside which a step grows by a quarter only
+    assert!(work.implicit_steps <= 80 && work.stages == 13, "{work:?}");
 }
 
 /// x' = -λ (x - cos t), λ = 1e8: x = (cos t + sin t/λ)/(1 + 1/λ²) on the slow manifold (Prothero and Robinson).

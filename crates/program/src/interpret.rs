@@ -221,7 +221,7 @@ pub(crate) fn resolve(c: Coefficient, registers: &[f64]) -> f64 {
 }
 
 /// Which side a choice takes, or the register that cannot decide because it holds no number.
-pub(crate) fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Result<Mode, Register> {
+fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Result<Mode, Register> {
     let register = match (by, point.modes) {
         (By::Value(r), _) => r,
         (By::Mode(g), Some(modes)) if point.active.is_none_or(|a| a[g as usize]) => return Ok(modes[g as usize]),

@@ -198,10 +198,6 @@ impl Bound {
     pub fn jets(&self, order: usize) -> Jets {
         Jets::new(self, order)
     }
-    /// ∂x'/∂x of the dynamics.
-    pub fn tangent(&self) -> crate::Tangent {
-        crate::Tangent::new(self)
-    }
     /// x at the start.
     pub fn start(&self) -> Result<Vec<f64>, Fault> {
         let mut start = self.evaluator(&self.program.start)?;

@@ -6,7 +6,7 @@
 
 use crate::general::General;
 use crate::solve::Factor;
-use crate::{Bound, Evaluator, Fault, Instruction, Mode, Operation, Point, Register, Unary};
+use crate::{Bound, Evaluator, Fault, Instruction, Operation, Point, Register, Unary};
 
 /// The dynamics with their derivatives.
 #[derive(Clone, Debug)]
@@ -58,21 +58,6 @@ impl Tangent {
             }
         }
         Ok(&self.roots)
-    }
-
-    /// ∂x'/∂x at (t, x) in these modes, row i = derivatives of x'_i.
-    ///
-    /// *Shapes*: n x n, row-major. *Errors*: those of [`Tangent::evaluate`]; P007 when x' has a value but no derivative.
-    pub fn jacobian(&mut self, time: f64, states: &[f64], modes: &[Mode], jacobian: &mut [f64]) -> Result<(), Fault> {
-        let (columns, n) = (self.columns, self.columns - 1);
-        let rows = self.evaluate(&Point { time, states, modes: Some(modes), ..Point::default() })?;
-        for (row, slopes) in jacobian.chunks_mut(n.max(1)).zip(rows.chunks(columns)) {
-            row.copy_from_slice(&slopes[..n]);
-        }
-        match jacobian.iter().position(|d| !d.is_finite()) {
-            None => Ok(()),
-            Some(k) => Err(Fault::about("P007", self.values.tape().roots[k / n].name.clone())),
-        }
     }
 
     /// row += factor times the slopes of a register; a slope of zero adds nothing even where the factor is infinite.

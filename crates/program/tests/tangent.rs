@@ -2,7 +2,7 @@
 
 mod common;
 use common::*;
-use program::{Bound, Mode, lower};
+use program::{Bound, Mode, Point, Tangent, lower};
 use std::sync::Arc;
 use symbolic::{Equations, Expr, Function, Graph};
 
@@ -15,8 +15,8 @@ fn bind(e: &Equations) -> Bound {
 /// Largest difference of ∂x'/∂x from central differences of fourth order, relative to the largest derivative; their own error is 1e-11.
 fn deviation(bound: &mut Bound, x: &[f64], modes: &[Mode]) -> f64 {
     let n = x.len();
-    let mut exact = vec![0.0; n * n];
-    bound.tangent().jacobian(0.3, x, modes, &mut exact).unwrap();
+    let mut tangent = Tangent::new(bound);
+    let exact = tangent.evaluate(&Point { time: 0.3, states: x, modes: Some(modes), ..Point::default() }).unwrap().to_vec();
     let (mut worst, mut largest): (f64, f64) = (0.0, 0.0);
     for j in 0..n {
         let h = 1e-3;
@@ -28,8 +28,8 @@ fn deviation(bound: &mut Bound, x: &[f64], modes: &[Mode]) -> f64 {
         let (a, b, c, d) = (at(-2.0), at(-1.0), at(1.0), at(2.0));
         let difference = |i: usize| (8.0 * (c[i] - b[i]) - (d[i] - a[i])) / (12.0 * h);
         for i in 0..n {
-            worst = worst.max((difference(i) - exact[i * n + j]).abs());
-            largest = largest.max(exact[i * n + j].abs());
+            worst = worst.max((difference(i) - exact[i * (n + 1) + j]).abs());
+            largest = largest.max(exact[i * (n + 1) + j].abs());
         }
     }
     worst / largest
