@@ -7,6 +7,7 @@
 
 use symbolic::Text;
 
+use super::frontier::Frontier;
 use crate::System;
 use crate::dataset::Audit;
 use crate::taylor::Step;
@@ -19,7 +20,9 @@ const SAMPLES: u64 = 16;
 /// Collects the residual along a motion.
 #[derive(Clone, Debug)]
 pub struct BodyBalance {
-    worst: f64,
+    found: Frontier,
+    /// Largest term of all balances so far.
+    strongest: f64,
     /// Largest terms of each row so far: a balance in which all terms vanish for an instant has its own size all the same.
     largest: Vec<f64>,
     steps: u64,
@@ -34,7 +37,8 @@ impl BodyBalance {
     /// For a system with this many states.
     pub fn new(n_states: usize) -> BodyBalance {
         BodyBalance {
-            worst: 0.0,
+            found: Frontier::default(),
+            strongest: 0.0,
             largest: Vec::new(),
             steps: 0,
             stride: 1,
@@ -67,10 +71,11 @@ impl BodyBalance {
         for (i, ([residual, size], largest)) in rows.into_iter().zip(&mut self.largest).enumerate() {
             *largest = largest.max(size);
             let least = inertia.get(i).map_or(0.0, |row| SMALL * row[1]);
-            if residual != 0.0 {
-                self.worst = self.worst.max(residual.abs() / size.max(1e-3 * *largest).max(least));
-            }
+            self.found.note(residual.abs(), size.max(1e-3 * *largest).max(least));
+            self.strongest = self.strongest.max(size);
         }
+        // a body at the far end of a chain carries what rounding leaves of the forces before it
+        self.found.whole(self.strongest);
         self.taken += 1;
         if self.taken.is_multiple_of(SAMPLES) {
             self.stride *= 2;
@@ -83,6 +88,6 @@ impl BodyBalance {
             "Newton-Euler balance of every body with its reactions: largest relative residual",
             "уравнения Ньютона-Эйлера для каждого тела с его реакциями: наибольшая относительная невязка",
         );
-        (self.known && self.taken > 0).then(|| Audit::at_most("body_balance", name, self.worst, (1e3 * tolerance).max(1e-9)))
+        (self.known && self.taken > 0).then(|| Audit::at_most("body_balance", name, self.found.worst(), (1e3 * tolerance).max(1e-9)))
     }
 }

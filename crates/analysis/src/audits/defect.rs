@@ -6,19 +6,23 @@
 
 use symbolic::Text;
 
-use crate::System;
+use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
 use crate::taylor::Step;
+use crate::{Jacobian, System};
 
 /// Fraction between neighbouring points.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Rounding of a rate, relative to the largest of its state so far.
 const ROUNDING: f64 = 1e-13;
+/// Defects from which on the terms of a rate are looked at.
+const SUSPECT: f64 = 1e-10;
 
 /// Collects the largest defect along a motion.
 #[derive(Clone, Debug, Default)]
 pub struct InteriorDefect {
-    worst: f64,
+    /// By state.
+    found: Vec<Frontier>,
     steps: u64,
     known: bool,
     x: Vec<f64>,
@@ -34,6 +38,7 @@ impl InteriorDefect {
         let zeros = vec![0.0; n_states];
         InteriorDefect {
             known: true,
+            found: vec![Frontier::default(); n_states],
             x: zeros.clone(),
             slopes: zeros.clone(),
             rates: zeros,
@@ -52,15 +57,38 @@ impl InteriorDefect {
             self.known = false;
             return;
         }
+        let n = system.n_coordinates();
         for i in 0..self.x.len() {
             let [size, rate] = &mut self.sizes[i];
             *size = size.max(self.x[i].abs());
             *rate = rate.max(self.rates[i].abs());
             let off = (step.length * (self.slopes[i] - self.rates[i]).abs() - ROUNDING * (step.length * *rate + *size)).max(0.0);
             let scale = size.max(step.length * *rate);
-            if scale > 0.0 {
-                self.worst = self.worst.max(off / scale);
-            }
+            // a rate that moves its coordinate by less than rounding within the step is none; a force that is left of larger ones has their rounding
+            let unseen = if (n..2 * n).contains(&i) { self.sizes[i - n][0] / step.length } else { 0.0 };
+            let off = if off > SUSPECT * scale { (off - ROUNDING * step.length * self.terms(i, t, step, system)).max(0.0) } else { off };
+            self.found[i].note(off, scale.max(FLOOR * unseen));
+        }
+        self.compare_alike(system);
+    }
+
+    /// Σ |∂x'_i/∂x_j x_j|: how large the terms are that meet in a rate.
+    fn terms<S: System + ?Sized>(&self, i: usize, t: f64, step: &Step, system: &mut S) -> f64 {
+        let width = self.x.len();
+        let mut jacobian = vec![0.0; width * width];
+        match system.jacobian(t, &self.x, &step.modes, &mut jacobian) {
+            Ok(Jacobian::Given) => (0..width).map(|j| (jacobian[i * width + j] * self.x[j]).abs()).sum(),
+            _ => 0.0,
+        }
+    }
+
+    /// States of one kind are known to the rounding of the largest of them: the far end of a chain moves by what is left of the rest.
+    fn compare_alike<S: System + ?Sized>(&mut self, system: &S) {
+        let units: Vec<&str> = system.states().iter().map(|q| q.unit.as_str()).collect();
+        for i in 0..units.len() {
+            let alike = (0..units.len()).filter(|k| units[*k] == units[i]);
+            let largest = alike.map(|k| self.sizes[k][0]).fold(0.0, f64::max);
+            self.found[i].whole(largest);
         }
     }
 
@@ -70,6 +98,11 @@ impl InteriorDefect {
             "defect x' - f inside the steps: largest relative to the state",
             "невязка x' - f внутри шагов: наибольшая относительно состояния",
         );
-        (self.known && self.steps > 0).then(|| Audit::at_most("interior_defect", name, self.worst, (1e3 * tolerance).max(1e-9)))
+        let worst = self
+            .found
+            .iter()
+            .map(Frontier::worst)
+            .fold(0.0_f64, |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) });
+        (self.known && self.steps > 0).then(|| Audit::at_most("interior_defect", name, worst, (1e3 * tolerance).max(1e-9)))
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! W = ∫ (loads + drives - dissipated) dt + Σ energy that impacts take or give + Σ change of E by a switch while the state stands
-//! value = max over t of |E - E(0) - W| / (max T, max |Π - Π(0)|, ∫ |loads| + |drives| + |dissipated| dt)
+//! value = max over t of |E - E(0) - W| / (max T, max |Π - Π(0)|, ∫ |loads| + |drives| + |dissipated| dt), or what passes through the damping
 //! ```
 //!
 //! Powers are integrated over every step of the dense output by Gauss's rule with five points, exact to degree 9; where the balance of a step does not
@@ -15,6 +15,8 @@
 
 use symbolic::Text;
 
+use super::damping::damping_alone;
+use super::frontier::Frontier;
 use crate::dataset::Audit;
 use crate::numerics::sum::two_sum;
 use crate::taylor::Step;
@@ -56,7 +58,7 @@ pub struct Ledger {
     range: f64,
     /// Rounding of the energies themselves.
     rounding: f64,
-    worst: f64,
+    found: Frontier,
     steps: u64,
     /// Time, state and modes at the end of the last step.
     last: Option<(f64, Vec<f64>, Vec<Mode>)>,
@@ -77,7 +79,7 @@ impl Ledger {
             kinetic: 0.0,
             range: 0.0,
             rounding: 0.0,
-            worst: 0.0,
+            found: Frontier::default(),
             steps: 0,
             last: None,
             impact: false,
@@ -109,7 +111,9 @@ impl Ledger {
         let size = whole.passed + moved;
         let closes = (change - whole.net).abs() <= (0.1 * self.tolerance * size).max(4.0 * f64::EPSILON * self.rounding);
         let work = if closes { whole } else { self.halved(step, system, h, whole)? };
-        self.passed += work.passed;
+        step.state_after(0.5 * h, &mut self.x);
+        let through = damping_alone(system, step.start.after(0.5 * h).high, &self.x, &step.modes);
+        self.passed += work.passed.max(through * h);
         self.add(change - work.net);
         self.steps += 1;
         self.last = Some((step.start.after(h).high, self.x.clone(), step.modes.clone()));
@@ -147,10 +151,7 @@ impl Ledger {
         self.open = (high, self.open.1 + low);
         let scale = self.kinetic.max(self.range).max(self.passed).max(64.0 * f64::EPSILON / LEAST * self.rounding);
         let value = (self.open.0 + self.open.1).abs();
-        if value != 0.0 {
-            let ratio = value / scale;
-            self.worst = if ratio.is_nan() { f64::NAN } else { self.worst.max(ratio) };
-        }
+        self.found.note(value, scale);
     }
 
     /// T and Π; widens the scales.
@@ -209,7 +210,7 @@ impl Ledger {
             "баланс энергии: наибольшее |E - E(0) - работа| относительно прошедшей энергии",
         );
         let limit = (self.steps as f64 * self.tolerance).clamp(LEAST, MOST);
-        (self.known && self.steps > 0).then(|| Audit::at_most("energy_ledger", name, self.worst, limit))
+        (self.known && self.steps > 0).then(|| Audit::at_most("energy_ledger", name, self.found.worst(), limit))
     }
 
     /// Whether energies have no value along the motion, so that there is no ledger.

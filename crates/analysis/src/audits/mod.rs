@@ -1,11 +1,16 @@
 //! Checks of a result by means that the result did not use.
 
 pub mod bodies;
+pub mod damping;
 pub mod defect;
 pub mod digits;
 pub mod friction;
+pub mod frontier;
 pub mod halving;
 pub mod impacts;
 pub mod ledger;
 pub mod power;
 pub mod second;
+
+/// Units of the last place to which the terms of a motion are rounded.
+const ROUNDED: f64 = 64.0;

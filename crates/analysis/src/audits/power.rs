@@ -12,9 +12,11 @@
 
 use symbolic::Text;
 
+use super::damping::damping_alone;
+use super::frontier::Frontier;
+use crate::System;
 use crate::dataset::Audit;
 use crate::taylor::Step;
-use crate::{Jacobian, System};
 
 /// Share of q'·M q' within a step below which a power is rounding of the velocities.
 const SMALL: f64 = 1e-4;
@@ -24,7 +26,7 @@ const SAMPLES: u64 = 64;
 /// Collects the residual along a motion.
 #[derive(Clone, Debug)]
 pub struct PowerBalance {
-    worst: f64,
+    found: Frontier,
     largest: f64,
     steps: u64,
     stride: u64,
@@ -38,7 +40,7 @@ impl PowerBalance {
     /// For a system with this many states.
     pub fn new(n_states: usize) -> PowerBalance {
         PowerBalance {
-            worst: 0.0,
+            found: Frontier::default(),
             largest: 0.0,
             steps: 0,
             stride: 1,
@@ -72,13 +74,12 @@ impl PowerBalance {
             self.rates[n + i] = self.x[n + i] / step.length;
         }
         let within = step.start.after(step.length).high;
-        let scale = scale.max(self.size_at(within, step, system)).max(self.damping_alone(t, step, system, still.rate));
+        let scale = scale.max(self.size_at(within, step, system)).max(damping_alone(system, t, &self.x, &step.modes));
         let change = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes).map_or(0.0, |p| (p.rate - still.rate).abs());
         let local = self.local(step, system, t, still.rate);
         let residual = (p.rate - (p.loads + p.drives - p.dissipated)).abs();
-        if residual > 0.0 {
-            self.worst = self.worst.max(residual / scale.max(1e-3 * self.largest).max(SMALL * change).max(local));
-        }
+        self.found.note(residual, scale.max(1e-3 * self.largest).max(SMALL * change).max(local));
+        self.found.whole(self.largest);
         self.taken += 1;
         if self.taken.is_multiple_of(SAMPLES) {
             self.stride *= 2;
@@ -92,22 +93,6 @@ impl PowerBalance {
         step.state_at(t, &mut x);
         let still = vec![0.0; system.n_coordinates()];
         system.powers(t, &x, &still, &step.modes).map_or(0.0, |p| p.rate.abs() + p.loads.abs() + p.drives.abs() + p.dissipated.abs())
-    }
-
-    /// Power of the parts of the accelerations that are proportional to the rates, all taken by size: a single load may hold terms that cancel, as
-    /// (μ (1 − x²) x' − x) does on the slow branches of a relaxation oscillation, and so do strong dampers between bodies that move together.
-    fn damping_alone<S: System + ?Sized>(&self, t: f64, step: &Step, system: &mut S, still: f64) -> f64 {
-        let (n, width) = (system.n_coordinates(), self.x.len());
-        let mut jacobian = vec![0.0; width * width];
-        if !matches!(system.jacobian(t, &self.x, &step.modes, &mut jacobian), Ok(Jacobian::Given)) {
-            return 0.0;
-        }
-        let part = |i: usize| {
-            let terms: f64 = (n..2 * n).map(|j| (jacobian[(n + i) * width + j] * self.x[j]).abs()).sum();
-            terms.copysign(self.x[n + i])
-        };
-        let parts: Vec<f64> = (0..n).map(part).collect();
-        system.powers(t, &self.x, &parts, &step.modes).map_or(0.0, |p| (p.rate - still).abs())
     }
 
     /// The power that the largest change of the rates within the step would need: what the step's error is measured by.
@@ -130,6 +115,6 @@ impl PowerBalance {
             "power balance dE/dt = supplied - dissipated: largest relative residual",
             "баланс мощностей dE/dt = подведённая - рассеянная: наибольшая относительная невязка",
         );
-        (self.known && self.taken > 0).then(|| Audit::at_most("power_balance", name, self.worst, (1e3 * tolerance).max(1e-9)))
+        (self.known && self.taken > 0).then(|| Audit::at_most("power_balance", name, self.found.worst(), (1e3 * tolerance).max(1e-9)))
     }
 }

@@ -13,7 +13,7 @@
 //! constant term; so where way(a) is below a fixed share of the distance over which f changes its character, the linear term
 //! of f prevails in c and the condition holds. What is left is divided: on each part of the step the arguments and c are bounded by their Bernstein
 //! coefficients (a polynomial lies within the hull of these), f by its range over the arguments. A part is good when the range of f leaves that of c
-//! by no more than half its own width or by tol W, W the largest value of f met on the step. Parts are halved while that does not decide; the step
+//! by no more than half its own width (three quarters for two arguments, see [`share_beside`]) or by tol W, W the largest value of f met on the step. Parts are halved while that does not decide; the step
 //! ends where the first part begins that is not good.
 //!
 //! *Source*: the range of a polynomial from its Bernstein coefficients, as in J. M. Lane, R. F. Riesenfeld, Bounds on a polynomial, BIT 21 (1981)
@@ -341,7 +341,13 @@ fn is_good(node: Watched, part: &Part, allowed: f64) -> bool {
         f = Range { low: f.low + turns, high: f.high + turns };
     }
     let off = (f.high - c.high).max(c.low - f.low);
-    off <= allowed || off <= 0.5 * f.width() && f.width().is_finite()
+    off <= allowed || off <= share_beside(node) * f.width() && f.width().is_finite()
+}
+
+/// Share of its width by which the range of f may leave that of its polynomial. Two arguments that depend on one another (y/|y|, which is constant) have a
+/// range on both sides of the value that only halves with the part; a hidden feature leaves on one side by the whole width.
+fn share_beside(node: Watched) -> f64 {
+    if node.curve.has_two() { 0.75 } else { 0.5 }
 }
 
 /// Powers to Bernstein coefficients on [0, 1]: the triangle of sums of c_k / C(n,k).
@@ -423,6 +429,18 @@ mod tests {
             let off = (slope * h - 0.5 * slope).tanh() + 1.0;
             assert!(off <= 1e-12 && h > 0.4 - 20.0 / slope, "{slope}: {h}, {off}");
         }
+    }
+
+    /// y/|y| is -1 all along: the intervals of its arguments know nothing of one another.
+    #[test]
+    fn constant_quotient_of_what_varies_is_believed() {
+        let mut cells = vec![0.0; 3 * COUNT];
+        (cells[0], cells[1], cells[2]) = (-1.0, 3.0, -4.9);
+        (cells[COUNT], cells[COUNT + 1], cells[COUNT + 2]) = (1.0, -3.0, 4.9);
+        cells[2 * COUNT] = -1.0;
+        let rows = Rows { cells: &cells, stride: COUNT, count: COUNT };
+        let mut watch = Watch::new(vec![Watched { curve: Curve::Quotient, a: 0, b: 1, c: 2 }], 3);
+        assert_eq!(watch.faithful(rows, 0.3, 1e-12, 0.0), 0.3);
     }
 
     /// A bell curve that has underflowed where the step begins, passed twice within it.

@@ -74,6 +74,13 @@ fn field(results: &Results, path: &str) -> Result<f64, String> {
 /// Values of a study's column at the places of its axis.
 fn study_claim(results: &Results, claim: &Claim) -> Result<(), String> {
     let data = &results.data;
+    if let Claim::Extreme { name, which: which @ (Which::Least | Which::Greatest), expected, tolerance } = claim {
+        // statics names the ends of what friction leaves open as facts of their own
+        let word = if matches!(which, Which::Least) { "least" } else { "greatest" };
+        if let Ok(found) = field(results, &format!("{word} {name}")) {
+            return tolerance.check(name, found, *expected);
+        }
+    }
     match claim {
         Claim::Rest { name, expected, tolerance } => tolerance.check(name, field(results, name)?, *expected),
         Claim::Value { name, when, expected, tolerance } => {
