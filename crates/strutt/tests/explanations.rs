@@ -55,6 +55,7 @@ const PLACES: &[&str] = &[
     "[stops.s]\nalong = \"x\"\nat_least = 0\n@",
     "[constraints.c]\n@",
     "[frictions.f]\nalong = \"x\"\n@",
+    "[frictions.floor]\nalong = \"x\"\nkinetic = \"1 N\"\n@",
     "[sliders.guide]\npoint = \"A\"\n[rods.AB]\nbetween = [\"A\", \"ground\"]\n@",
     "[sliders.guide]\npoint = \"A\"\n[rods.AB]\nbetween = [\"A\", \"ground\"]\n[outputs]\n@",
     "[pins.A]\nbetween = [\"A\", \"ground\"]\n[frictions.f]\nalong = \"x\"\ncoefficient = 0.2\n@",

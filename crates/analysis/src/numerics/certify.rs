@@ -200,4 +200,17 @@ mod tests {
         assert_eq!(passes(&certify(&k, &m, &modes, 3).unwrap()), [true, true]);
         assert!(!passes(&certify(&k, &m, &without(&modes, 0), 3).unwrap())[1]);
     }
+
+    /// Equal oscillators beside one another, and one that stands apart from a chain.
+    #[test]
+    fn uncoupled_motions_are_counted() {
+        for n in [2, 3, 5] {
+            let identity: Vec<f64> = (0..n * n).map(|e| f64::from(u8::from(e / n == e % n))).collect();
+            let k: Vec<f64> = identity.iter().map(|e| 20_689.3 * e).collect();
+            let modes = eigen::symmetric(n, &k, &identity).unwrap();
+            let pencil = [&k, &identity].map(|a| Sparse::from_dense(n, a).unwrap());
+            let found = certify(&pencil[0], &pencil[1], &modes, n).unwrap();
+            assert_eq!(found.count, Some((n, n)), "{n}");
+        }
+    }
 }

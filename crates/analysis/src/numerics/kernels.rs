@@ -125,13 +125,23 @@ impl Factor {
 
     /// Pivots in the order of elimination.
     pub fn pivots(&self) -> Vec<f64> {
-        let Some(factor) = self.nodes() else { return Vec::new() };
+        let Some(factor) = self.nodes() else { return self.lone_pivots() };
         let mut pivots = Vec::with_capacity(self.plan.0.nrows());
         for s in 0..factor.symbolic().n_supernodes() {
             let matrix = factor.supernode(s).val();
             pivots.extend((0..matrix.ncols()).map(|j| matrix[(j, j)]));
         }
         pivots
+    }
+
+    /// Pivots of a matrix without a coupling, for which faer chooses the other form of factor: a diagonal, first in each column.
+    fn lone_pivots(&self) -> Vec<f64> {
+        match self.plan.0.raw() {
+            SymbolicCholeskyRaw::Simplicial(symbolic) => {
+                symbolic.col_ptr()[..self.plan.0.nrows()].iter().map(|&start| self.numbers[start]).collect()
+            }
+            SymbolicCholeskyRaw::Supernodal(_) => Vec::new(),
+        }
     }
 
     /// Places in the order of elimination of the pivots that were replaced.
@@ -147,9 +157,14 @@ impl Factor {
     /// The direction in which the matrix vanishes when its k-th pivot does: v with Lᵀ v = e_k.
     pub fn motion(&self, k: usize) -> Vec<f64> {
         let n = self.plan.0.nrows();
-        let Some(factor) = self.nodes() else { return vec![0.0; n] };
         let mut x = vec![0.0; n];
         x[k] = 1.0;
+        let Some(factor) = self.nodes() else {
+            // without couplings the motion is that of the coordinate itself
+            let mut v = vec![0.0; n];
+            v[self.row(k)] = 1.0;
+            return v;
+        };
         for s in (0..factor.symbolic().n_supernodes()).rev() {
             let node = factor.supernode(s);
             let (matrix, start, pattern) = (node.val(), node.start(), node.pattern());

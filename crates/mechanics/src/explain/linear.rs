@@ -86,8 +86,8 @@ pub const LINEAR: &[Explanation] = &[
             "At its limit a friction resists the sliding that is about to begin: forward along its path (`+`) or backward (`-`).",
             "На пределе трение противится скольжению, готовому начаться: вперёд по пути (`+`) или назад (`-`).",
         ),
-        "[impending]\nfloor = \"down\"",
-        "[impending]\nfloor = \"-\"",
+        "[unknowns]\nP = \"100 N\"\n[impending]\nfloor = \"down\"",
+        "[unknowns]\nP = \"100 N\"\n[impending]\nfloor = \"-\"",
     ),
     row(
         "M111",
