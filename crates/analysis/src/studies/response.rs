@@ -524,6 +524,25 @@ fn not_proportional(name: &str) -> Fault {
     })
 }
 
+/// The amplitude of a reaction is asked for, which the linear equations of the coordinates do not hold.
+pub fn of_reaction(output: &str) -> Fault {
+    Fault::new(Message {
+        code: "S089",
+        what: Text::new(
+            format!("`{output}` contains a reaction, whose amplitude is not computed"),
+            format!("`{output}` содержит реакцию связи, амплитуда которой не вычисляется"),
+        ),
+        why: Text::new(
+            "amplitudes follow from the linear equations of the coordinates; reactions have been eliminated from these",
+            "амплитуды следуют из линейных уравнений для координат; реакции из них исключены",
+        ),
+        help: Text::new(
+            "write the reaction as a formula of accelerations, or take it from `simulate` once the motion has settled",
+            "выразите реакцию формулой через ускорения или возьмите её из `simulate` после установления движения",
+        ),
+    })
+}
+
 /// A range of frequencies that cannot be used.
 pub fn bad_range(from: f64, to: f64) -> Fault {
     let (a, b) = (rounded(from), rounded(to));

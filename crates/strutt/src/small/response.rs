@@ -113,6 +113,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let (source, parameter) = source(study, &mut small)?;
     out.load = load_name(study, &small, &source, parameter);
     let (quantities, formulas) = observed(study, &machine.equations);
+    free_of_reactions(&machine.equations, &quantities, &formulas)?;
     let notes = timing_notes(&small.machine);
     let own_value = parameter.map(|p| small.machine.value(p));
     let mut forced = Forced::new(&mut small.machine, &small.place, source, parameter, &formulas)?;
@@ -382,6 +383,21 @@ fn observed(study: &Study, equations: &Equations) -> (Vec<Quantity>, Vec<Expr>) 
         list.sort_by_key(|o| study.outputs.iter().position(|n| *n == o.name));
     }
     (list.iter().map(|o| quantity(o)).collect(), list.iter().map(|o| o.formula).collect())
+}
+
+/// *Errors*: S089 for an output that contains a reaction, directly or through definitions.
+fn free_of_reactions(equations: &Equations, quantities: &[Quantity], formulas: &[Expr]) -> Result<(), Fault> {
+    let reactions: Vec<_> = equations.reactions.iter().map(|r| r.symbol).collect();
+    let holds = |formula: &Expr| {
+        let mut all = vec![*formula];
+        let found = equations.graph.symbols_in(&all);
+        all.extend(equations.definitions.iter().filter(|d| found.contains(&d.symbol)).map(|d| d.formula));
+        equations.graph.symbols_in(&all).iter().any(|s| reactions.contains(s))
+    };
+    match quantities.iter().zip(formulas).find(|(_, formula)| holds(formula)) {
+        Some((quantity, _)) => Err(forced::of_reaction(&quantity.name)),
+        None => Ok(()),
+    }
 }
 
 /// Equidistant frequencies; without a wish for their number also more of them about the natural frequencies.

@@ -30,6 +30,9 @@ const AROUND: usize = 6;
 /// A place of the linkage: coordinates, then auxiliary states.
 pub(super) type Spot = Vec<f64>;
 
+/// d²q/ds², and the derivatives of the auxiliary states by s.
+pub(super) type Second = (Vec<f64>, Vec<f64>);
+
 /// The conditions with the drives.
 pub(super) struct Linkage<'e> {
     pub(super) equations: &'e Equations,
@@ -289,7 +292,7 @@ impl<'e> Linkage<'e> {
     }
 
     /// c = d²q/ds² and the derivatives of the auxiliary states by s, for the direction b.
-    pub(super) fn second(&mut self, s: f64, at: &Spot, b: &[f64]) -> Result<Option<(Vec<f64>, Vec<f64>)>, Fault> {
+    pub(super) fn second(&mut self, s: f64, at: &Spot, b: &[f64]) -> Result<Option<Second>, Fault> {
         self.evaluate(s, at, Some(b))?;
         let driven = self.driven(s);
         let rows = self.rows(&driven, None);
