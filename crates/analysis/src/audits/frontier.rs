@@ -5,7 +5,7 @@
 
 use super::ROUNDED;
 
-/// Share of the scale of the whole motion below which everything is rounding: then [`ROUNDED`] units of the last place meet the least limit of the audits.
+/// Share of the scale of the whole motion below which everything is rounding: then 64 units of the last place meet the least limit of the audits.
 pub const FLOOR: f64 = ROUNDED * f64::EPSILON / LEAST_LIMIT;
 /// The least limit of an audit that uses this.
 const LEAST_LIMIT: f64 = 1e-9;

@@ -11,7 +11,7 @@
 //! sees a drift that the power balance at an instant cannot.
 //!
 //! **Limit.** A step errs by at most about tol of its own change, and the changes of N steps add up to at most N times the scale: N tol, not below
-//! 1e-9 where rounding rules, never above [`MOST`], whatever tolerance was asked for.
+//! 1e-9 where rounding rules, never above `MOST`, whatever tolerance was asked for.
 
 use symbolic::Text;
 

@@ -2,8 +2,8 @@
 //!
 //! On [a, b] the values at Chebyshev's extreme points u_j = (1 - cos(π j/n))/2 give the coefficients of f = Σ c_k T_k(2u - 1). For an analytic f they
 //! fall like ρ^-k, ρ by the nearest singularity; n = 8 is tried, then 16, then the halves. The last two coefficients measure the error: they must fall
-//! below [`ERROR`] of the variation Σ |c_k|, k >= 1, or be rounding of the largest value in the step. A kink or a jump (`abs` in an output) is closed in by halving to
-//! [`DEEPEST`]; a quantity that is noise itself never converges and is given up after [`PIECES`] pieces a step, which is more than any smooth one needs.
+//! below `ERROR` of the variation Σ |c_k|, k >= 1, or be rounding of the largest value in the step. A kink or a jump (`abs` in an output) is closed in by halving to
+//! `DEEPEST`; a quantity that is noise itself never converges and is given up after `PIECES` pieces a step, which is more than any smooth one needs.
 //!
 //! *Source*: J. P. Boyd, Solving Transcendental Equations (SIAM 2014), chapter 3 (Chebyshev proxies with subdivision).
 

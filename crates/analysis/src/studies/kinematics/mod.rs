@@ -4,7 +4,7 @@
 //! place --integrate b = dq/ds--> near the next place --close by Newton--> next place --linear systems--> b and c = d²q/ds²
 //! ```
 //!
-//! Both derivatives solve linear systems ([`linkage`]): they hold as many digits as the place itself.
+//! Both derivatives solve linear systems (`linkage.rs`): they hold as many digits as the place itself.
 
 mod extrapolation;
 mod linkage;
