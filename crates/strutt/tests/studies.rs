@@ -208,3 +208,20 @@ fn a_run_that_fails_keeps_what_it_has() {
     let last = table(&csv).1.last().unwrap()[0];
     assert!((1.0..1.111).contains(&last), "{last}");
 }
+
+#[test]
+fn a_regime_of_a_conservative_machine_is_said_to_be_one_of_a_family() {
+    let dir = folder("family");
+    let write = |damping: &str| {
+        let path = dir.join("pendulum.toml");
+        let text = format!(
+            "[coordinates]\nphi = {{ unit = \"rad\", start = \"1.9 rad\" }}\n[bodies.bob]\nangle = \"phi\"\nmass = \"1 kg\"\ncenter = [\"0\", \"-0.7 m\"]\n\
+             [forces.f]\nalong = \"phi\"\nvalue = \"{damping}\"\n[[study]]\nkind = \"periodic\"\nsection = \"phi\"\n"
+        );
+        std::fs::write(&path, text).unwrap();
+        json(strutt().args(["periodic", path.to_str().unwrap()]))
+    };
+    assert_eq!(write("0 [N m]")["one_of_a_family"], Value::Bool(true));
+    // van der Pol's damping singles out one amplitude
+    assert_eq!(write("2 [N m s]*(1 - phi^2)*phi'")["one_of_a_family"], Value::Bool(false));
+}

@@ -18,6 +18,8 @@ use symbolic::Text;
 const STEPS: usize = 60;
 /// The wanted period is kept to this share.
 const EXACT: f64 = 1e-13;
+/// Distance from 1 at which a multiplier is 1, where its own error is smaller: half of the digits of a double root.
+const FAMILY: f64 = 1e-8;
 
 /// Runs the study. `tuned` changes the machine to the value found.
 pub fn run(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Finding {
@@ -250,6 +252,9 @@ fn facts(results: &mut Results, machine: &Machine, regime: &Regime, tuning: Opti
     }
     results.words.extend(least(regime));
     results.words.push(verdict(regime));
+    let family = one_of_a_family(regime);
+    results.own.insert("one_of_a_family".into(), json!(family.is_some()));
+    results.words.extend(family);
     let multipliers: Vec<Value> = regime.multipliers.iter().map(json_of).collect();
     results.own.insert("multipliers".into(), json!(multipliers));
     results.own.insert("stable".into(), json!(regime.stable));
@@ -289,6 +294,19 @@ fn least(regime: &Regime) -> Option<Text> {
         Text::new(
             format!("Subharmonic regime: the forces repeat after {en} s, the motion only after {forces} such times."),
             format!("Субгармонический режим: силы повторяются через {ru} с, движение — лишь через {forces} таких промежутков."),
+        )
+    })
+}
+
+/// A multiplier 1 besides the shift along the motion: neighbouring motions close as well, and nothing singles this one out.
+fn one_of_a_family(regime: &Regime) -> Option<Text> {
+    let is_one = |m: &&Multiplier| !m.trivial && (m.re - 1.0).hypot(m.im) <= m.error.max(FAMILY);
+    regime.multipliers.iter().find(is_one).map(|_| {
+        Text::new(
+            "A multiplier 1 besides the shift: the regime is one of a family, as the motions of a machine without damping are. The search gives the member that it \
+             met; its size and its period may differ from those of the motion from the given start, for which `simulate` with a named event is the answer.",
+            "Кроме сдвига есть ещё мультипликатор 1: режим принадлежит семейству, как движения машины без сопротивления. Найден тот из них, к которому привёл поиск; \
+             его размах и период могут отличаться от размаха и периода движения из заданного начала — для него служит `simulate` с именованным событием.",
         )
     })
 }
