@@ -27,6 +27,8 @@ pub struct Dataset {
     pub counters: Vec<Counter>,
     /// Remarks to show beside the result.
     pub notes: Vec<Text>,
+    /// What values of columns mean that are no finite numbers; any other such value is an error of the study.
+    pub stated: Vec<Stated>,
     /// Whether the study was interrupted or ended by a fault, so that the result is a part of what was asked.
     pub partial: bool,
 }
@@ -62,6 +64,42 @@ pub struct Column {
     pub quantity: Quantity,
     /// Values, SI.
     pub values: Vec<f64>,
+}
+
+/// What the values of a column mean that are no finite numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stated {
+    /// Name of the column.
+    pub column: String,
+    /// Which values.
+    pub missing: Missing,
+    /// What they say.
+    pub words: Text,
+}
+
+/// Kinds of values that are no finite numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// Not a number: there is no such quantity here. Empty in tables and files.
+    Absent,
+    /// Infinite: it grows beyond all bounds.
+    Unbounded,
+}
+
+impl Missing {
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Missing::Absent => "absent",
+            Missing::Unbounded => "unbounded",
+        }
+    }
+    fn fits(self, value: f64) -> bool {
+        match self {
+            Missing::Absent => value.is_nan(),
+            Missing::Unbounded => value.is_infinite(),
+        }
+    }
 }
 
 /// A check of a result.
@@ -183,6 +221,32 @@ impl Dataset {
         rows.sort_by(|a, b| a[axis].total_cmp(&b[axis]));
         let column = |(i, c): (usize, &Column)| Column { values: rows.iter().map(|row| row[i]).collect(), ..c.clone() };
         Dataset { columns: self.columns.iter().enumerate().map(column).collect(), ..self.clone() }
+    }
+    /// Says what values of a column mean that are no finite numbers; nothing where the column has none of that kind.
+    pub fn state(&mut self, column: &str, missing: Missing, words: Text) {
+        if self.column(column).is_some_and(|c| c.values.iter().any(|v| missing.fits(*v))) {
+            self.stated.push(Stated { column: column.into(), missing, words });
+        }
+    }
+    /// Whether the result says what this value of a column means: a finite number, or one that is stated.
+    pub fn explains(&self, column: &str, value: f64) -> bool {
+        value.is_finite() || self.stated.iter().any(|s| s.column == column && s.missing.fits(value))
+    }
+    /// Name of a number that is infinite or undefined without a word: of a column, a value at an event, an extreme, a counter.
+    pub fn unexplained(&self) -> Option<&str> {
+        let name = |i: usize| self.columns[i].quantity.name.as_str();
+        let outputs = || (0..self.columns.len()).filter(|i| Some(*i) != self.axis);
+        let of_columns = self.columns.iter().find(|c| c.values.iter().any(|v| !self.explains(&c.quantity.name, *v)));
+        let of_events = || {
+            let sides = self.events.iter().flat_map(|e| &e.outputs);
+            sides.flat_map(|side| outputs().zip(side)).find(|(i, v)| !self.explains(name(*i), **v)).map(|(i, _)| name(i))
+        };
+        let of_extremes = || {
+            let wrong = |e: &&Extreme| [e.min, e.max, e.t_min, e.t_max].iter().any(|v| !v.is_finite());
+            self.extremes.iter().find(wrong).map(|e| name(e.column))
+        };
+        let of_counters = || self.counters.iter().find(|c| !c.value.is_finite()).map(|c| c.key);
+        of_columns.map(|c| c.quantity.name.as_str()).or_else(of_events).or_else(of_extremes).or_else(of_counters)
     }
     /// Extremes of the column with a name.
     pub fn extreme(&self, name: &str) -> Option<&Extreme> {

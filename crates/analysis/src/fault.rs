@@ -543,10 +543,11 @@ const UNREST_RU: &str = "Некоторому перемещению ничто 
 ///
 /// *Errors*: S077 when it is infinite or undefined.
 pub fn finite(value: f64, name: &str) -> Result<f64, Fault> {
-    if value.is_finite() { Ok(value) } else { Err(undefined(name)) }
+    if value.is_finite() { Ok(value) } else { Err(no_value(name)) }
 }
 
-fn undefined(name: &str) -> Fault {
+/// S077: a result without a finite value.
+pub fn no_value(name: &str) -> Fault {
     Fault::new(Message {
         code: "S077",
         what: Text::new(format!("{name} has no finite value"), format!("у величины {name} нет конечного значения")),

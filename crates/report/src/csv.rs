@@ -16,8 +16,8 @@ pub enum Dialect {
 
 /// The table as bytes.
 ///
-/// 17 significant digits name every `f64`: reading the plain dialect gives back the same bits. Not-a-number is `nan`, infinities are
-/// `inf` and `-inf`.
+/// 17 significant digits name every `f64`: reading the plain dialect gives back the same bits. Where there is no such quantity the cell is
+/// empty (the result says why, [`Dataset::stated`]); what grows beyond all bounds is `inf` or `-inf`.
 pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
     let n_rows = data.columns.iter().map(|c| c.values.len()).max().unwrap_or(0);
     let mut out = Vec::with_capacity((n_rows + 1) * data.columns.len() * 24 + 16);
@@ -83,6 +83,9 @@ pub fn write_events(data: &Dataset, dialect: Dialect) -> Vec<u8> {
 }
 
 fn push_number(out: &mut Vec<u8>, x: f64, dialect: Dialect) {
+    if x.is_nan() {
+        return;
+    }
     let start = out.len();
     push_exact(out, x);
     if dialect == Dialect::Ru {
@@ -120,7 +123,8 @@ mod tests {
         let bytes = write(&sample(values.clone()), Dialect::Plain);
         let mut reader = ::csv::Reader::from_reader(bytes.as_slice());
         assert_eq!(reader.headers().unwrap().iter().collect::<Vec<_>>(), ["t [s]", "phi' [rad/s]"]);
-        let back: Vec<f64> = reader.records().map(|r| r.unwrap()[1].parse().unwrap()).collect();
+        let read = |cell: &str| if cell.is_empty() { f64::NAN } else { cell.parse().unwrap() };
+        let back: Vec<f64> = reader.records().map(|r| read(&r.unwrap()[1])).collect();
         assert_eq!(back.len(), values.len());
         for (a, b) in values.iter().zip(&back) {
             assert!(a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan(), "{a:e} {b:e}");

@@ -13,11 +13,11 @@
 //! ```
 //!
 //! Numbers are SI, in the shortest form that reads back as the same `f64`. JSON has no form for infinities and not-a-number: they are
-//! `null`. Columns and parameters are objects in the order of the study; of two columns with one name a reader sees the later.
+//! `null`, and `stated` says what they mean: `[{"name": "x_phase", "missing": "absent", "words": "..."}]` ("unbounded" for infinities). Columns and parameters are objects in the order of the study; of two columns with one name a reader sees the later.
 
 use crate::language::Language;
 use analysis::Dataset;
-use analysis::dataset::{Digits, Event, Extreme, Held};
+use analysis::dataset::{Digits, Event, Extreme, Held, Stated};
 use serde_json::{Map, Value, json};
 
 /// The JSON of a dataset as bytes, closed by a line feed. `extra` are the study's own fields, written before the columns.
@@ -76,6 +76,10 @@ fn head(data: &Dataset, language: Language) -> Map<String, Value> {
     let mut head: Map<String, Value> = fields.into_iter().map(|(key, value)| (key.into(), value)).collect();
     if !data.extremes.is_empty() {
         head.insert("extremes".into(), data.extremes.iter().map(|e| extreme(data, e)).collect());
+    }
+    if !data.stated.is_empty() {
+        let one = |s: &Stated| json!({"name": s.column, "missing": s.missing.key(), "words": language.text(&s.words)});
+        head.insert("stated".into(), data.stated.iter().map(one).collect());
     }
     if let Some(found) = &data.digits {
         head.insert("digits".into(), digits(data, found));

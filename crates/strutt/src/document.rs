@@ -102,7 +102,10 @@ pub fn other_figures(finding: &Finding, language: Language) -> Vec<Figure> {
         Finding::Structure(found) => crate::structure::figures(found, language),
         Finding::Response(found) => crate::small::show::response_figures(found, language),
         Finding::Study(results) => results.figures(language),
-        Finding::Modes(found) => crate::small::show::campbell(&found.data, language).into_iter().collect(),
+        Finding::Modes(found) => {
+            let orders = found.found.as_ref().and_then(|f| f.tracks.as_ref()).map_or(&[][..], |t| &t.orders);
+            crate::small::show::campbell(&found.data, orders, language).into_iter().collect()
+        }
         _ => Vec::new(),
     }
 }
@@ -292,7 +295,9 @@ impl Writer<'_> {
         match finding {
             Finding::Equilibrium(data, _) => {
                 let mut blocks = vec![self.heading(Word::Equilibrium)];
-                blocks.push(self.table(equilibria(data, self.language), Word::Equilibrium));
+                if !data.columns.is_empty() {
+                    blocks.push(self.table(equilibria(data, self.language), Word::Equilibrium));
+                }
                 blocks.extend(self.notes(data));
                 blocks
             }

@@ -142,6 +142,7 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
 /// `{coordinates: {phi: 0.1}, stable: true, residual: 1e-16}` for each; `stable` is null where linearisation does not decide.
 fn equilibria(data: &Dataset) -> Value {
     let n = data.columns.first().map_or(0, |c| c.values.len());
+    // what is not there is null
     let at = |name: &str, row: usize| data.column(name).map_or(f64::NAN, |c| c.values[row]);
     let place = |row: usize| {
         let coordinates = data.columns.iter().filter(|c| !is_verdict(&c.quantity.name) && !is_reaction(&c.quantity.name));
@@ -162,7 +163,7 @@ fn equilibria(data: &Dataset) -> Value {
             let (growth, negative) = (at("growth", row), at("negative_directions", row));
             out["growth"] = json!(growth);
             out["negative_directions"] = json!(negative);
-            out["stable_by_energy"] = json!(negative == 0.0);
+            out["stable_by_energy"] = if negative.is_nan() { Value::Null } else { json!(negative == 0.0) };
             out["stable_by_eigenvalues"] = if growth.is_nan() { Value::Null } else { json!(growth <= 1e-9) };
         }
         out

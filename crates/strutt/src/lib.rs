@@ -15,6 +15,7 @@ pub mod document;
 pub mod explain;
 pub mod failure;
 pub mod files;
+pub mod finite;
 pub mod folder;
 pub mod gallery;
 pub mod guards;

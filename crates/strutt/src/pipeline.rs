@@ -2,6 +2,7 @@
 
 use crate::document::{self, Extent};
 use crate::failure::{Failure, Trouble};
+use crate::finite::checked;
 use crate::small::modes::ModesFound;
 use crate::small::response::ResponseFound;
 use crate::source::Source;
@@ -195,7 +196,7 @@ pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> F
     };
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
-    Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations)))
+    checked(Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
 }
 
 /// A motion in closed form.
@@ -209,7 +210,7 @@ pub fn transient(machine: &mut Machine, study: &model::Transient, watch: &mut Wa
     let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
     let trouble = found.outcome.fault.map(Trouble::from);
     let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations), restarts: machine.model.restarts.clone() };
-    Finding::Transient(study.motion.clone(), data, phases, trouble)
+    checked(Finding::Transient(study.motion.clone(), data, phases, trouble))
 }
 
 /// Positions of equilibrium, from the start of the motion and from a guess.
@@ -237,7 +238,7 @@ pub fn equilibrium_over(machine: &mut Machine, guess: &[(SymbolId, f64)], over: 
     };
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
-    Finding::Equilibrium(data, outcome.fault.map(|fault| explained(fault, &machine.equations)))
+    checked(Finding::Equilibrium(data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
 }
 
 /// Natural frequencies and shapes.
@@ -248,14 +249,14 @@ pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut
     }
     let found = crate::small::modes::find(machine, study);
     watch.lap(Word::TimeRun);
-    Finding::Modes(Box::new(found))
+    checked(Finding::Modes(Box::new(found)))
 }
 
 /// Forced oscillations over the frequency.
 pub fn response(machine: &mut Machine, study: &mechanics::model::Response, watch: &mut Watch) -> Finding {
     let found = crate::small::response::find(machine, study);
     watch.lap(Word::TimeRun);
-    Finding::Response(Box::new(found))
+    checked(Finding::Response(Box::new(found)))
 }
 
 /// A fault with the expression that failed in the user's symbols.
@@ -288,6 +289,20 @@ impl Finding {
             Finding::Structure(found) => &found.data,
             Finding::Response(found) => &found.data,
         }
+    }
+    /// Ends the study with a trouble.
+    pub fn fail(&mut self, why: Trouble) {
+        let (data, trouble) = match self {
+            Finding::Equilibrium(data, trouble) | Finding::Motion(_, data, trouble) | Finding::Transient(_, data, _, trouble) => {
+                (data, trouble)
+            }
+            Finding::Study(results) => (&mut results.data, &mut results.trouble),
+            Finding::Modes(found) => (&mut found.data, &mut found.trouble),
+            Finding::Structure(found) => (&mut found.data, &mut found.trouble),
+            Finding::Response(found) => (&mut found.data, &mut found.trouble),
+        };
+        data.partial = true;
+        *trouble = Some(why);
     }
     /// What ended the study early.
     pub fn trouble(&self) -> Option<&Trouble> {

@@ -225,3 +225,144 @@ fn a_regime_of_a_conservative_machine_is_said_to_be_one_of_a_family() {
     // van der Pol's damping singles out one amplitude
     assert_eq!(write("2 [N m s]*(1 - phi^2)*phi'")["one_of_a_family"], Value::Bool(false));
 }
+
+/// Models whose numbers overflow in each study, by its command.
+const OVERFLOWING: [(&str, &[&str], &str); 12] = [
+    ("modes", &[], OSCILLATOR),
+    ("response", &[], OSCILLATOR),
+    ("equilibrium", &[], OSCILLATOR),
+    ("simulate", &["--until", "1"], OSCILLATOR),
+    ("transient", &["--until", "1"], OSCILLATOR),
+    ("run", &[], OSCILLATOR),
+    ("periodic", &[], OSCILLATOR),
+    ("sweep", &[], OSCILLATOR),
+    ("kinematics", &[], CRANK),
+    ("cycle", &[], WHEEL),
+    ("inverse", &[], CRANK),
+    ("statics", &[], HELD),
+];
+
+const OSCILLATOR: &str = r#"
+[parameters]
+m = "1 kg"
+c = "1 N/m"
+k = "1 N/m"
+p = "1 rad/s"
+[coordinates]
+x = { unit = "m", start = "c/k*1 [m]" }
+[bodies.a]
+origin = ["x", "0"]
+mass = "m"
+[springs]
+s = { along = "x", stiffness = "c*c/k" }
+[forces]
+f = { along = "x", value = "c*1 [m]*c/k*sin(p*t)" }
+[[study]]
+kind = "modes"
+[[study]]
+kind = "sweep"
+of = "simulate"
+over = "p = linspace(1 rad/s, 2 rad/s, 2)"
+observe = ["max(x)"]
+[[study]]
+kind = "simulate"
+until = "1 s"
+[[study]]
+kind = "periodic"
+period = "2*pi/p"
+"#;
+
+const CRANK: &str = r#"
+[parameters]
+c = "1 m"
+k = "1 m"
+M = "1 N m"
+[coordinates]
+a = { unit = "rad", start = "0", rate = "1 rad/s" }
+[bodies.crank]
+angle = "a"
+inertia = "1 kg m^2"
+[torques.t]
+on = "crank"
+value = "M*cos(a)*c/k*c/k"
+[motions.turning]
+on = "crank"
+rate = "1 [rad/s]"
+[motors.drive]
+on = "crank"
+[outputs]
+far = "c*c/k*c/k"
+[[study]]
+kind = "kinematics"
+over = "a"
+turns = 1
+[[study]]
+kind = "inverse"
+until = "1 s"
+"#;
+
+const WHEEL: &str = r#"
+[parameters]
+c = "1 N m"
+k = "1 N m"
+[coordinates]
+a = { unit = "rad", start = "0", rate = "1 rad/s" }
+[bodies.crank]
+angle = "a"
+inertia = "1 kg m^2"
+[torques.t]
+on = "crank"
+value = "cos(a)*c*c/k*c/k"
+[[study]]
+kind = "cycle"
+angle = "a"
+"#;
+
+const HELD: &str = r#"
+[parameters]
+c = "1 N"
+k = "1 N"
+[bodies.a]
+origin = ["0", "0"]
+[supports.A]
+at = "a"
+directions = ["x", "y"]
+[forces.f]
+at = "a"
+value = ["c*c/k*c/k", "0"]
+"#;
+
+#[test]
+fn no_study_leaves_a_number_without_a_value_with_exit_0() {
+    let place = folder("overflow");
+    for (command, more, text) in OVERFLOWING {
+        let model = place.join("model.toml");
+        std::fs::write(&model, text).unwrap();
+        let unit =
+            |name: &str| text.lines().find_map(|l| l.strip_prefix(&format!("{name} = \"1 "))).unwrap().trim_end_matches('"').to_owned();
+        let mut plain = strutt();
+        plain.current_dir(&place).args([command, model.to_str().unwrap()]).args(more).assert().success();
+        for set in [["c=1e200", "k=1e-200"], ["c=1e-300", "k=1e300"], ["c=1e300", "k=1"]] {
+            let mut run = strutt();
+            run.current_dir(&place).args([command, model.to_str().unwrap()]).args(more);
+            set.iter().for_each(|s| {
+                let name = &s[..1];
+                run.args(["--set", &format!("{s} {}", unit(name))]);
+            });
+            let output = run.arg("--json").output().unwrap();
+            assert!(matches!(output.status.code(), Some(0..=2)), "{command} {set:?}");
+            if output.status.code() != Some(0) {
+                continue;
+            }
+            let value: Value = serde_json::from_slice(&output.stdout).unwrap();
+            let studies = value["studies"].as_array().cloned().unwrap_or_else(|| vec![value.clone()]);
+            for study in &studies {
+                let stated: Vec<&str> = study["stated"].as_array().into_iter().flatten().filter_map(|s| s["name"].as_str()).collect();
+                for (name, column) in study["columns"].as_object().into_iter().flatten() {
+                    let whole = column["values"].as_array().unwrap().iter().all(|v| v.is_number());
+                    assert!(whole || stated.contains(&name.as_str()), "{command} {set:?}: {name} without a value: {column}");
+                }
+            }
+        }
+    }
+}

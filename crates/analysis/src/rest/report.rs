@@ -16,7 +16,7 @@ use super::places::{Place, places};
 use super::stability::{free_directions, verdict, with_closed};
 use super::system::{Parts, RestSystem};
 use super::{closed_contacts, fault_of, hold};
-use crate::dataset::{Audit, Column, Dataset};
+use crate::dataset::{Audit, Column, Dataset, Missing};
 use crate::fault::number;
 use crate::linear::{LinearMachine, Place as Linearised};
 use crate::studies::equilibrium::{Equilibrium, no_equilibrium, nothing_between};
@@ -96,6 +96,9 @@ fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &E
             "neutral: no force resists a small motion in at least one direction, so these places are not isolated",
             "безразличное равновесие: хотя бы в одном направлении малому движению ничто не противится, и эти положения не изолированы",
         ));
+    }
+    if n == 0 {
+        notes.push(crate::studies::equilibrium::nothing_moves());
     }
     Ok(Outcome { dataset: dataset(equations, &rows, notes), fault })
 }
@@ -184,7 +187,8 @@ fn judged(equations: &Equations, parameters: &[f64], place: Place) -> Result<Row
     let along = matrices.allowed().map_or(matrices.clone(), |(z, k)| matrices.reduced(&z, k));
     row.free = if along.n == 0 { 0 } else { free_directions(&along) };
     if along.n == 0 {
-        (row.stable, row.negative, row.growth) = (Some(true), 0.0, 0.0);
+        // the connections leave no motion: isolated, without roots
+        (row.stable, row.negative) = (Some(true), 0.0);
         return Ok(row);
     }
     let names = linear.coordinates().to_vec();
@@ -192,7 +196,7 @@ fn judged(equations: &Equations, parameters: &[f64], place: Place) -> Result<Row
     let size = |m: &crate::studies::modes::Mode| m.root.0.hypot(m.root.1);
     let fastest = found.as_ref().map_or(0.0, |f| f.modes.iter().map(size).fold(0.0, f64::max));
     let growth = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0)));
-    if let Some(found) = &found {
+    if let Some(found) = found.as_ref().filter(|f| !f.modes.is_empty()) {
         row.growth = growth;
         row.negative = found.undamped.iter().filter(|w| w.is_nan()).count() as f64;
     }
@@ -247,14 +251,9 @@ fn dataset(equations: &Equations, rows: &[Row], notes: Vec<Text>) -> Dataset {
         let quantity = Quantity { symbol, ..labelled(&reaction.name, &reaction.unit, reaction.label.clone()) };
         columns.push(column(quantity, &|r| r.place.reactions[k].unwrap_or(f64::NAN)));
     }
-    let stable = |r: &Row| r.stable.map_or(f64::NAN, |s| f64::from(u8::from(s)));
-    let label = Text::new("largest relative force", "наибольшая относительная сила");
-    columns.push(column(labelled("residual", "1", label), &|r| r.place.residual));
-    columns.push(column(labelled("stable", "1", Text::new("1 stable, 0 unstable", "1 устойчиво, 0 неустойчиво")), &stable));
-    let label = Text::new("largest real part of a root", "наибольшая вещественная часть корня");
-    columns.push(column(labelled("growth", "1/s", label), &|r| r.growth));
-    let label = Text::new("directions in which the potential energy falls", "направлений убывания потенциальной энергии");
-    columns.push(column(labelled("negative_directions", "1", label), &|r| r.negative));
+    // without coordinates there is no stability
+    let columns_of_motion = if equations.coordinates.is_empty() { Vec::new() } else { verdicts(rows) };
+    columns.extend(columns_of_motion);
     let most = |of: &dyn Fn(&Row) -> f64| rows.iter().map(of).fold(0.0, f64::max);
     let first = Text::new("equilibrium: largest relative force", "равновесие: наибольшая относительная сила");
     let other = Text::new(
@@ -266,7 +265,27 @@ fn dataset(equations: &Equations, rows: &[Row], notes: Vec<Text>) -> Dataset {
         Audit::at_most("equilibrium_second", other, most(&|r| r.second), SECOND),
     ];
     let audits = if rows.is_empty() { Vec::new() } else { audits };
-    Dataset { columns, notes, audits, ..Dataset::default() }
+    let mut data = Dataset { columns, notes, audits, ..Dataset::default() };
+    let open = Text::new("not determined by the equations of rest", "уравнениями покоя не определяется");
+    equations.reactions.iter().for_each(|r| data.state(&r.name, Missing::Absent, open.clone()));
+    crate::studies::equilibrium::state(&mut data);
+    data
+}
+
+/// Verdict on stability, growth, directions in which the energy falls.
+fn verdicts(rows: &[Row]) -> Vec<Column> {
+    let column = |name: &str, unit: &str, label: Text, of: &dyn Fn(&Row) -> f64| {
+        let quantity = Quantity { label, ..Quantity::new(name, unit) };
+        Column { quantity, values: rows.iter().map(of).collect() }
+    };
+    let stable = |r: &Row| r.stable.map_or(f64::NAN, |s| f64::from(u8::from(s)));
+    let growth = Text::new("largest real part of a root", "наибольшая вещественная часть корня");
+    let negative = Text::new("directions in which the potential energy falls", "направлений убывания потенциальной энергии");
+    vec![
+        column("stable", "1", Text::new("1 stable, 0 unstable", "1 устойчиво, 0 неустойчиво"), &stable),
+        column("growth", "1/s", growth, &|r| r.growth),
+        column("negative_directions", "1", negative, &|r| r.negative),
+    ]
 }
 
 /// A machine that no reaction and no condition touches.

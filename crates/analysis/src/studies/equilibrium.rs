@@ -6,7 +6,7 @@
 
 use symbolic::Text;
 
-use crate::dataset::{Audit, Column, Counter, Dataset};
+use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
 use crate::fault::{Message, rounded};
 use crate::numerics::lu::{Lu, positive_definite};
 use crate::numerics::rank::{Qr, TOLERANCE};
@@ -81,6 +81,26 @@ const STEPS: usize = 200;
 /// Forces relative to the terms that balance in them, estimated by the stiffness times the coordinates.
 const RESIDUAL: f64 = 1e-10;
 
+/// The result for a machine without coordinates: there is nothing whose rest could be sought.
+pub fn nothing_moves() -> Text {
+    Text::new(
+        "nothing can move: the machine has no coordinates, so there is no equilibrium to look for and no stability",
+        "двигаться нечему: координат нет, поэтому нет ни искомого положения равновесия, ни вопроса об устойчивости",
+    )
+}
+
+/// Says what is absent in columns of equilibria.
+pub fn state(data: &mut Dataset) {
+    let growth = Text::new(
+        "no roots: the place is not isolated, or its small motions are not linear",
+        "корней нет: положение не изолировано либо малые движения в нём нелинейны",
+    );
+    let verdict = Text::new("small motions do not decide", "малыми движениями не решается");
+    data.state("stable", Missing::Absent, verdict);
+    data.state("growth", Missing::Absent, growth.clone());
+    data.state("negative_directions", Missing::Absent, growth);
+}
+
 /// Equilibria from the state `start` and further guesses, one row of the result each.
 ///
 /// Columns: the coordinates, `residual` (largest force relative to its terms), `stable` (1 yes, 0 no, NaN undecided).
@@ -88,6 +108,9 @@ const RESIDUAL: f64 = 1e-10;
 /// *Errors* beside what was found: S007 when no guess leads to an equilibrium, S008 when an equilibrium is not isolated.
 pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Equilibrium) -> Outcome {
     let n = System::n_coordinates(system);
+    if n == 0 {
+        return Outcome { dataset: Dataset { notes: vec![nothing_moves()], ..Dataset::default() }, fault: None };
+    }
     let mut search = Search { system, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0, neutral_is_found: false };
     let mut found: Vec<Rest> = Vec::new();
     let mut faults = Vec::new();
@@ -392,5 +415,7 @@ fn dataset<S: System + ?Sized>(system: &S, found: &[Rest], steps: usize) -> Data
     let counters = vec![Counter {
         key: "newton_steps", name: Text::new("Newton steps", "шагов метода Ньютона"), value: steps as f64
     }];
-    Dataset { columns, notes, audits, counters, ..Dataset::default() }
+    let mut data = Dataset { columns, notes, audits, counters, ..Dataset::default() };
+    state(&mut data);
+    data
 }

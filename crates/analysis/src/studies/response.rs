@@ -401,7 +401,12 @@ impl<'m> Forced<'m> {
         // nothing restores a free motion: there is no static displacement
         let unbounded = |z: Complex| if z.0.is_infinite() { (f64::NAN, f64::NAN) } else { z };
         let still = see(&still, 0.0).into_iter().map(unbounded).collect();
-        Ok(Point { omega, coordinates: moving.coordinates(), outputs: see(&moving, omega), still })
+        let outputs = see(&moving, omega);
+        // infinite by the free oscillation is meant, by overflow it is not
+        for z in outputs.iter().filter(|z| z.0.is_nan() || z.1.is_nan() || moving.pole.is_empty()) {
+            crate::fault::finite(z.0 + z.1, "response")?;
+        }
+        Ok(Point { omega, coordinates: moving.coordinates(), outputs, still })
     }
 
     /// -i exp(iωt) is the sine of the wave that exp(iωt) stands for.

@@ -1,13 +1,15 @@
 //! Modes followed along a parameter: which mode is which is decided by likeness of shapes, so that curves may cross.
 //!
 //! Between two values the likeness of shapes x, y is |xᴴ M y|² / (xᴴ M x · yᴴ M y) (modal assurance); every mode takes the free successor
-//! that is most like it. Over a speed this is Campbell's diagram, whose crossings with the lines ω = k Ω are critical speeds.
+//! that is most like it. Over a speed this is Campbell's diagram, whose crossings with the lines ω = k Ω are critical speeds; k is 1 and the
+//! multiples of the speed at which the loads act. A frequency is |λ|, a frequency with damping |Im λ|; the lines are those of the latter.
 
 use symbolic::Text;
 
-use crate::dataset::{Column, Dataset};
+use crate::dataset::{Column, Dataset, Missing};
 use crate::linear::{LinearMachine, Place};
 use crate::studies::modes::{self, Kind, Mode, Normalisation};
+use crate::studies::response::{Forced, Source};
 use crate::{Fault, Quantity};
 
 /// Modes along a parameter.
@@ -17,11 +19,15 @@ pub struct Tracks {
     pub parameter: String,
     /// Its values.
     pub values: Vec<f64>,
-    /// Frequency of each mode (outer) at each value, |Im λ|; NaN where the mode does not oscillate.
+    /// Natural frequency |λ| of each mode (outer) at each value; NaN where the mode does not oscillate.
     pub omega: Vec<Vec<f64>>,
+    /// Frequency with damping |Im λ|, alike.
+    pub damped: Vec<Vec<f64>>,
     /// Damping ratio of each mode at each value.
     pub ratio: Vec<Vec<f64>>,
-    /// Where a frequency equals the parameter (or half, twice it), when the parameter is a speed.
+    /// Multiples of the parameter that excite, when it is a speed: 1 and those of the loads.
+    pub orders: Vec<f64>,
+    /// Where a frequency |Im λ| equals an order of the parameter, when it is a speed.
     pub critical: Vec<Critical>,
     /// First value at which a motion grows, located to rounding.
     pub unstable_from: Option<f64>,
@@ -47,33 +53,79 @@ pub struct Critical {
 /// *Errors*: no equilibrium at a value, a mass matrix that is not positive.
 pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], points: usize, place: &Place) -> Result<Tracks, Fault> {
     let quantity = machine.parameters()[parameter].clone();
+    let is_speed = quantity.unit == "rad/s" || quantity.unit == "1/s";
+    let orders = if is_speed { orders(machine, parameter, ends[1], place)? } else { Vec::new() };
     let mut run = Run { machine, parameter, place: place.clone() };
-    let n = run.machine.coordinates().len();
-    let mut out = Tracks { parameter: quantity.name.clone(), omega: vec![Vec::new(); n], ratio: vec![Vec::new(); n], ..Tracks::default() };
-    let mut before: Vec<Option<Mode>> = Vec::new();
-    let mut grows = Vec::new();
+    let mut out = Tracks { parameter: quantity.name.clone(), orders, ..Tracks::default() };
+    let mut slots: Vec<Vec<Option<Mode>>> = Vec::new();
+    let (mut before, mut grows, mut diverges): (Vec<Option<Mode>>, Vec<bool>, Vec<bool>) = Default::default();
     for k in 0..points {
         let value = ends[0] + (ends[1] - ends[0]) * k as f64 / (points - 1).max(1) as f64;
         let (list, mass) = run.modes(value)?;
         grows.push(growing(&list));
-        let slots =
+        diverges.push(list.iter().any(|m| m.kind == Kind::Divergence));
+        let here =
             if before.is_empty() { list.into_iter().filter(worth_following).map(Some).collect() } else { matched(&before, list, &mass) };
         out.values.push(value);
-        for (j, (omega, ratio)) in out.omega.iter_mut().zip(&mut out.ratio).enumerate() {
-            let mode = slots.get(j).and_then(Option::as_ref).filter(|m| m.kind != Kind::Divergence && m.kind != Kind::Aperiodic);
-            omega.push(mode.map_or(f64::NAN, |m| m.damped));
-            ratio.push(mode.map_or(f64::NAN, |m| m.ratio));
-        }
         // a mode that is lost for a while keeps its last shape
-        before = slots.into_iter().enumerate().map(|(j, s)| s.or_else(|| before.get(j).cloned().flatten())).collect();
+        before = here.iter().enumerate().map(|(j, s)| s.clone().or_else(|| before.get(j).cloned().flatten())).collect();
+        slots.push(here);
     }
+    number(&mut slots, before.len());
+    let track = |pick: fn(&Mode) -> f64| -> Vec<Vec<f64>> {
+        let at = |here: &Vec<Option<Mode>>, j: usize| here.get(j).and_then(Option::as_ref).map_or(f64::NAN, pick);
+        (0..before.len()).map(|j| slots.iter().map(|here| at(here, j)).collect()).collect()
+    };
+    (out.omega, out.damped, out.ratio) = (track(|m| m.omega), track(|m| m.damped), track(|m| m.ratio));
     out.unstable = run.unstable(&out.values, &grows)?;
     out.unstable_from = out.unstable.first().map(|r| r[0]);
-    if quantity.unit == "rad/s" || quantity.unit == "1/s" {
-        out.critical = run.critical(&out)?;
-    }
-    out.data = dataset(&out, &quantity);
+    out.critical = run.critical(&out, &slots)?;
+    out.data = dataset(&out, &quantity, &diverges);
     Ok(out)
+}
+
+/// Numbers the tracks by the first value at which they differ: frequencies that are equal at the first value (forward and backward whirl at
+/// rest) part in the order of the modes there.
+fn number(slots: &mut [Vec<Option<Mode>>], tracks: usize) {
+    let at = |here: &[Option<Mode>], j: usize| here.get(j).and_then(Option::as_ref).map(|m| m.omega);
+    let order = |a: usize, b: usize| {
+        for here in slots.iter() {
+            match (at(here, a), at(here, b)) {
+                (Some(x), Some(y)) if (x - y).abs() > 1e-9 * x.max(y) => return x.total_cmp(&y),
+                (Some(_), None) => return std::cmp::Ordering::Less,
+                (None, Some(_)) => return std::cmp::Ordering::Greater,
+                _ => {}
+            }
+        }
+        a.cmp(&b)
+    };
+    let mut list: Vec<usize> = (0..tracks).collect();
+    list.sort_by(|a, b| order(*a, *b));
+    for here in slots {
+        *here = list.iter().map(|j| here.get(*j).cloned().flatten()).collect();
+    }
+}
+
+/// Orders that are followed at most.
+const ORDERS: usize = 6;
+
+/// Multiples of a speed at which the loads act, and 1: the lowest ones.
+fn orders(machine: &mut LinearMachine, parameter: usize, at: f64, place: &Place) -> Result<Vec<f64>, Fault> {
+    let (own, angular) = (machine.value(parameter), machine.parameters()[parameter].unit == "rad/s");
+    machine.set(parameter, at)?;
+    // loads that do not follow the speed, or none, leave the first order alone
+    let found = Forced::new(machine, place, Source::OfEquations, Some(parameter), &[]);
+    let per = |f: &Forced| f.own_frequency().map(|w| w / at.abs()).filter(|w| w.is_finite() && *w > 0.0);
+    let list = found.map(|f| per(&f).map(|axis| f.components().iter().map(|c| c.order * axis).collect::<Vec<f64>>()));
+    machine.set(parameter, own)?;
+    let mut list = list.ok().flatten().unwrap_or_default();
+    if angular || list.is_empty() {
+        list.push(1.0);
+    }
+    list.sort_by(f64::total_cmp);
+    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * b.abs());
+    list.truncate(ORDERS);
+    Ok(list)
 }
 
 /// Whether a motion grows, beyond rounding.
@@ -133,52 +185,58 @@ impl Run<'_> {
         Ok(0.5 * (a + b))
     }
 
-    /// How many modes oscillate below Ω, at Ω: a crossing with the line ω = Ω changes it.
-    fn below(&mut self, speed: f64) -> Result<Count, Fault> {
+    /// How many modes oscillate above the line ω = order·Ω, at Ω: only a crossing with the line changes it, because a mode begins and ceases to
+    /// oscillate at ω = 0.
+    fn above(&mut self, speed: f64, order: f64) -> Result<Count, Fault> {
         let (list, _) = self.modes(speed)?;
+        let line = order * speed;
         let oscillating: Vec<f64> = list.iter().filter(|m| worth_following(m) && m.damped > 0.0).map(|m| m.damped).collect();
-        let below = oscillating.iter().filter(|w| **w < speed).count();
-        let nearest = oscillating.iter().map(|w| (w - speed).abs()).fold(f64::INFINITY, f64::min);
-        Ok(Count { below, all: oscillating.len(), nearest })
+        let above = oscillating.iter().filter(|w| **w > line).count();
+        let nearest = oscillating.iter().map(|w| (w - line).abs()).fold(f64::INFINITY, f64::min);
+        Ok(Count { above, nearest })
     }
 
-    /// Crossings with the line ω = Ω: between values where the number of modes below the line changes, and where a mode comes so near to
+    /// Crossings with the lines ω = order·Ω: between values where the number of modes above the line changes, and where a mode comes so near to
     /// the line between them that it may cross it twice.
-    fn critical(&mut self, tracks: &Tracks) -> Result<Vec<Critical>, Fault> {
-        let mut places = Vec::new();
-        let counts = tracks.values.iter().map(|v| self.below(*v)).collect::<Result<Vec<Count>, Fault>>()?;
-        for k in 1..tracks.values.len() {
-            self.cell([tracks.values[k - 1], tracks.values[k]], [counts[k - 1], counts[k]], DEEPEST, &mut places)?;
+    fn critical(&mut self, tracks: &Tracks, slots: &[Vec<Option<Mode>>]) -> Result<Vec<Critical>, Fault> {
+        let mut out = Vec::new();
+        for order in &tracks.orders {
+            let mut places = Vec::new();
+            let counts = tracks.values.iter().map(|v| self.above(*v, *order)).collect::<Result<Vec<Count>, Fault>>()?;
+            for k in 1..tracks.values.len() {
+                let cell = Cell { order: *order, depth: DEEPEST };
+                self.cell([tracks.values[k - 1], tracks.values[k]], [counts[k - 1], counts[k]], cell, &mut places)?;
+            }
+            places.sort_by(f64::total_cmp);
+            places.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
+            for value in places {
+                out.push(Critical { mode: self.which(value, *order, (tracks, slots))?, value, order: *order });
+            }
         }
-        places.sort_by(f64::total_cmp);
-        places.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
-        let mode = |value: f64| {
-            let k = tracks.values.windows(2).position(|w| value <= w[1]).unwrap_or(0);
-            let distance = |w: &[f64]| {
-                let [a, b] = [w[k] - tracks.values[k], w[k + 1] - tracks.values[k + 1]];
-                if a.is_nan() || b.is_nan() {
-                    f64::INFINITY
-                } else if a * b <= 0.0 {
-                    0.0
-                } else {
-                    a.abs().min(b.abs())
-                }
-            };
-            let best = (0..tracks.omega.len()).map(|j| (j, distance(&tracks.omega[j])));
-            best.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |b| b.0)
-        };
-        Ok(places.into_iter().map(|value| Critical { mode: mode(value), value, order: 1.0 }).collect())
+        Ok(out)
+    }
+
+    /// The track that meets the line ω = order·Ω at a speed: the modes there are matched with those at the neighbouring value by their shapes.
+    fn which(&mut self, speed: f64, order: f64, (tracks, slots): (&Tracks, &[Vec<Option<Mode>>])) -> Result<usize, Fault> {
+        let (list, mass) = self.modes(speed)?;
+        let near = |a: &usize, b: &usize| (tracks.values[*a] - speed).abs().total_cmp(&(tracks.values[*b] - speed).abs());
+        let k = (0..tracks.values.len()).min_by(near).unwrap_or(0);
+        // tracks that are lost at that value are known by their last shape
+        let known = (0..tracks.omega.len()).map(|j| slots[..=k].iter().rev().find_map(|here| here.get(j).cloned().flatten()));
+        let here = matched(&known.collect::<Vec<_>>(), list, &mass);
+        let off = |m: &Option<Mode>| m.as_ref().filter(|m| m.damped > 0.0).map_or(f64::INFINITY, |m| (m.damped - order * speed).abs());
+        Ok((0..here.len()).min_by(|a, b| off(&here[*a]).total_cmp(&off(&here[*b]))).unwrap_or(0))
     }
 
     /// The crossings in a cell: halved while its ends differ by more than one crossing, or a mode is nearer to the line than the cell is wide.
-    fn cell(&mut self, [a, b]: [f64; 2], [at_a, at_b]: [Count; 2], depth: usize, found: &mut Vec<f64>) -> Result<(), Fault> {
-        let changes = at_a.below.abs_diff(at_b.below);
-        let near = at_a.nearest.min(at_b.nearest) <= 2.0 * (b - a);
+    fn cell(&mut self, [a, b]: [f64; 2], [at_a, at_b]: [Count; 2], cell: Cell, found: &mut Vec<f64>) -> Result<(), Fault> {
+        let Cell { order, depth } = cell;
+        let changes = at_a.above.abs_diff(at_b.above);
+        let near = at_a.nearest.min(at_b.nearest) <= 2.0 * order * (b - a);
         let middle = 0.5 * (a + b);
         let last = (b - a).abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs()) || middle <= a || middle >= b;
         if last {
-            // a mode that begins or ends to oscillate here crosses nothing
-            if changes > 0 && at_a.all == at_b.all {
+            if changes > 0 {
                 found.push(middle);
             }
             return Ok(());
@@ -186,19 +244,25 @@ impl Run<'_> {
         if changes == 0 && (!near || depth == 0) {
             return Ok(());
         }
-        let at_middle = self.below(middle)?;
-        let depth = if changes == 0 { depth - 1 } else { depth };
-        self.cell([a, middle], [at_a, at_middle], depth, found)?;
-        self.cell([middle, b], [at_middle, at_b], depth, found)
+        let at_middle = self.above(middle, order)?;
+        let cell = Cell { order, depth: if changes == 0 { depth - 1 } else { depth } };
+        self.cell([a, middle], [at_a, at_middle], cell, found)?;
+        self.cell([middle, b], [at_middle, at_b], cell, found)
     }
 }
 
-/// Modes that oscillate, how many of them below the line, and how near the nearest is to it.
+/// How many modes oscillate above the line, and how near the nearest of all is to it.
 #[derive(Clone, Copy)]
 struct Count {
-    below: usize,
-    all: usize,
+    above: usize,
     nearest: f64,
+}
+
+/// Which line is looked at, and how often a cell without a sign of crossing may still be halved.
+#[derive(Clone, Copy)]
+struct Cell {
+    order: f64,
+    depth: usize,
 }
 
 /// Halvings of a cell in which a mode comes near to the line without a sign of crossing.
@@ -245,38 +309,89 @@ fn likeness(x: &[modes::Complex], y: &[modes::Complex], mass: &[f64]) -> f64 {
     if xx * yy > 0.0 { (xy.0 * xy.0 + xy.1 * xy.1) / (xx * yy) } else { 0.0 }
 }
 
-fn dataset(tracks: &Tracks, parameter: &Quantity) -> Dataset {
-    let mut columns = vec![Column { quantity: parameter.clone(), values: tracks.values.clone() }];
-    let used = |values: &[f64]| values.iter().any(|v| v.is_finite());
-    for (j, values) in tracks.omega.iter().enumerate().filter(|(_, v)| used(v)) {
-        let label = Text::new(
-            format!("frequency of mode {} with damping, |Im λ|", j + 1),
-            format!("частота формы {} с учётом затухания, |Im λ|", j + 1),
+fn dataset(tracks: &Tracks, parameter: &Quantity, diverges: &[bool]) -> Dataset {
+    let mut data = Dataset { axis: Some(0), ..Dataset::default() };
+    data.columns.push(Column { quantity: parameter.clone(), values: tracks.values.clone() });
+    let close = |(a, b): (&f64, &f64)| a.is_nan() || (a - b).abs() <= 1e-12 * a.abs();
+    let damped = tracks.omega.iter().zip(&tracks.damped).any(|(a, b)| !a.iter().zip(b).all(close));
+    let mut add = |name: &str, unit: &str, words: [&str; 2], list: &[Vec<f64>]| {
+        for (j, values) in list.iter().enumerate().filter(|(_, v)| v.iter().any(|x| x.is_finite())) {
+            let number = j + 1;
+            let label = Text::new(format!("{} of mode {number}", words[0]), format!("{} формы {number}", words[1]));
+            let name = format!("{name}_{number}");
+            let quantity = Quantity { label, symbol: name.clone(), ..Quantity::new(&name, unit) };
+            data.columns.push(Column { quantity, values: values.clone() });
+        }
+    };
+    add("omega", "rad/s", ["natural frequency |λ|", "собственная частота |λ|"], &tracks.omega);
+    if damped {
+        add("omega_d", "rad/s", ["frequency with damping |Im λ|", "частота с учётом затухания |Im λ|"], &tracks.damped);
+        add("zeta", "1", ["damping ratio", "относительное затухание"], &tracks.ratio);
+    }
+    let names: Vec<String> = data.columns[1..].iter().map(|c| c.quantity.name.clone()).collect();
+    for name in names {
+        let words = Text::new(
+            "the mode does not oscillate here: its roots are real (the notes say where)",
+            "здесь движение по этой форме без колебаний: корни вещественные (где именно, сказано в примечаниях)",
         );
-        let quantity = Quantity { label, symbol: format!("omega_{}", j + 1), ..Quantity::new(&format!("omega_{}", j + 1), "rad/s") };
-        columns.push(Column { quantity, values: values.clone() });
+        data.state(&name, Missing::Absent, words);
     }
-    for (j, values) in tracks.ratio.iter().enumerate().filter(|(_, v)| v.iter().any(|r| r.is_finite() && *r != 0.0)) {
-        let label = Text::new(format!("damping ratio of mode {}", j + 1), format!("относительное затухание формы {}", j + 1));
-        let quantity = Quantity { label, symbol: format!("zeta_{}", j + 1), ..Quantity::new(&format!("zeta_{}", j + 1), "1") };
-        columns.push(Column { quantity, values: values.clone() });
-    }
+    data.notes = (0..tracks.omega.len()).flat_map(|j| still(tracks, j, parameter, diverges)).collect();
+    data.notes.extend(growths(tracks, parameter));
+    data
+}
+
+/// A value of the parameter with its unit.
+fn written(value: f64, parameter: &Quantity) -> Text {
+    let v = crate::fault::rounded(value);
+    let unit = if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) };
+    Text::new(format!("{}{unit}", v.en), format!("{}{unit}", v.ru))
+}
+
+/// Where a mode does not oscillate.
+fn still(tracks: &Tracks, j: usize, parameter: &Quantity, diverges: &[bool]) -> Vec<Text> {
+    let absent: Vec<bool> = tracks.omega[j].iter().map(|w| w.is_nan()).collect();
     let mut notes = Vec::new();
+    let mut k = 0;
+    while k < absent.len() {
+        let length = absent[k..].iter().take_while(|a| **a).count();
+        if length > 0 {
+            let last = k + length - 1;
+            let grows = diverges[k..=last].iter().any(|d| *d);
+            let how = if grows {
+                ("a motion grows there without oscillation", "движение там растёт без колебаний")
+            } else {
+                ("the motion dies out there without oscillation", "движение там затухает без колебаний")
+            };
+            let [from, to] = [tracks.values[k], tracks.values[last]].map(|v| written(v, parameter));
+            let (name, number) = (&parameter.name, j + 1);
+            notes.push(Text::new(
+                format!(
+                    "mode {number} has no frequency from {name} = {} to {} of the values: its roots are real, {}",
+                    from.en, to.en, how.0
+                ),
+                format!("у формы {number} нет частоты при значениях {name} от {} до {}: корни вещественные, {}", from.ru, to.ru, how.1),
+            ));
+        }
+        k += length.max(1);
+    }
+    notes
+}
+
+/// Where a motion grows.
+fn growths(tracks: &Tracks, parameter: &Quantity) -> Vec<Text> {
     let last = tracks.values.last().copied().unwrap_or(f64::NAN);
-    for [from, to] in &tracks.unstable {
-        let [v, w] = [*from, *to].map(crate::fault::rounded);
-        let unit = if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) };
-        notes.push(if *to == last {
-            Text::new(
-                format!("from {} = {}{unit} on a motion grows", parameter.name, v.en),
-                format!("начиная с {} = {}{unit} движение растёт", parameter.name, v.ru),
-            )
+    let name = &parameter.name;
+    let one = |[from, to]: &[f64; 2]| {
+        let [v, w] = [*from, *to].map(|v| written(v, parameter));
+        if *to == last {
+            Text::new(format!("from {name} = {} on a motion grows", v.en), format!("начиная с {name} = {} движение растёт", v.ru))
         } else {
             Text::new(
-                format!("between {} = {} and {}{unit} a motion grows", parameter.name, v.en, w.en),
-                format!("между {} = {} и {}{unit} движение растёт", parameter.name, v.ru, w.ru),
+                format!("between {name} = {} and {} a motion grows", v.en, w.en),
+                format!("между {name} = {} и {} движение растёт", v.ru, w.ru),
             )
-        });
-    }
-    Dataset { axis: Some(0), columns, notes, ..Dataset::default() }
+        }
+    };
+    tracks.unstable.iter().map(one).collect()
 }

@@ -24,7 +24,9 @@ pub fn run(args: &args::Equilibrium, console: &mut Console) -> Result<Exit, Fail
         Shape::Json => console.out(report::json::write(data, &folder::own_fields(&finding), language))?,
         Shape::Csv => console.out(report::csv::write(data, report::csv::Dialect::Plain))?,
         Shape::Text if finding.trouble().is_none() => {
-            console.out(report::terminal::table(&document::equilibria(data, language), language, console.width()))?;
+            if !data.columns.is_empty() {
+                console.out(report::terminal::table(&document::equilibria(data, language), language, console.width()))?;
+            }
             for note in &data.notes {
                 console.out(format!("{}\n", language.text(note)))?;
             }

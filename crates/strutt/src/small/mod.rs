@@ -147,7 +147,7 @@ pub fn unknown_notes(machine: &Machine) -> Vec<Text> {
 /// Stability of equilibria by the roots of small motions, beside the verdict of the energy: columns `growth` (largest real part of a root)
 /// and `negative_directions` (of the potential energy's Hessian). Nothing is added for machines whose small motions are not defined.
 pub fn add_roots(machine: &Machine, data: &mut Dataset) {
-    if !machine.equations.conditions.is_empty() || data.column("growth").is_some() {
+    if !machine.equations.conditions.is_empty() || data.column("growth").is_some() || machine.equations.coordinates.is_empty() {
         return;
     }
     let Ok(mut linear) = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest) else { return };
@@ -164,7 +164,7 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
         let grows = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0)));
         let verdict = matrices.as_ref().map_or(None, |m| analysis::rest::stability::verdict(m, grows, fastest));
         verdicts.push(verdict.map_or(f64::NAN, |stable| f64::from(u8::from(stable))));
-        growth.push(found.as_ref().map_or(f64::NAN, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0))));
+        growth.push(found.as_ref().map_or(f64::NAN, |_| grows));
         negative.push(found.as_ref().map_or(f64::NAN, |f| f.undamped.iter().filter(|w| w.is_nan()).count() as f64));
     }
     if let Some(stable) = data.columns.iter_mut().find(|c| c.quantity.name == "stable") {
@@ -178,6 +178,8 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
     data.columns.push(column("growth", "1/s", label, growth));
     let label = Text::new("directions in which the potential energy falls", "направлений убывания потенциальной энергии");
     data.columns.push(column("negative_directions", "1", label, negative));
+    data.stated.clear();
+    analysis::studies::equilibrium::state(data);
 }
 
 /// Remarks on how time was treated.

@@ -6,7 +6,7 @@ use crate::provenance;
 use crate::small::equation::{self, FrequencyEquation};
 use crate::small::formulas::{self, Written};
 use crate::small::{Small, about_rest, about_start, timing_notes};
-use analysis::dataset::Column;
+use analysis::dataset::{Column, Missing};
 use analysis::linear::Matrices;
 use analysis::studies::modes::{self, Damping, Kind, Modes, Normalisation};
 use analysis::studies::tracks::{self, Tracks};
@@ -104,7 +104,11 @@ pub fn normalisation(scale: Scale) -> Normalisation {
 fn dataset(found: &Found) -> Dataset {
     let mut data = match &found.tracks {
         Some(tracks) => tracks.data.clone(),
-        None => Dataset { columns: columns(found), ..Dataset::default() },
+        None => {
+            let mut data = Dataset { columns: columns(found), ..Dataset::default() };
+            state(&mut data);
+            data
+        }
     };
     data.audits.extend(found.modes.audits.iter().cloned());
     data.notes.extend(found.modes.notes.iter().cloned());
@@ -118,6 +122,19 @@ fn dataset(found: &Found) -> Dataset {
     data
 }
 
+/// Says what is absent in the table of modes.
+fn state(data: &mut Dataset) {
+    let none = Text::new("a motion without oscillation has no period", "у движения без колебаний периода нет");
+    data.state("T", Missing::Absent, none);
+    let ratio = Text::new(
+        "no damping ratio: the motion is free or grows without oscillation",
+        "относительного затухания нет: движение свободно или растёт без колебаний",
+    );
+    data.state("damping_ratio", Missing::Absent, ratio);
+    let decrement = Text::new("no decrement without oscillation", "без колебаний декремента нет");
+    data.state("decrement", Missing::Absent, decrement);
+}
+
 /// The table of modes.
 pub fn columns(found: &Found) -> Vec<Column> {
     let modes = &found.modes.modes;
@@ -125,7 +142,7 @@ pub fn columns(found: &Found) -> Vec<Column> {
         quantity: Quantity { label: Text::new(en, ru), ..Quantity::new(name, unit) },
         values,
     };
-    let over = |a: f64, b: f64| if b == 0.0 { f64::INFINITY } else { a / b };
+    let over = |a: f64, b: f64| if b == 0.0 { f64::NAN } else { a / b };
     let mut list = vec![
         column("mode", "1", "number", "номер", (1..=modes.len()).map(|i| i as f64).collect()),
         column("omega", "rad/s", "natural frequency", "собственная частота", modes.iter().map(|m| m.omega).collect()),
@@ -236,6 +253,7 @@ fn mode(m: &modes::Mode, names: &[Quantity], complex: bool) -> Value {
 
 fn tracks_json(tracks: &Tracks) -> Value {
     let critical: Vec<Value> = tracks.critical.iter().map(|c| json!({"mode": c.mode + 1, "value": c.value, "order": c.order})).collect();
-    json!({"parameter": tracks.parameter, "values": tracks.values, "omega": tracks.omega, "damping_ratio": tracks.ratio, "critical": critical,
+    json!({"parameter": tracks.parameter, "values": tracks.values, "omega": tracks.omega, "omega_d": tracks.damped,
+        "damping_ratio": tracks.ratio, "orders": tracks.orders, "critical": critical,
         "unstable_from": tracks.unstable_from, "unstable": tracks.unstable})
 }

@@ -5,7 +5,7 @@ use crate::pipeline::Machine;
 use crate::provenance;
 use crate::small::{Small, about_rest, timing_notes};
 use analysis::dataset::Audit;
-use analysis::dataset::Column;
+use analysis::dataset::{Column, Missing};
 use analysis::studies::extremes::{Antiresonance, Resonance, extremes};
 use analysis::studies::modes::{Complex, Kind, Modes, Normalisation, modes};
 use analysis::studies::response::{self as forced, Forced, Point, Source, magnitude, phase};
@@ -136,6 +136,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.data.notes.extend(found.notes.iter().cloned());
     out.data.notes.push(reference(from_sine));
     out.data.notes.extend(left_out(&forced.left_out));
+    quantities.iter().for_each(|q| state(&mut out.data, &q.name));
     out.coordinates = names;
     out.outputs = quantities;
     out.modes = Some(found);
@@ -452,12 +453,53 @@ fn columns(omegas: &[f64], points: &[Point], outputs: &[Quantity]) -> Vec<Column
         push("phase", "rad", named("phase", "фаза"), of(phase));
         push("re", &q.unit, named("real part", "вещественная часть"), of(|z| z.0));
         push("im", &q.unit, named("imaginary part", "мнимая часть"), of(|z| z.1));
-        let gain: Vec<f64> = points.iter().map(|p| magnitude(p.outputs[k]) / magnitude(p.still[k])).collect();
+        let gain: Vec<f64> = points.iter().map(|p| coefficient(p, k)).collect();
         if points.iter().any(|p| magnitude(p.still[k]) > 0.0 && magnitude(p.still[k]).is_finite()) {
             push("gain", "1", named("dynamic coefficient", "динамический коэффициент"), gain);
         }
     }
     list
+}
+
+/// |X| over what the load does statically; none where that is nothing or beyond all bounds.
+fn coefficient(p: &Point, k: usize) -> f64 {
+    let still = magnitude(p.still[k]);
+    if still > 0.0 && still.is_finite() { magnitude(p.outputs[k]) / still } else { f64::NAN }
+}
+
+/// Says what the values of the columns of an output mean that are no finite numbers.
+fn state(data: &mut Dataset, output: &str) {
+    let infinite = Text::new(
+        "infinite: a natural frequency without damping, excited by the load",
+        "бесконечна: собственная частота без затухания, возбуждаемая нагрузкой",
+    );
+    let phase = Text::new("no phase where the amplitude is zero or infinite", "фазы нет: амплитуда равна нулю или бесконечна");
+    let still = Text::new(
+        "no dynamic coefficient: statically the load moves this nothing at all, or without bound",
+        "динамического коэффициента нет: статически нагрузка эту величину не меняет или меняет неограниченно",
+    );
+    let sum = Text::new(
+        "no largest value over a period: no common period, or an infinite amplitude",
+        "наибольшего за период значения нет: нет общего периода или амплитуда бесконечна",
+    );
+    let names: Vec<String> = data.columns.iter().map(|c| c.quantity.name.clone()).collect();
+    for name in names {
+        match name.strip_prefix(output).and_then(|rest| rest.strip_prefix('_')) {
+            Some("phase") => data.state(&name, Missing::Absent, phase.clone()),
+            Some("gain") => {
+                data.state(&name, Missing::Absent, still.clone());
+                data.state(&name, Missing::Unbounded, infinite.clone());
+            }
+            Some("largest") => {
+                data.state(&name, Missing::Absent, sum.clone());
+                data.state(&name, Missing::Unbounded, infinite.clone());
+            }
+            Some(tail) if matches!(tail, "re" | "im") || tail.starts_with("amplitude") => {
+                data.state(&name, Missing::Unbounded, infinite.clone());
+            }
+            _ => {}
+        }
+    }
 }
 
 /// The fields of the study in JSON.
@@ -520,7 +562,7 @@ fn point(found: &ResponseFound, p: &Point) -> Value {
         .map(|(k, q)| {
             let mut value = complex(p.outputs[k]);
             value["static"] = json!(magnitude(p.still[k]));
-            value["dynamic_coefficient"] = json!(magnitude(p.outputs[k]) / magnitude(p.still[k]));
+            value["dynamic_coefficient"] = json!(coefficient(p, k));
             (q.name.clone(), value)
         })
         .collect();

@@ -95,10 +95,15 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
             let value = report::number::with_unit(&number, &report::unit::print(unit, language));
             let words = language.pick("Critical speed", "Критическая скорость");
             let mode = language.pick("mode", "форма");
-            blocks.push(Block::paragraph(format!("{words}: {value} ({mode} {})", c.mode + 1)));
+            let order = if c.order == 1.0 {
+                String::new()
+            } else {
+                format!(", {} {}", language.pick("order", "порядок"), report::number::short(c.order, DIGITS, language))
+            };
+            blocks.push(Block::paragraph(format!("{words}: {value} ({mode} {}{order})", c.mode + 1)));
         }
         if page {
-            blocks.extend(campbell(&found.data, language).map(Block::Figure));
+            blocks.extend(campbell(&found.data, &tracks.orders, language).map(Block::Figure));
         }
     }
     for note in &found.data.notes {
@@ -107,23 +112,30 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
     blocks
 }
 
-/// Frequencies over the parameter.
-pub fn campbell(data: &Dataset, language: Language) -> Option<Figure> {
-    let names: Vec<&str> = data.columns.iter().map(|c| c.quantity.name.as_str()).filter(|n| n.starts_with("omega_")).collect();
+/// Frequencies over the parameter, with damping where there is any, and the lines ω = k Ω of the orders of a speed.
+pub fn campbell(data: &Dataset, orders: &[f64], language: Language) -> Option<Figure> {
+    let of = |stem: &str| -> Vec<&str> {
+        let numbered = |n: &&str| n.strip_prefix(stem).is_some_and(|rest| rest.parse::<usize>().is_ok());
+        data.columns.iter().skip(1).map(|c| c.quantity.name.as_str()).filter(numbered).collect()
+    };
+    let damped = of("omega_d_");
+    let names = if damped.is_empty() { of("omega_") } else { damped };
     let mut figure = Figure::over_axis(data, &names, language)?;
     figure.name = "campbell".into();
     figure.y.log = false;
-    figure.series.extend(line_of_speed(data, &figure));
+    let lines: Vec<Series> = orders.iter().filter_map(|order| line_of_speed(data, &figure, *order)).collect();
+    figure.series.extend(lines);
     Some(figure)
 }
 
-/// The line ω = Ω over a speed, as far as the frequencies reach.
-fn line_of_speed(data: &Dataset, figure: &Figure) -> Option<Series> {
+/// The line ω = k Ω over a speed, as far as the frequencies reach.
+fn line_of_speed(data: &Dataset, figure: &Figure, order: f64) -> Option<Series> {
     let axis = data.columns.first().filter(|c| matches!(c.quantity.unit.as_str(), "rad/s" | "1/s"))?;
     let highest = figure.series.iter().flat_map(|s| &s.y).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(*v));
-    let y = axis.values.iter().map(|v| if *v <= 1.05 * highest { *v } else { f64::NAN }).collect();
+    let within = |v: f64| if v <= 1.05 * highest { v } else { f64::NAN };
+    let y = axis.values.iter().map(|v| within(order * v)).collect();
     let name = axis.quantity.symbol.clone();
-    Some(Series { label: format!("1×{name}"), name, x: axis.values.clone(), y })
+    Some(Series { label: format!("{order}×{name}"), name, x: axis.values.clone(), y })
 }
 
 /// At most a dozen rows of a long dataset, the ends among them.

@@ -11,6 +11,7 @@ pub mod show;
 pub mod statics;
 
 use crate::failure::Trouble;
+use crate::finite::checked;
 use crate::pipeline::{Finding, Machine};
 use crate::provenance;
 use analysis::Dataset;
@@ -65,7 +66,7 @@ fn finding(machine: &Machine, study: &'static str, outcome: Result<Outcome, Box<
         Err(trouble) => (Dataset { partial: true, ..Dataset::default() }, Some(*trouble), None),
     };
     let data = provenance::stamp(data, &machine.equations, &machine.model_hash);
-    Finding::Structure(Box::new(StructureFound { study, data, trouble, result }))
+    checked(Finding::Structure(Box::new(StructureFound { study, data, trouble, result })))
 }
 
 impl Outcome {

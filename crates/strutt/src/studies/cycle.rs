@@ -3,6 +3,7 @@
 use super::periodic::{in_words, value_of};
 use super::{Fact, Results, Rows};
 use crate::failure::Trouble;
+use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine, explained};
 use crate::provenance;
 use crate::watch::Watch;
@@ -32,7 +33,7 @@ pub fn run(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Finding {
         results.trouble = Some(trouble);
     }
     watch.lap(Word::TimeRun);
-    Finding::Study(Box::new(results))
+    checked(Finding::Study(Box::new(results)))
 }
 
 fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(), Trouble> {

@@ -1,6 +1,7 @@
 //! The study `inverse`: forces and torques that realise prescribed motions, their powers and work.
 
 use super::{Fact, Results};
+use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine};
 use crate::plan;
 use crate::watch::Watch;
@@ -31,7 +32,7 @@ pub fn run(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Findin
     results.own.insert("until".into(), json!(study.until));
     results.own.insert("tolerance".into(), json!(study.tolerance));
     results.own.insert("work".into(), work);
-    Finding::Study(Box::new(results))
+    checked(Finding::Study(Box::new(results)))
 }
 
 fn heading() -> Text {

@@ -1,12 +1,13 @@
 //! The study `kinematics`: places, velocities and accelerations over a range of the driven coordinate, transfer functions, instantaneous centres.
 
 use super::{Results, Rows};
+use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine, explained};
 use crate::provenance;
 use crate::source::Source;
 use crate::watch::Watch;
 use crate::words::Word;
-use analysis::dataset::Column;
+use analysis::dataset::{Column, Missing};
 use analysis::studies::kinematics::{Place, Way, follow};
 use analysis::{Dataset, Quantity, System};
 use mechanics::model::{Kinematics, KinematicsEnd};
@@ -26,7 +27,7 @@ pub fn run(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) -> Find
     };
     fill(machine, study, &mut results);
     watch.lap(Word::TimeRun);
-    Finding::Study(Box::new(results))
+    checked(Finding::Study(Box::new(results)))
 }
 
 /// Columns that the study adds to the outputs of the file: transfer functions and instantaneous centres.
@@ -65,6 +66,7 @@ fn fill(machine: &mut Machine, study: &Kinematics, results: &mut Results) {
     let observed = centres.machine.as_ref().map_or(equations, |m| &m.equations);
     let table = Table { equations: observed, study, over, rate, ways: &ways, centres: &centres };
     let mut data = table.columns(&followed.places);
+    centres.state(&mut data);
     data.audits.extend(followed.audits);
     data.notes.extend(machine.system.notes().iter().cloned().chain(followed.notes));
     results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
@@ -129,6 +131,25 @@ impl Centres {
         Centres { machine: built, bodies }
     }
 
+    /// Where a body does not turn its centre is at infinity: such values are none, and columns without any other are left out.
+    fn state(&self, data: &mut Dataset) {
+        for body in self.bodies.iter().map(|(body, _)| body) {
+            let own = [format!("P_x_{body}"), format!("P_y_{body}")];
+            let all = |c: &Column| own.contains(&c.quantity.name) && !c.values.is_empty() && c.values.iter().all(|v| v.is_nan());
+            if data.columns.iter().any(all) {
+                data.columns.retain(|c| !own.contains(&c.quantity.name));
+                data.notes.push(Text::new(
+                    format!("`{body}` does not turn: its instantaneous centre is at infinity"),
+                    format!("`{body}` не вращается: мгновенный центр скоростей в бесконечности"),
+                ));
+            }
+            for name in own {
+                let words = Text::new("at infinity: the body does not turn here", "в бесконечности: тело здесь не вращается");
+                data.state(&name, Missing::Absent, words);
+            }
+        }
+    }
+
     /// Name, label and unit of an output that is one of ours; none for the user's.
     fn shown(&self, output: &str) -> Option<(String, Text)> {
         let (body, names) = self.bodies.iter().find(|(_, names)| names.iter().any(|n| n == output))?;
@@ -143,6 +164,9 @@ impl Centres {
         })
     }
 }
+
+/// An instantaneous centre farther than this is at infinity, m.
+const FAR: f64 = 1e9;
 
 /// Formulas over places, rates and accelerations, by the plain evaluator of the graph.
 struct Formulas<'e> {
@@ -232,8 +256,10 @@ impl Table<'_> {
         let mut table: Vec<Vec<f64>> = vec![Vec::with_capacity(places.len()); exprs.len()];
         for place in places {
             let row = formulas.values(place, self.rate, &exprs);
-            // an instantaneous centre at infinity is no number
-            table.iter_mut().zip(row).for_each(|(column, v)| column.push(if v.is_finite() && v.abs() < 1e9 { v } else { f64::NAN }));
+            for ((column, output), v) in table.iter_mut().zip(&chosen).zip(row) {
+                let far = self.centres.shown(&output.name).is_some() && (!v.is_finite() || v.abs() >= FAR);
+                column.push(if far { f64::NAN } else { v });
+            }
         }
         let quantity = |output: &symbolic::equations::Output| match self.centres.shown(&output.name) {
             Some((name, label)) => Quantity { label, ..Quantity::new(&name, &output.unit) },

@@ -3,6 +3,7 @@
 use super::section::of_state;
 use super::{Fact, Results, Rows};
 use crate::failure::Trouble;
+use crate::finite::checked;
 use crate::pipeline::{Finding, Machine, explained};
 use crate::plan;
 use crate::watch::Watch;
@@ -28,10 +29,10 @@ pub fn run(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Findin
         Some((name, wanted)) => tuned(machine, study, name, *wanted, watch),
     };
     watch.lap(Word::TimeRun);
-    Finding::Study(Box::new(match found {
+    checked(Finding::Study(Box::new(match found {
         Ok((outcome, tuning)) => results(machine, study, outcome, tuning),
         Err(trouble) => Results { kind: "periodic", heading: heading(), trouble: Some(trouble), ..Results::default() },
-    }))
+    })))
 }
 
 /// Times of ordinary motion tried before the search when the start leads to no regime, s.

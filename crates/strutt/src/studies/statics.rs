@@ -2,6 +2,7 @@
 
 use super::{Fact, Results};
 use crate::failure::Trouble;
+use crate::finite::checked;
 use crate::pipeline::{Finding, Machine};
 use crate::provenance;
 use analysis::Dataset;
@@ -21,7 +22,7 @@ pub fn run(machine: &mut Machine) -> Finding {
         Ok(found) => results(machine, &found),
         Err(fault) => Results { kind: "statics", heading: heading(), trouble: Some(Trouble::from(fault)), ..Results::default() },
     };
-    Finding::Study(Box::new(results))
+    checked(Finding::Study(Box::new(results)))
 }
 
 fn heading() -> Text {

@@ -3,11 +3,12 @@
 use super::periodic::{self, in_words};
 use super::{Results, Rows};
 use crate::failure::Trouble;
+use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine};
 use crate::watch::Watch;
 use crate::words::Word;
 use crate::{folder, provenance};
-use analysis::dataset::Column;
+use analysis::dataset::{Column, Missing};
 use analysis::reduce::{NAMES, Reduction, reduce};
 use analysis::{Dataset, Quantity};
 use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, Simulate, StudyKind, Sweep, SweepRange, Times};
@@ -46,7 +47,7 @@ pub fn run(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Finding {
         }
     }
     watch.lap(Word::TimeRun);
-    Finding::Study(Box::new(results))
+    checked(Finding::Study(Box::new(results)))
 }
 
 fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Trouble> {
@@ -58,6 +59,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     let mut data = Dataset { axis: (study.over.len() == 1).then_some(0), ..Dataset::default() };
     let (mut guess, mut failed, mut first): (Option<Vec<f64>>, usize, Option<Trouble>) = (None, 0, None);
     let own = study.over.len();
+    let mut without: Vec<(String, Text)> = Vec::new();
     for row in 0..count {
         if watch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             data.partial = true;
@@ -92,10 +94,12 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     if let Some(trouble) = first {
         let (en, ru) = (&trouble.what.en, &trouble.what.ru);
         let code = trouble.code;
-        data.notes.push(Text::new(
+        let words = Text::new(
             format!("no result for {failed} of {count} values; the first: {en} [{code}]"),
             format!("нет результата для {failed} значений из {count}; первое: {ru} [{code}]"),
-        ));
+        );
+        without.extend(columns[own..].iter().map(|c| (c.quantity.name.clone(), words.clone())));
+        data.notes.push(words);
         if failed == count {
             results.trouble = Some(trouble);
         }
@@ -105,7 +109,12 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         let plot = |c: &Column| mechanics::model::Plot { title: Text::default(), x: None, y: vec![c.quantity.name.clone()] };
         results.plots = columns[own..].iter().map(plot).collect();
     }
+    let absent = Text::new("the study has no such number at this value", "при этом значении такого числа в расчёте нет");
+    let partly = |c: &&Column| c.values.iter().any(|v| v.is_finite()) && without.iter().all(|(name, _)| *name != c.quantity.name);
+    let partly: Vec<(String, Text)> = columns[own..].iter().filter(partly).map(|c| (c.quantity.name.clone(), absent.clone())).collect();
+    without.extend(partly);
     data.columns = columns;
+    without.into_iter().for_each(|(column, words)| data.state(&column, Missing::Absent, words));
     Ok(data)
 }
 
@@ -313,6 +322,7 @@ fn one(
 fn number(finding: &Finding, wanted: &Wanted) -> (f64, Option<Quantity>) {
     match wanted {
         Wanted::Events => (finding.data().events.len() as f64, None),
+        // a number that this place does not have is none
         Wanted::Column(name, reduction) => (reduce(finding.data(), name, *reduction).unwrap_or(f64::NAN), None),
         Wanted::Field(path) => {
             let fields = Value::Object(folder::own_fields(finding));
