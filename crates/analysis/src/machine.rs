@@ -5,7 +5,7 @@ use std::sync::Arc;
 mod conditions;
 
 use program::{Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
-use symbolic::connections::Law;
+use symbolic::connections::{Law, Reaction};
 use symbolic::{Equations, Text};
 
 use crate::connections::{Undetermined, assemble};
@@ -223,8 +223,8 @@ pub(crate) fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q 
 #[derive(Clone, Debug)]
 struct Refusal {
     reaction: String,
-    /// The load whose place is missing; none where connections share a load.
-    load: Option<String>,
+    /// The load whose place is missing, or the coordinate whose transmission is; none where connections share a load.
+    open: Option<Reaction>,
 }
 
 /// For each output the first reaction in it that has no unique value.
@@ -242,9 +242,9 @@ fn refused(equations: &Equations, program: &Program, undetermined: &Undetermined
         }
         for (slot, output) in touched.iter_mut().zip(&equations.outputs) {
             if slot.is_none() && equations.graph.contains(output.formula, |s| symbols.contains(&s)) {
-                let load = undetermined.placed.iter().find(|(p, _)| *p == r);
-                let load = load.map(|(_, load)| equations.reactions[*load].name.clone());
-                *slot = Some(Refusal { reaction: reaction.name.clone(), load });
+                let open = undetermined.placed.iter().find(|(p, _)| *p == r);
+                let open = open.map(|(_, open)| equations.reactions[*open].clone());
+                *slot = Some(Refusal { reaction: reaction.name.clone(), open });
             }
         }
     }
@@ -380,10 +380,13 @@ impl System for Machine {
     }
 
     fn refusal(&self, output: usize) -> Option<Fault> {
-        let Refusal { reaction, load } = self.refused[output].as_ref()?;
+        let Refusal { reaction, open } = self.refused[output].as_ref()?;
         let output = &self.outputs[output].name;
-        Some(match load {
-            Some(load) => Fault::reaction_without_place(output, reaction, load),
+        Some(match open {
+            Some(open) if matches!(open.law, Law::Transmission) => {
+                Fault::reaction_without_transmission(output, reaction, (&open.name, &open.label))
+            }
+            Some(open) => Fault::reaction_without_place(output, reaction, &open.name),
             None => Fault::open_reaction(output, reaction),
         })
     }

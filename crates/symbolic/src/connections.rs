@@ -53,6 +53,9 @@ pub enum Law {
     /// No reaction: a wrench that a load given by a formula of coordinates may have besides its generalized forces, as its place is not given.
     /// It does no work on the coordinates and enters balances only; `name` is that of the load.
     Place,
+    /// No reaction either: a wrench by which a coordinate may move several bodies at once where no connection declares it; `name` is that of the
+    /// coordinate, the label lists the bodies.
+    Transmission,
     /// One-sided: the force is not negative, and vanishes while the gap is open.
     Contact {
         /// Index in `Equations::conditions`.
@@ -129,7 +132,12 @@ impl Law {
 
     /// Whether it is a force of the machine and not an unknown of the balances alone.
     pub fn is_reaction(&self) -> bool {
-        !matches!(self, Law::Place)
+        !matches!(self, Law::Place | Law::Transmission)
+    }
+
+    /// Whether it is an unknown of the balances of released bodies alone.
+    pub fn is_hidden(&self) -> bool {
+        matches!(self, Law::Support | Law::Place | Law::Transmission)
     }
 
     /// The condition that the reaction owns.
@@ -137,7 +145,7 @@ impl Law {
         match self {
             Law::Ideal { condition } | Law::Contact { condition, .. } => Some(*condition),
             Law::Friction(friction) => Some(friction.condition),
-            Law::Support | Law::Motor | Law::Place => None,
+            Law::Support | Law::Motor | Law::Place | Law::Transmission => None,
         }
     }
 }

@@ -34,7 +34,7 @@ impl Equations {
                         list.extend(normal.terms.iter().map(|(_, e)| *e));
                     }
                 }
-                Law::Ideal { .. } | Law::Support | Law::Motor | Law::Place => {}
+                Law::Ideal { .. } | Law::Support | Law::Motor | Law::Place | Law::Transmission => {}
             }
         }
         for b in &self.balances {

@@ -3,17 +3,24 @@
 //! Rows of J are taken in their order; one that depends on those before it is left out with its reaction. The dependence must hold in neighbouring
 //! configurations too: where it holds only at the start the configuration is singular, and no motion follows from it.
 //!
-//! Reactions λ enter motions and balances through the columns of [F; R]. Every relation Σ c_k column_k = 0 leaves the λ_k with c_k ≠ 0 open.
+//! Reactions λ enter motions and balances through the columns of [F; R]. Every relation Σ c_k column_k = 0 leaves the λ_k with c_k ≠ 0 open. It may be hidden
+//! in the position of the start: positions around it are asked too, and balances are chosen where most are independent.
 
 use program::lower::Selection;
 use symbolic::Text;
-use symbolic::connections::Law;
+use symbolic::connections::{Law, Reaction};
 
 use super::{Bench, Undetermined, listed};
 use crate::Fault;
 use crate::numerics::qr::{Qr, norm};
 use crate::numerics::random::Random;
 
+/// Places around the start that are asked whether reactions are open.
+const AROUND: usize = 4;
+/// How far away they are: radians, or lengths by the length of the machine.
+const FAR: f64 = 0.3;
+/// How far away a singular position must have ended.
+const NEAR: f64 = 0.05;
 /// What is left of a row after the others have been taken away counts as nothing below this share of it.
 const NOTHING: f64 = 1e-9;
 
@@ -109,12 +116,14 @@ impl Bench<'_> {
                 selection.reactions[r] = false;
             }
         }
-        let placed = self.select_supports(&mut selection, &mut open)?;
+        let places = self.places_around(&rows)?;
+        self.evaluate(&x)?;
+        let placed = self.select_supports(&places, &mut selection, &mut open)?;
         let shown = |r: usize| open[r] && self.equations.reactions[r].law.is_reaction();
         let open: Vec<usize> = (0..open.len()).filter(|r| shown(*r)).collect();
         self.refuse_open_pressure(&placed)?;
         for (r, load) in &placed {
-            notes.push(without_place(&self.equations.reactions[*r].name, &self.equations.reactions[*load].name));
+            notes.push(without_place(&self.equations.reactions[*r].name, &self.equations.reactions[*load]));
         }
         let shared: Vec<usize> = open.iter().copied().filter(|r| !placed.iter().any(|(p, _)| p == r)).collect();
         if !shared.is_empty() {
@@ -124,26 +133,63 @@ impl Bench<'_> {
         Ok((selection, Undetermined { open, placed }))
     }
 
-    /// Independent balances for the supports, and supports that rigid bodies leave open.
-    fn select_supports(&mut self, selection: &mut Selection, open: &mut [bool]) -> Result<Vec<(usize, usize)>, Fault> {
-        let (reactions, b) = (self.equations.reactions.len(), self.equations.balances.len());
-        let is_support = |r: usize| matches!(self.equations.reactions[r].law, Law::Support | Law::Place);
-        let supports: Vec<usize> = (0..reactions).filter(|r| is_support(*r)).collect();
-        let released = self.balances.evaluate(&program::Point { states: &self.x, ..Default::default() })?.to_vec();
-        let columns: Vec<Vec<f64>> = supports.iter().map(|r| (0..b).map(|i| released[i * reactions + r]).collect()).collect();
-        let by_columns = sort(&columns);
-        for (i, shares) in &by_columns.relations {
-            selection.reactions[supports[*i]] = false;
-            open[supports[*i]] = true;
-            shares.iter().for_each(|(k, _)| open[supports[*k]] = true);
+    /// The start and some places around it, in which hidden reactions are looked at.
+    fn places_around(&mut self, rows: &[usize]) -> Result<Vec<Vec<f64>>, Fault> {
+        let x = self.x.clone();
+        let mut places = vec![x.clone()];
+        if !self.equations.reactions.iter().any(|r| r.law.is_hidden()) {
+            return Ok(places);
         }
+        let mut random = Random::new(11);
+        let placed: Vec<usize> = rows.iter().copied().filter(|c| self.equations.conditions[*c].place.is_some()).collect();
+        let everything: Vec<usize> = (0..self.n).collect();
+        for _ in 0..AROUND {
+            self.evaluate(&x)?;
+            let Some(mut near) = self.along_the_motion(&x, (rows, FAR), &mut random) else { continue };
+            let closed = placed.is_empty() || self.approach(&mut near, &placed, &everything).is_ok_and(|gap| gap <= 1e-10);
+            if closed && self.released(&near).is_ok() && self.evaluate(&near).is_ok() {
+                places.push(near);
+            }
+        }
+        Ok(places)
+    }
+
+    /// Work of each reaction in each balance, row-major: balances by reactions.
+    fn released(&mut self, x: &[f64]) -> Result<Vec<f64>, Fault> {
+        Ok(self.balances.evaluate(&program::Point { states: x, ..Default::default() })?.to_vec())
+    }
+
+    /// Independent balances for the supports, and supports that rigid bodies leave open.
+    fn select_supports(&mut self, places: &[Vec<f64>], selection: &mut Selection, open: &mut [bool]) -> Result<Vec<(usize, usize)>, Fault> {
+        let (reactions, b) = (self.equations.reactions.len(), self.equations.balances.len());
+        let supports: Vec<usize> = (0..reactions).filter(|r| self.equations.reactions[*r].law.is_hidden()).collect();
+        let mut placed: Vec<(usize, usize)> = Vec::new();
+        let mut best: Option<(Sorted, Vec<f64>)> = None;
+        for x in places {
+            let released = self.released(x)?;
+            let columns: Vec<Vec<f64>> = supports.iter().map(|r| (0..b).map(|i| released[i * reactions + r]).collect()).collect();
+            let sorted = sort(&columns);
+            for (i, shares) in &sorted.relations {
+                open[supports[*i]] = true;
+                shares.iter().for_each(|(k, _)| open[supports[*k]] = true);
+            }
+            self.evaluate(x)?;
+            placed.extend(self.spread_open(&released, &supports, open));
+            if best.as_ref().is_none_or(|(before, _)| sorted.kept.len() > before.kept.len()) {
+                best = Some((sorted, released));
+            }
+        }
+        let Some((by_columns, released)) = best else { return Ok(placed) };
+        by_columns.relations.iter().for_each(|(i, _)| selection.reactions[supports[*i]] = false);
         let kept: Vec<usize> = by_columns.kept.iter().map(|&i| supports[i]).collect();
         let rows: Vec<Vec<f64>> = (0..b).map(|i| kept.iter().map(|r| released[i * reactions + r]).collect()).collect();
         let by_rows = sort(&rows);
         for i in 0..b {
             selection.balances[i] = by_rows.kept.contains(&i);
         }
-        Ok(self.spread_open(&released, &supports, open))
+        placed.sort_unstable();
+        placed.dedup_by_key(|(r, _)| *r);
+        Ok(placed)
     }
 
     /// A friction pressed by a reaction that has no value has none either, and with it the motion.
@@ -153,8 +199,11 @@ impl Bench<'_> {
             let terms = friction.normal.iter().flat_map(|n| &n.terms);
             for (r, _) in terms {
                 if let Some((_, load)) = placed.iter().find(|(p, _)| p == r) {
-                    let [pressure, load] = [*r, *load].map(|k| self.equations.reactions[k].name.as_str());
-                    return Err(Fault::pressure_without_place(&reaction.name, pressure, load));
+                    let (pressure, load) = (&self.equations.reactions[*r].name, &self.equations.reactions[*load]);
+                    return Err(match load.law {
+                        Law::Transmission => Fault::pressure_without_transmission(&reaction.name, pressure, (&load.name, &load.label)),
+                        _ => Fault::pressure_without_place(&reaction.name, pressure, &load.name),
+                    });
                 }
             }
         }
@@ -173,7 +222,7 @@ impl Bench<'_> {
             forces.chain((0..b).map(|i| released[i * reactions + r])).collect()
         };
         let vectors: Vec<Vec<f64>> = unknown.iter().map(|&r| column(r)).collect();
-        let is_place = |r: usize| matches!(self.equations.reactions[r].law, Law::Place);
+        let is_place = |r: usize| !self.equations.reactions[r].law.is_reaction();
         let mut placed = Vec::new();
         for (i, shares) in sort(&vectors).relations {
             open[unknown[i]] = true;
@@ -192,7 +241,7 @@ impl Bench<'_> {
         let mut random = Random::new(3);
         for _ in 0..3 {
             self.evaluate(&x)?;
-            let Some(mut near) = self.along_the_motion(&x, rows, &mut random) else { continue };
+            let Some(mut near) = self.along_the_motion(&x, (rows, NEAR), &mut random) else { continue };
             let everything: Vec<usize> = (0..self.n).collect();
             let placed: Vec<usize> = rows.iter().copied().filter(|c| self.equations.conditions[*c].place.is_some()).collect();
             let closed = self.approach(&mut near, &placed, &everything).is_ok_and(|gap| gap <= 1e-10);
@@ -211,19 +260,19 @@ impl Bench<'_> {
     }
 
     /// A state a little way along a motion that the conditions allow to first order.
-    fn along_the_motion(&self, x: &[f64], rows: &[usize], random: &mut Random) -> Option<Vec<f64>> {
+    fn along_the_motion(&self, x: &[f64], (rows, step): (&[usize], f64), random: &mut Random) -> Option<Vec<f64>> {
         let (m, n) = (rows.len(), self.n);
         let way: Vec<f64> = (0..n).map(|_| random.between(-1.0, 1.0)).collect();
         let matrix: Vec<f64> = (0..n * m).map(|p| self.row(rows[p % m])[p / m] / self.reach[p / m]).collect();
         let blocked: Vec<f64> = (0..m).map(|k| (0..n).map(|j| matrix[j * m + k] * way[j]).sum()).collect();
-        let back = Qr::new(&matrix, n, m).shortest(&blocked);
+        let back = if m == 0 { vec![0.0; n] } else { Qr::new(&matrix, n, m).shortest(&blocked) };
         let way: Vec<f64> = way.iter().zip(&back).zip(&self.reach).map(|((w, b), reach)| (w - b) / reach).collect();
         let longest = (0..n).fold(0.0_f64, |l, j| l.max(way[j].abs() / if self.is_angle(j) { 1.0 } else { self.length() }));
         if longest.is_nan() || longest <= 1e-9 {
             return None;
         }
         let mut near = x.to_vec();
-        (0..n).for_each(|j| near[j] += 0.05 * way[j] / longest);
+        (0..n).for_each(|j| near[j] += step * way[j] / longest);
         Some(near)
     }
 }
@@ -235,7 +284,19 @@ fn repeated(condition: &Text, together: &Text) -> Text {
     )
 }
 
-fn without_place(reaction: &str, load: &str) -> Text {
+fn without_place(reaction: &str, open: &Reaction) -> Text {
+    let load = &open.name;
+    if matches!(open.law, Law::Transmission) {
+        let (bodies, ru) = (&open.label.en, &open.label.ru);
+        return Text::new(
+            format!(
+                "the reaction {reaction} depends on how the coordinate `{load}` moves several bodies at once ({bodies}), which no connection says"
+            ),
+            format!(
+                "реакция {reaction} зависит от того, чем координата `{load}` приводит в движение сразу несколько тел ({ru}); такая связь не задана"
+            ),
+        );
+    }
     Text::new(
         format!("the reaction {reaction} depends on where the load `{load}` acts, which its formula does not say"),
         format!("реакция {reaction} зависит от места приложения нагрузки `{load}`, которого её формула не задаёт"),

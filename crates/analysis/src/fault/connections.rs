@@ -41,6 +41,16 @@ pub const EXPLANATIONS: &[Explanation] = &[
         en: ("friction pressed by a reaction without a value", PRESSURE_EN),
         ru: ("трение от неопределённой нормальной реакции", PRESSURE_RU),
     },
+    Explanation {
+        code: "S090",
+        en: ("reaction that depends on an undeclared transmission", TRANSMISSION_EN),
+        ru: ("реакция, зависящая от незаданной передачи", TRANSMISSION_RU),
+    },
+    Explanation {
+        code: "S091",
+        en: ("friction pressed by a reaction that depends on an undeclared transmission", DRIVEN_EN),
+        ru: ("трение от реакции, зависящей от незаданной передачи", DRIVEN_RU),
+    },
 ];
 
 const NO_STATE_EN: &str = "Neither sticking nor sliding in any direction (neither closed nor open) agrees with the forces at this state. With friction on a computed \
@@ -96,7 +106,58 @@ const PRESSURE_EN: &str = "The normal force of this friction is a reaction that 
 const PRESSURE_RU: &str = "Нормальная сила этого трения – реакция, зависящая от места приложения нагрузки, а нагрузка задана формулой, из которой место не следует. Трение, а с ним \
     и движение, было бы произвольным. Задайте место приложения нагрузки или другую нормальную силу.";
 
+const TRANSMISSION_EN: &str = "One coordinate moves several bodies: a piston placed by a formula of the crank's angle, a load whose height is the drum's angle times \
+    its radius. Motion and energy follow from the coordinate alone. But whatever carries the motion from one body to the other (rod, rope, gear, slot) pulls or presses \
+    on both, and supports feel the parts of this force in their direction; they depend on its line of action. Declare it: [rods] between crank and piston, [ropes], \
+    [pins], [rolling], or give each body its own coordinate and connect them. A support that the transmission cannot load keeps its value.";
+const TRANSMISSION_RU: &str = "Одна координата движет несколько тел: ползун, положение которого задано формулой через угол кривошипа, груз, высота которого равна углу барабана, \
+    умноженному на радиус. Движение и энергия следуют из одной координаты. Но то, что передаёт движение от тела к телу (шатун, нить, зацепление, кулиса), нагружает оба тела, \
+    и опоры воспринимают составляющие этой силы; они зависят от её линии действия. Задайте связь: [rods] между кривошипом и ползуном, [ropes], [pins], [rolling], или дайте \
+    каждому телу свою координату и соедините тела. Реакция опоры, которую передача нагрузить не может, определена.";
+const DRIVEN_EN: &str = "The normal force of this friction is a reaction that depends on how one coordinate moves several bodies, and no connection says it. The friction, and with \
+    it the motion, would be arbitrary. Declare what carries the motion from one body to the other (a rod, a rope, a pin), or give each body its own coordinate.";
+const DRIVEN_RU: &str = "Нормальная сила этого трения – реакция, зависящая от того, чем одна координата приводит в движение несколько тел, а такая связь не задана. Трение, а с ним и \
+    движение, было бы произвольным. Задайте то, что передаёт движение от тела к телу (шатун, нить, шарнир), или дайте каждому телу свою координату.";
+
 impl Fault {
+    /// An output over a reaction that depends on how a coordinate moves several bodies.
+    pub fn reaction_without_transmission(output: &str, reaction: &str, (coordinate, bodies): (&str, &Text)) -> Fault {
+        Fault::new(Message {
+            code: "S090",
+            what: Text::new(
+                format!(
+                    "the output `{output}` uses the reaction `{reaction}`, which depends on what makes {} follow `{coordinate}`",
+                    bodies.en
+                ),
+                format!(
+                    "величина `{output}` использует реакцию `{reaction}`, которая зависит от того, чем `{coordinate}` движет тела {}",
+                    bodies.ru
+                ),
+            ),
+            why: undeclared(coordinate),
+            help: declare(bodies),
+        })
+    }
+
+    /// A friction pressed by such a reaction.
+    pub fn pressure_without_transmission(friction: &str, reaction: &str, (coordinate, bodies): (&str, &Text)) -> Fault {
+        Fault::new(Message {
+            code: "S091",
+            what: Text::new(
+                format!(
+                    "`{friction}` is pressed by the reaction `{reaction}`, which depends on what makes {} follow `{coordinate}`",
+                    bodies.en
+                ),
+                format!(
+                    "`{friction}` прижимается реакцией `{reaction}`, которая зависит от того, чем `{coordinate}` движет тела {}",
+                    bodies.ru
+                ),
+            ),
+            why: undeclared(coordinate),
+            help: declare(bodies),
+        })
+    }
+
     /// An output over a reaction that depends on where a load acts.
     pub fn reaction_without_place(output: &str, reaction: &str, load: &str) -> Fault {
         Fault::new(Message {
@@ -315,6 +376,22 @@ impl Fault {
             ),
         })
     }
+}
+
+fn undeclared(coordinate: &str) -> Text {
+    Text::new(
+        format!(
+            "`{coordinate}` moves several bodies; the force between them is known by its work only, and its line of action stands nowhere"
+        ),
+        format!("`{coordinate}` движет несколько тел; сила между ними известна лишь по своей работе, её линия действия не задана"),
+    )
+}
+
+fn declare(bodies: &Text) -> Text {
+    Text::new(
+        format!("declare what connects {} (a rod, rope, pin, rolling), or give each its own coordinate", bodies.en),
+        format!("задайте, чем соединены {} (rods, ropes, pins, rolling), или дайте каждому телу свою координату", bodies.ru),
+    )
 }
 
 fn give_a_place(load: &str) -> Text {

@@ -158,7 +158,7 @@ impl Search<'_> {
         }
         let mut reactions: Vec<Option<f64>> = vec![Some(0.0); self.equations.reactions.len()];
         for (r, reaction) in self.equations.reactions.iter().enumerate() {
-            if matches!(reaction.law, symbolic::connections::Law::Support | symbolic::connections::Law::Place) {
+            if reaction.law.is_hidden() {
                 reactions[r] = None;
             }
         }

@@ -212,7 +212,7 @@ fn second(equations: &Equations, parameters: &[f64], place: &Place) -> f64 {
     let known: Vec<(SymbolId, f64)> =
         equations.reactions.iter().zip(&place.reactions).filter_map(|(r, v)| v.map(|v| (r.symbol, v))).collect();
     // an open reaction leaves nothing to compare
-    if known.len() < equations.reactions.iter().filter(|r| !matches!(r.law, Law::Support | Law::Place)).count() {
+    if known.len() < equations.reactions.iter().filter(|r| !r.law.is_hidden()).count() {
         return 0.0;
     }
     values.extend(known);
@@ -246,7 +246,7 @@ fn dataset(equations: &Equations, rows: &[Row], notes: Vec<Text>) -> Dataset {
         let quantity = Quantity { label: c.label.clone(), ..Quantity::new(&name(equations, j), &c.unit) };
         columns.push(column(quantity, &|r| r.place.q[j]));
     }
-    for (k, reaction) in equations.reactions.iter().enumerate().filter(|(_, r)| !matches!(r.law, Law::Support | Law::Place)) {
+    for (k, reaction) in equations.reactions.iter().enumerate().filter(|(_, r)| !r.law.is_hidden()) {
         let symbol = equations.graph.symbol_info(reaction.symbol).name.clone();
         let quantity = Quantity { symbol, ..labelled(&reaction.name, &reaction.unit, reaction.label.clone()) };
         columns.push(column(quantity, &|r| r.place.reactions[k].unwrap_or(f64::NAN)));

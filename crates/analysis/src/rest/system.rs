@@ -97,7 +97,7 @@ impl Parts {
                     parts.conditions.push(*condition);
                 }
                 Law::Contact { .. } => {}
-                Law::Friction(_) | Law::Support | Law::Motor | Law::Place => parts.reactions.push(r),
+                Law::Friction(_) | Law::Support | Law::Motor | Law::Place | Law::Transmission => parts.reactions.push(r),
             }
         }
         parts.conditions.extend((0..equations.conditions.len()).filter(|c| equations.conditions[*c].reaction.is_none()));
@@ -107,7 +107,7 @@ impl Parts {
 
     /// The same without dry friction and without supports, whose reactions act on no coordinate.
     pub fn smooth(mut self, equations: &Equations) -> Parts {
-        self.reactions.retain(|r| !matches!(equations.reactions[*r].law, Law::Friction(_) | Law::Support | Law::Place));
+        self.reactions.retain(|r| !matches!(equations.reactions[*r].law, Law::Friction(_) | Law::Support | Law::Place | Law::Transmission));
         self
     }
 }

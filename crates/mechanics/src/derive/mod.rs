@@ -16,6 +16,7 @@ mod place;
 mod requests;
 mod scene;
 mod steps;
+mod vanish;
 mod wrench;
 
 pub use explain::EXPLANATIONS;

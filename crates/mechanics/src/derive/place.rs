@@ -12,26 +12,52 @@
 //! What Q leaves open stays an unknown of the balances, a wrench that does no work on the coordinates: the moment of F about the origin, the body
 //! among several that one coordinate moves, the force across the displacement where the pathway is not measured along it. A reaction that can be
 //! told from these unknowns has its value; another has none.
+//!
+//! A coordinate that moves several bodies does so by a transmission. Where no connection declares it, its wrenches are unknown in the same way.
 
 use super::kinematics::Kinematics;
 use super::pathways::unit_vector;
 use super::scene::{Columns, Scene, Vector};
 use super::wrench::{Act, Along, Formula, carrier};
-use crate::model::{Axis, FrameId, Measure};
+use crate::model::{Axis, FrameId, Measure, PointRef};
 use std::collections::{BTreeMap, BTreeSet};
 use symbolic::{Expr, Function, Node};
 
-/// A wrench that a load may have besides what its formula says.
+/// A wrench that a load may have besides what its formula says, or that a transmission may have.
 #[derive(Clone, Debug)]
 pub struct Open {
-    /// The load.
-    pub name: String,
+    /// What has it.
+    pub of: Opening,
     /// Per unit.
     pub acts: Vec<Act>,
 }
 
+/// Whose wrench is open.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Opening {
+    /// A load.
+    Load(String),
+    /// What makes bodies follow one coordinate.
+    Transmission {
+        /// The coordinate.
+        coordinate: String,
+        /// Names of the bodies.
+        bodies: Vec<String>,
+    },
+}
+
+impl Opening {
+    /// The load or the coordinate.
+    pub fn name(&self) -> &str {
+        match self {
+            Opening::Load(name) => name,
+            Opening::Transmission { coordinate, .. } => coordinate,
+        }
+    }
+}
+
 /// How a body moves on what it stands on.
-struct Own {
+pub struct Own {
     /// Velocity of the origin, ground axes, by coordinates that do not turn the body.
     shifts: Columns<Vector>,
     /// Angular velocity, by coordinates that do not shift the origin.
@@ -70,25 +96,91 @@ impl Placer {
         placed
     }
 
+    /// Leaves the wrenches open by which a coordinate moves several bodies at once.
+    pub fn transmit(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, (j, moved): (usize, &[FrameId])) {
+        let bodies = moved.iter().map(|f| scene.model.frames[f.index()].name.clone()).collect();
+        let of = Opening::Transmission { coordinate: scene.model.coordinates[j].name.clone(), bodies };
+        self.leave_sharing(scene, kinematics, &of, (j, moved, &[]));
+    }
+
     fn part(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, along: &Along) -> Vec<Act> {
         let mut by_frame: BTreeMap<FrameId, Columns<Expr>> = BTreeMap::new();
-        let n = scene.n();
+        let mut touched: BTreeSet<FrameId> = BTreeSet::new();
+        let of = Opening::Load(along.name.clone());
+        let (n, mut measured) = (scene.n(), true);
         for (&j, &force) in along.columns.range(..n) {
-            let moved: Vec<FrameId> = (0..self.own.len()).map(FrameId).filter(|f| self.own[f.index()].has(j)).collect();
+            let moved = self.moved(j);
             let fitting: Vec<FrameId> = moved.iter().copied().filter(|f| self.fits(scene, along, (*f, j))).collect();
             let Some(&first) = fitting.first().or(moved.first()) else { continue };
+            measured &= fitting.len() == 1;
             if moved.len() > 1 && fitting.len() != 1 {
-                self.leave_sharing(scene, kinematics, &along.name, (j, &moved));
+                self.leave_sharing(scene, kinematics, &of, (j, &moved, &fitting));
+                touched.extend(&moved);
             }
+            touched.insert(first);
             by_frame.entry(first).or_default().insert(j, force);
         }
-        let chosen: BTreeSet<FrameId> = by_frame.keys().copied().collect();
         let mut acts = Vec::new();
         for (frame, forces) in by_frame {
-            let nested = carriers(scene, frame).any(|f| chosen.contains(&f));
-            acts.extend(self.act(scene, kinematics, along, (frame, &forces, nested)));
+            acts.extend(self.act(scene, kinematics, along, (frame, &forces)));
+        }
+        if touched.len() > 1 && !measured {
+            self.leave_between(scene, kinematics, along, &touched);
         }
         acts
+    }
+
+    /// The frames that a coordinate moves on what they stand on.
+    pub fn moved(&self, j: usize) -> Vec<FrameId> {
+        (0..self.own.len()).map(FrameId).filter(|f| self.own[f.index()].has(j)).collect()
+    }
+
+    /// How a frame moves on what it stands on.
+    pub fn own(&self, frame: FrameId) -> &Own {
+        &self.own[frame.index()]
+    }
+
+    /// A load on several bodies whose pathway is not the sum of their ways: it may act between two of them, or between one and the ground, and
+    /// then in any direction that the displacements of all of them span.
+    fn leave_between(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, along: &Along, touched: &BTreeSet<FrameId>) {
+        let couples = touched.iter().all(|f| self.own[f.index()].turns_only());
+        if couples && !touched.iter().any(|f| is_a_force(scene, along, &self.own[f.index()].turns.clone())) {
+            return;
+        }
+        let mut directions: Vec<Vector> = Vec::new();
+        for frame in touched {
+            let own = &self.own[frame.index()];
+            let (shifts, straight) = (own.shifts.clone(), own.shifts_only());
+            if !straight || !self.is_measured_along(scene, along, &shifts) {
+                directions = self.forces().iter().map(|axis| unit_vector(scene, *axis)).collect();
+                break;
+            }
+            directions.extend(shifts.values());
+        }
+        let of = Opening::Load(along.name.clone());
+        for frame in touched {
+            let own = self.own[frame.index()].shifts.clone();
+            let n = scene.n();
+            let mut whole = kinematics.jacobian(scene, PointRef::Origin(*frame));
+            whole.remove(&n);
+            let mut turning = kinematics.turning_in_ground_axes(scene, *frame);
+            turning.remove(&n);
+            for direction in &directions {
+                if let Some(force) = perpendicular(scene, &own, direction) {
+                    let acts = pair_of_forces(scene, kinematics, *frame, force);
+                    self.leave(&of, acts.to_vec());
+                }
+                if let Some(force) = perpendicular(scene, &whole, direction) {
+                    let at = kinematics.frames[frame.index()].origin;
+                    self.leave(&of, vec![Act::Place { on: *frame, at, force }]);
+                }
+            }
+            for axis in self.moments() {
+                if let Some(moment) = across(scene, &turning, *axis) {
+                    self.leave(&of, vec![Act::Turn { on: *frame, moment }]);
+                }
+            }
+        }
     }
 
     /// Whether the pathway is measured along the displacement that the coordinate gives to the body.
@@ -104,23 +196,40 @@ impl Placer {
         let Some(column) = column.copied() else { return false };
         let (square, length) = (scene.graph.square(slope), scene.dot(&column, &column));
         let difference = scene.graph.sub(square, length);
-        let difference = scene.tidy(difference);
-        scene.graph.is_zero(difference)
+        scene.vanishes(difference)
     }
 
-    /// Several bodies move with one coordinate: any of them may take the load.
-    fn leave_sharing(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, name: &str, (j, moved): (usize, &[FrameId])) {
-        let one = scene.graph.one();
-        let unit = |this: &Placer, scene: &mut Scene, f: FrameId| this.wrench(scene, kinematics, f, &Columns::from([(j, one)]));
+    /// Several bodies move with one coordinate: any of them may take the load, along its displacement if the pathway fits it, else in any direction. What goes over from one to another has no work in
+    /// sum: with the own displacements (v, w) of both it is (v_b², w_b²) (v_a, w_a) against (v_a², w_a²) (v_b, w_b), no quotient at dead positions.
+    fn leave_sharing(
+        &mut self,
+        scene: &mut Scene,
+        kinematics: &mut Kinematics,
+        of: &Opening,
+        (j, moved, fitting): (usize, &[FrameId], &[FrameId]),
+    ) {
         let Some((first, others)) = moved.split_first() else { return };
         let minus = scene.graph.int(-1);
-        let given: Vec<Act> = unit(self, scene, *first).iter().map(|act| act.times(scene, minus)).collect();
         for other in others {
-            let acts = unit(self, scene, *other).into_iter().chain(given.iter().cloned()).collect();
-            self.leave(name, acts);
+            let columns = [*first, *other].map(|f| self.own[f.index()].column(scene, j));
+            let [Some(a), Some(b)] = columns else { continue };
+            let sizes = [a, b].map(|(v, w)| {
+                let main = if v == scene.zero_vector() { w } else { v };
+                let square = scene.dot(&main, &main);
+                scene.tidy(square)
+            });
+            let taken = scene.graph.mul(minus, sizes[1]);
+            let mut acts = pull(scene, kinematics, *first, a, taken);
+            acts.extend(pull(scene, kinematics, *other, b, sizes[0]));
+            self.leave(of, acts);
         }
-        for frame in others {
-            self.leave_everything_across(scene, kinematics, name, *frame);
+        for frame in moved {
+            let own = &self.own[frame.index()];
+            if fitting.contains(frame) && own.shifts_only() {
+                self.leave_moments(scene, of, (*frame, &Columns::new()));
+            } else {
+                self.leave_everything_across(scene, kinematics, of, *frame);
+            }
         }
     }
 
@@ -144,7 +253,7 @@ impl Placer {
         scene: &mut Scene,
         kinematics: &mut Kinematics,
         along: &Along,
-        (frame, forces, nested): (FrameId, &Columns<Expr>, bool),
+        (frame, forces): (FrameId, &Columns<Expr>),
     ) -> Vec<Act> {
         let own = &self.own[frame.index()];
         if !own.both.is_empty() {
@@ -153,16 +262,17 @@ impl Placer {
         let shifts: Columns<Vector> = own.shifts.clone();
         let turns: Columns<Vector> = own.turns.clone();
         let acts = self.wrench(scene, kinematics, frame, forces);
+        let of = Opening::Load(along.name.clone());
         if forces.keys().any(|j| shifts.contains_key(j)) {
-            self.leave_moments(scene, &along.name, (frame, &turns));
-            if nested || !self.is_measured_along(scene, along, &shifts) {
-                self.leave_forces(scene, kinematics, &along.name, (frame, &shifts));
+            self.leave_moments(scene, &of, (frame, &turns));
+            if !self.is_measured_along(scene, along, &shifts) {
+                self.leave_forces(scene, kinematics, &of, (frame, &shifts));
             }
         }
         // a couple turns about the body's own axes; a force that turns it has a part at the axle and, in space, across the axes
         if forces.keys().any(|j| turns.contains_key(j)) && is_a_force(scene, along, &turns) {
-            self.leave_moments(scene, &along.name, (frame, &turns));
-            self.leave_forces(scene, kinematics, &along.name, (frame, &shifts));
+            self.leave_moments(scene, &of, (frame, &turns));
+            self.leave_forces(scene, kinematics, &of, (frame, &shifts));
         }
         acts
     }
@@ -187,68 +297,67 @@ impl Placer {
         }
         let acts = self.wrench(scene, kinematics, frame, forces);
         if !fits {
-            self.leave_everything(scene, kinematics, &along.name, frame);
+            self.leave_everything(scene, kinematics, &Opening::Load(along.name.clone()), frame);
         }
         acts
     }
 
-    /// Whether the pathway changes in a constant ratio to the way of the origin; a function has no direction of its own.
+    /// Whether the pathway is measured along the way of the origin: a length equals this way, anything else changes in a constant ratio to it. A
+    /// function has no direction of its own.
     fn is_measured_along(&self, scene: &mut Scene, along: &Along, shifts: &Columns<Vector>) -> bool {
-        let Formula::Pathway(gradient, _) = &along.of else { return true };
+        let Formula::Pathway(gradient, measure) = &along.of else { return true };
         let Some(slope) = dual(scene, shifts, gradient) else { return true };
         let square = scene.dot(&slope, &slope);
+        if *measure == Measure::Length {
+            let one = scene.graph.one();
+            let difference = scene.graph.sub(square, one);
+            return scene.vanishes(difference);
+        }
         let square = scene.tidy(square);
         let changes = scene.gradient(square);
         let n = scene.n();
         let mut changes = changes.into_iter().filter(|(j, _)| *j < n);
-        changes.all(|(_, e)| {
-            let e = scene.tidy(e);
-            scene.graph.is_zero(e)
-        })
+        changes.all(|(_, e)| scene.vanishes(e))
     }
 
     /// Moments about axes about which the body does not turn by its own coordinates.
-    fn leave_moments(&mut self, scene: &mut Scene, name: &str, (frame, turns): (FrameId, &Columns<Vector>)) {
+    fn leave_moments(&mut self, scene: &mut Scene, of: &Opening, (frame, turns): (FrameId, &Columns<Vector>)) {
         for axis in self.moments() {
             if let Some(moment) = across(scene, turns, *axis) {
                 let acts = pair_of_moments(scene, frame, moment);
-                self.leave(name, acts.to_vec());
+                self.leave(of, acts.to_vec());
             }
         }
     }
 
     /// Forces across the body's own displacement.
-    fn leave_forces(&mut self, scene: &mut Scene, kinematics: &Kinematics, name: &str, (frame, shifts): (FrameId, &Columns<Vector>)) {
+    fn leave_forces(&mut self, scene: &mut Scene, kinematics: &Kinematics, of: &Opening, (frame, shifts): (FrameId, &Columns<Vector>)) {
         for axis in self.forces() {
             if let Some(force) = across(scene, shifts, *axis) {
                 let acts = pair_of_forces(scene, kinematics, frame, force);
-                self.leave(name, acts.to_vec());
+                self.leave(of, acts.to_vec());
             }
         }
     }
 
-    fn leave_everything_across(&mut self, scene: &mut Scene, kinematics: &Kinematics, name: &str, frame: FrameId) {
+    fn leave_everything_across(&mut self, scene: &mut Scene, kinematics: &Kinematics, of: &Opening, frame: FrameId) {
         let own = &self.own[frame.index()];
         if !own.both.is_empty() {
-            return self.leave_everything(scene, kinematics, name, frame);
+            return self.leave_everything(scene, kinematics, of, frame);
         }
         let (shifts, turns) = (own.shifts.clone(), own.turns.clone());
-        if !shifts.is_empty() {
-            self.leave_moments(scene, name, (frame, &turns));
-        }
-        if !turns.is_empty() {
-            self.leave_forces(scene, kinematics, name, (frame, &shifts));
-        }
+        self.leave_moments(scene, of, (frame, &turns));
+        self.leave_forces(scene, kinematics, of, (frame, &shifts));
     }
 
-    fn leave_everything(&mut self, scene: &mut Scene, kinematics: &Kinematics, name: &str, frame: FrameId) {
-        self.leave_forces(scene, kinematics, name, (frame, &Columns::new()));
-        self.leave_moments(scene, name, (frame, &Columns::new()));
+    fn leave_everything(&mut self, scene: &mut Scene, kinematics: &Kinematics, of: &Opening, frame: FrameId) {
+        self.leave_forces(scene, kinematics, of, (frame, &Columns::new()));
+        self.leave_moments(scene, of, (frame, &Columns::new()));
     }
 
-    fn leave(&mut self, name: &str, acts: Vec<Act>) {
+    fn leave(&mut self, of: &Opening, acts: Vec<Act>) {
         if !self.open.iter().any(|o| o.acts == acts) {
-            self.open.push(Open { name: name.to_owned(), acts });
+            self.open.push(Open { of: of.clone(), acts });
         }
     }
 
@@ -261,6 +370,22 @@ impl Placer {
 }
 
 impl Own {
+    /// The displacement by a coordinate: velocity of the origin and angular velocity per unit of its rate, ground axes.
+    pub fn column(&self, scene: &mut Scene, j: usize) -> Option<(Vector, Vector)> {
+        let zero = scene.zero_vector();
+        let shift = self.shifts.get(&j).map(|v| (*v, zero));
+        shift.or(self.turns.get(&j).map(|w| (zero, *w))).or(self.both.get(&j).copied())
+    }
+    /// The coordinates.
+    pub fn coordinates(&self) -> BTreeSet<usize> {
+        self.shifts.keys().chain(self.turns.keys()).chain(self.both.keys()).copied().collect()
+    }
+    fn shifts_only(&self) -> bool {
+        self.turns.is_empty() && self.both.is_empty()
+    }
+    fn turns_only(&self) -> bool {
+        self.shifts.is_empty() && self.both.is_empty()
+    }
     fn has(&self, j: usize) -> bool {
         self.shifts.contains_key(&j) || self.turns.contains_key(&j) || self.both.contains_key(&j)
     }
@@ -308,12 +433,6 @@ fn own(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId) -> Own {
     own
 }
 
-/// What a frame stands on, down to the ground.
-fn carriers<'s>(scene: &'s Scene, frame: FrameId) -> impl Iterator<Item = FrameId> + 's {
-    let below = |f: &FrameId| (*f != FrameId::GROUND).then(|| carrier(scene.model, *f));
-    std::iter::successors(below(&frame), move |f| below(f))
-}
-
 /// Σ_a column_a (G⁻¹ Q)_a with G_ab = column_a·column_b; none where no force is on these columns. At most three columns, as space has dimensions.
 fn dual(scene: &mut Scene, columns: &Columns<Vector>, forces: &Columns<Expr>) -> Option<Vector> {
     if !columns.keys().any(|j| forces.contains_key(j)) {
@@ -337,7 +456,7 @@ fn dual(scene: &mut Scene, columns: &Columns<Vector>, forces: &Columns<Expr>) ->
         let e = e.map(|c| scene.tidy(c));
         let square = scene.dot(&e, &e);
         let square = scene.tidy(square);
-        if scene.graph.is_zero(square) {
+        if scene.vanishes(square) {
             continue;
         }
         let size = scene.graph.div(q, square);
@@ -351,13 +470,47 @@ fn dual(scene: &mut Scene, columns: &Columns<Vector>, forces: &Columns<Expr>) ->
 /// The part of an axis of the ground that is perpendicular to all columns; none where nothing is left.
 fn across(scene: &mut Scene, columns: &Columns<Vector>, axis: Axis) -> Option<Vector> {
     let unit = unit_vector(scene, axis);
-    let work: Columns<Expr> = columns.iter().map(|(j, column)| (*j, column[axis.index()])).collect();
-    let rest = match dual(scene, columns, &work) {
-        Some(along) => scene.minus(&unit, &along),
-        None => unit,
+    perpendicular(scene, columns, &unit)
+}
+
+/// The part of a vector that is perpendicular to all columns, times a factor that leaves no quotient; none where nothing is left.
+fn perpendicular(scene: &mut Scene, columns: &Columns<Vector>, vector: &Vector) -> Option<Vector> {
+    let mut span: Vec<Vector> = Vec::new();
+    for column in columns.values() {
+        span.push(*column);
+        if scene.rank(&span) < span.len() {
+            span.pop();
+        }
+    }
+    let rest = match span[..] {
+        [] => *vector,
+        // a² u - a (a·u)
+        [a] => {
+            let (square, share) = (scene.dot(&a, &a), scene.dot(&a, vector));
+            let (whole, along) = (vector.map(|e| scene.graph.mul(square, e)), a.map(|e| scene.graph.mul(share, e)));
+            scene.minus(&whole, &along)
+        }
+        // c (c·u) with c = a × b
+        [a, b] => {
+            let normal = scene.cross(&a, &b);
+            let share = scene.dot(&normal, vector);
+            normal.map(|e| scene.graph.mul(share, e))
+        }
+        _ => return None,
     };
     let rest = rest.map(|e| scene.tidy(e));
-    rest.iter().any(|e| !scene.graph.is_zero(*e)).then_some(rest)
+    let left = rest.map(|e| !scene.vanishes(e));
+    left.contains(&true).then_some(rest)
+}
+
+/// A force along the shift of a frame, a moment where it only turns, times a factor.
+fn pull(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId, (shift, turn): (Vector, Vector), factor: Expr) -> Vec<Act> {
+    if shift == scene.zero_vector() {
+        let moment = turn.map(|e| scene.graph.mul(factor, e));
+        return pair_of_moments(scene, frame, moment).to_vec();
+    }
+    let force = shift.map(|e| scene.graph.mul(factor, e));
+    pair_of_forces(scene, kinematics, frame, force).to_vec()
 }
 
 fn pair_of_forces(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId, force: Vector) -> [Act; 2] {

@@ -91,7 +91,7 @@ impl Arrangement {
                 return Err(Fault::about("P014", equations.reactions.get(lost).map_or("?", |r| &r.name)));
             }
         }
-        let support = |r: &usize| matches!(equations.reactions[*r].law, Law::Support | Law::Place);
+        let support = |r: &usize| equations.reactions[*r].law.is_hidden();
         let joins = reactions.iter().any(|r| pressing(equations, *r).any(|k| support(&k)));
         let (supports, solved): (Vec<usize>, Vec<usize>) = reactions.iter().partition(|r| support(r) && !joins);
         let (joined, balances) = if joins { (balances, Vec::new()) } else { (Vec::new(), balances) };

@@ -9,11 +9,12 @@
 mod components;
 mod release;
 mod tracks;
+mod transmissions;
 
 use super::kinematics::Kinematics;
 use super::loads::Loads;
 use super::pathways;
-use super::place::{Open, Placer};
+use super::place::{Open, Opening, Placer};
 use super::requests::Resolver;
 use super::scene::{Columns, Scene};
 use super::wrench::{Act, generalized};
@@ -174,12 +175,14 @@ impl Connected {
         });
     }
 
-    /// Releases the bodies that the actions hold together.
+    /// Releases the bodies that the actions hold together, and those between them and their last common carrier.
     fn release(&mut self, scene: &Scene, acts: &[Act]) {
         let frames: Vec<FrameId> = acts.iter().filter_map(|act| act.frame(scene)).collect();
-        let first = frames.first().copied().unwrap_or(FrameId::GROUND);
-        let second = frames.iter().copied().find(|f| *f != first).unwrap_or(FrameId::GROUND);
-        self.released.extend(release::parted(scene, first, second));
+        for frame in &frames {
+            for other in &frames {
+                self.released.extend(release::between(scene, *frame, *other));
+            }
+        }
     }
 
     fn friction(
@@ -233,23 +236,28 @@ impl Connected {
         let loads = placer.place(scene, kinematics, &loads.acts);
         let inertial = placer.place(scene, kinematics, inertial);
         self.acts = self.acts.iter().map(|acts| placer.place(scene, kinematics, acts)).collect();
+        transmissions::leave_open(scene, kinematics, &mut placer, (&loads, &inertial), self);
         let frames: Vec<FrameId> = self.released.iter().copied().collect();
-        for open in placer.open {
+        for open in std::mem::take(&mut placer.open) {
             if release::is_felt(scene, kinematics, &frames, &open.acts) {
                 self.leave_open(scene, open);
             }
         }
-        for frame in frames {
-            release::balance(scene, kinematics, frame, (&loads, &inertial), self);
+        for (frame, displacement) in release::displacements(scene, kinematics, &placer, self) {
+            release::balance(scene, kinematics, (frame, &displacement), (&loads, &inertial), self);
         }
     }
 
     /// An unknown of the balances that is no reaction.
     fn leave_open(&mut self, scene: &mut Scene, open: Open) {
-        let symbol = self.name(scene, "place", &open.name);
-        let label = Text::new(format!("place of {}", open.name), format!("место приложения {}", open.name));
+        let symbol = self.name(scene, "place", open.of.name());
+        let name = open.of.name().to_owned();
+        let (label, law) = match open.of {
+            Opening::Load(name) => (Text::new(format!("place of {name}"), format!("место приложения {name}")), Law::Place),
+            Opening::Transmission { bodies, .. } => (Text::same(bodies.join(", ")), Law::Transmission),
+        };
         let (forces, released) = (Vec::new(), Vec::new());
-        self.reactions.push(Reaction { symbol, name: open.name, unit: String::new(), label, forces, released, law: Law::Place });
+        self.reactions.push(Reaction { symbol, name, unit: String::new(), label, forces, released, law });
         self.geometric.push(Columns::new());
         self.acts.push(open.acts);
     }
@@ -377,7 +385,7 @@ impl Connected {
                         list.extend(normal.terms.iter().map(|(_, e)| *e));
                     }
                 }
-                Law::Ideal { .. } | Law::Support | Law::Motor | Law::Place => {}
+                Law::Ideal { .. } | Law::Support | Law::Motor | Law::Place | Law::Transmission => {}
             }
         }
         for balance in &self.balances {
@@ -405,7 +413,7 @@ fn shape(scene: &mut Scene, component: &Component) -> Shape {
         Some(place) if component.rate.is_none() => {
             for (j, e) in scene.gradient(place) {
                 let e = scene.tidy(e);
-                if j < scene.n() && !scene.graph.is_zero(e) {
+                if j < scene.n() && !scene.vanishes(e) {
                     columns.push((j, e));
                 }
             }
@@ -414,7 +422,7 @@ fn shape(scene: &mut Scene, component: &Component) -> Shape {
             for j in 0..scene.n() {
                 let e = scene.by_rate(rate, j);
                 let e = scene.tidy(e);
-                if !scene.graph.is_zero(e) {
+                if !scene.vanishes(e) {
                     columns.push((j, e));
                 }
             }

@@ -1,22 +1,38 @@
 //! Released bodies: virtual displacements in which the coordinates cannot move them, and the balances there.
+//!
+//! What holds a body to its carrier does no work in the body's own displacements; of these forces and moments some are declared, and what was not declared is
+//! taken perpendicular to what was. A balance may be used where such undeclared reactions do no work:
+//!
+//! | displacement | because |
+//! |---|---|
+//! | along the force of a declared reaction of the joint | the undeclared ones are perpendicular to it |
+//! | the body's own, by each of its coordinates | the joint does no work there |
+//! | along any direction | declared forces and own displacements span all directions: no force is undeclared |
+//! | about a declared moment, about the couple of two declared forces | no moment is undeclared there |
 
 use super::Connected;
 use crate::derive::kinematics::Kinematics;
+use crate::derive::place::Placer;
 use crate::derive::scene::{Scene, Vector};
 use crate::derive::wrench::{Act, carrier};
 use crate::model::{Axis, FrameId, Inertia, Model, Origin};
+use std::collections::BTreeSet;
 use symbolic::connections::{Balance, Law};
 use symbolic::{Expr, Substitution, SymbolId, Text};
 
 /// A virtual displacement of a released body.
 #[derive(Clone, PartialEq)]
-enum Displacement {
+pub enum Displacement {
     /// Along an axis of the ground.
     Along(Axis),
     /// About an axis of the ground through the body's origin.
     About(Axis),
     /// Along the force of a reaction.
     With(Vector, Text),
+    /// About the moment of a reaction, through the body's origin.
+    Turn(Vector, Text),
+    /// Shift of the origin and turn.
+    Own(Vector, Vector),
 }
 
 const PLANE: [Displacement; 3] = [Displacement::Along(Axis::X), Displacement::Along(Axis::Y), Displacement::About(Axis::Z)];
@@ -48,7 +64,7 @@ pub fn is_spatial(model: &Model) -> bool {
 }
 
 /// From a frame to the ground, both included.
-fn chain(scene: &Scene, frame: FrameId) -> Vec<FrameId> {
+pub fn chain(scene: &Scene, frame: FrameId) -> Vec<FrameId> {
     let mut list = vec![frame];
     let mut here = frame;
     while here != FrameId::GROUND {
@@ -59,10 +75,17 @@ fn chain(scene: &Scene, frame: FrameId) -> Vec<FrameId> {
 }
 
 /// The bodies to release so that two frames part: on each side the frame next to their last common one.
-pub fn parted(scene: &Scene, a: FrameId, b: FrameId) -> Vec<FrameId> {
+fn parted(scene: &Scene, a: FrameId, b: FrameId) -> Vec<FrameId> {
     let (from_a, from_b) = (chain(scene, a), chain(scene, b));
     let below = |list: &[FrameId], other: &[FrameId]| list.iter().copied().take_while(|f| !other.contains(f)).last();
     below(&from_a, &from_b).into_iter().chain(below(&from_b, &from_a)).collect()
+}
+
+/// The frames of both chains down to the last common one.
+pub fn between(scene: &Scene, a: FrameId, b: FrameId) -> Vec<FrameId> {
+    let (from_a, from_b) = (chain(scene, a), chain(scene, b));
+    let own = |list: &[FrameId], other: &[FrameId]| list.iter().copied().filter(|f| !other.contains(f)).collect::<Vec<_>>();
+    own(&from_a, &from_b).into_iter().chain(own(&from_b, &from_a)).collect()
 }
 
 /// Work of an action in a virtual displacement of a body: zero unless it acts on the body or on something that stands on it.
@@ -78,6 +101,7 @@ fn work(scene: &mut Scene, kinematics: &Kinematics, act: &Act, (frame, displacem
         Act::Turn { moment, .. } => {
             return match displacement {
                 Displacement::About(axis) => moment[axis.index()],
+                Displacement::Turn(turn, _) | Displacement::Own(_, turn) => scene.dot(turn, moment),
                 _ => scene.graph.zero(),
             };
         }
@@ -90,79 +114,196 @@ fn work(scene: &mut Scene, kinematics: &Kinematics, act: &Act, (frame, displacem
             let arm = scene.minus(&at, &origin);
             scene.cross(&arm, &force)[axis.index()]
         }
+        Displacement::Turn(turn, _) => {
+            let arm = scene.minus(&at, &origin);
+            let moment = scene.cross(&arm, &force);
+            scene.dot(turn, &moment)
+        }
+        Displacement::Own(shift, turn) => {
+            let arm = scene.minus(&at, &origin);
+            let moment = scene.cross(&arm, &force);
+            let (turned, shifted) = (scene.dot(turn, &moment), scene.dot(shift, &force));
+            scene.graph.add(turned, shifted)
+        }
     }
+}
+
+/// Whether actions together do work in a displacement.
+pub fn does_work(scene: &mut Scene, kinematics: &Kinematics, acts: &[Act], way: (FrameId, &Displacement)) -> bool {
+    let parts: Vec<Expr> = acts.iter().map(|act| work(scene, kinematics, act, way)).collect();
+    let sum = scene.graph.sum(&parts);
+    !scene.vanishes(sum)
 }
 
 /// Whether actions do work in some displacement of the released bodies.
 pub fn is_felt(scene: &mut Scene, kinematics: &Kinematics, frames: &[FrameId], acts: &[Act]) -> bool {
     let displacements: &[Displacement] = if is_spatial(scene.model) { &SPACE } else { &PLANE };
-    frames.iter().any(|frame| {
-        displacements.iter().any(|displacement| {
-            let parts: Vec<Expr> = acts.iter().map(|act| work(scene, kinematics, act, (*frame, displacement))).collect();
-            let sum = scene.graph.sum(&parts);
-            let sum = scene.tidy(sum);
-            !scene.graph.is_zero(sum)
-        })
+    frames.iter().any(|frame| displacements.iter().any(|displacement| does_work(scene, kinematics, acts, (*frame, displacement))))
+}
+
+/// Displacements of all released bodies. The first give reactions their own balances, which serve in every position; a structure without coordinates
+/// stands in one position, and the axes of the ground suffice.
+pub fn displacements(scene: &mut Scene, kinematics: &Kinematics, placer: &Placer, connected: &Connected) -> Vec<(FrameId, Displacement)> {
+    let frames: Vec<FrameId> = connected.released.iter().copied().collect();
+    let ground: &[Displacement] = if is_spatial(scene.model) { &SPACE } else { &PLANE };
+    if scene.n() == 0 {
+        return frames.iter().flat_map(|f| ground.iter().map(|d| (*f, d.clone()))).collect();
+    }
+    let mut ordered: [Vec<(FrameId, Displacement)>; 4] = Default::default();
+    for frame in frames {
+        let joint = Joint::new(scene, kinematics, placer, (frame, connected));
+        for (place, list) in joint.displacements(scene, placer).into_iter().enumerate() {
+            for d in list {
+                if !ordered[place].contains(&(frame, d.clone())) {
+                    ordered[place].push((frame, d));
+                }
+            }
+        }
+    }
+    ordered.into_iter().flatten().collect()
+}
+
+/// What holds a frame to its carrier.
+struct Joint {
+    frame: FrameId,
+    /// Declared forces with their places.
+    forces: Vec<(Vector, Vector, Text)>,
+    /// Declared moments.
+    moments: Vec<(Vector, Text)>,
+    /// Forces of other declared reactions on the frame and what stands on it.
+    other: Vec<(Vector, Text)>,
+}
+
+impl Joint {
+    fn new(scene: &mut Scene, kinematics: &Kinematics, placer: &Placer, (frame, connected): (FrameId, &Connected)) -> Joint {
+        let mut joint = Joint { frame, forces: Vec::new(), moments: Vec::new(), other: Vec::new() };
+        for (reaction, acts) in connected.reactions.iter().zip(&connected.acts).filter(|(r, _)| matches!(r.law, Law::Support)) {
+            let name = Text::same(&reaction.name);
+            let holds = belongs(scene, placer, acts, frame) && !works(scene, kinematics, placer, (frame, acts));
+            for act in acts {
+                if !act.frame(scene).is_some_and(|f| chain(scene, f).contains(&frame)) {
+                    continue;
+                }
+                match act {
+                    Act::Turn { moment, .. } if holds => joint.moments.push((*moment, name.clone())),
+                    Act::Point { point, force } if holds => joint.forces.push((*force, kinematics.position(scene, *point), name.clone())),
+                    Act::Place { at, force, .. } if holds => joint.forces.push((*force, *at, name.clone())),
+                    Act::Point { force, .. } | Act::Place { force, .. } => joint.other.push((*force, name.clone())),
+                    Act::Turn { .. } | Act::Along(_) => {}
+                }
+            }
+        }
+        joint
+    }
+
+    /// In the order of their use: with declared forces; shifts; other directions; turns.
+    fn displacements(&self, scene: &mut Scene, placer: &Placer) -> [Vec<Displacement>; 4] {
+        let spatial = is_spatial(scene.model);
+        let mut ordered: [Vec<Displacement>; 4] = Default::default();
+        ordered[0].extend(self.forces.iter().map(|(force, _, name)| Displacement::With(*force, name.clone())));
+        let own = placer.own(self.frame);
+        let zero = scene.zero_vector();
+        let (mut shifts, mut turns): (Vec<Vector>, Vec<Vector>) = (Vec::new(), Vec::new());
+        for j in own.coordinates() {
+            let Some((shift, turn)) = own.column(scene, j) else { continue };
+            ordered[if turn == zero { 1 } else { 3 }].push(Displacement::Own(shift, turn));
+            if turn == zero {
+                shifts.push(shift);
+            } else if shift == zero {
+                turns.push(turn);
+            }
+        }
+        let declared: Vec<Vector> = self.forces.iter().map(|f| f.0).collect();
+        let (p, all) = (scene.rank(&declared), declared.iter().chain(&shifts).copied().collect::<Vec<_>>());
+        if scene.rank(&all) == if spatial { 3 } else { 2 } {
+            ordered[2].extend(self.other.iter().map(|(force, name)| Displacement::With(*force, name.clone())));
+            ordered[2].extend(if spatial { SPACE[..3].to_vec() } else { PLANE[..2].to_vec() });
+        }
+        ordered[3].extend(self.moments.iter().map(|(moment, name)| Displacement::Turn(*moment, name.clone())));
+        let (couples, free) = (self.forces.len().saturating_sub(p), scene.rank(&turns));
+        if couples + self.moments.len() + free >= if spatial { 3 } else { 1 } {
+            ordered[3].extend(if spatial { SPACE[3..].to_vec() } else { PLANE[2..].to_vec() });
+        } else if couples > 0 {
+            ordered[3].extend(self.couples(scene));
+        }
+        ordered
+    }
+
+    /// Axes of the couples of two parallel forces.
+    fn couples(&self, scene: &mut Scene) -> Vec<Displacement> {
+        let mut list = Vec::new();
+        for (i, (force, at, name)) in self.forces.iter().enumerate() {
+            for (other, place, _) in &self.forces[..i] {
+                if other == force {
+                    let arm = scene.minus(at, place);
+                    let axis = scene.cross(&arm, force).map(|e| scene.tidy(e));
+                    list.push(Displacement::Turn(axis, name.clone()));
+                }
+            }
+        }
+        list
+    }
+}
+
+/// Whether a reaction is one between the frame and its carrier, or realises the formula by which the frame follows another.
+fn belongs(scene: &Scene, placer: &Placer, acts: &[Act], frame: FrameId) -> bool {
+    let frames: BTreeSet<FrameId> = acts.iter().filter_map(|act| act.frame(scene)).collect();
+    let held: BTreeSet<FrameId> =
+        frames.iter().flat_map(|a| frames.iter().flat_map(|b| parted(scene, *a, *b)).collect::<Vec<_>>()).collect();
+    let own = placer.own(frame).coordinates();
+    let follows = |other: &FrameId| {
+        let others = placer.own(*other).coordinates();
+        others.is_subset(&own) && others != own
+    };
+    held.contains(&frame) && held.iter().filter(|f| **f != frame).all(follows)
+}
+
+/// Whether actions do work in any of the frame's own displacements.
+fn works(scene: &mut Scene, kinematics: &Kinematics, placer: &Placer, (frame, acts): (FrameId, &[Act])) -> bool {
+    let own = placer.own(frame);
+    own.coordinates().into_iter().any(|j| {
+        let column = own.column(scene, j);
+        column.is_some_and(|(shift, turn)| does_work(scene, kinematics, acts, (frame, &Displacement::Own(shift, turn))))
     })
 }
 
-/// Displacements along the forces of the reactions that hold the body, then along and about the axes of the ground. The first give each reaction
-/// its own balance: what holds the body across it and was not asked for has no part there, and the balance serves in every position. A structure
-/// without coordinates stands in one position: the axes of the ground suffice.
-fn displacements(scene: &Scene, frame: FrameId, connected: &Connected) -> Vec<Displacement> {
-    let mut list: Vec<Displacement> = Vec::new();
-    let ground: &[Displacement] = if is_spatial(scene.model) { &SPACE } else { &PLANE };
-    if scene.n() == 0 {
-        return ground.to_vec();
-    }
-    let graph = &scene.graph;
-    let of_ground = |v: &Vector| v.iter().filter(|e| !graph.is_zero(**e)).count() == 1 && v.iter().all(|e| graph.as_number(*e).is_some());
-    for (reaction, acts) in connected.reactions.iter().zip(&connected.acts).filter(|(r, _)| matches!(r.law, Law::Support)) {
-        for act in acts.iter().filter(|act| act.frame(scene) == Some(frame)) {
-            let (Act::Point { force, .. } | Act::Place { force, .. }) = act else { continue };
-            let known = |d: &Displacement| matches!(d, Displacement::With(way, _) if way == force);
-            if !of_ground(force) && !list.iter().any(known) {
-                list.push(Displacement::With(*force, Text::same(&reaction.name)));
-            }
-        }
-    }
-    list.extend(ground.iter().cloned());
-    list
-}
-
-/// Adds the balances of a released body.
-pub fn balance(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId, (loads, inertial): (&[Act], &[Act]), connected: &mut Connected) {
+/// Adds the balance of a released body in a displacement.
+pub fn balance(
+    scene: &mut Scene,
+    kinematics: &Kinematics,
+    (frame, displacement): (FrameId, &Displacement),
+    (loads, inertial): (&[Act], &[Act]),
+    connected: &mut Connected,
+) {
     let model = scene.model;
-    for displacement in &displacements(scene, frame, connected) {
-        let row = connected.balances.len();
-        for k in 0..connected.reactions.len() {
-            let parts: Vec<Expr> = connected.acts[k].iter().map(|act| work(scene, kinematics, act, (frame, displacement))).collect();
-            let e = scene.graph.sum(&parts);
-            let e = scene.tidy(e);
-            if !scene.graph.is_zero(e) {
-                connected.reactions[k].released.push((row, e));
-            }
+    let row = connected.balances.len();
+    for k in 0..connected.reactions.len() {
+        let parts: Vec<Expr> = connected.acts[k].iter().map(|act| work(scene, kinematics, act, (frame, displacement))).collect();
+        let e = scene.graph.sum(&parts);
+        let e = scene.tidy(e);
+        if !scene.graph.is_zero(e) {
+            connected.reactions[k].released.push((row, e));
         }
-        let mut sum = |acts: &[Act]| -> Expr {
-            let parts: Vec<Expr> = acts.iter().map(|act| work(scene, kinematics, act, (frame, displacement))).collect();
-            scene.graph.sum(&parts)
-        };
-        let (inertia, applied) = (sum(inertial), sum(loads));
-        let mut columns = Vec::new();
-        for (j, c) in model.coordinates.iter().enumerate() {
-            let e = scene.graph.derivative(inertia, c.symbols[2]);
-            let e = scene.tidy(e);
-            if !scene.graph.is_zero(e) {
-                columns.push((j, e));
-            }
-        }
-        let zero = scene.graph.zero();
-        let still: Vec<(SymbolId, Expr)> = model.coordinates.iter().map(|c| (c.symbols[2], zero)).collect();
-        let carried = Substitution::new(still).apply(&mut scene.graph, inertia);
-        let rest = scene.graph.sub(applied, carried);
-        let name = label(&model.frames[frame.index()].name, displacement);
-        connected.balances.push(Balance { name, columns, rest });
     }
+    let mut sum = |acts: &[Act]| -> Expr {
+        let parts: Vec<Expr> = acts.iter().map(|act| work(scene, kinematics, act, (frame, displacement))).collect();
+        scene.graph.sum(&parts)
+    };
+    let (inertia, applied) = (sum(inertial), sum(loads));
+    let mut columns = Vec::new();
+    for (j, c) in model.coordinates.iter().enumerate() {
+        let e = scene.graph.derivative(inertia, c.symbols[2]);
+        let e = scene.tidy(e);
+        if !scene.graph.is_zero(e) {
+            columns.push((j, e));
+        }
+    }
+    let zero = scene.graph.zero();
+    let still: Vec<(SymbolId, Expr)> = model.coordinates.iter().map(|c| (c.symbols[2], zero)).collect();
+    let carried = Substitution::new(still).apply(&mut scene.graph, inertia);
+    let rest = scene.graph.sub(applied, carried);
+    let name = label(&model.frames[frame.index()].name, displacement);
+    connected.balances.push(Balance { name, columns, rest });
 }
 
 fn label(body: &str, displacement: &Displacement) -> Text {
@@ -172,6 +313,10 @@ fn label(body: &str, displacement: &Displacement) -> Text {
         Displacement::With(_, reaction) => {
             Text::new(format!("{body}, forces along {}", reaction.en), format!("{body}, силы вдоль {}", reaction.ru))
         }
+        Displacement::Turn(_, reaction) => {
+            Text::new(format!("{body}, moments about {}", reaction.en), format!("{body}, моменты относительно {}", reaction.ru))
+        }
+        Displacement::Own(..) => Text::new(format!("{body}, along its own displacement"), format!("{body}, на собственном перемещении")),
         Displacement::About(a) => {
             Text::new(format!("{body}, moments about {}", axis(a)), format!("{body}, моменты относительно {}", axis(a)))
         }
