@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 mod conditions;
+mod impact;
 
 use program::{Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
 use symbolic::connections::{Law, Reaction};
@@ -10,7 +11,7 @@ use symbolic::{Equations, Text};
 
 use crate::connections::{Undetermined, assemble};
 use crate::fault::Message;
-use crate::{Fault, Guard, GuardKind, Mode, Powers, Quantity, System};
+use crate::{Blow, Fault, Guard, GuardKind, Mode, Powers, Quantity, System};
 use conditions::Conditions;
 
 /// A program with parameters, seen by studies.
@@ -92,7 +93,7 @@ impl Machine {
         let mut guards: Vec<Guard> = (0..program.guards.len())
             .map(|i| {
                 let unnamed = || Text::new(format!("switch {}", i + 1), format!("переключатель {}", i + 1));
-                let kind = kind(&program.guards[i].kind);
+                let kind = kind(equations, program, i);
                 let tie = is_tie(equations, &program.guards[i].kind);
                 Guard { name: guard_names.get(i).cloned().unwrap_or_else(unnamed), kind, tie, scheduled: None }
             })
@@ -178,15 +179,38 @@ impl Machine {
     }
 }
 
-fn kind(kind: &program::GuardKind) -> GuardKind {
+fn kind(equations: &Equations, program: &Program, guard: usize) -> GuardKind {
     use program::GuardKind as Kind;
-    match *kind {
-        Kind::Sliding { limits, .. } => GuardKind::Friction { limits },
+    match program.guards[guard].kind {
+        Kind::Sliding { limits, .. } => GuardKind::Friction { limits, pressed: pressing(equations, program, guard) },
+        Kind::Normal { .. } => GuardKind::Normal,
+        Kind::Share { of, .. } => GuardKind::Share { of },
+        Kind::Side { of, .. } => GuardKind::Side { of },
         Kind::Limit { of, exit, .. } => GuardKind::Bound { of, exit: returned(exit) },
         Kind::Gap { force, .. } => GuardKind::Contact { force },
         Kind::ContactForce { of, .. } => GuardKind::Bound { of, exit: Mode::Positive },
         _ => GuardKind::Switch,
     }
+}
+
+/// The contacts that alone press the frictions of a guard; none where something else presses one of them.
+fn pressing(equations: &Equations, program: &Program, guard: usize) -> Vec<usize> {
+    let mut contacts = Vec::new();
+    let own = (0..equations.reactions.len()).filter(|r| program.switches.get(*r) == Some(&Some(guard)));
+    for reaction in own {
+        let Law::Friction(friction) = &equations.reactions[reaction].law else { continue };
+        let Some(normal) = &friction.normal else { return Vec::new() };
+        if !equations.graph.is_zero(normal.constant) {
+            return Vec::new();
+        }
+        for (k, _) in &normal.terms {
+            match (&equations.reactions[*k].law, program.switches.get(*k)) {
+                (Law::Contact { .. }, Some(Some(gap))) => contacts.push(*gap),
+                _ => return Vec::new(),
+            }
+        }
+    }
+    contacts
 }
 
 /// The guard of each reaction that is a dry friction.
@@ -493,10 +517,14 @@ impl System for Machine {
         }
     }
 
-    fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Vec<f64>, Fault> {
+    fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<bool, Fault> {
+        self.conditions.as_mut().map_or(Ok(false), |conditions| conditions.repeats(t, x, modes))
+    }
+
+    fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {
         match &mut self.conditions {
             Some(conditions) => conditions.impact(t, x, modes, closing),
-            None => Ok(Vec::new()),
+            None => Ok(Blow::default()),
         }
     }
 

@@ -87,12 +87,26 @@ pub enum GuardKind {
     Friction {
         /// Guards of kind `Bound`.
         limits: [usize; 2],
+        /// Contacts that alone press it: while all are open there is no friction, and its mode means nothing. Empty where something else presses.
+        pressed: Vec<usize>,
     },
     /// Gap of a one-sided contact. `Positive`: open. `Zero`: closed, a condition holds the gap, and `force` must not be negative; when it
     /// falls below zero the contact opens. Never `Negative`: when the gap closes with a rate, [`System::impact`] gives the rates after it.
     Contact {
         /// Guard of kind `Bound`: the contact force.
         force: usize,
+    },
+    /// Sign of a normal force that follows from the reactions. It jumps where modes change.
+    Normal,
+    /// Whether contact or friction `of` carries its own condition (`Positive`), or others that hold the same motion carry it (`Zero`).
+    Share {
+        /// The guard it belongs to.
+        of: usize,
+    },
+    /// What a friction whose condition others carry takes of its static limit: -1, 0 or 1. Without meaning otherwise.
+    Side {
+        /// The guard it belongs to.
+        of: usize,
     },
     /// Counts only while guard `of` is `Zero`; it must be positive. Its own mode is then `Positive`, otherwise without meaning.
     Bound {
@@ -114,6 +128,15 @@ pub struct Powers {
     pub drives: f64,
     /// Power taken by dissipative elements.
     pub dissipated: f64,
+}
+
+/// What an impact did.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Blow {
+    /// Contacts and frictions that took an impulse, by guard.
+    pub impulses: Vec<(usize, f64)>,
+    /// Frictions whose sliding it stopped, by guard.
+    pub stuck: Vec<usize>,
 }
 
 /// Whether a system has given its Jacobian.
@@ -284,13 +307,21 @@ pub trait System {
         Ok(0.0)
     }
 
-    /// Puts into x the rates after the impact at the contacts `closing` (guards of kind `Contact` whose gap has just closed), all
-    /// conditions kept; contacts that are closed already and open conditions take part as impulses. Returns the impulse of each of `closing`.
+    /// Whether contacts and frictions that hold in these modes hold the same motion more than once, those left out that others carry.
     ///
-    /// *Errors*: the impact equations are singular.
-    fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Vec<f64>, Fault> {
+    /// *Errors*: undefined there.
+    fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<bool, Fault> {
+        let _ = (t, x, modes);
+        Ok(false)
+    }
+
+    /// Puts into x the rates after the impact of this instant, all conditions kept. `closing`: contacts (guards of kind `Contact`) on their
+    /// surfaces; those that are closed in `modes` take part as well. Which of them strike, and in which order, is the system's law of impact.
+    ///
+    /// *Errors*: the impact has no solution or no end.
+    fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {
         let _ = (t, x, modes, closing);
-        Ok(Vec::new())
+        Ok(Blow::default())
     }
 
     /// Generalized forces h(q, 0, s, 0) of rest at t = 0, length n, and their derivatives by the coordinates, row i = force i.

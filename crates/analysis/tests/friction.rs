@@ -9,7 +9,7 @@ use common::*;
 /// Guards of a friction: sliding speed at `at`, its two limits after it.
 fn friction(at: usize) -> [GuardKind; 3] {
     [
-        GuardKind::Friction { limits: [at + 1, at + 2] },
+        GuardKind::Friction { limits: [at + 1, at + 2], pressed: Vec::new() },
         GuardKind::Bound { of: at, exit: Mode::Positive },
         GuardKind::Bound { of: at, exit: Mode::Negative },
     ]

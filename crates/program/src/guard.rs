@@ -66,6 +66,19 @@ pub enum GuardKind {
     Normal {
         reaction: usize,
     },
+    /// Whether the condition of a closed contact or a sticking friction is an equation (`Positive`) or is met through the others, so that the reaction
+    /// follows from `Side`: 0 for a contact, a share of the static limit for a friction. Decided by the integrator where conditions repeat each other.
+    Share {
+        reaction: usize,
+        /// The guard of kind `Gap` or `Sliding`.
+        of: usize,
+    },
+    /// Sign of the static limit at which a friction whose condition is met through others stands; 0: it takes nothing.
+    Side {
+        reaction: usize,
+        /// The guard of kind `Sliding`.
+        of: usize,
+    },
     /// Gap of a contact: open (`Positive`), closed (`Zero`; `Negative` is the same).
     Gap {
         reaction: usize,

@@ -28,6 +28,10 @@ pub struct Program {
     pub conditions: usize,
     /// Number of contacts.
     pub contacts: usize,
+    /// Number of dry frictions.
+    pub frictions: usize,
+    /// Balances (by index) among the rows of the dynamics: a friction is pressed by the force of a support.
+    pub joined: Vec<usize>,
     /// Number of reactions in the equations, absent ones included: what `accelerations` of a [`Point`] hold behind the n values of q''.
     pub reactions: usize,
     /// Reactions (by index) that the dynamics solve for: roots 2n + s, 2n + s + 1, ... of [`Program::dynamics`].
@@ -59,6 +63,8 @@ pub struct Program {
     pub rests: Arc<Tape>,
     /// t, x -> all conditions and what assembly, projection and impacts need; [`Program::connection_roots`] says where. Switches go by value.
     pub connections: Arc<Tape>,
+    /// t, x -> laws of friction in an impact; [`Program::law_roots`] says where. Switches go by value.
+    pub laws: Arc<Tape>,
     /// t, x -> Σ released: balances x reactions, row by row. Switches go by value.
     pub balances: Arc<Tape>,
     /// parameters -> x at the start.
@@ -83,6 +89,15 @@ pub struct ConnectionRoots {
     pub restitutions: Range<usize>,
     /// reactions x n: generalized forces per unit of each reaction, row by row.
     pub forces: Range<usize>,
+}
+
+/// Where the roots of [`Program::laws`] are.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct LawRoots {
+    /// frictions x (2 + reactions): kinetic friction at this sliding speed, static limit, then the factor of each reaction in the normal force.
+    pub frictions: Range<usize>,
+    /// joined balances x (n + reactions): inertia coefficients of q'', then the share of each reaction.
+    pub balances: Range<usize>,
 }
 
 /// Where the roots of [`Program::rests`] are; n coordinates, m conditions. At rest h + Σ forces λ = 0 and all places vanish; the derivative of the first
@@ -111,6 +126,12 @@ impl Program {
         let [places, rates, jacobian, mass, gaps, restitutions, forces] =
             consecutive([m, m, m * n, n * (n + 1) / 2, c, c, self.reactions * n]);
         ConnectionRoots { places, rates, jacobian, mass, gaps, restitutions, forces }
+    }
+    /// Where the roots of [`Program::laws`] are.
+    pub fn law_roots(&self) -> LawRoots {
+        let (n, r) = (self.coordinates, self.reactions);
+        let [frictions, balances] = consecutive([self.frictions * (2 + r), self.joined.len() * (n + r)]);
+        LawRoots { frictions, balances }
     }
     fn connected_coordinates(&self) -> usize {
         if self.conditions + self.reactions > 0 { self.coordinates } else { 0 }

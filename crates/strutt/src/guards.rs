@@ -38,11 +38,15 @@ fn without_part(label: &Text, name: &str) -> Text {
 
 /// The reaction whose law a guard switches.
 fn reaction(kind: program::GuardKind) -> Option<usize> {
-    use program::GuardKind::{ContactForce, Gap, Limit, Normal, Sliding};
+    use program::GuardKind::{ContactForce, Gap, Limit, Normal, Share, Side, Sliding};
     match kind {
-        Sliding { reaction, .. } | Limit { reaction, .. } | Normal { reaction } | Gap { reaction, .. } | ContactForce { reaction, .. } => {
-            Some(reaction)
-        }
+        Sliding { reaction, .. }
+        | Limit { reaction, .. }
+        | Normal { reaction }
+        | Gap { reaction, .. }
+        | ContactForce { reaction, .. }
+        | Share { reaction, .. }
+        | Side { reaction, .. } => Some(reaction),
         _ => None,
     }
 }

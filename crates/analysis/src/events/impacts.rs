@@ -1,25 +1,26 @@
-//! Impacts at contacts, and when a contact that rebounds ever less comes to rest.
+//! Impacts at contacts, and when contacts that rebound ever less come to rest.
 //!
-//! All contacts on their surfaces whose gaps close take part in one impact, those that are closed as well; a contact that would have to pull (a
-//! negative impulse) is let go and the impact repeated without it. Newton's rule: rate after = -restitution x rate before, each contact. Of several
-//! contacts that touch at the same time this is one possible rule; waves in the bodies decide in reality.
+//! Which contacts strike and what the rates are afterwards is the system's law ([`crate::System::impact`]).
 //!
-//! **Infinitely many impacts.** After an impact with the rates -v before and e v after, e < 1, and the gap g1 tau + g2 tau^2 + ..., g2 < 0, the
-//! next flight lasts tau = -g1/g2, and each of the following e times the one before:
+//! **Infinitely many impacts.** A contact that is hit again and again, by itself (a ball) or in turn with others (a block that rocks on two corners), meets
+//! rates in a ratio r < 1, and so do the intervals: after an interval T the hits still to come end after
 //!
 //! ```text
-//! remaining = tau (1 + e + e^2 + ...) = tau / (1 - e)
+//! remaining = T (r + r^2 + ...) = T r / (1 - r);      T r = -g1/g2 where the first flight begins, with the gap g1 tau + g2 tau^2 + ..., g2 < 0
 //! ```
 //!
-//! When this is below [`REST`] of the time (or of the step that the motion would allow), the contact is closed at once.
+//! When this, and every flight that begins now, is below [`REST`] of the time (or of the step that the motion would allow), the contacts close at once.
 
+use crate::numerics::sum::Instant;
 use crate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System};
 
 /// Share of the time below which the impacts still to come are one instant.
 const REST: f64 = 4e-15;
 /// Share of the rate before below which a rate after is rounding.
-const SILENT: f64 = 1e-13;
+const SILENT: f64 = 1e-12;
+/// Rounding of sliding speeds after an impact, in units of the last place of the rates.
+const STOPPED: f64 = 64.0 * f64::EPSILON;
 
 /// An impact at one contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,13 +28,19 @@ pub(crate) struct Impact {
     pub guard: usize,
     /// Rates of the gap before and after.
     pub rates: [f64; 2],
-    /// Instant at which infinitely many impacts end, when the contact comes to rest here.
-    pub rests: Option<f64>,
+    pub impulse: f64,
+}
+
+/// The last impact at a contact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hit {
+    at: Instant,
+    rate: f64,
 }
 
 impl<S: System + ?Sized> Flow<'_, S> {
-    /// Impacts at the touched contacts whose gap closes; sets the first trial of the modes of all contacts on their surfaces. The last
-    /// expansion belongs to the present state.
+    /// Impacts of this instant; sets the first trial of the modes of all contacts on their surfaces, and of all frictions when rates have changed. The
+    /// last expansion belongs to the present state.
     pub(super) fn collide(&mut self) -> Result<Vec<Impact>, Fault> {
         self.rebounds.fill(false);
         let on: Vec<usize> = (0..self.modes.len())
@@ -46,26 +53,46 @@ impl<S: System + ?Sized> Flow<'_, S> {
             return Ok(Vec::new());
         }
         let scale = before.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
-        let after = self.share_impulses(&on, &before, SILENT * scale)?;
+        let blow = self.system.impact(self.now.high, &mut self.x, &self.modes, &on).map_err(|f| f.during(self.now.high))?;
+        self.system.expand(self.now.high, &self.x, &self.modes, 1)?;
         let mut impacts = Vec::new();
-        for ((&i, &rate), &rebound) in on.iter().zip(&before).zip(&after) {
+        for (&i, &rate) in on.iter().zip(&before) {
             let was_open = self.modes[i] != Mode::Zero;
-            self.rebounds[i] = rebound > SILENT * scale;
+            let after = self.gap_rate(i);
+            self.rebounds[i] = after > SILENT * scale;
             self.modes[i] = if self.rebounds[i] { Mode::Positive } else { Mode::Zero };
             self.touched[i] = true;
-            if was_open && rate < 0.0 {
-                impacts.push(Impact { guard: i, rates: [rate, if self.modes[i] == Mode::Zero { 0.0 } else { rebound }], rests: None });
+            let impulse = blow.impulses.iter().find(|(guard, _)| *guard == i).map(|(_, p)| *p);
+            if was_open && rate < 0.0 || impulse.is_some() && (was_open || self.rebounds[i]) {
+                let after = if self.rebounds[i] { after } else { 0.0 };
+                impacts.push(Impact { guard: i, rates: [rate, after], impulse: impulse.unwrap_or(0.0) });
             }
         }
+        self.slide_on(&blow.stuck);
         Ok(impacts)
     }
 
+    /// Modes of the frictions by the rates after an impact.
+    fn slide_on(&mut self, stuck: &[usize]) {
+        let n = self.system.n_coordinates();
+        let fastest = self.x[n..2 * n].iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        for i in 0..self.modes.len() {
+            if !matches!(self.system.guards()[i].kind, GuardKind::Friction { .. }) {
+                continue;
+            }
+            let Some(&speed) = self.system.guard(i).first() else { continue };
+            let stands = stuck.contains(&i) || speed.abs() <= STOPPED * fastest;
+            self.touched[i] = stands;
+            self.modes[i] = if stands { Mode::Zero } else { Mode::of(speed) };
+        }
+    }
+
     /// Whether the value of a guard is rounding.
-    fn is_on_surface(&self, i: usize) -> bool {
+    pub(super) fn is_on_surface(&self, i: usize) -> bool {
         self.system.guard(i).first().is_some_and(|value| value.abs() <= self.guard_noise[i])
     }
 
-    fn is_contact(&self, i: usize) -> bool {
+    pub(super) fn is_contact(&self, i: usize) -> bool {
         matches!(self.system.guards()[i].kind, GuardKind::Contact { .. })
     }
 
@@ -83,51 +110,48 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
     }
 
-    /// Rates of the gaps after the impact; contacts with a negative impulse are let go, the most negative one first.
-    fn share_impulses(&mut self, on: &[usize], before: &[f64], silent: f64) -> Result<Vec<f64>, Fault> {
-        let start = self.x.clone();
-        let mut taking: Vec<usize> = on.iter().zip(before).filter(|(_, rate)| **rate <= silent).map(|(i, _)| *i).collect();
-        loop {
-            let mut modes = self.modes.clone();
-            for &i in on {
-                // those that take part are handed over as closing, the others are open
-                modes[i] = Mode::Positive;
-            }
-            self.x.clone_from(&start);
-            let impulses = self.system.impact(self.now.high, &mut self.x, &modes, &taking).map_err(|f| f.during(self.now.high))?;
-            let largest = impulses.iter().fold(0.0_f64, |m, p| m.max(p.abs()));
-            let worst = (0..impulses.len().min(taking.len())).min_by(|&a, &b| impulses[a].total_cmp(&impulses[b]));
-            match worst {
-                Some(k) if impulses[k] < -1e-12 * largest && taking.len() > 1 => {
-                    taking.remove(k);
-                }
-                _ => break,
-            }
+    /// Closes the contacts whose impacts will be over within rounding of the time: guard and instant of their end.
+    pub(super) fn come_to_rest(&mut self, impacts: &[Impact]) -> Result<Vec<(usize, f64)>, Fault> {
+        let resolution = REST * self.now.high.abs().max(self.natural);
+        let flights: Vec<(usize, f64)> = (0..self.modes.len()).filter_map(|i| self.flight(i)).collect();
+        let longest = flights.iter().fold(0.0_f64, |m, flight| m.max(flight.1));
+        let mut remaining = f64::INFINITY;
+        for impact in impacts {
+            let own = flights.iter().find(|flight| flight.0 == impact.guard).map(|flight| flight.1);
+            remaining = remaining.min(self.remaining(impact, own.unwrap_or(longest)));
+            self.hits[impact.guard] = Some(Hit { at: self.now, rate: impact.rates[0] });
         }
-        self.system.expand(self.now.high, &self.x, &self.modes, 1)?;
-        Ok(on.iter().map(|&i| self.gap_rate(i)).collect())
+        if flights.is_empty() || longest > resolution || remaining > resolution {
+            return Ok(Vec::new());
+        }
+        let limit = self.now.after(remaining).high;
+        for (i, _) in &flights {
+            self.modes[*i] = Mode::Zero;
+            self.rebounds[*i] = false;
+        }
+        self.search()?;
+        Ok(flights.into_iter().map(|(i, _)| (i, limit)).collect())
     }
 
-    /// Closes the contacts whose impacts will be over within rounding of the time.
-    pub(super) fn come_to_rest(&mut self, mut impacts: Vec<Impact>) -> Result<Vec<Impact>, Fault> {
-        let resolution = REST * self.now.high.abs().max(self.natural);
-        let mut any = false;
-        for impact in &mut impacts {
-            let i = impact.guard;
-            let [_, g1, g2, ..] = self.system.guard(i) else { continue };
-            let restitution = impact.rates[1] / -impact.rates[0];
-            let remaining = -g1 / g2 / (1.0 - restitution);
-            if self.modes[i] == Mode::Positive && *g2 < 0.0 && restitution < 1.0 && remaining <= resolution {
-                impact.rests = Some(self.now.after(remaining).high);
-                any = true;
-            }
+    /// Time until the impacts that follow this one are over, infinite where they do not shrink; `flight` is the time to the next.
+    fn remaining(&self, impact: &Impact, flight: f64) -> f64 {
+        let [before, after] = impact.rates;
+        let (interval, ratio) = match self.hits[impact.guard] {
+            Some(hit) => (hit.at.until(self.now.high) + self.now.low, before / hit.rate),
+            None => (0.0, after / -before),
+        };
+        if !(0.0..1.0).contains(&ratio) {
+            return f64::INFINITY;
         }
-        if any {
-            for impact in impacts.iter().filter(|impact| impact.rests.is_some()) {
-                self.modes[impact.guard] = Mode::Zero;
-            }
-            self.search()?;
+        if interval > 0.0 { interval * ratio / (1.0 - ratio) } else { flight / (1.0 - ratio) }
+    }
+
+    /// Time until a contact that opens now closes again, when its own motion brings it back.
+    fn flight(&self, i: usize) -> Option<(usize, f64)> {
+        if !self.is_contact(i) || self.modes[i] != Mode::Positive || !self.touched[i] {
+            return None;
         }
-        Ok(impacts)
+        let [_, g1, g2, ..] = self.system.guard(i) else { return None };
+        (*g1 > 0.0 && *g2 < 0.0).then(|| (i, -g1 / g2))
     }
 }

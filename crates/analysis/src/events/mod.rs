@@ -1,9 +1,11 @@
 //! Events: the first root of a guard inside a step, impacts, and the modes that hold after it.
 
+mod contacts;
 mod impacts;
 mod modes;
 mod sides;
-pub(crate) use impacts::Impact;
+pub(crate) use impacts::{Hit, Impact};
+pub(crate) use modes::opposite;
 pub(crate) use sides::{BoundState, STILL, size};
 pub mod roots;
 pub mod words;
@@ -34,6 +36,8 @@ pub enum Change {
     Impact {
         /// Rate of the gap before and after.
         rates: [f64; 2],
+        /// Impulse that the contact gave in all.
+        impulse: f64,
     },
     /// A contact closes after infinitely many impacts.
     Rests {

@@ -1,20 +1,38 @@
 //! Which modes hold after an event, or at the start.
 //!
-//! A combination of modes is admissible when the flow *in* these modes keeps every guard on the side its mode says (`sides.rs`). Tried in this
-//! order: first what the event suggests (a touched switch changes side, a friction that has come to rest sticks, a crossed bound releases its
-//! owner, a contact closes unless it rebounds), at the start `Zero` for everything on its surface; then what the flow of the last
-//! trial suggests; then all combinations of the guards on their surfaces, `Zero` first, so that sticking is preferred. When none is admissible
-//! the flow is driven back from every side: the switch chatters, or the friction law has no solution.
+//! Contacts and frictions of one instant are one complementarity problem. A combination of modes is its solution when the flow *in* these modes keeps
+//! every guard on the side its mode says (`sides.rs`): contact forces and friction limits not negative, gaps and sliding speeds going where the modes say,
+//! ties of the accelerations decided by higher derivatives. It is solved by complementary pivoting: each trial solves the equations of motion in its modes, and
+//! what the result contradicts is exchanged. Tried in this order, so that sticking and closed contacts are preferred where several solutions exist:
+//!
+//! 1. what the event suggests (a touched switch changes side, a friction that has come to rest sticks, a crossed bound releases its owner, a contact
+//!    closes unless it rebounds), at the start `Zero` for everything on its surface; then all that the flow of the last trial asks for, at once;
+//! 2. the same from the beginning, one exchange at a time, the first guard first (K. G. Murty, Linear Complementarity, 1988, chapter 4: ends for contacts
+//!    without friction whatever the order of forces is);
+//! 3. all combinations of the guards on their surfaces, those with most contacts closed and sticking first.
+//!
+//! When none is admissible the switch chatters, or the contacts have no consistent state (self-locking, Painlevé).
 //!
 //! Every trial begins from the state after the impacts and moves it exactly onto the conditions of its modes ([`System::project`]).
 
 use crate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System};
 
-use super::{Change, Switch};
+use super::{Change, Switch, contacts};
 
-/// Most guards on their surfaces at once for which all combinations are tried (3^5 expansions).
-const COMBINED: usize = 5;
+/// Most combinations that are tried one by one.
+const COMBINED: usize = 3000;
+
+/// What a trial of modes showed.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Verdict {
+    /// The flow agrees.
+    Holds,
+    /// The flow asks for these.
+    Wants(Vec<Mode>),
+    /// Conditions repeat each other, or one left to others is not implied by them.
+    Repeats,
+}
 
 /// Surely longer than any chain of wishes that ends.
 fn patience(guards: usize) -> usize {
@@ -37,14 +55,15 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let impacts = self.collide()?;
         self.base.clone_from(&self.x);
         self.search()?;
-        let impacts = self.come_to_rest(impacts)?;
-        self.list(&impacts, Listed::Impacts);
+        let rests = self.come_to_rest(&impacts)?;
+        self.list(&impacts, &rests, Listed::Impacts);
         Ok(())
     }
 
     /// Switches away from their surfaces take their sides; the formula on the surface need not have a value here. The other guards become `others`.
     fn sides_of_switches(&mut self, others: Mode) {
         self.modes.fill(others);
+        self.carry_all();
         let Some(sides) = self.system.sides(self.now.high, &self.x) else { return };
         for (i, side) in sides.into_iter().enumerate() {
             if self.system.guards()[i].kind == GuardKind::Switch && side != Mode::Zero {
@@ -61,21 +80,28 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.base.clone_from(&self.x);
         self.suggest();
         self.search()?;
-        let impacts = self.come_to_rest(impacts)?;
-        self.list(&impacts, Listed::All);
+        let rests = self.come_to_rest(&impacts)?;
+        self.list(&impacts, &rests, Listed::All);
         Ok(())
     }
 
     /// The first trial after an event.
     fn suggest(&mut self) {
         for i in 0..self.modes.len() {
+            let off = self.is_off(i);
             let guard = &self.system.guards()[i];
             self.leaving[i] = false;
             match guard.kind {
                 GuardKind::Bound { .. } => self.modes[i] = Mode::Positive,
+                GuardKind::Friction { .. } if off => self.touched[i] = false,
+                // what moved without a load has just come under one
+                GuardKind::Friction { .. } if contacts::is_off(&guard.kind, &self.modes_before) && !self.touched[i] => {
+                    self.load_friction(i)
+                }
                 GuardKind::Friction { .. } if self.touched[i] => self.modes[i] = Mode::Zero,
                 // a rebound was decided with the impact
                 GuardKind::Friction { .. } | GuardKind::Contact { .. } => {}
+                GuardKind::Normal | GuardKind::Share { .. } | GuardKind::Side { .. } => self.touched[i] = false,
                 GuardKind::Switch if self.modes[i] == Mode::Zero => {
                     self.touched[i] |= guard.scheduled.is_none() && !self.system.guard(i).is_empty();
                 }
@@ -98,33 +124,65 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
     }
 
+    /// Mode of a friction by its speed.
+    fn load_friction(&mut self, i: usize) {
+        self.touched[i] = self.is_on_surface(i);
+        let speed = self.system.guard(i).first().copied().unwrap_or(0.0);
+        self.modes[i] = if self.touched[i] { Mode::Zero } else { Mode::of(speed) };
+    }
+
     /// Searches admissible modes, beginning with the present ones; leaves their expansion in the system and their state in the flow.
     pub(super) fn search(&mut self) -> Result<(), Fault> {
-        let mut tried: Vec<Vec<Mode>> = Vec::new();
-        let mut suspect = None;
-        let mut fault = None;
-        while !tried.contains(&self.modes) {
-            tried.push(self.modes.clone());
-            match self.attempt() {
-                Ok(None) => return Ok(()),
-                Ok(Some(wanted)) => {
-                    suspect = suspect.or_else(|| (0..wanted.len()).rev().find(|&i| self.touched[i] && wanted[i] != self.modes[i]));
-                    self.take_wishes(wanted);
-                }
-                Err(e) => {
-                    fault = Some(e);
-                    break;
-                }
-            }
-            if tried.len() > patience(self.modes.len()) {
-                break;
-            }
-        }
-        if self.try_all_combinations(&tried) {
+        let first = (self.modes.clone(), self.leaving.clone());
+        let mut trail = Trail::default();
+        if self.follow(&mut trail, Exchange::All) {
             return Ok(());
         }
-        let guard = suspect.or_else(|| self.touched.iter().position(|&t| t)).unwrap_or(0);
-        Err(fault.unwrap_or_else(|| self.no_modes(guard)))
+        let last = std::mem::replace(&mut self.modes, first.0);
+        self.leaving = first.1;
+        if self.follow(&mut trail, Exchange::First) || self.try_all_combinations(&last) {
+            return Ok(());
+        }
+        let guard = trail.suspect.or_else(|| self.touched.iter().position(|&t| t)).unwrap_or(0);
+        Err(trail.fault.unwrap_or_else(|| self.no_modes(guard)))
+    }
+
+    /// Takes the wishes of one trial after another; true when a trial holds.
+    fn follow(&mut self, trail: &mut Trail, exchange: Exchange) -> bool {
+        let mut tried: Vec<Vec<Mode>> = Vec::new();
+        while !tried.contains(&self.modes) && tried.len() <= patience(self.modes.len()) {
+            tried.push(self.modes.clone());
+            match self.settle() {
+                Ok(Verdict::Holds) => return true,
+                Ok(Verdict::Wants(wanted)) => {
+                    let before = &tried[tried.len() - 1];
+                    let suspects = |i: &usize| self.touched[*i] && wanted[*i] != before[*i];
+                    trail.suspect = trail.suspect.or_else(|| (0..wanted.len()).rev().find(suspects));
+                    let exchanged = self.exchanged(before, wanted, exchange);
+                    self.take_wishes(before, exchanged);
+                }
+                Ok(Verdict::Repeats) => return false,
+                Err(fault) => {
+                    trail.fault = trail.fault.take().or(Some(fault));
+                    return false;
+                }
+            }
+        }
+        false
+    }
+
+    /// The wishes that are granted. The sign of a normal force is no choice: it follows.
+    fn exchanged(&self, before: &[Mode], wanted: Vec<Mode>, exchange: Exchange) -> Vec<Mode> {
+        let differs = |i: &usize| wanted[*i] != before[*i] && self.is_choice(*i);
+        let Some(first) = (0..wanted.len()).find(differs) else { return wanted };
+        match exchange {
+            Exchange::All => wanted,
+            Exchange::First => (0..wanted.len()).map(|i| if i == first || !self.is_choice(i) { wanted[i] } else { before[i] }).collect(),
+        }
+    }
+
+    fn is_choice(&self, i: usize) -> bool {
+        !matches!(self.system.guards()[i].kind, GuardKind::Normal | GuardKind::Share { .. } | GuardKind::Side { .. })
     }
 
     fn no_modes(&self, guard: usize) -> Fault {
@@ -136,91 +194,138 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
     }
 
-    fn take_wishes(&mut self, wanted: Vec<Mode>) {
-        for (i, mode) in wanted.iter().enumerate() {
-            self.leaving[i] |= self.modes[i] == Mode::Zero && *mode != Mode::Zero;
+    fn take_wishes(&mut self, before: &[Mode], wanted: Vec<Mode>) {
+        for (i, (mode, before)) in wanted.iter().zip(before).enumerate() {
+            self.leaving[i] |= *before == Mode::Zero && *mode != Mode::Zero;
         }
         self.modes = wanted;
     }
 
-    /// Expands in the present modes. None when they are admissible, otherwise the modes that their flow suggests.
-    fn attempt(&mut self) -> Result<Option<Vec<Mode>>, Fault> {
+    /// Expands in the present modes and judges them.
+    pub(super) fn attempt(&mut self) -> Result<Verdict, Fault> {
         self.x.clone_from(&self.base);
+        if self.has_contacts() && self.system.repeats(self.now.high, &self.x, &self.modes)? {
+            return Ok(Verdict::Repeats);
+        }
         if let Some(wanted) = self.torn_off()? {
-            return Ok(Some(wanted));
+            return Ok(Verdict::Wants(wanted));
         }
         self.project_here()?;
         self.expand_here()?;
         self.measure()?;
+        if (0..self.modes.len()).any(|i| self.is_loose(i)) {
+            return Ok(Verdict::Repeats);
+        }
         let wanted: Vec<Mode> = (0..self.modes.len()).map(|i| self.wanted(i)).collect();
         if wanted != self.modes {
-            return Ok(Some(wanted));
+            return Ok(Verdict::Wants(wanted));
         }
         for i in 0..self.modes.len() {
             let guard = &self.system.guards()[i];
-            let searched = guard.scheduled.is_none() && !matches!(guard.kind, GuardKind::Bound { .. });
+            let searched = guard.scheduled.is_none() && !matches!(guard.kind, GuardKind::Bound { .. }) && !self.is_off(i);
             let deflates = self.touched[i] && self.modes[i] != Mode::Zero && searched;
             self.deflation[i] = if deflates { self.leading(i).map_or(0, |(k, _)| k) } else { 0 };
         }
-        Ok(None)
+        Ok(Verdict::Holds)
     }
 
     /// All combinations of the guards on their surfaces, the others as their values say.
-    fn try_all_combinations(&mut self, tried: &[Vec<Mode>]) -> bool {
-        let free = |guard: &crate::Guard| guard.scheduled.is_none() && !matches!(guard.kind, GuardKind::Bound { .. });
-        let on: Vec<usize> = (0..self.modes.len()).filter(|&i| self.touched[i] && free(&self.system.guards()[i])).collect();
-        if on.is_empty() || on.len() > COMBINED {
-            return false;
-        }
-        let others = tried.last().cloned().unwrap_or_else(|| self.modes.clone());
-        for code in 0..3usize.pow(on.len() as u32) {
-            self.modes.clone_from(&others);
+    fn try_all_combinations(&mut self, others: &[Mode]) -> bool {
+        let on: Vec<usize> = (0..self.modes.len()).filter(|&i| self.touched[i] && !self.rebounds[i] && self.options(i) > 1).collect();
+        let total = on.iter().try_fold(1_usize, |product, &i| product.checked_mul(self.options(i)).filter(|p| *p <= COMBINED));
+        let Some(total) = total.filter(|_| !on.is_empty()) else { return false };
+        let combination = |flow: &Self, code: usize| {
             let mut digits = code;
-            for &i in &on {
-                self.modes[i] = [Mode::Zero, Mode::Positive, Mode::Negative][digits % 3];
-                digits /= 3;
-            }
-            if on.iter().any(|&i| self.penetrates(i)) {
-                continue;
-            }
-            // the others may follow the combination: once more with what they want
-            for _ in 0..2 {
-                match self.attempt() {
-                    Ok(None) => return true,
-                    Ok(Some(wanted)) if on.iter().all(|&i| wanted[i] == self.modes[i]) => self.take_wishes(wanted),
-                    _ => break,
+            let mode = |&i: &usize| {
+                let digit = digits % flow.options(i);
+                digits /= flow.options(i);
+                [Mode::Zero, Mode::Positive, Mode::Negative][digit]
+            };
+            on.iter().map(mode).collect::<Vec<Mode>>()
+        };
+        let mut all: Vec<Vec<Mode>> = (0..total).map(|code| combination(self, code)).collect();
+        all.sort_by_key(|modes| modes.iter().filter(|m| **m != Mode::Zero).count());
+        all.iter().any(|modes| self.try_combination((&on, modes), others))
+    }
+
+    fn try_combination(&mut self, (on, modes): (&[usize], &[Mode]), others: &[Mode]) -> bool {
+        self.modes.copy_from_slice(others);
+        on.iter().zip(modes).for_each(|(&i, mode)| self.modes[i] = *mode);
+        // the others may follow the combination: a few times with what they want
+        for _ in 0..4 {
+            let before = self.modes.clone();
+            match self.settle() {
+                Ok(Verdict::Holds) => return true,
+                Ok(Verdict::Wants(wanted)) if on.iter().all(|&i| wanted[i] == before[i]) && wanted != before => {
+                    self.take_wishes(&before, wanted);
                 }
+                _ => return false,
             }
         }
         false
     }
 
-    fn penetrates(&self, i: usize) -> bool {
-        self.modes[i] == Mode::Negative && matches!(self.system.guards()[i].kind, GuardKind::Contact { .. })
+    /// Number of modes that a guard on its surface may take: `Zero`, `Positive`, `Negative`.
+    fn options(&self, i: usize) -> usize {
+        let guard = &self.system.guards()[i];
+        match guard.kind {
+            _ if guard.scheduled.is_some() => 1,
+            GuardKind::Switch => 3,
+            GuardKind::Friction { .. } => 3,
+            GuardKind::Contact { .. } => 2,
+            _ => 1,
+        }
     }
 
     /// Puts the changes into [`Flow::switches`]: impacts first, in the order of the guards.
-    fn list(&mut self, impacts: &[super::Impact], listed: Listed) {
+    fn list(&mut self, impacts: &[super::Impact], rests: &[(usize, f64)], listed: Listed) {
         let t = self.now.high;
         for impact in impacts {
             let guard = impact.guard;
-            let after = if impact.rests.is_some() { Mode::Positive } else { self.modes[guard] };
-            let change = Change::Impact { rates: impact.rates };
+            let after = if rests.iter().any(|r| r.0 == guard) { Mode::Positive } else { self.modes[guard] };
+            let change = Change::Impact { rates: impact.rates, impulse: impact.impulse };
             self.switches.push(Switch { t, guard, before: self.modes_before[guard], after, change });
-            if let Some(limit) = impact.rests {
-                let change = Change::Rests { limit };
-                self.switches.push(Switch { t, guard, before: Mode::Positive, after: self.modes[guard], change });
-            }
+        }
+        for &(guard, limit) in rests {
+            let change = Change::Rests { limit };
+            self.switches.push(Switch { t, guard, before: Mode::Positive, after: self.modes[guard], change });
         }
         for (guard, mode) in self.modes_before.iter().copied().enumerate() {
-            let after = self.modes[guard];
-            let told = impacts.iter().any(|impact| impact.guard == guard);
-            if after != mode && !told && listed == Listed::All {
-                self.switches.push(Switch { t, guard, before: mode, after, change: Change::Mode });
+            let told = impacts.iter().any(|impact| impact.guard == guard) || rests.iter().any(|r| r.0 == guard);
+            if listed == Listed::All && !told && self.is_told(guard) {
+                self.switches.push(Switch { t, guard, before: mode, after: self.modes[guard], change: Change::Mode });
             }
         }
         self.work.switches += self.switches.len() as u64;
     }
+
+    /// Whether a change of mode means something to the user.
+    fn is_told(&self, guard: usize) -> bool {
+        let (before, after) = (self.modes_before[guard], self.modes[guard]);
+        match &self.system.guards()[guard].kind {
+            GuardKind::Share { .. } | GuardKind::Side { .. } => false,
+            GuardKind::Normal => after == opposite(before) && after != Mode::Zero,
+            kind @ GuardKind::Friction { .. } => {
+                let were = [&self.modes_before, &self.modes].map(|modes| contacts::is_off(kind, modes));
+                before != after && !were[1] && !(were[0] && after != Mode::Zero)
+            }
+            _ => before != after,
+        }
+    }
+}
+
+/// Wishes tried in one search.
+#[derive(Default)]
+struct Trail {
+    suspect: Option<usize>,
+    fault: Option<Fault>,
+}
+
+/// How many wishes of a trial are granted at once.
+#[derive(Clone, Copy, PartialEq)]
+enum Exchange {
+    All,
+    First,
 }
 
 /// What becomes an event.
@@ -231,7 +336,7 @@ enum Listed {
     All,
 }
 
-pub(super) fn opposite(mode: Mode) -> Mode {
+pub(crate) fn opposite(mode: Mode) -> Mode {
     match mode {
         Mode::Negative => Mode::Positive,
         Mode::Zero => Mode::Zero,

@@ -5,6 +5,7 @@
 //!
 //! | role | mode | kept | else it wants |
 //! |---|---|---|---|
+//! | normal force | sign | its value has that sign, or vanishes | the sign of its value |
 //! | switch | any | side of the flow; `Zero` when all coefficients vanish (sign(v) of a body that rests without force) | that side |
 //! | friction | sticks | both limits are not negative and do not become so | to slide in the direction of the exceeded limit |
 //! | friction | slides | the flow leaves the surface in the direction of sliding | to stick |
@@ -30,6 +31,10 @@ const REACHED: f64 = 1e-12;
 /// A limit of a friction below this share of both: a force of more than twice the static limit would be needed. Nearer cases are judged exactly,
 /// after the state has been moved onto the conditions.
 const TORN: f64 = 0.25;
+/// Share of its scale above which a switch that should be on its surface has jumped away from it: its formula switches itself.
+const JUMPED: f64 = 1e-9;
+/// Share of positions and rates above which what others should hold moves.
+const LOOSE: f64 = 1e-9;
 /// Rounding of a guard at the start, in units of the last place of the states that meet in it.
 const START: f64 = 64.0 * f64::EPSILON;
 
@@ -96,9 +101,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         for i in 0..self.modes.len() {
             let guard = &self.system.guards()[i];
             let (around, contact) = match guard.kind {
-                GuardKind::Switch | GuardKind::Bound { .. } => continue,
                 GuardKind::Friction { .. } => (rates, false),
                 GuardKind::Contact { .. } => (places, true),
+                _ => continue,
             };
             let value = self.system.guard(i).first().copied().unwrap_or(0.0);
             let noise = START * self.guard_scale[i].max(around);
@@ -122,11 +127,54 @@ impl<S: System + ?Sized> Flow<'_, S> {
         match self.system.guards()[i].kind {
             GuardKind::Switch => self.wanted_switch(i),
             GuardKind::Bound { .. } => Mode::Positive,
-            GuardKind::Friction { limits } if self.modes[i] == Mode::Zero => self.wanted_sticking(limits),
+            GuardKind::Normal => self.wanted_normal(i),
+            GuardKind::Share { .. } | GuardKind::Side { .. } => self.modes[i],
+            GuardKind::Friction { .. } if self.is_off(i) => self.wanted_unloaded(i),
+            GuardKind::Friction { limits, .. } if self.modes[i] == Mode::Zero => self.wanted_sticking(limits),
             GuardKind::Friction { .. } => self.wanted_leaving(i),
             GuardKind::Contact { force } if self.modes[i] == Mode::Zero => self.wanted_closed(force),
             GuardKind::Contact { .. } => self.wanted_leaving(i),
         }
+    }
+
+    /// The sign that a normal force has in the present trial; the present one where there is none.
+    fn wanted_normal(&self, i: usize) -> Mode {
+        let g = self.system.guard(i);
+        let Some(&value) = g.first() else { return self.modes[i] };
+        let usual = if self.modes[i] == Mode::Zero { Mode::Positive } else { self.modes[i] };
+        if value.abs() > REACHED * self.guard_scale[i] {
+            return Mode::of(value);
+        }
+        let change = size(&g[1..], self.natural) * self.natural;
+        if change <= STILL * self.guard_scale[i] {
+            return usual;
+        }
+        leading_term(g, self.natural, SIGNIFICANT_LEAVING).map_or(usual, |(_, mode)| mode)
+    }
+
+    /// A friction without a load goes by its speed alone.
+    fn wanted_unloaded(&self, i: usize) -> Mode {
+        match self.system.guard(i).first().map(|v| Mode::of(*v)) {
+            Some(Mode::Zero) | None if self.modes[i] == Mode::Zero => Mode::Positive,
+            Some(Mode::Zero) | None => self.modes[i],
+            Some(mode) => mode,
+        }
+    }
+
+    /// Whether a contact or friction that others should carry moves all the same.
+    pub(super) fn is_loose(&self, i: usize) -> bool {
+        let GuardKind::Share { of } = self.system.guards()[i].kind else { return false };
+        if self.modes[i] == Mode::Positive || self.modes[of] != Mode::Zero {
+            return false;
+        }
+        let g = self.system.guard(of);
+        size(g, self.natural) > LOOSE * self.guard_scale[of].max(self.reach())
+    }
+
+    /// How large positions and rates are, for what cancels between them.
+    fn reach(&self) -> f64 {
+        let n = self.system.n_coordinates();
+        self.x[..2 * n].iter().fold(0.0, |m: f64, x| m.max(x.abs()))
     }
 
     fn wanted_switch(&mut self, i: usize) -> Mode {
@@ -141,6 +189,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 return Mode::of(value);
             }
             self.touched[i] = true;
+        }
+        if value.abs() > JUMPED * self.guard_scale[i] {
+            return Mode::of(value);
         }
         self.leading(i).map_or(Mode::Zero, |(_, mode)| mode)
     }
@@ -163,7 +214,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// the machine runs on: J is zero there, and rates moved onto J q' = 0 would stop it at once. So this is judged before the state is moved.
     pub(super) fn torn_off(&mut self) -> Result<Option<Vec<Mode>>, Fault> {
         let sticking = |(guard, mode): (&crate::Guard, &Mode)| match guard.kind {
-            GuardKind::Friction { limits } if *mode == Mode::Zero => Some(limits),
+            GuardKind::Friction { limits, .. } if *mode == Mode::Zero => Some(limits),
             _ => None,
         };
         let limits: Vec<Option<[usize; 2]>> = self.system.guards().iter().zip(&self.modes).map(sticking).collect();
@@ -172,6 +223,15 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
         self.system.expand(self.now.high, &self.x, &self.modes, 1)?;
         let mut wanted = self.modes.clone();
+        for i in 0..wanted.len() {
+            let signed = self.system.guards()[i].kind == GuardKind::Normal;
+            if signed && self.system.guard(i).first().is_some_and(|v| v.abs() > REACHED * self.guard_scale[i].max(v.abs())) {
+                wanted[i] = self.wanted_normal(i);
+            }
+        }
+        if wanted != self.modes {
+            return Ok(Some(wanted));
+        }
         for (i, bounds) in limits.iter().enumerate() {
             let Some(bounds) = bounds else { continue };
             let [back, forth] = bounds.map(|b| self.system.guard(b).first().copied().unwrap_or(0.0));
@@ -224,7 +284,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let GuardKind::Bound { of, .. } = self.system.guards()[b].kind else { return 0.0 };
         let value = |i: usize| self.system.guard(i).first().map_or(0.0, |v| v.abs());
         match self.system.guards()[of].kind {
-            GuardKind::Friction { limits: [a, b] } => value(a) + value(b),
+            GuardKind::Friction { limits: [a, b], .. } => value(a) + value(b),
             _ => self.guard_scale[b].max(size(g, h)),
         }
     }

@@ -11,7 +11,7 @@ pub fn describe(switch: &Switch, guard: &Guard) -> Text {
     let name = &guard.name;
     let told = |en: String, ru: String| Text::new(format!("{}: {en}", name.en), format!("{}: {ru}", name.ru));
     match (&guard.kind, switch.change) {
-        (_, Change::Impact { rates }) => impact(switch, rates, guard.tie, told),
+        (_, Change::Impact { rates, .. }) => impact(switch, rates, guard.tie, told),
         (_, Change::Rests { limit }) => {
             let n = number(limit);
             told(

@@ -18,6 +18,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
     Explanation {
         code: "S014", en: ("impact without a single solution", IMPACT_EN), ru: ("удар без однозначного решения", IMPACT_RU)
     },
+    Explanation { code: "S110", en: ("impacts without an end", ENDLESS_EN), ru: ("удары без конца", ENDLESS_RU) },
     Explanation {
         code: "S015",
         en: ("start values that do not fit the connections", START_EN),
@@ -71,6 +72,12 @@ const IMPACT_EN: &str = "Impulses follow from M dq' = F p and the rates after th
     the body that is hit has no mass the rates are not.";
 const IMPACT_RU: &str = "Импульсы находятся из M dq' = F p и скоростей после удара. Если два условия удерживают одно и то же движение, импульсы не единственны; если тело, \
     по которому приходится удар, не имеет массы, не единственны скорости.";
+const ENDLESS_EN: &str = "Several contacts that touch at the time of an impact strike one after another, the fastest first, until none closes. For contacts whose bodies are \
+    coupled unfavourably (a heavy body between two light ones, friction that feeds the next blow) the chain may converge too slowly to be followed. Give one of the contacts \
+    a compliance (a spring with damping), or a small gap.";
+const ENDLESS_RU: &str = "Несколько контактов, замкнутых в момент удара, ударяют один за другим, первым – сближающийся быстрее всех, пока сближение не прекратится. При неблагоприятной \
+    связи тел (тяжёлое тело между двумя лёгкими, трение, питающее следующий удар) цепочка может сходиться слишком медленно. Задайте одному из контактов податливость (пружину с \
+    демпфером) или малый зазор.";
 const START_EN: &str = "A machine with connections needs as many start values as it has degrees of freedom; the others follow. Values that are given are kept, so \
     redundant ones must agree with the connections to ten digits. The message prints the value that closes the loop when each given value is \
     released alone.";
@@ -252,6 +259,26 @@ impl Fault {
                 "механизм приходит в положение, в котором он не собирается (вытянутый механизм, который тянет привод)",
             ),
             help: Text::new("check the lengths and the prescribed motions", "проверьте длины и заданные движения"),
+        })
+    }
+
+    /// Impacts in sequence that do not end.
+    pub fn endless_impacts(t: f64) -> Fault {
+        let n = number(t);
+        Fault::new(Message {
+            code: "S110",
+            what: Text::new(
+                format!("the impacts in sequence at t = {} s do not end", n.en),
+                format!("последовательные удары при t = {} с не кончаются", n.ru),
+            ),
+            why: Text::new(
+                "20 000 blows, one after another in one instant, left contacts that still close",
+                "после 20 000 ударов, следующих друг за другом в одно мгновение, контакты всё ещё сближаются",
+            ),
+            help: Text::new(
+                "make one of the contacts compliant, or part the bodies a little at the start",
+                "сделайте один из контактов податливым или слегка разведите тела в начале",
+            ),
         })
     }
 

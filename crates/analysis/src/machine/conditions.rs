@@ -9,20 +9,14 @@
 //! then the same for the rates. So a projection takes away as little of the motion as can be, and energy changes by the square of the drift. Where M
 //! is singular (massless bodies) its place is taken by M + diag(JJ').
 //!
-//! **Impact.** Positions stand still, rates jump by impulses p:
-//!
-//! ```text
-//! | M  -F' | | change of q' |   |            0             |   conditions kept, stuck frictions:  e = -1 + 1: J dq' = -rate
-//! | J   0  | |      p       | = | -(1 + e) rate (closing)  |   dry friction that slides gives no impulse
-//! ```
+//! Impacts: `impact.rs`.
 
 use std::sync::Arc;
 
-use program::{Bound, ConnectionRoots, Evaluator, Point};
+use program::{Bound, ConnectionRoots, Evaluator, GuardKind, LawRoots, Point};
 use symbolic::connections::Law;
 use symbolic::{Equations, Text};
 
-use crate::numerics::lu::Lu;
 use crate::numerics::qr::Qr;
 use crate::{Fault, Mode, Quantity};
 
@@ -30,6 +24,8 @@ use crate::{Fault, Mode, Quantity};
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Share of its largest rate to which a machine at rest is compared.
 const STILL: f64 = 1e-3;
+/// Share of a rate below which what is left of it is rounding: conditions that repeat each other lose some digits in their factors.
+const CANCELS: f64 = 32.0 * f64::EPSILON;
 /// Newton steps of one projection.
 const STEPS: usize = 12;
 /// Relative violation from which a condition left out as a repetition contradicts the others: far above rounding near singular positions.
@@ -43,20 +39,26 @@ const REACHED: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(super) struct Conditions {
     evaluator: Evaluator,
-    roots: ConnectionRoots,
-    n: usize,
-    rows: Vec<Row>,
+    pub(super) roots: ConnectionRoots,
+    pub(super) laws: Evaluator,
+    pub(super) law_roots: LawRoots,
+    pub(super) n: usize,
+    pub(super) rows: Vec<Row>,
+    /// Number of reactions.
+    pub(super) reactions: usize,
+    /// Supports that press frictions: unknowns of the balances among the dynamics.
+    pub(super) supports: Vec<usize>,
     /// Conditions left out because they repeat others at the start: index, whether it has a place, name.
     repeated: Vec<(usize, bool, Text)>,
     /// Names and units, for messages.
     coordinates: Vec<Quantity>,
     /// Motors: reactions whose impulses keep prescribed motions.
-    motors: Vec<usize>,
+    pub(super) motors: Vec<usize>,
     /// Whether each coordinate is an angle, and has the size 1.
     angles: Vec<bool>,
-    values: Vec<f64>,
+    pub(super) values: Vec<f64>,
     /// Rows in force.
-    active: Vec<usize>,
+    pub(super) active: Vec<usize>,
     /// Largest terms of each row's place so far: in some positions all levers vanish.
     arms: Vec<f64>,
     /// Largest terms of each row's rate so far: a machine that stops for an instant has rates of its own size all the same.
@@ -65,19 +67,21 @@ pub(super) struct Conditions {
 
 /// A condition that takes part.
 #[derive(Clone, Debug)]
-struct Row {
+pub(super) struct Row {
     condition: usize,
     has_place: bool,
-    reaction: Option<usize>,
-    holds: Holds,
+    pub(super) reaction: Option<usize>,
+    pub(super) holds: Holds,
+    /// The guard that says whether its equation stands or others carry it; none where that is not asked.
+    share: Option<usize>,
 }
 
 /// When a condition holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Holds {
+pub(super) enum Holds {
     Always,
-    /// While this guard is `Zero`.
-    Sticking(usize),
+    /// While this guard is `Zero`, with the index among the frictions.
+    Sticking(usize, usize),
     /// The same, with the index among the contacts.
     Closed(usize, usize),
 }
@@ -86,8 +90,13 @@ impl Conditions {
     /// None when the machine has none.
     pub(super) fn new(equations: &Equations, bound: &Bound) -> Result<Option<Conditions>, Fault> {
         let program = bound.program();
-        let contacts: Vec<usize> =
-            (0..equations.reactions.len()).filter(|r| matches!(equations.reactions[*r].law, Law::Contact { .. })).collect();
+        let of_kind = |wanted: fn(&Law) -> bool| -> Vec<usize> {
+            (0..equations.reactions.len()).filter(|r| wanted(&equations.reactions[*r].law)).collect()
+        };
+        let contacts = of_kind(|law| matches!(law, Law::Contact { .. }));
+        let frictions = of_kind(|law| matches!(law, Law::Friction(_)));
+        let supports = of_kind(|law| matches!(law, Law::Support | Law::Place));
+        let place = |list: &[usize], r: usize| list.iter().position(|k| *k == r);
         let (mut rows, mut repeated) = (Vec::new(), Vec::new());
         for (condition, c) in equations.conditions.iter().enumerate() {
             let holds = match c.reaction {
@@ -98,13 +107,15 @@ impl Conditions {
                     }
                     continue;
                 }
-                Some(r) => match (&equations.reactions[r].law, program.switches[r], contacts.iter().position(|k| *k == r)) {
-                    (Law::Friction(_), Some(guard), _) => Holds::Sticking(guard),
-                    (Law::Contact { .. }, Some(guard), Some(contact)) => Holds::Closed(guard, contact),
+                Some(r) => match (program.switches[r], place(&frictions, r), place(&contacts, r)) {
+                    (Some(guard), Some(friction), _) => Holds::Sticking(guard, friction),
+                    (Some(guard), _, Some(contact)) => Holds::Closed(guard, contact),
                     _ => Holds::Always,
                 },
             };
-            rows.push(Row { condition, has_place: c.place.is_some(), reaction: c.reaction, holds });
+            let shares = |kind: &GuardKind| matches!(kind, GuardKind::Share { reaction, .. } if Some(*reaction) == c.reaction);
+            let share = program.guards.iter().position(|g| shares(&g.kind));
+            rows.push(Row { condition, has_place: c.place.is_some(), reaction: c.reaction, holds, share });
         }
         if rows.is_empty() {
             return Ok(None);
@@ -115,7 +126,15 @@ impl Conditions {
         Ok(Some(Conditions {
             evaluator: bound.evaluator(&Arc::clone(&program.connections))?,
             roots: program.connection_roots(),
+            laws: bound.evaluator(&Arc::clone(&program.laws))?,
+            law_roots: program.law_roots(),
             n: program.coordinates,
+            reactions: program.reactions,
+            supports: if program.joined.is_empty() {
+                Vec::new()
+            } else {
+                supports.into_iter().filter(|s| program.solved.contains(s)).collect()
+            },
             motors: program.solved.iter().copied().filter(motor).collect(),
             angles: equations.coordinates.iter().map(|c| c.unit == "rad").collect(),
             values: Vec::new(),
@@ -132,18 +151,18 @@ impl Conditions {
         self.active.clear();
         self.active.extend((0..self.rows.len()).filter(|&k| match self.rows[k].holds {
             Holds::Always => true,
-            Holds::Sticking(guard) | Holds::Closed(guard, _) => modes[guard] == Mode::Zero,
+            Holds::Sticking(guard, _) | Holds::Closed(guard, _) => modes[guard] == Mode::Zero,
         }));
     }
 
-    fn evaluate(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
+    pub(super) fn evaluate(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
         let values = self.evaluator.evaluate(&Point { time: t, states: x, ..Point::default() })?;
         self.values.clear();
         self.values.extend_from_slice(values);
         Ok(())
     }
 
-    fn column(&self, row: usize) -> &[f64] {
+    pub(super) fn column(&self, row: usize) -> &[f64] {
         let start = self.roots.jacobian.start + self.rows[row].condition * self.n;
         &self.values[start..start + self.n]
     }
@@ -152,7 +171,7 @@ impl Conditions {
         if self.rows[row].has_place { self.values[self.roots.places.start + self.rows[row].condition] } else { 0.0 }
     }
 
-    fn rate(&self, row: usize) -> f64 {
+    pub(super) fn rate(&self, row: usize) -> f64 {
         self.values[self.roots.rates.start + self.rows[row].condition]
     }
 
@@ -189,7 +208,7 @@ impl Conditions {
     }
 
     fn is_sticking(&self, row: usize) -> bool {
-        matches!(self.rows[row].holds, Holds::Sticking(_))
+        matches!(self.rows[row].holds, Holds::Sticking(..))
     }
 
     fn remember_arms(&mut self, x: &[f64]) {
@@ -254,13 +273,14 @@ impl Conditions {
             Level::Place => 0..self.n,
             Level::Rate => self.n..2 * self.n,
         };
+        let start = x[part.clone()].to_vec();
         let mut best = x.to_vec();
         for _ in 0..STEPS {
             let change = self.least_change(level);
-            for (value, change) in x[part.clone()].iter_mut().zip(&change) {
+            for ((value, change), start) in x[part.clone()].iter_mut().zip(&change).zip(&start) {
                 let next = *value - change;
                 // what cancels to rounding is zero: a body that sticks must not creep
-                *value = if level == Level::Rate && next.abs() <= 8.0 * f64::EPSILON * value.abs() { 0.0 } else { next };
+                *value = if level == Level::Rate && next.abs() <= CANCELS * start.abs() { 0.0 } else { next };
             }
             self.evaluate(t, x)?;
             let now = self.worst(x, level);
@@ -301,7 +321,7 @@ impl Conditions {
     }
 
     /// C of M = C C', row-major.
-    fn metric(&self) -> Vec<f64> {
+    pub(super) fn metric(&self) -> Vec<f64> {
         let n = self.n;
         let mass = &self.values[self.roots.mass.clone()];
         let at = |i: usize, j: usize| mass[i.max(j) * (i.max(j) + 1) / 2 + i.min(j)];
@@ -317,82 +337,34 @@ impl Conditions {
         cholesky(&widened, n).unwrap_or_else(|| (0..n * n).map(|k| if k / n == k % n { 1.0 } else { 0.0 }).collect())
     }
 
-    /// See [`crate::System::impact`].
-    pub(super) fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Vec<f64>, Fault> {
-        self.activate(modes);
-        let hit = |row: &Row| if let Holds::Closed(guard, _) = row.holds { closing.iter().position(|c| *c == guard) } else { None };
-        let new: Vec<usize> = (0..self.rows.len()).filter(|k| hit(&self.rows[*k]).is_some() && !self.active.contains(k)).collect();
-        self.active.extend(new);
-        self.evaluate(t, x)?;
-        let (n, m) = (self.n, self.active.len());
-        let size = n + m;
-        let mut matrix = vec![0.0; size * size];
-        let mut right = vec![0.0; size];
-        let mass = &self.values[self.roots.mass.clone()];
-        for i in 0..n {
-            for j in 0..n {
-                matrix[i * size + j] = mass[i.max(j) * (i.max(j) + 1) / 2 + i.min(j)];
-            }
-        }
-        let mut motors = self.motors.iter();
-        let mut places = vec![0; closing.len()];
-        for (k, &row) in self.active.iter().enumerate() {
-            matrix[(n + k) * size..(n + k) * size + n].copy_from_slice(self.column(row));
-            let pushes = match self.rows[row].reaction.or_else(|| motors.next().copied()) {
-                Some(reaction) => {
-                    let start = self.roots.forces.start + reaction * n;
-                    &self.values[start..start + n]
-                }
-                None => self.column(row),
-            };
-            (0..n).for_each(|i| matrix[i * size + n + k] = -pushes[i]);
-            let restitution = match (self.rows[row].holds, hit(&self.rows[row])) {
-                (Holds::Closed(_, contact), Some(place)) => {
-                    places[place] = n + k;
-                    self.values[self.roots.restitutions.start + contact]
-                }
-                _ => 0.0,
-            };
-            right[n + k] = -(1.0 + restitution) * self.rate(row);
-        }
-        let solution = match Lu::new(&matrix, size).solve(&right) {
-            Some(solution) => solution,
-            None => self.shared_impact(&right[n..]).ok_or_else(|| Fault::undetermined_impact(t))?,
-        };
-        for i in 0..n {
-            x[n + i] += solution[i];
-        }
-        Ok(places.iter().map(|&place| solution[place]).collect())
+    /// Makes the conditions that always hold the active ones.
+    pub(super) fn activate_ideal(&mut self) {
+        self.active.clear();
+        self.active.extend((0..self.rows.len()).filter(|&k| self.rows[k].holds == Holds::Always));
     }
-}
 
-impl Conditions {
-    /// An impact in which active rows repeat each other (a block that lies on two supports is hit): rates are unique all the same, of the impulses one
-    /// choice is given. None when the changes of rates contradict each other, or with motors.
-    fn shared_impact(&self, changes: &[f64]) -> Option<Vec<f64>> {
-        if !self.motors.is_empty() {
-            return None;
+    /// Whether the contacts and frictions that hold in these modes repeat each other or what holds anyway, those left out that others carry.
+    pub(super) fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<bool, Fault> {
+        let carries = |row: &Row| match row.holds {
+            Holds::Sticking(guard, _) | Holds::Closed(guard, _) => {
+                modes[guard] == Mode::Zero && row.share.is_some_and(|share| modes[share] == Mode::Positive)
+            }
+            Holds::Always => false,
+        };
+        let own: Vec<usize> = (0..self.rows.len()).filter(|&k| carries(&self.rows[k])).collect();
+        if own.is_empty() {
+            return Ok(false);
         }
-        let (n, m) = (self.n, self.active.len());
-        let factor = self.metric();
-        let mut columns = vec![0.0; n * m];
-        for (k, &row) in self.active.iter().enumerate() {
-            let mut a = self.column(row).to_vec();
-            forward(&factor, n, &mut a);
-            (0..n).for_each(|i| columns[i * m + k] = a[i]);
-        }
-        let qr = Qr::new(&columns, n, m);
-        let scaled = qr.shortest(changes);
-        let met = |k: usize| (0..n).map(|i| columns[i * m + k] * scaled[i]).sum::<f64>();
-        let largest = changes.iter().fold(0.0_f64, |l, c| l.max(c.abs()));
-        if (0..m).any(|k| (met(k) - changes[k]).abs() > 1e-9 * largest) {
-            return None;
-        }
-        let (impulses, _) = qr.least_squares(&scaled);
-        let mut solution = scaled;
-        backward(&factor, n, &mut solution);
-        solution.extend(impulses);
-        Some(solution)
+        self.evaluate(t, x)?;
+        self.activate_ideal();
+        let rank = |c: &Conditions| {
+            let (n, m) = (c.n, c.active.len());
+            let columns: Vec<f64> = (0..n * m).map(|k| c.column(c.active[k % m])[k / m]).collect();
+            Qr::new(&columns, n, m).rank()
+        };
+        let ideal = rank(self);
+        self.active.extend(&own);
+        Ok(rank(self) < ideal + own.len())
     }
 }
 
@@ -424,7 +396,7 @@ fn cholesky(matrix: &[f64], n: usize) -> Option<Vec<f64>> {
 }
 
 /// C^-1 b.
-fn forward(c: &[f64], n: usize, b: &mut [f64]) {
+pub(super) fn forward(c: &[f64], n: usize, b: &mut [f64]) {
     for i in 0..n {
         let known: f64 = (0..i).map(|j| c[i * n + j] * b[j]).sum();
         b[i] = (b[i] - known) / c[i * n + i];
@@ -432,7 +404,7 @@ fn forward(c: &[f64], n: usize, b: &mut [f64]) {
 }
 
 /// C^-T b.
-fn backward(c: &[f64], n: usize, b: &mut [f64]) {
+pub(super) fn backward(c: &[f64], n: usize, b: &mut [f64]) {
     for i in (0..n).rev() {
         let known: f64 = (i + 1..n).map(|j| c[j * n + i] * b[j]).sum();
         b[i] = (b[i] - known) / c[i * n + i];

@@ -525,9 +525,12 @@ impl Run {
         let (t, system) = (flow.time(), flow.system());
         // all that took part holds: then the rates nearest to rest are those of the surfaces themselves
         let mut taking = modes[1].to_vec();
+        let took = |i: usize| switches.iter().any(|s| s.guard == i && matches!(s.change, Change::Impact { .. }));
         for (i, guard) in system.guards().iter().enumerate() {
-            let struck = switches.iter().any(|s| s.guard == i && matches!(s.change, Change::Impact { .. }));
-            if struck || (modes[0][i] == Mode::Zero && matches!(guard.kind, GuardKind::Contact { .. })) {
+            let struck = took(i);
+            // a friction strikes with the contact that presses it: its surface may move too
+            let rubbed = matches!(&guard.kind, GuardKind::Friction { pressed, .. } if pressed.iter().any(|gap| took(*gap)));
+            if struck || rubbed || (modes[0][i] == Mode::Zero && matches!(guard.kind, GuardKind::Contact { .. })) {
                 taking[i] = Mode::Zero;
             }
         }

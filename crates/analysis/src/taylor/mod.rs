@@ -22,8 +22,8 @@ use symbolic::Text;
 pub use step::Step;
 pub(crate) use step::{Series, increment_and_slope};
 
-use crate::events::Switch;
 use crate::events::roots::RootFinder;
+use crate::events::{Hit, Switch};
 use crate::fault::number;
 use crate::numerics::sum::{Instant, two_sum};
 use crate::stiff::Method;
@@ -123,6 +123,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) leaving: Vec<bool>,
     /// Contacts that have just rebounded.
     pub(crate) rebounds: Vec<bool>,
+    /// The last impact at each contact.
+    pub(crate) hits: Vec<Option<Hit>>,
     /// For a guard that has just been crossed: number of leading coefficients that vanish (multiplicity of its root at the step's start).
     pub(crate) deflation: Vec<usize>,
     /// Guards on their surface now.
@@ -185,6 +187,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             modes: vec![Mode::Zero; n_g],
             leaving: vec![false; n_g],
             rebounds: vec![false; n_g],
+            hits: vec![None; n_g],
             deflation: vec![0; n_g],
             touched: vec![false; n_g],
             guard_scale: vec![0.0; n_g],

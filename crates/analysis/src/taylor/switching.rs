@@ -2,7 +2,7 @@
 
 use super::{Flow, Step};
 use crate::events::roots::surely_no_root;
-use crate::events::{BoundState, Change};
+use crate::events::{BoundState, Change, opposite};
 use crate::numerics::sum::Instant;
 use crate::{Fault, GuardKind, Mode, System};
 
@@ -82,12 +82,21 @@ impl<S: System + ?Sized> Flow<'_, S> {
             return if self.modes[of] == Mode::Zero { self.bound_crossing(i, h) } else { None };
         }
         let mode = self.modes[i];
-        if mode == Mode::Zero || self.system.guards()[i].scheduled.is_some() {
+        if mode == Mode::Zero || self.system.guards()[i].scheduled.is_some() || self.decides_nothing(i) {
             return None;
         }
         let c = &self.step.guards.row(i)[self.deflation[i]..];
-        let decides_nothing = c.iter().all(|c_k| *c_k == 0.0);
-        if decides_nothing || surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
+        let vanishes = c.iter().all(|c_k| *c_k == 0.0);
+        if vanishes || surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
+    }
+
+    /// A friction that nothing presses, and what the integrator alone sets.
+    fn decides_nothing(&self, i: usize) -> bool {
+        match self.system.guards()[i].kind {
+            GuardKind::Share { .. } | GuardKind::Side { .. } => true,
+            GuardKind::Friction { .. } => self.is_off(i),
+            _ => false,
+        }
     }
 
     /// Where a bound becomes negative. One that has just been reached is judged by where it goes.
@@ -146,6 +155,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
         match guard.kind {
             GuardKind::Bound { of, .. } => return self.modes[of] == Mode::Zero && self.judge(i, g, self.guess) == BoundState::Crossed,
             GuardKind::Friction { .. } | GuardKind::Contact { .. } if self.modes[i] == Mode::Zero => return false,
+            _ if self.decides_nothing(i) => return false,
+            GuardKind::Normal => return self.modes[i] == opposite(Mode::of(value)) && value.abs() > self.guard_noise[i],
             _ => {}
         }
         match self.modes[i] {

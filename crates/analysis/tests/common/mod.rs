@@ -1,7 +1,7 @@
 //! Systems with hand-written Taylor recurrences and known motions.
 #![allow(dead_code)]
 
-use analysis::{Fault, Guard, GuardKind, Mode, Quantity, System};
+use analysis::{Blow, Fault, Guard, GuardKind, Mode, Quantity, System};
 use symbolic::Text;
 
 /// Series during an expansion: `x[i][0..=k]` are known, the recurrence gives `x[i][k + 1]`.
@@ -127,8 +127,9 @@ impl System for Hand {
     fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
         Ok((self.project)(t, x, modes))
     }
-    fn impact(&mut self, _: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Vec<f64>, Fault> {
-        Ok((self.impact)(x, modes, closing))
+    fn impact(&mut self, _: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {
+        let impulses = (self.impact)(x, modes, closing);
+        Ok(Blow { impulses: closing.iter().copied().zip(impulses).collect(), stuck: Vec::new() })
     }
     fn observe(&mut self, _: f64, x: &[f64], _: &[Mode], values: &mut [f64]) -> Result<(), Fault> {
         values.copy_from_slice(x);

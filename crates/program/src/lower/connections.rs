@@ -11,6 +11,9 @@
 //! a choice by the mode of the contact's gap or of the sliding speed, so that the modes select the equations and a jet stays on one smooth piece.
 //! Limits, normal forces and contact forces are guards whose values follow from the solution.
 //!
+//! Where closed contacts and sticking frictions repeat each other (two feet of a block that rests), some of their rows are replaced: their conditions hold
+//! through the others, and their reactions are set. Which ones is a mode too (`Share`, `Side`), chosen by the integrator.
+//!
 //! Frictions whose sliding speeds are in a constant ratio r (two feet of a block, brakes of different radii on a shaft) stick and slide together: the first
 //! leads, the others share its guards. While they stick only the sum Σ r λ of what they do on the leader's motion is determined; it is compared with
 //! Σ |r| limit, and shared in proportion to the limits. Where normal forces from reactions make the limits unknown, the first takes all.
@@ -59,8 +62,8 @@ pub(super) struct Arrangement {
 /// Numbers of the guards of one reaction. Frictions that slide together have one leader, whose limits they share.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Numbers {
-    Sliding { leader: usize, sliding: u32, limits: [u32; 2], normal: Option<u32> },
-    Gap { gap: u32, force: u32 },
+    Sliding { leader: usize, sliding: u32, limits: [u32; 2], normal: Option<u32>, shares: Option<[u32; 2]> },
+    Gap { gap: u32, force: u32, share: Option<u32> },
 }
 
 impl Numbers {
@@ -240,17 +243,27 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
             return Ok(());
         };
         match (&self.equations.reactions[reaction].law, numbers) {
-            (Law::Friction(friction), Numbers::Sliding { leader, sliding, normal, .. }) => {
+            (Law::Friction(friction), Numbers::Sliding { leader, sliding, normal, shares, .. }) => {
                 let ratio = ratio(self.lowering, self.equations, friction, leader)?;
-                let held = if leader == reaction { held } else { self.share(friction, column, leader, ratio)? };
+                let held = match shares {
+                    _ if leader != reaction => self.share(friction, column, leader, ratio)?,
+                    Some(shares) => self.carried(friction, column, (held, shares, normal))?,
+                    None => held,
+                };
                 let kinetic = [self.lowering.negative(friction.kinetic[0])?, self.lowering.value(friction.kinetic[1])?];
                 let [back, forth] = [kinetic, [kinetic[1], kinetic[0]]].map(|sides| by_sign(self.lowering, ratio, sides));
                 let sides = [self.slip(friction, column, back, normal)?, held, self.slip(friction, column, forth, normal)?];
-                self.alternatives(sliding, sides);
+                let row = self.alternatives(sliding, sides);
+                self.push(row);
             }
-            (_, Numbers::Gap { gap, .. }) => {
+            (_, Numbers::Gap { gap, share, .. }) => {
                 let open = (vec![(column, self.lowering.literal(1.0))], self.lowering.literal(0.0));
-                self.alternatives(gap, [held.clone(), held, open]);
+                let held = match share {
+                    Some(share) => self.alternatives(share, [open.clone(), open.clone(), held]),
+                    None => held,
+                };
+                let row = self.alternatives(gap, [held.clone(), held, open]);
+                self.push(row);
             }
             _ => self.push(held),
         }
@@ -294,7 +307,21 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
         Ok((vec![(column, own), (lead, other)], zero))
     }
 
-    fn alternatives(&mut self, guard: u32, sides: [Row; 3]) {
+    /// The condition, or λ = side · static limit where other conditions imply it.
+    fn carried(
+        &mut self,
+        friction: &Friction,
+        column: usize,
+        (held, [share, side], normal): (Row, [u32; 2], Option<u32>),
+    ) -> Result<Row, Fault> {
+        let fixed = self.lowering.value(friction.fixed)?;
+        let (less, zero) = (self.lowering.sum(&[(-1.0, fixed)]), self.lowering.literal(0.0));
+        let limit = self.lowering.branch(By::Mode(side), [less, zero, fixed]);
+        let taken = self.slip(friction, column, limit, normal)?;
+        Ok(self.alternatives(share, [taken.clone(), taken, held]))
+    }
+
+    fn alternatives(&mut self, guard: u32, sides: [Row; 3]) -> Row {
         let mut row = Vec::new();
         for column in 0..self.size {
             let values = sides.each_ref().map(|(entries, _)| {
@@ -306,19 +333,20 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
             }
         }
         let right = self.lowering.branch(By::Mode(guard), sides.map(|side| side.1));
-        self.push((row, right));
+        (row, right)
     }
 }
 
 /// Reserves the numbers of the guards of contacts and frictions and finds their surfaces; formulas that follow share these guards.
 pub(super) fn reserve(lowering: &mut Lowering, equations: &Equations, arrangement: &Arrangement) -> Result<Vec<Option<Numbers>>, Fault> {
     let mut numbers = vec![None; equations.reactions.len()];
+    let shared = if arrangement.conditions.len() > 1 { Sharing::Possible } else { Sharing::Never };
     for &reaction in &arrangement.solved {
         numbers[reaction] = match &equations.reactions[reaction].law {
-            Law::Contact { gap, .. } => Some(contact(lowering, reaction, *gap)?),
+            Law::Contact { gap, .. } => Some(contact(lowering, reaction, *gap, shared)?),
             Law::Friction(friction) => {
                 let leader = leader(lowering, equations, arrangement, friction)?.unwrap_or(reaction);
-                Some(sliding(lowering, reaction, friction, numbers[leader])?)
+                Some(sliding(lowering, reaction, friction, (numbers[leader], shared))?)
             }
             _ => None,
         };
@@ -373,20 +401,41 @@ fn by_sign(lowering: &mut Lowering, ratio: Value, [same, opposite]: [Value; 2]) 
     }
 }
 
-fn contact(lowering: &mut Lowering, reaction: usize, left: Expr) -> Result<Numbers, Fault> {
+/// Whether other conditions may hold the same motion.
+#[derive(Clone, Copy, PartialEq)]
+enum Sharing {
+    Never,
+    Possible,
+}
+
+/// A guard that no formula moves: the integrator alone sets its mode.
+fn switch(lowering: &mut Lowering, kind: GuardKind, left: Expr, usual: f64) -> u32 {
+    let number = lowering.reserve(Guard { kind, left, right: None });
+    let usual = lowering.literal(usual);
+    lowering.define_guard(number, usual);
+    number
+}
+
+fn contact(lowering: &mut Lowering, reaction: usize, left: Expr, shared: Sharing) -> Result<Numbers, Fault> {
     let surface = lowering.register(left)?;
     let of = lowering.next_guard();
     let force = of + 1;
     let gap = lowering.surface(Guard { kind: GuardKind::Gap { reaction, force }, left, right: None }, surface);
     let force = lowering.reserve(Guard { kind: GuardKind::ContactForce { reaction, of }, left, right: None });
     lowering.bound(Bounded { guard: force, of: gap });
-    Ok(Numbers::Gap { gap, force })
+    let share = (shared == Sharing::Possible).then(|| switch(lowering, GuardKind::Share { reaction, of }, left, 1.0));
+    Ok(Numbers::Gap { gap, force, share })
 }
 
-fn sliding(lowering: &mut Lowering, reaction: usize, friction: &Friction, led: Option<Numbers>) -> Result<Numbers, Fault> {
+fn sliding(
+    lowering: &mut Lowering,
+    reaction: usize,
+    friction: &Friction,
+    (led, shared): (Option<Numbers>, Sharing),
+) -> Result<Numbers, Fault> {
     let left = friction.sliding;
     if let Some(Numbers::Sliding { leader, sliding, limits, .. }) = led {
-        return Ok(Numbers::Sliding { leader, sliding, limits, normal: normal_guard(lowering, reaction, friction) });
+        return Ok(Numbers::Sliding { leader, sliding, limits, normal: normal_guard(lowering, reaction, friction), shares: None });
     }
     let surface = lowering.register(left)?;
     let of = lowering.next_guard();
@@ -397,7 +446,12 @@ fn sliding(lowering: &mut Lowering, reaction: usize, friction: &Friction, led: O
         lowering.bound(Bounded { guard: limit, of: sliding });
         limit
     });
-    Ok(Numbers::Sliding { leader: reaction, sliding, limits, normal: normal_guard(lowering, reaction, friction) })
+    let normal = normal_guard(lowering, reaction, friction);
+    let shares = (shared == Sharing::Possible).then(|| {
+        let share = switch(lowering, GuardKind::Share { reaction, of }, left, 1.0);
+        [share, switch(lowering, GuardKind::Side { reaction, of }, left, 0.0)]
+    });
+    Ok(Numbers::Sliding { leader: reaction, sliding, limits, normal, shares })
 }
 
 fn normal_guard(lowering: &mut Lowering, reaction: usize, friction: &Friction) -> Option<u32> {

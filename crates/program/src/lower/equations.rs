@@ -6,7 +6,7 @@ use crate::passes::select;
 use crate::{ENERGY, Fault, Program, Register, Root, Tape};
 use std::collections::HashSet;
 use std::sync::Arc;
-use symbolic::connections::Law;
+use symbolic::connections::{Friction, Law};
 use symbolic::{Derivation, Equations, Expr, Graph, Substitution, SymbolId};
 
 /// Lowers equations of motion in which all connections take part.
@@ -53,10 +53,13 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         statics: Arc::new(statics(equations, &names)?),
         rests: Arc::new(if connected { rests(equations, &names)? } else { nothing(equations, "rests")? }),
         connections: Arc::new(if connected { connections(equations, &names)? } else { nothing(equations, "connections")? }),
+        laws: Arc::new(laws(equations, &arrangement.joined)?),
         balances: Arc::new(balances(equations)?),
         start: Arc::new(start(equations, &names)?),
         switches: guards.numbers.iter().map(|n| n.map(|n| n.switch())).collect(),
         guards: guards.guards,
+        frictions: frictions(equations).count(),
+        joined: arrangement.joined.clone(),
         solved: arrangement.solved,
     })
 }
@@ -143,6 +146,13 @@ fn over_reactions(equations: &Equations) -> Inputs {
 fn contacts(equations: &Equations) -> impl Iterator<Item = (Expr, Expr)> + '_ {
     equations.reactions.iter().filter_map(|r| match &r.law {
         Law::Contact { gap, restitution, .. } => Some((*gap, *restitution)),
+        _ => None,
+    })
+}
+
+fn frictions(equations: &Equations) -> impl Iterator<Item = &Friction> + '_ {
+    equations.reactions.iter().filter_map(|r| match &r.law {
+        Law::Friction(friction) => Some(&**friction),
         _ => None,
     })
 }
@@ -243,6 +253,30 @@ fn connections(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
         roots.extend(sparse(&r.forces, n, zero).into_iter().zip(&names.states).map(|(e, q)| (format!("{} on {q}", r.name), e)));
     }
     Lowering::new(&graph, &over_states(equations), Switches::Value).tape("connections", &roots)
+}
+
+/// Laws of friction in an impact: see [`crate::LawRoots`].
+fn laws(equations: &Equations, joined: &[usize]) -> Result<Tape, Fault> {
+    let mut graph = equations.graph.clone();
+    let (zero, n) = (graph.zero(), equations.coordinates.len());
+    let mut roots: Vec<(String, Expr)> = Vec::new();
+    let count = equations.reactions.len();
+    for friction in frictions(equations) {
+        let [back, forth] = friction.kinetic;
+        let kinetic = graph.switch(friction.sliding, false, forth, back);
+        roots.extend([kinetic, friction.fixed].map(|e| ("law of friction".to_owned(), e)));
+        let terms = friction.normal.as_ref().map_or(&[][..], |n| &n.terms);
+        roots.extend(sparse(terms, count, zero).into_iter().map(|e| ("normal force".to_owned(), e)));
+    }
+    for &b in joined {
+        let balance = &equations.balances[b];
+        roots.extend(sparse(&balance.columns, n, zero).into_iter().map(|e| (format!("inertia in {}", balance.name.en), e)));
+        for r in &equations.reactions {
+            let entry = r.released.iter().find(|(k, _)| *k == b).map_or(zero, |(_, e)| *e);
+            roots.push((format!("{} in {}", r.name, balance.name.en), entry));
+        }
+    }
+    Lowering::new(&graph, &over_states(equations), Switches::Value).tape("laws", &roots)
 }
 
 pub(super) fn sparse(entries: &[(usize, Expr)], length: usize, zero: Expr) -> Vec<Expr> {

@@ -271,7 +271,7 @@ fn surface<S: System + ?Sized>(system: &S, switch: &Switch) -> Option<usize> {
     }
     let leaves_zero = switch.before == Mode::Zero && switch.after != Mode::Zero;
     match &guard.kind {
-        GuardKind::Friction { limits } if leaves_zero => {
+        GuardKind::Friction { limits, .. } if leaves_zero => {
             let exits = |i: &&usize| matches!(system.guards()[**i].kind, GuardKind::Bound { exit, .. } if exit == switch.after);
             limits.iter().find(exits).copied()
         }

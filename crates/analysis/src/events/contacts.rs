@@ -1,0 +1,130 @@
+//! Contacts that repeat each other: two feet of a block that rests, a stop where a guide holds anyway.
+//!
+//! The motion is unique, the reactions are not: J has dependent rows. Some conditions are then left to the others, which imply them, and their reactions
+//! are set: 0 for a contact, 0 or ± its static limit for a friction. By the theory of linear inequalities the forces that agree with all limits, if there
+//! are any, include some of exactly this kind (the corners of their polyhedron), so that nothing breaks away too early or too late.
+
+use super::modes::Verdict;
+use crate::taylor::Flow;
+use crate::{Fault, GuardKind, Mode, System};
+
+/// Most trials of shares at one instant.
+const TRIALS: usize = 2000;
+
+/// A contact or friction that can be left to others: its guards.
+#[derive(Clone, Copy)]
+struct Idle {
+    share: usize,
+    side: Option<usize>,
+}
+
+impl<S: System + ?Sized> Flow<'_, S> {
+    /// Every contact and friction carries itself.
+    pub(super) fn carry_all(&mut self) {
+        for i in 0..self.modes.len() {
+            match self.system.guards()[i].kind {
+                GuardKind::Share { .. } => self.modes[i] = Mode::Positive,
+                GuardKind::Side { .. } => self.modes[i] = Mode::Zero,
+                _ => {}
+            }
+        }
+    }
+
+    /// Tries the present modes, with shares where they repeat each other.
+    pub(super) fn settle(&mut self) -> Result<Verdict, Fault> {
+        self.carry_all();
+        let first = self.attempt()?;
+        if first != Verdict::Repeats {
+            return Ok(first);
+        }
+        let modes = self.modes.clone();
+        let list = self.holding();
+        let mut wishes = None;
+        let mut trials = 0;
+        for count in 1..=list.len() {
+            let mut chosen: Vec<usize> = (0..count).collect();
+            let mut regular = false;
+            loop {
+                let idle: Vec<Idle> = chosen.iter().map(|&k| list[k]).collect();
+                match self.try_sides(&modes, &idle, &mut trials)? {
+                    Verdict::Holds => return Ok(Verdict::Holds),
+                    Verdict::Wants(wanted) => {
+                        regular = true;
+                        wishes = wishes.or(Some(wanted));
+                    }
+                    Verdict::Repeats => {}
+                }
+                if trials > TRIALS || !next_choice(&mut chosen, list.len()) {
+                    break;
+                }
+            }
+            // as many as needed: leaving out more would loosen what is held
+            if regular || trials > TRIALS {
+                break;
+            }
+        }
+        self.modes = modes;
+        Ok(wishes.map_or(Verdict::Repeats, Verdict::Wants))
+    }
+
+    /// Frictions first: what presses is to be found from the contacts.
+    fn holding(&self) -> Vec<Idle> {
+        let guards = self.system.guards();
+        let side = |of: usize| guards.iter().position(|g| g.kind == GuardKind::Side { of });
+        let shares = guards.iter().enumerate().filter_map(|(share, g)| match g.kind {
+            GuardKind::Share { of } if self.modes[of] == Mode::Zero => Some(Idle { share, side: side(of) }),
+            _ => None,
+        });
+        let (frictions, contacts): (Vec<Idle>, Vec<Idle>) = shares.partition(|idle| idle.side.is_some());
+        frictions.into_iter().rev().chain(contacts.into_iter().rev()).collect()
+    }
+
+    /// The idle ones at zero, then at their limits.
+    fn try_sides(&mut self, modes: &[Mode], idle: &[Idle], trials: &mut usize) -> Result<Verdict, Fault> {
+        let sides: Vec<usize> = idle.iter().filter_map(|i| i.side).collect();
+        let mut first = None;
+        for code in 0..3usize.saturating_pow(sides.len() as u32) {
+            *trials += 1;
+            self.modes.clone_from_slice(modes);
+            idle.iter().for_each(|i| self.modes[i.share] = Mode::Zero);
+            let mut digits = code;
+            for &side in &sides {
+                self.modes[side] = [Mode::Zero, Mode::Positive, Mode::Negative][digits % 3];
+                digits /= 3;
+            }
+            match self.attempt()? {
+                Verdict::Holds => return Ok(Verdict::Holds),
+                Verdict::Repeats => return Ok(Verdict::Repeats),
+                Verdict::Wants(wanted) => first = first.or(Some(wanted)),
+            }
+            if *trials > TRIALS {
+                break;
+            }
+        }
+        Ok(first.map_or(Verdict::Repeats, Verdict::Wants))
+    }
+
+    /// A friction that no closed contact presses.
+    pub(crate) fn is_off(&self, i: usize) -> bool {
+        is_off(&self.system.guards()[i].kind, &self.modes)
+    }
+}
+
+/// A friction whose contacts are all open in these modes.
+pub(crate) fn is_off(kind: &GuardKind, modes: &[Mode]) -> bool {
+    match kind {
+        GuardKind::Friction { pressed, .. } => !pressed.is_empty() && pressed.iter().all(|gap| modes[*gap] == Mode::Positive),
+        _ => false,
+    }
+}
+
+/// The next ascending choice of indices below n; false after the last.
+fn next_choice(chosen: &mut [usize], n: usize) -> bool {
+    let k = chosen.len();
+    let Some(i) = (0..k).rev().find(|&i| chosen[i] + k - i < n) else { return false };
+    chosen[i] += 1;
+    for j in i + 1..k {
+        chosen[j] = chosen[j - 1] + 1;
+    }
+    true
+}
