@@ -187,10 +187,22 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     fn no_modes(&self, guard: usize) -> Fault {
         let Some(of) = self.system.guards().get(guard) else { return Fault::chattering(&symbolic::Text::default(), self.now.high) };
+        let contacts: Vec<&symbolic::Text> =
+            (0..self.modes.len()).filter(|&i| self.takes_part(i)).map(|i| &self.system.guards()[i].name).collect();
         match of.kind {
             GuardKind::Switch => Fault::chattering(&of.name, self.now.high),
-            GuardKind::Bound { of, .. } => Fault::no_contact_state(&self.system.guards()[of].name, self.now.high),
-            _ => Fault::no_contact_state(&of.name, self.now.high),
+            _ if contacts.is_empty() => Fault::no_contact_state(&[&of.name], self.now.high),
+            _ => Fault::no_contact_state(&contacts, self.now.high),
+        }
+    }
+
+    /// Contacts on their surfaces, and frictions that they press or that stand on theirs.
+    fn takes_part(&self, i: usize) -> bool {
+        let closed = |i: usize| self.touched[i] && !self.rebounds[i];
+        match &self.system.guards()[i].kind {
+            GuardKind::Contact { .. } => closed(i),
+            GuardKind::Friction { pressed, .. } => self.touched[i] || pressed.iter().any(|gap| closed(*gap)),
+            _ => false,
         }
     }
 

@@ -54,12 +54,13 @@ pub const EXPLANATIONS: &[Explanation] = &[
     },
 ];
 
-const NO_STATE_EN: &str = "Neither sticking nor sliding in any direction (neither closed nor open) agrees with the forces at this state. With friction on a computed \
-    normal force this happens at large friction coefficients (Painlevé's paradox), or when the static limit is below the kinetic one. A rigid body has no \
-    motion then; give the contact some compliance, or a smaller coefficient.";
-const NO_STATE_RU: &str = "Ни залипание, ни скольжение в какую-либо сторону (ни замкнутый, ни разомкнутый контакт) не согласуется с силами в этом состоянии. При трении \
-    от вычисляемой нормальной реакции это бывает при больших коэффициентах трения (парадокс Пенлеве) или когда предельное трение покоя меньше трения \
-    скольжения. У абсолютно твёрдого тела движения тогда нет; задайте податливость контакта или меньший коэффициент.";
+const NO_STATE_EN: &str = "Contacts and frictions of one instant are decided together, and here no combination of closed and open, sticking and sliding agrees with the forces that it \
+    leads to. With friction on a computed normal force this is self-locking (a shoe brake whose lever is pressed on by the friction itself), a jam, or Painlevé's paradox: closed, the normal force would be negative, \
+    open, the gap would close. It also happens when the static limit is below the kinetic one. Rigid bodies have no motion with finite forces then; give the contact some compliance, or a smaller coefficient.";
+const NO_STATE_RU: &str = "Контакты и трения одного мгновения определяются совместно, и здесь никакое сочетание замкнутых и разомкнутых контактов, залипания и скольжения не согласуется с силами, к которым \
+    оно ведёт. При трении от вычисляемой нормальной реакции это самоторможение (колодочный тормоз, рычаг которого прижимается самим трением), заклинивание или парадокс Пенлеве: в замкнутом контакте нормальная \
+    сила была бы отрицательна, разомкнутый сразу бы замкнулся. То же бывает, когда предельное трение покоя меньше трения скольжения. У абсолютно твёрдых тел движения с конечными силами тогда нет; задайте \
+    податливость контакта или меньший коэффициент.";
 const PENETRATES_EN: &str = "The gap of a one-sided contact is negative at the start: the body stands inside the stop, or the rope is longer than its length. Move the start \
     or the contact.";
 const PENETRATES_RU: &str = "В начале зазор одностороннего контакта отрицателен: тело находится внутри упора или нить длиннее своей длины. Измените начальное положение \
@@ -197,22 +198,26 @@ impl Fault {
         })
     }
 
-    /// Neither side of a friction or contact agrees with the forces.
-    pub fn no_contact_state(guard: &Text, t: f64) -> Fault {
+    /// No state of the contacts and frictions of an instant agrees with the forces.
+    pub fn no_contact_state(contacts: &[&Text], t: f64) -> Fault {
         let n = number(t);
+        let list = |name: fn(&Text) -> &str| contacts.iter().map(|c| format!("`{}`", name(c))).collect::<Vec<_>>().join(", ");
+        let (en, ru) = (list(|c| &c.en), list(|c| &c.ru));
         Fault::new(Message {
             code: "S011",
             what: Text::new(
-                format!("`{}` can neither stick nor slide, neither close nor open at t = {} s", guard.en, n.en),
-                format!("`{}` не может ни залипнуть, ни скользить, ни замкнуться, ни разомкнуться при t = {} с", guard.ru, n.ru),
+                format!("no state of the contacts agrees with the forces at t = {} s: {en}", n.en),
+                format!("при t = {} с никакое состояние контактов не согласуется с силами: {ru}", n.ru),
             ),
             why: Text::new(
-                "every choice contradicts the forces that it leads to: too large a friction coefficient, a static limit below the kinetic one",
-                "любой выбор противоречит силам, к которым он ведёт: слишком велик коэффициент трения, предел трения покоя ниже трения скольжения",
+                "closed, a contact would have to pull, open, it would penetrate; or a friction can neither stick nor slide: friction presses the contact on (self-locking, a jam, \
+                 Painlevé's paradox), or a static limit lies below the kinetic one",
+                "замкнутый контакт должен был бы тянуть, разомкнутый – внедряться, либо трение не может ни удержать, ни скользить: трение само прижимает контакт (самоторможение, \
+                 заклинивание, парадокс Пенлеве) или предел трения покоя ниже трения скольжения",
             ),
             help: Text::new(
-                "reduce the coefficient of friction, raise the static limit, or make the contact compliant (spring with damping)",
-                "уменьшите коэффициент трения, повысьте предел трения покоя или сделайте контакт податливым (пружина с демпфером)",
+                "reduce the coefficient of friction, raise the static limit, turn the motion round, start at rest, or make the contact compliant (spring with damping)",
+                "уменьшите коэффициент трения, повысьте предел трения покоя, измените направление движения, начните с покоя или сделайте контакт податливым (пружина с демпфером)",
             ),
         })
     }

@@ -63,6 +63,8 @@ pub(super) struct Conditions {
     arms: Vec<f64>,
     /// Largest terms of each row's rate so far: a machine that stops for an instant has rates of its own size all the same.
     moved: Vec<f64>,
+    /// Largest rate of a coordinate so far: what a machine that has come to rest is compared with.
+    fastest: f64,
 }
 
 /// A condition that takes part.
@@ -141,6 +143,7 @@ impl Conditions {
             active: Vec::with_capacity(rows.len()),
             arms: vec![0.0; rows.len()],
             moved: vec![0.0; rows.len()],
+            fastest: 0.0,
             rows,
             repeated,
             coordinates,
@@ -203,7 +206,8 @@ impl Conditions {
 
     /// Violation of a rate, relative to the rates that the machine has had.
     fn slip(&self, row: usize, x: &[f64]) -> f64 {
-        let size = self.rate_size(row, &x[self.n..2 * self.n]).max(self.moved[row]);
+        let levers: f64 = self.column(row).iter().map(|j| j.abs()).sum();
+        let size = self.rate_size(row, &x[self.n..2 * self.n]).max(self.moved[row]).max(levers * self.fastest);
         if size > 0.0 { self.rate(row).abs() / size } else { 0.0 }
     }
 
@@ -219,6 +223,7 @@ impl Conditions {
     }
 
     fn remember_rates(&mut self, x: &[f64]) {
+        self.fastest = x[self.n..2 * self.n].iter().fold(self.fastest, |m, v| m.max(v.abs()));
         for k in 0..self.active.len() {
             let row = self.active[k];
             // what sticks is compared with itself, so that it stands exactly
@@ -275,19 +280,23 @@ impl Conditions {
         };
         let start = x[part.clone()].to_vec();
         let mut best = x.to_vec();
+        // where all rates vanish each is compared with itself, and only their size tells whether they still fall
+        let mut left = self.left(level);
         for _ in 0..STEPS {
             let change = self.least_change(level);
             for ((value, change), start) in x[part.clone()].iter_mut().zip(&change).zip(&start) {
                 let next = *value - change;
                 // what cancels to rounding is zero: a body that sticks must not creep
-                *value = if level == Level::Rate && next.abs() <= CANCELS * start.abs() { 0.0 } else { next };
+                *value = if level == Level::Rate && next.abs() <= CANCELS * start.abs().max(value.abs()) { 0.0 } else { next };
             }
             self.evaluate(t, x)?;
-            let now = self.worst(x, level);
-            let helps = now < 0.5 * violation;
-            if now < violation {
+            let (now, smaller) = (self.worst(x, level), self.left(level));
+            let falls = smaller < 0.5 * left;
+            let helps = now < 0.5 * violation || falls;
+            if now < violation || falls {
                 (violation, best) = (now, x.to_vec());
             }
+            left = left.min(smaller);
             if !helps || now <= ROUNDING {
                 break;
             }
@@ -301,6 +310,15 @@ impl Conditions {
             return Err(Fault::lost_conditions(violation, t));
         }
         Ok(())
+    }
+
+    /// Largest rate of the active rows by their levers; of places nothing more is known than their violation.
+    fn left(&self, level: Level) -> f64 {
+        let rate = |row: &usize| {
+            let levers: f64 = self.column(*row).iter().map(|j| j.abs()).sum();
+            if levers > 0.0 { self.rate(*row).abs() / levers } else { 0.0 }
+        };
+        if level == Level::Rate { self.active.iter().map(rate).fold(0.0, f64::max) } else { 0.0 }
     }
 
     /// Change d with J d = the violations of the active rows and least d' M d.
