@@ -14,6 +14,9 @@ use crate::fault::Message;
 use crate::{Blow, Fault, Guard, GuardKind, Mode, Powers, Quantity, System};
 use conditions::Conditions;
 
+/// Within which the instant of an event is known, relative to it.
+const RESOLUTION: f64 = 32.0 * f64::EPSILON;
+
 /// A program with parameters, seen by studies.
 #[derive(Clone, Debug)]
 pub struct Machine {
@@ -171,6 +174,20 @@ impl Machine {
         }
         self.accelerations[..n].copy_from_slice(&accelerations[..n]);
         Ok(())
+    }
+
+    /// The slopes on the flow within the resolution of time, where they have no value at the state itself: the state of an event lies on either side of its
+    /// surface, and a root or power of what is zero there may have none on the wrong one. In the modes of `observing`.
+    fn slopes_beside(&self, t: f64, x: &[f64]) -> Option<Vec<f64>> {
+        let Switches { modes, active, .. } = &self.observing;
+        let (mut jets, mut tangent) = (self.jets.clone(), self.tangent.clone()?);
+        jets.expand(t, x, modes, 1).ok()?;
+        [-1.0, 1.0].into_iter().find_map(|side| {
+            let dt = side * RESOLUTION * t.abs();
+            let beside: Vec<f64> = x.iter().enumerate().map(|(i, x)| x + dt * jets.state(i)[1]).collect();
+            let point = Point { time: t + dt, states: &beside, modes: Some(modes), active: Some(active), ..Point::default() };
+            tangent.evaluate(&point).ok().map(<[f64]>::to_vec)
+        })
     }
 
     fn singular(&self, fault: Fault, x: &[f64]) -> Fault {
@@ -370,7 +387,11 @@ impl System for Machine {
         let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, modes: Some(modes), active: Some(active), ..Point::default() };
         rows.clear();
-        rows.extend_from_slice(tangent.evaluate(&point)?);
+        match tangent.evaluate(&point) {
+            Ok(slopes) => rows.extend_from_slice(slopes),
+            Err(fault) => rows.extend_from_slice(&self.slopes_beside(t, x).ok_or(fault)?),
+        }
+        let active = &self.observing.active;
         let width = x.len() + 1;
         for (i, _) in active.iter().enumerate().filter(|(_, active)| !**active) {
             rows[(x.len() + i) * width..(x.len() + i + 1) * width].fill(0.0);

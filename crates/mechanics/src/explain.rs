@@ -5,9 +5,11 @@
 
 mod events;
 mod linear;
+mod texts;
 
 pub use events::EVENTS;
 pub use linear::LINEAR;
+pub use texts::TEXTS;
 
 /// The explanation of a code.
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +28,7 @@ pub struct Explanation {
 
 /// Every table of explanations.
 pub const TABLES: &[&[Explanation]] =
-    &[EXPLANATIONS, LINEAR, EVENTS, crate::derive::EXPLANATIONS, crate::structure::EXPLANATIONS, crate::section::EXPLANATIONS];
+    &[EXPLANATIONS, LINEAR, EVENTS, TEXTS, crate::derive::EXPLANATIONS, crate::structure::EXPLANATIONS, crate::section::EXPLANATIONS];
 
 /// The explanation of a code; small letters will do.
 pub fn find(code: &str) -> Option<&'static Explanation> {

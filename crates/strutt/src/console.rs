@@ -12,7 +12,7 @@ use strutt::diagnostics::{self, Style};
 use strutt::words::{Word, say};
 use strutt::{Failure, Source, Trouble, Watch};
 
-/// Set by Ctrl+C.
+/// Set by Ctrl+C and by requests to end (SIGTERM, SIGHUP).
 pub static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// Between lines on the progress where no terminal shows it.
@@ -82,6 +82,11 @@ impl Console {
         if !self.quiet {
             complain(&format!("{words}\n"));
         }
+    }
+
+    /// The command that a user is likely to want now.
+    pub fn next(&self, command: &str) {
+        self.talk(&format!("{} {command}", self.say(Word::Next)));
     }
 
     /// What is said even to those who want quiet.
@@ -174,7 +179,7 @@ impl Console {
     }
 }
 
-/// From now on Ctrl+C asks for the results so far; a second one ends at once.
+/// From now on Ctrl+C, SIGTERM and SIGHUP ask for the results so far; a second one ends at once.
 pub fn listen_to_interrupts() {
     // without the handler Ctrl+C ends the program as usual
     let _ = ctrlc::set_handler(|| {
@@ -244,6 +249,15 @@ impl Bar {
         if let Some(bar) = self.shown {
             bar.finish_and_clear();
         }
+    }
+}
+
+/// A file's name as a shell takes it: in quotes where it holds more than letters, digits and the usual marks.
+pub fn quoted(file: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || matches!(c, '/' | '\\' | '.' | '-' | '_' | ':' | '+' | ',' | '@' | '%' | '~');
+    match !file.is_empty() && file.chars().all(plain) {
+        true => file.to_owned(),
+        false => format!("'{}'", file.replace('\'', "'\\''")),
     }
 }
 

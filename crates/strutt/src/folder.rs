@@ -80,11 +80,20 @@ struct Shelf<'a> {
 
 impl Shelf<'_> {
     fn put(&mut self, name: &str, what: Word, bytes: &[u8]) -> Result<(), Box<Trouble>> {
-        let path = self.folder.join(name);
+        let name = self.free(name);
+        let path = self.folder.join(&name);
         files::write(&path, bytes)?;
         self.paths.push(path);
-        self.names.push((name.to_owned(), what));
+        self.names.push((name, what));
         Ok(())
+    }
+
+    /// A name that no file of this folder has yet: some systems do not tell `X.svg` and `x.svg` apart.
+    fn free(&self, name: &str) -> String {
+        let taken = |wanted: &str| self.names.iter().any(|(n, _)| n.to_lowercase() == wanted.to_lowercase());
+        let (stem, end) = name.rsplit_once('.').unwrap_or((name, ""));
+        let numbered = |i: usize| format!("{stem}~{i}.{end}");
+        if taken(name) { (2..).map(numbered).find(|n| !taken(n)).unwrap_or_else(|| name.to_owned()) } else { name.to_owned() }
     }
 }
 

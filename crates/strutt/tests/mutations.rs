@@ -90,3 +90,25 @@ proptest! {
         survives(&text);
     }
 }
+
+#[path = "../examples/mutants/mutate.rs"]
+mod mutate;
+#[path = "../examples/mutants/trial.rs"]
+mod trial;
+
+/// A short run of `examples/mutants.rs`: every command over mutants that are models still.
+#[test]
+fn commands_survive_mutants() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("mutants");
+    let binary = assert_cmd::cargo::cargo_bin!("strutt");
+    let mut bad = Vec::new();
+    for index in 0..60 {
+        let mut dice = mutate::Dice::of(7, index);
+        let text = mutate::mutate(dice.pick(gallery::EXAMPLES).text, &mut dice);
+        let trial = trial::Trial { binary, folder: folder.join(index.to_string()), text: &text, arguments: trial::command(&mut dice) };
+        if let trial::Verdict::Bad(what) = trial.run() {
+            bad.push(format!("{} {}: {what}", trial.folder.display(), trial.arguments.join(" ")));
+        }
+    }
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
+}

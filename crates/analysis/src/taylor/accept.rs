@@ -14,26 +14,40 @@ pub(super) struct Defect {
     tries: u32,
 }
 
+/// The defect at the end of a step: the greatest length times the difference of the rates of the polynomial and of the equations.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Off {
+    /// Relative to what the step may err.
+    share: f64,
+    /// Relative to the largest values so far of the states with the same unit.
+    of_all: f64,
+}
+
 /// Defects above this multiple of the tolerance mean that the last coefficients misled the choice of the step. In a regular step the defect
 /// is about p tol e^-2, p the order.
 const DEFECT: f64 = 60.0;
 /// Rounding of the rates of a state, in units of the last place of the terms that met in them: the linear solve adds some digits.
 const ROUNDING: f64 = 64.0;
+/// Share of the tolerance, relative to the largest values so far, below which a step that does not improve is left alone.
+const LITTLE: f64 = 1e-2;
+/// Times a step is taken back for a defect that does not fall as truncation does, before it is taken for rounding.
+const PATIENCE: u32 = 16;
 
 impl Defect {
-    /// Truncation falls at least like h^4 when the step is halved; what does not fall is rounding of the system itself and has to be accepted.
-    pub(super) fn accept(&mut self, defect: f64, h: f64) -> bool {
-        if defect.is_nan() {
+    /// Truncation falls at least like h^4 when the step is halved. What does not fall is rounding of the system itself and has to be accepted, or a power
+    /// that is kept constant at its zero (`Jets::faithful`), whose defect falls like h^(1+p): that step is made so short that it changes nothing.
+    pub(super) fn accept(&mut self, off: Off, h: f64, tolerance: f64) -> bool {
+        if off.share.is_nan() {
             return false;
         }
-        if defect <= DEFECT {
+        if off.share <= DEFECT {
             return true;
         }
-        let per_length = defect / h;
-        let is_rounding = self.tries >= 2 && self.before.is_some_and(|before| per_length > 0.25 * before);
+        let per_length = off.share / h;
+        let stays = self.tries >= 2 && self.before.is_some_and(|before| per_length > 0.25 * before);
         self.before = Some(per_length);
         self.tries += 1;
-        is_rounding
+        stays && (off.of_all <= LITTLE * tolerance || self.tries > PATIENCE)
     }
 }
 
@@ -53,9 +67,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
     }
 
-    /// Largest h |x'_polynomial - x'_system| at the end, relative to what the step may err.
-    pub(super) fn defect(&self, h: f64) -> f64 {
-        let mut worst: f64 = 0.0;
+    /// How far the end of a step is from satisfying the equations.
+    pub(super) fn defect(&self, h: f64) -> Off {
+        let mut worst = Off::default();
         for i in 0..self.x.len() {
             let rate = self.system.state(i)[1];
             let off = h * (self.next_slope[i] - rate).abs();
@@ -64,7 +78,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
             if off > DEFECT * truncation || off.is_nan() {
                 let size = step::slope_size(self.step.states.row(i), h);
                 let allowed = truncation + ROUNDING * f64::EPSILON * h * (size + rate.abs());
-                worst = if off.is_nan() { f64::NAN } else { worst.max(off / allowed) };
+                worst.share = if off.is_nan() { f64::NAN } else { worst.share.max(off / allowed) };
+                worst.of_all = worst.of_all.max(off / self.rule.reach_of(i).max(f64::MIN_POSITIVE));
             }
         }
         worst

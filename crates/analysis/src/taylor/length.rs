@@ -71,6 +71,8 @@ pub const HIGHEST_ORDER: usize = 40;
 const UNIT_SHARE: f64 = 1e-8;
 /// See the head of the file.
 const SLACK: f64 = 4.0;
+/// Changes of a length while it is sought: by thousandths down all decades that numbers have, and some.
+const SEARCHES: usize = 300;
 /// Half a unit in the last place, halved again.
 const ROUNDING: f64 = 1.0 / (1u64 << 54) as f64;
 
@@ -107,6 +109,8 @@ pub(super) struct Rule {
     /// A_i of the last call.
     pub(super) scale: Vec<f64>,
     largest: Vec<f64>,
+    /// Largest values so far, by group; what is before events counts less and less.
+    reach: Vec<f64>,
 }
 
 /// What follows from an order.
@@ -173,14 +177,37 @@ impl Rule {
             powers: vec![0.0; room],
             scale: vec![0.0; group.len()],
             largest: vec![0.0; names.len()],
+            reach: vec![0.0; names.len()],
             group,
         }
+    }
+
+    /// Takes note of the values of the states; at an event old values lose half of their weight.
+    pub(super) fn note_reach(&mut self, x: &[f64], event: bool) {
+        if event {
+            self.reach.iter_mut().for_each(|reach| *reach *= 0.5);
+        }
+        for (x, group) in x.iter().zip(&self.group) {
+            self.reach[*group] = self.reach[*group].max(x.abs());
+        }
+    }
+
+    /// The largest value so far of the states with the unit of state `i`.
+    pub(super) fn reach_of(&self, i: usize) -> f64 {
+        self.reach[self.group[i]]
+    }
+
+    /// The scales of a step that was made shorter than [`Rule::length`] had found: those of the long one would excuse too much.
+    pub(super) fn rescale(&mut self, states: &Series, h: f64) {
+        // what has not moved yet is going to move as far as the long step says
+        self.reach.iter_mut().zip(&self.largest).filter(|(reach, _)| **reach == 0.0).for_each(|(reach, change)| *reach = *change);
+        self.scales(states, h);
     }
 
     /// Longest admissible step, at most `limit`; `guess` (positive, may be infinite) only saves iterations.
     pub(super) fn length(&mut self, states: &Series, guess: f64, limit: f64) -> f64 {
         let mut h = self.by_last_terms(states, guess, limit);
-        for _ in 0..80 {
+        for _ in 0..SEARCHES {
             match self.excess(states) {
                 Some(factor) => h *= factor,
                 None => break,
@@ -273,7 +300,7 @@ impl Rule {
     /// The step that the last two terms allow.
     fn by_last_terms(&mut self, states: &Series, guess: f64, limit: f64) -> f64 {
         let mut h = guess.min(limit);
-        for _ in 0..80 {
+        for _ in 0..SEARCHES {
             let next = (h * self.growth(states, h)).min(limit);
             let settled = next <= 1.02 * h && next >= 0.98 * h;
             h = next;

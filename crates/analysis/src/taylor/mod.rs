@@ -165,7 +165,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     pub fn start(system: &'s mut S, t: f64, x: &[f64], options: &Options) -> Result<Flow<'s, S>, Fault> {
         check_tolerance(options.tolerance)?;
         let units: Vec<&str> = system.states().iter().map(|q| q.unit.as_str()).collect();
-        let rule = Rule::new(options.tolerance, options.order, &units);
+        let mut rule = Rule::new(options.tolerance, options.order, &units);
         let implicit = Implicit::new(options, &units, system.guards().len());
         for (value, state) in x.iter().zip(system.states()) {
             if !value.is_finite() {
@@ -173,6 +173,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             }
         }
         let (n_x, n_g) = (x.len(), system.guards().len());
+        rule.note_reach(x, false);
         let mut flow = Flow {
             system,
             rule,
@@ -241,6 +242,9 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         }
         h = self.trusted(&self.step, h);
         h = self.faithful(h);
+        if h < self.guess {
+            self.rule.rescale(&self.step.states, h);
+        }
         let mut defect = Defect::default();
         loop {
             self.check_length(h)?;
@@ -252,7 +256,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             let probe = if !finite { Err(self.not_finite()) } else { self.correct(lands).and_then(|()| self.probe(lands, event)) };
             if let Err(fault) = probe {
                 h = self.take_back(h, 0.25, Some(fault))?;
-            } else if !defect.accept(self.defect(length), length) {
+            } else if !defect.accept(self.defect(length), length, self.rule.tolerance) {
                 h = self.take_back(h, 0.5, None)?;
             } else {
                 self.step.length = length;
@@ -392,6 +396,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         self.now = at;
         std::mem::swap(&mut self.x, &mut self.next_x);
         std::mem::swap(&mut self.low, &mut self.next_low);
+        self.rule.note_reach(&self.x, event);
         self.deflation.fill(0);
         self.work.projections += u64::from(self.removed > 0.0);
         self.drift = self.drift.max(self.removed);

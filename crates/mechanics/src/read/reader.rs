@@ -451,7 +451,7 @@ impl<'a> Fields<'a> {
     pub(super) fn text(&self, reader: &mut Reader<'a>, key: &'static str) -> Option<Text> {
         let value = self.get(key)?;
         match value.get_ref() {
-            DeValue::String(words) => Some(Text::same(words.as_ref())),
+            DeValue::String(words) => printable(reader, words, value.span()).then(|| Text::same(words.as_ref())),
             DeValue::Table(table) => {
                 let both = Fields::open(reader, &fields::TEXT, table, value.span(), self.path_of(key));
                 let en = both.get("en").and_then(|v| string(reader, v, "a string", "строка"));
@@ -541,12 +541,31 @@ fn placeholder<'a>(span: Range<usize>) -> Snippet<'a> {
 /// A string with its place; a finding when it is something else.
 pub(super) fn string<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, en: &str, ru: &str) -> Option<(String, Range<usize>)> {
     match value.get_ref() {
-        DeValue::String(words) => Some((words.as_ref().to_owned(), value.span())),
+        DeValue::String(words) => printable(reader, words, value.span()).then(|| (words.as_ref().to_owned(), value.span())),
         other => {
             reader.fault(wrong_type(value.span(), en, ru, other.type_str()));
             None
         }
     }
+}
+
+/// Whether a text shows what it is: no character that steers a terminal or turns the direction of writing.
+fn printable(reader: &mut Reader, words: &str, span: Range<usize>) -> bool {
+    let Some(bad) = words.chars().find(|c| steers(*c)) else { return true };
+    let code = u32::from(bad);
+    let fault = Fault::new(
+        "M150",
+        span,
+        format!("the text holds the control character U+{code:04X}"),
+        format!("в тексте управляющий символ U+{code:04X}"),
+    );
+    reader.fault(fault.help("delete it, or retype the text", "удалите его или наберите текст заново"));
+    false
+}
+
+/// Control characters but tabs and ends of lines; embedding, overriding and isolating of directions (Unicode Standard Annex 9).
+fn steers(c: char) -> bool {
+    (c.is_control() && !matches!(c, '\t' | '\n' | '\r')) || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// Two or three formulas.

@@ -62,24 +62,42 @@ impl Jets {
             let words = format!("{}, {} / {}, {}", states.len(), modes.len(), self.plan.states.len(), shape.modes);
             return Err(Fault::about("P008", words));
         }
-        if order > self.largest {
-            self.largest = order;
-            self.memory = Memory::new(&self.plan, order);
-            self.modes = None;
-        }
+        self.make_room(order);
         self.choose_branches(modes);
         self.order = order;
         self.memory.at_zero.clear();
         if self.advance(time, states) && !self.begins_at_zero(time) {
             return Ok(());
         }
-        if self.keep_at_zero(time, states, modes) {
+        if self.keep_at_zero_with_slopes(time, states, modes) {
             return Ok(());
         }
         self.memory.at_zero.clear();
         let fault = self.blame(time, states, modes);
         self.modes = None;
         Err(fault)
+    }
+
+    fn make_room(&mut self, order: usize) {
+        if order > self.largest {
+            self.largest = order;
+            self.memory = Memory::new(&self.plan, order);
+            self.modes = None;
+        }
+    }
+
+    /// [`Jets::keep_at_zero`] with the slopes that tell how far an argument is from zero in time, which an expansion to order 1 lacks.
+    fn keep_at_zero_with_slopes(&mut self, time: f64, states: &[f64], modes: &[Mode]) -> bool {
+        let order = self.order;
+        if order == 0 {
+            return self.keep_at_zero(time, states, modes);
+        }
+        self.make_room(2);
+        self.choose_branches(modes);
+        self.order = order.max(2);
+        let kept = self.keep_at_zero(time, states, modes);
+        self.order = order;
+        kept
     }
 
     /// The longest step, at most `h`, over which the coefficients of the last expansion say what every operation does, within `tolerance` of the
@@ -123,7 +141,12 @@ impl Jets {
         }
         self.memory.defect = None;
         self.memory.at_zero = negative.iter().chain(&near).map(|n| n.c).collect();
-        if self.memory.at_zero.is_empty() || !self.advance(time, states) {
+        if self.memory.at_zero.is_empty() {
+            return false;
+        }
+        // products read beyond the order in hand: what the first attempt left there must not be nan
+        self.memory.clear(&self.plan, modes);
+        if !self.advance(time, states) {
             return false;
         }
         negative.iter().all(|n| self.order > 1 && self.is_near(n, time) || rounded(self, n))

@@ -2,7 +2,7 @@
 
 use super::{Exit, inputs};
 use crate::args::{self, Format};
-use crate::console::{Console, Shape};
+use crate::console::{Console, Shape, quoted};
 use serde_json::json;
 use strutt::pipeline::{self, Machine};
 use strutt::words::Word;
@@ -33,7 +33,7 @@ pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {
     for note in notes(&machine, console) {
         console.out(format!("{note}\n"))?;
     }
-    console.talk(&format!("{} strutt run {}", console.say(Word::Next), args.model.file));
+    console.next(&format!("strutt run {}", quoted(&args.model.file)));
     Ok(Exit::Done)
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Exit, open};
 use crate::args::{self, Form};
-use crate::console::{Console, Shape};
+use crate::console::{Console, Shape, quoted};
 use report::formula::{self, Printer};
 use report::{Language, Word as Title};
 use serde_json::{Value, json};
@@ -30,7 +30,7 @@ pub fn run(args: &args::Equations, console: &mut Console) -> Result<Exit, Failur
     text.push_str(&writer.definitions());
     console.out(text)?;
     if !args.steps && !machine.equations.steps.is_empty() {
-        console.talk(&format!("{} strutt equations {} --steps", console.say(Word::Next), args.model.file));
+        console.next(&format!("strutt equations {} --steps", quoted(&args.model.file)));
     }
     Ok(Exit::Done)
 }

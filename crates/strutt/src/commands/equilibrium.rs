@@ -2,9 +2,8 @@
 
 use super::{Exit, judge, open};
 use crate::args;
-use crate::console::{Console, Shape};
+use crate::console::{Console, Shape, quoted};
 use mechanics::model::StudyKind;
-use strutt::words::Word;
 use strutt::{Failure, document, folder, pipeline};
 
 pub fn run(args: &args::Equilibrium, console: &mut Console) -> Result<Exit, Failure> {
@@ -30,7 +29,7 @@ pub fn run(args: &args::Equilibrium, console: &mut Console) -> Result<Exit, Fail
             for note in &data.notes {
                 console.out(format!("{}\n", language.text(note)))?;
             }
-            console.talk(&format!("{} strutt run {}", console.say(Word::Next), args.model.file));
+            console.next(&format!("strutt run {}", quoted(&args.model.file)));
         }
         Shape::Text => {}
     }

@@ -4,7 +4,6 @@ use super::Exit;
 use crate::args;
 use crate::console::{Console, Shape};
 use serde_json::json;
-use strutt::words::Word;
 use strutt::{Failure, Source, Trouble, gallery, nearest};
 
 pub fn run(args: &args::Examples, console: &mut Console) -> Result<Exit, Failure> {
@@ -37,7 +36,7 @@ fn list(console: &Console) -> Result<(), Failure> {
     let lines: String = rows.iter().map(|(name, title)| format!("{name:<width$}  {title}\n")).collect();
     console.out(lines)?;
     let first = "pendulum-on-shaft";
-    console.talk(&format!("{} strutt new {first} && strutt run {first}.toml", console.say(Word::Next)));
+    console.next(&format!("strutt new {first} && strutt run {first}.toml"));
     Ok(())
 }
 

@@ -2,12 +2,11 @@
 
 use super::{Exit, judge, open};
 use crate::args::{self, Normalise};
-use crate::console::{Console, Shape};
+use crate::console::{Console, Shape, quoted};
 use crate::quantities;
 use mechanics::derive::Detail;
 use mechanics::model::{Modes, ParameterRange, Scale, StudyKind};
 use report::Document;
-use strutt::words::Word;
 use strutt::{Failure, folder, pipeline, small, structure};
 
 pub fn run(args: &args::Modes, console: &mut Console) -> Result<Exit, Failure> {
@@ -55,7 +54,7 @@ pub fn run(args: &args::Modes, console: &mut Console) -> Result<Exit, Failure> {
                 };
                 console.out(report::terminal::write(&document, console.width()))?;
             }
-            console.talk(&format!("{} strutt run {}", console.say(Word::Next), args.model.file));
+            console.next(&format!("strutt run {}", quoted(&args.model.file)));
         }
     }
     Ok(judge(&finding, console))

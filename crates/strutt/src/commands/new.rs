@@ -2,7 +2,7 @@
 
 use super::{Exit, examples};
 use crate::args;
-use crate::console::Console;
+use crate::console::{Console, quoted};
 use std::path::{Path, PathBuf};
 use strutt::words::Word;
 use strutt::{Failure, Trouble, chain, files, gallery};
@@ -24,7 +24,7 @@ pub fn run(args: &args::New, console: &mut Console) -> Result<Exit, Failure> {
         files::write_new(table, text.as_bytes())?;
         console.talk(&format!("{} {}", console.say(Word::Written), table.display()));
     }
-    console.talk(&format!("{} strutt run {}", console.say(Word::Next), path.display()));
+    console.next(&format!("strutt run {}", quoted(&path.to_string_lossy())));
     Ok(Exit::Done)
 }
 

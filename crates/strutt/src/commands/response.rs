@@ -2,12 +2,11 @@
 
 use super::{Exit, judge, open};
 use crate::args;
-use crate::console::{Console, Shape};
+use crate::console::{Console, Shape, quoted};
 use crate::quantities;
 use mechanics::derive::Detail;
 use mechanics::model::{Response, StudyKind};
 use report::Document;
-use strutt::words::Word;
 use strutt::{Failure, Trouble, folder, pipeline, plan, small};
 
 pub fn run(args: &args::Response, console: &mut Console) -> Result<Exit, Failure> {
@@ -35,7 +34,7 @@ pub fn run(args: &args::Response, console: &mut Console) -> Result<Exit, Failure
                     model_hash: machine.model_hash.clone(),
                 };
                 console.out(report::terminal::write(&document, console.width()))?;
-                console.talk(&format!("{} strutt response {} --csv", console.say(Word::Next), args.model.file));
+                console.next(&format!("strutt response {} --csv", quoted(&args.model.file)));
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::{Exit, has_numbers, inputs, judge};
 use crate::args;
-use crate::console::{Console, Shape, listen_to_interrupts};
+use crate::console::{Console, Shape, listen_to_interrupts, quoted};
 use std::path::{Path, PathBuf};
 use strutt::document::Extent;
 use strutt::pipeline::{self, Calculation};
@@ -46,13 +46,14 @@ fn tell(calculation: &Calculation, paths: &[PathBuf], file: &str, console: &Cons
     let heading = console.say(if partial { Word::WrittenPartly } else { Word::Written });
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
     console.talk(&format!("\n{heading}{list}"));
+    let file = quoted(file);
     let model = &calculation.machine.model;
     if model.coordinates.is_empty() && !model.sections.is_empty() {
-        return console.talk(&format!("{} strutt section {file}", console.say(Word::Next)));
+        return console.next(&format!("strutt section {file}"));
     }
     let next = match has_numbers(&calculation.machine) {
         true => format!("strutt equations {file} --steps"),
         false => format!("strutt simulate {file} --until 10"),
     };
-    console.talk(&format!("{} {next}", console.say(Word::Next)));
+    console.next(&next);
 }

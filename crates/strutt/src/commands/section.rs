@@ -2,7 +2,7 @@
 
 use super::Exit;
 use crate::args;
-use crate::console::{Console, Shape};
+use crate::console::{Console, Shape, quoted};
 use crate::quantities;
 use mechanics::section::Section;
 use serde_json::json;
@@ -46,7 +46,7 @@ pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure>
         let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
         console.talk(&format!("{}{list}", console.say(Word::Written)));
     } else if console.shape == Shape::Text {
-        console.talk(&format!("{} strutt section {} --out DIR", console.say(Word::Next), args.model.file));
+        console.next(&format!("strutt section {} --out DIR", quoted(&args.model.file)));
     }
     Ok(Exit::Done)
 }

@@ -2,7 +2,7 @@
 
 use super::{Exit, judge, open};
 use crate::args;
-use crate::console::{Console, Shape, listen_to_interrupts};
+use crate::console::{Console, Shape, listen_to_interrupts, quoted};
 use crate::quantities;
 use mechanics::derive::Detail;
 use mechanics::model::Times;
@@ -60,7 +60,7 @@ pub(super) fn show(finding: &Finding, args: &args::Simulate, console: &Console) 
         Shape::Text if console.terminal => {
             let table = document::results(data, console.language);
             console.out(report::terminal::table(&table, console.language, console.width()))?;
-            console.talk(&format!("{} strutt simulate {} --csv > motion.csv", console.say(Word::Next), args.model.file));
+            console.next(&format!("strutt simulate {} --csv > motion.csv", quoted(&args.model.file)));
             Ok(())
         }
         _ => console.out(report::csv::write(data, report::csv::Dialect::Plain)),

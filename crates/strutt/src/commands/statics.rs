@@ -2,10 +2,9 @@
 
 use super::{Exit, judge, open};
 use crate::args;
-use crate::console::{Console, Shape};
+use crate::console::{Console, Shape, quoted};
 use mechanics::derive::Detail;
 use report::Document;
-use strutt::words::Word;
 use strutt::{Failure, folder, pipeline, structure, studies};
 
 pub fn run(args: &args::Statics, console: &mut Console) -> Result<Exit, Failure> {
@@ -29,7 +28,7 @@ pub fn run(args: &args::Statics, console: &mut Console) -> Result<Exit, Failure>
                 let document = Document { language, title, description: String::new(), blocks, version, model_hash };
                 console.out(report::terminal::write(&document, console.width()))?;
             }
-            console.talk(&format!("{} strutt run {}", console.say(Word::Next), args.model.file));
+            console.next(&format!("strutt run {}", quoted(&args.model.file)));
         }
     }
     Ok(judge(&finding, console))
