@@ -364,6 +364,10 @@ impl System for Machine {
         self.jets.faithful(h, tolerance)
     }
 
+    fn holds_powers(&self) -> bool {
+        self.jets.holds_powers()
+    }
+
     fn rates(&mut self, t: f64, x: &[f64], modes: &[Mode], rates: &mut [f64]) -> bool {
         self.observing.set(modes, &self.bound);
         match self.bound.rates(t, x, &self.observing.modes) {

@@ -199,6 +199,11 @@ pub trait System {
         h
     }
 
+    /// Whether the last [`System::faithful`] has found a root or power at its zero, which is kept constant over the step.
+    fn holds_powers(&self) -> bool {
+        false
+    }
+
     /// x' at (t, x) in the given modes, without disturbing the last expansion; false when it has no value there or the system cannot tell.
     fn rates(&mut self, t: f64, x: &[f64], modes: &[Mode], rates: &mut [f64]) -> bool {
         let _ = (t, x, modes, rates);

@@ -12,6 +12,8 @@ pub(super) struct Defect {
     /// Defect per length of the step that was taken back, and how many were.
     before: Option<f64>,
     tries: u32,
+    /// A power is kept constant at its zero.
+    held: bool,
 }
 
 /// The defect at the end of a step: the greatest length times the difference of the rates of the polynomial and of the equations.
@@ -28,12 +30,17 @@ pub(super) struct Off {
 const DEFECT: f64 = 60.0;
 /// Rounding of the rates of a state, in units of the last place of the terms that met in them: the linear solve adds some digits.
 const ROUNDING: f64 = 64.0;
-/// Share of the tolerance, relative to the largest values so far, below which a step that does not improve is left alone.
+/// Share of the tolerance, relative to the largest values so far, below which a step over the zero of a power is left alone.
 const LITTLE: f64 = 1e-2;
-/// Times a step is taken back for a defect that does not fall as truncation does, before it is taken for rounding.
+/// Times such a step is taken back before its defect is taken for rounding.
 const PATIENCE: u32 = 16;
 
 impl Defect {
+    /// Of a step over the zero of a root or power.
+    pub(super) fn of_held_powers() -> Defect {
+        Defect { held: true, ..Defect::default() }
+    }
+
     /// Truncation falls at least like h^4 when the step is halved. What does not fall is rounding of the system itself and has to be accepted, or a power
     /// that is kept constant at its zero (`Jets::faithful`), whose defect falls like h^(1+p): that step is made so short that it changes nothing.
     pub(super) fn accept(&mut self, off: Off, h: f64, tolerance: f64) -> bool {
@@ -47,7 +54,7 @@ impl Defect {
         let stays = self.tries >= 2 && self.before.is_some_and(|before| per_length > 0.25 * before);
         self.before = Some(per_length);
         self.tries += 1;
-        stays && (off.of_all <= LITTLE * tolerance || self.tries > PATIENCE)
+        stays && (!self.held || off.of_all <= LITTLE * tolerance || self.tries > PATIENCE)
     }
 }
 

@@ -242,10 +242,11 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         }
         h = self.trusted(&self.step, h);
         h = self.faithful(h);
-        if h < self.guess {
-            self.rule.rescale(&self.step.states, h);
-        }
         let mut defect = Defect::default();
+        if self.system.holds_powers() {
+            self.rule.rescale(&self.step.states, h);
+            defect = Defect::of_held_powers();
+        }
         loop {
             self.check_length(h)?;
             let full = h >= limit;

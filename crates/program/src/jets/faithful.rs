@@ -82,6 +82,8 @@ pub(super) struct Watch {
     look: u32,
     /// Operations that had to be looked at closely.
     pub(super) looks: u64,
+    /// Whether a root or power at zero was kept constant in the last check.
+    pub(super) held: bool,
 }
 
 impl Watch {
@@ -94,6 +96,7 @@ impl Watch {
         if rows.count < 2 || h.is_nan() || h <= 0.0 {
             return h;
         }
+        self.held = false;
         self.measure(rows.count, h);
         for i in 0..self.nodes.len() {
             let node = self.nodes[i];
@@ -102,6 +105,7 @@ impl Watch {
             }
             self.looks += 1;
             let shorter = if is_singular(rows, node) {
+                self.held = true;
                 self.over_singular(rows, node, h, tolerance).max(least).min(h)
             } else {
                 looked(rows, node, h, tolerance)

@@ -108,6 +108,11 @@ impl Jets {
         self.watch.faithful(self.memory.rows(self.order), h, tolerance, RESOLUTION * time.abs())
     }
 
+    /// Whether [`Jets::faithful`] has found a root or power at zero, which the step keeps constant.
+    pub fn holds_powers(&self) -> bool {
+        self.watch.held
+    }
+
     /// Operations whose step had to be divided by [`Jets::faithful`] since the modes changed.
     pub fn looks(&self) -> u64 {
         self.watch.looks
