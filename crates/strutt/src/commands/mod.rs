@@ -100,13 +100,15 @@ fn judge(finding: &Finding, console: &Console) -> Exit {
         let failed = console.say(Word::AuditFailed);
         console.complain(&format!("{failed} {name}: {} > {}\n", number(audit.value), number(audit.limit)));
     }
+    let interrupted = INTERRUPTED.load(Ordering::Relaxed);
+    if interrupted && (data.partial || finding.trouble().is_some()) {
+        // what an interrupted search lacks is no fault of the model
+        console.complain(&format!("{}\n", console.say(Word::Interrupted)));
+        return Exit::Interrupted;
+    }
     if let Some(trouble) = finding.trouble() {
         console.trouble(trouble);
         return Exit::Failed;
-    }
-    if data.partial && INTERRUPTED.load(Ordering::Relaxed) {
-        console.complain(&format!("{}\n", console.say(Word::Interrupted)));
-        return Exit::Interrupted;
     }
     if data.audits.iter().all(|a| a.ok) { Exit::Done } else { Exit::Failed }
 }

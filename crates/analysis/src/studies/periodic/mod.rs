@@ -23,6 +23,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use fundamental::Blur;
 use newton::Found;
+use orbit::Limit;
 use symbolic::Text;
 
 use super::simulate::{self, Grid};
@@ -319,6 +320,12 @@ fn closure(value: f64) -> Audit {
         "движение возвращается в начало: наибольшее относительное расхождение",
     );
     Audit::at_most("closure", name, value, 1e-10)
+}
+
+impl<'a> Periodic<'a> {
+    fn limit(&self) -> Limit<'a> {
+        Limit { time: self.longest, interrupt: self.interrupt }
+    }
 }
 
 fn interrupted(options: &Periodic<'_>) -> bool {

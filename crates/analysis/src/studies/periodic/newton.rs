@@ -1,7 +1,7 @@
 //! The search: a trial run that shows scales, translations and the section; then turns, corrected by Newton's method.
 
 use super::fundamental::{self, Blur};
-use super::orbit::{Orbit, Section, follow};
+use super::orbit::{Limit, Orbit, Section, follow};
 use super::spectrum::Turn;
 use super::symmetry::{self, Reach, Symmetry};
 use super::{Periodic, Return, closure, driven, interrupted, no_return, unsettled};
@@ -84,7 +84,7 @@ pub(super) fn solve<S: System + ?Sized>(system: &mut S, start: &[f64], options: 
         if interrupted(options) {
             break;
         }
-        let Some((orbit, which)) = follow(system, &x, &search.sections, options.longest, &search.flow)? else {
+        let Some((orbit, which)) = follow(system, &x, &search.sections, options.limit(), &search.flow)? else {
             return Err(no_return(&search.name, options));
         };
         // a turn and a return are alternatives: the first to happen is the section from now on
@@ -140,7 +140,7 @@ fn moved<S: System + ?Sized>(system: &mut S, found: &Found, step: &[f64]) -> Res
 /// Newton's step of full length from wherever the start is: a linear machine closes at once, however little damping it has. Where the machine is not
 /// linear the step is forgotten, for it may lead to another regime than the motion does.
 fn at_once<S: System + ?Sized>(system: &mut S, search: &mut Search<'_>, x: &[f64]) -> Result<Option<Found>, Fault> {
-    let (sections, limit) = (search.sections.clone(), search.options.longest);
+    let (sections, limit) = (search.sections.clone(), search.options.limit());
     let Some((orbit, _)) = follow(system, x, &sections, limit, &search.flow)? else { return Ok(None) };
     let before = search.scales.clone();
     search.scales = scales(system, &orbit, None);
@@ -403,7 +403,7 @@ impl Search<'_> {
         let ahead = (sign * (start[state] - x[state])).rem_euclid(TAU);
         let level = x[state] + sign * ahead;
         let section = Section::Level { state, level, drift: 0.0, sign: *sign, count: 1, turn: 0.0 };
-        match follow(system, &x, &[section], self.options.longest, &self.flow)? {
+        match follow(system, &x, &[section], self.options.limit(), &self.flow)? {
             Some((mut orbit, _)) if ahead > 0.0 => {
                 orbit.last[state] = level;
                 Ok(orbit.last)
@@ -655,7 +655,7 @@ impl Found {
     pub(super) fn shifted<S: System + ?Sized>(self, system: &mut S, x: &[f64], options: &Periodic<'_>) -> Result<Found, Fault> {
         let flow = Options { tolerance: options.tolerance, ..Options::default() };
         let period = self.orbit.period;
-        match follow(system, x, &[Section::Time(period)], period, &flow)? {
+        match follow(system, x, &[Section::Time(period)], Limit { time: period, interrupt: None }, &flow)? {
             Some((orbit, _)) => {
                 let (free, basis) = tangent(system, &orbit.first, &orbit.modes[0], &self.scales, None, &self.symmetry)?;
                 Ok(Found { orbit, free, basis, ..self })

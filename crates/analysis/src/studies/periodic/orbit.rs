@@ -4,6 +4,7 @@ use crate::events::Switch;
 use crate::events::roots::RootFinder;
 use crate::taylor::{Flow, Options, Step};
 use crate::{Fault, Mode, System};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Where a turn ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,12 +53,21 @@ const TOGETHER: f64 = 1e-13;
 /// Most steps of a turn.
 const STEPS: usize = 200_000;
 
+/// When a turn is given up.
+#[derive(Clone, Copy)]
+pub(super) struct Limit<'a> {
+    /// Longest time.
+    pub(super) time: f64,
+    /// Set from outside.
+    pub(super) interrupt: Option<&'a AtomicBool>,
+}
+
 /// Follows the motion from x at t = 0 to the first of the sections; none when it reaches none before `limit`. Returns which one it was.
 pub(super) fn follow<S: System + ?Sized>(
     system: &mut S,
     x: &[f64],
     sections: &[Section],
-    limit: f64,
+    limit: Limit<'_>,
     options: &Options,
 ) -> Result<Option<(Orbit, usize)>, Fault> {
     let mut flow = Flow::start(system, 0.0, x, options)?;
@@ -66,9 +76,12 @@ pub(super) fn follow<S: System + ?Sized>(
     let timed = sections.iter().position(|s| matches!(s, Section::Time(_)));
     let end = match sections.first() {
         Some(Section::Time(t)) => *t,
-        _ => limit,
+        _ => limit.time,
     };
     while !flow.reached(end) && orbit.steps.len() < STEPS {
+        if limit.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            return Ok(None);
+        }
         flow.advance(end)?;
         let mut step = flow.step().clone();
         let back = first_return(&step, &mut watched);
