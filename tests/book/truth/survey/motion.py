@@ -298,6 +298,49 @@ def cord():
 CD = cord()
 
 
+# prescribed lengths and moving guides
+def boom(t):
+    L = lambda t: mp.mpf("1.4") + mp.mpf(".2") * mp.sin(mp.mpf(".9") * t)
+    reach = lambda q: mp.sqrt((mp.cos(q) - mp.mpf(".3")) ** 2 + (mp.sin(q) + mp.mpf(".8")) ** 2)
+    a = lambda t: mp.findroot(lambda q: reach(q) - L(t), 0.6)
+    with mp.workdps(30):
+        t = mp.mpf(t)
+        q = a(t)
+        return q, mp.diff(a, t), -(305 * mp.diff(a, t, 2) + 100 * mp.mpf("9.81") * mp.mpf("1.5") * mp.cos(q)) / mp.diff(reach, q)
+
+
+def hoist(T):
+    y = ode(lambda t, y: [y[1], (-g * sin(y[0]) + 0.6 * y[1]) / (2 - 0.3 * t)], [0.3, 0], T)
+    return y[0], y[1], 3 * ((2 - 0.3 * T) * y[1] ** 2 + g * cos(y[0]))
+
+
+HO = hoist(2.0)
+
+
+def wire_rates(t, x, v):
+    c, s = cos(2 * t), sin(2 * t)
+    h = 0.6 * x * c
+    k = 0.6 * c * v * v - 2.4 * x * v * s - 1.2 * x * x * c
+    a = (-20 * x - h * (2 * g + 2 * k)) / (2 + 2 * h * h)
+    return a, 2 * (h * a + k) + 2 * g
+
+
+def wire(T):
+    y = ode(lambda t, y: [y[1], wire_rates(t, *y)[0]], [1, 0], T)
+    return y[0], y[1], wire_rates(T, *y)[1]
+
+
+WI = wire(2.0)
+
+
+def groove(T):
+    y = ode(lambda t, y: [y[1], (1.5 * cos(t)) ** 2 * y[0]], [1, 0], T)
+    return y[0], 2 * (2 * 1.5 * cos(T) * y[1] - 1.5 * sin(T) * y[0])
+
+
+GR = groove(2.0)
+
+
 # section, claim, value
 TABLE = [
     ("A double Atwood machine with heavy pulleys", "a1(0.2)", lambda: At[0]),
@@ -359,6 +402,18 @@ TABLE = [
     ("A load on an elastic cord", "y(2)", lambda: CD[1]),
     ("A load on an elastic cord", "y'(2)", lambda: CD[3]),
     ("A load on an elastic cord", "S(2)", lambda: CD[4]),
+    ("A boom lifted by a cylinder", "a(1)", lambda: boom(1)[0]),
+    ("A boom lifted by a cylinder", "a'(1)", lambda: boom(1)[1]),
+    ("A boom lifted by a cylinder", "F(1)", lambda: boom(1)[2]),
+    ("A boom lifted by a cylinder", "F(2)", lambda: boom(2)[2]),
+    ("A pendulum on a rope that is drawn in", "q(2)", lambda: HO[0]),
+    ("A pendulum on a rope that is drawn in", "q'(2)", lambda: HO[1]),
+    ("A pendulum on a rope that is drawn in", "S(2)", lambda: HO[2]),
+    ("A bead on a wire that flaps", "x(2)", lambda: WI[0]),
+    ("A bead on a wire that flaps", "x'(2)", lambda: WI[1]),
+    ("A bead on a wire that flaps", "N(2)", lambda: WI[2]),
+    ("A block in a groove that swings to and fro", "r(2)", lambda: GR[0]),
+    ("A block in a groove that swings to and fro", "N(2)", lambda: GR[1]),
 ]
 
 if __name__ == "__main__":

@@ -221,6 +221,75 @@ def forced(w, EI=1000.0, mu=2.0, F=10.0):
 
 
 # elastic cantilever carrying an inverted pendulum / motor with unbalance: see section
+# a frame with springs, a hinge, an inclined support, loads within the rods
+def mixed():
+    from scipy.linalg import eigh
+
+    X = [(0, 0), (0, 3), (4, 3), (6, 1)]
+    n = 13  # extra dof 12: rotation of BC end at C
+    K = np.zeros((n, n))
+    M = np.zeros((n, n))
+    F = np.zeros(n)
+    rods = [
+        (0, 1, 80e6, 2e6, 30.0, [0, 1, 2, 3, 4, 5]),
+        (1, 2, 90e6, 3e6, 40.0, [3, 4, 5, 6, 7, 12]),
+        (2, 3, 70e6, 2e6, 25.0, [6, 7, 8, 9, 10, 11]),
+    ]
+    for i, j, EA, EI, m, d in rods:
+        dx = X[j][0] - X[i][0]
+        dy = X[j][1] - X[i][1]
+        L = hypot(dx, dy)
+        R = rot(dx / L, dy / L)
+        k, mm = elem(EA, EI, L, m)
+        K[np.ix_(d, d)] += R.T @ k @ R
+        M[np.ix_(d, d)] += R.T @ mm @ R
+
+        def N(s):
+            z = s / L
+            return np.array(
+                [
+                    [1 - z, 0, 0, z, 0, 0],
+                    [0, 1 - 3 * z * z + 2 * z**3, L * (z - 2 * z * z + z**3), 0, 3 * z * z - 2 * z**3, L * (z**3 - z * z)],
+                ]
+            )
+
+        def dN(s):
+            z = s / L
+            return np.array([0, (-6 * z + 6 * z * z) / L, 1 - 4 * z + 3 * z * z, 0, (6 * z - 6 * z * z) / L, 3 * z * z - 2 * z])
+
+        if (i, j) == (1, 2):
+            F[d] += R.T @ N(1.5).T @ (R[:2, :2] @ np.array([3e3, -7e3]))
+        if (i, j) == (2, 3):
+            F[d] += R.T @ dN(1.0) * 2e3
+            xs, ws = np.polynomial.legendre.leggauss(8)
+            for x, w in zip(xs, ws):
+                s = L * (x + 1) / 2
+                q = np.array([1e3 * (1 - s / L), -1e3 - 2e3 * s / L])
+                F[d] += R.T @ N(s).T @ (R[:2, :2] @ q) * w * L / 2
+    K[2, 2] += 30e3
+    K[6, 6] += 200e3
+    M[3, 3] += 50
+    M[4, 4] += 50
+    M[5, 5] += 4
+    M[9, 9] += 20
+    M[10, 10] += 20
+    # D: local y at 30deg held: dir (-sin30,cos30)
+    T = np.eye(n)
+    c, s = cos(pi / 6), sin(pi / 6)
+    T[9:11, 9:11] = [[c, -s], [s, c]]
+    K2 = T.T @ K @ T
+    M2 = T.T @ M @ T
+    F2 = T.T @ F
+    fr = [i for i in range(n) if i not in (0, 1, 10, 11)]
+    u = np.zeros(n)
+    u[fr] = np.linalg.solve(K2[np.ix_(fr, fr)], F2[fr])
+    u = T @ u
+    r = K @ u - F
+
+    return u, r, np.sqrt(eigh(K2[np.ix_(fr, fr)], M2[np.ix_(fr, fr)], eigvals_only=True))
+
+
+MX = mixed()
 
 
 # section, claim, value
@@ -265,6 +334,19 @@ TABLE = [
     ("A beam with a spring under its middle", "modes[3].omega", lambda: SPR[1]),
     ("A cantilever shaken in its middle", "at_frequency.outputs.w.amplitude", lambda: abs(forced(50.0))),
     ("A cantilever shaken in its middle", "at_frequency.outputs.w.amplitude", lambda: abs(forced(200.0))),
+    ("A frame with springs, a hinge, an inclined support", "nodes.B.x", lambda: MX[0][3]),
+    ("A frame with springs, a hinge, an inclined support", "nodes.B.turn", lambda: MX[0][5]),
+    ("A frame with springs, a hinge, an inclined support", "nodes.C.y", lambda: MX[0][7]),
+    ("A frame with springs, a hinge, an inclined support", "nodes.C.turn", lambda: MX[0][8]),
+    ("A frame with springs, a hinge, an inclined support", "reactions.A.x", lambda: MX[1][0]),
+    ("A frame with springs, a hinge, an inclined support", "reactions.A.y", lambda: MX[1][1]),
+    ("A frame with springs, a hinge, an inclined support", "reactions.D.x", lambda: MX[1][9]),
+    ("A frame with springs, a hinge, an inclined support", "reactions.D.turn", lambda: MX[1][11]),
+    ("A frame with springs, a hinge, an inclined support", "springs.C.x", lambda: -200e3 * MX[0][6]),
+    ("A frame with springs, a hinge, an inclined support", "modes[1].omega", lambda: MX[2][0]),
+    ("A frame with springs, a hinge, an inclined support", "modes[2].omega", lambda: MX[2][1]),
+    ("A frame with springs, a hinge, an inclined support", "modes[4].omega", lambda: MX[2][3]),
+    ("A frame with springs, a hinge, an inclined support", "modes[5].omega", lambda: MX[2][4]),
 ]
 
 if __name__ == "__main__":
