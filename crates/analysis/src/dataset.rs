@@ -21,6 +21,8 @@ pub struct Dataset {
     pub events: Vec<Event>,
     /// Least and greatest values of the motion itself, not of its rows.
     pub extremes: Vec<Extreme>,
+    /// Integrals along the axis and last values, of the motion too.
+    pub overall: Vec<Overall>,
     /// What a repetition with other steps confirms.
     pub digits: Option<Digits>,
     /// Work done, by name: steps, evaluations.
@@ -124,19 +126,39 @@ impl Audit {
     }
 }
 
-/// Least and greatest value of a column, and when they are taken first.
+/// Least and greatest value of a column, and where on the axis they are taken first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Extreme {
     /// Index of the column.
     pub column: usize,
     /// Least value, SI.
     pub min: f64,
-    /// Its instant, s.
+    /// Its place on the axis: the instant in s, or the driven coordinate.
     pub t_min: f64,
     /// Greatest value, SI.
     pub max: f64,
-    /// Its instant, s.
+    /// Its place on the axis.
     pub t_max: f64,
+}
+
+/// A column over the whole motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Overall {
+    /// Index of the column.
+    pub column: usize,
+    /// ∫ f over the axis, SI.
+    pub integral: f64,
+    /// Length of the axis.
+    pub span: f64,
+    /// Value at the end.
+    pub last: f64,
+}
+
+impl Overall {
+    /// Mean over the axis; the last value where that has no length.
+    pub fn mean(&self) -> f64 {
+        if self.span > 0.0 { self.integral / self.span } else { self.last }
+    }
 }
 
 /// How far a motion and its repetition agree.
@@ -251,6 +273,10 @@ impl Dataset {
     /// Extremes of the column with a name.
     pub fn extreme(&self, name: &str) -> Option<&Extreme> {
         self.extremes.iter().find(|e| self.columns.get(e.column).is_some_and(|c| c.quantity.name == name))
+    }
+    /// Integral, mean and last value of the column with a name.
+    pub fn overall(&self, name: &str) -> Option<&Overall> {
+        self.overall.iter().find(|e| self.columns.get(e.column).is_some_and(|c| c.quantity.name == name))
     }
     /// Audit with a key.
     pub fn audit(&self, key: &str) -> Option<&Audit> {

@@ -91,6 +91,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
     crate::studies::explain::TOO_QUICK,
     crate::studies::explain::NOTHING_MOVES,
     crate::studies::explain::SECTION_OF_FORCED,
+    crate::studies::explain::ROWS_ONLY,
     crate::studies::explain::NOT_AT_REST,
     crate::studies::explain::NO_SUCH_PERIOD,
     crate::studies::explain::NOT_TURNING,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 mod conditions;
 mod impact;
 
-use program::{Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
+use program::{Behind, Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
 use symbolic::connections::{Law, Reaction};
 use symbolic::{Equations, Text};
 
@@ -31,6 +31,8 @@ pub struct Machine {
     /// Made when slopes are first asked for.
     tangent: Option<Box<Tangent>>,
     observed: Evaluator,
+    /// Operations behind the outputs shown: in the tape of the forces, in that of the outputs, together. Made when first asked for.
+    behind: Option<[Arc<Behind>; 3]>,
     /// q'' and reactions.
     forces: Evaluator,
     conditions: Option<Conditions>,
@@ -113,6 +115,7 @@ impl Machine {
             tangent: None,
             needs_accelerations: reads_accelerations(observed.tape()),
             observed,
+            behind: None,
             forces: bound.evaluator(&bound.program().forces)?,
             conditions: Conditions::new(equations, &bound)?,
             shown: (0..program.outputs.roots.len()).collect(),
@@ -188,6 +191,25 @@ impl Machine {
             let point = Point { time: t + dt, states: &beside, modes: Some(modes), active: Some(active), ..Point::default() };
             tangent.evaluate(&point).ok().map(<[f64]>::to_vec)
         })
+    }
+
+    /// What stands behind the outputs shown: in the tape of the forces, in that of the outputs, together by index of the output.
+    fn operations(&mut self) -> [Arc<Behind>; 3] {
+        if let Some(known) = &self.behind {
+            return known.clone();
+        }
+        let outputs = Behind::new(&self.observed);
+        let forces = if self.needs_accelerations { Behind::new(&self.forces) } else { Behind::default() };
+        let program = self.bound.program();
+        let n = program.coordinates;
+        let root = |i: usize| if i < n { Some(i) } else { program.known.iter().position(|r| *r == i - n).map(|k| n + k) };
+        let mut whole = outputs.after(&forces, &root);
+        let mut of = vec![Vec::new(); self.outputs.len()];
+        whole.of.drain(..).zip(&self.shown).for_each(|(list, &i)| of[i] = list);
+        whole.of = of;
+        let made = [forces, outputs, whole].map(Arc::new);
+        self.behind = Some(made.clone());
+        made
     }
 
     fn singular(&self, fault: Fault, x: &[f64]) -> Fault {
@@ -425,7 +447,44 @@ impl System for Machine {
         self.observed = self.bound.evaluator(&outputs)?;
         self.needs_accelerations = reads_accelerations(&outputs);
         self.shown = wanted.to_vec();
+        self.behind = None;
         Ok(())
+    }
+
+    fn behind(&mut self) -> Arc<Behind> {
+        let [_, _, whole] = self.operations();
+        whole
+    }
+
+    fn sample(&mut self, t: f64, x: &[f64], modes: &[Mode], row: &mut Vec<f64>) -> Result<(), Fault> {
+        row.clear();
+        row.resize(self.outputs.len(), 0.0);
+        self.observe(t, x, modes, row)?;
+        let [forces, outputs, _] = self.operations();
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
+        forces.record(&self.forces, &point, row);
+        outputs.record(&self.observed, &point, row);
+        Ok(())
+    }
+
+    fn rounding(&mut self, (t, x): (f64, &[f64]), modes: &[Mode], errors: &[f64], row: &mut Vec<f64>) {
+        row.clear();
+        let mut values = vec![0.0; self.outputs.len()];
+        if self.observe(t, x, modes, &mut values).is_err() {
+            return;
+        }
+        let [forces, outputs, _] = self.operations();
+        row.resize(self.outputs.len(), 0.0);
+        let mut given = Vec::new();
+        if self.needs_accelerations {
+            let roots = forces.rounding(&self.forces, errors, &[], row);
+            self.bound.program().spread(&roots, &mut given);
+        }
+        let found = outputs.rounding(&self.observed, errors, &given, row);
+        for (error, &i) in found.iter().zip(&self.shown) {
+            row[i] = *error;
+        }
     }
 
     fn refusal(&self, output: usize) -> Option<Fault> {
@@ -540,6 +599,10 @@ impl System for Machine {
             Some(conditions) => conditions.project(t, x, modes),
             None => Ok(0.0),
         }
+    }
+
+    fn drifts(&self) -> &[[f64; 2]] {
+        self.conditions.as_ref().map_or(&[], Conditions::drifts)
     }
 
     fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<bool, Fault> {

@@ -4,6 +4,9 @@
 //! motion x(t) is analytic, and [`System::expand`] returns its Taylor coefficients, together with those of every guard: the formulas whose
 //! sign decides the modes.
 
+use std::sync::Arc;
+
+use program::Behind;
 use symbolic::Text;
 
 use crate::Fault;
@@ -236,6 +239,26 @@ pub trait System {
     /// Values of all outputs at (t, x) in the given modes. Does not disturb the last expansion.
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault>;
 
+    /// The operations behind the outputs that are shown, by index of the output; none when the system knows values only.
+    fn behind(&mut self) -> Arc<Behind> {
+        Arc::default()
+    }
+
+    /// Puts the values of all outputs at (t, x), then the record of what stands behind them, into `row`.
+    ///
+    /// *Errors*: as [`System::observe`].
+    fn sample(&mut self, t: f64, x: &[f64], modes: &[Mode], row: &mut Vec<f64>) -> Result<(), Fault> {
+        row.clear();
+        row.resize(self.outputs().len(), 0.0);
+        self.observe(t, x, modes, row)
+    }
+
+    /// Puts the rounding of such a row into `row`, where the states are off by `errors`. Nothing when the system cannot tell.
+    fn rounding(&mut self, (t, x): (f64, &[f64]), modes: &[Mode], errors: &[f64], row: &mut Vec<f64>) {
+        let _ = (t, x, modes, errors);
+        row.clear();
+    }
+
     /// Why an output has no value, when it has none: it uses a reaction that is not unique.
     fn refusal(&self, output: usize) -> Option<Fault> {
         let _ = output;
@@ -310,6 +333,11 @@ pub trait System {
     fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
         let _ = (t, x, modes);
         Ok(0.0)
+    }
+
+    /// What the last [`System::project`] found, condition by condition: violation and size of the terms that meet in it, of places and of rates.
+    fn drifts(&self) -> &[[f64; 2]] {
+        &[]
     }
 
     /// Whether contacts and frictions that hold in these modes hold the same motion more than once, those left out that others carry.

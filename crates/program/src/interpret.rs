@@ -89,6 +89,11 @@ impl Evaluator {
         rounding::bound(&self.tape, &self.registers, register)
     }
 
+    /// Bounds of the rounding in all registers after the last evaluation, where the inputs are off by more than their own rounding.
+    pub(crate) fn roundings(&self, given: &rounding::Given) -> Vec<f64> {
+        rounding::bounds(&self.tape, &self.registers, given)
+    }
+
     /// Values of the roots at a point, in order.
     ///
     /// *Errors*: P008 for missing inputs, P005 or P009 for a mass matrix that is not positive, and for a root that is not finite the first operation that

@@ -50,6 +50,8 @@
 //! # Ok::<(), program::Fault>(())
 //! ```
 
+mod behind;
+pub mod curve;
 mod fault;
 mod general;
 mod guard;
@@ -65,6 +67,7 @@ mod tape;
 pub mod text;
 mod verify;
 
+pub use behind::{Behind, HELD, Node, Seen};
 pub use fault::{Details, EXPLANATIONS, Fault, Singular};
 pub use guard::{Guard, GuardKind, Mode};
 pub use interpret::{Evaluator, Point};

@@ -16,6 +16,8 @@ use crate::{Coefficient, Operation, Register, Tape, Unary};
 const UNIT: f64 = 2.0 * f64::EPSILON;
 /// Bound of the solution of a system relative to its largest component: the linear solve loses some digits.
 const SOLVED: f64 = 1e4 * f64::EPSILON;
+/// What it usually is.
+const USUAL: f64 = 256.0 * f64::EPSILON;
 /// Slack of the whole bound: states come from integration and assembly, which leave them a few units off.
 const SLACK: f64 = 8.0;
 
@@ -27,15 +29,61 @@ pub(crate) fn radicand(tape: &Tape, registers: &[f64], register: Register) -> f6
 
 /// Bound of the rounding in a register, whose value and those before it are known.
 pub(crate) fn bound(tape: &Tape, registers: &[f64], register: Register) -> f64 {
-    let mut errors = vec![0.0; register.index() + 1];
-    for instruction in tape.instructions().take_while(|i| i.into <= register) {
+    SLACK * errors(tape, registers, register.index() + 1, &Given::default())[register.index()]
+}
+
+/// How the solution of a system counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Solved {
+    /// Each component may be off by a share of the largest: a bound.
+    #[default]
+    Largest,
+    /// The same by a smaller share: what rounding usually does.
+    Usual,
+}
+
+/// Errors of what a tape is given, beyond their rounding to one number.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Given<'e> {
+    solved: Solved,
+    /// Of the states.
+    pub(crate) states: &'e [f64],
+    /// Of accelerations and reactions.
+    pub(crate) accelerations: &'e [f64],
+}
+
+impl<'e> Given<'e> {
+    /// States and accelerations with these errors, solutions of systems with their usual errors.
+    pub(crate) fn usual(states: &'e [f64], accelerations: &'e [f64]) -> Given<'e> {
+        Given { solved: Solved::Usual, states, accelerations }
+    }
+}
+
+/// Rounding in all registers.
+pub(crate) fn bounds(tape: &Tape, registers: &[f64], given: &Given) -> Vec<f64> {
+    let mut errors = errors(tape, registers, registers.len(), given);
+    errors.iter_mut().for_each(|e| *e *= SLACK);
+    errors
+}
+
+/// Errors of the first `count` registers.
+fn errors(tape: &Tape, registers: &[f64], count: usize, given: &Given) -> Vec<f64> {
+    let mut errors = vec![0.0; count];
+    for instruction in tape.instructions().take_while(|i| i.into.index() < count) {
         let first = instruction.into.index();
-        let error = error(&instruction.operation, first, registers, &errors);
+        let error = match instruction.operation {
+            Operation::State(slot) => given.states.get(slot as usize).copied().unwrap_or(0.0),
+            Operation::Acceleration(slot) => given.accelerations.get(slot as usize).copied().unwrap_or(0.0),
+            Operation::Solve { .. } | Operation::System { .. } if given.solved == Solved::Usual => {
+                USUAL / SOLVED * error(&instruction.operation, first, registers, &errors)
+            }
+            _ => error(&instruction.operation, first, registers, &errors),
+        };
         for k in first..(first + instruction.operation.width()).min(errors.len()) {
             errors[k] = error + UNIT * registers[k].abs();
         }
     }
-    SLACK * errors[register.index()]
+    errors
 }
 
 /// What the operands' errors make in the result.

@@ -6,6 +6,7 @@
 //!  "counters": {"steps": 117},
 //!  "audits": [{"key": "power_balance", "name": "...", "value": 1e-13, "limit": 1e-9, "ok": true}],
 //!  "extremes": [{"name": "phi", "min": -1.0, "t_min": 0.5, "max": 1.0, "t_max": 0.0}],
+//!  "means": {"phi": 0.1},
 //!  "digits": {"tolerance": 1e-13, "order": 29, "columns": {"phi": {"digits": 12}}},
 //!  "events": [{"t": 10.0, "what": "...", "before": {"phi": 0.1, "phi'": -2.0}, "after": {"phi": 0.1, "phi'": 1.6}}],
 //!  "partial": false, "notes": [],
@@ -80,6 +81,11 @@ fn head(data: &Dataset, language: Language) -> Map<String, Value> {
     if !data.stated.is_empty() {
         let one = |s: &Stated| json!({"name": s.column, "missing": s.missing.key(), "words": language.text(&s.words)});
         head.insert("stated".into(), data.stated.iter().map(one).collect());
+    }
+    let means: Map<String, Value> =
+        data.overall.iter().filter(|o| o.mean().is_finite()).map(|o| (name(data, o.column).to_owned(), json!(o.mean()))).collect();
+    if !means.is_empty() {
+        head.insert("means".into(), Value::Object(means));
     }
     if let Some(found) = &data.digits {
         head.insert("digits".into(), digits(data, found));

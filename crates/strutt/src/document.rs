@@ -510,16 +510,17 @@ pub fn energies(equations: &Equations) -> [(Say, &'static str, Expr); 3] {
     [(Say::KineticEnergy, "T", e.kinetic), (Say::PotentialEnergy, "Π", e.potential), (Say::DissipationFunction, "Φ", e.dissipation)]
 }
 
-/// What became of each quantity: at the start, least, largest, at the end.
+/// What became of each quantity: at the start, least, largest, at the end. Least and greatest values are those of the motion, with their places on the
+/// axis; a quantity that could not be followed between the rows has none.
 pub fn results(data: &Dataset, language: Language) -> Table {
     let heads = [Word::Symbol, Word::Unit].map(|w| Column::new(language.word(w)));
-    // without instants the table is that of the rows only
+    let axis = data.axis.and_then(|a| data.columns.get(a)).map(|c| &c.quantity);
     let timed = !data.extremes.is_empty();
     let mut columns: Vec<Column> = heads.into();
     columns.push(Column::new(say(language, Say::AtStart)));
     for word in [Word::Minimum, Word::Maximum] {
         columns.push(Column::new(language.word(word)));
-        columns.extend(timed.then(|| Column::with_unit(say(language, Say::WhenTaken), "s", language)));
+        columns.extend(timed.then(|| taken_at(axis, language)));
     }
     columns.push(Column::new(language.word(Word::Final)));
     columns.push(Column::new(language.word(Word::Description)));
@@ -528,9 +529,15 @@ pub fn results(data: &Dataset, language: Language) -> Table {
         if Some(i) == data.axis || column.values.is_empty() {
             continue;
         }
-        let Some(e) = extreme_of(data, i) else { continue };
         let (first, last) = (column.values[0], column.values[column.values.len() - 1]);
-        let scale = scale(&column.quantity, e.min.abs().max(e.max.abs()));
+        let known = extreme_of(data, i);
+        if known.is_none() && !column.values.iter().any(|v| v.is_finite()) {
+            continue;
+        }
+        let none = Extreme { min: f64::NAN, t_min: f64::NAN, max: f64::NAN, t_max: f64::NAN, column: i };
+        let e = known.unwrap_or(none);
+        let size = [first, e.min, e.max, last].iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
+        let scale = scale(&column.quantity, size);
         let shown = [first, e.min, e.max, last].map(|v| v / scale.size);
         let held = data.digits.as_ref().and_then(|d| d.columns.iter().find(|h| h.column == i));
         let mut cells = with_digits(&shown, held.map(|h| h.deviations.map(|d| d / scale.size)), language).into_iter();
@@ -548,12 +555,20 @@ pub fn results(data: &Dataset, language: Language) -> Table {
     table
 }
 
-/// Least and greatest value of a column: those of the motion, otherwise those of the rows. None when no value is finite.
+/// Head of the column of places: "at, s" over time, the driven coordinate otherwise.
+fn taken_at(axis: Option<&analysis::Quantity>, language: Language) -> Column {
+    match axis.filter(|q| q.name != "t") {
+        None => Column::with_unit(say(language, Say::WhenTaken), "s", language),
+        Some(q) => Column::with_unit(format!("{} {}", language.pick("at", "при"), q.symbol), &q.unit, language),
+    }
+}
+
+/// Least and greatest value of a column: those of the motion; of results that stand beside one another, those of the list.
 fn extreme_of(data: &Dataset, i: usize) -> Option<Extreme> {
     if let Some(found) = data.extremes.iter().find(|e| e.column == i) {
         return Some(found.clone());
     }
-    let finite = data.columns[i].values.iter().copied().filter(|v| v.is_finite());
+    let finite = data.columns[i].values.iter().copied().filter(|v| v.is_finite() && data.axis.is_none());
     let (min, max) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
     (min <= max).then_some(Extreme { column: i, min, max, ..Extreme::default() })
 }
@@ -563,7 +578,9 @@ fn with_digits<const N: usize>(values: &[f64; N], deviations: Option<[f64; N]>, 
     let held = deviations.map(|d| std::array::from_fn::<i32, N, _>(|k| analysis::audits::digits::digits(values[k].abs(), d[k])));
     let few = |k: usize| held.is_some_and(|h| h[k] < DIGITS as i32 && values[k] != 0.0);
     if !(0..N).any(few) {
-        return Cell::column(values, DIGITS, language);
+        let finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+        let mut printed = Cell::column(&finite, DIGITS, language).into_iter();
+        return values.iter().map(|v| if v.is_finite() { printed.next().unwrap_or(Cell::Empty) } else { Cell::Empty }).collect();
     }
     let cell = |k: usize| match held {
         Some(h) if few(k) && h[k] < 1 => Cell::words("–"),

@@ -188,7 +188,13 @@ fn confirm(machine: &mut Machine, finding: Finding, watch: &mut Watch) -> Findin
 
 /// A motion.
 pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
+    simulate_with_works(machine, study, &[], watch)
+}
+
+/// A motion; the integrals of `works`, outputs of the study that are powers, are compared with the energy.
+pub fn simulate_with_works(machine: &mut Machine, study: &Simulate, works: &[String], watch: &mut Watch) -> Finding {
     let mut options = plan::options(study, watch);
+    options.works = works.to_vec();
     options.events = plan::events(&machine.model, &machine.equations);
     let outcome = match machine.system.start() {
         Ok(start) => studies::simulate::simulate(&mut machine.system, &start, options),

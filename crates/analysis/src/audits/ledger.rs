@@ -38,11 +38,12 @@ const DEEPEST: u32 = 24;
 /// Most parts of a step.
 const PARTS: usize = 400;
 
-/// Work over a part of a step: net, and of all kinds without sign.
+/// Work over a part of a step: net, of all kinds without sign, and what the outputs asked for leave of the net one.
 #[derive(Clone, Copy, Debug, Default)]
 struct Work {
     net: f64,
     passed: f64,
+    rest: f64,
 }
 
 /// Keeps the ledger.
@@ -66,12 +67,20 @@ pub struct Ledger {
     tolerance: f64,
     x: Vec<f64>,
     rates: Vec<f64>,
+    /// Outputs that are powers within the loads, and what they must have done: change of energy less the work of all others.
+    powers: Vec<usize>,
+    owed: f64,
+    outputs: Vec<f64>,
 }
 
 impl Ledger {
-    /// For a system with this many states.
-    pub fn new(n_states: usize, tolerance: f64) -> Ledger {
+    /// For a system with this many states. `powers` are outputs whose work is to be confirmed.
+    pub fn new<S: System + ?Sized>(system: &S, tolerance: f64, powers: &[usize]) -> Ledger {
+        let n_states = system.states().len();
         Ledger {
+            powers: powers.to_vec(),
+            owed: 0.0,
+            outputs: vec![0.0; system.outputs().len()],
             known: true,
             potential: None,
             open: (0.0, 0.0),
@@ -109,12 +118,15 @@ impl Ledger {
         let moved = (after[0] - before[0]).abs() + (after[1] - before[1]).abs();
         let whole = self.gauss(step, system, (0.0, h))?;
         let size = whole.passed + moved;
-        let closes = (change - whole.net).abs() <= (0.1 * self.tolerance * size).max(4.0 * f64::EPSILON * self.rounding);
+        // what is asked for one by one must stand by itself
+        let closes =
+            self.powers.is_empty() && (change - whole.net).abs() <= (0.1 * self.tolerance * size).max(4.0 * f64::EPSILON * self.rounding);
         let work = if closes { whole } else { self.halved(step, system, h, whole)? };
         step.state_after(0.5 * h, &mut self.x);
         let through = damping_alone(system, step.start.after(0.5 * h).high, &self.x, &step.modes);
         self.passed += work.passed.max(through * h);
         self.add(change - work.net);
+        self.owed += change - work.rest;
         self.steps += 1;
         self.last = Some((step.start.after(h).high, self.x.clone(), step.modes.clone()));
         if let Some((_, x, _)) = &mut self.last {
@@ -174,10 +186,21 @@ impl Ledger {
             step.rate_after(tau, &mut self.rates);
             let p: Powers = system.powers(step.start.after(tau).high, &self.x, &self.rates[n..2 * n], &step.modes)?;
             let share = weight * (to - from);
-            work.net += share * (p.loads + p.drives - p.dissipated);
+            let net = p.loads + p.drives - p.dissipated;
+            work.net += share * net;
+            work.rest += share * (net - self.asked(step, system, tau)?);
             work.passed += share * (p.loads.abs() + p.drives.abs() + p.dissipated.abs());
         }
         Some(work)
+    }
+
+    /// Sum of the powers asked for, where the state is that of tau.
+    fn asked<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, tau: f64) -> Option<f64> {
+        if self.powers.is_empty() {
+            return Some(0.0);
+        }
+        system.observe(step.start.after(tau).high, &self.x, &step.modes, &mut self.outputs).ok()?;
+        Some(self.powers.iter().map(|i| self.outputs[*i]).sum())
     }
 
     /// The integral by halving, each part until two halves agree with it.
@@ -189,12 +212,13 @@ impl Ledger {
             let middle = 0.5 * (from + to);
             let left = self.gauss(step, system, (from, middle))?;
             let right = self.gauss(step, system, (middle, to))?;
-            let off = (left.net + right.net - coarse.net).abs();
+            let off = (left.net + right.net - coarse.net).abs().max((left.rest + right.rest - coarse.rest).abs());
             parts += 1;
             let enough = off <= 1e-3 * self.tolerance * (whole.passed + sum.passed) || off <= 4.0 * f64::EPSILON * self.rounding;
             if enough || depth >= DEEPEST || parts > PARTS {
                 sum.net += left.net + right.net;
                 sum.passed += left.passed + right.passed;
+                sum.rest += left.rest + right.rest;
             } else {
                 open.push((middle, to, right, depth + 1));
                 open.push((from, middle, left, depth + 1));
@@ -211,6 +235,18 @@ impl Ledger {
         );
         let limit = (self.steps as f64 * self.tolerance).clamp(LEAST, MOST);
         (self.known && self.steps > 0).then(|| Audit::at_most("energy_ledger", name, self.found.worst(), limit))
+    }
+
+    /// Whether the work of the outputs asked for, found another way, is what the energy and all other works leave.
+    pub fn confirmed(&self, work: f64) -> Audit {
+        let name = Text::new(
+            "work of the motors: change of energy less the work of everything else, relative to the energy that passed",
+            "работа двигателей: изменение энергии за вычетом работы всего остального, относительно прошедшей энергии",
+        );
+        let scale = self.kinetic.max(self.range).max(self.passed).max(64.0 * f64::EPSILON / LEAST * self.rounding);
+        let off = (work - self.owed).abs();
+        let limit = (self.steps as f64 * self.tolerance).clamp(LEAST, MOST);
+        Audit::at_most("work", name, if off == 0.0 { 0.0 } else { off / scale }, limit)
     }
 
     /// Whether energies have no value along the motion, so that there is no ledger.

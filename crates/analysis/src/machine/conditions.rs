@@ -65,6 +65,8 @@ pub(super) struct Conditions {
     moved: Vec<f64>,
     /// Largest rate of a coordinate so far: what a machine that has come to rest is compared with.
     fastest: f64,
+    /// Violation and size of each row's place, then of each row's rate, as the last projection found them.
+    drifts: Vec<[f64; 2]>,
 }
 
 /// A condition that takes part.
@@ -144,6 +146,7 @@ impl Conditions {
             arms: vec![0.0; rows.len()],
             moved: vec![0.0; rows.len()],
             fastest: 0.0,
+            drifts: vec![[0.0; 2]; 2 * rows.len()],
             rows,
             repeated,
             coordinates,
@@ -242,17 +245,33 @@ impl Conditions {
         self.evaluate(t, x)?;
         self.remember_arms(x);
         let place = self.worst(x, Level::Place);
+        self.drifts.fill([0.0; 2]);
+        for k in 0..self.active.len() {
+            let row = self.active[k];
+            self.drifts[row] = [self.place(row).abs(), self.arms[row]];
+        }
         if place > ROUNDING {
             self.close(t, x, Level::Place, place)?;
         }
         self.remember_rates(x);
         let rate = self.worst(x, Level::Rate);
+        for k in 0..self.active.len() {
+            let row = self.active[k];
+            if !self.is_sticking(row) {
+                self.drifts[self.rows.len() + row] = [self.rate(row).abs(), self.moved[row]];
+            }
+        }
         let drift = self.active.iter().filter(|row| !self.is_sticking(**row)).fold(place, |m, &row| m.max(self.slip(row, x)));
         if rate > ROUNDING {
             self.close(t, x, Level::Rate, rate)?;
         }
         self.check_repeated(x)?;
         Ok(if place > ROUNDING || rate > ROUNDING { drift.max(f64::MIN_POSITIVE) } else { 0.0 })
+    }
+
+    /// See [`crate::System::drifts`].
+    pub(super) fn drifts(&self) -> &[[f64; 2]] {
+        &self.drifts
     }
 
     /// What repeated other conditions at the start must go on doing so: prescribed places may part later.

@@ -92,6 +92,16 @@ pub fn derivative(row: &[f64]) -> Vec<f64> {
     row.windows(2).map(|pair| n * (pair[1] - pair[0])).collect()
 }
 
+/// Coefficients of the integral from 0 over a piece of this width.
+pub fn integral(row: &[f64], width: f64) -> Vec<f64> {
+    let share = width / row.len() as f64;
+    let sums = row.iter().scan(0.0, |sum, b| {
+        *sum += share * b;
+        Some(*sum)
+    });
+    std::iter::once(0.0).chain(sums).collect()
+}
+
 fn halves(mut row: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
     let n = row.len();
     let mut left = Vec::with_capacity(n);

@@ -1,14 +1,18 @@
-//! Least and greatest values of a motion, with their instants.
+//! Least and greatest values of a motion, with their instants, and its means.
 //!
 //! Candidates are both ends of every step (so both sides of every jump) and the zeros of the derivative inside. A step whose Σ |c_k| h^k cannot exceed
 //! what was found is passed over. Of values that differ by less than the tolerance times the range the first one counts: a periodic motion names its
 //! first peak, not the one that rounding favours.
+//!
+//! The mean is ∫ f dt / ∫ dt over the motion, from the polynomials of the steps: Σ c_k h^(k+1)/(k+1) of a state, the mean of Bernstein's coefficients
+//! times its length of every other piece. A jump has no length.
 
 use super::crossings::{self, Bracket};
 use super::proxy::{Piece, Proxies};
 use super::{Along, bracketed, unknown};
 use crate::System;
-use crate::dataset::Extreme;
+use crate::dataset::{Extreme, Overall};
+use crate::numerics::sum::two_sum;
 
 /// Collects extremes of columns.
 #[derive(Clone, Debug)]
@@ -17,6 +21,11 @@ pub struct Extremes {
     /// For each column the output and, when it is one, the state.
     sources: Vec<(usize, Option<usize>)>,
     proxies: Proxies,
+    /// Integral of each column, high and low part, and the length of what has a piece.
+    integrals: Vec<[f64; 3]>,
+    /// Length of the motion.
+    span: f64,
+    last: Vec<f64>,
     /// Share of the range by which a later value must be better.
     tie: f64,
 }
@@ -29,6 +38,9 @@ impl Extremes {
             list: unknown(chosen.len()),
             sources: chosen.iter().map(|&i| (i, state(i))).collect(),
             proxies: Proxies::default(),
+            integrals: vec![[0.0; 3]; chosen.len()],
+            span: 0.0,
+            last: vec![f64::NAN; chosen.len()],
             tie: tolerance,
         }
     }
@@ -58,17 +70,19 @@ impl Extremes {
     /// Looks at a step.
     pub(crate) fn look<S: System + ?Sized>(&mut self, along: &mut Along<'_, S>) {
         let h = along.length;
+        self.span += h;
         let mut sampled = Vec::new();
         for j in 0..self.sources.len() {
             match self.sources[j] {
                 (_, Some(state)) => self.state(j, state, along),
-                (output, None) => sampled.push(output),
+                (output, None) if !sampled.contains(&output) => sampled.push(output),
+                (_, None) => {}
             }
         }
         if sampled.is_empty() {
             return;
         }
-        let pieces = self.proxies.pieces(&mut |tau| along.outputs(tau).to_vec(), &sampled, h);
+        let pieces = self.proxies.pieces(along, &sampled, h);
         for piece in pieces {
             let columns = (0..self.sources.len()).filter(|j| self.sources[*j] == (piece.of, None)).collect::<Vec<_>>();
             for j in columns {
@@ -79,6 +93,8 @@ impl Extremes {
 
     fn state<S: System + ?Sized>(&mut self, j: usize, state: usize, along: &mut Along<'_, S>) {
         let (c, h) = (along.polynomial(state), along.length);
+        let area = c.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, c_k)| (sum + c_k / (k + 1) as f64) * h) * h;
+        self.add(j, h, area + along.start(state) * h);
         let reach = c[1..].iter().rev().fold(0.0, |sum, c_k| (sum + c_k.abs()) * h);
         let first = along.state(state, 0.0);
         if first + reach <= self.list[j].max && first - reach >= self.list[j].min {
@@ -105,6 +121,8 @@ impl Extremes {
     }
 
     fn piece<S: System + ?Sized>(&mut self, j: usize, piece: &Piece, along: &mut Along<'_, S>) {
+        let width = piece.to - piece.from;
+        self.add(j, width, width * piece.row.iter().sum::<f64>() / piece.row.len() as f64);
         let (low, high) = piece.row.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), b| (l.min(*b), h.max(*b)));
         // the polynomial lies in the hull of its coefficients
         if high <= self.list[j].max && low >= self.list[j].min {
@@ -131,8 +149,39 @@ impl Extremes {
         self.offer(j, along.time(piece.to), piece.row[piece.row.len() - 1]);
     }
 
+    fn add(&mut self, j: usize, length: f64, area: f64) {
+        let [high, low, done] = &mut self.integrals[j];
+        let (sum, error) = two_sum(*high, area);
+        (*high, *low, *done) = (sum, *low + error, *done + length);
+    }
+
+    /// Values of all columns where the motion ends.
+    pub fn end(&mut self, values: &[f64]) {
+        self.last.copy_from_slice(values);
+    }
+
     /// What was found, in the order of the columns; columns without a finite value are left out.
-    pub fn found(self) -> Vec<Extreme> {
-        self.list.into_iter().filter(|e| e.min <= e.max).collect()
+    pub fn found(&self) -> Vec<Extreme> {
+        self.list.iter().filter(|e| e.min <= e.max).cloned().collect()
+    }
+
+    /// Integrals and last values of the columns. An integral is no number where a part of the motion is missing.
+    pub fn overall(&self) -> Vec<Overall> {
+        let one = |(j, [high, low, done]): (usize, &[f64; 3])| {
+            let whole = (done - self.span).abs() <= 1e-9 * self.span;
+            let integral = if whole { high + low } else { f64::NAN };
+            Overall { column: j + 1, integral, span: self.span, last: self.last[j] }
+        };
+        self.integrals.iter().enumerate().map(one).collect()
+    }
+
+    /// Columns that could not be followed everywhere.
+    pub fn lost(&self) -> Vec<usize> {
+        (0..self.sources.len()).filter(|j| self.sources[*j].1.is_none() && self.proxies.lost().contains(&self.sources[*j].0)).collect()
+    }
+
+    /// Rows of outputs sampled.
+    pub fn samples(&self) -> u64 {
+        self.proxies.samples()
     }
 }

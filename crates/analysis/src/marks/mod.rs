@@ -1,17 +1,25 @@
 //! What a motion does between the rows of its table: least and greatest values, and instants at which a formula passes zero.
 //!
 //! Both look at the dense output after a step is accepted and leave the motion alone. A state is a polynomial of the step. Any other quantity f is
-//! sampled along the step and replaced by the polynomial through its values at Chebyshev's points ([`proxy`]); sign changes of the polynomial, or of
-//! its derivative, are isolated in Bernstein's form ([`crossings`]), so that none is missed down to the rounding of its coefficients; an instant is
-//! then polished on f itself.
+//! sampled along the step and replaced by the polynomial through its values at Chebyshev's points ([`proxy`]), on parts so short that no operation
+//! behind f hides anything between the points ([`behind`]); sign changes of the polynomial, or of its derivative, are isolated in Bernstein's form
+//! ([`crossings`]), so that none is missed down to the rounding of its coefficients; an instant is then polished on f itself. The same polynomials give
+//! integrals, hence means and works.
 
+mod behind;
+pub(crate) mod course;
 pub mod crossings;
 pub mod extremes;
 pub mod named;
 pub mod proxy;
 
+use std::sync::Arc;
+
+use program::Behind;
+
 use crate::taylor::Step;
 use crate::{System, dataset::Extreme};
+use proxy::Source;
 
 /// A quantity along a step: which outputs, and room to evaluate them.
 pub(crate) struct Along<'a, S: ?Sized> {
@@ -50,6 +58,11 @@ impl<'a, S: System + ?Sized> Along<'a, S> {
         self.step.coefficients(state)
     }
 
+    /// A state at the start, with its whole turns.
+    pub fn start(&self, state: usize) -> f64 {
+        self.step.start_value(state)
+    }
+
     /// All states at `tau`.
     pub fn whole_state(&mut self, tau: f64) -> Vec<f64> {
         self.step.state_after(tau, &mut self.x);
@@ -60,6 +73,36 @@ impl<'a, S: System + ?Sized> Along<'a, S> {
     pub fn state(&mut self, state: usize, tau: f64) -> f64 {
         self.step.state_after(tau, &mut self.x);
         self.x[state]
+    }
+}
+
+impl<S: System + ?Sized> Source for Along<'_, S> {
+    fn sample(&mut self, tau: f64) -> Vec<f64> {
+        self.step.state_after(tau, &mut self.x);
+        let (t, mut row) = (self.time(tau), Vec::new());
+        if self.system.sample(t, &self.x, &self.step.modes, &mut row).is_err() {
+            row.fill(f64::NAN);
+            row.resize(self.all.len() + self.system.behind().width(), f64::NAN);
+        }
+        row
+    }
+
+    fn rounding(&mut self, tau: f64) -> Vec<f64> {
+        self.step.state_after(tau, &mut self.x);
+        let (t, mut row) = (self.time(tau), Vec::new());
+        // a polynomial is rounded like its terms
+        let size = |i: usize| self.polynomial(i).iter().rev().fold(0.0, |sum, c| sum * self.length + c.abs());
+        let errors: Vec<f64> = (0..self.x.len()).map(|i| f64::EPSILON * size(i)).collect();
+        self.system.rounding((t, &self.x), &self.step.modes, &errors, &mut row);
+        row
+    }
+
+    fn behind(&mut self) -> (usize, Arc<Behind>) {
+        (self.all.len(), self.system.behind())
+    }
+
+    fn resolution(&self) -> f64 {
+        4.0 * f64::EPSILON * self.time(self.length).abs()
     }
 }
 

@@ -77,7 +77,7 @@ impl Watcher {
         }
         let outputs: Vec<usize> = self.events.iter().map(|e| e.output).collect();
         let h = along.length;
-        let pieces = self.proxies.pieces(&mut |tau| along.outputs(tau).to_vec(), &outputs, h);
+        let pieces = self.proxies.pieces(along, &outputs, h);
         let mut found = Vec::new();
         for i in 0..self.events.len() {
             let output = self.events[i].output;
@@ -118,6 +118,16 @@ impl Watcher {
             Direction::Rising => sign > 0.0,
             Direction::Falling => sign < 0.0,
         }
+    }
+
+    /// Events whose formulas could not be followed everywhere.
+    pub fn lost(&self) -> Vec<usize> {
+        (0..self.events.len()).filter(|i| self.proxies.lost().contains(&self.events[*i].output)).collect()
+    }
+
+    /// Rows of outputs sampled.
+    pub fn samples(&self) -> u64 {
+        self.proxies.samples()
     }
 
     /// Whether an event ends the motion.

@@ -2,12 +2,19 @@
 //!
 //! On [a, b] the values at Chebyshev's extreme points u_j = (1 - cos(π j/n))/2 give the coefficients of f = Σ c_k T_k(2u - 1). For an analytic f they
 //! fall like ρ^-k, ρ by the nearest singularity; n = 8 is tried, then 16, then the halves. The last two coefficients measure the error: they must fall
-//! below `ERROR` of the variation Σ |c_k|, k >= 1, or be rounding of the largest value in the step. A kink or a jump (`abs` in an output) is closed in by halving to
-//! `DEEPEST`; a quantity that is noise itself never converges and is given up after `PIECES` pieces a step, which is more than any smooth one needs.
+//! below `ERROR` of the variation, or be rounding: of the largest value so far, or what the running error analysis of the tape gives. A pulse between
+//! the points leaves these coefficients small; so every operation behind the quantity must be seen at the points too ([`super::behind`]). A kink or a
+//! jump (`abs` in an output) is closed in by halving to `DEEPEST`. What does not converge is given up after `BANK` pieces in the whole run, and said so.
 //!
 //! *Source*: J. P. Boyd, Solving Transcendental Equations (SIAM 2014), chapter 3 (Chebyshev proxies with subdivision).
 
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
+use std::sync::Arc;
+
+use program::Behind;
+
+use super::behind::Look;
 
 /// Error relative to the variation.
 const ERROR: f64 = 1e-11;
@@ -15,8 +22,39 @@ const ERROR: f64 = 1e-11;
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Share of the step below which a piece is an instant.
 const DEEPEST: f64 = 1e-14;
-/// Most pieces of a quantity in one step.
-const PIECES: usize = 160;
+/// Pieces of a quantity that may fail before it is given up; each step gives `EARNED` back.
+const BANK: i64 = 20_000;
+const EARNED: i64 = 64;
+
+/// What is sampled.
+pub(crate) trait Source {
+    /// All quantities at tau after the start of the step, then the record of the operations behind them.
+    fn sample(&mut self, tau: f64) -> Vec<f64>;
+    /// Rounding of such a row at tau; empty when unknown.
+    fn rounding(&mut self, tau: f64) -> Vec<f64>;
+    /// Number of quantities, and the operations behind them with places in the record.
+    fn behind(&mut self) -> (usize, Arc<Behind>);
+    /// Shortest difference of two instants.
+    fn resolution(&self) -> f64;
+}
+
+/// Quantities that are known by their values alone.
+pub(crate) struct Values<F>(pub F);
+
+impl<F: FnMut(f64) -> Vec<f64>> Source for Values<F> {
+    fn sample(&mut self, tau: f64) -> Vec<f64> {
+        self.0(tau)
+    }
+    fn rounding(&mut self, _: f64) -> Vec<f64> {
+        Vec::new()
+    }
+    fn behind(&mut self) -> (usize, Arc<Behind>) {
+        (0, Arc::default())
+    }
+    fn resolution(&self) -> f64 {
+        0.0
+    }
+}
 
 /// A polynomial on a part of the step.
 #[derive(Clone, Debug)]
@@ -33,8 +71,8 @@ pub struct Piece {
 
 /// Tables for one number of points.
 #[derive(Clone, Debug)]
-struct Points {
-    n: usize,
+pub(super) struct Points {
+    pub(super) n: usize,
     /// Places in [0, 1].
     u: Vec<f64>,
     /// Values to Chebyshev's coefficients, (n+1)².
@@ -56,6 +94,20 @@ impl Points {
         let to_bernstein = (0..=n).flat_map(|i| columns.iter().map(move |column| column[i])).collect();
         let u = (0..=n).map(|j| (0.5 * PI * j as f64 / n as f64).sin().powi(2)).collect();
         Points { n, u, to_chebyshev, to_bernstein }
+    }
+
+    /// Bernstein's coefficients of the polynomial through the values.
+    pub(super) fn row(&self, f: &[f64]) -> Vec<f64> {
+        let mut row = self.times(&self.to_bernstein, &self.times(&self.to_chebyshev, f));
+        (row[0], row[self.n]) = (f[0], f[self.n]);
+        row
+    }
+
+    /// The last two of Chebyshev's coefficients, without sign, together.
+    pub(super) fn tail(&self, f: &[f64]) -> f64 {
+        let m = self.n + 1;
+        let c = |k: usize| self.to_chebyshev[k * m..(k + 1) * m].iter().zip(f).map(|(a, f)| a * f).sum::<f64>();
+        c(self.n).abs() + c(self.n - 1).abs()
     }
 
     fn times(&self, matrix: &[f64], v: &[f64]) -> Vec<f64> {
@@ -89,98 +141,167 @@ fn chebyshev_in_bernstein(k: usize, n: usize) -> Vec<f64> {
     b
 }
 
-/// Makes proxies.
+/// Makes proxies; what it remembers is that of one motion.
 #[derive(Clone, Debug)]
 pub struct Proxies {
     coarse: Points,
     fine: Points,
+    /// Largest magnitude so far of each place of a row.
+    largest: Vec<f64>,
+    /// Pieces that may still fail, by quantity.
+    bank: Vec<i64>,
+    /// Quantities that were given up somewhere.
+    lost: BTreeSet<usize>,
+    /// Rows that were sampled.
+    samples: u64,
 }
 
 impl Default for Proxies {
     fn default() -> Proxies {
-        Proxies { coarse: Points::new(8), fine: Points::new(16) }
+        let (coarse, fine) = (Points::new(8), Points::new(16));
+        Proxies { coarse, fine, largest: Vec::new(), bank: Vec::new(), lost: BTreeSet::new(), samples: 0 }
     }
 }
 
+/// A part of the step under work.
+struct Part {
+    from: f64,
+    to: f64,
+    /// Quantities still without a piece there.
+    left: Vec<usize>,
+}
+
 impl Proxies {
-    /// Pieces of the quantities `wanted` of `sample` over [0, h], each quantity's in order of time.
-    ///
-    /// *Shapes*: `sample(tau)` gives all quantities, at least up to the largest of `wanted`. Values that are not finite give no piece.
-    pub fn pieces(&self, sample: &mut dyn FnMut(f64) -> Vec<f64>, wanted: &[usize], h: f64) -> Vec<Piece> {
+    /// For what is costly to sample: so many pieces may fail.
+    pub(crate) fn sparing(pieces: i64, quantities: usize) -> Proxies {
+        Proxies { bank: vec![pieces; quantities], ..Proxies::default() }
+    }
+
+    /// Pieces of the quantities `wanted` over [0, h], each quantity's in order of time. Values that are not finite give no piece.
+    pub(crate) fn pieces(&mut self, source: &mut dyn Source, wanted: &[usize], h: f64) -> Vec<Piece> {
         let mut out: Vec<Piece> = Vec::new();
-        let mut spent = vec![0_usize; wanted.len()];
-        // of the whole step: in a small piece beside a zero the rounding is still that of the large terms
-        let mut largest = vec![0.0_f64; wanted.len()];
-        let mut open: Vec<(f64, f64, Vec<usize>)> = vec![(0.0, h, (0..wanted.len()).collect())];
-        while let Some((from, to, mut left)) = open.pop() {
-            let coarse = self.values(&self.coarse, sample, (from, to), &[]);
-            for &w in &left {
-                largest[w] = coarse.iter().map(|row| row[wanted[w]].abs()).filter(|v| v.is_finite()).fold(largest[w], f64::max);
-            }
-            left.retain(|&w| !self.take(&self.coarse, &coarse, (wanted[w], from, to), (largest[w], Last::No), &mut out));
-            if left.is_empty() {
+        let behind = source.behind();
+        for &w in wanted {
+            self.bank.resize(self.bank.len().max(w + 1), BANK);
+            self.bank[w] = (self.bank[w] + EARNED).min(BANK);
+        }
+        let shortest = (DEEPEST * h).max(source.resolution());
+        let mut open = vec![Part { from: 0.0, to: h, left: wanted.to_vec() }];
+        while let Some(mut part) = open.pop() {
+            let coarse = self.values(8, source, &part, &[]);
+            self.remember(&coarse);
+            self.take(&coarse, &behind, &[], &mut part, &mut out);
+            if part.left.is_empty() {
                 continue;
             }
-            let fine = self.values(&self.fine, sample, (from, to), &coarse);
-            let instant = to - from <= DEEPEST * h;
-            left.retain(|&w| {
-                spent[w] += 1;
-                let last = if instant || spent[w] > PIECES { Last::Yes } else { Last::No };
-                !self.take(&self.fine, &fine, (wanted[w], from, to), (largest[w], last), &mut out)
-            });
-            if !left.is_empty() {
-                let middle = 0.5 * (from + to);
-                open.push((middle, to, left.clone()));
-                open.push((from, middle, left));
+            let fine = self.values(16, source, &part, &coarse);
+            self.remember(&fine);
+            self.take(&fine, &behind, &[], &mut part, &mut out);
+            if part.left.is_empty() {
+                continue;
+            }
+            let rounding = source.rounding(part.to);
+            if !rounding.is_empty() {
+                self.take(&fine, &behind, &rounding, &mut part, &mut out);
+            }
+            if part.to - part.from <= shortest {
+                self.end(&fine, &part, &mut out);
+                continue;
+            }
+            self.give_up(&fine, &mut part, &mut out);
+            if !part.left.is_empty() {
+                let middle = 0.5 * (part.from + part.to);
+                open.push(Part { from: middle, to: part.to, left: part.left.clone() });
+                open.push(Part { from: part.from, to: middle, left: part.left });
             }
         }
         out
     }
 
-    /// Rows of values at the points; every second one of the finer is known.
-    fn values(
-        &self,
-        points: &Points,
-        sample: &mut dyn FnMut(f64) -> Vec<f64>,
-        (from, to): (f64, f64),
-        known: &[Vec<f64>],
-    ) -> Vec<Vec<f64>> {
-        let place = |j: usize| if j == points.n { to } else { from + (to - from) * points.u[j] };
-        (0..=points.n).map(|j| if !known.is_empty() && j % 2 == 0 { known[j / 2].clone() } else { sample(place(j)) }).collect()
+    /// Quantities that could not be followed everywhere.
+    pub(crate) fn lost(&self) -> &BTreeSet<usize> {
+        &self.lost
     }
 
-    /// Adds the piece when it is exact enough.
-    fn take(
-        &self,
-        points: &Points,
-        values: &[Vec<f64>],
-        (of, from, to): (usize, f64, f64),
-        (largest, last): (f64, Last),
-        out: &mut Vec<Piece>,
-    ) -> bool {
-        let f: Vec<f64> = values.iter().map(|row| row[of]).collect();
-        if f.iter().any(|v| !v.is_finite()) {
-            return last == Last::Yes;
+    /// Rows sampled so far.
+    pub(crate) fn samples(&self) -> u64 {
+        self.samples
+    }
+
+    /// Rows of values at the points; every second one of the finer is known.
+    fn values(&mut self, last: usize, source: &mut dyn Source, part: &Part, known: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let (u, samples) = (if last == self.coarse.n { &self.coarse.u } else { &self.fine.u }, &mut self.samples);
+        let place = |j: usize| if j == last { part.to } else { part.from + (part.to - part.from) * u[j] };
+        let mut row = |j: usize| match known.get(j / 2).filter(|_| j.is_multiple_of(2)) {
+            Some(row) => row.clone(),
+            None => {
+                *samples += 1;
+                source.sample(place(j))
+            }
+        };
+        (0..=last).map(&mut row).collect()
+    }
+
+    fn remember(&mut self, rows: &[Vec<f64>]) {
+        for row in rows {
+            self.largest.resize(self.largest.len().max(row.len()), 0.0);
+            for (largest, v) in self.largest.iter_mut().zip(row).filter(|(_, v)| v.is_finite()) {
+                *largest = largest.max(v.abs());
+            }
         }
-        let c = points.times(&points.to_chebyshev, &f);
-        let variation: f64 = c[1..].iter().map(|c| c.abs()).sum();
-        let tail = c[points.n].abs() + c[points.n - 1].abs();
-        if tail <= (ERROR * variation).max(ROUNDING * largest) {
-            out.push(Piece { of, from, to, row: points.times(&points.to_bernstein, &c) });
-            return true;
+    }
+
+    /// Adds the pieces of the quantities that are exact enough, and takes them off the part.
+    fn take(&self, rows: &[Vec<f64>], (first, behind): &(usize, Arc<Behind>), rounding: &[f64], part: &mut Part, out: &mut Vec<Piece>) {
+        let points = if rows.len() == self.coarse.n + 1 { &self.coarse } else { &self.fine };
+        let noise = |i: usize| (ROUNDING * self.largest[i]).max(rounding.get(i).copied().filter(|r| r.is_finite()).unwrap_or(0.0));
+        let mut look = Look::new(points, rows, behind, *first, ERROR);
+        part.left.retain(|&w| {
+            let f: Vec<f64> = rows.iter().map(|row| row[w]).collect();
+            let exact = f.iter().all(|v| v.is_finite()) && points.tail(&f) <= (ERROR * spread(&f)).max(noise(w));
+            let seen = exact && behind.of.get(w).is_none_or(|nodes| nodes.iter().all(|n| look.sees(*n, &noise)));
+            if seen {
+                out.push(Piece { of: w, from: part.from, to: part.to, row: points.row(&f) });
+            }
+            !seen
+        });
+    }
+
+    /// An instant: a jump has its two ends.
+    fn end(&mut self, rows: &[Vec<f64>], part: &Part, out: &mut Vec<Piece>) {
+        for &w in &part.left {
+            let ends = vec![rows[0][w], rows[rows.len() - 1][w]];
+            if ends.iter().all(|v| v.is_finite()) {
+                out.push(Piece { of: w, from: part.from, to: part.to, row: ends });
+            } else {
+                self.lost.insert(w);
+            }
         }
-        if last == Last::Yes {
-            // a jump or noise: its two ends
-            out.push(Piece { of, from, to, row: vec![f[0], f[points.n]] });
-        }
-        last == Last::Yes
+    }
+
+    /// Quantities that have failed too often are taken as they are.
+    fn give_up(&mut self, rows: &[Vec<f64>], part: &mut Part, out: &mut Vec<Piece>) {
+        let points = &self.fine;
+        let (bank, lost) = (&mut self.bank, &mut self.lost);
+        part.left.retain(|&w| {
+            bank[w] -= 1;
+            if bank[w] > 0 {
+                return true;
+            }
+            lost.insert(w);
+            let f: Vec<f64> = rows.iter().map(|row| row[w]).collect();
+            if f.iter().all(|v| v.is_finite()) {
+                out.push(Piece { of: w, from: part.from, to: part.to, row: points.row(&f) });
+            }
+            false
+        });
     }
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Last {
-    No,
-    Yes,
+/// Greatest less least value.
+pub(super) fn spread(f: &[f64]) -> f64 {
+    let (low, high) = f.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    high - low
 }
 
 #[cfg(test)]
@@ -190,9 +311,8 @@ mod tests {
 
     #[test]
     fn a_smooth_function_is_met_to_rounding_and_a_kink_is_closed_in() {
-        let proxies = Proxies::default();
-        let mut f = |t: f64| vec![(3.0 * t).sin() / (1.2 + t.cos()), (t - 0.3).abs()];
-        let pieces = proxies.pieces(&mut f, &[0, 1], 2.0);
+        let f = |t: f64| vec![(3.0 * t).sin() / (1.2 + t.cos()), (t - 0.3).abs()];
+        let pieces = Proxies::default().pieces(&mut Values(f), &[0, 1], 2.0);
         for piece in &pieces {
             for k in 0..=10 {
                 let u = f64::from(k) / 10.0;
@@ -208,11 +328,13 @@ mod tests {
     #[test]
     fn noise_costs_a_bounded_number_of_pieces() {
         let mut k = 0_u64;
-        let mut f = |_: f64| {
+        let f = |_: f64| {
             k = k.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             vec![(k >> 40) as f64]
         };
-        let pieces = Proxies::default().pieces(&mut f, &[0], 1.0);
-        assert!(pieces.len() < 400, "{}", pieces.len());
+        let mut proxies = Proxies::default();
+        proxies.bank = vec![300];
+        let pieces = proxies.pieces(&mut Values(f), &[0], 1.0);
+        assert!(pieces.len() < 400 && proxies.lost().contains(&0), "{}", pieces.len());
     }
 }

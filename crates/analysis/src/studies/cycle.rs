@@ -13,13 +13,21 @@
 //! reduced moment     M = (loads - dissipated - dΠ/dt)/ω          J φ'' + ½ J' φ'² = M
 //! ```
 //!
-//! and ∮ M dφ = 0 in a steady cycle. The work is summed by Gauss's rule on the steps of the motion, within which nothing switches.
+//! and ∮ M dφ = 0 in a steady cycle. J, J', M and the power M φ' of each step are polynomials through Chebyshev's points ([`crate::marks::proxy`]); the
+//! work A(φ) is the integral of the last, and its extremes lie where M passes zero, between steps and inside them.
+//!
+//! The running of the true motion from the start is that over one cycle of the angle, whatever time it takes: greatest and least rate from the dense
+//! output, mean over time = cycle/duration.
 //! *Source*: I. I. Artobolevskii, Theory of Mechanisms and Machines, 16-19.
 
 use symbolic::Text;
 
-use crate::dataset::{Audit, Column, Dataset};
+use crate::dataset::{Audit, Column, Dataset, Extreme};
 use crate::fault::Message;
+use crate::marks::crossings::{self, Bracket};
+use crate::marks::extremes::Extremes;
+use crate::marks::proxy::{Piece, Proxies, Values};
+use crate::marks::{Along, bracketed};
 use crate::numerics::gauss::EIGHT;
 use crate::taylor::{Flow, Options, Step};
 use crate::{Fault, Mode, Quantity, System};
@@ -54,9 +62,7 @@ pub struct Balance {
     pub dataset: Dataset,
 }
 
-/// Parts of a step: a step spans about a radian of the quickest motion.
-const PARTS: usize = 4;
-/// The same for the check, on other places.
+/// Parts of a step for the check by Gauss's rule: a step spans about a radian of the quickest motion.
 const CHECK: usize = 3;
 /// Most steps of a cycle.
 const STEPS: usize = 100_000;
@@ -84,32 +90,49 @@ pub fn cycle<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], opt
             other => other?,
         },
     };
-    let j = options.angle;
-    let first = start[j];
-    let mut rows = Rows::new(options, first);
-    let (mut work, mut size, mut inertia, mut angle) = (0.0, 0.0, 0.0, 0.0);
-    let (mut low, mut high) = (0.0_f64, 0.0_f64);
+    let mut sum = Sum::new(options, start[options.angle]);
     for (step, length) in &steps {
-        let part = length / PARTS as f64;
-        for k in 0..PARTS {
-            let a = part * k as f64;
-            rows.fill(system, step, a, a + part, work, options)?;
-            for (node, weight) in EIGHT {
-                let here = reduced(system, step, a + 0.5 * part * (1.0 + node), options)?;
-                let share = 0.5 * part * weight * here.rate;
-                work += here.moment * share;
-                size += (here.moment * share).abs();
-                inertia += here.inertia * share;
-                angle += share;
-            }
-            (low, high) = (low.min(work), high.max(work));
-        }
+        sum.add(system, step, *length, options)?;
     }
-    rows.finish(system, &steps, work, options)?;
-    let mut dataset = rows.dataset(system, options);
+    sum.finish(system, &steps, options)?;
+    let Sum { work, size, inertia, angle, .. } = sum;
+    let mut dataset = sum.dataset(system, options);
+    let range = dataset.extreme("A").map_or([0.0; 2], |e| [e.min.min(0.0), e.max.max(0.0)]);
     dataset.audits.push(periodic_inertia(system, &steps, options)?);
     dataset.audits.push(same_work(system, &steps, work, size, options)?);
-    Ok(Balance { work, size, inertia: inertia / angle, excess: high - low, dataset })
+    Ok(Balance { work, size, inertia: inertia / angle, excess: range[1] - range[0], dataset })
+}
+
+/// How the shaft runs over one cycle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Running {
+    /// Greatest rate, rad/s.
+    pub greatest: f64,
+    /// Least rate, rad/s.
+    pub least: f64,
+    /// Mean rate over time, angle/duration, rad/s.
+    pub mean: f64,
+    /// Duration, s.
+    pub duration: f64,
+}
+
+/// The running of the machine's own motion over one cycle of its angle from the state `start`.
+///
+/// *Errors*: S046 when the shaft does not turn through the cycle, and every fault of a motion.
+pub fn running<S: System>(system: &mut S, start: &[f64], options: &Cycle) -> Result<Running, Fault> {
+    let rate = system.n_coordinates() + options.angle;
+    let name = &system.states()[rate].name;
+    let output = system.outputs().iter().position(|o| o.name == *name);
+    let steps = turn(system, start, options, 1.0)?;
+    let mut extremes = Extremes::new(system, &output.into_iter().collect::<Vec<_>>(), options.tolerance);
+    let mut duration = 0.0;
+    for (step, length) in &steps {
+        extremes.look(&mut Along::new(step, system, *length));
+        duration += length;
+    }
+    let found = extremes.found();
+    let (least, greatest) = found.first().map_or((f64::NAN, f64::NAN), |e| (e.min, e.max));
+    Ok(Running { greatest, least, mean: options.range / duration, duration })
 }
 
 /// The machine at the end of the cycle is the one at its start.
@@ -178,13 +201,14 @@ fn turn<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Cycle, quic
     x[n..2 * n].iter_mut().for_each(|v| *v *= faster);
     let end = start[j] + options.range;
     let sign = options.range.signum();
-    let most = 10.0 * (options.range / x[n + j]).abs().max(1e-9);
+    let rate = if x[n + j] == 0.0 { options.rate } else { x[n + j] };
+    let most = 10.0 * (options.range / rate).abs().max(1e-9);
     let mut flow = Flow::start(system, 0.0, &x, &Options { tolerance: options.tolerance, span: most, ..Options::default() })?;
     let mut steps: Vec<(Step, f64)> = Vec::new();
     while !flow.reached(most) && steps.len() < STEPS {
         flow.advance(most)?;
         let step = flow.step().clone();
-        let place = |tau: f64| step.coefficients(j).iter().rev().fold(0.0, |sum, c| sum * tau + c);
+        let place = |tau: f64| place(&step, j, tau);
         if sign * (place(step.length) - end) >= 0.0 {
             let (mut a, mut b) = (0.0, step.length);
             for _ in 0..200 {
@@ -198,6 +222,11 @@ fn turn<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Cycle, quic
         steps.push((step, length));
     }
     Err(not_turning(&system.states()[j].name))
+}
+
+/// A coordinate at tau in a step, with its whole turns.
+fn place(step: &Step, j: usize, tau: f64) -> f64 {
+    step.start_value(j) + step.coefficients(j)[1..].iter().rev().fold(0.0, |sum, c| (sum + c) * tau)
 }
 
 /// The reduced machine at tau in a step.
@@ -258,48 +287,139 @@ fn not_turning(name: &str) -> Fault {
     })
 }
 
-/// Rows of the result at equal angles.
-struct Rows {
+/// What a piece holds: J, dJ/dφ, M, then the integrands M φ', J φ'.
+const COLUMNS: usize = 3;
+const POWER: usize = 3;
+const TURNED: usize = 4;
+
+/// Sums over the cycle, and rows of the result at equal angles.
+struct Sum {
     angles: Vec<f64>,
+    /// J, dJ/dφ, M, A.
     values: Vec<[f64; 4]>,
+    extremes: [Extreme; 4],
+    proxies: Proxies,
+    work: f64,
+    size: f64,
+    inertia: f64,
+    angle: f64,
 }
 
-impl Rows {
-    fn new(options: &Cycle, first: f64) -> Rows {
+impl Sum {
+    fn new(options: &Cycle, first: f64) -> Sum {
         let last = options.points.max(2) - 1;
-        Rows { angles: (0..=last).map(|k| first + options.range * k as f64 / last as f64).collect(), values: Vec::new() }
+        let angles = (0..=last).map(|k| first + options.range * k as f64 / last as f64).collect();
+        let none = |k: usize| Extreme { column: k + 1, min: f64::INFINITY, max: f64::NEG_INFINITY, t_min: first, t_max: first };
+        let mut sum = Sum {
+            angles,
+            values: Vec::new(),
+            extremes: std::array::from_fn(none),
+            proxies: Proxies::default(),
+            work: 0.0,
+            size: 0.0,
+            inertia: 0.0,
+            angle: 0.0,
+        };
+        sum.offer(3, first, 0.0);
+        sum
     }
 
-    /// Rows whose angle lies in a part of a step.
-    fn fill<S: System + ?Sized>(&mut self, system: &mut S, step: &Step, a: f64, b: f64, work: f64, options: &Cycle) -> Result<(), Fault> {
-        let place = |tau: f64| step.coefficients(options.angle).iter().rev().fold(0.0, |sum, c| sum * tau + c);
+    fn offer(&mut self, k: usize, place: f64, value: f64) {
+        let e = &mut self.extremes[k];
+        if value < e.min {
+            (e.min, e.t_min) = (value, place);
+        }
+        if value > e.max {
+            (e.max, e.t_max) = (value, place);
+        }
+    }
+
+    /// Adds a step up to `length`.
+    fn add<S: System + ?Sized>(&mut self, system: &mut S, step: &Step, length: f64, options: &Cycle) -> Result<(), Fault> {
+        let mut fault = None;
+        let mut sample = Values(|tau: f64| match reduced(system, step, tau, options) {
+            Ok(r) => vec![r.inertia, r.slope, r.moment, r.moment * r.rate, r.inertia * r.rate],
+            Err(f) => {
+                fault.get_or_insert(f);
+                vec![f64::NAN; 5]
+            }
+        });
+        let pieces = self.proxies.pieces(&mut sample, &[0, 1, 2, POWER, TURNED], length);
+        if let Some(fault) = fault {
+            return Err(fault);
+        }
+        let place = |tau: f64| place(step, options.angle, tau);
+        for piece in pieces.iter().filter(|p| p.of < COLUMNS) {
+            self.column(piece, &place);
+        }
+        let (mut now, before) = (0.0, self.work);
+        for piece in pieces.iter().filter(|p| p.of == POWER) {
+            self.rows(system, step, (piece, before + now), &place, options)?;
+            now += self.working(piece, before + now, &place);
+        }
+        self.work = before + now;
+        let turned = pieces.iter().filter(|p| p.of == TURNED);
+        self.inertia += turned.map(|p| (p.to - p.from) * p.row.iter().sum::<f64>() / p.row.len() as f64).sum::<f64>();
+        self.angle += place(length) - place(0.0);
+        Ok(())
+    }
+
+    /// Extremes of a column in a piece.
+    fn column(&mut self, piece: &Piece, place: &dyn Fn(f64) -> f64) {
+        let at = |u: f64| place(piece.from + (piece.to - piece.from) * u);
+        let ends = [(0.0, piece.row[0]), (1.0, piece.row[piece.row.len() - 1])];
+        let inside = roots(&crossings::derivative(&piece.row)).into_iter().map(|u| (u, crossings::value(&piece.row, u)));
+        for (u, value) in ends.into_iter().chain(inside) {
+            self.offer(piece.of, at(u), value);
+        }
+    }
+
+    /// Work of a piece, with the extremes of the work inside it.
+    fn working(&mut self, piece: &Piece, before: f64, place: &dyn Fn(f64) -> f64) -> f64 {
+        let done = crossings::integral(&piece.row, piece.to - piece.from);
+        let mut last = 0.0;
+        for u in roots(&piece.row).into_iter().chain([1.0]) {
+            let value = crossings::value(&done, u);
+            self.offer(3, place(piece.from + (piece.to - piece.from) * u), before + value);
+            self.size += (value - last).abs();
+            last = value;
+        }
+        last
+    }
+
+    /// Rows whose angle lies in a piece of the power, before which the work is `before`.
+    fn rows<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        step: &Step,
+        (piece, before): (&Piece, f64),
+        place: &dyn Fn(f64) -> f64,
+        options: &Cycle,
+    ) -> Result<(), Fault> {
         let sign = options.range.signum();
+        let done = crossings::integral(&piece.row, piece.to - piece.from);
         while let Some(&angle) = self.angles.get(self.values.len()) {
-            if sign * (place(b) - angle) <= 0.0 {
+            if sign * (place(piece.to) - angle) <= 0.0 {
                 break;
             }
-            let (mut low, mut high) = (a, b);
+            let (mut low, mut high) = (piece.from, piece.to);
             for _ in 0..100 {
                 let middle = 0.5 * (low + high);
                 if sign * (place(middle) - angle) < 0.0 { low = middle } else { high = middle }
             }
-            let mut done = work;
-            for (node, weight) in EIGHT {
-                let here = reduced(system, step, a + 0.5 * (high - a) * (1.0 + node), options)?;
-                done += 0.5 * (high - a) * weight * here.rate * here.moment;
-            }
             let here = reduced(system, step, high, options)?;
-            self.values.push([here.inertia, here.slope, here.moment, done]);
+            let work = before + crossings::value(&done, (high - piece.from) / (piece.to - piece.from));
+            self.values.push([here.inertia, here.slope, here.moment, work]);
         }
         Ok(())
     }
 
     /// The last row, at the end of the cycle.
-    fn finish<S: System + ?Sized>(&mut self, system: &mut S, steps: &[(Step, f64)], work: f64, options: &Cycle) -> Result<(), Fault> {
+    fn finish<S: System + ?Sized>(&mut self, system: &mut S, steps: &[(Step, f64)], options: &Cycle) -> Result<(), Fault> {
         if let Some((step, length)) = steps.last() {
             while self.values.len() < self.angles.len() {
                 let here = reduced(system, step, *length, options)?;
-                self.values.push([here.inertia, here.slope, here.moment, work]);
+                self.values.push([here.inertia, here.slope, here.moment, self.work]);
             }
         }
         Ok(())
@@ -318,6 +438,27 @@ impl Rows {
             column("A", "A", "J", "work of the reduced moment since the start", "работа приведённого момента от начала", 3),
         ];
         let axis = Column { quantity: angle, values: self.angles.clone() };
-        Dataset { axis: Some(0), columns: std::iter::once(axis).chain(columns).collect(), ..Dataset::default() }
+        let notes = if self.proxies.lost().is_empty() { Vec::new() } else { vec![rough()] };
+        let extremes = self.extremes.into_iter().filter(|e| e.min <= e.max).collect();
+        Dataset { axis: Some(0), columns: std::iter::once(axis).chain(columns).collect(), extremes, notes, ..Dataset::default() }
     }
+}
+
+fn rough() -> Text {
+    Text::new(
+        "the reduced moment is too rough to be followed everywhere: the work is that of a polynomial through samples",
+        "приведённый момент изменяется слишком нерегулярно: работа найдена по отдельным значениям",
+    )
+}
+
+/// Places in [0, 1] where a polynomial passes zero.
+fn roots(row: &[f64]) -> Vec<f64> {
+    let mut value = |u: f64| crossings::value(row, u);
+    let mut sign = 0.0;
+    let found = crossings::crossings(row, 0.0, &mut sign);
+    let place = |Bracket { from, to, .. }: Bracket| {
+        let ends = [value(from), value(to)];
+        if from < to { bracketed(&mut value, (from, ends[0]), (to, ends[1])) } else { from }
+    };
+    found.into_iter().map(place).collect()
 }

@@ -230,3 +230,19 @@ pub(crate) const SECTION_OF_FORCED: Explanation = Explanation {
          другом месте было бы другим движением под теми же силами.",
     ),
 };
+
+pub(crate) const ROWS_ONLY: Explanation = Explanation {
+    code: "S100",
+    en: (
+        "a quantity is known at its rows only",
+        "A sweep notes the least, greatest, mean or last value of the motion, not of the rows of a table. The repeated study gives this quantity at \
+         single places only (over a frequency, say), or does not give it at all. Repeat a study of a motion (simulate, periodic, inverse, transient), or name a number \
+         of the study itself.",
+    ),
+    ru: (
+        "величина известна лишь в строках таблицы",
+        "Серия записывает наименьшее, наибольшее, среднее или последнее значение движения, а не строк таблицы. Повторяемый расчёт даёт эту величину лишь в \
+         отдельных точках (например, по частоте) или не даёт вовсе. Повторяйте расчёт движения (simulate, periodic, inverse, transient) или назовите число самого \
+         расчёта.",
+    ),
+};

@@ -10,7 +10,7 @@ use crate::audits::friction::FrictionWork;
 use crate::audits::impacts::{ImpactEnergy, drift, relative};
 use crate::audits::ledger::Ledger;
 use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, second::two_derivations};
-use crate::dataset::{Column, Counter, Dataset, Event};
+use crate::dataset::{Audit, Column, Counter, Dataset, Event};
 use crate::events::words::describe;
 use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
@@ -45,6 +45,8 @@ pub struct Simulate<'a> {
     pub outputs: Option<Vec<String>>,
     /// Formulas whose zeros are events, some of which end the motion.
     pub events: Vec<Named>,
+    /// Outputs among those shown that are powers: their integrals are compared with the energy.
+    pub works: Vec<String>,
     /// Order of the Taylor polynomials; absent: as the tolerance and the motion ask.
     pub order: Option<usize>,
     /// Run again with other steps and see which digits hold.
@@ -74,6 +76,7 @@ impl Simulate<'_> {
             tolerance: 1e-12,
             outputs: None,
             events: Vec::new(),
+            works: Vec::new(),
             order: None,
             check: false,
             tolerance_halving: false,
@@ -267,6 +270,8 @@ struct Run {
     defect: InteriorDefect,
     impacts: ImpactEnergy,
     ledger: Ledger,
+    /// Outputs whose integrals are works to be confirmed.
+    works: Vec<usize>,
     friction: FrictionWork,
     extremes: Extremes,
     named: Watcher,
@@ -318,6 +323,7 @@ impl Run {
         let outputs: Vec<Quantity> = chosen.iter().map(|&i| system.outputs()[i].clone()).collect();
         let times = requested(options, outputs.len() + 1)?;
         let n_x = system.states().len();
+        let works = choose(system.outputs(), Some(&options.works))?;
         Ok(Run {
             table: vec![f64::NAN; times.len() * outputs.len()],
             times,
@@ -330,7 +336,8 @@ impl Run {
             bodies: BodyBalance::new(n_x),
             defect: InteriorDefect::new(n_x),
             impacts: ImpactEnergy::default(),
-            ledger: Ledger::new(n_x, options.tolerance),
+            ledger: Ledger::new(system, options.tolerance, &works),
+            works,
             friction: FrictionWork::default(),
             extremes: Extremes::new(system, &chosen, options.tolerance),
             named: Watcher::new(&options.events),
@@ -386,6 +393,7 @@ impl Run {
         }
         self.x.copy_from_slice(flow.state());
         let modes = flow.modes().to_vec();
+        self.close(flow.system(), end, &modes);
         while let Some(&(t, row)) = self.times.get(self.next) {
             self.fill(flow.system(), t, row, &modes)?;
             self.next += 1;
@@ -446,7 +454,18 @@ impl Run {
         self.table.resize((row + 1) * self.chosen.len(), f64::NAN);
         self.fill(system, t, row, &step.modes)?;
         self.next += 1;
+        self.close(system, t, &step.modes);
         Ok(())
+    }
+
+    /// Values where the motion ends.
+    fn close<S: System + ?Sized>(&mut self, system: &mut S, t: f64, modes: &[Mode]) {
+        // what has no value there is no row either
+        if system.observe(t, &self.x, modes, &mut self.all).is_ok() {
+            let values: Vec<f64> = self.chosen.iter().map(|&i| self.all[i]).collect();
+            self.extremes.offer_row(t, &values);
+            self.extremes.end(&values);
+        }
     }
 
     /// Values at the requested times inside the last step; its end, or that of the motion, belongs to what follows.
@@ -544,9 +563,24 @@ impl Run {
         Some(self.impacts.record(before, after))
     }
 
+    /// The check of works.
+    fn confirmed(&self) -> Option<Audit> {
+        let overall = self.extremes.overall();
+        let of = |i: &usize| self.chosen.iter().position(|c| c == i).map_or(f64::NAN, |j| overall[j].integral);
+        (!self.works.is_empty() && !self.ledger.is_unknown()).then(|| self.ledger.confirmed(self.works.iter().map(of).sum()))
+    }
+
+    /// What is to be said of quantities that could not be followed between the rows.
+    fn lost<S: System + ?Sized>(&self, system: &S) -> Option<Text> {
+        let outputs = self.extremes.lost().into_iter().map(|j| system.outputs()[self.chosen[j]].name.clone());
+        let events = self.named.lost().into_iter().map(|i| self.named.events()[i].name.clone());
+        untraced(&outputs.chain(events).collect::<Vec<_>>())
+    }
+
     fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {
         let mut done: Vec<(usize, f64)> = self.times[..self.next].iter().map(|&(t, row)| (row, t)).collect();
         done.sort_by_key(|&(row, _)| row);
+        let (lost, confirmed) = (self.lost(system), self.confirmed());
         let n = self.outputs.len();
         let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
         let mut columns = vec![Column { quantity: time, values: done.iter().map(|&(_, t)| t).collect() }];
@@ -576,6 +610,7 @@ impl Run {
                 "энергия где-то на пути движения не имеет значения: баланс энергии не составлен",
             ));
         }
+        notes.extend(lost);
         if let Some((t, event)) = self.ended {
             let (n, name) = (number(t), &self.named.events()[event].name);
             notes.push(Text::new(
@@ -583,7 +618,12 @@ impl Run {
                 format!("событие `{name}` завершает движение при t = {} с", n.ru),
             ));
         }
-        let counters = counters(&self.work, &self.impacts);
+        let mut counters = counters(&self.work, &self.impacts);
+        let samples = self.extremes.samples() + self.named.samples();
+        if samples > 0 {
+            let name = Text::new("samples for extremes and events", "замеров для экстремумов и событий");
+            counters.push(Counter { key: "samples", name, value: samples as f64 });
+        }
         let audits = [
             self.power.audit(tolerance),
             self.ledger.audit(),
@@ -592,6 +632,7 @@ impl Run {
             self.impacts.audit(),
             self.friction.audit(),
             drift(self.drift, self.work.projections, tolerance),
+            confirmed,
         ];
         let audits = audits.into_iter().flatten().collect();
         let states = system.states().iter().map(|q| q.name.clone()).collect();
@@ -602,6 +643,7 @@ impl Run {
             states,
             events: self.events,
             extremes: self.extremes.found(),
+            overall: self.extremes.overall(),
             counters,
             notes,
             partial: self.interrupted,
@@ -620,6 +662,17 @@ pub(super) fn choose(outputs: &[Quantity], wanted: Option<&[String]>) -> Result<
         })
     };
     wanted.iter().map(find).collect()
+}
+
+/// A remark on quantities that could not be followed everywhere between the rows.
+pub(super) fn untraced(names: &[String]) -> Option<Text> {
+    let names = names.join(", ");
+    (!names.is_empty()).then(|| {
+        Text::new(
+            format!("{names}: too quick or too rough to be followed everywhere between the rows; least, greatest and mean values and events may miss a part"),
+            format!("{names}: изменяется слишком быстро или нерегулярно, чтобы проследить везде между строками; экстремумы, средние и события могут быть неполны"),
+        )
+    })
 }
 
 fn counters(work: &Work, impacts: &ImpactEnergy) -> Vec<Counter> {

@@ -118,6 +118,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     drift: f64,
     /// That of the step under trial.
     removed: f64,
+    /// The same by condition: largest violation and largest size along the motion.
+    drifts: Vec<[f64; 2]>,
     pub(crate) modes: Vec<Mode>,
     /// Guards that leave `Zero` in the present trial.
     pub(crate) leaving: Vec<bool>,
@@ -185,6 +187,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             base: x.to_vec(),
             drift: 0.0,
             removed: 0.0,
+            drifts: Vec::new(),
             modes: vec![Mode::Zero; n_g],
             leaving: vec![false; n_g],
             rebounds: vec![false; n_g],
@@ -289,9 +292,13 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     pub fn modes_before(&self) -> &[Mode] {
         &self.modes_before
     }
-    /// Largest relative violation of the conditions of connections that was removed by projection.
+    /// Largest relative violation of the conditions of connections that was removed by projection. A condition is compared with the largest terms that
+    /// meet in it along the motion: a start all but at the origin has no size of its own.
     pub fn drift(&self) -> f64 {
-        self.drift
+        if self.drifts.is_empty() {
+            return self.drift;
+        }
+        self.drifts.iter().filter(|d| d[0] > 0.0).map(|[off, size]| off / size).fold(0.0, f64::max)
     }
     /// Current modes.
     pub fn modes(&self) -> &[Mode] {
@@ -401,6 +408,11 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         self.deflation.fill(0);
         self.work.projections += u64::from(self.removed > 0.0);
         self.drift = self.drift.max(self.removed);
+        let found = self.system.drifts();
+        self.drifts.resize(found.len(), [0.0; 2]);
+        for (most, now) in self.drifts.iter_mut().zip(found) {
+            *most = [most[0].max(now[0]), most[1].max(now[1])];
+        }
         self.work.steps += 1;
         self.expanded = !event;
         let scheduled = self.mark_scheduled();

@@ -23,8 +23,8 @@
 //! step so short that what it misses is nothing, sup |f - c_0| <= 10 tol W and sup |f - c_0| h' <= tol² W h; the steps after it grow with the distance
 //! from the singular point.
 
-use super::curve::{Curve, Range};
 use super::recurrences::Row;
+use crate::curve::{Curve, Range};
 
 /// An operation to be watched: c = f(a, b).
 #[derive(Clone, Copy, Debug)]

@@ -10,7 +10,6 @@
 //! what the forward copy holds beyond order k (finite leftovers of earlier expansions). Sums have a fixed order, so results are the
 //! same bits on every machine.
 
-mod curve;
 mod faithful;
 mod plan;
 mod recurrences;

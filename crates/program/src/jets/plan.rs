@@ -1,8 +1,8 @@
 //! The dynamics tape as a list of steps over rows, with numbers for all coefficients.
 
-use super::curve::Curve;
 use super::faithful::Watched;
 use super::recurrences::{Row, Step};
+use crate::curve::Curve;
 use crate::{By, Coefficient, Evaluator, Mode, Operation, Register, Unary};
 
 /// Rows, steps and tables of one bound tape.

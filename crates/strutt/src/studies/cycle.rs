@@ -8,9 +8,7 @@ use crate::pipeline::{self, Finding, Machine, explained};
 use crate::provenance;
 use crate::watch::Watch;
 use crate::words::Word;
-use analysis::reduce::{Reduction, reduce};
-use analysis::studies::cycle::{Balance, Cycle as Options, cycle};
-use analysis::studies::simulate::{Simulate, simulate};
+use analysis::studies::cycle::{Balance, Cycle as Options, Running, cycle};
 use mechanics::model::Cycle;
 use serde_json::json;
 use std::f64::consts::TAU;
@@ -162,7 +160,8 @@ fn flywheel(machine: &Machine, study: &Cycle, name: &str, wanted: f64) -> Result
             drive = Some(found);
             values.push((unknown.clone(), found));
         }
-        Ok(irregularity(&mut with(machine, &values)?, study)?.2)
+        let found = turned(&mut with(machine, &values)?, study)?;
+        Ok((found.greatest - found.least) / found.mean.abs())
     };
     // the irregularity is nearly inverse to the inertia: secant in 1/irregularity
     let (mut a, mut b) = (first, 1.5 * first);
@@ -187,22 +186,15 @@ fn flywheel(machine: &Machine, study: &Cycle, name: &str, wanted: f64) -> Result
     Ok((b, drive))
 }
 
-/// Largest and least rate of the motion over one cycle from the start, (max - min)/mean.
-fn irregularity(machine: &mut Machine, study: &Cycle) -> Result<(f64, f64, f64, f64), Trouble> {
+/// The running of the motion over one cycle of the angle from the start.
+fn turned(machine: &mut Machine, study: &Cycle) -> Result<Running, Trouble> {
     let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
     let n = machine.equations.coordinates.len();
     let angle = machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0);
-    let rate = study.speed.unwrap_or(start[n + angle]);
-    let until = TAU * study.turns.abs() / rate.abs();
-    let name = format!("{}'", study.name);
-    let options = Simulate { outputs: Some(vec![name.clone()]), tolerance: 1e-14, ..Simulate::until(until) };
-    let outcome = simulate(&mut machine.system, &start, options);
-    if let Some(fault) = outcome.fault {
-        return Err(explained(fault, &machine.equations));
-    }
-    let of = |reduction| reduce(&outcome.dataset, &name, reduction).unwrap_or(f64::NAN);
-    let (high, low, mean) = (of(Reduction::Max), of(Reduction::Min), of(Reduction::Mean));
-    Ok((high, low, (high - low) / mean.abs(), (high - low) / high.abs().max(low.abs())))
+    let rate = if start[n + angle] == 0.0 { study.speed.unwrap_or(0.0) } else { start[n + angle] };
+    let range = TAU * study.turns.abs() * rate.signum();
+    let options = Options { angle, range, rate, points: study.points, tolerance: 1e-14 };
+    analysis::studies::cycle::running(&mut machine.system, &start, &options).map_err(|fault| explained(fault, &machine.equations))
 }
 
 fn facts(results: &mut Results, machine: &Machine, balance: &Balance, speed: f64, values: &[(String, f64)]) {
@@ -230,7 +222,17 @@ fn facts(results: &mut Results, machine: &Machine, balance: &Balance, speed: f64
 
 /// Irregularity of the true motion over the cycle.
 fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Result<(), Trouble> {
-    let (high, low, by_mean, by_max) = irregularity(machine, study)?;
+    let Running { greatest: high, least: low, mean, .. } = match turned(machine, study) {
+        Err(trouble) if trouble.code == "S046" => {
+            results.words.push(Text::new(
+                "The motion from the start does not turn through the cycle: nothing is said of its irregularity.",
+                "Движение из заданного начала не проходит весь цикл: о неравномерности хода ничего не сказано.",
+            ));
+            return Ok(());
+        }
+        found => found?,
+    };
+    let by_max = (high - low) / high.abs().max(low.abs());
     let text = Text::new;
     results.facts.push(Fact::new(
         "omega_max",
@@ -240,14 +242,19 @@ fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Resul
         text("largest rate over the cycle from the start", "наибольшая угловая скорость за цикл от начала"),
     ));
     results.facts.push(Fact::new("omega_min", "ω_min", "rad/s", low, text("least rate", "наименьшая угловая скорость")));
+    let label = text(
+        "mean rate over time: angle of the cycle over its duration",
+        "средняя по времени угловая скорость: угол цикла, делённый на его длительность",
+    );
+    results.facts.push(Fact::new("omega_mean", "ω_mean", "rad/s", mean, label));
     results.facts.push(Fact::new(
         "irregularity",
         "δ",
         "1",
-        by_mean,
+        (high - low) / mean.abs(),
         text(
-            "irregularity (ω_max − ω_min)/ω_mean of the first cycle, ω_mean its mean over time",
-            "неравномерность хода (ω_max − ω_min)/ω_ср первого цикла, ω_ср — среднее по времени",
+            "irregularity (ω_max − ω_min)/ω_mean of the first cycle, by the mean over time",
+            "неравномерность хода (ω_max − ω_min)/ω_ср первого цикла, по среднему по времени",
         ),
     ));
     results.facts.push(Fact::new(

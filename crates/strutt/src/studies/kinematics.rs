@@ -7,13 +7,15 @@ use crate::provenance;
 use crate::source::Source;
 use crate::watch::Watch;
 use crate::words::Word;
-use analysis::dataset::{Column, Missing};
-use analysis::studies::kinematics::{Place, Way, follow};
+use analysis::dataset::{Column, Extreme, Missing};
+use analysis::studies::kinematics::{Observer, Place, Way, follow};
 use analysis::{Dataset, Quantity, System};
 use mechanics::model::{Kinematics, KinematicsEnd};
-use program::lower::Drive;
+use program::lower::{Drive, Inputs};
+use program::{Behind, Evaluator, Point};
 use serde_json::json;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 use symbolic::{Equations, Expr, Graph, SymbolId, Text};
 
 /// Runs the study.
@@ -62,10 +64,13 @@ fn fill(machine: &mut Machine, study: &Kinematics, results: &mut Results) {
     let last = study.points.max(2) - 1;
     let ways: Vec<f64> = (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
     let (graph, with) = driven_too(equations, study, &index);
-    let followed = follow(equations, &start, Way { over, at: &ways, rate, with, graph: &graph });
     let observed = centres.machine.as_ref().map_or(equations, |m| &m.equations);
     let table = Table { equations: observed, study, over, rate, ways: &ways, centres: &centres };
-    let mut data = table.columns(&followed.places);
+    let mut observing = table.observing();
+    let followed = follow(equations, &start, Way { over, at: &ways, rate, with, graph: &graph, observer: Some(&mut observing) });
+    let extremes =
+        followed.extremes.into_iter().filter_map(|e| Some(Extreme { column: *observing.columns.get(e.column - 1)?, ..e })).collect();
+    let mut data = table.columns(&followed.places, extremes);
     centres.state(&mut data);
     data.audits.extend(followed.audits);
     data.notes.extend(machine.system.notes().iter().cloned().chain(followed.notes));
@@ -200,6 +205,25 @@ impl<'e> Formulas<'e> {
         graph.evaluate(formulas, &|s| values[s.index()])
     }
 
+    /// The formulas as a tape over (q, q', q'', auxiliary states); none where that is not possible.
+    fn tape(&self, formulas: &[Expr]) -> Option<(Evaluator, Arc<Behind>)> {
+        let e = self.equations;
+        let order = |k: usize| e.coordinates.iter().map(move |c| c.symbols[k]);
+        let inputs = Inputs {
+            parameters: e.parameters.iter().map(|p| p.symbol).collect(),
+            time: Some(e.time),
+            states: order(0).chain(order(1)).chain(order(2)).chain(e.auxiliaries.iter().map(|a| a.symbol)).collect(),
+            definitions: e.definitions.iter().map(|d| (d.symbol, d.formula)).collect(),
+            ..Inputs::default()
+        };
+        let roots: Vec<(String, Expr)> = formulas.iter().enumerate().map(|(k, f)| (format!("column {}", k + 1), *f)).collect();
+        let tape = program::lower::expressions(&e.graph, "kinematics", &inputs, &roots).ok()?;
+        let values: Vec<f64> = e.parameters.iter().map(|p| p.value).collect();
+        let evaluator = Evaluator::new(&Arc::new(tape), &values).ok()?;
+        let behind = Arc::new(Behind::new(&evaluator));
+        Some((evaluator, behind))
+    }
+
     /// Whether a formula is free of reactions, directly or through definitions.
     fn is_kinematic(&self, formula: Expr) -> bool {
         let reactions: Vec<SymbolId> = self.equations.reactions.iter().map(|r| r.symbol).collect();
@@ -207,6 +231,46 @@ impl<'e> Formulas<'e> {
         let found = self.equations.graph.symbols_in(&all);
         all.extend(self.equations.definitions.iter().filter(|d| found.contains(&d.symbol)).map(|d| d.formula));
         !self.equations.graph.symbols_in(&all).iter().any(|s| reactions.contains(s))
+    }
+}
+
+/// The columns between the places of the table: formulas, then both transfer functions of each other coordinate. Instantaneous centres are left out: they
+/// go to infinity and have no least or greatest place.
+struct Observing<'e> {
+    formulas: Formulas<'e>,
+    exprs: Vec<Expr>,
+    /// The formulas once more, for what stands behind them.
+    tape: Option<(Evaluator, Arc<Behind>)>,
+    others: Vec<usize>,
+    /// Which columns of the table they are.
+    columns: Vec<usize>,
+    rate: f64,
+}
+
+impl Observer for Observing<'_> {
+    fn count(&self) -> usize {
+        self.exprs.len() + 2 * self.others.len()
+    }
+
+    fn values(&mut self, place: &Place) -> Vec<f64> {
+        let mut row: Vec<f64> = self.formulas.values(place, self.rate, &self.exprs);
+        row.extend(self.others.iter().flat_map(|&i| [place.first[i], place.second[i]]));
+        if let Some((evaluator, behind)) = &mut self.tape {
+            let w = self.rate;
+            let rates = place.first.iter().map(|b| w * b);
+            let accelerations = place.second.iter().map(|c| w * w * c);
+            let states: Vec<f64> =
+                place.q.iter().copied().chain(rates).chain(accelerations).chain(place.auxiliaries.iter().copied()).collect();
+            let point = Point { time: place.time, states: &states, ..Point::default() };
+            // a result without a value is none of the record's business
+            let _ = evaluator.evaluate(&point);
+            behind.record(evaluator, &point, &mut row);
+        }
+        row
+    }
+
+    fn behind(&self) -> Arc<Behind> {
+        self.tape.as_ref().map_or_else(Arc::default, |(_, behind)| Arc::clone(behind))
     }
 }
 
@@ -221,7 +285,7 @@ struct Table<'t> {
 }
 
 impl Table<'_> {
-    fn columns(&self, places: &[Place]) -> Dataset {
+    fn columns(&self, places: &[Place], extremes: Vec<Extreme>) -> Dataset {
         let own = &self.equations.coordinates[self.over];
         let name = self.name(self.over);
         let axis = Quantity { symbol: self.symbol(&name), label: own.label.clone(), ..Quantity::new(&name, &own.unit) };
@@ -231,12 +295,32 @@ impl Table<'_> {
         // in the order in which they were asked for
         if !self.study.outputs.is_empty() {
             let place = |c: &Column| self.study.outputs.iter().position(|o| *o == c.quantity.name);
-            let mut chosen: Vec<Column> = columns.iter().skip(1).filter(|c| place(c).is_some()).cloned().collect();
-            chosen.sort_by_key(|c| place(c));
-            columns.truncate(1);
-            columns.extend(chosen);
+            let mut chosen: Vec<usize> = (1..columns.len()).filter(|i| place(&columns[*i]).is_some()).collect();
+            chosen.sort_by_key(|i| place(&columns[*i]));
+            let of = |(k, i): (usize, &usize)| extremes.iter().find(|e| e.column == *i).map(|e| Extreme { column: k + 1, ..e.clone() });
+            let extremes = chosen.iter().enumerate().filter_map(of).collect();
+            let columns = std::iter::once(0).chain(chosen.iter().copied()).map(|i| columns[i].clone()).collect();
+            return Dataset { axis: Some(0), columns, extremes, ..Dataset::default() };
         }
-        Dataset { axis: Some(0), columns, ..Dataset::default() }
+        Dataset { axis: Some(0), columns, extremes, ..Dataset::default() }
+    }
+
+    /// The columns behind the axis, as functions of the place.
+    fn observing(&self) -> Observing<'_> {
+        let formulas = Formulas::new(self.equations);
+        let chosen = self.chosen(&formulas);
+        let bounded = |o: &symbolic::equations::Output| self.centres.shown(&o.name).is_none_or(|(name, _)| name.starts_with("omega("));
+        let (places, exprs): (Vec<usize>, Vec<Expr>) =
+            chosen.iter().enumerate().filter(|(_, o)| bounded(o)).map(|(i, o)| (i + 1, o.formula)).unzip();
+        let others: Vec<usize> = (0..self.equations.coordinates.len()).filter(|i| *i != self.over).collect();
+        let columns = places.into_iter().chain((0..2 * others.len()).map(|k| chosen.len() + 1 + k)).collect();
+        Observing { tape: formulas.tape(&exprs), formulas, exprs, others, columns, rate: self.rate }
+    }
+
+    /// Outputs that are free of reactions.
+    fn chosen(&self, formulas: &Formulas) -> Vec<&symbolic::equations::Output> {
+        let lead = self.name(self.over);
+        self.equations.outputs.iter().filter(|o| o.name != lead && formulas.is_kinematic(o.formula)).collect()
     }
 
     fn name(&self, i: usize) -> String {
@@ -250,8 +334,7 @@ impl Table<'_> {
     /// Coordinates, rates, accelerations, the user's outputs and the instantaneous centres: all formulas free of reactions.
     fn formulas(&self, places: &[Place]) -> Vec<Column> {
         let formulas = Formulas::new(self.equations);
-        let lead = self.name(self.over);
-        let chosen: Vec<_> = self.equations.outputs.iter().filter(|o| o.name != lead && formulas.is_kinematic(o.formula)).collect();
+        let chosen = self.chosen(&formulas);
         let exprs: Vec<Expr> = chosen.iter().map(|o| o.formula).collect();
         let mut table: Vec<Vec<f64>> = vec![Vec::with_capacity(places.len()); exprs.len()];
         for place in places {

@@ -68,13 +68,13 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         }
         let values = place(&study.over, row);
         let outcome = one(machine, &Repeated { base: &base, of }, &values, &mut guess, watch);
+        let outcome = outcome.and_then(|finding| wanted.iter().map(|(_, w)| number(&finding, w)).collect::<Result<Vec<_>, _>>());
         for (column, (_, value)) in columns.iter_mut().zip(&values) {
             column.values.push(*value);
         }
         match outcome {
-            Ok(finding) => {
-                for (column, (quantity, wanted)) in columns[own..].iter_mut().zip(&wanted) {
-                    let (value, described) = number(&finding, wanted);
+            Ok(numbers) => {
+                for ((column, (quantity, _)), (value, described)) in columns[own..].iter_mut().zip(&wanted).zip(numbers) {
                     column.values.push(value);
                     if quantity.unit == "1" && column.quantity.unit == "1" {
                         column.quantity = described.unwrap_or_else(|| quantity.clone());
@@ -319,11 +319,14 @@ fn one(
 }
 
 /// The number, and what it is where the study itself says so.
-fn number(finding: &Finding, wanted: &Wanted) -> (f64, Option<Quantity>) {
-    match wanted {
+fn number(finding: &Finding, wanted: &Wanted) -> Result<(f64, Option<Quantity>), Trouble> {
+    Ok(match wanted {
         Wanted::Events => (finding.data().events.len() as f64, None),
-        // a number that this place does not have is none
-        Wanted::Column(name, reduction) => (reduce(finding.data(), name, *reduction).unwrap_or(f64::NAN), None),
+        Wanted::Column(name, reduction) => match reduce(finding.data(), name, *reduction) {
+            None if finding.data().axis.is_some() => return Err(rows_only(name)),
+            // a number that this place does not have is none
+            found => (found.unwrap_or(f64::NAN), None),
+        },
         Wanted::Field(path) => {
             let fields = Value::Object(folder::own_fields(finding));
             let described = match finding {
@@ -332,7 +335,20 @@ fn number(finding: &Finding, wanted: &Wanted) -> (f64, Option<Quantity>) {
             };
             (at_path(&fields, path).unwrap_or(f64::NAN), described)
         }
-    }
+    })
+}
+
+/// The study does not know the quantity between its rows.
+fn rows_only(name: &str) -> Trouble {
+    Trouble::new(
+        "S100",
+        format!("the repeated study knows `{name}` at its rows only, or not at all"),
+        format!("повторяемый расчёт знает `{name}` лишь в строках таблицы или не знает вовсе"),
+    )
+    .help(
+        "repeat a study of a motion (of = \"simulate\"), or observe a number of the study itself",
+        "повторяйте расчёт движения (of = \"simulate\") или наблюдайте число самого расчёта",
+    )
 }
 
 /// A number in JSON by its path: `multipliers.1.abs`; true is 1, false 0.

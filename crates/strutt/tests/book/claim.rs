@@ -42,6 +42,11 @@ pub enum Claim {
         name: String,
         tolerance: Tolerance,
     },
+    Mean {
+        name: String,
+        expected: f64,
+        tolerance: Tolerance,
+    },
     MeanRate {
         name: String,
         from: f64,
@@ -167,6 +172,7 @@ pub fn parse(line: &str) -> Result<Claim, String> {
             Ok(Claim::Field { path: path.trim().to_owned(), text: text.trim().to_owned() })
         }
         "phase" => phase(line).ok_or_else(unknown)?,
+        "mean" if word(1) == "of" => mean(line).ok_or_else(unknown)?,
         "mean" => mean_rate(line).ok_or_else(unknown)?,
         "fails" => {
             let rest = line["fails".len()..].trim();
@@ -217,6 +223,16 @@ fn extreme(line: &str) -> Option<Result<Claim, String>> {
         (false, true) => Which::GreatestAt,
     };
     Some(equality(&written)?.map(|(name, expected, tolerance)| Claim::Extreme { name, which, expected, tolerance }))
+}
+
+/// `mean of NAME = V ± TOL [rel]`.
+fn mean(line: &str) -> Option<Result<Claim, String>> {
+    let (left, expected, tolerance) = match equality(line)? {
+        Ok(parts) => parts,
+        Err(e) => return Some(Err(e)),
+    };
+    let name = left.strip_prefix("mean of")?.trim().to_owned();
+    Some(Ok(Claim::Mean { name, expected, tolerance }))
 }
 
 /// `mean rate of NAME from A to B = V ± TOL [rel]`.

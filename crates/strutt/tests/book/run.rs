@@ -231,7 +231,7 @@ impl Command {
         let times = self.times(claims);
         // only what is claimed: another output may be undefined with the values that are set
         let wanted = claims.iter().filter_map(|claim| match claim {
-            Claim::Extreme { name, .. } => Some(name.clone()),
+            Claim::Extreme { name, .. } | Claim::Mean { name, .. } => Some(name.clone()),
             Claim::Value { name, .. } | Claim::Bounded { name, .. } | Claim::Constant { name, .. } | Claim::MeanRate { name, .. } => {
                 Some(name.clone())
             }
@@ -461,6 +461,10 @@ fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
                 Which::GreatestAt => e.t_max,
             };
             tolerance.check(name, found, *expected)
+        }
+        Claim::Mean { name, expected, tolerance } => {
+            let found = data.overall(name).ok_or_else(|| no_column(data, name))?.mean();
+            tolerance.check(&format!("mean of {name}"), found, *expected)
         }
         Claim::AuditFails(key) => match data.audits.iter().find(|a| a.key == *key) {
             Some(audit) if !audit.ok => Ok(()),

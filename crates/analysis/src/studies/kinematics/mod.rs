@@ -6,16 +6,20 @@
 //!
 //! Both derivatives solve linear systems (`linkage.rs`): they hold as many digits as the place itself.
 
+mod curve;
 mod extrapolation;
 mod linkage;
 mod turning;
 mod way;
 
+use std::sync::Arc;
+
+use program::Behind;
 use program::lower::Drive;
 use symbolic::{Equations, Graph, Text};
 
 use crate::Fault;
-use crate::dataset::Audit;
+use crate::dataset::{Audit, Extreme};
 use crate::fault::{Message, ten_digits};
 use linkage::{Drives, Linkage, Spot, spot};
 use way::{Doubts, Stand};
@@ -47,6 +51,18 @@ pub struct Way<'w> {
     pub with: Vec<(usize, Drive)>,
     /// Graph of these formulas, grown from that of the equations.
     pub graph: &'w Graph,
+    /// Quantities whose least and greatest values along the way are wanted.
+    pub observer: Option<&'w mut dyn Observer>,
+}
+
+/// Quantities over the places of a linkage.
+pub trait Observer {
+    /// How many there are.
+    fn count(&self) -> usize;
+    /// Their values at a place, then the record of the operations behind them; not numbers where they have no value.
+    fn values(&mut self, place: &Place) -> Vec<f64>;
+    /// The operations behind them.
+    fn behind(&self) -> Arc<Behind>;
 }
 
 /// The linkage over its way.
@@ -54,6 +70,9 @@ pub struct Way<'w> {
 pub struct Followed {
     /// Places, as far as the linkage goes.
     pub places: Vec<Place>,
+    /// Least and greatest values of the quantities observed, with the value of the leading coordinate; column k + 1 is quantity k. Those that could not be
+    /// followed everywhere are left out.
+    pub extremes: Vec<Extreme>,
     /// Checks.
     pub audits: Vec<Audit>,
     /// Remarks.
@@ -80,7 +99,11 @@ pub fn follow(equations: &Equations, start: &[f64], way: Way) -> Followed {
     let drives = Drives { over: way.over, with: way.with, graph: way.graph, from, rate: way.rate };
     let outcome = Linkage::new(equations, start, &drives).and_then(|mut linkage| {
         let mut walk = Walk { doubts: Doubts::default(), worst: [0.0; 3], rates: 0.0, largest: 0.0, linkage: &mut linkage };
-        let result = walk.all(start, way.at, &mut found);
+        let mut stands = Vec::new();
+        let result = walk.all(start, way.at, &mut found, &mut stands);
+        if let (Ok(()), Some(observer)) = (&result, way.observer) {
+            found.extremes = curve::extremes(&mut walk, &stands, observer, &found.places);
+        }
         found.audits = walk.audits();
         result
     });
@@ -100,16 +123,21 @@ struct Walk<'w, 'e> {
 }
 
 impl Walk<'_, '_> {
-    fn all(&mut self, start: &[f64], at: &[f64], found: &mut Followed) -> Result<(), Fault> {
+    /// All places; `stands` are those that can be stood on.
+    fn all(&mut self, start: &[f64], at: &[f64], found: &mut Followed, stands: &mut Vec<Stand>) -> Result<(), Fault> {
         let mut here = self.first(start, at)?;
         for &s in at {
             let place = match self.next(&here, s) {
                 Ok((stand, place)) => {
                     here = stand;
+                    stands.push(here.clone());
                     place
                 }
                 // a position that can be passed and not stood on: the way goes on from the place before
-                Err(fault) if fault.code == turning::SINGULAR => self.between(&here, s, found)?,
+                Err(fault) if fault.code == turning::SINGULAR => {
+                    found.notes.push(change_point(s));
+                    self.between(&here, s)?
+                }
                 Err(fault) => return Err(fault),
             };
             self.clear(&place, s)?;
@@ -191,6 +219,13 @@ impl Walk<'_, '_> {
         Ok(self.made(here.s, &here.at, b, c))
     }
 
+    /// The place at s, from one near it, without checks.
+    fn at(&mut self, near: &Stand, s: f64) -> Result<Place, Fault> {
+        let stand = self.linkage.advance(near, s, &mut self.doubts)?;
+        let (b, c) = self.derivatives(&stand)?;
+        Ok(self.made(s, &stand.at, b, c))
+    }
+
     fn derivatives(&mut self, here: &Stand) -> Result<(Vec<f64>, Vec<f64>), Fault> {
         let Some((b, residual)) = self.linkage.first(here.s, &here.at)? else { return Err(self.linkage.singular(&here.at, here.s)) };
         if residual > CONTRADICTS {
@@ -219,7 +254,7 @@ impl Walk<'_, '_> {
     }
 
     /// A singular position that the linkage passes: everything between places on both sides, by a polynomial of degree 5.
-    fn between(&mut self, here: &Stand, centre: f64, found: &mut Followed) -> Result<Place, Fault> {
+    fn between(&mut self, here: &Stand, centre: f64) -> Result<Place, Fault> {
         let n = self.linkage.n;
         let unit = self.linkage.stride();
         let mut sum = vec![0.0; here.at.len() + 2 * n];
@@ -229,7 +264,6 @@ impl Walk<'_, '_> {
             let (b, c) = self.derivatives(&stand)?;
             sum.iter_mut().zip(stand.at.iter().chain(&b).chain(&c)).for_each(|(sum, v)| *sum += weight * v);
         }
-        found.notes.push(change_point(centre));
         let (at, derivatives) = sum.split_at(here.at.len());
         Ok(self.made(centre, &at.to_vec(), derivatives[..n].to_vec(), derivatives[n..].to_vec()))
     }

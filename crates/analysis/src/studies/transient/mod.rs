@@ -5,6 +5,7 @@
 //! motion by [`super::simulate`], and the difference of both as a check.
 
 pub mod constants;
+mod course;
 pub mod form;
 pub mod load;
 pub mod motion;
@@ -185,7 +186,9 @@ fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], op
     let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
     let mut columns = vec![Column { quantity: time, values: times.to_vec() }];
     columns.extend(chosen.iter().zip(rows).map(|(i, values)| Column { quantity: all[*i].clone(), values }));
-    Ok(Dataset { axis: Some(0), columns, events: starts(phases), ..Dataset::default() })
+    let (extremes, overall, lost) = course::course(system, phases, &chosen);
+    let notes = simulate::untraced(&lost).into_iter().collect();
+    Ok(Dataset { axis: Some(0), columns, events: starts(phases), extremes, overall, notes, ..Dataset::default() })
 }
 
 /// The beginnings of all phases but the first.

@@ -10,22 +10,26 @@ const ULPS: f64 = 4.0 * f64::EPSILON;
 
 /// low..=high.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Range {
+pub struct Range {
+    /// Least value.
     pub low: f64,
+    /// Greatest value.
     pub high: f64,
 }
 
 impl Range {
-    pub(crate) fn new(a: f64, b: f64) -> Range {
+    /// Between two values in any order.
+    pub fn new(a: f64, b: f64) -> Range {
         Range { low: a.min(b), high: a.max(b) }
     }
 
-    pub(crate) fn width(self) -> f64 {
+    /// high - low.
+    pub fn width(self) -> f64 {
         self.high - self.low
     }
 
     /// Largest absolute value.
-    pub(crate) fn size(self) -> f64 {
+    pub fn size(self) -> f64 {
         self.low.abs().max(self.high.abs())
     }
 
@@ -41,7 +45,8 @@ impl Range {
 
 /// An operation that can be flat where its argument moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Curve {
+#[allow(missing_docs)]
+pub enum Curve {
     /// a b
     Product,
     /// a²
@@ -66,12 +71,12 @@ pub(crate) enum Curve {
 
 impl Curve {
     /// Whether a and b both count.
-    pub(crate) fn has_two(self) -> bool {
+    pub fn has_two(self) -> bool {
         matches!(self, Curve::Product | Curve::Quotient | Curve::Angle)
     }
 
     /// Value at (a, b). Roots and fractional powers are continued by their value at zero, because a switch ends the step there.
-    pub(crate) fn value(self, a: f64, b: f64) -> f64 {
+    pub fn value(self, a: f64, b: f64) -> f64 {
         match self {
             Curve::Product => a * b,
             Curve::Square => a * a,
@@ -92,7 +97,7 @@ impl Curve {
     }
 
     /// The values for all (a, b) in a box; none where the box holds a point without a value.
-    pub(crate) fn range(self, a: Range, b: Range) -> Option<Range> {
+    pub fn range(self, a: Range, b: Range) -> Option<Range> {
         let range = match self {
             Curve::Product => corners(a, b, |a, b| a * b),
             Curve::Quotient if b.contains(0.0) => return None,

@@ -1,0 +1,59 @@
+//! Least, greatest and mean values of the closed form, phase by phase.
+
+use std::sync::Arc;
+
+use program::Behind;
+
+use super::{Phase, modes};
+use crate::System;
+use crate::dataset::{Extreme, Overall};
+use crate::marks::course::Course;
+use crate::marks::proxy::{Proxies, Source};
+
+/// Extremes, integrals and last values of the chosen outputs; the names of those that could not be followed everywhere come third.
+pub(super) fn course<S: System + ?Sized>(system: &mut S, phases: &[Phase], chosen: &[usize]) -> (Vec<Extreme>, Vec<Overall>, Vec<String>) {
+    let mut course = Course::new(chosen.len(), Proxies::default());
+    let mut last = vec![f64::NAN; chosen.len()];
+    for phase in phases {
+        let length = phase.end - phase.start;
+        let mut closed = Closed { system, phase, chosen };
+        course.add(&mut closed, length, &|tau| phase.start + tau);
+        last.copy_from_slice(&closed.sample(length)[..chosen.len()]);
+    }
+    let lost = course.lost().into_iter().map(|k| system.outputs()[chosen[k]].name.clone()).collect();
+    (course.found(), course.overall(&last), lost)
+}
+
+/// The closed form of a phase.
+struct Closed<'c, S: ?Sized> {
+    system: &'c mut S,
+    phase: &'c Phase,
+    chosen: &'c [usize],
+}
+
+impl<S: System + ?Sized> Source for Closed<'_, S> {
+    fn sample(&mut self, tau: f64) -> Vec<f64> {
+        let (phase, t) = (self.phase, self.phase.start + tau);
+        let turns = phase.form.turns.iter().map(|turn| turn.at(t));
+        let x: Vec<f64> = phase.motion.states(&[tau]).into_iter().flatten().chain(turns).collect();
+        let modes = modes(self.system, phase, t, &x);
+        let count = self.system.outputs().len();
+        let mut row = Vec::new();
+        match self.system.sample(t, &x, &modes, &mut row) {
+            Ok(()) => self.chosen.iter().map(|&i| row[i]).chain(row[count..].iter().copied()).collect(),
+            Err(_) => vec![f64::NAN; self.chosen.len() + self.system.behind().width()],
+        }
+    }
+
+    fn rounding(&mut self, _: f64) -> Vec<f64> {
+        Vec::new()
+    }
+
+    fn behind(&mut self) -> (usize, Arc<Behind>) {
+        (self.chosen.len(), Arc::new(self.system.behind().chosen(self.chosen)))
+    }
+
+    fn resolution(&self) -> f64 {
+        4.0 * f64::EPSILON * self.phase.end.abs()
+    }
+}
