@@ -74,8 +74,10 @@ fn errors(tape: &Tape, registers: &[f64], count: usize, given: &Given) -> Vec<f6
         let error = match instruction.operation {
             Operation::State(slot) => given.states.get(slot as usize).copied().unwrap_or(0.0),
             Operation::Acceleration(slot) => given.accelerations.get(slot as usize).copied().unwrap_or(0.0),
-            Operation::Solve { .. } | Operation::System { .. } if given.solved == Solved::Usual => {
-                USUAL / SOLVED * error(&instruction.operation, first, registers, &errors)
+            Operation::Solve { ref matrix, ref right } | Operation::System { ref matrix, ref right } if given.solved == Solved::Usual => {
+                let of = |r: Register| [registers[r.index()].abs(), errors[r.index()]];
+                let share = share(matrix.iter().flatten().map(|r| of(*r))) + share(right.iter().map(|r| of(*r)));
+                (USUAL + share) * (first..first + right.len()).fold(0.0, |m: f64, k| m.max(registers[k].abs()))
             }
             _ => error(&instruction.operation, first, registers, &errors),
         };
@@ -84,6 +86,12 @@ fn errors(tape: &Tape, registers: &[f64], count: usize, given: &Given) -> Vec<f6
         }
     }
     errors
+}
+
+/// Largest error of these numbers relative to the largest of them: what a system makes of it in its solution, its condition apart.
+fn share(numbers: impl Iterator<Item = [f64; 2]>) -> f64 {
+    let [size, error] = numbers.fold([0.0_f64; 2], |[size, error], [v, e]| [size.max(v), error.max(e)]);
+    if size > 0.0 { error / size } else { 0.0 }
 }
 
 /// What the operands' errors make in the result.

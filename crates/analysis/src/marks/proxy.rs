@@ -23,8 +23,8 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Share of the step below which a piece is an instant.
 const DEEPEST: f64 = 1e-14;
 /// Pieces of a quantity that may fail before it is given up; each step gives `EARNED` back.
-const BANK: i64 = 20_000;
-const EARNED: i64 = 64;
+const BANK: i64 = 8_000;
+const EARNED: i64 = 32;
 
 /// What is sampled.
 pub(crate) trait Source {
