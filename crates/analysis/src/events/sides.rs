@@ -223,10 +223,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
         self.system.expand(self.now.high, &self.x, &self.modes, 1)?;
         let mut wanted = self.modes.clone();
-        for i in 0..wanted.len() {
+        for (i, mode) in wanted.iter_mut().enumerate() {
             let signed = self.system.guards()[i].kind == GuardKind::Normal;
             if signed && self.system.guard(i).first().is_some_and(|v| v.abs() > REACHED * self.guard_scale[i].max(v.abs())) {
-                wanted[i] = self.wanted_normal(i);
+                *mode = self.wanted_normal(i);
             }
         }
         if wanted != self.modes {
