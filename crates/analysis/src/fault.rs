@@ -81,6 +81,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
     Explanation {
         code: "S061", en: ("a mechanism that does not rest", UNREST_EN), ru: ("механизм не находится в равновесии", UNREST_RU)
     },
+    crate::rest::faults::WANDERING,
     crate::rest::faults::SLIPS,
     crate::rest::faults::OPEN,
     crate::studies::explain::NO_RETURN,

@@ -13,6 +13,7 @@ use symbolic::{Derivation, Equations, Expr, Linear, SymbolId, Text};
 use crate::fault::Message;
 use crate::machine::notation;
 use crate::numerics::rank;
+use crate::rest::near::Near;
 use crate::studies::equilibrium::{Statics, rest_near};
 use crate::waveform::Shape;
 use crate::{Fault, Quantity};
@@ -119,15 +120,13 @@ pub struct LinearMachine {
     values: Vec<f64>,
     /// Waveforms of [`Linear::forms`], with their rates as a tape.
     shapes: Vec<Shape>,
-    /// Size of reactions, so that Newton's steps are measured alike.
-    unit: f64,
+    /// Rest with connections, made when it is first asked for.
+    near: Option<Box<Near>>,
 }
 
 /// Everything that the tape gives.
 struct Full {
     matrices: Matrices,
-    conditions: Vec<f64>,
-    reach: Vec<f64>,
 }
 
 /// A place of linearisation: q and, about a motion, q' and q''.
@@ -188,7 +187,7 @@ impl LinearMachine {
             values,
             linear,
             shapes,
-            unit: 1.0,
+            near: None,
         })
     }
 
@@ -295,9 +294,9 @@ impl LinearMachine {
         let (damping, rest) = rest.split_at(n * n);
         let (stiffness, rest) = rest.split_at(n * n);
         let (force, rest) = rest.split_at(n);
-        let (conditions, rest) = rest.split_at(m);
+        let (_, rest) = rest.split_at(m);
         let (jacobian, rest) = rest.split_at(m * n);
-        let (reach, rest) = rest.split_at(n * k);
+        let (_, rest) = rest.split_at(n * k);
         let (loads, shaped) = rest.split_at((2 * n + 1) * self.linear.loads.len());
         let shaped = self.linear.shaped.iter().zip(shaped.chunks_exact(n.max(1))).map(|((form, _), f)| (*form, f.to_vec()));
         let loads = loads.chunks_exact(2 * n + 1).map(|l| Harmonic { rate: l[0], cos: l[1..=n].to_vec(), sin: l[n + 1..].to_vec() });
@@ -311,7 +310,7 @@ impl LinearMachine {
             stiffness: stiffness.to_vec(),
             force: force.to_vec(),
         };
-        Ok(Full { matrices, conditions: conditions.to_vec(), reach: reach.to_vec() })
+        Ok(Full { matrices })
     }
 
     /// States of a tape; reactions that are not known count as zero.
@@ -324,25 +323,23 @@ impl LinearMachine {
 
     /// A place of rest near q, with the reactions that balance it.
     ///
-    /// *Errors*: S007 when Newton's method finds none.
+    /// *Errors*: S007 when Newton's method finds none; S035 where a prescribed motion holds a coordinate.
     pub fn settle(&mut self, q: &[f64]) -> Result<Place, Fault> {
-        let n = self.names.len();
-        let k = self.linear.multipliers.len();
-        let mut x = q.to_vec();
-        if k > 0 {
-            // without its reactions a mechanism may have no stiffness at all: begin with those that balance best here
-            let here = self.full(&Place::rest(q))?;
-            self.unit = largest(&here.matrices.force).max(largest(&here.matrices.stiffness)).max(f64::MIN_POSITIVE);
-            let against: Vec<f64> = here.matrices.force.iter().map(|f| -f / self.unit).collect();
-            x.extend(rank::Qr::new(n, k, &here.reach, rank::TOLERANCE).least_squares(&against).0);
+        if self.linear.conditions.is_empty() {
+            return Ok(Place::rest(&rest_near(self, q)?));
         }
-        let x = rest_near(self, &x)?;
-        Ok(self.place_of(&x))
-    }
-
-    fn place_of(&self, x: &[f64]) -> Place {
-        let n = self.names.len();
-        Place { multipliers: x[n..].iter().map(|v| v * self.unit).collect(), ..Place::rest(&x[..n]) }
+        if self.linear.multipliers.len() != self.linear.conditions.len() {
+            return Err(driven());
+        }
+        let mut near = match self.near.take() {
+            Some(near) => near,
+            None => Box::new(Near::new(&self.equations)?),
+        };
+        let found = near.settle(&self.values, q);
+        self.near = Some(near);
+        let (q, reactions) = found?;
+        let of = |symbol: &SymbolId| reactions.iter().find(|(s, _)| s == symbol).map_or(0.0, |r| r.1);
+        Ok(Place { multipliers: self.linear.multipliers.iter().map(of).collect(), ..Place::rest(&q) })
     }
 
     /// Values of further expressions of [`Linear::graph`] at a place, with the parameters as they are now.
@@ -526,40 +523,25 @@ fn roots(linear: &Linear) -> Vec<(String, Expr)> {
     roots
 }
 
-/// Rest of a machine with connections: unknowns are q and λ/unit, equations the forces with the reactions, and the conditions.
+/// Rest of a machine without connections; with them see [`crate::rest`].
 impl Statics for LinearMachine {
     fn n_coordinates(&self) -> usize {
-        self.names.len() + self.linear.multipliers.len()
+        self.names.len()
     }
     fn name(&self, i: usize) -> &str {
-        self.names.get(i).map_or("λ", |q| &q.name)
+        &self.names[i].name
     }
     /// The mean force at rest and its derivatives.
     fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {
-        let (n, k) = (self.names.len(), self.linear.multipliers.len());
-        let place = self.place_of(&x[..n + k]);
-        let found = self.full(&place)?;
-        if k != found.conditions.len() {
-            return Err(driven());
-        }
-        let size = n + k;
-        forces[..n].copy_from_slice(&found.matrices.force);
-        forces[n..size].copy_from_slice(&found.conditions);
-        derivatives.fill(0.0);
-        for i in 0..n {
-            for j in 0..n {
-                derivatives[i * size + j] = -found.matrices.stiffness[i * n + j];
-            }
-            for c in 0..k {
-                derivatives[i * size + n + c] = found.reach[i * k + c] * self.unit;
-                derivatives[(n + c) * size + i] = found.matrices.jacobian[c * n + i];
-            }
-        }
+        let found = self.full(&Place::rest(&x[..self.names.len()]))?;
+        forces.copy_from_slice(&found.matrices.force);
+        derivatives.iter_mut().zip(&found.matrices.stiffness).for_each(|(d, c)| *d = -c);
         Ok(())
     }
 }
 
-fn driven() -> Fault {
+/// S035.
+pub fn driven() -> Fault {
     Fault::new(Message {
         code: "S035",
         what: Text::new("a prescribed motion holds a coordinate", "заданное движение удерживает координату"),

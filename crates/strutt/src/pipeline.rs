@@ -12,6 +12,8 @@ use crate::words::Word;
 use crate::{guards, phases, plan, provenance};
 use analysis::Dataset;
 use analysis::dataset::Audit;
+use analysis::linear::LinearMachine;
+use analysis::rest::mean::Resting;
 use analysis::studies::transient::{Found, Phase, Transient};
 use analysis::studies::{self, simulate::Outcome};
 use mechanics::derive::Detail;
@@ -19,6 +21,8 @@ use mechanics::model::{self, Between, Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
 use report::formula::{Form, Printer};
 use report::{Document, Language};
+use std::sync::Arc;
+use symbolic::linear::About;
 use symbolic::{Equations, SymbolId};
 
 /// A machine ready for studies.
@@ -226,25 +230,31 @@ pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut
 
 /// The same, or all with a coordinate between two values.
 pub fn equilibrium_over(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>, watch: &mut Watch) -> Finding {
-    let outcome = match machine.system.start() {
-        Ok(start) => {
-            let mut options = plan::guesses(&machine.equations, &start, guess);
-            options.over = over.and_then(|between| plan::range(&machine.equations, between));
-            let mut outcome = if analysis::rest::report::is_free(&machine.equations) {
-                studies::equilibrium::equilibrium(&mut machine.system, &start, &options)
-            } else {
-                let parameters: Vec<f64> = machine.equations.parameters.iter().map(|p| p.value).collect();
-                analysis::rest::report::study(&machine.equations, &parameters, &start, &options)
-            };
-            crate::small::add_roots(machine, &mut outcome.dataset);
-            outcome.dataset.notes.extend(crate::small::unknown_notes(machine));
-            outcome
-        }
-        Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
-    };
+    let outcome = at_rest(machine, guess, over).unwrap_or_else(|fault| Outcome { dataset: Dataset::default(), fault: Some(fault) });
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     checked(Finding::Equilibrium(data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
+}
+
+fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>) -> Result<Outcome, analysis::Fault> {
+    let start = machine.system.start()?;
+    let mut options = plan::guesses(&machine.equations, &start, guess);
+    options.over = over.and_then(|between| plan::range(&machine.equations, between));
+    let (mut outcome, timing) = if analysis::rest::report::is_free(&machine.equations) {
+        use analysis::System;
+        let n = machine.equations.coordinates.len();
+        let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
+        let found = studies::equilibrium::find(&mut linear, &machine.system.states()[..n], &start[..n], &options);
+        (found, linear.timing())
+    } else {
+        let resting = Resting::new(&machine.equations)?;
+        let parameters: Vec<f64> = resting.equations().parameters.iter().map(|p| p.value).collect();
+        (analysis::rest::report::study(resting.equations(), &parameters, &start, &options), resting.timing)
+    };
+    crate::small::add_roots(machine, &mut outcome.dataset);
+    outcome.dataset.notes.extend(crate::small::timing_notes(timing));
+    outcome.dataset.notes.extend(crate::small::unknown_notes(machine));
+    Ok(outcome)
 }
 
 /// Natural frequencies and shapes.

@@ -82,6 +82,8 @@ pub struct Timing {
     pub driven: bool,
     /// M, B or C contain harmonics, of which the mean was taken (parametric excitation).
     pub varying: bool,
+    /// Loads that repeat decide the place of rest by their means over a period.
+    pub averaged: bool,
 }
 
 /// A periodic function of time with a symbol for its mean over a period, which is a number of the parameters.
@@ -142,6 +144,7 @@ impl Linear {
         let split = split(equations, &mut graph, &all, &mut timing);
         let (split_force, split_mass) = split.split_at(n);
         timing.varying = split_mass.iter().any(|h| !h.is_still());
+        timing.averaged = split_force.iter().any(|h| !h.is_still());
         let mut forms = Vec::new();
         let mean: Vec<Expr> = split_force.iter().map(|h| averaged(&mut graph, &mut forms, h)).collect();
         let mass = split_mass.iter().map(|h| averaged(&mut graph, &mut forms, h)).collect();
@@ -418,6 +421,59 @@ impl Linear {
     pub fn time(&self) -> SymbolId {
         self.time
     }
+}
+
+/// Equations with what acts at rest: the means of loads that repeat.
+#[derive(Clone, Debug)]
+pub struct Resting {
+    /// The equations with time-free forces, balances and second derivation; `second` is empty where it has no mean.
+    pub equations: Equations,
+    /// Waveforms whose means stand in them as symbols.
+    pub forms: Vec<Form>,
+    /// Definitions that the waveforms may use.
+    pub definitions: Vec<(SymbolId, Expr)>,
+    /// How time was treated.
+    pub timing: Timing,
+}
+
+/// What acts at rest, as [`Linear`] has it: loads that repeat by their means over a period, all loads as they stand at t = 0 where one of them does not
+/// repeat. Rates and accelerations are zero.
+pub fn at_rest(equations: &Equations) -> Resting {
+    let mut out = equations.clone();
+    let mut graph = equations.graph.clone();
+    let moving = moving(equations, &mut graph);
+    let definitions = still(equations, &moving);
+    let zero = graph.zero();
+    let mut inline = Substitution::new(moving.iter().copied());
+    let mut rest = Substitution::new(equations.coordinates.iter().flat_map(|c| [(c.symbols[1], zero), (c.symbols[2], zero)]));
+    let (mut forms, mut timing) = (Vec::new(), Timing::default());
+    let mut mean = |graph: &mut Graph, list: &[Expr], timing: &mut Timing| -> Vec<Expr> {
+        let list: Vec<Expr> = list
+            .iter()
+            .map(|e| {
+                let e = inline.apply(graph, *e);
+                rest.apply(graph, e)
+            })
+            .collect();
+        let parts = split(equations, graph, &list, timing);
+        timing.averaged |= parts.iter().any(|h| !h.is_still());
+        parts.iter().map(|h| averaged(graph, &mut forms, h)).collect()
+    };
+    let acting: Vec<Expr> = equations.force.iter().copied().chain(equations.balances.iter().map(|b| b.rest)).collect();
+    let mut acting = mean(&mut graph, &acting, &mut timing);
+    let balances = acting.split_off(equations.force.len());
+    out.force = acting;
+    out.balances.iter_mut().zip(balances).for_each(|(b, e)| b.rest = e);
+    let mut other = Timing::default();
+    let second = mean(&mut graph, &equations.second, &mut other);
+    out.second = if other.frozen == timing.frozen { second } else { Vec::new() };
+    for condition in &equations.conditions {
+        let held = condition.place.unwrap_or(condition.rate);
+        let held = inline.apply(&mut graph, held);
+        timing.driven |= graph.contains(held, |s| s == equations.time);
+    }
+    out.graph = graph;
+    Resting { equations: out, forms, definitions, timing }
 }
 
 /// Definitions and turn angles that depend on time, as formulas of time, definitions and parameters that do not.

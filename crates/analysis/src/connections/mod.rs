@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use program::lower::Selection;
 use program::{Bound, ConnectionRoots, Evaluator, Point};
-use symbolic::connections::Law;
+use symbolic::connections::{Condition, Law};
 use symbolic::{Equations, Text};
 
 use crate::Fault;
@@ -54,7 +54,34 @@ pub fn assemble(equations: &Equations, parameters: &[f64]) -> Result<Assembly, F
     }
     let (selection, undetermined) = bench.select(&mut notes)?;
     notes.extend(bench.moved_values(&before));
+    notes.extend(guides_by_guess(equations));
     Ok(Assembly { start: bench.x, selection, undetermined, notes })
+}
+
+/// Sliders without a point of their guide, whose place at the start hangs on a guess.
+fn guides_by_guess(equations: &Equations) -> Vec<Text> {
+    let guessed = |j: &usize| equations.coordinates[*j].guessed[0] && !equations.coordinates[*j].given[0];
+    let one = |condition: &Condition| {
+        let is_slider = condition.name.en.starts_with("slider ") && condition.place.is_none();
+        let list: Vec<String> = condition
+            .columns
+            .iter()
+            .map(|(j, _)| *j)
+            .filter(guessed)
+            .map(|j| equations.graph.symbol_info(equations.coordinates[j].symbols[0]).name.clone())
+            .collect();
+        let head = |text: &str| text.split(", ").next().unwrap_or_default().to_owned();
+        (is_slider && !list.is_empty()).then(|| {
+            let (en, ru, list) = (head(&condition.name.en), head(&condition.name.ru), list.join(", "));
+            Text::new(
+                format!("{en}: its guide passes through its place at the start, which the guess of {list} decides; give `through` to fix the guide"),
+                format!("{ru}: направляющая проходит через начальное положение, которое зависит от приближения для {list}; чтобы её закрепить, задайте `through`"),
+            )
+        })
+    };
+    let mut notes: Vec<Text> = equations.conditions.iter().filter_map(one).collect();
+    notes.dedup();
+    notes
 }
 
 /// The conditions at a state that is being put together.

@@ -17,6 +17,46 @@ pub const OPEN: Explanation = Explanation {
     ru: ("трение оставляет неизвестное неопределённым", OPEN_RU),
 };
 
+/// S065.
+pub const WANDERING: Explanation = Explanation {
+    code: "S065",
+    en: ("a connection of rates that leads to no place", WANDERING_EN),
+    ru: ("связь скоростей, не определяющая положения", WANDERING_RU),
+};
+
+const WANDERING_EN: &str = "A connection that is given in rates only and is not integrable (a skate, rolling in space, a `zero_rate` whose factors are no gradient) restrains \
+    how the machine moves and not where it can be: from one start it reaches different places on different ways, and places of rest form a continuum. Only the start, or \
+    a guess at which the machine rests already, can be reported. Wrong: equilibrium with a skate and a start that does not rest. Right: give such a place as the start, \
+    or follow the damped motion with `simulate`.";
+const WANDERING_RU: &str = "Связь, заданная только скоростями и неинтегрируемая (конёк, качение в пространстве, `zero_rate`, множители которого не образуют градиента), \
+    ограничивает движение, но не положение: из одного начала разными путями машина приходит в разные места, и положения покоя образуют континуум. Можно указать лишь \
+    начальное положение или приближение, в котором машина уже покоится. Неверно: equilibrium с коньком из положения, где машина не покоится. Верно: задайте положение \
+    покоя началом или проследите затухающее движение в `simulate`.";
+
+/// A connection that leads to no place.
+pub(crate) fn wandering(name: &Text) -> Fault {
+    Fault::new(Message {
+        code: "S065",
+        what: Text::new(
+            format!("where the machine rests depends on the way there: {} restrains rates only", name.en),
+            format!("положение покоя зависит от пути к нему: связь «{}» ограничивает только скорости", name.ru),
+        ),
+        why: Text::new("the connection is not integrable (nonholonomic)", "связь неинтегрируема (неголономна)"),
+        help: Text::new(
+            "give the place of rest as the start or the guess, or follow the damped motion with `simulate`",
+            "задайте положение покоя началом или приближением либо проследите затухающее движение в `simulate`",
+        ),
+    })
+}
+
+/// A place of rest that others surround.
+pub(crate) fn one_of_many(name: &Text) -> Text {
+    Text::new(
+        format!("{} restrains rates only: this place rests, and places around it may, too", name.en),
+        format!("связь «{}» ограничивает только скорости: в этом положении машина покоится, как, возможно, и в соседних", name.ru),
+    )
+}
+
 const SLIPS_EN: &str = "Equilibrium needs a friction force beyond its static limit for every choice of the reactions that the equations leave open: the machine \
     sets itself in motion. The message says how many times as large all limits of friction would have to be.";
 const SLIPS_RU: &str = "При любом выборе реакций, которые оставляют открытыми уравнения, для равновесия нужна сила трения больше предельной: машина приходит в \

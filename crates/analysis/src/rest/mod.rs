@@ -5,7 +5,10 @@
 
 pub mod admissible;
 pub mod faults;
+pub mod mean;
+pub mod near;
 mod newton;
+pub mod path;
 pub mod places;
 pub mod report;
 pub mod stability;

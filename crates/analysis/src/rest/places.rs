@@ -14,7 +14,7 @@ use symbolic::{Equations, Text};
 
 use super::newton::{self, RESIDUAL, balance, worst};
 use super::system::{Parts, RestSystem, Row, Rows};
-use super::{closed_contacts, gap_size};
+use super::{closed_contacts, faults, gap_size};
 use crate::Fault;
 use crate::numerics::qr::{Qr, norm};
 use crate::numerics::random::Random;
@@ -60,12 +60,21 @@ pub fn places(equations: &Equations, parameters: &[f64], start: &[f64], options:
     let n = equations.coordinates.len();
     let own = closed_contacts(equations, &start[..n], parameters)?;
     let mut found = Places::default();
+    let mut wandering = Vec::new();
     for closed in choices(equations, &own) {
         let parts = Parts::holding(equations, |r| closed.contains(&r)).smooth(equations);
-        let system = RestSystem::new(equations, parts, parameters)?;
+        let system = RestSystem::new(equations, parts, parameters)?.anchored(equations, start)?;
+        wandering = system.wandering();
         let angles = equations.coordinates.iter().map(|c| c.unit == "rad").collect();
         let mut search = Search { equations, system, closed, angles, found: &mut found };
         search.run(&start[..n], options)?;
+    }
+    if let Some(c) = wandering.first() {
+        let name = &equations.conditions[*c].name;
+        if found.list.is_empty() || options.over.is_some() {
+            return Err(faults::wandering(name));
+        }
+        found.notes.push(faults::one_of_many(name));
     }
     if let Some(Range { coordinate, from, to }) = options.over {
         let slack = 1e-9 * (to - from);
@@ -95,7 +104,7 @@ struct Search<'s> {
     found: &'s mut Places,
 }
 
-fn rest_rows(rows: &Rows, _: &[f64]) -> Vec<Row> {
+pub(super) fn rest_rows(rows: &Rows, _: &[f64]) -> Vec<Row> {
     rows.forces.iter().chain(&rows.places).cloned().collect()
 }
 
@@ -132,6 +141,10 @@ impl Search<'_> {
         // a place that rests already is not moved
         let resting = self.system.at(&z).is_ok_and(|rows| worst(&rest_rows(&rows, &z), &z, self.system.n) <= RESIDUAL * 1e-2);
         let free: Vec<usize> = (0..self.system.width()).collect();
+        // without a place for every connection the way there would decide where the search ends
+        if !resting && !self.system.wandering().is_empty() {
+            return;
+        }
         let solved = resting || matches!(newton::solve(&mut self.system, &mut z, &free, &rest_rows), Ok(Some(_)));
         if solved {
             self.keep(&z);

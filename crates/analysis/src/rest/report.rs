@@ -15,7 +15,7 @@ use super::newton::{RESIDUAL, balance, worst};
 use super::places::{Place, places};
 use super::stability::{free_directions, verdict, with_closed};
 use super::system::{Parts, RestSystem};
-use super::{closed_contacts, fault_of, hold};
+use super::{closed_contacts, fault_of, hold, path};
 use crate::dataset::{Audit, Column, Dataset, Missing};
 use crate::fault::number;
 use crate::linear::{LinearMachine, Place as Linearised};
@@ -52,10 +52,7 @@ pub fn study(equations: &Equations, parameters: &[f64], start: &[f64], options: 
 fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Result<Outcome, Fault> {
     let n = equations.coordinates.len();
     let q = &start[..n];
-    let mut notes = vec![Text::new(
-        "rates are zero; prescribed motions and loads are taken at t = 0",
-        "скорости равны нулю; заданные движения и нагрузки взяты при t = 0",
-    )];
+    let mut notes = vec![crate::studies::equilibrium::rates_are_zero()];
     let rough = equations.reactions.iter().any(|r| matches!(r.law, Law::Friction(_)));
     let held = if rough || n == 0 { Some(held(equations, parameters, q)?) } else { None };
     let mut found = if n == 0 { Default::default() } else { places(equations, parameters, start, options)? };
@@ -173,8 +170,8 @@ fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Text {
 fn judged(equations: &Equations, parameters: &[f64], place: Place) -> Result<Row, Fault> {
     let second = second(equations, parameters, &place);
     let mut row = Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second };
-    // a condition that is no surface (a circuit among the connections) has no small motions of this kind
-    let strange = equations.conditions.iter().any(|c| c.place.is_none());
+    // a condition that is no surface (a skate, a circuit among the connections) has no small motions of this kind
+    let strange = !path::all_places(equations, parameters, &row.place.q)?;
     let closed = with_closed(equations, &row.place.closed);
     let Ok(mut linear) = LinearMachine::new(&Arc::new(closed), About::Rest) else { return Ok(row) };
     let of = |symbol: &SymbolId| {
@@ -264,6 +261,9 @@ fn dataset(equations: &Equations, rows: &[Row], notes: Vec<Text>) -> Dataset {
         Audit::at_most("equilibrium", first, most(&|r| r.place.residual), RESIDUAL),
         Audit::at_most("equilibrium_second", other, most(&|r| r.second), SECOND),
     ];
+    // loads that the second derivation has in a form without a mean leave nothing to compare
+    let audits: Vec<Audit> =
+        audits.into_iter().take(if equations.second.is_empty() && !equations.force.is_empty() { 1 } else { 2 }).collect();
     let audits = if rows.is_empty() { Vec::new() } else { audits };
     let mut data = Dataset { columns, notes, audits, ..Dataset::default() };
     let open = Text::new("not determined by the equations of rest", "уравнениями покоя не определяется");

@@ -8,8 +8,8 @@
 //! balances    rest + Σ_k released_k λ_k = 0          displacements of released bodies, where all loads have a place
 //! ```
 //!
-//! A condition on rates that is homogeneous (rolling in space, a skate) leaves its place out: then q stays where the search began in that direction.
-//! One that is not (a circuit: R i = U) says what must hold at rest, and that is its place.
+//! A homogeneous condition on rates has the place that its integral from the start gives ([`super::path`]); where it is not integrable (rolling in space, a
+//! skate) it has none, and only places that rest already count. An inhomogeneous one (a circuit: R i = U) says what must hold at rest, and that is its place.
 
 use std::sync::Arc;
 
@@ -18,6 +18,7 @@ use program::{Evaluator, Point, Tape};
 use symbolic::connections::Law;
 use symbolic::{Derivation, Equations, Expr, Graph, SymbolId};
 
+use super::path::Paths;
 use crate::Fault;
 
 /// A row: its value and its derivatives by z.
@@ -69,6 +70,7 @@ pub struct RestSystem {
     /// All frictions of the machine, by index of the reaction.
     pub frictions: Vec<usize>,
     balances: usize,
+    paths: Option<Paths>,
 }
 
 /// What takes part.
@@ -159,7 +161,43 @@ impl RestSystem {
             conditions: parts.conditions,
             rate_only: roots.rate_only,
             balances: roots.balances,
+            paths: None,
         })
+    }
+
+    /// The same with the places of conditions on rates, counted from the start.
+    ///
+    /// *Errors*: a formula without a value at the start.
+    pub fn anchored(mut self, equations: &Equations, start: &[f64]) -> Result<RestSystem, Fault> {
+        let rates: Vec<usize> = (0..self.conditions.len()).filter(|c| self.rate_only[*c]).map(|c| self.conditions[c]).collect();
+        if !rates.is_empty() {
+            self.paths = Some(Paths::new(equations, &rates, &self.values, start)?);
+        }
+        Ok(self)
+    }
+
+    /// Takes other numbers for the parameters, and another start.
+    ///
+    /// *Errors*: formulas outside their domain.
+    pub fn set(&mut self, parameters: &[f64], start: &[f64]) -> Result<(), Fault> {
+        self.values = parameters.to_vec();
+        self.evaluator = Evaluator::new(&self.tape, &self.values)?;
+        match &mut self.paths {
+            Some(paths) => paths.set(parameters, start),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether conditions on rates are counted from a start.
+    pub fn has_paths(&self) -> bool {
+        self.paths.is_some()
+    }
+
+    /// Conditions on rates that are not integrable, by index in the equations.
+    pub fn wandering(&self) -> Vec<usize> {
+        let rates = (0..self.conditions.len()).filter(|c| self.rate_only[*c]).map(|c| self.conditions[c]);
+        let exact = self.paths.iter().flat_map(|p| &p.exact);
+        rates.zip(exact).filter(|(_, exact)| !**exact).map(|(c, _)| c).collect()
     }
 
     /// Number of components of z.
@@ -207,8 +245,15 @@ impl RestSystem {
         let gaps = take(self.contacts.len());
         let limits = (0..self.frictions.len()).map(|_| take(2)).map(|mut pair| (pair.remove(0), pair.remove(0))).collect();
         let jacobian = take(self.rate_only.iter().filter(|r| **r).count() * n);
+        let integrals = match &mut self.paths {
+            Some(paths) => paths.places(&z[..n])?,
+            None => Vec::new(),
+        };
         for (slot, c) in (0..places.len()).filter(|c| self.rate_only[*c]).enumerate() {
             (0..n).for_each(|j| places[c].slopes[j] = jacobian[slot * n + j].value);
+            if self.paths.as_ref().is_some_and(|p| p.exact[slot]) {
+                places[c].value = integrals[slot];
+            }
         }
         forces.iter_mut().chain(&mut balances).for_each(|row| row.is_force = true);
         let finite = forces.iter().chain(&places).chain(&balances).all(|r| r.value.is_finite() && r.slopes.iter().all(|s| s.is_finite()));
@@ -227,13 +272,13 @@ fn variables(equations: &Equations, parts: &Parts) -> Vec<SymbolId> {
 }
 
 /// Formulas, and turn angles of prescribed speed at their start.
-fn definitions(equations: &Equations) -> Vec<(SymbolId, Expr)> {
+pub(super) fn definitions(equations: &Equations) -> Vec<(SymbolId, Expr)> {
     let turned = equations.auxiliaries.iter().map(|a| (a.symbol, a.start));
     equations.definitions.iter().map(|d| (d.symbol, d.formula)).chain(turned).collect()
 }
 
 /// ∂/∂symbol, through the definitions too.
-fn seeded(graph: &mut Graph, definitions: &[(SymbolId, Expr)], symbol: SymbolId) -> Derivation {
+pub(super) fn seeded(graph: &mut Graph, definitions: &[(SymbolId, Expr)], symbol: SymbolId) -> Derivation {
     let mut known = vec![(symbol, graph.one())];
     for (name, formula) in definitions {
         let inner = Derivation::new(known.iter().copied()).apply(graph, *formula);
@@ -317,7 +362,7 @@ fn needs_balances(equations: &Equations) -> bool {
 }
 
 /// An expression with rates and accelerations zero.
-fn at_rest(equations: &Equations, graph: &mut Graph, e: Expr) -> Expr {
+pub(super) fn at_rest(equations: &Equations, graph: &mut Graph, e: Expr) -> Expr {
     let zero = graph.zero();
     let still = equations.coordinates.iter().flat_map(|c| [(c.symbols[1], zero), (c.symbols[2], zero)]);
     symbolic::Substitution::new(still.collect::<Vec<_>>()).apply(graph, e)

@@ -1,7 +1,7 @@
 //! Equilibria: h(q, 0, s, 0) = 0 by damped Newton from guesses.
 //!
-//! Rates are zero and prescribed motions and loads are taken at t = 0. An equilibrium of a conservative system is stable when its stiffness
-//! K = -dh/dq is positive definite (Lagrange, Dirichlet) and unstable when K has a negative direction; when K is not symmetric the loads do
+//! Rates are zero; how loads that depend on time enter is the machine's affair ([`crate::linear`] takes their means, a `System` stands at
+//! t = 0). An equilibrium of a conservative system is stable when its stiffness K = -dh/dq is positive definite (Lagrange, Dirichlet) and unstable when K has a negative direction; when K is not symmetric the loads do
 //! work over closed ways (follower forces), and definiteness of the symmetric part is only a hint.
 
 use symbolic::Text;
@@ -89,6 +89,11 @@ pub fn nothing_moves() -> Text {
     )
 }
 
+/// What rest means.
+pub(crate) fn rates_are_zero() -> Text {
+    Text::new("rates are zero", "скорости равны нулю")
+}
+
 /// Says what is absent in columns of equilibria.
 pub fn state(data: &mut Dataset) {
     let growth = Text::new(
@@ -107,7 +112,13 @@ pub fn state(data: &mut Dataset) {
 ///
 /// *Errors* beside what was found: S007 when no guess leads to an equilibrium, S008 when an equilibrium is not isolated.
 pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Equilibrium) -> Outcome {
-    let n = System::n_coordinates(system);
+    let coordinates = system.states()[..System::n_coordinates(system)].to_vec();
+    find(system, &coordinates, start, options)
+}
+
+/// The same for anything that has forces of rest over these coordinates.
+pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start: &[f64], options: &Equilibrium) -> Outcome {
+    let n = coordinates.len();
     if n == 0 {
         return Outcome { dataset: Dataset { notes: vec![nothing_moves()], ..Dataset::default() }, fault: None };
     }
@@ -117,13 +128,14 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
     let own = start[..n].to_vec();
     let mut along = options.over.map(|range| search.along(range, start)).unwrap_or_default();
     if let Some(range) = options.over {
-        let angle = |i: usize| i != range.coordinate && search.system.states()[i].unit == "rad";
+        let angle = |i: usize| i != range.coordinate && coordinates[i].unit == "rad";
         let angles: Vec<usize> = (0..n).filter(|&i| angle(i)).take(TURNED).collect();
         turned(&mut along, &angles);
     }
     for guess in std::iter::once(&own).chain(options.guesses.iter().filter(|g| g.len() == n)).chain(&along) {
         let mut x = start.to_vec();
-        x[n..2 * n].fill(0.0);
+        let rates = (2 * n).min(x.len());
+        x[n..rates].fill(0.0);
         x[..n].copy_from_slice(guess);
         match search.from(x) {
             Ok(rest) if found.iter().all(|other| !other.is(&rest)) => found.push(rest),
@@ -138,10 +150,10 @@ pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &
         found.sort_by(|a, b| a.q[coordinate].total_cmp(&b.q[coordinate]));
         faults.retain(|f| f.code == "S008");
         if found.is_empty() && faults.is_empty() {
-            faults.push(nothing_between(&system.states()[coordinate].name, from, to));
+            faults.push(nothing_between(&coordinates[coordinate].name, from, to));
         }
     }
-    let mut dataset = dataset(system, &found, steps);
+    let mut dataset = dataset(coordinates, &found, steps);
     if options.over.is_some() && n > 1 {
         dataset.notes.push(Text::new(
             "found by Newton's method from guesses along the range: there may be more",
@@ -250,7 +262,8 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             return (0..=GUESSES).map(|k| place(value(k, GUESSES))).collect();
         }
         let mut rest = start.to_vec();
-        rest[self.n..2 * self.n].fill(0.0);
+        let rates = (2 * self.n).min(rest.len());
+        rest[self.n..rates].fill(0.0);
         let mut force = |at: f64| {
             rest[0] = at;
             self.evaluate(&rest).map_or(f64::NAN, |()| self.forces[0])
@@ -345,7 +358,7 @@ impl<S: Statics + ?Sized> Search<'_, S> {
 }
 
 /// No place of rest was found.
-pub(crate) fn no_equilibrium() -> Fault {
+pub fn no_equilibrium() -> Fault {
     Fault::new(Message {
         code: "S007",
         what: Text::new("no equilibrium found from this guess", "из этого приближения равновесие не найдено"),
@@ -386,10 +399,9 @@ fn norm(v: &[f64]) -> f64 {
     v.iter().map(|a| a * a).sum::<f64>().sqrt()
 }
 
-fn dataset<S: System + ?Sized>(system: &S, found: &[Rest], steps: usize) -> Dataset {
-    let n = System::n_coordinates(system);
-    let mut columns: Vec<Column> =
-        (0..n).map(|i| Column { quantity: system.states()[i].clone(), values: found.iter().map(|r| r.q[i]).collect() }).collect();
+fn dataset(coordinates: &[Quantity], found: &[Rest], steps: usize) -> Dataset {
+    let column = |(i, q): (usize, &Quantity)| Column { quantity: q.clone(), values: found.iter().map(|r| r.q[i]).collect() };
+    let mut columns: Vec<Column> = coordinates.iter().enumerate().map(column).collect();
     let labelled = |name: &str, label: Text| Quantity { label, ..Quantity::new(name, "1") };
     columns.push(Column {
         quantity: labelled("residual", Text::new("largest relative force", "наибольшая относительная сила")),
@@ -399,10 +411,7 @@ fn dataset<S: System + ?Sized>(system: &S, found: &[Rest], steps: usize) -> Data
         quantity: labelled("stable", Text::new("1 stable, 0 unstable", "1 устойчиво, 0 неустойчиво")),
         values: found.iter().map(|r| r.stable.map_or(f64::NAN, |s| f64::from(u8::from(s)))).collect(),
     });
-    let mut notes = vec![Text::new(
-        "rates are zero; prescribed motions and loads are taken at t = 0",
-        "скорости равны нулю; заданные движения и нагрузки взяты при t = 0",
-    )];
+    let mut notes = vec![rates_are_zero()];
     if found.iter().any(|r| !r.symmetric) {
         notes.push(Text::new(
             "the stiffness is not symmetric: the loads are not conservative, and the verdict on stability is only a hint",

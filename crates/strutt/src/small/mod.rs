@@ -10,11 +10,14 @@ use crate::pipeline::Machine;
 use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
 use analysis::numerics::lu::Lu;
+use analysis::rest::mean::Resting;
+use analysis::rest::stability::with_closed;
+use analysis::studies::equilibrium::Equilibrium;
 use analysis::studies::modes::{self as natural, Normalisation};
 use analysis::{Dataset, Fault, Quantity, System};
 use mechanics::model::StudyKind;
 use std::sync::Arc;
-use symbolic::linear::About;
+use symbolic::linear::{About, Timing};
 use symbolic::{SymbolId, Text};
 
 /// A machine linearised about a place.
@@ -31,9 +34,46 @@ pub struct Small {
 /// # Errors
 /// No equilibrium is found, or formulas have no value there.
 pub fn about_rest(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Fault> {
+    if !analysis::rest::report::is_free(&machine.equations) {
+        return connected(machine, guess);
+    }
     let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
     let place = rest(machine, &mut linear, guess)?;
     Ok(Small { machine: linear, place })
+}
+
+/// The same with connections: at the places of rest that the study `equilibrium` finds, ropes and stops that are closed there as lasting connections.
+fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Fault> {
+    if machine.equations.conditions.iter().any(|c| c.reaction.is_none()) {
+        return Err(analysis::linear::driven());
+    }
+    let start = machine.system.start()?;
+    let resting = Resting::new(&machine.equations)?;
+    let equations = resting.equations();
+    let values: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+    let guesses = candidates(machine, &start, guess);
+    let options = Equilibrium { guesses: guesses.clone(), over: None };
+    let mut found = analysis::rest::places::places(equations, &values, &start, &options)?.list;
+    if !guess.is_empty() {
+        let far = |q: &[f64]| q.iter().zip(&guesses[0]).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+        found.sort_by(|a, b| far(&a.q).total_cmp(&far(&b.q)));
+    }
+    let mut first = None;
+    for place in found {
+        let closed = with_closed(&machine.equations, &place.closed);
+        let mut linear = LinearMachine::new(&Arc::new(closed), About::Rest)?;
+        let of = |symbol: &SymbolId| {
+            let r = equations.reactions.iter().position(|r| r.symbol == *symbol);
+            r.and_then(|r| place.reactions[r]).unwrap_or(0.0)
+        };
+        let multipliers = linear.linear().multipliers.iter().map(of).collect();
+        let at = Place { multipliers, ..Place::rest(&place.q) };
+        if !guess.is_empty() || stable(&mut linear, &at) {
+            return Ok(Small { machine: linear, place: at });
+        }
+        first.get_or_insert(Small { machine: linear, place: at });
+    }
+    first.ok_or_else(analysis::studies::equilibrium::no_equilibrium)
 }
 
 /// Linearises a machine about the motion that it has at the start.
@@ -57,20 +97,7 @@ pub fn about_start(machine: &Machine) -> Result<Small, Fault> {
 fn rest(machine: &Machine, linear: &mut LinearMachine, guess: &[(SymbolId, f64)]) -> Result<Place, Fault> {
     let start = machine.system.start()?;
     let n = machine.system.n_coordinates();
-    let symbols: Vec<SymbolId> = machine.equations.coordinates.iter().map(|c| c.symbols[0]).collect();
-    let from = |guess: &[(SymbolId, f64)]| -> Vec<f64> {
-        let value = |(s, q): (&SymbolId, &f64)| guess.iter().find(|(g, _)| g == s).map_or(*q, |(_, v)| *v);
-        symbols.iter().zip(&start[..n]).map(value).collect()
-    };
-    let candidates: Vec<Vec<f64>> = if guess.is_empty() {
-        let guesses = machine.model.studies.iter().filter_map(|s| match &s.kind {
-            StudyKind::Equilibrium { guess, .. } if !guess.is_empty() => Some(from(guess)),
-            _ => None,
-        });
-        guesses.chain([start[..n].to_vec(), vec![0.0; n]]).collect()
-    } else {
-        vec![from(guess)]
-    };
+    let candidates = candidates(machine, &start[..n], guess);
     let (mut first, mut fault) = (None, None);
     for candidate in &candidates {
         match linear.settle(candidate) {
@@ -90,6 +117,24 @@ fn rest(machine: &Machine, linear: &mut LinearMachine, guess: &[(SymbolId, f64)]
         (None, Some(fault)) => Err(fault),
         (None, None) => Ok(Place::rest(&start[..n])),
     }
+}
+
+/// Where to look for rest: at the guess of the study, else at those of the file's equilibria, the start and zero.
+fn candidates(machine: &Machine, start: &[f64], guess: &[(SymbolId, f64)]) -> Vec<Vec<f64>> {
+    let symbols: Vec<SymbolId> = machine.equations.coordinates.iter().map(|c| c.symbols[0]).collect();
+    let n = symbols.len();
+    let from = |guess: &[(SymbolId, f64)]| -> Vec<f64> {
+        let value = |(s, q): (&SymbolId, &f64)| guess.iter().find(|(g, _)| g == s).map_or(*q, |(_, v)| *v);
+        symbols.iter().zip(&start[..n]).map(value).collect()
+    };
+    if !guess.is_empty() {
+        return vec![from(guess)];
+    }
+    let guesses = machine.model.studies.iter().filter_map(|s| match &s.kind {
+        StudyKind::Equilibrium { guess, .. } if !guess.is_empty() => Some(from(guess)),
+        _ => None,
+    });
+    guesses.chain([start[..n].to_vec(), vec![0.0; n]]).collect()
 }
 
 /// Whether no direction of C is negative.
@@ -129,7 +174,8 @@ pub fn solve_unknowns(model: &mechanics::Model, equations: &mut symbolic::Equati
 fn solve_connected(model: &mechanics::Model, equations: &mut symbolic::Equations, wanted: &[usize]) -> Result<(), Fault> {
     let friction = |(name, direction): &(String, f64)| Some((analysis::rest::unknowns::friction_named(equations, name)?, *direction));
     let impending: Vec<_> = model.impending.iter().filter_map(friction).collect();
-    let found = analysis::rest::unknowns::unknowns(equations, wanted, &impending)?;
+    let resting = Resting::new(equations)?;
+    let found = analysis::rest::unknowns::unknowns(resting.equations(), wanted, &impending)?;
     for (i, value) in wanted.iter().zip(found.values) {
         equations.parameters[*i].value = value;
         equations.parameters[*i].written = format!("{value}");
@@ -183,9 +229,14 @@ pub fn add_roots(machine: &Machine, data: &mut Dataset) {
 }
 
 /// Remarks on how time was treated.
-pub fn timing_notes(machine: &LinearMachine) -> Vec<Text> {
-    let timing = machine.timing();
+pub fn timing_notes(timing: Timing) -> Vec<Text> {
     let mut notes = Vec::new();
+    if timing.averaged && !timing.frozen {
+        notes.push(Text::new(
+            "loads that repeat decide the place of rest by their mean over a period",
+            "положение равновесия определяют средние за период значения повторяющихся нагрузок",
+        ));
+    }
     if timing.frozen {
         notes.push(Text::new(
             "the loads are no sums of harmonics: everything that depends on time is taken at t = 0",

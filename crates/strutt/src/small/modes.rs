@@ -118,7 +118,7 @@ fn dataset(found: &Found) -> Dataset {
             "около движения в начальный момент; коэффициенты взяты в этот момент",
         ));
     }
-    data.notes.extend(timing_notes(&found.small.machine));
+    data.notes.extend(timing_notes(found.small.machine.timing()));
     data
 }
 

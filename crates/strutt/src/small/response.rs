@@ -114,7 +114,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.load = load_name(study, &small, &source, parameter);
     let (quantities, formulas) = observed(study, &machine.equations);
     free_of_reactions(&machine.equations, &quantities, &formulas)?;
-    let notes = timing_notes(&small.machine);
+    let notes = timing_notes(small.machine.timing());
     let own_value = parameter.map(|p| small.machine.value(p));
     let mut forced = Forced::new(&mut small.machine, &small.place, source, parameter, &formulas)?;
     let own = forced.own_frequency().filter(|w| *w > 0.0);
