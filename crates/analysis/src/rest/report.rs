@@ -248,6 +248,8 @@ fn dataset(equations: &Equations, rows: &[Row], notes: Vec<Text>) -> Dataset {
         let quantity = Quantity { symbol, ..labelled(&reaction.name, &reaction.unit, reaction.label.clone()) };
         columns.push(column(quantity, &|r| r.place.reactions[k].unwrap_or(f64::NAN)));
     }
+    let label = Text::new("largest relative force", "наибольшая относительная сила");
+    columns.push(column(labelled("residual", "1", label), &|r| r.place.residual));
     // without coordinates there is no stability
     let columns_of_motion = if equations.coordinates.is_empty() { Vec::new() } else { verdicts(rows) };
     columns.extend(columns_of_motion);
