@@ -6,10 +6,12 @@
 mod events;
 mod linear;
 mod texts;
+mod words;
 
 pub use events::EVENTS;
 pub use linear::LINEAR;
 pub use texts::TEXTS;
+pub use words::WORDS;
 
 /// The explanation of a code.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +30,7 @@ pub struct Explanation {
 
 /// Every table of explanations.
 pub const TABLES: &[&[Explanation]] =
-    &[EXPLANATIONS, LINEAR, EVENTS, TEXTS, crate::derive::EXPLANATIONS, crate::structure::EXPLANATIONS, crate::section::EXPLANATIONS];
+    &[EXPLANATIONS, LINEAR, EVENTS, TEXTS, WORDS, crate::derive::EXPLANATIONS, crate::structure::EXPLANATIONS, crate::section::EXPLANATIONS];
 
 /// The explanation of a code; small letters will do.
 pub fn find(code: &str) -> Option<&'static Explanation> {
@@ -268,8 +270,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "M027",
         ("Hz where rad/s is meant", "Гц вместо рад/с"),
         (
-            "Hz counts periods, an angular rate counts radians: one turn is 2 pi of them. By dimension both are 1/s, so that the check cannot tell them apart.",
-            "Гц считает периоды, а угловая скорость — радианы: в одном обороте их 2 пи. По размерности обе величины 1/с, и проверка их не различает.",
+            "Hz and 1/min count periods, an angular rate counts radians: one turn is 2 pi of them. By dimension both are 1/s. A count of periods is followed through parameters and formulas: 2*pi*n is an angular rate, sin(2*pi*n*t) and spin = \"2*pi*n\" are right; a warning comes where n alone stands in a sine, beside a rate in rad/s, or in a value that is no frequency. An output with unit = \"Hz\" shows an angular rate divided by 2 pi, one with unit = \"rpm\" shows a frequency in turns.",
+            "Гц и 1/мин считают периоды, а угловая скорость — радианы: в одном обороте их 2 пи. По размерности обе величины 1/с. Счёт периодов прослеживается через параметры и формулы: 2*pi*n — угловая скорость, sin(2*pi*n*t) и spin = \"2*pi*n\" верны; предупреждение выдаётся, если n без множителя стоит под синусом, рядом со скоростью в рад/с или в величине, которая не является частотой. Выходная величина с unit = \"Гц\" показывает угловую скорость, делённую на 2 пи, а с unit = \"об/мин\" — частоту в оборотах.",
         ),
         "spin = \"50 Hz\"",
         "spin = \"50 rev/s\"",

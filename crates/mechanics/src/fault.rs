@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Severity, Source};
 use std::borrow::Cow;
 use std::ops::Range;
-use symbolic::Text;
+use symbolic::{Text, letters};
 
 /// A finding inside a piece of text; the range counts bytes from its start.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -45,6 +45,11 @@ impl Fault {
     pub(crate) fn warning(mut self) -> Fault {
         self.severity = Severity::Warning;
         self
+    }
+    /// Offers the name that was meant; of names that look alike it says which letter is which.
+    pub(crate) fn meant(self, word: &str, near: &str) -> Fault {
+        let (en, ru) = meant(word, near);
+        self.help(en, ru)
     }
     /// The same finding in a text in which this one begins at byte `by`.
     pub(crate) fn shifted(mut self, by: usize) -> Fault {
@@ -123,6 +128,22 @@ impl<'a> Snippet<'a> {
     }
 }
 
+/// "Did you mean", in both languages.
+fn meant(word: &str, near: &str) -> (String, String) {
+    let (en, ru) = (format!("did you mean `{near}`?"), format!("может быть, `{near}`?"));
+    let alike = letters::twin(word, [near]).is_some();
+    match letters::difference(word, near).filter(|_| alike) {
+        Some((typed, known)) => {
+            let ((typed_en, typed_ru), (known_en, known_ru)) = (letters::alphabet(typed), letters::alphabet(known));
+            (
+                format!("{en} With {known} ({known_en}); here stands {typed} ({typed_en})"),
+                format!("{ru} В нём {known} ({known_ru}), а здесь {typed} ({typed_ru})"),
+            )
+        }
+        None => (en, ru),
+    }
+}
+
 thread_local! {
     /// How many more suggestions this reading may look for: a file of a hundred thousand slips must not cost as many searches.
     static SEARCHES: std::cell::Cell<usize> = const { std::cell::Cell::new(SEARCH_LIMIT) };
@@ -149,10 +170,14 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
     if length > 60 || !may_search() {
         return None;
     }
+    let candidates: Vec<&str> = candidates.into_iter().take(5000).collect();
+    if let Some(twin) = letters::twin(word, candidates.iter().copied()) {
+        return Some(twin);
+    }
     let limit = 1 + length / 4;
     let mut best: Option<(usize, &str)> = None;
     // a bounded search: a file of a hundred thousand names must not cost their square
-    for candidate in candidates.into_iter().take(5000) {
+    for candidate in candidates {
         if candidate.chars().count().abs_diff(length) > limit {
             continue;
         }
@@ -160,7 +185,7 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
         if word.to_lowercase() == candidate.to_lowercase() {
             distance = 0;
         }
-        if distance <= limit && distance < length.max(2) && best.is_none_or(|(d, _)| distance < d) {
+        if distance <= limit && distance < length && best.is_none_or(|(d, _)| distance < d) {
             best = Some((distance, candidate));
         }
     }

@@ -19,6 +19,7 @@ pub mod finite;
 pub mod folder;
 pub mod gallery;
 pub mod guards;
+mod letters;
 mod near;
 pub mod phases;
 pub mod pipeline;

@@ -124,6 +124,7 @@ pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch)
 pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail, watch: &mut Watch) -> Result<Machine, Failure> {
     let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
     let mut reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    reading.warnings.extend(crate::letters::printed_alike(&reading.model));
     reading.warnings.extend(crate::structure::mount::mount(&mut reading.model)?);
     watch.lap(Word::TimeRead);
     let mut equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;

@@ -1,6 +1,6 @@
 //! Values of command-line keys: quantities, lists of times, `name=quantity`.
 
-use mechanics::units::{Dimension, parse_quantity};
+use mechanics::units::{Dimension, parse_angular_rate, parse_quantity};
 use strutt::{Failure, Trouble};
 use symbolic::Text;
 
@@ -28,10 +28,7 @@ pub fn times(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
 pub fn frequencies(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
     let separator = if text.contains(';') { ';' } else { ',' };
     let one = |item: &str| {
-        let item = item.trim();
-        let value = parse_quantity(item, &Dimension::ANGULAR_RATE).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
-        let periods = ["Hz", "Гц"].iter().any(|unit| item.ends_with(unit));
-        let value = if periods { std::f64::consts::TAU * value } else { value };
+        let value = parse_angular_rate(item.trim()).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
         let negative = Text::new("a frequency is not negative", "частота не бывает отрицательной");
         if value.is_finite() && value >= 0.0 { Ok(value) } else { Err(bad(key, text, &negative, &Text::default())) }
     };

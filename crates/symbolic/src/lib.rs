@@ -9,6 +9,7 @@ pub mod equations;
 mod evaluate;
 mod graph;
 pub mod harmonics;
+pub mod letters;
 pub mod linear;
 mod matrix;
 mod periodic;

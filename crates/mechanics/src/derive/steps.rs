@@ -30,7 +30,8 @@ pub fn write(
     }
     steps.extend(conditions(scene, connected));
     steps.extend(generalized_forces(scene, motion));
-    steps.push(derivatives(scene, kinetic, motion));
+    let reacting = connected.reactions.iter().any(|r| !r.forces.is_empty());
+    steps.push(derivatives(scene, kinetic, (motion, reacting)));
     steps
 }
 
@@ -169,7 +170,7 @@ fn generalized_forces(scene: &mut Scene, motion: &Motion) -> Option<Step> {
 }
 
 /// ∂T/∂q', d/dt ∂T/∂q', ∂T/∂q, ∂Π/∂q, ∂Φ/∂q' for every coordinate.
-fn derivatives(scene: &mut Scene, kinetic: &Kinetic, motion: &Motion) -> Step {
+fn derivatives(scene: &mut Scene, kinetic: &Kinetic, (motion, reacting): (&Motion, bool)) -> Step {
     let acts = |scene: &Scene, forces: &[Expr]| forces.iter().any(|f| !scene.graph.is_zero(*f));
     let potential = acts(scene, &motion.forces.conservative);
     let resisting = acts(scene, &motion.forces.resisting);
@@ -195,21 +196,27 @@ fn derivatives(scene: &mut Scene, kinetic: &Kinetic, motion: &Motion) -> Step {
             }
         }
     }
-    let law = law(potential, resisting, applied);
+    let terms = [(potential, "− ∂Π/∂q"), (resisting, "− ∂Φ/∂q'"), (applied, "+ Q"), (reacting, "+ R")];
+    let law = law(terms.into_iter().filter(|t| t.0).map(|t| t.1));
+    let (en, ru) = match reacting {
+        true => ("; R are the generalized forces of reactions and drives", "; R — обобщённые силы реакций и приводов"),
+        false => ("", ""),
+    };
     step(
         Text::new("Derivatives", "Производные"),
-        Text::new(format!("They go into {law}."), format!("Они подставляются в уравнения {law}.")),
+        Text::new(format!("They go into {law}{en}."), format!("Они подставляются в уравнения {law}{ru}.")),
         formulas,
     )
 }
 
 /// Lagrange's equations with the terms that this machine has.
-fn law(potential: bool, resisting: bool, applied: bool) -> String {
-    let mut right = Vec::new();
-    right.extend(potential.then_some("− ∂Π/∂q"));
-    right.extend(resisting.then_some("− ∂Φ/∂q'"));
-    right.extend(applied.then_some(if right.is_empty() { "Q" } else { "+ Q" }));
-    let right =
-        if right.is_empty() { "0".to_owned() } else { right.join(" ").replacen("− ", "−", usize::from(potential || resisting)) };
+fn law(terms: impl Iterator<Item = &'static str>) -> String {
+    let right = terms.collect::<Vec<_>>().join(" ");
+    // the first sign stands close, or not at all
+    let right = match (right.strip_prefix("− "), right.strip_prefix("+ ")) {
+        (Some(rest), _) => format!("−{rest}"),
+        (_, Some(rest)) => rest.to_owned(),
+        _ => "0".to_owned(),
+    };
     format!("d/dt ∂T/∂q' − ∂T/∂q = {right}")
 }

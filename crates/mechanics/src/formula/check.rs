@@ -6,9 +6,10 @@
 use super::kinematic::{FUNCTIONS, Where};
 use super::parse::{Ast, Formula, NodeId};
 use super::scope::{Entry, EntryKind, Scope};
+use super::turns;
 use crate::fault::{Fault, nearest};
 use crate::model::RequestKind;
-use crate::units::{Dimension, si_label};
+use crate::units::{Dimension, si_label, si_label_ru};
 use std::ops::{BitOr, Range};
 use symbolic::{Function, Rational};
 
@@ -199,7 +200,7 @@ impl Pass<'_> {
     fn node(&mut self, node: &Ast, span: &Range<usize>) -> Kind {
         match node {
             Ast::Number(n) if n.is_zero() => Kind::Any,
-            Ast::Number(_) => Kind::Known(Dimension::NONE),
+            Ast::Number(n) => Kind::Known(turns::of_number(n)),
             Ast::Quantity(q) => Kind::Known(q.unit.dimension),
             Ast::Name { name, primes } => self.name(name, *primes, span),
             Ast::Sum(terms) => self.alike(terms.iter().map(|t| t.1), "terms of a sum", "слагаемые"),
@@ -217,7 +218,7 @@ impl Pass<'_> {
 
     fn name(&mut self, name: &str, primes: u8, span: &Range<usize>) -> Kind {
         match (name, primes) {
-            ("pi" | "π", 0) => return Kind::Known(Dimension::NONE),
+            ("pi" | "π", 0) => return Kind::Known(Dimension::PI),
             ("t", 0) => {
                 self.use_of(Depends::TIME, "t", span);
                 return Kind::Known(Dimension::TIME);
@@ -318,7 +319,9 @@ impl Pass<'_> {
     fn alike(&mut self, ids: impl Iterator<Item = NodeId>, en: &str, ru: &str) -> Kind {
         let mut result: Option<(Dimension, NodeId)> = None;
         let mut unknown = false;
+        let mut known: Vec<(NodeId, Dimension)> = Vec::new();
         for id in ids {
+            known.extend(if let Kind::Known(d) = self.kinds[id] { Some((id, d)) } else { None });
             match (self.kinds[id], &mut result) {
                 (Kind::Unknown, _) => unknown = true,
                 (Kind::Any, _) => {}
@@ -331,11 +334,16 @@ impl Pass<'_> {
                 (Kind::Known(d), Some((first, _))) => *first = first.with_angle_of(&d),
             }
         }
-        match result {
+        let fault = turns::in_sum(&known, &|id| self.span(id));
+        // one complaint is enough
+        let settle = |d: Dimension| if fault.is_some() { d.without_periods() } else { d };
+        let kind = match result {
             _ if unknown => Kind::Unknown,
-            Some((d, _)) => Kind::Known(d),
+            Some((d, _)) => Kind::Known(settle(d)),
             None => Kind::Any,
-        }
+        };
+        self.faults.extend(fault);
+        kind
     }
 
     fn product(&mut self, factors: &[(bool, NodeId)], span: &Range<usize>) -> Kind {
@@ -358,17 +366,18 @@ impl Pass<'_> {
                 },
             }
         }
+        self.faults.extend(turns::over_sixty(self.formula, factors, &self.kinds, span));
         match (unknown, any) {
             (true, _) => Kind::Unknown,
             (_, true) => Kind::Any,
-            _ => Kind::Known(result),
+            _ => Kind::Known(turns::settled(result)),
         }
     }
 
     fn raise(&mut self, base: Kind, exponent: &Rational, span: &Range<usize>) -> Kind {
         match base {
             Kind::Known(d) => match d.pow(exponent) {
-                Some(d) => Kind::Known(d),
+                Some(d) => Kind::Known(turns::settled(d)),
                 None if d.is_none() => Kind::Known(Dimension::NONE),
                 None => self.fail(wild_exponent(span.clone())),
             },
@@ -384,7 +393,7 @@ impl Pass<'_> {
                 "M026",
                 self.span(exponent),
                 format!("an exponent must be a pure number, this is {}", si_label(&d)),
-                format!("показатель степени должен быть числом, а это {}", si_label(&d)),
+                format!("показатель степени должен быть числом, а это {}", si_label_ru(&d)),
             );
             return self.fail(fault);
         }
@@ -400,7 +409,7 @@ impl Pass<'_> {
                     "M026",
                     self.span(exponent),
                     format!("the base is {}: its exponent must be a plain number, not a formula", si_label(&d)),
-                    format!("основание имеет размерность {}: показатель должен быть числом, а не формулой", si_label(&d)),
+                    format!("основание имеет размерность {}: показатель должен быть числом, а не формулой", si_label_ru(&d)),
                 )
                 .help(
                     "divide the base by a quantity of its own dimension first",
@@ -428,15 +437,18 @@ impl Pass<'_> {
                 if let Kind::Known(d) = first
                     && !d.is_none()
                 {
-                    let (name, got) = (function.name(), si_label(&d));
+                    let (name, got, got_ru) = (function.name(), si_label(&d), si_label_ru(&d));
                     let fault = Fault::new(
                         "M026",
                         self.span(arguments[0]),
                         format!("{name} takes an angle or a pure number, this is {got}"),
-                        format!("аргумент {name} — угол или число, а здесь {got}"),
+                        format!("аргумент {name} — угол или число, а здесь {got_ru}"),
                     )
                     .why("a factor or a divisor is missing", "вероятно, пропущен множитель или делитель");
                     return self.fail(fault);
+                }
+                if let Kind::Known(d) = first {
+                    self.faults.extend(turns::in_argument(function, &d, self.span(arguments[0])));
                 }
                 Kind::Known(if matches!(function, Asin | Acos | Atan) { Dimension::ANGLE } else { Dimension::NONE })
             }
@@ -511,12 +523,13 @@ fn misplaced_reaction(name: &str, span: &Range<usize>) -> Fault {
 
 fn mismatch_inside(pass: &Pass, from: NodeId, first: &Dimension, id: NodeId, second: &Dimension, en: &str, ru: &str) -> Fault {
     let (left, right) = (si_label(first), si_label(second));
+    let (left_ru, right_ru) = (si_label_ru(first), si_label_ru(second));
     let (a, b) = (pass.span(from), pass.span(id));
     Fault::new(
         "M025",
         a.start.min(b.start)..b.end.max(a.end),
         format!("{en} differ in dimension: left is {left}, right is {right}"),
-        format!("{ru} разной размерности: слева {left}, справа {right}"),
+        format!("{ru} разной размерности: слева {left_ru}, справа {right_ru}"),
     )
     .why("a factor (a length, a time, a mass) is missing or one too many", "пропущен или лишний множитель (длина, время, масса)")
 }
@@ -528,13 +541,25 @@ fn wild_exponent(span: Range<usize>) -> Fault {
 /// The fault of a formula whose dimension is not the wanted one.
 pub(crate) fn mismatch(span: Range<usize>, got: &Dimension, wanted: &Dimension, number: bool) -> Fault {
     let (g, w) = (si_label(got), si_label(wanted));
+    let (g_ru, w_ru) = (si_label_ru(got), si_label_ru(wanted));
     if number && got.is_none() {
-        return Fault::new("M023", span, format!("the unit is missing: {w} is needed"), format!("нет единицы: нужна {w}")).help(
+        return Fault::new("M023", span, format!("the unit is missing: {w} is needed"), format!("нет единицы: нужна {w_ru}")).help(
             format!("write the number with its unit, for example \"5 {w}\""),
-            format!("напишите число с единицей, например \"5 {w}\""),
+            format!("напишите число с единицей, например \"5 {w_ru}\""),
         );
     }
-    Fault::new("M024", span, format!("this is {g}, but {w} is needed"), format!("размерность {g}, а нужна {w}"))
+    let fault = Fault::new("M024", span, format!("this is {g}, but {w} is needed"), format!("размерность {g_ru}, а нужна {w_ru}"));
+    if number {
+        return fault
+            .help(format!("give it in {w} or a unit of the same kind"), format!("задайте величину в {w_ru} или в единицах того же рода"));
+    }
+    match wanted.without_angle().div(&got.without_angle()) {
+        Some(factor) => fault.help(
+            format!("look for a factor in {} that is missing", si_label(&factor)),
+            format!("проверьте, не пропущен ли множитель размерности {}", si_label_ru(&factor)),
+        ),
+        None => fault,
+    }
 }
 
 fn unknown_name(name: &str, span: Range<usize>, scope: &Scope) -> Fault {
@@ -546,7 +571,7 @@ fn unknown_name(name: &str, span: Range<usize>, scope: &Scope) -> Fault {
         );
     }
     if let Some(near) = nearest(name, scope.names()) {
-        return fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?"));
+        return fault.meant(name, near);
     }
     if name == "e" {
         return fault.help("the exponential is written exp(x)", "экспонента записывается exp(x)");

@@ -35,7 +35,12 @@ pub(super) type Spanned = (Token, Range<usize>);
 
 /// Whether text is a name as formulas know them.
 pub(crate) fn is_identifier(text: &str) -> bool {
-    text.chars().next().is_some_and(starts_name) && text.chars().all(continues_name) && text.len() <= 200
+    text.chars().next().is_some_and(starts_name) && text.chars().all(continues_name) && !is_too_long(text)
+}
+
+/// Whether a name is longer than names may be.
+pub(crate) fn is_too_long(text: &str) -> bool {
+    text.len() > 200
 }
 
 fn starts_name(c: char) -> bool {
@@ -98,7 +103,7 @@ impl Lexer<'_> {
         if c == '[' {
             return self.unit();
         }
-        const SIGNS: [(&str, Token); 19] = [
+        const SIGNS: [(&str, Token); 20] = [
             ("<=", Token::LessEqual),
             (">=", Token::GreaterEqual),
             ("**", Token::Caret),
@@ -111,6 +116,7 @@ impl Lexer<'_> {
             ("−", Token::Minus),
             ("*", Token::Star),
             ("·", Token::Star),
+            ("⋅", Token::Star),
             ("×", Token::Star),
             ("/", Token::Slash),
             ("^", Token::Caret),

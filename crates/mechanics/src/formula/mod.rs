@@ -6,10 +6,12 @@ mod lex;
 mod lower;
 mod parse;
 mod scope;
+mod turns;
 
 pub(crate) use check::{Context, Depends, Kind, check, mismatch};
 pub use kinematic::{FUNCTIONS as KINEMATIC_FUNCTIONS, KinematicFunction, Takes, Where};
-pub(crate) use lex::is_identifier;
+pub(crate) use lex::{is_identifier, is_too_long};
 pub(crate) use lower::{Builder, lower};
 pub(crate) use parse::{Formula, parse};
 pub(crate) use scope::{Entry, EntryKind, Place, Scope};
+pub(crate) use turns::{Plain, display, in_field};

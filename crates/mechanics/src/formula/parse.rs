@@ -101,9 +101,9 @@ impl Formula {
             _ => true,
         })
     }
-    /// Whether it is one quantity in Hz.
-    pub(crate) fn counts_periods(&self) -> bool {
-        matches!(&self.nodes[..], [(Ast::Quantity(q), _)] if q.unit.counts_periods)
+    /// Whether a kinematic function stands in it.
+    pub(crate) fn asks_the_machine(&self) -> bool {
+        self.nodes.iter().any(|(node, _)| matches!(node, Ast::Kinematic { .. }))
     }
     /// Whether it is written as one number or quantity with an optional sign.
     pub(crate) fn is_literal(&self) -> bool {
@@ -123,6 +123,24 @@ pub(crate) fn parse(text: &str) -> Result<Formula, Fault> {
     match parser.peek() {
         Token::End => Ok(Formula { nodes: parser.nodes }),
         _ => Err(parser.unexpected("an operator or the end", "знак действия или конец формулы")),
+    }
+}
+
+/// How many arguments a function takes.
+#[derive(Clone, Copy)]
+enum Arity {
+    Exactly(usize),
+    AtLeast(usize),
+}
+
+impl Arity {
+    fn words(self) -> (String, String) {
+        match self {
+            Arity::Exactly(0) => ("no argument".into(), "нет".into()),
+            Arity::Exactly(1) => ("one argument".into(), "1".into()),
+            Arity::Exactly(n) => (format!("{n} arguments"), n.to_string()),
+            Arity::AtLeast(n) => (format!("{n} or more arguments"), format!("{n} и больше")),
+        }
     }
 }
 
@@ -296,6 +314,16 @@ impl Parser<'_> {
         let left = &self.text[before.clone()];
         let right = &self.text[next.clone()];
         match self.peek() {
+            Token::Name(..) if self.is_exponent() => Err(Fault::new(
+                "M035",
+                before.start..next.end,
+                format!("`{written}`: a unit follows a power"),
+                format!("`{written}`: единица стоит после степени"),
+            )
+            .help(
+                format!("write 10^3 as 1e3: `1e{left} {right}`; in a formula `10^{left}*1 [{right}]`"),
+                format!("запишите 10^3 как 1e3: `1e{left} {right}`; в формуле `10^{left}*1 [{right}]`"),
+            )),
             Token::Name(..) | Token::Number(_) if left.starts_with(|c: char| c.is_ascii_digit() || c == '.') => {
                 let fault = Fault::new(
                     "M035",
@@ -326,6 +354,14 @@ impl Parser<'_> {
             )),
             _ => Ok(()),
         }
+    }
+
+    /// Whether the number just read is the exponent of ten: `10^3 N`.
+    fn is_exponent(&self) -> bool {
+        let before = |n: usize| self.at.checked_sub(n).map(|i| &self.tokens[i].0);
+        let signed = matches!(before(2), Some(Token::Minus));
+        let (caret, base) = if signed { (before(3), before(4)) } else { (before(2), before(3)) };
+        matches!(caret, Some(Token::Caret)) && matches!(base, Some(Token::Number(n)) if n.to_i64() == Some(10))
     }
 
     fn close(&mut self, open: &Range<usize>) -> Result<(), Fault> {
@@ -381,6 +417,9 @@ impl Parser<'_> {
             return None;
         }
         let span = before.1.start..after.1.end;
+        if let Some(fault) = self.grouped(before.1.start) {
+            return Some(fault);
+        }
         let (left, right) = (&self.text[before.1.clone()], &self.text[after.1.clone()]);
         Some(
             Fault::new(
@@ -395,6 +434,27 @@ impl Parser<'_> {
             )
             .help(format!("write `{left}.{right}`"), format!("напишите `{left}.{right}`")),
         )
+    }
+
+    /// The fault of `1,450,000 N`: commas that group digits.
+    fn grouped(&self, from: usize) -> Option<Fault> {
+        let text = &self.text[from..];
+        let end = text.find(|c: char| !c.is_ascii_digit() && c != ',').unwrap_or(text.len());
+        let mut groups = text[..end].split(',');
+        let first = groups.next()?;
+        let rest: Vec<&str> = groups.collect();
+        let grouped = rest.len() >= 2 && (1..=3).contains(&first.len()) && rest.iter().all(|g| g.len() == 3);
+        grouped.then(|| {
+            let (written, plain) = (&text[..end], text[..end].replace(',', ""));
+            Fault::new(
+                "M031",
+                from..from + end,
+                format!("commas between groups of digits: `{written}`"),
+                format!("запятые между группами цифр: `{written}`"),
+            )
+            .why("a comma is a decimal mark or separates arguments", "запятая — десятичный знак или разделитель аргументов")
+            .help(format!("write `{plain}`"), format!("напишите `{plain}`"))
+        })
     }
 
     fn call(&mut self, name: &str, span: Range<usize>) -> Result<NodeId, Fault> {
@@ -414,7 +474,9 @@ impl Parser<'_> {
         let arity = function.map_or(1, Function::arity);
         let many = matches!(function, Some(Function::Min | Function::Max)) && arguments.len() > 2;
         if arguments.len() != arity && !many {
-            return Err(self.arity(name, arity, arguments.len(), span));
+            let many = matches!(function, Some(Function::Min | Function::Max));
+            let wanted = if many { Arity::AtLeast(arity) } else { Arity::Exactly(arity) };
+            return Err(self.arity(name, wanted, arguments.len(), span));
         }
         Ok(match function {
             None => self.push(Ast::Sqrt(arguments[0]), span.start),
@@ -422,15 +484,16 @@ impl Parser<'_> {
         })
     }
 
-    fn arity(&self, name: &str, wanted: usize, got: usize, span: Range<usize>) -> Fault {
+    fn arity(&self, name: &str, wanted: Arity, got: usize, span: Range<usize>) -> Fault {
         let whole = span.start..self.tokens[self.at.saturating_sub(1)].1.end;
+        let (en, ru) = wanted.words();
         let fault = Fault::new(
             "M034",
             whole,
-            format!("{name}(...) takes {wanted} argument(s), {got} given"),
-            format!("функция {name}(...) принимает аргументов: {wanted}, дано: {got}"),
+            format!("{name}(...) takes {en}, {got} given"),
+            format!("функция {name}(...) принимает аргументов: {ru}, дано: {got}"),
         );
-        if got > wanted {
+        if matches!(wanted, Arity::Exactly(n) if got > n) {
             return fault.help(
                 "a comma separates arguments; the decimal mark in formulas is a point: 2.5",
                 "запятая разделяет аргументы; дробная часть отделяется точкой: 2.5",
@@ -508,7 +571,7 @@ impl Parser<'_> {
         let name = kinematic::FUNCTIONS[row].name;
         let allowed = kinematic::FUNCTIONS[row].arity();
         if !allowed.contains(&arguments.len()) {
-            return Err(self.arity(name, *allowed.end(), arguments.len(), span));
+            return Err(self.arity(name, Arity::Exactly(*allowed.end()), arguments.len(), span));
         }
         Ok(self.push(Ast::Kinematic { row, arguments }, span.start))
     }

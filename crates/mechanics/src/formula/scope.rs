@@ -211,7 +211,7 @@ impl Scope {
             format!("нет системы отсчёта, тела или точки `{name}`"),
         );
         match nearest(name, self.place_names()) {
-            Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+            Some(near) => fault.meant(name, near),
             None => fault.help(
                 format!("add [bodies.{name}], [frames.{name}] or an entry to [points]"),
                 format!("добавьте [bodies.{name}], [frames.{name}] или строку в [points]"),
@@ -242,7 +242,7 @@ impl Scope {
             format!("нет пружины, демпфера или связи `{name}`"),
         );
         match nearest(name, self.listed_elements.iter().map(String::as_str)) {
-            Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+            Some(near) => fault.meant(name, near),
             None => fault,
         }
     }

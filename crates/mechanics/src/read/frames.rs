@@ -1,7 +1,7 @@
 //! `[frames]`, `[bodies]`, `[points]` and gravity.
 
 use super::order::topological;
-use super::parameters::{names, warn_of_hertz};
+use super::parameters::names;
 use super::reader::{Fields, Raw, Reader, components, string, wrong_type};
 use super::shapes;
 use crate::diagnostic::Diagnostic;
@@ -251,7 +251,6 @@ fn axis_prefix<'a>(reader: &mut Reader<'a>, value: &'a super::syntax::Value<'a>)
 fn spin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Axis, Expr)> {
     let value = fields.get("spin")?;
     let (axis, raw) = axis_prefix(reader, value)?;
-    warn_of_hertz(reader, &raw, Some(&Dimension::ANGULAR_RATE));
     let rate = reader.value(&raw, &Context::TIME, Some(&Dimension::ANGULAR_RATE));
     (rate.good && !reader.builder.graph.is_zero(rate.expr)).then_some((axis.unwrap_or(Axis::Z), rate.expr))
 }

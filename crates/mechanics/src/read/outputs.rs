@@ -4,7 +4,7 @@ use super::order::topological;
 use super::parameters::{claim, cycle_fault};
 use super::reader::{Checked, Fields, Raw, Reader, short};
 use crate::fields;
-use crate::formula::{Context, Depends, Entry, EntryKind, Kind, mismatch};
+use crate::formula::{Context, Depends, Entry, EntryKind, Kind, Plain, display, mismatch};
 use crate::model::{DisplayUnit, OutputDecl, Request, RequestKind};
 use crate::units::{Dimension, Unit, si_label};
 use std::collections::{HashMap, HashSet};
@@ -96,15 +96,41 @@ fn unit_label(reader: &Reader, value: &Checked) -> String {
     if dimension.same(&Dimension::ENERGY) && of_energies() { "J".to_owned() } else { si_label(&dimension) }
 }
 
+/// A value in 1/s made of times and numbers alone is one over a period.
+fn plain(reader: &Reader, raw: &Raw) -> Plain {
+    let of_times = |name: &str| {
+        name == "t"
+            || matches!(reader.scope.get(name).map(|e| e.dimension), Some(Kind::Known(d)) if d.is_duration() || d.is_none() && !d.is_angular())
+    };
+    let formula = raw.formula.as_ref();
+    let periods = formula.is_some_and(|f| !f.asks_the_machine() && f.names().all(|(name, _)| of_times(name)));
+    if periods { Plain::Periods } else { Plain::Doubtful }
+}
+
 fn declare<'a>(reader: &mut Reader<'a>, o: RawOutput<'a>) -> OutputDecl {
     let mut value = reader.value(&o.raw, &Context::OUTPUT, None);
-    let display = o.unit.map(|(unit, label, span)| {
-        match value.kind {
-            Kind::Known(d) if !d.same(&unit.dimension) => reader.fault(mismatch(span, &unit.dimension, &d, false)),
-            Kind::Known(d) => value.kind = Kind::Known(d.with_angle_of(&unit.dimension)),
-            _ => value.kind = Kind::Known(unit.dimension),
-        }
-        DisplayUnit { label, factor: unit.factor.to_f64() }
+    let display = o.unit.as_ref().map(|(unit, label, span)| {
+        let factor = match value.kind {
+            Kind::Known(d) if !d.same(&unit.dimension) => {
+                reader.fault(mismatch(span.clone(), &unit.dimension, &d, false));
+                1.0
+            }
+            Kind::Known(d) => {
+                let (factor, fault) = display(&d, unit, o.raw.formula.as_ref(), plain(reader, &o.raw));
+                if let Some(fault) = fault {
+                    let finding = o.raw.snippet.diagnose(fault);
+                    reader.report(finding);
+                }
+                let counts = d.counts_periods() || d.has_radians();
+                value.kind = Kind::Known(if counts { d } else { d.with_angle_of(&unit.dimension) });
+                factor
+            }
+            _ => {
+                value.kind = Kind::Known(unit.dimension);
+                unit.factor.to_f64()
+            }
+        };
+        DisplayUnit { label: label.clone(), factor }
     });
     let formula = value.good.then_some(value.expr);
     let dimension = if value.good { value.kind } else { Kind::Unknown };

@@ -52,7 +52,7 @@ pub(super) fn check_names(reader: &mut Reader, coordinates: &[RawCoordinate], pa
             format!("в модели нет параметра или координаты `{}`", name.trim()),
         );
         let fault = match nearest(name.trim(), known.iter().map(String::as_str)) {
-            Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+            Some(near) => fault.meant(name.trim(), near),
             None => fault.help(
                 "a name is a parameter, a coordinate for its start, or phi' for a rate",
                 "имя — это параметр, координата (её начальное значение) или phi' (начальная скорость)",

@@ -6,7 +6,7 @@ use super::reader::{Checked, Fields, Raw, Reader, short, string};
 use crate::diagnostic::Diagnostic;
 use crate::fault::{Fault, Site, Snippet};
 use crate::fields;
-use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind, mismatch};
+use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind, in_field, mismatch};
 use crate::model::{Class, CoordinateDecl, ParameterDecl, ParameterValue};
 use crate::units::{Dimension, Unit, si_label};
 use std::borrow::Cow;
@@ -183,7 +183,6 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
             .help(format!("write the unit: \"{} {unit}\"", raw.snippet.text), format!("напишите единицу: \"{} {unit}\"", raw.snippet.text));
             reader.report(raw.snippet.diagnose(fault));
         }
-        warn_of_hertz(reader, &raw, wanted);
         reader.value(&raw, &Context::CONSTANT, wanted).expr
     };
     let given = [(&c.start, c.name.clone()), (&c.rate, format!("{}'", c.name))].map(|(raw, name)| raw.is_some() || set.contains(&name));
@@ -195,26 +194,6 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
     let base = dimension.unwrap_or(Dimension::NONE);
     let units = [0, 1, 2].map(|order| si_label(&base.per_time(order)));
     CoordinateDecl { name: c.name, symbols, units, start, rate, given, guessed, label: c.label, span: c.span }
-}
-
-/// Hz where a turning rate is meant loses a factor of 2π.
-pub(super) fn warn_of_hertz(reader: &mut Reader, raw: &Raw, wanted: Option<&Dimension>) {
-    let hertz = raw.formula.as_ref().is_some_and(Formula::counts_periods);
-    if hertz && wanted.is_some_and(Dimension::is_angular) {
-        let fault = Fault::new(
-            "M027",
-            raw.snippet.all(),
-            "Hz where an angular rate in rad/s is meant",
-            "Гц там, где нужна угловая скорость в рад/с",
-        )
-        .why(
-            "50 Hz counts 50 periods a second, which is 100 pi rad/s; the value is taken as 50 rad/s",
-            "50 Гц — это 50 периодов в секунду, то есть 100 пи рад/с; значение принято равным 50 рад/с",
-        )
-        .help("write \"50 rev/s\", \"3000 rpm\" or 2*pi*f", "напишите \"50 об/с\", \"3000 об/мин\" или 2*pi*f")
-        .warning();
-        reader.report(raw.snippet.diagnose(fault));
-    }
 }
 
 /// A value from the command line: a bare number is SI.
@@ -311,7 +290,13 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
     if let Some((unit, span)) = &p.unit {
         match value.kind {
             Kind::Known(d) if !d.same(&unit.dimension) => reader.fault(mismatch(span.clone(), &unit.dimension, &d, false)),
-            Kind::Known(d) => value.kind = Kind::Known(d.with_angle_of(&unit.dimension)),
+            Kind::Known(d) => {
+                if let Some(fault) = in_field(&d, &unit.dimension, p.raw.snippet.all()) {
+                    let finding = p.raw.snippet.diagnose(fault);
+                    reader.report(finding);
+                }
+                value.kind = Kind::Known(if d.counts_periods() || d.has_radians() { d } else { d.with_angle_of(&unit.dimension) });
+            }
             Kind::Any => value.kind = Kind::Known(unit.dimension),
             Kind::Unknown => {}
         }
@@ -323,7 +308,11 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
         };
         snippet.text.trim().clone_into(&mut written);
         let set = by_hand(reader, snippet, wanted.as_ref());
-        let kind = if wanted.is_some() { value.kind } else { set.kind };
+        let kind = match (wanted, set.kind) {
+            (Some(w), Kind::Known(d)) if !w.is_angular() => Kind::Known(w.with_angle_of(&d)),
+            (Some(_), _) => value.kind,
+            (None, kind) => kind,
+        };
         value = Checked { kind, ..set };
         symbol_free = true;
     }

@@ -135,7 +135,7 @@ impl<'a> Schedule<'a> {
                 )
             } else {
                 match nearest(name, parameters.iter().map(|p| p.name.as_str())) {
-                    Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+                    Some(near) => fault.meant(name, near),
                     None => fault.help("name a parameter of [parameters]", "назовите параметр из [parameters]"),
                 }
             };

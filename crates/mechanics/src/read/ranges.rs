@@ -4,7 +4,7 @@
 
 use crate::fault::Fault;
 use crate::model::{Model, SweepRange};
-use crate::units::{Dimension, parse_number_or_quantity, parse_unit, si_label};
+use crate::units::{Dimension, parse_number_or_quantity, parse_unit, si_label, si_label_ru};
 use std::ops::Range as Span;
 
 /// More values than this are a slip.
@@ -25,14 +25,17 @@ impl Range {
     pub(super) fn fits(&self, wanted: &Dimension) -> Result<(), Fault> {
         match self.dimension {
             Some(d) if !d.same(wanted) => {
-                let (got, wanted) = (si_label(&d), si_label(wanted));
                 let (en, ru) = (
-                    format!("the values are {got}, but {} is {wanted}", self.name),
-                    format!("значения в {got}, а {} — в {wanted}", self.name),
+                    format!("the values are {}, but {} is {}", si_label(&d), self.name, si_label(wanted)),
+                    format!("значения в {}, а {} — в {}", si_label_ru(&d), self.name, si_label_ru(wanted)),
                 );
                 Err(Fault::new("M024", self.whole.clone(), en, ru))
             }
-            _ => Ok(()),
+            Some(d) => match crate::formula::in_field(&d, wanted, self.whole.clone()) {
+                Some(fault) => Err(Fault { severity: crate::Severity::Error, ..fault }),
+                None => Ok(()),
+            },
+            None => Ok(()),
         }
     }
 }
@@ -70,7 +73,7 @@ pub(super) fn unknown_name(name: &str, near: Option<&str>) -> Fault {
         format!("в модели нет параметра или координаты `{shown}`"),
     );
     match near {
-        Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        Some(near) => fault.meant(name, near),
         None => fault,
     }
 }
@@ -126,11 +129,12 @@ fn quantity(text: &str, dimension: &mut Option<Dimension>, whole: &Span<usize>) 
         None => *dimension = Some(own),
         Some(first) if !first.same(&own) => {
             let (a, b) = (si_label(first), si_label(&own));
+            let (a_ru, b_ru) = (si_label_ru(first), si_label_ru(&own));
             return Err(Fault::new(
                 "M025",
                 whole.clone(),
                 format!("the values differ in dimension: {a} and {b}"),
-                format!("значения разной размерности: {a} и {b}"),
+                format!("значения разной размерности: {a_ru} и {b_ru}"),
             ));
         }
         Some(_) => {}

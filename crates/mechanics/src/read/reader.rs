@@ -11,7 +11,7 @@ use crate::units::{self, Dimension, Quantity, Unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::{Expr, Rational, SymbolId, Text};
+use symbolic::{Expr, Rational, SymbolId, Text, letters};
 use toml::de::DeValue;
 
 /// The state of reading.
@@ -21,6 +21,8 @@ pub(super) struct Reader<'a> {
     override_index: HashMap<String, usize>,
     /// Names of formulas and where they were declared.
     pub claimed: HashMap<String, Range<usize>>,
+    /// The first name of each look, and where it stands.
+    skeletons: HashMap<String, (String, Range<usize>)>,
     /// names of outputs
     pub results: std::collections::HashSet<String>,
     diagnostics: Vec<Diagnostic>,
@@ -64,6 +66,7 @@ impl<'a> Reader<'a> {
             overrides,
             override_index,
             claimed: HashMap::new(),
+            skeletons: HashMap::new(),
             results: std::collections::HashSet::new(),
             diagnostics: Vec::new(),
             builder: Builder::new(),
@@ -181,6 +184,10 @@ impl<'a> Reader<'a> {
         } else {
             formula::parse(&snippet.text)
         };
+        if let Some(fault) = units::doubtful_comma(&snippet.text) {
+            let finding = snippet.diagnose(fault);
+            self.report(finding);
+        }
         match parsed {
             Ok(formula) => Raw { snippet, formula: Some(formula) },
             Err(fault) => {
@@ -226,6 +233,11 @@ impl<'a> Reader<'a> {
             let fault = mismatch(raw.snippet.all(), &got, wanted, formula.is_literal());
             self.report(raw.snippet.diagnose(fault));
             return self.nothing();
+        }
+        if let (Some(wanted), Kind::Known(got)) = (wanted, checked.kind)
+            && let Some(fault) = formula::in_field(&got, wanted, raw.snippet.all())
+        {
+            self.report(raw.snippet.diagnose(fault));
         }
         let expr = match lower(formula, &self.scope, &mut self.builder) {
             Ok(expr) => expr,
@@ -297,12 +309,17 @@ impl<'a> Reader<'a> {
     /// Whether a name may be used; reports when not.
     pub(super) fn name_is_fine(&mut self, name: &str, span: Range<usize>, reserved: &[&str]) -> bool {
         if !formula::is_identifier(name) {
+            let (reason_en, reason_ru) = if formula::is_too_long(name) {
+                ("a name has at most 200 bytes", "имя не длиннее 200 байт")
+            } else {
+                (
+                    "names are made of letters (Latin, Greek, Cyrillic), digits and _, and begin with a letter",
+                    "имя состоит из букв (латинских, греческих, русских), цифр и _ и начинается с буквы",
+                )
+            };
             let fault =
                 Fault::new("M010", span, format!("`{}` cannot be a name", short(name)), format!("`{}` не может быть именем", short(name)))
-                    .why(
-                        "names are made of letters (Latin, Greek, Cyrillic), digits and _, and begin with a letter",
-                        "имя состоит из букв (латинских, греческих, русских), цифр и _ и начинается с буквы",
-                    );
+                    .why(reason_en, reason_ru);
             let fault = if name.contains('\'') {
                 fault.help("derivatives exist by themselves: phi' needs no declaration", "производные есть и так: phi' объявлять не нужно")
             } else {
@@ -327,7 +344,27 @@ impl<'a> Reader<'a> {
             );
             return false;
         }
+        self.look_alike(name, span);
         true
+    }
+
+    /// Warns of two names that differ only in letters of different alphabets that print alike.
+    fn look_alike(&mut self, name: &str, span: Range<usize>) {
+        let skeleton = letters::skeleton(name);
+        let Some((first, place)) = self.skeletons.get(&skeleton).cloned() else {
+            self.skeletons.insert(skeleton, (name.to_owned(), span));
+            return;
+        };
+        let Some((a, b)) = letters::difference(&first, name) else { return };
+        let ((a_en, a_ru), (b_en, b_ru)) = (letters::alphabet(a), letters::alphabet(b));
+        let what = Text::new(
+            format!("two names look alike: `{first}` with {a} ({a_en}) and `{name}` with {b} ({b_en})"),
+            format!("два имени выглядят одинаково: `{first}` с буквой {a} ({a_ru}) и `{name}` с буквой {b} ({b_ru})"),
+        );
+        let words = Text::new("they are two different names, and print alike", "это два разных имени, а печатаются они одинаково");
+        let help = Text::new("write both in one alphabet, or rename one", "пишите оба в одном алфавите или переименуйте одно");
+        let finding = Diagnostic::warning("M140", span, what).why(words).help(help);
+        self.report(finding.related(place, Text::new("the other one", "другое имя")));
     }
 }
 
@@ -608,7 +645,7 @@ fn unknown_key(spec: &'static TableSpec, key: &str, span: Range<usize>, path: &s
         format!("неизвестный ключ `{}` {}", short(key), place.1),
     );
     match nearest(key, spec.fields.iter().map(|f| f.key)) {
-        Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        Some(near) => fault.meant(key, near),
         None => {
             let keys: Vec<&str> = spec.fields.iter().map(|f| f.key).collect();
             fault.help(format!("known keys: {}", keys.join(", ")), format!("известные ключи: {}", keys.join(", ")))

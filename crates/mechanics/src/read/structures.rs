@@ -153,7 +153,7 @@ fn unknown(reader: &mut Reader, name: &str, span: Range<usize>, rods_too: bool) 
     let nodes = reader.structure.nodes.iter().map(|n| n.name.as_str());
     let rods = reader.structure.rods.iter().map(|r| r.name.as_str()).filter(|_| rods_too);
     let fault = match nearest(name, nodes.chain(rods)) {
-        Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        Some(near) => fault.meant(name, near),
         None => fault.help("add it to [nodes]", "добавьте его в [nodes]"),
     };
     reader.fault(fault);
@@ -202,7 +202,7 @@ fn section<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Expr, Ex
     if found.is_none() {
         let fault = Fault::new("M202", span, format!("there is no section `{}`", short(&name)), format!("нет сечения `{}`", short(&name)));
         let fault = match nearest(&name, reader.structure.sections.keys().map(String::as_str).collect::<std::collections::BTreeSet<_>>()) {
-            Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+            Some(near) => fault.meant(&name, near),
             None => fault.help("add it to [sections]", "добавьте его в [sections]"),
         };
         reader.fault(fault);

@@ -65,7 +65,7 @@ fn unknown(reader: &Reader, name: &str, span: Range<usize>) -> Fault {
     let (en, ru) = (format!("no parameter or coordinate is called `{shown}`"), format!("нет параметра или координаты `{shown}`"));
     let fault = Fault::new("M089", span, en, ru);
     match nearest(name, reader.scope.names()) {
-        Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        Some(near) => fault.meant(name, near),
         None => fault,
     }
 }

@@ -1,4 +1,7 @@
-//! Dimensions: rational exponents of the seven SI base quantities, plus the soft exponent of angle; SI labels.
+//! Dimensions: rational exponents of the seven SI base quantities, plus soft exponents that no check of dimensions sees; SI labels.
+//!
+//! Three soft exponents tell the ways apart in which a turning is counted: the radian (`rad/s`), the period (`Hz`, `1/min`) and the
+//! factor π. A period of one is 2π radians: where periods and π meet in a product, radians come out (2·π·f is in rad/s).
 
 use symbolic::Rational;
 
@@ -46,11 +49,13 @@ impl Exponent {
     }
 }
 
-/// A dimension: length, mass, time, current, temperature, amount, light, and the soft angle.
+/// A dimension: length, mass, time, current, temperature, amount, light, and the soft angle, period and π.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Dimension {
     powers: [Exponent; 7],
     angle: Exponent,
+    periods: Exponent,
+    pi: Exponent,
 }
 
 const BASE: [&str; 7] = ["m", "kg", "s", "A", "K", "mol", "cd"];
@@ -59,9 +64,13 @@ impl Dimension {
     /// No dimension.
     pub const NONE: Dimension = Dimension::of(0, 0, 0);
     /// Angle: no dimension, shown as rad.
-    pub const ANGLE: Dimension = Dimension { powers: Dimension::NONE.powers, angle: Exponent::whole(1) };
+    pub const ANGLE: Dimension = Dimension { angle: Exponent::whole(1), ..Dimension::NONE };
     /// Angle per time.
-    pub const ANGULAR_RATE: Dimension = Dimension { powers: Dimension::of(0, 0, -1).powers, angle: Exponent::whole(1) };
+    pub const ANGULAR_RATE: Dimension = Dimension { angle: Exponent::whole(1), ..Dimension::of(0, 0, -1) };
+    /// Periods per time: hertz.
+    pub(crate) const FREQUENCY: Dimension = Dimension { periods: Exponent::whole(1), ..Dimension::of(0, 0, -1) };
+    /// No dimension, and a factor π.
+    pub(crate) const PI: Dimension = Dimension { pi: Exponent::whole(1), ..Dimension::NONE };
     /// Length.
     pub const LENGTH: Dimension = Dimension::of(1, 0, 0);
     /// Mass.
@@ -84,7 +93,7 @@ impl Dimension {
     /// length^l · mass^m · time^t.
     pub const fn of(l: i32, m: i32, t: i32) -> Dimension {
         let z = Exponent::ZERO;
-        Dimension { powers: [Exponent::whole(l), Exponent::whole(m), Exponent::whole(t), z, z, z, z], angle: z }
+        Dimension { powers: [Exponent::whole(l), Exponent::whole(m), Exponent::whole(t), z, z, z, z], angle: z, periods: z, pi: z }
     }
     /// The dimension of one base quantity by its place in m, kg, s, A, K, mol, cd.
     pub(crate) const fn electric(l: i32, m: i32, t: i32, a: i32) -> Dimension {
@@ -109,13 +118,56 @@ impl Dimension {
     pub fn is_angular(&self) -> bool {
         self.angle == Exponent::whole(1)
     }
+    /// Whether periods are counted in it (Hz, 1/min) that no factor π has made radians.
+    pub fn counts_periods(&self) -> bool {
+        self.periods != Exponent::ZERO
+    }
+    /// Whether periods are counted where no angle stands beside: 25 Hz, not 2π rad times 25 Hz.
+    pub(crate) fn lacks_radians(&self) -> bool {
+        self.periods.n > 0 && self.angle.n <= 0
+    }
+    /// Whether angles are counted in it and no periods.
+    pub(crate) fn has_radians(&self) -> bool {
+        self.angle.n > 0 && self.periods == Exponent::ZERO
+    }
+    /// Whether it is a number, a time, or a power of time: what counts periods by right.
+    pub(crate) fn is_of_time(&self) -> bool {
+        self.angle == Exponent::ZERO && self.powers.iter().enumerate().all(|(i, p)| i == 2 || *p == Exponent::ZERO)
+    }
+    /// Whether it is a positive power of time.
+    pub(crate) fn is_duration(&self) -> bool {
+        self.is_of_time() && self.powers[2].n > 0
+    }
+    /// The exponent of the factor π when it is a whole number.
+    pub(crate) fn pi(&self) -> i32 {
+        if self.pi.d == 1 { self.pi.n } else { 0 }
+    }
+    /// The same, counting periods.
+    pub(crate) fn in_periods(self) -> Dimension {
+        Dimension { periods: Exponent::whole(1), ..self }
+    }
+    /// The same, counting no periods.
+    pub(crate) fn without_periods(self) -> Dimension {
+        Dimension { periods: Exponent::ZERO, ..self }
+    }
+    /// Periods times π are radians: 2·π·f.
+    fn settled(self) -> Option<Dimension> {
+        let (c, p) = (self.periods, self.pi);
+        if c.n.signum() * p.n.signum() <= 0 {
+            return Some(self);
+        }
+        let smaller = if i64::from(c.n.abs()) * i64::from(p.d) <= i64::from(p.n.abs()) * i64::from(c.d) { c } else { p };
+        let (angle, rest) = (self.angle.add(smaller)?, invert(smaller));
+        Some(Dimension { angle, periods: c.add(rest)?, pi: p.add(rest)?, ..self })
+    }
     /// self · other; `None` when an exponent leaves all bounds.
     pub fn mul(&self, other: &Dimension) -> Option<Dimension> {
         let mut powers = self.powers;
         for (p, q) in powers.iter_mut().zip(other.powers) {
             *p = p.add(q)?;
         }
-        Some(Dimension { powers, angle: self.angle.add(other.angle)? })
+        let (periods, pi) = (self.periods.add(other.periods)?, self.pi.add(other.pi)?);
+        Dimension { powers, angle: self.angle.add(other.angle)?, periods, pi }.settled()
     }
     /// self / other; `None` when an exponent leaves all bounds.
     pub fn div(&self, other: &Dimension) -> Option<Dimension> {
@@ -128,20 +180,22 @@ impl Dimension {
         for p in &mut powers {
             *p = p.mul(e)?;
         }
-        Some(Dimension { powers, angle: self.angle.mul(e)? })
+        Some(Dimension { powers, angle: self.angle.mul(e)?, periods: self.periods.mul(e)?, pi: self.pi.mul(e)? })
     }
     /// self per time^order.
     pub fn per_time(&self, order: u8) -> Dimension {
         let time = Dimension::of(0, 0, -i32::from(order));
         self.mul(&time).unwrap_or(*self)
     }
-    /// The dimension of a sum: the angle of the first summand that has one.
+    /// The dimension of a sum: each soft exponent is that of the first summand that has one.
     pub fn with_angle_of(&self, other: &Dimension) -> Dimension {
-        if self.angle == Exponent::ZERO { Dimension { angle: other.angle, ..*self } } else { *self }
+        let first = |a: Exponent, b: Exponent| if a == Exponent::ZERO { b } else { a };
+        let (angle, periods) = (first(self.angle, other.angle), first(self.periods, other.periods));
+        Dimension { angle, periods, pi: first(self.pi, other.pi), ..*self }
     }
-    /// Without the soft angle.
+    /// Without the soft exponents.
     pub fn without_angle(&self) -> Dimension {
-        Dimension { angle: Exponent::ZERO, ..*self }
+        Dimension { powers: self.powers, ..Dimension::NONE }
     }
 }
 
@@ -169,7 +223,12 @@ const LABELS: [(Dimension, &str); 17] = [
 
 /// The label of the SI unit of a dimension: `m`, `rad/s`, `N m`, `kg m^2`, `1`. Latin, ASCII, readable by [`super::parse_unit`].
 pub fn si_label(dimension: &Dimension) -> String {
-    if dimension.is_angular() && dimension.powers.iter().enumerate().all(|(i, p)| i == 2 || *p == Exponent::ZERO) {
+    if dimension.same(&Dimension::FREQUENCY) && dimension.periods == Exponent::whole(1) && dimension.angle == Exponent::ZERO {
+        return "Hz".to_owned();
+    }
+    // an angle divided by π is a number of turns
+    let angular = dimension.is_angular() && dimension.pi.n >= 0;
+    if angular && dimension.powers.iter().enumerate().all(|(i, p)| i == 2 || *p == Exponent::ZERO) {
         let time = dimension.powers[2];
         return match (time.n, time.d) {
             (0, _) => "rad".to_owned(),
@@ -188,6 +247,41 @@ pub fn si_label(dimension: &Dimension) -> String {
     let above = if above.is_empty() { "1".to_owned() } else { above.join(" ") };
     format!("{above}{below}")
 }
+
+/// The same in Russian: `м`, `рад/с`, `Н м`, `кг м^2`.
+pub fn si_label_ru(dimension: &Dimension) -> String {
+    let label = si_label(dimension);
+    let mut out = String::with_capacity(2 * label.len());
+    let mut rest = label.as_str();
+    while let Some(c) = rest.chars().next() {
+        let end = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len()).max(c.len_utf8());
+        let word = &rest[..end];
+        out.push_str(RUSSIAN.iter().find(|(latin, _)| *latin == word).map_or(word, |(_, russian)| russian));
+        rest = &rest[end..];
+    }
+    out
+}
+
+const RUSSIAN: [(&str, &str); 18] = [
+    ("m", "м"),
+    ("kg", "кг"),
+    ("s", "с"),
+    ("A", "А"),
+    ("K", "К"),
+    ("mol", "моль"),
+    ("cd", "кд"),
+    ("rad", "рад"),
+    ("N", "Н"),
+    ("W", "Вт"),
+    ("Pa", "Па"),
+    ("C", "Кл"),
+    ("V", "В"),
+    ("Ohm", "Ом"),
+    ("F", "Ф"),
+    ("H", "Гн"),
+    ("Wb", "Вб"),
+    ("Hz", "Гц"),
+];
 
 fn invert(e: Exponent) -> Exponent {
     Exponent { n: -e.n, d: e.d }
@@ -229,6 +323,7 @@ mod tests {
             "kg m^2",
             "kg m",
             "1/s",
+            "Hz",
             "1/s^2",
             "m^2",
             "m^4",
@@ -247,10 +342,43 @@ mod tests {
     }
 
     #[test]
+    fn labels_speak_russian_and_are_read_again() {
+        for (label, russian) in
+            [("kg m^2", "кг м^2"), ("N s/m", "Н с/м"), ("rad/s^2", "рад/с^2"), ("1", "1"), ("1/s", "1/с"), ("m^(1/2)", "м^(1/2)")]
+        {
+            let dimension = parse_unit(label).unwrap().dimension;
+            assert_eq!(si_label_ru(&dimension), russian);
+            assert_eq!(parse_unit(russian).unwrap().dimension, dimension);
+        }
+    }
+
+    #[test]
     fn radius_times_angular_rate_is_a_velocity() {
         let v = Dimension::LENGTH.mul(&Dimension::ANGULAR_RATE).unwrap();
         assert!(v.same(&Dimension::VELOCITY));
         assert_eq!(si_label(&v), "m/s");
+    }
+
+    #[test]
+    fn periods_times_pi_are_radians() {
+        let frequency = parse_unit("Hz").unwrap().dimension;
+        let rate = frequency.mul(&Dimension::PI).unwrap();
+        assert!(rate.is_angular() && !rate.counts_periods());
+        assert_eq!(si_label(&rate), "rad/s");
+        let square = frequency.pow(&Rational::from(2)).unwrap().mul(&Dimension::PI).unwrap();
+        assert!(square.counts_periods(), "one factor pi makes radians of one period only");
+        assert!(!square.mul(&Dimension::PI).unwrap().counts_periods());
+        let period = Dimension::NONE.div(&rate).unwrap();
+        assert!(!period.counts_periods() && !period.has_radians());
+    }
+
+    #[test]
+    fn minutes_count_periods_and_seconds_do_not() {
+        for (unit, counts) in
+            [("1/min", true), ("мин⁻¹", true), ("1/h", true), ("min^-2", true), ("1/s", false), ("s^-2", false), ("rev/min", false)]
+        {
+            assert_eq!(parse_unit(unit).unwrap().dimension.counts_periods(), counts, "{unit}");
+        }
     }
 
     #[test]

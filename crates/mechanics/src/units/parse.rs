@@ -5,7 +5,7 @@
 //! off by spaces.
 
 use super::table::{find, nearest};
-use super::{Dimension, Factor, Unit, si_label};
+use super::{Dimension, Factor, Unit};
 use crate::fault::Fault;
 use std::ops::Range;
 use symbolic::{Expr, Graph, Rational};
@@ -68,15 +68,22 @@ pub fn parse_quantity(text: &str, expected: &Dimension) -> Result<f64, Fault> {
     let quantity = parse_number_or_quantity(text)?;
     let dimension = quantity.unit.dimension;
     if quantity.has_unit && !dimension.same(expected) {
-        let (got, wanted) = (si_label(&dimension), si_label(expected));
-        return Err(Fault::new(
-            "M024",
-            0..text.len(),
-            format!("this is {got}, but {wanted} is needed"),
-            format!("размерность {got}, а нужна {wanted}"),
-        ));
+        return Err(crate::formula::mismatch(0..text.len(), &dimension, expected, true));
+    }
+    if let Some(fault) = crate::formula::in_field(&dimension, expected, 0..text.len()) {
+        return Err(Fault { severity: crate::Severity::Error, ..fault });
     }
     Ok(quantity.to_f64())
+}
+
+/// Reads an angular rate: periods per second (Hz, 1/min) become radians per second; a bare number is in rad/s.
+///
+/// # Errors
+/// The text is no quantity, or none of that dimension.
+pub fn parse_angular_rate(text: &str) -> Result<f64, Fault> {
+    let value = parse_quantity(text, &Dimension::ANGULAR_RATE.without_angle())?;
+    let quantity = parse_number_or_quantity(text)?;
+    Ok(if quantity.unit.dimension.counts_periods() { std::f64::consts::TAU * value } else { value })
 }
 
 /// Reads `number` or `number unit`.
@@ -99,6 +106,28 @@ pub fn parse_number_or_quantity(text: &str) -> Result<Quantity, Fault> {
         return Err(out_of_range(0..text.len()));
     }
     Ok(quantity)
+}
+
+/// A warning for `1,450 rpm`: with a Latin unit and exactly three digits behind it the comma may group thousands.
+pub(crate) fn doubtful_comma(text: &str) -> Option<Fault> {
+    let body = text.trim();
+    let (whole, rest) = body.split_once(',')?;
+    let digits = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let signless = whole.trim_start_matches(['+', '-', '−']);
+    let counts = (1..=3).contains(&signless.len()) && signless.bytes().all(|b| b.is_ascii_digit()) && !signless.starts_with('0');
+    let unit = rest[digits..].trim_start();
+    let latin = unit.starts_with(|c: char| c.is_ascii_alphabetic()) && unit.is_ascii();
+    (counts && digits == 3 && latin && is_quantity(text)).then(|| {
+        let (number, grouped) = (format!("{whole}.{}", &rest[..digits]), format!("{whole}{}", &rest[..digits]));
+        Fault::new(
+            "M142",
+            0..text.len(),
+            format!("the comma is read as a decimal mark: {number}, not {grouped}"),
+            format!("запятая читается как десятичная: {number}, а не {grouped}"),
+        )
+        .help(format!("write `{number} {unit}` or `{grouped} {unit}`"), format!("напишите `{number} {unit}` или `{grouped} {unit}`"))
+        .warning()
+    })
 }
 
 /// The fault of a number beyond what machine numbers hold.
@@ -225,7 +254,16 @@ pub fn parse_unit(text: &str) -> Result<Unit, Fault> {
     if parser.at < text.len() {
         return Err(parser.unexpected());
     }
-    Ok(unit)
+    Ok(per_minute(unit))
+}
+
+/// `1/min`, `1/h`: nobody measures an angular rate in radians per minute, so these count turns or periods, as `Hz` does. `1/s` may
+/// be either and stays what it is.
+fn per_minute(unit: Unit) -> Unit {
+    let (above, below) = unit.factor.number.digits();
+    let minutes = above == "1" && below.parse::<u64>().is_ok_and(|n| n % 60 == 0);
+    let rate = unit.dimension.is_of_time() && unit.dimension.pow(&Rational::MINUS_ONE).is_some_and(|d| d.is_duration());
+    if minutes && rate { Unit { dimension: unit.dimension.in_periods(), ..unit } } else { unit }
 }
 
 struct Parser<'a> {
@@ -251,6 +289,13 @@ impl Parser<'_> {
     fn unexpected(&self) -> Fault {
         let found = self.peek().map_or_else(|| "?".to_owned(), |c| c.to_string());
         let end = self.at + self.peek().map_or(0, char::len_utf8);
+        let before = &self.text[..self.at];
+        if self.peek().is_some_and(|c| c.is_ascii_digit()) && before.ends_with(char::is_alphabetic) {
+            let word = before.len() - before.chars().rev().take_while(|c| c.is_alphabetic()).map(char::len_utf8).sum::<usize>();
+            let (unit, power) = (&before[word..], &found);
+            return Fault::new("M021", word..end, format!("`{unit}{power}` is no unit"), format!("`{unit}{power}` — не единица"))
+                .help(format!("write the power as `{unit}^{power}`"), format!("степень пишут так: `{unit}^{power}`"));
+        }
         Fault::new("M021", self.at..end, format!("unexpected `{found}` in a unit"), format!("лишний знак `{found}` в единице")).help(
             "units look like `N m s/rad`, `kg*m^2`, `m/s^2`; a formula needs its units in square brackets: `30 [rad/s^2] * t`",
             "единицы пишут так: `Н м с/рад`, `кг·м²`, `м/с^2`; в формуле единицы стоят в квадратных скобках: `30 [рад/с^2] * t`",
@@ -304,6 +349,9 @@ impl Parser<'_> {
         }
         self.at = end;
         let name = &self.text[from..end];
+        if let Some(fault) = celsius(name, &self.text[end..], from) {
+            return Err(fault);
+        }
         find(name).ok_or_else(|| unknown(name, from..end))
     }
     fn exponent(&mut self) -> Result<Option<Rational>, Fault> {
@@ -350,8 +398,7 @@ fn fraction(text: &str) -> Option<Rational> {
 
 fn times(a: &Unit, b: &Unit) -> Option<Unit> {
     let factor = Factor { number: &a.factor.number * &b.factor.number, pi: a.factor.pi.checked_add(b.factor.pi)? };
-    let unit = Unit { factor, dimension: a.dimension.mul(&b.dimension)?, counts_periods: a.counts_periods || b.counts_periods };
-    bounded(unit)
+    bounded(Unit { factor, dimension: a.dimension.mul(&b.dimension)? })
 }
 
 /// unit^exponent when its factor stays exact.
@@ -366,7 +413,7 @@ fn raise(unit: &Unit, exponent: &Rational) -> Option<Unit> {
     };
     let pi = &Rational::from(i64::from(unit.factor.pi)) * exponent;
     let factor = Factor { number, pi: i32::try_from(pi.to_i64()?).ok()? };
-    bounded(Unit { factor, dimension, counts_periods: unit.counts_periods })
+    bounded(Unit { factor, dimension })
 }
 
 fn bounded(unit: Unit) -> Option<Unit> {
@@ -383,6 +430,21 @@ fn too_big(span: Range<usize>) -> Fault {
     )
 }
 
+/// `20 °C` is no angle times a charge.
+fn celsius(name: &str, rest: &str, from: usize) -> Option<Fault> {
+    let scale = rest.trim_start().chars().next().filter(|c| "CСF".contains(*c))?;
+    let letters = rest.trim_start().chars().take_while(|c| c.is_alphabetic()).count();
+    (name == "°" && letters == 1).then(|| {
+        Fault::new(
+            "M021",
+            from..from + name.len() + (rest.len() - rest.trim_start().len()) + scale.len_utf8(),
+            format!("°{scale} has a zero of its own and is no unit of a quantity"),
+            format!("у °{scale} свой нуль, это не единица величины"),
+        )
+        .help("give the temperature, or the difference of temperatures, in K", "задайте температуру или разность температур в К")
+    })
+}
+
 fn unknown(name: &str, span: Range<usize>) -> Fault {
     let fault = Fault::new("M021", span, format!("unknown unit `{name}`"), format!("неизвестная единица `{name}`"));
     match nearest(name) {
@@ -396,6 +458,7 @@ fn unknown(name: &str, span: Range<usize>) -> Fault {
 
 #[cfg(test)]
 mod tests {
+    use super::super::si_label;
     use super::*;
 
     fn si(text: &str) -> (f64, String) {
@@ -423,7 +486,7 @@ mod tests {
             ("5 min", 300.0, "s"),
             ("5 мин", 300.0, "s"),
             ("2 ч", 7200.0, "s"),
-            ("50 Гц", 50.0, "1/s"),
+            ("50 Гц", 50.0, "Hz"),
             ("1 л.с.", 735.49875, "W"),
             ("5 1/s", 5.0, "1/s"),
             ("5", 5.0, "1"),

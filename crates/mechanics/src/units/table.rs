@@ -34,13 +34,11 @@ pub struct Unit {
     pub factor: Factor,
     /// Dimension.
     pub dimension: Dimension,
-    /// Whether it counts periods (Hz, Гц), so that 2π may be missing where an angular rate is meant.
-    pub counts_periods: bool,
 }
 
 impl Unit {
     /// The unit of pure numbers.
-    pub const ONE: Unit = Unit { factor: Factor::ONE, dimension: Dimension::NONE, counts_periods: false };
+    pub const ONE: Unit = Unit { factor: Factor::ONE, dimension: Dimension::NONE };
 }
 
 /// A row of the table.
@@ -82,20 +80,26 @@ const ROWS: &[Row] = &[
     row(&["cd"], &["кд"], "1", Dimension::base(6), true),
     row(&["rad"], &["рад"], "1", Dimension::ANGLE, true),
     angle(&["deg", "°"], &["град"], "1/180", Dimension::ANGLE),
-    angle(&["rev", "turn"], &["об"], "2", Dimension::ANGLE),
+    angle(&["arcmin"], &[], "1/10800", Dimension::ANGLE),
+    angle(&["arcsec"], &[], "1/648000", Dimension::ANGLE),
+    angle(&["rev", "turn", "r"], &["об"], "2", Dimension::ANGLE),
     angle(&["rpm"], &[], "1/30", Dimension::ANGULAR_RATE),
     row(&["N"], &["Н"], "1", Dimension::FORCE, true),
     row(&["J"], &["Дж"], "1", Dimension::ENERGY, true),
     row(&["W"], &["Вт"], "1", Dimension::POWER, true),
     row(&["Pa"], &["Па"], "1", Dimension::of(-1, 1, -2), true),
-    row(&["Hz"], &["Гц"], "1", Dimension::of(0, 0, -1), true),
+    row(&["Hz"], &["Гц"], "1", Dimension::FREQUENCY, true),
     row(&["t"], &["т"], "1000", Dimension::MASS, false),
     row(&["min"], &["мин"], "60", Dimension::TIME, false),
-    row(&["h"], &["ч"], "3600", Dimension::TIME, false),
+    row(&["h"], &["ч", "час"], "3600", Dimension::TIME, false),
     row(&["day", "d"], &["сут"], "86400", Dimension::TIME, false),
     row(&["l", "L"], &["л"], "0.001", Dimension::of(3, 0, 0), true),
     row(&["bar"], &["бар"], "100000", Dimension::of(-1, 1, -2), true),
     row(&["atm"], &["атм"], "101325", Dimension::of(-1, 1, -2), false),
+    // 133.322387415 Pa: 13.5951 g/cm^3 times 9.80665 m/s^2 times 1 mm
+    row(&["mmHg"], &[], "133.322387415", Dimension::of(-1, 1, -2), false),
+    // one pound-force on a square inch
+    row(&["psi"], &[], "4.4482216152605/0.00064516", Dimension::of(-1, 1, -2), false),
     row(&["kgf"], &["кгс"], "9.80665", Dimension::FORCE, false),
     row(&["gf"], &["гс"], "0.00980665", Dimension::FORCE, false),
     row(&["tf"], &["тс"], "9806.65", Dimension::FORCE, false),
@@ -160,7 +164,7 @@ pub(crate) struct Listed {
 pub(crate) fn listed() -> Vec<Listed> {
     let row = |r: &Row| Listed {
         names: r.latin.iter().chain(r.cyrillic).copied().collect(),
-        value: format!("{}{} {}", r.factor, if r.pi == 1 { " π" } else { "" }, super::si_label(&r.dimension)),
+        value: format!("{}{} {}", r.factor, if r.pi == 1 { " π" } else { "" }, super::si_label(&r.dimension.without_periods())),
         prefixed: r.prefixed,
     };
     ROWS.iter().map(row).collect()
@@ -188,11 +192,7 @@ fn unit(row: &Row, power: i64) -> Unit {
         None => part(row.factor),
     };
     let scale = Rational::from(10).pow(power).unwrap_or(Rational::ONE);
-    Unit {
-        factor: Factor { number: &number * &scale, pi: row.pi },
-        dimension: row.dimension,
-        counts_periods: row.latin.first() == Some(&"Hz"),
-    }
+    Unit { factor: Factor { number: &number * &scale, pi: row.pi }, dimension: row.dimension }
 }
 
 /// The known unit name nearest to a misspelt one, in the same alphabet where possible. Letters of one alphabet that look like those
@@ -207,6 +207,9 @@ pub(super) fn nearest(name: &str) -> Option<String> {
         if swapped != name && find(&swapped).is_some() {
             return Some(swapped);
         }
+    }
+    if name == "grad" {
+        return Some("deg".to_owned());
     }
     let lower = name.to_lowercase();
     let mut best: Option<(usize, String)> = None;

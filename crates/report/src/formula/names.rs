@@ -2,63 +2,7 @@
 
 use super::{Identifier, Index, Shape};
 use crate::Language;
-
-/// Spelled Greek letters with their character.
-const GREEK: [(&str, char); 53] = [
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ε'),
-    ("varepsilon", 'ε'),
-    ("eps", 'ε'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("vartheta", 'ϑ'),
-    ("iota", 'ι'),
-    ("kappa", 'κ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("nu", 'ν'),
-    ("xi", 'ξ'),
-    ("omicron", 'ο'),
-    ("pi", 'π'),
-    ("rho", 'ρ'),
-    ("varrho", 'ρ'),
-    ("sigma", 'σ'),
-    ("tau", 'τ'),
-    ("upsilon", 'υ'),
-    ("phi", 'φ'),
-    ("varphi", 'φ'),
-    ("chi", 'χ'),
-    ("psi", 'ψ'),
-    ("omega", 'ω'),
-    ("Alpha", 'Α'),
-    ("Beta", 'Β'),
-    ("Gamma", 'Γ'),
-    ("Delta", 'Δ'),
-    ("Epsilon", 'Ε'),
-    ("Zeta", 'Ζ'),
-    ("Eta", 'Η'),
-    ("Theta", 'Θ'),
-    ("Iota", 'Ι'),
-    ("Kappa", 'Κ'),
-    ("Lambda", 'Λ'),
-    ("Mu", 'Μ'),
-    ("Nu", 'Ν'),
-    ("Xi", 'Ξ'),
-    ("Omicron", 'Ο'),
-    ("Pi", 'Π'),
-    ("Rho", 'Ρ'),
-    ("Sigma", 'Σ'),
-    ("Tau", 'Τ'),
-    ("Upsilon", 'Υ'),
-    ("Phi", 'Φ'),
-    ("Chi", 'Χ'),
-    ("Psi", 'Ψ'),
-    ("Omega", 'Ω'),
-];
+use symbolic::letters::greek;
 
 /// Kinematic requests whose letter is not their name: function, letter, leading subscript.
 const REQUESTS: [(&str, &str, &str); 13] = [
@@ -143,10 +87,6 @@ fn base_letter(letters: &str) -> (String, Option<&str>) {
         (Some(first), Some('x' | 'y' | 'z'), None) if first.is_alphabetic() => (first.to_string(), Some(&letters[first.len_utf8()..])),
         _ => (letters.to_owned(), None),
     }
-}
-
-fn greek(word: &str) -> Option<char> {
-    GREEK.iter().find(|(name, _)| *name == word).map(|(_, letter)| *letter)
 }
 
 /// Single Latin letters are italic; digits, words and Cyrillic upright; Greek by language.

@@ -38,21 +38,25 @@ pub struct Printer {
     /// The letter e is a variable here, so the exponential is written `exp`.
     pub(super) e_is_taken: bool,
     notation: Vec<(String, String)>,
+    /// Names of parameters and coordinates.
+    words: Vec<String>,
     width: Option<usize>,
 }
 
 impl Printer {
     /// A printer that takes every symbol for a constant.
     pub fn new(language: Language) -> Printer {
-        Printer { language, classes: Classes::default(), e_is_taken: false, notation: vec![], width: None }
+        Printer { language, classes: Classes::default(), e_is_taken: false, notation: vec![], words: vec![], width: None }
     }
 
     /// A printer that knows what the symbols of `equations` are and how the user wants to see them.
     pub fn of(equations: &Equations, language: Language) -> Printer {
         let graph = &equations.graph;
         let listed = equations.parameters.iter().map(|p| p.symbol).chain(equations.definitions.iter().map(|d| d.symbol));
-        let e_is_taken = listed.chain(equations.coordinates.iter().map(|c| c.symbols[0])).any(|s| graph.symbol_info(s).name == "e");
-        Printer { classes: Classes::of(equations), e_is_taken, notation: equations.notation.clone(), ..Printer::new(language) }
+        let listed = listed.chain(equations.coordinates.iter().map(|c| c.symbols[0]));
+        let words: Vec<String> = listed.map(|s| graph.symbol_info(s).name.clone()).collect();
+        let e_is_taken = words.iter().any(|word| word == "e");
+        Printer { classes: Classes::of(equations), e_is_taken, notation: equations.notation.clone(), words, ..Printer::new(language) }
     }
 
     /// The same printer in another language.
@@ -161,6 +165,16 @@ impl Printer {
         let bare = name.trim_end_matches(['\'', '′']);
         let primes = name[bare.len()..].chars().count();
         Identifier { primes: u8::try_from(primes).unwrap_or(u8::MAX), ..names::identifier(bare, self.language) }
+    }
+
+    /// A name of the model as plain text, the way a reader sees it.
+    pub fn shown(&self, name: &str) -> String {
+        text::label(&self.named(self.notation_of(name).unwrap_or(name)))
+    }
+
+    /// Whether a parameter or coordinate of the model is printed so.
+    pub(super) fn is_word(&self, shown: &str) -> bool {
+        self.words.iter().any(|word| self.shown(word) == shown)
     }
 
     pub(super) fn notation_of(&self, name: &str) -> Option<&str> {

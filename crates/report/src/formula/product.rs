@@ -6,6 +6,7 @@ use super::language;
 use super::layout::{Bare, Bracket, Layout, Sign};
 use super::numeral::{Numeral, numeral};
 use super::order::Side;
+use super::text;
 use symbolic::{Expr, Function, Node, Rational};
 
 /// A factor on its way to print.
@@ -194,6 +195,7 @@ impl Composer<'_> {
             [x] => {
                 let argument = self.compose(*x, flipped, argument_side(function));
                 let phase = self.survey.traits(*x).class == SymbolClass::Time && is_plain_product(&argument);
+                let phase = phase && !self.reads_as_name(&argument);
                 let bare = if phase { Bare::Always } else { bareness(&argument) };
                 (argument, bare)
             }
@@ -203,6 +205,17 @@ impl Composer<'_> {
             }
         };
         Layout::Call { name, power, argument: Box::new(argument), bare }
+    }
+}
+
+impl Composer<'_> {
+    /// Whether letters of a product, set close together, read as a name of the model: k·t beside a parameter `kt`.
+    fn reads_as_name(&self, product: &Layout) -> bool {
+        let Layout::Product(factors) = product else { return false };
+        let letters: Vec<String> =
+            factors.iter().filter_map(|f| if let Layout::Symbol(s) = f { Some(text::label(s)) } else { None }).collect();
+        let runs = (0..letters.len()).flat_map(|i| (i + 2..=letters.len()).map(move |j| i..j));
+        runs.into_iter().any(|run| self.printer.is_word(&letters[run].concat()))
     }
 }
 

@@ -100,6 +100,13 @@ pub enum Claim {
         code: String,
         line: Option<usize>,
     },
+    /// The help of a finding.
+    Help {
+        code: String,
+        text: String,
+    },
+    /// Number of warnings.
+    Warnings(usize),
     Fails {
         code: String,
         text: String,
@@ -135,6 +142,11 @@ pub fn parse(line: &str) -> Result<Claim, String> {
             let at = left.split_whitespace().nth(3).ok_or_else(unknown)?;
             Ok(Claim::Event { number: integer(word(1))?, at: number(at)?, tolerance: number(right)? })
         }
+        "help" => {
+            let (code, text) = line["help".len()..].split_once(':').ok_or_else(unknown)?;
+            Ok(Claim::Help { code: code.trim().to_owned(), text: text.trim().to_owned() })
+        }
+        "warnings" => Ok(Claim::Warnings(integer(word(1))?)),
         "events" => Ok(Claim::Events(integer(word(1))?)),
         "audits" => Ok(Claim::AuditsOk),
         "audit" if word(1) == "fails" => Ok(Claim::AuditFails(word(2).to_owned())),

@@ -233,7 +233,7 @@ impl Command {
         let wanted = claims.iter().filter_map(|claim| match claim {
             Claim::Extreme { name, .. } | Claim::Mean { name, .. } => Some(name.clone()),
             Claim::Value { name, .. } | Claim::Bounded { name, .. } | Claim::Constant { name, .. } | Claim::MeanRate { name, .. } => {
-                Some(name.clone())
+                Some(name.strip_prefix("shown ").unwrap_or(name).to_owned())
             }
             _ => None,
         });
@@ -328,6 +328,12 @@ impl Outcome {
         match (self, claim) {
             (Outcome::Findings(diagnostics), Claim::Error { code, line, only }) => findings(model, diagnostics, code, *line, *only),
             (Outcome::Machine(machine), Claim::Warning { code, line }) => findings(model, &machine.warnings, code, *line, false),
+            (Outcome::Findings(list), Claim::Help { code, text }) => help(list, code, text),
+            (Outcome::Machine(machine), Claim::Help { code, text }) => help(&machine.warnings, code, text),
+            (Outcome::Machine(machine), Claim::Warnings(count)) => {
+                let found: Vec<String> = machine.warnings.iter().map(|d| format!("{}: {}", d.code, d.what.en)).collect();
+                if found.len() == *count { Ok(()) } else { Err(format!("{} warnings: {}", found.len(), found.join("; "))) }
+            }
             (Outcome::Trouble { code, what }, Claim::Fails { code: expected, text })
                 if code == expected && what.contains(text.as_str()) =>
             {
@@ -407,6 +413,11 @@ fn case_of(phases: &Phases, number: usize, case: &str) -> Result<(), String> {
     if name == case { Ok(()) } else { Err(format!("the case is {name}")) }
 }
 
+fn help(diagnostics: &[Diagnostic], code: &str, text: &str) -> Result<(), String> {
+    let helps: Vec<&str> = diagnostics.iter().filter(|d| d.code == code).map(|d| d.help.en.as_str()).collect();
+    if helps.iter().any(|h| h.contains(text)) { Ok(()) } else { Err(format!("helps: {}", helps.join("; "))) }
+}
+
 fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<usize>, only: bool) -> Result<(), String> {
     let line_of = |d: &Diagnostic| d.span().map(|s| model[..s.start].matches('\n').count() + 1);
     let found: Vec<String> = diagnostics.iter().map(|d| format!("{} in line {}", d.code, line_of(d).unwrap_or(0))).collect();
@@ -449,8 +460,10 @@ fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
                 When::End => last_row(data),
             };
             let row = row.ok_or("the instant was not asked for")?;
-            let found = values(name)?.get(row).copied().unwrap_or(f64::NAN);
-            tolerance.check(name, found, *expected)
+            let column = name.strip_prefix("shown ").unwrap_or(name);
+            let unit = data.column(column).and_then(|c| c.quantity.display.as_ref()).map_or(1.0, |(_, size)| *size);
+            let found = values(column)?.get(row).copied().unwrap_or(f64::NAN);
+            tolerance.check(name, if column == name { found } else { found / unit }, *expected)
         }
         Claim::Extreme { name, which, expected, tolerance } => {
             let e = data.extreme(name).ok_or_else(|| no_column(data, name))?;

@@ -92,7 +92,8 @@ pub fn of(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
             vec![motion(scene, name, &path, value, *is_rate)]
         }
         ConnectionKind::Motor { pathway } => {
-            let (letter, unit) = effort(*pathway, "M", "Q");
+            // not Q: Q_x is the generalized force of the loads
+            let (letter, unit) = effort(*pathway, "M", "F");
             let path = path(scene, kinematics, resolver, connection, *pathway)?;
             let label = Text::new(format!("drive {name}"), format!("привод {name}"));
             vec![Component { nature: Nature::Motor, ..Component::ideal((Part::Force, letter, unit), label, path.acts) }]

@@ -186,7 +186,7 @@ pub(super) fn choose(reader: &mut Reader, text: &str, span: Range<usize>, choice
         let fault = Fault::new("M075", span, format!("`{shown}` is not possible here"), format!("здесь невозможно `{shown}`"));
         let list = choices.join(", ");
         let fault = match nearest(text, choices.iter().copied()) {
-            Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+            Some(near) => fault.meant(text, near),
             None => fault.help(format!("one of {list}"), format!("одно из: {list}")),
         };
         reader.fault(fault);

@@ -154,7 +154,7 @@ fn parameter(reader: &mut Reader, name: &str, span: Range<usize>) -> Option<Opti
     let fault = Fault::new("M092", span, format!("`{}` is not a parameter", short(name)), format!("`{}` — не параметр", short(name)))
         .why("what is changed step by step must be a constant parameter", "шаг за шагом можно менять только постоянный параметр");
     let fault = match nearest(name, reader.scope.names()) {
-        Some(near) if near != name => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        Some(near) if near != name => fault.meant(name, near),
         _ => fault.help("name a row of [parameters]", "укажите имя из [parameters]"),
     };
     reader.fault(fault);
@@ -192,8 +192,11 @@ fn quantities<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<
     let mut found = Vec::with_capacity(items.len());
     for item in items.iter() {
         let Some(raw) = reader.raw(item) else { continue };
-        let periods = wanted.is_some_and(Dimension::is_angular) && raw.formula.as_ref().is_some_and(Formula::counts_periods);
-        let checked = reader.value(&raw, &Context::CONSTANT, wanted);
+        // a frequency may be given either way here: without the angle nothing is complained of
+        let angular = wanted.is_some_and(Dimension::is_angular);
+        let plain = wanted.map(Dimension::without_angle);
+        let checked = reader.value(&raw, &Context::CONSTANT, if angular { plain.as_ref() } else { wanted });
+        let periods = angular && matches!(checked.kind, Kind::Known(d) if d.lacks_radians());
         let number = reader.number(&checked);
         found.extend(number.map(|v| if periods { TAU * v } else { v }));
     }

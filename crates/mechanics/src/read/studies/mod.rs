@@ -91,7 +91,7 @@ fn study<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> 
         format!("неизвестный расчёт `{}`", super::reader::short(&kind)),
     );
     let fault = match nearest(&kind, names.iter().copied()) {
-        Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        Some(near) => fault.meant(&kind, near),
         None => fault.help(format!("known studies: {}", names.join(", ")), format!("известные расчёты: {}", names.join(", "))),
     };
     reader.fault(fault);
@@ -211,7 +211,7 @@ fn constant_parameter<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'s
             let shown = super::reader::short(&name);
             let fault = Fault::new("M072", span, format!("there is no parameter `{shown}`"), format!("нет параметра `{shown}`"));
             let fault = match nearest(&name, reader.scope.names()) {
-                Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+                Some(near) => fault.meant(&name, near),
                 None => fault.help("name a constant of [parameters]", "укажите постоянную из [parameters]"),
             };
             reader.fault(fault);
@@ -281,7 +281,7 @@ fn known(reader: &mut Reader, name: String, span: Range<usize>) -> Option<String
         "результаты — это координаты, их скорости (phi') и имена из [outputs]",
     );
     let fault = match nearest(base, reader.scope.names()) {
-        Some(near) if near != base => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        Some(near) if near != base => fault.meant(base, near),
         _ => fault.help("add it to [outputs]", "добавьте её в [outputs]"),
     };
     reader.fault(fault);
