@@ -226,12 +226,12 @@ const OVERFLOW_EN: &str = "A result is infinite or undefined where no infinity i
 const OVERFLOW_RU: &str = "Результат бесконечен или не определён там, где бесконечности быть не может. Параметры крайней величины вызывают переполнение: масса 1e300 кг \
     рядом с массой 1e-300 кг, слишком долго прослеженное нарастающее движение. Проверьте единицы параметров. Неверно: m = 1e300 kg. Верно: числа, возможные \
     для машины.";
-const REACTION_EN: &str = "The study `response` solves the linear equations of the coordinates, from which the reactions of connections and supports have been \
-    eliminated; an output with a reaction in it has no amplitude there, and none is given. Write the force as a formula of the motion (a mass times an \
-    acceleration), or follow the motion with `simulate` until it is steady: its extremes are those of the reaction.";
-const REACTION_RU: &str = "Расчёт `response` решает линейные уравнения для координат, из которых реакции связей и опор исключены; величина, содержащая реакцию, амплитуды \
-    в нём не имеет, и число не выводится. Выразите силу формулой через движение (масса на ускорение) или проследите движение в `simulate` до установления: \
-    его крайние значения и есть крайние значения реакции.";
+const REACTION_EN: &str = "The study `response` finds the amplitudes of reactions from the equations of motion and the balances of bodies, linear in small motions. Dry friction and \
+    one-sided contacts have no part in these, and their forces have no amplitude; and a unit load on a coordinate (load = \"x\") acts at no point, so that reactions in \
+    directions without a coordinate do not follow. Right: an output over a pin, rod, support; a load that is a force of the file.";
+const REACTION_RU: &str = "Расчёт `response` находит амплитуды реакций из уравнений движения и равновесия тел, линейных в малых движениях. Сухое трение и односторонние контакты \
+    в них не входят, и амплитуды их сил не существуют; единичная нагрузка по координате (load = \"x\") не приложена ни к какой точке, поэтому реакции в направлениях без \
+    координаты из неё не следуют. Верно: величина с реакцией шарнира, стержня, опоры; нагрузка – сила из файла.";
 const PERIODIC_EN: &str = "The study `response` gives the steady oscillation under periodic loads. Time may stand in sines and cosines of p t + d, also inside sign, abs, \
     min, max, if, roots and powers; the frequencies within one such formula must have whole ratios. Wrong: F*exp(-a*t), F*sin(p*t^2). Right: F*sign(sin(p*t)).";
 const PERIODIC_RU: &str = "Расчёт `response` находит установившиеся колебания при периодических нагрузках. Время может входить в синусы и косинусы от p t + d, в том \

@@ -3,6 +3,8 @@
 //! [`symbolic::linear`] makes the expressions; here they become a tape over q (and q', q'' about a motion) whose parameters can be changed
 //! one by one, so that a study may follow a frequency, a speed or a stiffness. Derivatives are exact: nothing is differenced.
 
+mod reactions;
+
 use std::sync::Arc;
 
 use program::lower::{self, Inputs};
@@ -17,6 +19,9 @@ use crate::rest::near::Near;
 use crate::studies::equilibrium::{Statics, rest_near};
 use crate::waveform::Shape;
 use crate::{Fault, Quantity};
+
+pub use reactions::LoadParts;
+use reactions::Reactions;
 
 /// The matrices of small motions, row-major n x n, SI.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -409,10 +414,11 @@ impl LinearMachine {
         Ok(found)
     }
 
-    /// An observer of formulas of the equations near the state.
+    /// An observer of formulas of the equations near the state. Reactions in them are those under the loads of the equations, or under a load alone.
     ///
     /// *Errors*: a formula that cannot be lowered.
-    pub fn observer(&mut self, formulas: &[Expr]) -> Result<Observer, Fault> {
+    pub fn observer(&mut self, formulas: &[Expr], load: Option<&LoadParts>) -> Result<Observer, Fault> {
+        let reactions = self.rows_of_reactions(formulas, load)?;
         let mut roots = Vec::new();
         let (mut rows, mut forms, mut frozen) = (Vec::new(), Vec::new(), false);
         for (k, formula) in formulas.iter().enumerate() {
@@ -433,8 +439,9 @@ impl LinearMachine {
             forms.push(output.forms.iter().map(|f| f.0).collect());
         }
         self.learn()?;
-        let tape = Arc::new(lower::expressions(&self.linear.graph, "observer", &self.inputs, &roots)?);
-        Ok(Observer { n: self.names.len(), tape, rows, forms, frozen })
+        let inputs = if reactions.is_some() { self.with_reactions() } else { self.inputs.clone() };
+        let tape = Arc::new(lower::expressions(&self.linear.graph, "observer", &inputs, &roots)?);
+        Ok(Observer { n: self.names.len(), tape, rows, forms, frozen, reactions, known: self.shapes.len() })
     }
 
     /// What an observer sees at a place, with the parameters as they are now.
@@ -442,7 +449,14 @@ impl LinearMachine {
     /// *Errors*: an output has no finite value there.
     pub fn observe(&self, observer: &Observer, place: &Place) -> Result<Vec<Seen>, Fault> {
         let mut evaluator = Evaluator::new(&observer.tape, &self.values)?;
-        let states = self.states(place);
+        let reactions = match &observer.reactions {
+            Some(prepared) => self.reactions_at(prepared, place)?,
+            None => Vec::new(),
+        };
+        let states = match &observer.reactions {
+            Some(_) => self.states_with(place, observer.known, &reactions),
+            None => self.states(place),
+        };
         let values = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
         let n = observer.n;
         let mut rest = values;
@@ -458,8 +472,13 @@ impl LinearMachine {
             by_acceleration: take(n),
             waves: (0..*waves).map(|_| take(3)).map(|w| (w[0], w[1], w[2])).collect(),
             forms: forms.iter().map(|form| (*form, take(1)[0])).collect(),
+            constant: 0.0,
         });
-        Ok(seen.collect())
+        let mut seen: Vec<Seen> = seen.collect();
+        if let Some(prepared) = &observer.reactions {
+            self.add_reactions(prepared, place, &reactions, &mut seen)?;
+        }
+        Ok(seen)
     }
 }
 
@@ -478,6 +497,10 @@ pub struct Observer {
     forms: Vec<Vec<usize>>,
     /// Whether a formula had to be taken at t = 0.
     pub frozen: bool,
+    /// Rows for the reactions in them.
+    reactions: Option<Reactions>,
+    /// Waveforms known to the tape.
+    known: usize,
 }
 
 /// An output near a state: mean + by_place·δq + by_rate·δq' + by_acceleration·δq'' + Σ c cos ν t + s sin ν t.
@@ -495,6 +518,8 @@ pub struct Seen {
     pub waves: Vec<(f64, f64, f64)>,
     /// (index of the waveform, factor).
     pub forms: Vec<(usize, f64)>,
+    /// What a load without a frequency of its own gives by its value alone.
+    pub constant: f64,
 }
 
 fn shapes(linear: &mut Linear, inputs: &Inputs, values: &[f64]) -> Result<Vec<Shape>, Fault> {

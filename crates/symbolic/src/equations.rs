@@ -75,6 +75,8 @@ pub struct Applied {
     pub name: String,
     /// (index of a coordinate, generalized force).
     pub forces: Vec<(usize, Expr)>,
+    /// (index of a balance, work there).
+    pub released: Vec<(usize, Expr)>,
 }
 
 /// A generalized coordinate with its initial data.

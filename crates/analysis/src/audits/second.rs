@@ -4,11 +4,12 @@
 //! are read off by evaluating r at zero and at unit vectors, so that each residual is compared with the terms that had to cancel in it:
 //!
 //! ```text
-//! value = max over states and rows of |r_i(q'')| / max(|b_i| + sum_j |A_ij q''_j|, 1e-4 of the largest row, 1e-4 of sum_j |A_ij q'_j|/s, the
-//!         terms of the balance with its reactions)
+//! value = max over states and rows of |r_i(q'')| / max(|b_i| + sum_j |A_ij q''_j|, 1e-4 of the largest row, 1e-4 of sum_j |A_ij| w_j, 1e-4 of the
+//!         largest of these sums, the terms of the balance with its reactions)
 //! ```
 //!
-//! The last two serve machines that are driven: with every q'' zero b is what motors and reactions leave, and nothing else remains to compare with.
+//! with w_j the largest of q'_j/s and of the accelerations of the same unit. These serve machines whose reactions vanish: with the inertial cranks of a linkage
+//! turning uniformly and its bars without mass, q'' = 0 stands before each moment of inertia and all forces are rounding of the bars' accelerations.
 
 use symbolic::Text;
 
@@ -77,6 +78,8 @@ impl Sample {
         let constant = self.residuals(system, &trial)?;
         let mut scale: Vec<f64> = constant.iter().map(|b| b.abs()).collect();
         let mut inertia = vec![0.0; n];
+        let units: Vec<String> = system.states()[..n].iter().map(|q| q.unit.clone()).collect();
+        let typical = |unit: &str| accelerations.iter().zip(&units).filter(|(_, u)| *u == unit).fold(0.0_f64, |m, (a, _)| m.max(a.abs()));
         for j in 0..n {
             // the unit of q''_j does not matter: its own value, or that of q'_j, serves as the unit vector's length
             let (acceleration, rate) = (accelerations[j].abs(), self.x[n + j].abs());
@@ -90,14 +93,14 @@ impl Sample {
             for i in 0..n {
                 let share = (column[i] - constant[i]).abs() / length;
                 scale[i] += share * acceleration;
-                inertia[i] += share * rate;
+                inertia[i] += share * rate.max(typical(&units[j]));
             }
         }
         // b is what reactions leave of the loads: rounding follows the terms, not the rest
         let rows = system.balances(self.t, &self.x, &accelerations, &self.modes).unwrap_or_default();
         scale.iter_mut().zip(&rows).for_each(|(s, row)| *s = s.max(row[1]));
         // where reactions meet without inertia (a massless link) nothing is left to compare with: the size of the other rows then
-        let largest = scale.iter().copied().fold(0.0, f64::max);
+        let largest = scale.iter().chain(&inertia).copied().fold(0.0, f64::max);
         let ratio = |((r, s), i): ((&f64, &f64), &f64)| if *r == 0.0 { 0.0 } else { r.abs() / s.max(SMALL * largest).max(SMALL * i) };
         let worst = residual.iter().zip(&scale).zip(&inertia).map(ratio).fold(0.0, f64::max);
         worst.is_finite().then_some(worst)

@@ -15,7 +15,7 @@ use symbolic::{Expr, Text};
 
 use crate::Fault;
 use crate::fault::{Message, rounded};
-use crate::linear::{LinearMachine, Matrices, Observer, Place, Seen, Values};
+use crate::linear::{LinearMachine, LoadParts, Matrices, Observer, Place, Seen, Values};
 use crate::studies::impedance::{Amplitudes, solve};
 use crate::studies::modes::Complex;
 use crate::waveform::LISTED;
@@ -31,11 +31,11 @@ pub enum Source {
         waves: Vec<HarmonicLoad>,
         /// Waveforms by index, factors on each coordinate.
         shaped: Vec<(usize, Vec<Expr>)>,
-        /// The load as the equations have it, by coordinate.
-        forces: Vec<(usize, Expr)>,
+        /// The load as the equations have it.
+        parts: LoadParts,
     },
-    /// A constant load that takes any frequency with its value as amplitude.
-    Constant(Vec<Expr>),
+    /// A constant load that takes any frequency with its value as amplitude: by coordinate, and as the equations have it.
+    Constant(Vec<Expr>, LoadParts),
     /// A unit load c = 1 on one coordinate.
     Unit(usize),
 }
@@ -130,13 +130,18 @@ impl<'m> Forced<'m> {
         parameter: Option<usize>,
         formulas: &[Expr],
     ) -> Result<Forced<'m>, Fault> {
-        let observer = machine.observer(formulas)?;
+        let load = match &source {
+            Source::OfEquations => None,
+            Source::Given { parts, .. } | Source::Constant(_, parts) => Some(parts.clone()),
+            Source::Unit(i) => Some(machine.unit_load(*i, formulas)?),
+        };
+        let observer = machine.observer(formulas, load.as_ref())?;
         let list: Vec<Expr> = match &source {
             Source::Given { waves, shaped, .. } => {
                 let wave = |l: &HarmonicLoad| std::iter::once(l.rate).chain(l.cos.clone()).chain(l.sin.clone()).collect::<Vec<_>>();
                 waves.iter().flat_map(wave).chain(shaped.iter().flat_map(|s| s.1.clone())).collect()
             }
-            Source::Constant(parts) => parts.clone(),
+            Source::Constant(parts, _) => parts.clone(),
             Source::OfEquations | Source::Unit(_) => Vec::new(),
         };
         let given = if list.is_empty() { None } else { Some(machine.prepare(&list)?) };
@@ -144,8 +149,8 @@ impl<'m> Forced<'m> {
         let rates = machine.prepare(&rates)?;
         let forces: Vec<(usize, Expr)> = match &source {
             Source::OfEquations => machine.equations().force.iter().copied().enumerate().collect(),
-            Source::Given { forces, .. } => forces.clone(),
-            Source::Constant(_) | Source::Unit(_) => Vec::new(),
+            Source::Given { parts, .. } => parts.forces.clone(),
+            Source::Constant(..) | Source::Unit(_) => Vec::new(),
         };
         let whole = machine.over_time(&forces)?;
         let mut forced = Forced {
@@ -325,7 +330,7 @@ impl<'m> Forced<'m> {
                     shaped: shaped.iter().zip(rest.chunks_exact(n)).map(|((form, _), f)| (*form, rates[*form], f.to_vec())).collect(),
                 }
             }
-            Source::Constant(_) => Excitation { waves: vec![(None, values.iter().map(|c| (*c, 0.0)).collect())], shaped: Vec::new() },
+            Source::Constant(..) => Excitation { waves: vec![(None, values.iter().map(|c| (*c, 0.0)).collect())], shaped: Vec::new() },
             Source::Unit(i) => {
                 let unit = (0..n).map(|k| (f64::from(u8::from(k == *i)), 0.0)).collect();
                 Excitation { waves: vec![(None, unit)], shaped: Vec::new() }
@@ -388,13 +393,13 @@ impl<'m> Forced<'m> {
             crate::fault::finite(z.0 + z.1, "response")?;
         }
         let seen = self.machine.observe(&self.observer, &self.place)?;
-        let direct = self.direct(&seen, omega)?;
         let free = !matches!(self.source, Source::OfEquations | Source::Given { .. });
+        let direct = if free { seen.iter().map(|s| self.turned((s.constant, 0.0))).collect() } else { self.direct(&seen, omega)? };
         let see = |x: &Amplitudes, omega: f64| -> Vec<Complex> {
             let one = |(s, own): (&Seen, &Complex)| {
                 let (g, slope) = gains(s, omega);
                 let y = x.seen(&g, &slope);
-                if free || *own == (0.0, 0.0) || y.0.is_infinite() { y } else { cancelled((y.0 + own.0, y.1 + own.1), magnitude(y)) }
+                if *own == (0.0, 0.0) || y.0.is_infinite() { y } else { cancelled((y.0 + own.0, y.1 + own.1), magnitude(y)) }
             };
             seen.iter().zip(&direct).map(one).collect()
         };
@@ -525,25 +530,6 @@ fn not_proportional(name: &str) -> Fault {
         help: Text::new(
             "name another parameter, or write the load as A*sin(p*t)",
             "укажите другой параметр или запишите нагрузку как A*sin(p*t)",
-        ),
-    })
-}
-
-/// The amplitude of a reaction is asked for, which the linear equations of the coordinates do not hold.
-pub fn of_reaction(output: &str) -> Fault {
-    Fault::new(Message {
-        code: "S089",
-        what: Text::new(
-            format!("`{output}` contains a reaction, whose amplitude is not computed"),
-            format!("`{output}` содержит реакцию связи, амплитуда которой не вычисляется"),
-        ),
-        why: Text::new(
-            "amplitudes follow from the linear equations of the coordinates; reactions have been eliminated from these",
-            "амплитуды следуют из линейных уравнений для координат; реакции из них исключены",
-        ),
-        help: Text::new(
-            "write the reaction as a formula of accelerations, or take it from `simulate` once the motion has settled",
-            "выразите реакцию формулой через ускорения или возьмите её из `simulate` после установления движения",
         ),
     })
 }

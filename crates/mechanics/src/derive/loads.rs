@@ -32,8 +32,8 @@ pub struct Loads {
     pub dissipations: Vec<Term>,
     /// Generalized forces of all other loads, per direction.
     pub applied: Vec<Columns<Expr>>,
-    /// Name of each force and torque, and its rows in `applied`.
-    pub named: Vec<(String, Range<usize>)>,
+    /// Name of each force and torque, its rows in `applied`, its actions in `acts`.
+    pub named: Vec<(String, Range<usize>, Range<usize>)>,
     /// Newton-Euler: generalized forces of gravity and elements with a potential, per direction.
     pub conservative: Vec<Columns<Expr>>,
     /// Newton-Euler: generalized forces of dissipative elements, per direction.
@@ -228,6 +228,7 @@ fn free_forms(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Res
 fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads) -> Found<()> {
     let model = scene.model;
     for force in &model.forces {
+        let acting = loads.acts.len();
         let columns = match &force.action {
             Action::AtPoint { at, value, axes } => {
                 let value = resolve_vector(scene, kinematics, resolver, *value)?;
@@ -244,10 +245,10 @@ fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
             }
         };
         loads.applied.push(columns);
-        loads.named.push((force.name.clone(), loads.applied.len() - 1..loads.applied.len()));
+        loads.named.push((force.name.clone(), loads.applied.len() - 1..loads.applied.len(), acting..loads.acts.len()));
     }
     for torque in &model.torques {
-        let first = loads.applied.len();
+        let (first, acting) = (loads.applied.len(), loads.acts.len());
         let value = resolve_vector(scene, kinematics, resolver, torque.value)?;
         let vector = kinematics.in_ground_axes(scene, torque.axes, &value);
         let columns = kinematics.turning_in_ground_axes(scene, torque.on);
@@ -261,7 +262,7 @@ fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
             loads.acts.push(Act::Turn { on: body, moment: opposite });
             loads.applied.push(reaction);
         }
-        loads.named.push((torque.name.clone(), first..loads.applied.len()));
+        loads.named.push((torque.name.clone(), first..loads.applied.len(), acting..loads.acts.len()));
     }
     Ok(())
 }
@@ -272,16 +273,16 @@ fn resolve_vector(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut
 }
 
 impl Loads {
-    /// The generalized forces of each force and torque.
-    pub fn by_name(&self, scene: &mut Scene) -> Vec<Applied> {
+    /// The generalized forces of each force and torque, and their work in the balances.
+    pub fn by_name(&self, scene: &mut Scene, released: &[Vec<(usize, Expr)>]) -> Vec<Applied> {
         let n = scene.n();
-        let one = |(name, rows): &(String, Range<usize>)| {
+        let one = |(k, (name, rows, _)): (usize, &(String, Range<usize>, Range<usize>))| {
             let rows = &self.applied[rows.clone()];
             let forces = (0..n).map(|j| (j, Loads::in_direction(scene, rows, j))).collect::<Vec<_>>();
             let forces = forces.into_iter().filter(|(_, e)| !scene.graph.is_zero(*e)).collect();
-            Applied { name: name.clone(), forces }
+            Applied { name: name.clone(), forces, released: released.get(k).cloned().unwrap_or_default() }
         };
-        self.named.iter().map(one).collect()
+        self.named.iter().enumerate().map(one).collect()
     }
     /// Notes actions times a factor.
     fn act(&mut self, scene: &mut Scene, factor: Expr, acts: &[Act]) {

@@ -90,7 +90,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
     resolver.kinetic = kinetic.bodies.iter().map(|b| (!b.is_empty()).then(|| lagrange::energy_of(&mut scene, b))).collect();
     let steps = if written { steps::write(&mut scene, &mut kinematics, (&kinetic, &loads, &motion), &connected) } else { Vec::new() };
     let textbook = motion.textbook(&mut scene, shown);
-    let applied = loads.by_name(&mut scene);
+    let applied = loads.by_name(&mut scene, &connected.applied);
     resolver.loads = Some(loads);
     let outputs = outputs(&mut scene, &mut kinematics, &mut resolver).map_err(|more| {
         errors.extend(more);
@@ -116,7 +116,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
     }
     roots.extend(scene.turns.iter().map(|t| t.rate));
     roots.extend(connected.expressions());
-    roots.extend(applied.iter().flat_map(|a| a.forces.iter().map(|f| f.1)));
+    roots.extend(applied.iter().flat_map(|a| a.forces.iter().chain(&a.released).map(|f| f.1)));
     let definitions = definitions(&mut scene, &roots);
     let zero = scene.graph.zero();
     Ok(Equations {

@@ -4,8 +4,10 @@ use crate::failure::Trouble;
 use crate::pipeline::Machine;
 use crate::provenance;
 use crate::small::{Small, about_rest, timing_notes};
+use analysis::System;
 use analysis::dataset::Audit;
 use analysis::dataset::{Column, Missing};
+use analysis::linear::LoadParts;
 use analysis::studies::extremes::{Antiresonance, Resonance, extremes};
 use analysis::studies::modes::{Complex, Kind, Modes, Normalisation, modes};
 use analysis::studies::response::{self as forced, Forced, Point, Source, magnitude, phase};
@@ -14,7 +16,7 @@ use analysis::{Dataset, Fault, Quantity};
 use mechanics::model::Response as Study;
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
-use symbolic::equations::Role;
+use symbolic::equations::{Applied, Role};
 use symbolic::{Equations, Expr, SymbolId, Text};
 
 /// Frequencies of an automatic grid.
@@ -113,7 +115,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let (source, parameter) = source(study, &mut small)?;
     out.load = load_name(study, &small, &source, parameter);
     let (quantities, formulas) = observed(study, &machine.equations);
-    free_of_reactions(&machine.equations, &quantities, &formulas)?;
+    refuse_open(machine, &quantities)?;
     let notes = timing_notes(small.machine.timing());
     let own_value = parameter.map(|p| small.machine.value(p));
     let mut forced = Forced::new(&mut small.machine, &small.place, source, parameter, &formulas)?;
@@ -306,12 +308,17 @@ fn source(study: &Study, small: &mut Small) -> Result<(Source, Option<usize>), F
     if waves.is_empty() && shaped.is_empty() {
         // a constant force takes any frequency with its value as amplitude
         let sines = small.machine.zeros();
-        return Ok((Source::Constant(mean.into_iter().chain(sines).take(small.machine.coordinates().len()).collect()), None));
+        let values = mean.into_iter().chain(sines).take(small.machine.coordinates().len()).collect();
+        return Ok((Source::Constant(values, parts(applied)), None));
     }
     let linear = small.machine.linear();
     let rates = waves.iter().map(|l| l.rate).chain(shaped.iter().map(|(form, _)| linear.forms[*form].wave.rate));
     let parameter = choose(study, small, &rates.collect::<Vec<_>>())?;
-    Ok((Source::Given { waves, shaped, forces: applied.forces.clone() }, parameter))
+    Ok((Source::Given { waves, shaped, parts: parts(applied) }, parameter))
+}
+
+fn parts(applied: &Applied) -> LoadParts {
+    LoadParts { forces: applied.forces.clone(), released: applied.released.clone() }
 }
 
 /// The parameter that sets the rates of the loads.
@@ -386,19 +393,12 @@ fn observed(study: &Study, equations: &Equations) -> (Vec<Quantity>, Vec<Expr>) 
     (list.iter().map(|o| quantity(o)).collect(), list.iter().map(|o| o.formula).collect())
 }
 
-/// *Errors*: S089 for an output that contains a reaction, directly or through definitions.
-fn free_of_reactions(equations: &Equations, quantities: &[Quantity], formulas: &[Expr]) -> Result<(), Fault> {
-    let reactions: Vec<_> = equations.reactions.iter().map(|r| r.symbol).collect();
-    let holds = |formula: &Expr| {
-        let mut all = vec![*formula];
-        let found = equations.graph.symbols_in(&all);
-        all.extend(equations.definitions.iter().filter(|d| found.contains(&d.symbol)).map(|d| d.formula));
-        equations.graph.symbols_in(&all).iter().any(|s| reactions.contains(s))
-    };
-    match quantities.iter().zip(formulas).find(|(_, formula)| holds(formula)) {
-        Some((quantity, _)) => Err(forced::of_reaction(&quantity.name)),
-        None => Ok(()),
-    }
+/// *Errors*: S019, S087, S090 for an output over a reaction that is not unique.
+fn refuse_open(machine: &Machine, quantities: &[Quantity]) -> Result<(), Fault> {
+    let outputs = machine.system.outputs();
+    let asked = |name: &str| outputs.iter().position(|o| o.name == name);
+    let refused = quantities.iter().filter_map(|q| asked(&q.name)).find_map(|i| machine.system.refusal(i));
+    refused.map_or(Ok(()), Err)
 }
 
 /// Equidistant frequencies; without a wish for their number also more of them about the natural frequencies.

@@ -36,7 +36,8 @@ pub struct Form {
 /// With a place of rest q0 the forms are those of small motions and small loads about it, still over q itself: f contains C q0. Products of
 /// loads and motions are dropped.
 pub fn forms(equations: &Equations, instants: &[f64], rest: Option<&[f64]>) -> std::result::Result<Vec<Form>, Fault> {
-    if !equations.conditions.is_empty() || !equations.reactions.is_empty() {
+    // reactions of released bodies follow from the motion; all others take part in it
+    if !equations.conditions.is_empty() || equations.reactions.iter().any(|r| !r.law.is_hidden()) {
         return Err(connected());
     }
     let mut turns: Vec<f64> = Vec::new();

@@ -37,6 +37,8 @@ pub struct Connected {
     pub conditions: Vec<Condition>,
     /// As in the equations.
     pub balances: Vec<Balance>,
+    /// Work of each force and torque in the balances, as in `Loads::named`.
+    pub applied: Vec<Vec<(usize, Expr)>>,
     /// Newton-Euler: generalized force of each reaction per unit, per direction.
     pub geometric: Vec<Columns<Expr>>,
     /// Actions of each reaction per unit.
@@ -233,6 +235,8 @@ impl Connected {
             return;
         }
         let mut placer = Placer::new(scene, kinematics, is_spatial(scene.model));
+        let named: Vec<Vec<Act>> =
+            loads.named.iter().map(|(_, _, acts)| placer.place(scene, kinematics, &loads.acts[acts.clone()])).collect();
         let loads = placer.place(scene, kinematics, &loads.acts);
         let inertial = placer.place(scene, kinematics, inertial);
         self.acts = self.acts.iter().map(|acts| placer.place(scene, kinematics, acts)).collect();
@@ -243,7 +247,14 @@ impl Connected {
                 self.leave_open(scene, open);
             }
         }
+        self.applied = vec![Vec::new(); named.len()];
         for (frame, displacement) in release::displacements(scene, kinematics, &placer, self) {
+            for (list, acts) in self.applied.iter_mut().zip(&named) {
+                let work = release::total_work(scene, kinematics, acts, (frame, &displacement));
+                if !scene.graph.is_zero(work) {
+                    list.push((self.balances.len(), work));
+                }
+            }
             release::balance(scene, kinematics, (frame, &displacement), (&loads, &inertial), self);
         }
     }

@@ -128,10 +128,15 @@ fn work(scene: &mut Scene, kinematics: &Kinematics, act: &Act, (frame, displacem
     }
 }
 
+/// Work of actions together.
+pub fn total_work(scene: &mut Scene, kinematics: &Kinematics, acts: &[Act], way: (FrameId, &Displacement)) -> Expr {
+    let parts: Vec<Expr> = acts.iter().map(|act| work(scene, kinematics, act, way)).collect();
+    scene.graph.sum(&parts)
+}
+
 /// Whether actions together do work in a displacement.
 pub fn does_work(scene: &mut Scene, kinematics: &Kinematics, acts: &[Act], way: (FrameId, &Displacement)) -> bool {
-    let parts: Vec<Expr> = acts.iter().map(|act| work(scene, kinematics, act, way)).collect();
-    let sum = scene.graph.sum(&parts);
+    let sum = total_work(scene, kinematics, acts, way);
     !scene.vanishes(sum)
 }
 

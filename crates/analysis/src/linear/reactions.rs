@@ -1,0 +1,366 @@
+//! Reactions near a state of rest.
+//!
+//! With all reactions λ, the equations of motion and the balances of released bodies are rows
+//!
+//! ```text
+//! e(q, q', q'', t) - A(q) λ = 0,     e = M q'' - h,  or  m_b q'' - rest_b
+//! ```
+//!
+//! At rest λ0 = A⁺ e. Nearby, with r = e - A λ0 as a function of the state,
+//!
+//! ```text
+//! δλ = A⁺ (∂r/∂q δq + ∂r/∂q' δq' + ∂r/∂q'' δq'' + r's harmonics)
+//! ```
+//!
+//! There are at least as many rows as reactions, and they agree where δq is a motion of the machine. A quantity y(q, q', q'', t, λ) then has, by the chain rule
+//! with ∂y/∂λ, the same form as one without reactions. Dry friction and one-sided contacts are left out, as in all small motions.
+
+use std::sync::Arc;
+
+use program::lower::{self, Inputs};
+use program::{Evaluator, Point, Tape};
+use symbolic::connections::Law;
+use symbolic::{Expr, SymbolId, Text};
+
+use super::{LinearMachine, Place, Seen};
+use crate::Fault;
+use crate::fault::Message;
+use crate::numerics::rank::{Qr, TOLERANCE};
+
+/// What excites, where it is not everything in the equations.
+#[derive(Clone, Debug, Default)]
+pub struct LoadParts {
+    /// (index of a coordinate, generalized force).
+    pub forces: Vec<(usize, Expr)>,
+    /// (index of a balance, work there).
+    pub released: Vec<(usize, Expr)>,
+}
+
+/// Rows and outputs as a tape.
+#[derive(Clone, Debug)]
+pub(super) struct Reactions {
+    /// By index in the equations.
+    unknowns: Vec<usize>,
+    /// Number of rows.
+    rows: usize,
+    tape: Arc<Tape>,
+    /// Waveforms known to the tape.
+    forms: usize,
+    /// (row, unknown) of the entries of A.
+    entries: Vec<(usize, usize)>,
+    /// Harmonics and waveforms of each row's load.
+    waves: Vec<(usize, Vec<usize>)>,
+    /// (output, reaction) of the slopes ∂y/∂λ.
+    slopes: Vec<(usize, usize)>,
+    /// Where the rows' loads come from.
+    named: bool,
+}
+
+/// A row near the state.
+#[derive(Clone, Debug, Default)]
+struct Row {
+    mean: f64,
+    by: [Vec<f64>; 3],
+    /// The mean, sines and waveforms of what excites it.
+    load: f64,
+    waves: Vec<(f64, f64, f64)>,
+    forms: Vec<(usize, f64)>,
+}
+
+/// Reactions near the state: values, and what a unit of each row gives to each.
+struct Solved {
+    values: Vec<f64>,
+    /// A⁺, row-major: unknowns by rows.
+    inverse: Vec<f64>,
+    /// Combinations of unknowns that the rows leave open.
+    open: Vec<Vec<f64>>,
+}
+
+impl LinearMachine {
+    /// Symbols of all reactions, as far as they are no states already.
+    pub(super) fn reaction_symbols(&self) -> Vec<SymbolId> {
+        let all = self.equations.reactions.iter().map(|r| r.symbol);
+        all.filter(|s| !self.linear.multipliers.contains(s)).collect()
+    }
+
+    /// Whether a formula contains a reaction, directly or through definitions.
+    pub fn asks_for_reactions(&self, formula: Expr) -> bool {
+        let graph = &self.linear.graph;
+        let mut all = vec![formula];
+        let found = graph.symbols_in(&all);
+        all.extend(self.equations.definitions.iter().filter(|d| found.contains(&d.symbol)).map(|d| d.formula));
+        let found = graph.symbols_in(&all);
+        self.equations.reactions.iter().any(|r| found.contains(&r.symbol))
+    }
+
+    /// A unit load on a coordinate. It has no place on a body.
+    ///
+    /// *Errors*: S089 for a formula with a reaction that depends on the place.
+    pub fn unit_load(&mut self, coordinate: usize, formulas: &[Expr]) -> Result<LoadParts, Fault> {
+        let hidden = self.equations.reactions.iter().filter(|r| r.law.is_hidden());
+        for reaction in hidden {
+            if formulas.iter().any(|f| self.linear.graph.contains(*f, |s| s == reaction.symbol)) {
+                return Err(without_amplitude(&reaction.name, Why::NoPlace));
+            }
+        }
+        let one = self.linear.graph.one();
+        Ok(LoadParts { forces: vec![(coordinate, one)], released: Vec::new() })
+    }
+
+    /// Rows for the reactions in formulas; none where no formula asks for one.
+    pub(super) fn rows_of_reactions(&mut self, formulas: &[Expr], load: Option<&LoadParts>) -> Result<Option<Reactions>, Fault> {
+        if !formulas.iter().any(|f| self.asks_for_reactions(*f)) {
+            return Ok(None);
+        }
+        let equations = Arc::clone(&self.equations);
+        let acts = |law: &Law| matches!(law, Law::Ideal { .. } | Law::Motor) || law.is_hidden();
+        let unknowns: Vec<usize> = (0..equations.reactions.len()).filter(|k| acts(&equations.reactions[*k].law)).collect();
+        let n = equations.coordinates.len();
+        let rows = n + equations.balances.len();
+        let mut roots: Vec<(String, Expr)> = Vec::new();
+        let mut entries = Vec::new();
+        let mut sums: Vec<Vec<Expr>> = vec![Vec::new(); rows];
+        for (k, r) in unknowns.iter().enumerate() {
+            let reaction = &equations.reactions[*r];
+            let places = reaction.forces.iter().map(|(i, e)| (*i, *e)).chain(reaction.released.iter().map(|(b, e)| (n + b, *e)));
+            for (row, e) in places {
+                let entry = self.linear.output(&equations, e).mean;
+                roots.push((format!("A {row} {k}"), entry));
+                entries.push((row, k));
+                let graph = &mut self.linear.graph;
+                let symbol = graph.symbol(reaction.symbol);
+                let force = graph.mul(e, symbol);
+                sums[row].push(graph.neg(force));
+            }
+        }
+        for (row, sum) in sums.iter_mut().enumerate() {
+            let graph = &mut self.linear.graph;
+            if row < n {
+                for (j, c) in equations.coordinates.iter().enumerate() {
+                    let a = graph.symbol(c.symbols[2]);
+                    sum.push(graph.mul(equations.mass.get(row, j), a));
+                }
+                sum.push(graph.neg(equations.force[row]));
+            } else {
+                let balance = &equations.balances[row - n];
+                for (j, e) in &balance.columns {
+                    let a = graph.symbol(equations.coordinates[*j].symbols[2]);
+                    sum.push(graph.mul(*e, a));
+                }
+                sum.push(graph.neg(balance.rest));
+            }
+        }
+        let mut waves = Vec::new();
+        for (row, sum) in sums.iter().enumerate() {
+            let formula = self.linear.graph.sum(sum);
+            let own = self.linear.output(&equations, formula);
+            roots.push((format!("row {row}"), own.mean));
+            let by = own.by_place.iter().chain(&own.by_rate).chain(&own.by_acceleration);
+            roots.extend(by.map(|e| (format!("row {row}"), *e)));
+            let excited = match load {
+                None => own,
+                Some(parts) => {
+                    let (list, i) = if row < n { (&parts.forces, row) } else { (&parts.released, row - n) };
+                    let terms: Vec<Expr> = list.iter().filter(|(k, _)| *k == i).map(|(_, e)| *e).collect();
+                    let sum = self.linear.graph.sum(&terms);
+                    let against = self.linear.graph.neg(sum);
+                    self.linear.output(&equations, against)
+                }
+            };
+            roots.push((format!("load {row}"), excited.mean));
+            for wave in &excited.waves {
+                roots.extend([wave.rate, wave.cos, wave.sin].map(|e| (format!("wave {row}"), e)));
+            }
+            roots.extend(excited.forms.iter().map(|(_, factor)| (format!("factor {row}"), *factor)));
+            waves.push((excited.waves.len(), excited.forms.iter().map(|f| f.0).collect()));
+        }
+        let mut slopes = Vec::new();
+        for (output, formula) in formulas.iter().enumerate() {
+            for (r, reaction) in equations.reactions.iter().enumerate() {
+                let slope = self.linear.graph.derivative(*formula, reaction.symbol);
+                if !self.linear.graph.is_zero(slope) {
+                    roots.push((format!("slope {output}"), self.linear.output(&equations, slope).mean));
+                    slopes.push((output, r));
+                }
+            }
+        }
+        self.learn()?;
+        let inputs = self.with_reactions();
+        let tape = Arc::new(lower::expressions(&self.linear.graph, "reactions", &inputs, &roots)?);
+        Ok(Some(Reactions { unknowns, rows, tape, forms: self.shapes.len(), entries, waves, slopes, named: load.is_some() }))
+    }
+
+    /// The inputs of tapes that read reactions: those of all tapes, then the reactions.
+    pub(super) fn with_reactions(&self) -> Inputs {
+        let mut inputs = self.inputs.clone();
+        inputs.states.extend(self.reaction_symbols());
+        inputs
+    }
+
+    /// States for such tapes, `forms` waveforms long.
+    pub(super) fn states_with(&self, place: &Place, forms: usize, reactions: &[f64]) -> Vec<f64> {
+        let mut states = self.states(place);
+        let first = 2 * self.names.len();
+        states.truncate(first + self.linear.multipliers.len() + forms);
+        for (i, symbol) in self.linear.multipliers.iter().enumerate() {
+            if let Some(value) = self.equations.reactions.iter().position(|r| r.symbol == *symbol).and_then(|r| reactions.get(r)) {
+                states[first + i] = *value;
+            }
+        }
+        let rest = self.equations.reactions.iter().enumerate().filter(|(_, r)| !self.linear.multipliers.contains(&r.symbol));
+        states.extend(rest.map(|(r, _)| reactions.get(r).copied().unwrap_or(0.0)));
+        states
+    }
+
+    /// Values of all reactions at a place of rest; zero for those that do not act there.
+    pub(super) fn reactions_at(&self, prepared: &Reactions, place: &Place) -> Result<Vec<f64>, Fault> {
+        let nothing = vec![0.0; self.equations.reactions.len()];
+        let (matrix, rows, _) = self.evaluate_rows(prepared, place, &nothing)?;
+        let solved = Solved::new(prepared, &matrix, &rows);
+        let mut values = nothing;
+        prepared.unknowns.iter().zip(&solved.values).for_each(|(r, v)| values[*r] = *v);
+        Ok(values)
+    }
+
+    /// Adds to outputs what they have by the reactions in them.
+    pub(super) fn add_reactions(&self, prepared: &Reactions, place: &Place, values: &[f64], seen: &mut [Seen]) -> Result<(), Fault> {
+        let (matrix, rows, slopes) = self.evaluate_rows(prepared, place, values)?;
+        let solved = Solved::new(prepared, &matrix, &rows);
+        for (output, y) in seen.iter_mut().enumerate() {
+            let mut share = vec![0.0; prepared.unknowns.len()];
+            for ((_, r), slope) in prepared.slopes.iter().zip(&slopes).filter(|((o, _), _)| *o == output) {
+                let Some(k) = prepared.unknowns.iter().position(|u| u == r) else {
+                    return Err(without_amplitude(&self.equations.reactions[*r].name, Why::LeftOut));
+                };
+                share[k] += slope;
+            }
+            if share.iter().all(|s| *s == 0.0) {
+                continue;
+            }
+            solved.refuse_open(&share, |k| self.equations.reactions[prepared.unknowns[k]].name.as_str())?;
+            for (i, row) in rows.iter().enumerate() {
+                let gain: f64 = share.iter().enumerate().map(|(k, s)| s * solved.inverse[k * prepared.rows + i]).sum();
+                if gain != 0.0 {
+                    row.add(gain, prepared.named, y);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn evaluate_rows(&self, prepared: &Reactions, place: &Place, values: &[f64]) -> Result<(Vec<f64>, Vec<Row>, Vec<f64>), Fault> {
+        let mut evaluator = Evaluator::new(&prepared.tape, &self.values)?;
+        let states = self.states_with(place, prepared.forms, values);
+        let found = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
+        let (n, k) = (self.names.len(), prepared.unknowns.len());
+        let mut rest = found;
+        let mut take = |count: usize| {
+            let (head, tail) = rest.split_at(count);
+            rest = tail;
+            head
+        };
+        let mut matrix = vec![0.0; prepared.rows * k];
+        for (row, column) in &prepared.entries {
+            matrix[row * k + column] += take(1)[0];
+        }
+        let mut rows = Vec::with_capacity(prepared.rows);
+        for (waves, forms) in &prepared.waves {
+            let mean = take(1)[0];
+            let by = [take(n).to_vec(), take(n).to_vec(), take(n).to_vec()];
+            let load = take(1)[0];
+            let waves = (0..*waves).map(|_| take(3)).map(|w| (w[0], w[1], w[2])).collect();
+            let forms = forms.iter().map(|form| (*form, take(1)[0])).collect();
+            rows.push(Row { mean, by, load, waves, forms });
+        }
+        let slopes = take(prepared.slopes.len()).to_vec();
+        Ok((matrix, rows, slopes))
+    }
+}
+
+impl Row {
+    fn add(&self, gain: f64, named: bool, y: &mut Seen) {
+        for (sum, own) in [&mut y.by_place, &mut y.by_rate, &mut y.by_acceleration].into_iter().zip(&self.by) {
+            sum.iter_mut().zip(own).for_each(|(s, v)| *s += gain * v);
+        }
+        y.waves.extend(self.waves.iter().map(|(rate, c, s)| (*rate, gain * c, gain * s)));
+        y.forms.extend(self.forms.iter().map(|(form, factor)| (*form, gain * factor)));
+        if named {
+            y.constant += gain * self.load;
+        }
+    }
+}
+
+impl Solved {
+    /// Rows and columns of A are scaled alike first: forces and moments stand in them.
+    fn new(prepared: &Reactions, matrix: &[f64], rows: &[Row]) -> Solved {
+        let (m, k) = (prepared.rows, prepared.unknowns.len());
+        let size = |values: &mut dyn Iterator<Item = f64>| {
+            let largest = values.fold(0.0_f64, |s, v| s.max(v.abs()));
+            if largest > 0.0 { largest } else { 1.0 }
+        };
+        let heights: Vec<f64> = (0..m).map(|i| size(&mut (0..k).map(|c| matrix[i * k + c]))).collect();
+        let widths: Vec<f64> = (0..k).map(|c| size(&mut (0..m).map(|i| matrix[i * k + c] / heights[i]))).collect();
+        let scaled: Vec<f64> = (0..m * k).map(|p| matrix[p] / heights[p / k] / widths[p % k]).collect();
+        let qr = Qr::new(m, k, &scaled, TOLERANCE);
+        let mut inverse = vec![0.0; k * m];
+        for i in 0..m {
+            let unit: Vec<f64> = (0..m).map(|p| if p == i { 1.0 / heights[i] } else { 0.0 }).collect();
+            for (c, x) in qr.least_squares(&unit).0.iter().enumerate() {
+                inverse[c * m + i] = x / widths[c];
+            }
+        }
+        let values = (0..k).map(|c| rows.iter().enumerate().map(|(i, row)| inverse[c * m + i] * row.mean).sum()).collect();
+        let unscaled = |v: Vec<f64>| v.iter().zip(&widths).map(|(v, w)| v / w).collect();
+        Solved { values, inverse, open: qr.null_space().into_iter().map(unscaled).collect() }
+    }
+
+    /// *Errors*: S019 for a combination of reactions that the rows leave open.
+    fn refuse_open<'n>(&self, share: &[f64], name: impl Fn(usize) -> &'n str) -> Result<(), Fault> {
+        for way in &self.open {
+            let change: f64 = share.iter().zip(way).map(|(s, v)| s * v).sum();
+            let terms: f64 = share.iter().zip(way).map(|(s, v)| (s * v).abs()).sum();
+            if change.abs() > 1e-9 * terms {
+                let k = (0..share.len()).find(|k| share[*k] * way[*k] != 0.0).unwrap_or(0);
+                return Err(Fault::open_reaction(name(k), name(k)));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Why a reaction has no amplitude.
+#[derive(Clone, Copy)]
+enum Why {
+    /// Dry friction, a one-sided contact.
+    LeftOut,
+    /// Hidden, under a unit load on a coordinate.
+    NoPlace,
+}
+
+fn without_amplitude(reaction: &str, why: Why) -> Fault {
+    let (why, help) = match why {
+        Why::LeftOut => (
+            Text::new(
+                "dry friction and one-sided contacts are left out of small motions, and with them their forces",
+                "сухое трение и односторонние контакты в малых движениях не учитываются, а с ними и их силы",
+            ),
+            Text::new(
+                "take the force from `simulate` once the motion has settled",
+                "возьмите силу из `simulate` после установления движения",
+            ),
+        ),
+        Why::NoPlace => (
+            Text::new(
+                "the reaction follows from the balance of a body, and a unit load on a coordinate acts at no point of it",
+                "реакция следует из уравнений равновесия тела, а единичная нагрузка по координате не приложена ни к какой точке",
+            ),
+            Text::new("name a force of the file as the load", "укажите в качестве нагрузки силу из файла"),
+        ),
+    };
+    Fault::new(Message {
+        code: "S089",
+        what: Text::new(format!("`{reaction}` has no amplitude"), format!("у `{reaction}` нет амплитуды")),
+        why,
+        help,
+    })
+}
