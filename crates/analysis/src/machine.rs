@@ -11,6 +11,7 @@ use symbolic::{Equations, Text};
 
 use crate::connections::{Undetermined, assemble};
 use crate::fault::Message;
+use crate::system::Layout;
 use crate::{Blow, Fault, Guard, GuardKind, Mode, Powers, Quantity, System};
 use conditions::Conditions;
 
@@ -41,6 +42,8 @@ pub struct Machine {
     needs_accelerations: bool,
     energy: Evaluator,
     second: Evaluator,
+    released: Evaluator,
+    layout: Layout,
     places: Evaluator,
     statics: Evaluator,
     /// Of the last expansion.
@@ -121,6 +124,8 @@ impl Machine {
             shown: (0..program.outputs.roots.len()).collect(),
             energy: bound.evaluator(&bound.program().energy)?,
             second: general.evaluator(&program.second)?,
+            released: general.evaluator(&program.released)?,
+            layout: layout(equations),
             places: general.evaluator(&program.places)?,
             statics: general.evaluator(&program.statics)?,
             expanded: Switches::default(),
@@ -280,6 +285,11 @@ pub(crate) fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q 
         ru.push(format!("{} = {} {}", state.name, n.ru, state.unit));
     }
     Text::new(en.join(", "), ru.join(", "))
+}
+
+fn layout(equations: &Equations) -> Layout {
+    let released = &equations.released;
+    Layout { bodies: released.bodies.len(), frames: released.frames.iter().map(|f| (f.bodies.clone(), f.ways.len())).collect() }
 }
 
 /// Why an output has no value.
@@ -592,6 +602,20 @@ impl System for Machine {
             out.iter_mut().zip(&term).zip(&constant).for_each(|((row, t), c)| row[1] += (t - c).abs());
         }
         Some(out)
+    }
+
+    fn released(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
+        if self.layout.frames.is_empty() {
+            return None;
+        }
+        self.observing.set(modes, &self.bound);
+        self.take_accelerations(t, x, accelerations).ok()?;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, ..Point::default() };
+        Some(self.released.evaluate(&point).ok()?.to_vec())
+    }
+
+    fn layout(&self) -> Layout {
+        self.layout.clone()
     }
 
     fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {

@@ -151,6 +151,16 @@ pub enum Jacobian {
     Absent,
 }
 
+/// Numbers of released bodies: 19 for each body (mass, centre, rotation by rows, moments xx, yy, zz, xy, yz, xz about the centre in body axes), then for each
+/// frame its origin, the force and moment on it (about the origin of the ground), and its ways (shift, turn).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layout {
+    /// Number of bodies.
+    pub bodies: usize,
+    /// Bodies on each frame, and its number of ways.
+    pub frames: Vec<(Vec<usize>, usize)>,
+}
+
 /// A machine as studies see it.
 pub trait System {
     /// States in the order (q, q', s).
@@ -310,6 +320,17 @@ pub trait System {
     fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
         let _ = (t, x, accelerations, modes);
         None
+    }
+
+    /// Released bodies as numbers, with given accelerations and the reactions of this state, see [`Layout`]. None when no reaction is hidden.
+    fn released(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
+        let _ = (t, x, accelerations, modes);
+        None
+    }
+
+    /// What [`System::released`] lists.
+    fn layout(&self) -> Layout {
+        Layout::default()
     }
 
     /// Whether the machine can be at (t, x): everything that places it has a value there.

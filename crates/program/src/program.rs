@@ -54,6 +54,8 @@ pub struct Program {
     /// t, x, q'' and all reactions -> the residuals of the second derivation (motions, then balances), then the residuals
     /// M q'' - Σ forces λ - h of the first and Σ columns q'' - rest - Σ released λ of the balances. Switches go by value.
     pub second: Arc<Tape>,
+    /// t, x, q'' and all reactions -> released bodies, in the order of `symbolic::connections::Released::expressions`. Switches go by value.
+    pub released: Arc<Tape>,
     /// t, x -> what places the machine and has a value only within limits. Switches go by value.
     pub places: Arc<Tape>,
     /// t, x (rates ignored, taken as 0) -> h(q, 0, s, t), then its Jacobian ∂h/∂q row by row. Switches go by value.

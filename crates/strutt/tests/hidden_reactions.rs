@@ -227,3 +227,119 @@ fn balances_of_released_bodies_give_the_reactions_of_connections() {
     }
     assert!(compared > 2 * MACHINES && loaded.iter().all(|n| *n > 20), "{compared} {loaded:?}");
 }
+
+/// A wedge with a block on it, pulled at a point and held by a spring and a torsion spring on its joint.
+const BROKEN: &str = r#"
+[coordinates]
+x = { unit = "m", start = "0.1 m", rate = "1 m/s" }
+f = { unit = "rad", start = "0.4 rad", rate = "2 rad/s" }
+
+[bodies.cart]
+origin = ["x", "0"]
+mass = "3 kg"
+[bodies.rod]
+on = "cart"
+angle = "f"
+mass = "2 kg"
+inertia = "0.1 kg m^2"
+center = ["0", "-0.5 m"]
+[points]
+A = { on = "cart", at = ["-0.3 m", "0"] }
+B = { on = "cart", at = ["0.4 m", "0"] }
+
+[springs.c]
+along = "x(cart)"
+stiffness = "50 N/m"
+[forces.F]
+at = "rod"
+value = ["3 N", "2 N"]
+[supports.A]
+at = "A"
+directions = ["y"]
+[supports.B]
+at = "B"
+directions = ["y"]
+[supports.O]
+at = "rod"
+directions = ["x", "y"]
+
+[[study]]
+kind = "simulate"
+until = "1 s"
+"#;
+
+/// Results of the audits of a motion, with balances changed by `spoil`.
+fn audits(spoil: impl Fn(&mut symbolic::Equations)) -> Vec<(String, bool)> {
+    let mut machine = build(BROKEN);
+    spoil(&mut machine.equations);
+    machine.system = pipeline::lower(&machine.equations).unwrap();
+    let study = machine.model.studies[0].kind.clone();
+    let finding = pipeline::study(&mut machine, &study, &mut Watch::default()).unwrap();
+    let data = finding.data();
+    data.audits.iter().map(|a| (a.key.clone(), a.ok)).collect()
+}
+
+fn passes(list: &[(String, bool)], key: &str) -> bool {
+    list.iter().find(|(k, _)| k == key).unwrap_or_else(|| panic!("no audit {key}: {list:?}")).1
+}
+
+/// Adds to the balances of the first derivation and to their twins of the second alike, so that both derivations agree on the mistake.
+fn spoiled(equations: &mut symbolic::Equations, row: usize, by: symbolic::Expr) {
+    let n = equations.coordinates.len();
+    let graph = &mut equations.graph;
+    let rest = &mut equations.balances[row].rest;
+    *rest = graph.add(*rest, by);
+    let second = &mut equations.second[n + row];
+    *second = graph.sub(*second, by);
+}
+
+#[test]
+fn released_balance_passes_on_the_right_law() {
+    let found = audits(|_| {});
+    assert!(found.iter().all(|(_, passed)| *passed), "{found:?}");
+    assert!(passes(&found, "released_balance"));
+}
+
+#[test]
+fn released_balance_sees_a_load_left_out_of_every_balance() {
+    let found = audits(|e| {
+        let work = e.applied.iter().find(|a| a.name == "F").unwrap().released.clone();
+        assert!(!work.is_empty());
+        for (row, w) in work {
+            let against = e.graph.neg(w);
+            spoiled(e, row, against);
+        }
+    });
+    assert!(!passes(&found, "released_balance"), "{found:?}");
+}
+
+#[test]
+fn released_balance_sees_inertia_left_out_of_every_balance() {
+    let found = audits(|e| {
+        for row in 0..e.balances.len() {
+            let mut lost = e.graph.zero();
+            for (j, column) in std::mem::take(&mut e.balances[row].columns) {
+                let symbol = e.coordinates[j].symbols[2];
+                let acceleration = e.graph.symbol(symbol);
+                let term = e.graph.mul(column, acceleration);
+                lost = e.graph.add(lost, term);
+            }
+            let n = e.coordinates.len();
+            e.second[n + row] = e.graph.sub(e.second[n + row], lost);
+        }
+    });
+    assert!(!passes(&found, "released_balance"), "{found:?}");
+}
+
+#[test]
+fn released_balance_sees_a_moment_that_is_wrong() {
+    let found = audits(|e| {
+        let rows: Vec<usize> = (0..e.balances.len()).filter(|r| e.balances[*r].name.en.contains("moments about")).collect();
+        assert!(!rows.is_empty());
+        for row in rows {
+            let by = e.graph.number(symbolic::Rational::HALF);
+            spoiled(e, row, by);
+        }
+    });
+    assert!(!passes(&found, "released_balance"), "{found:?}");
+}

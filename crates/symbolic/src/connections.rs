@@ -124,6 +124,65 @@ pub struct Balance {
     pub rest: Expr,
 }
 
+/// Released bodies as placements and resultants, from which an audit makes their balances anew by differentiation in numbers.
+#[derive(Clone, Debug, Default)]
+pub struct Released {
+    /// All bodies with inertia.
+    pub bodies: Vec<FreeBody>,
+    /// What was released.
+    pub frames: Vec<FreeFrame>,
+}
+
+/// A rigid body, ground axes.
+#[derive(Clone, Debug)]
+pub struct FreeBody {
+    /// Mass.
+    pub mass: Expr,
+    /// Place of the centre.
+    pub center: [Expr; 3],
+    /// Ground components from body components.
+    pub rotation: [[Expr; 3]; 3],
+    /// Distinct components (k, l, I_kl) of the tensor about the centre, body axes.
+    pub inertia: Vec<(usize, usize, Expr)>,
+}
+
+/// A released frame with all that stands on it.
+#[derive(Clone, Debug)]
+pub struct FreeFrame {
+    /// Its name.
+    pub name: Text,
+    /// The bodies on it, by index.
+    pub bodies: Vec<usize>,
+    /// Place of its origin.
+    pub origin: [Expr; 3],
+    /// Sum of all loads and reactions over q, q', q'', t and reactions.
+    pub force: [Expr; 3],
+    /// Their moment about the origin of the ground.
+    pub moment: [Expr; 3],
+    /// Displacements in which they balance inertia: shift of the frame's origin, turn.
+    pub ways: Vec<[[Expr; 3]; 2]>,
+}
+
+impl Released {
+    /// Everything in it, in the order of [`Released::width`]: bodies (mass, centre, rotation by rows, six components xx, yy, zz, xy, yz, xz), then frames
+    /// (origin, force, moment, ways).
+    pub fn expressions(&self, zero: Expr) -> Vec<Expr> {
+        let mut list = Vec::new();
+        for body in &self.bodies {
+            list.push(body.mass);
+            list.extend(body.center);
+            list.extend(body.rotation.iter().flatten());
+            let component = |k: usize, l: usize| body.inertia.iter().find(|(a, b, _)| (*a, *b) == (k, l)).map_or(zero, |c| c.2);
+            list.extend([(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)].map(|(k, l)| component(k, l)));
+        }
+        for frame in &self.frames {
+            list.extend([frame.origin, frame.force, frame.moment].iter().flatten());
+            list.extend(frame.ways.iter().flatten().flatten());
+        }
+        list
+    }
+}
+
 impl Law {
     /// Whether it takes a degree of freedom: an ideal condition, or a rope, which is counted taut.
     pub fn holds(&self) -> bool {

@@ -10,7 +10,7 @@
 //! Every symbol that occurs is time, a coordinate or its derivatives, an auxiliary state, a parameter (a number), or a definition
 //! (a formula over the others, listed so that each uses earlier ones only).
 
-use crate::connections::{Balance, Condition, Reaction};
+use crate::connections::{Balance, Condition, Reaction, Released};
 use crate::{Expr, Graph, Matrix, SymbolId, Text};
 
 /// Equations of motion and everything that is asked of them.
@@ -40,6 +40,8 @@ pub struct Equations {
     pub conditions: Vec<Condition>,
     /// Balances of released bodies: what the reactions of supports follow from.
     pub balances: Vec<Balance>,
+    /// The released bodies, for an audit of these balances.
+    pub released: Released,
     /// Textbook form of each equation of motion, or the reason why it is not shown.
     pub textbook: Result<Vec<Equality>, Text>,
     /// Step-by-step derivation.

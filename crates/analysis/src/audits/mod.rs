@@ -10,6 +10,7 @@ pub mod halving;
 pub mod impacts;
 pub mod ledger;
 pub mod power;
+pub mod released;
 pub mod second;
 
 /// Units of the last place to which the terms of a motion are rounded.

@@ -16,9 +16,9 @@ use crate::numerics::qr::{Qr, norm};
 use crate::numerics::random::Random;
 
 /// Places around the start that are asked whether reactions are open.
-const AROUND: usize = 4;
-/// How far away they are: radians, or lengths by the length of the machine.
-const FAR: f64 = 0.3;
+const AROUND: usize = 9;
+/// How far away they are, in turn: radians, or lengths by the length of the machine. Formulas with switches may have other slopes far away.
+const FAR: [f64; 3] = [0.3, 1.0, 3.0];
 /// How far away a singular position must have ended.
 const NEAR: f64 = 0.05;
 /// What is left of a row after the others have been taken away counts as nothing below this share of it.
@@ -143,9 +143,9 @@ impl Bench<'_> {
         let mut random = Random::new(11);
         let placed: Vec<usize> = rows.iter().copied().filter(|c| self.equations.conditions[*c].place.is_some()).collect();
         let everything: Vec<usize> = (0..self.n).collect();
-        for _ in 0..AROUND {
+        for step in FAR.into_iter().cycle().take(AROUND) {
             self.evaluate(&x)?;
-            let Some(mut near) = self.along_the_motion(&x, (rows, FAR), &mut random) else { continue };
+            let Some(mut near) = self.along_the_motion(&x, (rows, step), &mut random) else { continue };
             let closed = placed.is_empty() || self.approach(&mut near, &placed, &everything).is_ok_and(|gap| gap <= 1e-10);
             if closed && self.released(&near).is_ok() && self.evaluate(&near).is_ok() {
                 places.push(near);

@@ -9,7 +9,7 @@ use crate::audits::defect::InteriorDefect;
 use crate::audits::friction::FrictionWork;
 use crate::audits::impacts::{ImpactEnergy, drift, relative};
 use crate::audits::ledger::Ledger;
-use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, second::two_derivations};
+use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, released::ReleasedBalance, second::two_derivations};
 use crate::dataset::{Audit, Column, Counter, Dataset, Event};
 use crate::events::words::describe;
 use crate::events::{Change, Switch};
@@ -267,6 +267,7 @@ struct Run {
     events: Vec<Event>,
     power: PowerBalance,
     bodies: BodyBalance,
+    released: ReleasedBalance,
     defect: InteriorDefect,
     impacts: ImpactEnergy,
     ledger: Ledger,
@@ -334,6 +335,7 @@ impl Run {
             events: Vec::new(),
             power: PowerBalance::new(n_x),
             bodies: BodyBalance::new(n_x),
+            released: ReleasedBalance::new(system),
             defect: InteriorDefect::new(n_x),
             impacts: ImpactEnergy::default(),
             ledger: Ledger::new(system, options.tolerance, &works),
@@ -413,6 +415,7 @@ impl Run {
         self.extremes.look(&mut Along::new(step, system, length));
         self.power.look(step, system);
         self.bodies.look(step, system);
+        self.released.look(step, system);
         self.defect.look(step, system);
         self.ledger.look(step, system, length);
         self.friction.look(step, system, length);
@@ -628,6 +631,7 @@ impl Run {
             self.power.audit(tolerance),
             self.ledger.audit(),
             self.bodies.audit(tolerance),
+            self.released.audit(tolerance),
             self.defect.audit(tolerance),
             self.impacts.audit(),
             self.friction.audit(),

@@ -34,6 +34,7 @@ impl Build {
                 applied: vec![],
                 conditions: vec![],
                 balances: vec![],
+                released: Default::default(),
                 textbook: Err(Text::default()),
                 steps: vec![],
                 second: vec![],

@@ -24,6 +24,7 @@ fn blank(graph: Graph) -> Equations {
         reactions: Vec::new(),
         conditions: Vec::new(),
         balances: Vec::new(),
+        released: Default::default(),
         textbook: Err(Text::default()),
         steps: vec![],
         second: vec![],

@@ -116,6 +116,8 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
     }
     roots.extend(scene.turns.iter().map(|t| t.rate));
     roots.extend(connected.expressions());
+    let zero = scene.graph.zero();
+    roots.extend(connected.free.expressions(zero));
     roots.extend(applied.iter().flat_map(|a| a.forces.iter().chain(&a.released).map(|f| f.1)));
     let definitions = definitions(&mut scene, &roots);
     let zero = scene.graph.zero();
@@ -131,6 +133,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
         reactions: connected.reactions,
         conditions: connected.conditions,
         balances: connected.balances,
+        released: connected.free,
         textbook,
         steps,
         second: second.residuals,

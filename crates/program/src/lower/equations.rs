@@ -49,6 +49,7 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         outputs: Arc::new(observed(equations, &guards, "outputs", outputs)?),
         energy: Arc::new(energy(equations, &guards)?),
         second: Arc::new(second(equations)?),
+        released: Arc::new(released(equations)?),
         places: Arc::new(places(equations)?),
         statics: Arc::new(statics(equations, &names)?),
         rests: Arc::new(if connected { rests(equations, &names)? } else { nothing(equations, "rests")? }),
@@ -341,6 +342,14 @@ fn second(equations: &Equations) -> Result<Tape, Fault> {
         roots.push(Root { name: format!("balance {}", i + 1), register });
     }
     Ok(lowering.finish("second", roots)?.0)
+}
+
+fn released(equations: &Equations) -> Result<Tape, Fault> {
+    let mut graph = equations.graph.clone();
+    let zero = graph.zero();
+    let list = equations.released.expressions(zero);
+    let roots: Vec<(String, Expr)> = list.into_iter().enumerate().map(|(i, e)| (format!("released {}", i + 1), e)).collect();
+    Lowering::new(&graph, &over_reactions(equations), Switches::Value).tape("released", &roots)
 }
 
 /// Σ inertia q'' - force - Σ load λ, with λ behind the n accelerations; loads are lists by row, of which `row` is taken.

@@ -25,6 +25,7 @@ pub fn empty(mut graph: Graph) -> Equations {
         reactions: Vec::new(),
         conditions: Vec::new(),
         balances: Vec::new(),
+        released: Default::default(),
         textbook: Err(Text::default()),
         steps: vec![],
         second: vec![],

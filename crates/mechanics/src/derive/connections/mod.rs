@@ -7,6 +7,7 @@
 //! released there (`release.rs`).
 
 mod components;
+mod free;
 mod release;
 mod tracks;
 mod transmissions;
@@ -22,7 +23,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Connection, ConnectionKind, FrameId, Part};
 use components::{Component, Nature};
 use std::collections::BTreeSet;
-use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction};
+use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction, Released};
 use symbolic::equations::{Output, Role};
 use symbolic::{Expr, Substitution, SymbolId, Text};
 
@@ -37,6 +38,8 @@ pub struct Connected {
     pub conditions: Vec<Condition>,
     /// As in the equations.
     pub balances: Vec<Balance>,
+    /// As in the equations.
+    pub free: Released,
     /// Work of each force and torque in the balances, as in `Loads::named`.
     pub applied: Vec<Vec<(usize, Expr)>>,
     /// Newton-Euler: generalized force of each reaction per unit, per direction.
@@ -238,6 +241,7 @@ impl Connected {
         let named: Vec<Vec<Act>> =
             loads.named.iter().map(|(_, _, acts)| placer.place(scene, kinematics, &loads.acts[acts.clone()])).collect();
         let loads = placer.place(scene, kinematics, &loads.acts);
+        let coupled = placer.place(scene, kinematics, &free::without_bodies(inertial));
         let inertial = placer.place(scene, kinematics, inertial);
         self.acts = self.acts.iter().map(|acts| placer.place(scene, kinematics, acts)).collect();
         transmissions::leave_open(scene, kinematics, &mut placer, (&loads, &inertial), self);
@@ -248,7 +252,9 @@ impl Connected {
             }
         }
         self.applied = vec![Vec::new(); named.len()];
-        for (frame, displacement) in release::displacements(scene, kinematics, &placer, self) {
+        let displacements = release::displacements(scene, kinematics, &placer, self);
+        self.free = free::bodies(scene, kinematics, &displacements, (&loads, &coupled, self));
+        for (frame, displacement) in displacements {
             for (list, acts) in self.applied.iter_mut().zip(&named) {
                 let work = release::total_work(scene, kinematics, acts, (frame, &displacement));
                 if !scene.graph.is_zero(work) {

@@ -59,6 +59,7 @@ fn machine() -> Equations {
         reactions: Vec::new(),
         conditions: Vec::new(),
         balances: Vec::new(),
+        released: Default::default(),
         textbook: Ok(vec![]),
         steps: vec![],
         second: vec![zero; 2],
