@@ -230,8 +230,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "M023",
         ("a unit is missing", "нет единицы"),
         (
-            "Bare numbers have no dimension (0 fits everywhere). A length, a mass or a stiffness needs its unit.",
-            "Число без единицы безразмерно (0 подходит всюду). Длине, массе, жёсткости нужна единица.",
+            "Bare numbers have no dimension (0 fits everywhere). A length, a mass or a stiffness needs its unit. On the command line and in ranges a bare \
+             number is SI; where the file gives the value in another unit (deg, mm, g) it would be misread, and the unit is needed there too.",
+            "Число без единицы безразмерно (0 подходит всюду). Длине, массе, жёсткости нужна единица. В командной строке и в наборах значений число \
+             без единицы — в СИ; если в файле величина задана в другой единице (deg, mm, g), его поняли бы неверно, и единица нужна и там.",
         ),
         "mass = 5",
         "mass = \"5 kg\"",
@@ -575,8 +577,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "M068",
         ("a value set by hand", "значение, заданное вручную"),
         (
-            "--set takes name=quantity, where the name is a parameter, a coordinate (its start) or phi' (its rate). Bare numbers are SI.",
-            "--set принимает имя=величина, где имя — параметр, координата (начальное значение) или phi' (начальная скорость). Числа без единиц — в СИ.",
+            "--set takes name=quantity, where the name is a parameter, a coordinate (its start) or phi' (its rate). Bare numbers are SI; \
+             where the file uses another unit (deg, g) the unit must be written.",
+            "--set принимает имя=величина, где имя — параметр, координата (начальное значение) или phi' (начальная скорость). \
+             Числа без единиц — в СИ; если в файле другая единица (deg, g), её нужно написать.",
         ),
         "--set mas=3",
         "--set m=3kg",

@@ -161,20 +161,47 @@ fn rods_ropes_and_wheels_agree() {
     let mut model = read(BODIES);
     let [r, s, e] = ["0.3", "0.2", "0.5"].map(|v| number(&mut model, v));
     for slack in [true, false] {
-        let wound = vec![Wound { on: TWO, radius: r, positive: false }];
+        let wound = vec![Wound { on: TWO, radius: r, carrier: Some(FrameId::GROUND), positive: false }];
         let kind = ConnectionKind::Rope { path: vec![P, F, Q], wound, length: Rest::Start, slack, restitution: e };
         let equations = with(model.clone(), "ropes", kind);
         assert_eq!(matches!(equations.reactions[0].law, Law::Contact { .. }), slack);
         assert!(disagreement(&equations, 0.7) < 1e-12 && wrong_derivatives(&equations, 0.7) < 1e-8);
     }
+    // wheels whose axes a rod keeps at their distance; the line of centres turns
+    let ends = [PointRef::Origin(ONE), PointRef::Origin(TWO)];
+    let kind = ConnectionKind::Rod { between: ends, length: Rest::Start };
+    model.connections.push(Connection { name: "R".into(), table: "rods", kind, span: 0..0 });
     for (table, opposite) in [("belts", false), ("belts", true), ("gears", true), ("gears", false)] {
-        let kind = ConnectionKind::Wheels { between: [ONE, TWO], radii: [r, s], opposite, carrier: None };
-        let equations = with(model.clone(), table, kind);
-        assert!(wrong_derivatives(&equations, 0.7) < 1e-8);
-        // the force of a tooth stands at the pitch point only where the distance of the axes is that of the radii
-        if table == "belts" {
-            assert!(disagreement(&equations, 0.7) < 1e-12);
+        for carrier in [None, Some(FrameId::GROUND)] {
+            let kind = ConnectionKind::Wheels { between: [ONE, TWO], radii: [r, s], opposite, carrier };
+            let equations = with(model.clone(), table, kind);
+            assert!(wrong_derivatives(&equations, 0.7) < 1e-8);
+            assert!(disagreement(&equations, 0.7) < 1e-12, "{table}");
         }
+    }
+}
+
+/// Without the rod the wheels leave each other.
+#[test]
+fn wheels_whose_axes_part_are_refused() {
+    let mut model = read(BODIES);
+    let r = number(&mut model, "0.3");
+    let kind = ConnectionKind::Wheels { between: [ONE, TWO], radii: [r, r], opposite: true, carrier: None };
+    model.connections.push(Connection { name: "K".into(), table: "gears", kind, span: 0..0 });
+    let codes: Vec<&str> = derive_in(&model, Detail::Equations).unwrap_err().iter().map(|d| d.code).collect();
+    assert_eq!(codes, ["M118"]);
+}
+
+/// Components in turning axes: the second derivation agrees at states that the pin does not close.
+#[test]
+fn pins_agree_in_turning_axes() {
+    for (table, axes, seed) in [("pins", ONE, 0.3), ("pins", TWO, 1.1), ("welds", TWO, 2.7)] {
+        let kind = match table {
+            "pins" => ConnectionKind::Pin { between: [P, Q], axes },
+            _ => ConnectionKind::Weld { between: [P, Q], axes },
+        };
+        let equations = with(read(BODIES), table, kind);
+        assert!(disagreement(&equations, seed) < 1e-12);
     }
 }
 

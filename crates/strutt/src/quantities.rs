@@ -60,6 +60,18 @@ pub fn overrides(list: &[String]) -> Result<Vec<(String, String)>, Failure> {
     list.iter().map(split).collect()
 }
 
+/// Refuses a number without a unit where the file uses another unit than the SI one.
+fn has_unit(key: &str, text: &str, (number, unit): (&str, Option<&String>)) -> Result<(), Failure> {
+    let bare = mechanics::units::parse_number_or_quantity(number).is_ok_and(|q| !q.has_unit && q.to_f64() != 0.0);
+    let Some(unit) = unit.filter(|_| bare) else { return Ok(()) };
+    let what = Text::new(
+        format!("a number without a unit, while the file gives it in {unit}"),
+        format!("число без единицы, хотя в файле величина задана в {unit}"),
+    );
+    let help = Text::new(format!("write the unit: {number} {unit}"), format!("напишите единицу: {number} {unit}"));
+    Err(bad(key, text, &what, &help))
+}
+
 /// `phi=0.1` pairs for coordinates of a model.
 pub fn guess(list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec<(symbolic::SymbolId, f64)>, Failure> {
     let mut found = Vec::new();
@@ -74,6 +86,7 @@ pub fn guess(list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec
             return Err(bad("--guess", text, &what, &help));
         };
         let dimension = mechanics::units::parse_unit(&coordinate.units[0]).map(|u| u.dimension).unwrap_or(Dimension::NONE);
+        has_unit("--guess", text, (value.trim(), machine.model.scaled.get(&coordinate.name)))?;
         let value = parse_quantity(value.trim(), &dimension).map_err(|fault| bad("--guess", text, &fault.words.what, &fault.words.help))?;
         if !value.is_finite() {
             return Err(bad("--guess", text, &not_finite(), &Text::default()));
@@ -93,6 +106,9 @@ pub fn parameter_range(name: &str, text: &str, machine: &strutt::pipeline::Machi
     let separator = if text.contains(';') { ';' } else { ',' };
     let read =
         |end: &str| parse_quantity(end.trim(), &dimension).map_err(|fault| bad("--range", text, &fault.words.what, &fault.words.help));
+    for end in text.split(separator) {
+        has_unit("--range", text, (end.trim(), machine.model.scaled.get(name)))?;
+    }
     let values = text.split(separator).map(read).collect::<Result<Vec<f64>, Failure>>()?;
     match values[..] {
         [from, to] if from < to && to.is_finite() => Ok([from, to]),

@@ -80,4 +80,71 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[motions.go]\nalong = \"x\"\nvalue = \"1[m/s]*t\"",
         "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[motions.go]\nalong = \"x\"\nvalue = \"1[m/s]*t\"\n[motors.push]\nalong = \"x\"",
     ),
+    row(
+        "M116",
+        ("a wheel without the axis that its drive needs", "у колеса нет оси, которой требует передача"),
+        (
+            "Belts, chains and gears join two bodies that turn against each other about one axis, and a wheel rolls in the plane of its track. In space \
+             that axis is an own x, y or z axis of each body, and the two stay parallel however the machine moves. Bodies with crossing axes (bevel \
+             gears, worms), bodies that tumble, and spheres have no such axis: their condition is written out in [constraints].",
+            "Ремни, цепи и зубчатые пары соединяют два тела, которые вращаются друг относительно друга вокруг одной оси, а колесо катится в \
+             плоскости своей опоры. В пространстве это собственная ось x, y или z каждого из тел, и при любом движении эти оси остаются \
+             параллельными. У тел с пересекающимися осями (конические колёса, червяк), у свободно вращающихся тел и у шаров такой оси нет: \
+             условие записывают в [constraints].",
+        ),
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nrotate = [\"x: a\"]\nshape = \"disc(1 [m])\"\nmass = \"1 kg\"\n\
+         [bodies.B]\nrotate = [\"y: b\"]\nshape = \"disc(1 [m])\"\nmass = \"1 kg\"\n[gears.g]\nbetween = [\"A\", \"B\"]\nradii = [\"1 m\", \"1 m\"]",
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nrotate = [\"x: a\"]\nshape = \"disc(1 [m])\"\nmass = \"1 kg\"\n\
+         [bodies.B]\nrotate = [\"y: b\"]\nshape = \"disc(1 [m])\"\nmass = \"1 kg\"\n[constraints.bevel]\nzero_rate = \"1[m]*a' + 1[m]*b'\"",
+    ),
+    row(
+        "M117",
+        ("what a wheel or drum counts from is unknown or wrong", "неизвестно или неверно указано, от чего отсчитывать повороты"),
+        (
+            "Wheels of a drive turn against the line of their centres, and so against the body that carries both axes; a drum turns against the piece of \
+             rope that runs to it. Where the model shows that body, nothing need be said. It must be named where the wheels are drawn at one place \
+             and one of them stands on a turning body, and where a drum moves but no end of the rope's path moves with what carries it. A body \
+             against which the axes move cannot be the carrier.",
+            "Колёса передачи поворачиваются относительно линии центров, то есть относительно тела, несущего обе оси; барабан — относительно \
+             набегающей ветви каната. Если это тело видно из модели, указывать ничего не нужно. Его нужно назвать, если колёса помещены в одну \
+             точку и одно из них стоит на вращающемся теле, и если барабан движется, а ни один конец ломаной не движется с несущим его телом. \
+             Тело, относительно которого оси движутся, водилом быть не может.",
+        ),
+        "[coordinates]\ns = \"rad\"\nc = \"rad\"\np = \"rad\"\n[bodies.sun]\nangle = \"s\"\ninertia = \"1 kg m^2\"\n[bodies.arm]\nangle = \"c\"\n\
+         inertia = \"1 kg m^2\"\n[bodies.planet]\non = \"arm\"\nangle = \"p\"\ninertia = \"1 kg m^2\"\n[gears.g]\nbetween = [\"sun\", \"planet\"]\n\
+         radii = [\"1 m\", \"2 m\"]",
+        "[coordinates]\ns = \"rad\"\nc = \"rad\"\np = \"rad\"\n[bodies.sun]\nangle = \"s\"\ninertia = \"1 kg m^2\"\n[bodies.arm]\nangle = \"c\"\n\
+         inertia = \"1 kg m^2\"\n[bodies.planet]\non = \"arm\"\nangle = \"p\"\ninertia = \"1 kg m^2\"\n[gears.g]\nbetween = [\"sun\", \"planet\"]\n\
+         radii = [\"1 m\", \"2 m\"]\ncarrier = \"arm\"",
+    ),
+    row(
+        "M118",
+        ("what rolls together moves apart", "то, что катится друг по другу, расходится"),
+        (
+            "Gears, belts and chains need a constant distance of their axes, and a wheel rolls in the plane of its track. A coordinate moves the \
+             axes, or the wheel along its axis, and no other connection holds it.",
+            "Зубчатым парам, ремням и цепям нужно постоянное межосевое расстояние, а колесо катится в плоскости своей опоры. Одна из координат \
+             сдвигает оси или само колесо вдоль его оси, и никакая другая связь этого не запрещает.",
+        ),
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\nx = \"m\"\n[bodies.A]\nangle = \"a\"\ninertia = \"1 kg m^2\"\n[bodies.B]\norigin = [\"2[m] + x\", \"0\"]\n\
+         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[belts.s]\nbetween = [\"A\", \"B\"]\nradii = [\"1 m\", \"1 m\"]",
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nangle = \"a\"\ninertia = \"1 kg m^2\"\n[bodies.B]\norigin = [\"2 m\", \"0\"]\n\
+         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[belts.s]\nbetween = [\"A\", \"B\"]\nradii = [\"1 m\", \"1 m\"]",
+    ),
+    row(
+        "M119",
+        ("what is kept from the start is only guessed", "сохраняется то, что в начале задано лишь приближённо"),
+        (
+            "A weld or a slider with turns = false keeps the angle of the start, a slider without `through` the line through its place at the start, a rod or rope \
+             without `length` the length of the start. Coordinates with `guess` are found by closing the connections, so their rough values, and what the \
+             closing makes of them, become geometry. Give such coordinates `start`, or say the angle, the point or the length.",
+            "Жёсткое соединение и ползун с turns = false сохраняют угол начала движения, ползун без `through` — прямую через место точки в начале, стержень \
+             и канат без `length` — длину в начале. Координаты с `guess` находятся замыканием связей, поэтому их грубые значения и то, что сделает из них \
+             замыкание, становятся геометрией. Задайте таким координатам `start` либо укажите угол, точку или длину.",
+        ),
+        "[coordinates]\na = { unit = \"rad\", guess = \"0.3\" }\nx = \"m\"\n[bodies.A]\norigin = [\"x\", \"0\"]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n\
+         [points]\nO = { at = [0, 0] }\n[sliders.s]\npoint = \"A\"\nthrough = \"O\"\nturns = false",
+        "[coordinates]\na = { unit = \"rad\", start = \"0.3\" }\nx = \"m\"\n[bodies.A]\norigin = [\"x\", \"0\"]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n\
+         [points]\nO = { at = [0, 0] }\n[sliders.s]\npoint = \"A\"\nthrough = \"O\"\nturns = false",
+    ),
 ];

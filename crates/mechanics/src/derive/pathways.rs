@@ -127,8 +127,8 @@ fn distance(scene: &mut Scene, kinematics: &mut Kinematics, a: PointRef, b: Poin
     Path { value, gradient, geometric, acts }
 }
 
-/// Angle of b minus angle of a: in the plane, or about the one axis of rotation between a parent and its child.
-fn relative_angle(scene: &mut Scene, kinematics: &mut Kinematics, (a, b): (FrameId, FrameId), span: &Range<usize>) -> Found<Path> {
+/// Angle of b minus angle of a: in the plane, or about the one axis about which one turns that stands on the other.
+pub fn relative_angle(scene: &mut Scene, kinematics: &mut Kinematics, (a, b): (FrameId, FrameId), span: &Range<usize>) -> Found<Path> {
     let (fa, fb) = (&kinematics.frames[a.index()], &kinematics.frames[b.index()]);
     if let (Some(pa), Some(pb)) = (fa.plane_angle, fb.plane_angle) {
         let value = scene.graph.sub(pb, pa);
@@ -139,36 +139,63 @@ fn relative_angle(scene: &mut Scene, kinematics: &mut Kinematics, (a, b): (Frame
         let geometric = generalized(scene, kinematics, &acts);
         return Ok(Path { value, gradient, geometric, acts });
     }
-    let model = scene.model;
-    let single = |child: FrameId, parent: FrameId| {
-        let frame = &model.frames[child.index()];
-        (frame.on == parent && frame.rotations.len() + usize::from(frame.spin.is_some()) == 1).then_some(child)
+    let still = [a, b].map(|f| kinematics.frames[f.index()].turning.is_empty());
+    // the frame that turns, what it turns against, whether that is to be tried, the sign of the angle
+    let ways = [(b, a, true, 1), (a, b, true, -1), (b, FrameId::GROUND, still[0], 1), (a, FrameId::GROUND, still[1], -1)];
+    let found = ways.into_iter().filter(|way| way.2).find_map(|(child, parent, _, sign)| Some((turn_between(scene, child, parent)?, sign)));
+    let Some((Turning { frame, axis, angle }, sign)) = found else {
+        let [a, b] = [a, b].map(|f| &scene.model.frames[f.index()].name);
+        return Err(Box::new(no_common_axis(a, b, span)));
     };
-    let (child, negative) = match (single(b, a), single(a, b)) {
-        (Some(child), _) => (child, false),
-        (_, Some(child)) => (child, true),
-        _ => return Err(Box::new(no_common_axis(&model.frames[a.index()].name, &model.frames[b.index()].name, span))),
-    };
-    let frame = &model.frames[child.index()];
-    let angle = match frame.rotations.first() {
-        Some((_, angle)) => scene.open(*angle),
-        None => {
-            let symbol = scene.turns.iter().find(|t| t.frame == child.index()).map_or(model.time, |t| t.symbol);
-            scene.graph.symbol(symbol)
-        }
-    };
-    let value = if negative { scene.graph.neg(angle) } else { angle };
+    let sign = scene.graph.int(sign);
+    let value = scene.graph.mul(sign, angle);
     let gradient = scene.gradient(value);
-    // the axis stands still in the child; the moment that grows the angle turns b forwards and a backwards
-    let axis = match (frame.rotations.first(), frame.spin) {
-        (Some((axis, _)), _) => *axis,
-        (None, spin) => spin.map_or(Axis::Z, |(axis, _)| axis),
-    };
+    // the axis stands still in the frame that turns; the moment that grows the value turns b forwards and a backwards
     let along = unit_vector(scene, axis);
-    let along = kinematics.in_ground_axes(scene, child, &along);
+    let along = kinematics.in_ground_axes(scene, frame, &along).map(|e| scene.graph.mul(sign, e));
     let against = along.map(|e| scene.graph.neg(e));
     let acts = vec![Act::Turn { on: b, moment: along }, Act::Turn { on: a, moment: against }];
     Ok(Path { value, geometric: gradient.clone(), gradient, acts })
+}
+
+/// A turn of a frame against another about one axis.
+struct Turning {
+    /// The frame in whose axes the axis stands still.
+    frame: FrameId,
+    axis: Axis,
+    angle: Expr,
+}
+
+/// The turn of a frame against one on which it stands, when all that varies between them turns about one axis; a constant rotation counts for nothing.
+fn turn_between(scene: &mut Scene, child: FrameId, parent: FrameId) -> Option<Turning> {
+    let model = scene.model;
+    let (mut found, mut left): (Option<Turning>, bool) = (None, false);
+    let mut here = child;
+    while here != parent {
+        if here == FrameId::GROUND {
+            return None;
+        }
+        let frame = &model.frames[here.index()];
+        let spin = frame.spin.and_then(|(axis, _)| scene.turns.iter().find(|t| t.frame == here.index()).map(|t| (axis, t.symbol)));
+        let spin = spin.map(|(axis, symbol)| (axis, scene.graph.symbol(symbol)));
+        let rotations: Vec<(Axis, Expr)> = frame.rotations.iter().copied().chain(spin).collect();
+        for (k, (axis, angle)) in rotations.iter().enumerate().rev() {
+            let angle = scene.open(*angle);
+            let varies = !scene.gradient(angle).is_empty();
+            match &mut found {
+                Some(turning) if turning.axis == *axis && !left => turning.angle = scene.graph.add(turning.angle, angle),
+                Some(_) if varies => return None,
+                Some(_) => left = true,
+                None if varies && rotations[k..].iter().all(|(other, _)| other == axis) => {
+                    found = Some(Turning { frame: here, axis: *axis, angle });
+                }
+                None if varies => return None,
+                None => {}
+            }
+        }
+        here = frame.on;
+    }
+    found
 }
 
 /// A unit vector.

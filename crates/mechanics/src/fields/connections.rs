@@ -87,8 +87,11 @@ const CARRIER: Field = may(
     "carrier",
     Type::Name,
     "",
-    "\"ground\"",
-    ("body that carries both axes; turning counts from it", "тело, несущее обе оси; углы считаются от него"),
+    "line of the centres",
+    (
+        "body that carries both axes; turning counts from it. Needed only where both wheels have one origin",
+        "тело, несущее обе оси; углы считаются от него. Нужно, только если начала обоих колёс совпадают",
+    ),
     "\"arm\"",
 );
 const RADIUS: Field = must("radius", Type::Formula, "m", ("radius of the rolling circle", "радиус катящейся окружности"), "\"R5\"");
@@ -135,8 +138,8 @@ const SLIDING: &[Field] = &[
 pub const SLIDER: TableSpec = table(
     "sliders",
     (
-        "Sliders: a point stays on a straight line. force acts on the body of the point, towards the direction turned by +90 degrees; moment exists when the body may not turn.",
-        "Ползуны: точка остаётся на прямой. force действует на тело точки в сторону направления, повёрнутого на +90 градусов; moment есть, если тело не поворачивается.",
+        "Sliders: a point stays on a straight line. force acts on the body of the point, towards the direction turned by +90 degrees; moment exists when the body may not turn. Where the point could leave the plane x, y of `on` both normal directions are held: force_y towards the direction turned by +90 degrees, force_z along z of `on`, force is the magnitude.",
+        "Ползуны: точка остаётся на прямой. force действует на тело точки в сторону направления, повёрнутого на +90 градусов; moment есть, если тело не поворачивается. Если точка могла бы выйти из плоскости x, y системы `on`, удерживаются оба нормальных направления: force_y — в сторону направления, повёрнутого на +90 градусов, force_z — вдоль z системы `on`, force — модуль.",
     ),
     SLIDING,
     "[sliders.C]\npoint = \"C\"\n",
@@ -146,8 +149,8 @@ pub const SLIDER: TableSpec = table(
 pub const SLOT: TableSpec = table(
     "slots",
     (
-        "Slots: a pin stays in a straight slot of a body. force acts on the body of the pin, towards the direction turned by +90 degrees.",
-        "Кулисы: палец остаётся в прямом пазу тела. force действует на тело пальца в сторону направления, повёрнутого на +90 градусов.",
+        "Slots: a pin stays in a straight slot of a body. force acts on the body of the pin, towards the direction turned by +90 degrees; in space force_y, force_z as for sliders.",
+        "Кулисы: палец остаётся в прямом пазу тела. force действует на тело пальца в сторону направления, повёрнутого на +90 градусов; в пространстве — force_y, force_z, как у ползунов.",
     ),
     &[
         must("pin", Type::Name, "", ("the pin: a point, or a body for its origin", "палец: точка или тело (тогда его начало)"), "\"A\""),
@@ -186,7 +189,10 @@ const TIE: &[Field] = &[
         Type::Array,
         "",
         "[]",
-        ("drums on which it winds: { on, radius, turns_in }", "барабаны, на которые он наматывается: { on, radius, turns_in }"),
+        (
+            "drums on which it winds: { on, radius, turns_in, carrier }",
+            "барабаны, на которые он наматывается: { on, radius, turns_in, carrier }",
+        ),
         "[{ on = \"drum\", radius = \"R\" }]",
     ),
     LENGTH,
@@ -234,6 +240,17 @@ pub const WOUND: TableSpec = table(
             ),
             "\"-\"",
         ),
+        may(
+            "carrier",
+            Type::Name,
+            "",
+            "body that carries its axis",
+            (
+                "body that carries its axis and the run of the rope to it; its angle counts from it",
+                "тело, несущее ось барабана и набегающую на него ветвь; угол барабана считается от него",
+            ),
+            "\"boom\"",
+        ),
     ],
     "",
 );
@@ -261,8 +278,8 @@ pub const CHAIN: TableSpec = table(
 pub const GEAR: TableSpec = table(
     "gears",
     (
-        "Gear pairs. force acts along the pitch circles, positive when it turns the second wheel in the positive direction.",
-        "Зубчатые пары. force действует по касательной к начальным окружностям, положительна, если вращает второе колесо в положительную сторону.",
+        "Gear pairs. force acts along the pitch circles, positive when it turns the second wheel in the positive direction; in space about the axis x, y or z of the second wheel that is the axis of both.",
+        "Зубчатые пары. force действует по касательной к начальным окружностям, положительна, если вращает второе колесо в положительную сторону; в пространстве — вокруг той оси x, y или z второго колеса, которая является общей осью обоих.",
     ),
     &[
         WHEELS,

@@ -93,6 +93,23 @@ impl Formula {
     pub(crate) fn is_bare_number(&self) -> bool {
         self.bare_number().is_some_and(|n| !n.is_zero())
     }
+    /// Whether it is written as one number other than zero, perhaps with a sign, without a unit.
+    pub(crate) fn lacks_unit(&self) -> bool {
+        let mut value = false;
+        let plain = self.nodes.iter().all(|(node, _)| match node {
+            Ast::Number(n) => {
+                value |= !n.is_zero();
+                true
+            }
+            Ast::Sum(terms) => terms.len() == 1,
+            _ => false,
+        });
+        plain && value
+    }
+    /// Whether it is one quantity in a unit that is not the SI one.
+    pub(crate) fn is_scaled(&self) -> bool {
+        matches!(&self.nodes[..], [(Ast::Quantity(q), _)] if q.has_unit && q.unit.factor != crate::units::Factor::ONE)
+    }
     /// Whether it contains nothing but numbers.
     pub(crate) fn is_symbol_free(&self) -> bool {
         self.nodes.iter().all(|(node, _)| match node {

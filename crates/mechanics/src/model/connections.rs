@@ -35,7 +35,7 @@ pub enum ConnectionKind {
         axes: FrameId,
     },
     /// A point stays on a straight line of another frame (slider on a guide, pin in a slot). The normal force acts on the frame of the
-    /// point, positive towards the line's direction turned by +90 degrees.
+    /// point, positive towards the line's direction turned by +90 degrees; in space there is a second one, along z of the line's frame.
     Slider {
         /// The sliding point.
         point: PointRef,
@@ -77,7 +77,7 @@ pub enum ConnectionKind {
         radii: [Expr; 2],
         /// Whether they turn in opposite directions (crossed belt, external gears).
         opposite: bool,
-        /// The frame that carries both axes; angles count from it. Ground when absent.
+        /// The frame that carries both axes; angles count from it. Without it they count from the line of centres.
         carrier: Option<FrameId>,
     },
     /// A gear on a rack, or a wheel on a straight line, or on a circle: no slip at the contact point. `tangential` acts on the wheel along
@@ -152,13 +152,15 @@ pub enum ConnectionKind {
     },
 }
 
-/// A drum on which a rope winds: winding length = sense · radius · angle of the drum.
+/// A drum on which a rope winds: winding length = sense · radius · angle of the drum against its carrier.
 #[derive(Clone, Copy, Debug)]
 pub struct Wound {
     /// The drum.
     pub on: FrameId,
     /// Its radius.
     pub radius: Expr,
+    /// What its angle counts from; `None`: what carries its axis.
+    pub carrier: Option<FrameId>,
     /// Whether the rope gets longer on the drum (shorter elsewhere) when the drum turns in the positive direction.
     pub positive: bool,
 }

@@ -125,6 +125,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let dissipations = elements::dissipations(reader, &top);
     let space = connections::Space::new(reader, &frames, &points, &parameters);
     let connections = connections::read(reader, &top, &space);
+    connections::warn(reader, &connections, &connections::Places { frames: &frames, points: &points, coordinates: &coordinates });
     let (resultants, places) = connections::distributed(reader, &top, &space, points.len());
     forces.extend(resultants);
     points.extend(places);
@@ -174,6 +175,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         structure,
         inertias: Vec::new(),
         variants,
+        scaled: std::mem::take(&mut reader.scaled),
     }
 }
 

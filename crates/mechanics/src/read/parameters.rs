@@ -36,7 +36,8 @@ pub(super) struct RawParameter<'a> {
     pub name: String,
     span: Option<Range<usize>>,
     raw: Raw<'a>,
-    unit: Option<(Unit, Range<usize>)>,
+    /// with its place and as written
+    unit: Option<(Unit, Range<usize>, String)>,
     label: Text,
 }
 
@@ -166,23 +167,16 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
     let rate_dimension = dimension.map(|d| d.per_time(1));
     let set: Vec<String> = [c.name.clone(), format!("{}'", c.name)].into_iter().filter(|name| reader.override_of(name).is_some()).collect();
     let mut read = |raw: Option<Raw<'a>>, name: String, wanted: Option<&Dimension>| {
-        let wanted_by_hand = reader.override_of(&name).map(|snippet| by_hand(reader, snippet, wanted));
+        if let Some(unit) = &c.scaled {
+            let unit = if name.ends_with('\'') { per_second(unit) } else { unit.clone() };
+            reader.scaled.insert(name.clone(), unit);
+        }
+        let wanted_by_hand = reader.override_of(&name).map(|snippet| by_hand(reader, (&name, snippet), wanted));
         if let Some(value) = wanted_by_hand {
             return value.expr;
         }
         let Some(raw) = raw else { return reader.builder.graph.zero() };
-        if let (Some(unit), Some(formula)) = (&c.scaled, &raw.formula)
-            && formula.is_bare_number()
-        {
-            let fault = Fault::new(
-                "M023",
-                raw.snippet.all(),
-                format!("a number without a unit, while the coordinate is in {unit}"),
-                format!("число без единицы, хотя координата задана в {unit}"),
-            )
-            .help(format!("write the unit: \"{} {unit}\"", raw.snippet.text), format!("напишите единицу: \"{} {unit}\"", raw.snippet.text));
-            reader.report(raw.snippet.diagnose(fault));
-        }
+        refuse_bare(reader, &name, &raw);
         reader.value(&raw, &Context::CONSTANT, wanted).expr
     };
     let given = [(&c.start, c.name.clone()), (&c.rate, format!("{}'", c.name))].map(|(raw, name)| raw.is_some() || set.contains(&name));
@@ -196,9 +190,34 @@ fn start_of<'a>(reader: &mut Reader<'a>, c: RawCoordinate<'a>) -> CoordinateDecl
     CoordinateDecl { name: c.name, symbols, units, start, rate, given, guessed, label: c.label, span: c.span }
 }
 
-/// A value from the command line: a bare number is SI.
-fn by_hand<'a>(reader: &mut Reader<'a>, snippet: Snippet<'a>, wanted: Option<&Dimension>) -> Checked {
+/// The unit of a rate.
+fn per_second(unit: &str) -> String {
+    format!("{unit}/s")
+}
+
+/// Reports a number without a unit for something that the file gives in another unit than the SI one.
+fn refuse_bare(reader: &mut Reader, name: &str, raw: &Raw) {
+    let Some(unit) = reader.scaled.get(name).filter(|_| raw.formula.as_ref().is_some_and(Formula::lacks_unit)) else { return };
+    let fault = without_unit(raw.snippet.all(), (name, unit), raw.snippet.text.trim());
+    let finding = raw.snippet.diagnose(fault);
+    reader.report(finding);
+}
+
+/// The fault of a number without a unit for something that the file gives in another unit than the SI one.
+pub(super) fn without_unit(span: Range<usize>, (name, unit): (&str, &str), number: &str) -> Fault {
+    Fault::new(
+        "M023",
+        span,
+        format!("a number without a unit, while `{name}` is in {unit}"),
+        format!("число без единицы, хотя `{name}` задано в {unit}"),
+    )
+    .help(format!("write the unit: \"{number} {unit}\""), format!("напишите единицу: \"{number} {unit}\""))
+}
+
+/// A value from the command line: a bare number is SI, and refused where the file uses another unit.
+fn by_hand<'a>(reader: &mut Reader<'a>, (name, snippet): (&str, Snippet<'a>), wanted: Option<&Dimension>) -> Checked {
     let raw = reader.raw_text(snippet);
+    refuse_bare(reader, name, &raw);
     let bare = raw.formula.as_ref().is_some_and(Formula::is_bare_number);
     reader.value(&raw, &Context::CONSTANT, wanted.filter(|_| !bare))
 }
@@ -217,7 +236,7 @@ pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &
                 let fields = Fields::open(reader, &fields::PARAMETER, table, span.clone(), format!("{section}.{}", short(name)));
                 fields.symbol(reader, name, notation);
                 label = fields.text(reader, "label").unwrap_or_default();
-                unit = fields.get("unit").and_then(|v| reader.unit(v).map(|u| (u.0, v.span())));
+                unit = fields.get("unit").and_then(|v| reader.unit(v).map(|u| (u.0, v.span(), u.1)));
                 fields.raw(reader, "value")
             }
             _ => reader.raw(value),
@@ -284,10 +303,17 @@ pub(super) fn cycle_fault(span: Range<usize>, names: &[&str]) -> Fault {
 fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut Schedule<'a>) -> ParameterDecl {
     apply_unit(reader, &mut p);
     let by_hand_snippet = reader.override_of(&p.name);
+    if p.raw.formula.as_ref().is_some_and(Formula::is_scaled) {
+        let shown = p.unit.as_ref().map(|(_, _, written)| written.clone());
+        let shown = shown.unwrap_or_else(|| {
+            p.raw.snippet.text.trim_start_matches(|c: char| !c.is_alphabetic() && c != '°' && c != '%').trim().to_owned()
+        });
+        reader.scaled.insert(p.name.clone(), shown);
+    }
     let mut written = p.raw.snippet.text.trim().to_owned();
     let mut value = reader.value(&p.raw, &Context::PARAMETER, None);
     let mut symbol_free = p.raw.formula.as_ref().is_some_and(Formula::is_symbol_free);
-    if let Some((unit, span)) = &p.unit {
+    if let Some((unit, span, _)) = &p.unit {
         match value.kind {
             Kind::Known(d) if !d.same(&unit.dimension) => reader.fault(mismatch(span.clone(), &unit.dimension, &d, false)),
             Kind::Known(d) => {
@@ -307,7 +333,7 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
             _ => None,
         };
         snippet.text.trim().clone_into(&mut written);
-        let set = by_hand(reader, snippet, wanted.as_ref());
+        let set = by_hand(reader, (&p.name, snippet), wanted.as_ref());
         let kind = match (wanted, set.kind) {
             (Some(w), Kind::Known(d)) if !w.is_angular() => Kind::Known(w.with_angle_of(&d)),
             (Some(_), _) => value.kind,
@@ -325,7 +351,7 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
 
 /// `{ value = 5, unit = "kg" }` is 5 kg.
 fn apply_unit(reader: &mut Reader, p: &mut RawParameter) {
-    let (Some((unit, _)), Some(formula)) = (&p.unit, &p.raw.formula) else { return };
+    let (Some((unit, ..)), Some(formula)) = (&p.unit, &p.raw.formula) else { return };
     if let Some(number) = formula.bare_number() {
         let quantity = crate::units::Quantity { number: number.clone(), unit: unit.clone(), has_unit: true };
         if !quantity.to_f64().is_finite() {

@@ -17,12 +17,17 @@ pub(super) struct Range {
     pub values: Vec<f64>,
     /// Of the values with a unit; `None` when all are bare numbers, which are SI.
     pub dimension: Option<Dimension>,
+    /// The first value other than zero without a unit.
+    bare: Option<String>,
     whole: Span<usize>,
 }
 
 impl Range {
-    /// Whether the values have the dimension of what they are given to.
-    pub(super) fn fits(&self, wanted: &Dimension) -> Result<(), Fault> {
+    /// Whether the values have the dimension of what they are given to, and units where the file uses another unit than the SI one.
+    pub(super) fn fits(&self, wanted: &Dimension, scaled: Option<&String>) -> Result<(), Fault> {
+        if let (Some(unit), Some(number)) = (scaled, &self.bare) {
+            return Err(super::parameters::without_unit(self.whole.clone(), (&self.name, unit), number));
+        }
         match self.dimension {
             Some(d) if !d.same(wanted) => {
                 let (en, ru) = (
@@ -58,7 +63,7 @@ pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Fault> {
         return Err(unknown_name(&range.name, crate::fault::nearest(&range.name, names)));
     };
     if let Ok(unit) = parse_unit(unit) {
-        range.fits(&unit.dimension)?;
+        range.fits(&unit.dimension, model.scaled.get(&range.name))?;
     }
     Ok(SweepRange { name: range.name, values: range.values })
 }
@@ -107,7 +112,10 @@ pub(super) fn parse(text: &str) -> Result<Range, Fault> {
         }
         _ => return Err(no_range(whole)),
     };
-    Ok(Range { name, values, dimension, whole })
+    let given = if kind.is_empty() { items.len() } else { 2 };
+    let is_bare = |item: &&str| parse_number_or_quantity(item).is_ok_and(|q| !q.has_unit && q.to_f64() != 0.0);
+    let bare = items.iter().take(given).copied().find(|item| is_bare(item)).map(str::to_owned);
+    Ok(Range { name, values, dimension, bare, whole })
 }
 
 fn two(from: &str, to: &str, whole: &Span<usize>) -> Result<([f64; 2], Option<Dimension>), Fault> {

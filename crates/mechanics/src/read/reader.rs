@@ -23,6 +23,8 @@ pub(super) struct Reader<'a> {
     pub claimed: HashMap<String, Range<usize>>,
     /// The first name of each look, and where it stands.
     skeletons: HashMap<String, (String, Range<usize>)>,
+    /// Names whose values the file gives in another unit than the SI one: coordinates, their rates, parameters; with that unit.
+    pub scaled: std::collections::BTreeMap<String, String>,
     /// names of outputs
     pub results: std::collections::HashSet<String>,
     diagnostics: Vec<Diagnostic>,
@@ -67,6 +69,7 @@ impl<'a> Reader<'a> {
             override_index,
             claimed: HashMap::new(),
             skeletons: HashMap::new(),
+            scaled: std::collections::BTreeMap::new(),
             results: std::collections::HashSet::new(),
             diagnostics: Vec::new(),
             builder: Builder::new(),

@@ -104,7 +104,8 @@ fn held(machine: &Machine, study: &Cycle, rate: f64) -> Option<Machine> {
     source.text = source.text.trim_end().to_owned() + &condition;
     let own = format!("{}'", study.name);
     let mut overrides: Vec<(String, String)> = machine.origin.overrides.iter().filter(|(n, _)| *n != own).cloned().collect();
-    overrides.push((own, format!("{rate:e}")));
+    let written = machine.written(&own, rate);
+    overrides.push((own, written));
     pipeline::build(&source, &overrides, &mut Watch::default()).ok()
 }
 

@@ -10,7 +10,7 @@ use crate::words::Word;
 use analysis::dataset::{Column, Extreme, Missing};
 use analysis::studies::kinematics::{Observer, Place, Way, follow};
 use analysis::{Dataset, Quantity, System};
-use mechanics::model::{Kinematics, KinematicsEnd};
+use mechanics::model::{Axis, Kinematics, KinematicsEnd};
 use program::lower::{Drive, Inputs};
 use program::{Behind, Evaluator, Point};
 use serde_json::json;
@@ -36,9 +36,24 @@ pub fn run(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) -> Find
 pub fn own_columns(machine: &Machine, study: &Kinematics) -> Vec<String> {
     let names = machine.model.coordinates.iter().map(|c| c.name.as_str()).filter(|name| *name != study.name);
     let transfers = names.flat_map(|name| [format!("d{name}/d{}", study.name), format!("d2{name}/d{}2", study.name)]);
-    let bodies = machine.model.frames.iter().skip(1).map(|f| f.name.as_str());
+    let frames = machine.model.frames.iter().enumerate().skip(1).filter(|(i, _)| turns_in_plane(machine, *i));
+    let bodies = frames.map(|(_, f)| f.name.as_str());
     let centres = bodies.flat_map(|body| [format!("P_x_{body}"), format!("P_y_{body}"), format!("omega({body})")]);
     transfers.chain(centres).collect()
+}
+
+/// Whether a frame turns about z only: a body that turns in space has no instantaneous centre, and its angular velocity is no number.
+fn turns_in_plane(machine: &Machine, frame: usize) -> bool {
+    let mut here = frame;
+    while here != 0 {
+        let f = &machine.model.frames[here];
+        let flat = f.rotations.iter().map(|(axis, _)| axis).chain(f.spin.as_ref().map(|(axis, _)| axis)).all(|axis| *axis == Axis::Z);
+        if !flat {
+            return false;
+        }
+        here = f.on.index();
+    }
+    true
 }
 
 fn fill(machine: &mut Machine, study: &Kinematics, results: &mut Results) {
@@ -116,7 +131,8 @@ impl Centres {
             let taken = own.iter().any(|name| machine.equations.outputs.iter().any(|o| o.name == *name));
             !taken && (study.outputs.is_empty() || study.outputs.iter().any(|o| own.contains(o)))
         };
-        let named = machine.model.frames.iter().skip(1).map(|f| f.name.clone()).filter(|name| wanted(name));
+        let frames = machine.model.frames.iter().enumerate().skip(1).filter(|(i, _)| turns_in_plane(machine, *i));
+        let named = frames.map(|(_, f)| f.name.clone()).filter(|name| wanted(name));
         let mut prefix = "centre_of_".to_owned();
         while file.contains(&prefix) {
             prefix.push('_');

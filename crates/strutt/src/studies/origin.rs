@@ -15,6 +15,18 @@ pub struct Origin {
 }
 
 impl Machine {
+    /// A value in SI as `--set` takes it; this form reads back as the same number. A bare number serves where the file uses SI units.
+    pub fn written(&self, name: &str, value: f64) -> String {
+        if !self.model.scaled.contains_key(name) {
+            return format!("{value:e}");
+        }
+        let parameter = self.model.parameters.iter().find(|p| p.name == name).map(|p| &p.unit);
+        let base = name.trim_end_matches('\'');
+        let coordinate = self.model.coordinates.iter().find(|c| c.name == base).and_then(|c| c.units.get(name.len() - base.len()));
+        let unit = parameter.or(coordinate).map_or("", String::as_str);
+        format!("{value:e} {}", if unit == "1" { "" } else { unit }).trim_end().to_owned()
+    }
+
     /// The same machine with other values, SI; names as with `--set`.
     ///
     /// # Errors
@@ -22,8 +34,7 @@ impl Machine {
     pub fn with_values(&self, values: &[(&str, f64)]) -> Result<Machine, Failure> {
         let changed = |name: &str| values.iter().any(|(n, _)| *n == name);
         let kept = self.origin.overrides.iter().filter(|(name, _)| !changed(name)).cloned();
-        // bare numbers are SI, and this form reads back as the same number
-        let set = values.iter().map(|(name, value)| ((*name).to_owned(), format!("{value:e}")));
+        let set = values.iter().map(|(name, value)| ((*name).to_owned(), self.written(name, *value)));
         let overrides: Vec<(String, String)> = kept.chain(set).collect();
         pipeline::build(&self.origin.source, &overrides, &mut Watch::default())
     }

@@ -1,6 +1,8 @@
 //! What each kind of connection demands and gives, component by component. Signs as in [`ConnectionKind`].
 
-use super::{path, tracks};
+use super::axes::axes_of;
+use super::sliders::slider;
+use super::{Doubt, drums, path, tracks, wheels};
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::loads::at_start;
 use crate::derive::pathways::{Given, Path, located, unit_vector};
@@ -8,7 +10,7 @@ use crate::derive::requests::Resolver;
 use crate::derive::scene::{Columns, Found, Scene, Vector};
 use crate::derive::wrench::{Act, carrier, frame_of, particle};
 use crate::model::{Axis, Connection, ConnectionKind, FrameId, Measure, Part, Pathway, PointRef, Rest, SupportDirection, Wound};
-use symbolic::{Expr, Function, SymbolId, Text};
+use symbolic::{Expr, SymbolId, Text};
 
 /// A scalar condition with a scalar reaction.
 pub struct Component {
@@ -30,6 +32,8 @@ pub struct Component {
     pub acts: Vec<Act>,
     /// When it acts.
     pub nature: Nature,
+    /// What must not move for the component to be true, and the fault when something does.
+    pub doubts: Vec<Doubt>,
 }
 
 /// When a component acts.
@@ -49,7 +53,18 @@ pub enum Nature {
 impl Component {
     /// An ideal component.
     pub fn ideal((part, letter, unit): (Part, &'static str, &'static str), label: Text, acts: Vec<Act>) -> Component {
-        Component { part: Some(part), letter, unit, label, place: None, rate: None, negative: false, acts, nature: Nature::Ideal }
+        Component {
+            part: Some(part),
+            letter,
+            unit,
+            label,
+            place: None,
+            rate: None,
+            negative: false,
+            acts,
+            nature: Nature::Ideal,
+            doubts: Vec::new(),
+        }
     }
 }
 
@@ -75,9 +90,9 @@ pub fn of(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
         ConnectionKind::Rope { path, wound, length, slack, restitution } => {
             let length = rest(scene, kinematics, resolver, *length)?;
             let restitution = resolver.resolve(scene, kinematics, *restitution)?;
-            vec![rope(scene, kinematics, resolver, (name, path, wound, length, slack.then_some(restitution)))?]
+            vec![rope(scene, kinematics, resolver, (connection, path, wound, length, slack.then_some(restitution)))?]
         }
-        ConnectionKind::Wheels { .. } => vec![tracks::wheels(scene, kinematics, resolver, connection)?],
+        ConnectionKind::Wheels { .. } => vec![wheels::wheels(scene, kinematics, resolver, connection)?],
         ConnectionKind::Rolling { .. } => tracks::rolling(scene, kinematics, resolver, connection)?,
         ConnectionKind::Constraint { zero, on_rates } => {
             let given = if *on_rates { Given::Rates } else { Given::Pathway(Measure::Other) };
@@ -133,14 +148,6 @@ fn rest(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver,
     }
 }
 
-/// The axes of a frame in ground components.
-pub fn axes_of(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId) -> [Vector; 3] {
-    [Axis::X, Axis::Y, Axis::Z].map(|axis| {
-        let unit = unit_vector(scene, axis);
-        kinematics.in_ground_axes(scene, frame, &unit)
-    })
-}
-
 fn in_axis(axis: usize) -> (Text, Part, &'static str) {
     let part = [Part::ForceX, Part::ForceY, Part::ForceZ][axis];
     let letter = ["X", "Y", "Z"][axis];
@@ -155,7 +162,7 @@ fn moment_about(axis: usize) -> (Text, Part, &'static str) {
     (Text::new(format!("moment about {name}"), format!("момент относительно {name}")), part, letter)
 }
 
-fn labelled(en: &str, ru: &str, name: &str, what: &Text) -> Text {
+pub fn labelled(en: &str, ru: &str, name: &str, what: &Text) -> Text {
     Text::new(format!("{en} {name}, {}", what.en), format!("{ru} {name}, {}", what.ru))
 }
 
@@ -164,6 +171,9 @@ fn pin(scene: &mut Scene, kinematics: &mut Kinematics, (name, [p, q], axes): (&s
     let (rp, rq) = (kinematics.position(scene, p), kinematics.position(scene, q));
     let between = scene.minus(&rq, &rp);
     let directions = axes_of(scene, kinematics, axes);
+    // in turning axes e·d(r_Q - r_P)/dt vanishes with the gap; e'·(r_Q - r_P), no velocity of bodies, is left out
+    let turns = !kinematics.frames[axes.index()].turning.is_empty();
+    let speed = scene.total_vector(between);
     let count = if super::is_spatial(scene.model) { 3 } else { 2 };
     (0..count)
         .map(|i| {
@@ -171,14 +181,17 @@ fn pin(scene: &mut Scene, kinematics: &mut Kinematics, (name, [p, q], axes): (&s
             let e = directions[i];
             let opposite = e.map(|c| scene.graph.neg(c));
             let place = scene.dot(&e, &between);
+            let rate = turns.then(|| scene.dot(&e, &speed));
             let acts = vec![Act::Point { point: q, force: e }, Act::Point { point: p, force: opposite }];
-            Component { place: Some(place), ..Component::ideal((part, letter, "N"), labelled("pin", "шарнир", name, &what), acts) }
+            Component {
+                place: Some(place), rate, ..Component::ideal((part, letter, "N"), labelled("pin", "шарнир", name, &what), acts)
+            }
         })
         .collect()
 }
 
 /// ω_b - ω_a = 0, about z in the plane, about all axes of the ground in space.
-fn no_turning(scene: &mut Scene, kinematics: &mut Kinematics, name: &str, [a, b]: [FrameId; 2]) -> Vec<Component> {
+pub fn no_turning(scene: &mut Scene, kinematics: &mut Kinematics, name: &str, [a, b]: [FrameId; 2]) -> Vec<Component> {
     let axes: &[usize] = if super::is_spatial(scene.model) { &[0, 1, 2] } else { &[2] };
     let turning = [a, b].map(|f| {
         let columns = kinematics.turning_in_ground_axes(scene, f);
@@ -196,48 +209,6 @@ fn no_turning(scene: &mut Scene, kinematics: &mut Kinematics, name: &str, [a, b]
             }
         })
         .collect()
-}
-
-/// Unit vectors along and across (turned by +90 degrees) a line of a frame, ground components.
-pub fn line(scene: &mut Scene, kinematics: &Kinematics, frame: FrameId, direction: Expr) -> (Vector, Vector) {
-    let (c, s) = (scene.graph.call(Function::Cos, &[direction]), scene.graph.call(Function::Sin, &[direction]));
-    let (m, zero) = (scene.graph.neg(s), scene.graph.zero());
-    // in the plane one rotation by the sum of the angles
-    if let Some(angle) = kinematics.frames[frame.index()].plane_angle {
-        let total = scene.graph.add(angle, direction);
-        let (c, s) = (scene.graph.call(Function::Cos, &[total]), scene.graph.call(Function::Sin, &[total]));
-        let m = scene.graph.neg(s);
-        return ([c, s, zero], [m, c, zero]);
-    }
-    (kinematics.in_ground_axes(scene, frame, &[c, s, zero]), kinematics.in_ground_axes(scene, frame, &[m, c, zero]))
-}
-
-/// n·(r_P - r_T) for a line through T; n·(r_P - r_O) stays as it was for a line without a given point.
-fn slider(
-    scene: &mut Scene,
-    kinematics: &mut Kinematics,
-    name: &str,
-    (point, on, through, direction, turns): (PointRef, FrameId, Option<PointRef>, Expr, bool),
-) -> Vec<Component> {
-    let (_, normal) = line(scene, kinematics, on, direction);
-    let at = kinematics.position(scene, point);
-    let anchor = kinematics.position(scene, through.unwrap_or(PointRef::Origin(on)));
-    let between = scene.minus(&at, &anchor);
-    let distance = scene.dot(&normal, &between);
-    let distance = scene.tidy(distance);
-    let against = normal.map(|e| scene.graph.neg(e));
-    let acts = vec![Act::Point { point, force: normal }, Act::Place { on, at, force: against }];
-    let label = Text::new(format!("slider {name}, normal force"), format!("ползун {name}, нормальная реакция"));
-    let (place, rate) = match through {
-        Some(_) => (Some(distance), None),
-        None => (None, Some(scene.total(distance))),
-    };
-    let mut list = vec![Component { place, rate, ..Component::ideal((Part::Force, "N", "N"), label, acts) }];
-    if !turns {
-        let frames = [on, frame_of(scene, point)];
-        list.extend(no_turning(scene, kinematics, name, frames));
-    }
-    list
 }
 
 /// |r_B - r_A| - length.
@@ -263,8 +234,9 @@ fn rope(
     scene: &mut Scene,
     kinematics: &mut Kinematics,
     resolver: &mut Resolver,
-    (name, corners, wound, length, restitution): (&str, &[PointRef], &[Wound], Option<Expr>, Option<Expr>),
+    (connection, corners, wound, length, restitution): (&Connection, &[PointRef], &[Wound], Option<Expr>, Option<Expr>),
 ) -> Found<Component> {
+    let name = &connection.name;
     let (mut parts, mut acts) = (Vec::new(), Vec::new());
     for pair in corners.windows(2) {
         let (ra, rb) = (kinematics.position(scene, pair[0]), kinematics.position(scene, pair[1]));
@@ -280,14 +252,16 @@ fn rope(
     }
     for drum in wound {
         let radius = resolver.resolve(scene, kinematics, drum.radius)?;
-        let Some(angle) = kinematics.frames[drum.on.index()].plane_angle else { continue };
-        let arc = scene.graph.mul(radius, angle);
-        let signed = if drum.positive { arc } else { scene.graph.neg(arc) };
-        parts.push(signed);
+        let turn = drums::turn(scene, kinematics, connection, (drum, corners, wound))?;
+        let arc = scene.graph.mul(radius, turn.value);
+        parts.push(if drum.positive { arc } else { scene.graph.neg(arc) });
         // the wound length grows against the pull
         let pull = if drum.positive { scene.graph.neg(radius) } else { radius };
-        let zero = scene.graph.zero();
-        acts.push(Act::Turn { on: drum.on, moment: [zero, zero, pull] });
+        for act in &turn.acts {
+            if act.frame(scene) != Some(FrameId::GROUND) {
+                acts.push(act.times(scene, pull));
+            }
+        }
     }
     let total = scene.graph.sum(&parts);
     let length = length.unwrap_or_else(|| at_start(scene, total));
@@ -368,7 +342,18 @@ fn motion(scene: &mut Scene, name: &str, path: &Path, value: Expr, is_rate: bool
     } else {
         (Some(scene.graph.sub(path.value, value)), None)
     };
-    Component { part: None, letter: "", unit: "", label, place, rate, negative: false, acts: Vec::new(), nature: Nature::Motion }
+    Component {
+        part: None,
+        letter: "",
+        unit: "",
+        label,
+        place,
+        rate,
+        negative: false,
+        acts: Vec::new(),
+        nature: Nature::Motion,
+        doubts: Vec::new(),
+    }
 }
 
 /// gap = pathway - clearance, or clearance - pathway.

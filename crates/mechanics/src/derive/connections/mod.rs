@@ -1,16 +1,22 @@
 //! Connections: what each demands of the motion and what its reactions do.
 //!
-//! Every connection is a list of [`Component`]s, each a scalar condition with a scalar reaction (`components.rs`: one function per kind).
+//! Every connection is a list of [`Component`]s, each a scalar condition with a scalar reaction (`components.rs`: one function per kind;
+//! lines in `sliders.rs`, rolling in `tracks.rs`, drives in `wheels.rs`, winding in `drums.rs`).
 //! Lagrange's side takes the generalized force of a reaction from the condition by differentiation; Newton-Euler's side from the forces
 //! and moments on the bodies. A condition that holds by the choice of the coordinates (a crank turned by its own angle stays on its
 //! axle anyway) has no place among the conditions of the motion: its reaction follows from the balance of the body when it is
 //! released there (`release.rs`).
 
+mod axes;
 mod components;
+mod drums;
+mod faults;
 mod free;
 mod release;
+mod sliders;
 mod tracks;
 mod transmissions;
+mod wheels;
 
 use super::kinematics::Kinematics;
 use super::loads::Loads;
@@ -23,6 +29,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Connection, ConnectionKind, FrameId, Part};
 use components::{Component, Nature};
 use std::collections::BTreeSet;
+use std::ops::Range;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction, Released};
 use symbolic::equations::{Output, Role};
 use symbolic::{Expr, Substitution, SymbolId, Text};
@@ -48,6 +55,15 @@ pub struct Connected {
     acts: Vec<Vec<Act>>,
     released: BTreeSet<FrameId>,
     taken: BTreeSet<String>,
+    /// With the conditions of the connection that has them.
+    doubts: Vec<(Doubt, Range<usize>)>,
+}
+
+/// A rate that must vanish for a connection to be what it says, though the connection does not demand it, and the fault when it does not.
+#[derive(Debug)]
+pub struct Doubt {
+    rate: Expr,
+    fault: Diagnostic,
 }
 
 /// Finds conditions and reactions of all connections; balances come later, when the loads are known.
@@ -62,14 +78,18 @@ pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
         let connection = &model.connections[i];
         match components::of(scene, kinematics, resolver, connection) {
             Ok(list) => {
-                for component in list {
+                for mut component in list {
+                    let (doubts, before) = (std::mem::take(&mut component.doubts), connected.conditions.len());
                     errors.extend(connected.add(scene, kinematics, resolver, (i, connection, component)).err().map(|d| *d));
+                    let own = before..connected.conditions.len();
+                    connected.doubts.extend(doubts.into_iter().map(|doubt| (doubt, own.clone())));
                 }
             }
             Err(diagnostic) => errors.push(*diagnostic),
         }
     }
     errors.extend(motors_match(model));
+    errors.extend(connected.justified(scene));
     if errors.is_empty() { Ok(connected) } else { Err(errors) }
 }
 
@@ -155,6 +175,25 @@ impl Connected {
         self.geometric.push(geometric);
         self.acts.push(component.acts);
         Ok(())
+    }
+
+    /// Faults of the doubts whose coordinates no other connection holds; where one does, the rate may vanish by it.
+    fn justified(&mut self, scene: &mut Scene) -> Vec<Diagnostic> {
+        let doubts = std::mem::take(&mut self.doubts);
+        let holds = |c: &Condition| c.reaction.is_some_and(|r| matches!(self.reactions[r].law, Law::Ideal { .. }));
+        let mut found = Vec::new();
+        for (doubt, own) in doubts {
+            let others = self.conditions.iter().enumerate().filter(|(k, c)| !own.contains(k) && holds(c));
+            let held: BTreeSet<usize> = others.flat_map(|(_, c)| c.columns.iter().map(|(j, _)| *j)).collect();
+            let moving = |scene: &mut Scene, j: usize| {
+                let slope = scene.by_rate(doubt.rate, j);
+                !scene.vanishes(slope)
+            };
+            if !held.iter().any(|j| moving(scene, *j)) {
+                found.push(doubt.fault);
+            }
+        }
+        found
     }
 
     /// X_A, or the first of X_A2, X_A3, ... that is free.

@@ -5,12 +5,14 @@ mod conditions;
 mod contacts;
 mod distributed;
 mod joints;
+mod kept;
 mod ties;
 mod tracks;
 mod wheels;
 
 pub(super) use common::Space;
 pub(super) use distributed::distributed;
+pub(super) use kept::{Places, warn};
 
 use super::reader::{Fields, Reader};
 use crate::fields::TableSpec;
@@ -100,15 +102,18 @@ fn parts(found: &Found) -> Vec<(Part, Kind)> {
         ConnectionKind::Weld { .. } => {
             vector.into_iter().chain([Part::Moment, Part::MomentX, Part::MomentY].map(|part| (part, moment))).collect()
         }
-        ConnectionKind::Slider { turns: false, .. } => vec![(Part::Force, force), (Part::Moment, moment)],
+        ConnectionKind::Slider { turns, .. } => {
+            let forces = [Part::Force, Part::ForceY, Part::ForceZ].map(|part| (part, force));
+            let moments = [Part::Moment, Part::MomentX, Part::MomentY].map(|part| (part, moment));
+            forces.into_iter().chain(moments.into_iter().filter(|_| !turns)).collect()
+        }
         ConnectionKind::Rolling { held: true, .. } => {
             vec![(Part::Force, force), (Part::Normal, force), (Part::Tangential, force)]
         }
         ConnectionKind::Rolling { held: false, .. } => vec![(Part::Force, force), (Part::Tangential, force)],
         ConnectionKind::Support { directions, .. } => support(directions),
         ConnectionKind::Motion { .. } => Vec::new(),
-        ConnectionKind::Slider { .. }
-        | ConnectionKind::Rod { .. }
+        ConnectionKind::Rod { .. }
         | ConnectionKind::Rope { .. }
         | ConnectionKind::Wheels { .. }
         | ConnectionKind::Constraint { .. }

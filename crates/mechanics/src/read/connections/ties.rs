@@ -1,7 +1,7 @@
 //! `[rods]`, `[ropes]`, `[threads]`.
 
 use super::Found;
-use super::common::{Space, choose, flag, length, point_named, restitution, same_thing, size, two_points};
+use super::common::{Space, choose, flag, frame, length, point_named, restitution, same_thing, size, two_points};
 use crate::fault::Fault;
 use crate::fields::connections::WOUND;
 use crate::formula::Context;
@@ -95,8 +95,8 @@ fn drums<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Vec<Wound>>
         let DeValue::Table(table) = item.get_ref() else {
             reader.fault(wrong_type(
                 item.span(),
-                "a table { on, radius, turns_in }",
-                "таблица { on, radius, turns_in }",
+                "a table { on, radius, turns_in, carrier }",
+                "таблица { on, radius, turns_in, carrier }",
                 item.get_ref().type_str(),
             ));
             return None;
@@ -114,5 +114,17 @@ fn wound<'a>(reader: &mut Reader<'a>, drum: &Fields<'a>) -> Option<Wound> {
         Some((word, span)) => choose(reader, &word, span, &["+", "-"])? == 0,
         None => true,
     };
-    Some(Wound { on: on?, radius: radius?, positive })
+    let carrier = match drum.has("carrier") {
+        true => Some(frame(reader, drum, "carrier")?),
+        false => None,
+    };
+    let on = on?;
+    if carrier == Some(on) {
+        reader.fault(
+            Fault::new("M063", drum.span_of("carrier"), "the carrier is the drum itself", "водило — сам барабан")
+                .why("turning counts from the carrier", "повороты считаются от водила"),
+        );
+        return None;
+    }
+    Some(Wound { on, radius: radius?, carrier, positive })
 }

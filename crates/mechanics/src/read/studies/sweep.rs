@@ -73,7 +73,7 @@ fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Option<SweepRange
             return None;
         }
     };
-    if let Err(fault) = range.fits(&known(wanted).unwrap_or(range.dimension.unwrap_or(Dimension::NONE))) {
+    if let Err(fault) = range.fits(&known(wanted).unwrap_or(range.dimension.unwrap_or(Dimension::NONE)), reader.scaled.get(&range.name)) {
         reader.report(snippet.diagnose(fault));
         return None;
     }

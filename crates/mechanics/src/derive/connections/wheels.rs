@@ -1,0 +1,243 @@
+//! Wheels that turn together: belts, chains, gears.
+//!
+//! The parts of the two angular velocities about the common axis e, counted from the line of centres, obey
+//!
+//! ```text
+//! r_2 (ω_2 - ω_l) ± r_1 (ω_1 - ω_l) = 0,   ω_l = (e × u)·u' / u²,   u from centre to centre across e
+//! ```
+//!
+//! Nothing slips at the pitch point of teeth, and no belt gets longer; the sign is + where the wheels turn in opposite senses. A body that carries both axes
+//! turns like their line. Where the centres coincide in the model there is no line, and the body must be known.
+
+use super::axes::{across, common};
+use super::components::Component;
+use super::{Doubt, faults};
+use crate::derive::kinematics::{Kinematics, combine};
+use crate::derive::requests::Resolver;
+use crate::derive::scene::{Found, Scene, Vector};
+use crate::derive::wrench::{Act, carrier};
+use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef};
+use symbolic::{Expr, Text};
+
+/// Two wheels.
+struct Pair {
+    a: FrameId,
+    b: FrameId,
+    radii: [Expr; 2],
+    opposite: bool,
+    /// Common axis, ground components.
+    axis: Vector,
+}
+
+/// What the turning counts from.
+enum Base {
+    Frame(FrameId),
+    Line,
+}
+
+/// r_2 (ω_2 - ω_l) ± r_1 (ω_1 - ω_l) = 0.
+pub fn wheels(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, connection: &Connection) -> Found<Component> {
+    let ConnectionKind::Wheels { between: [a, b], radii, opposite, carrier } = &connection.kind else {
+        return Ok(Component::ideal((Part::Force, "F", "N"), Text::default(), Vec::new()));
+    };
+    let [ra, rb] = [radii[0], radii[1]].map(|e| resolver.resolve(scene, kinematics, e));
+    let Some(axis) = common(scene, kinematics, [*a, *b]) else {
+        return Err(faults::no_common_axis(scene.model, connection, [*a, *b]));
+    };
+    let pair = Pair { a: *a, b: *b, radii: [ra?, rb?], opposite: *opposite, axis };
+    let line = Line::new(scene, kinematics, &pair);
+    let mut doubts = Vec::new();
+    let base = match &line {
+        Some(line) => {
+            doubts.extend(line.change(scene, connection));
+            line_base(scene, kinematics, (connection, *carrier, &pair), line, &mut doubts)
+        }
+        None => Base::Frame(standing(scene, kinematics, (connection, *carrier, &pair))?),
+    };
+    let (rate, acts) = match (base, line) {
+        (Base::Line, Some(line)) => line.drive(scene, kinematics, &pair),
+        (Base::Frame(frame), line) => frame_drive(scene, kinematics, (connection, &pair), (frame, line.as_ref())),
+        (Base::Line, None) => frame_drive(scene, kinematics, (connection, &pair), (FrameId::GROUND, None)),
+    };
+    let ideal = Component::ideal((Part::Force, "F", "N"), label(connection), acts);
+    Ok(Component { rate: Some(rate), doubts, ..ideal })
+}
+
+fn label(connection: &Connection) -> Text {
+    let name = &connection.name;
+    match connection.table {
+        "gears" => Text::new(format!("gears {name}, tangential force"), format!("зацепление {name}, окружное усилие")),
+        "chains" => Text::new(format!("chain {name}, tension"), format!("цепь {name}, усилие")),
+        _ => Text::new(format!("belt {name}, tension difference"), format!("ремень {name}, разность натяжений ветвей")),
+    }
+}
+
+impl Pair {
+    /// Factors of the turning of the first wheel, the second, and of what it counts from.
+    fn factors(&self, scene: &mut Scene) -> [Expr; 3] {
+        let [ra, rb] = self.radii;
+        let of_a = if self.opposite { ra } else { scene.graph.neg(ra) };
+        let sum = scene.graph.add(of_a, rb);
+        [of_a, rb, scene.graph.neg(sum)]
+    }
+
+    /// The part of a frame's angular velocity about the common axis.
+    fn turning(&self, scene: &mut Scene, kinematics: &Kinematics, frame: FrameId) -> Expr {
+        let columns = kinematics.turning_in_ground_axes(scene, frame);
+        let w = combine(scene, &columns);
+        scene.dot(&self.axis, &w)
+    }
+}
+
+/// The line of centres.
+struct Line {
+    /// The place on the first wheel's axis opposite the second wheel.
+    foot: Vector,
+    /// u.
+    between: Vector,
+    /// u².
+    square: Expr,
+    /// e × u / u².
+    lever: Vector,
+    /// ω_l.
+    rate: Expr,
+}
+
+impl Line {
+    /// None when the centres coincide.
+    fn new(scene: &mut Scene, kinematics: &Kinematics, pair: &Pair) -> Option<Line> {
+        let (oa, ob) = (kinematics.frames[pair.a.index()].origin, kinematics.frames[pair.b.index()].origin);
+        let between = scene.minus(&ob, &oa);
+        let between = across(scene, &between, &pair.axis);
+        let square = scene.dot(&between, &between);
+        let square = scene.tidy(square);
+        if scene.vanishes(square) {
+            return None;
+        }
+        let foot = scene.minus(&ob, &between);
+        let lever = scene.cross(&pair.axis, &between).map(|e| scene.graph.div(e, square));
+        let speed = scene.total_vector(between);
+        let rate = scene.dot(&lever, &speed);
+        let rate = scene.tidy(rate);
+        Some(Line { foot, between, square, lever, rate })
+    }
+
+    /// The doubt that the distance of the axes changes.
+    fn change(&self, scene: &mut Scene, connection: &Connection) -> Option<Doubt> {
+        let rate = scene.total(self.square);
+        let rate = scene.tidy(rate);
+        (!scene.vanishes(rate)).then(|| Doubt { rate, fault: *faults::axes_part(connection) })
+    }
+
+    /// Condition and actions that count from the line: moments on the wheels, and what their axles hold against.
+    fn drive(&self, scene: &mut Scene, kinematics: &Kinematics, pair: &Pair) -> (Expr, Vec<Act>) {
+        let [of_a, of_b, of_line] = pair.factors(scene);
+        let turning = [pair.a, pair.b].map(|f| pair.turning(scene, kinematics, f));
+        let terms = [scene.graph.mul(of_a, turning[0]), scene.graph.mul(of_b, turning[1]), scene.graph.mul(of_line, self.rate)];
+        let force = self.lever.map(|e| scene.graph.mul(of_line, e));
+        let against = force.map(|e| scene.graph.neg(e));
+        let moments = [of_a, of_b].map(|factor| pair.axis.map(|e| scene.graph.mul(factor, e)));
+        let acts = vec![
+            Act::Turn { on: pair.a, moment: moments[0] },
+            Act::Turn { on: pair.b, moment: moments[1] },
+            Act::Point { point: PointRef::Origin(pair.b), force },
+            Act::Place { on: pair.a, at: self.foot, force: against },
+        ];
+        (scene.graph.sum(&terms), acts)
+    }
+}
+
+/// The named carrier when it turns like the line; else a body on which a wheel stands that does; else the line itself.
+fn line_base(
+    scene: &mut Scene,
+    kinematics: &Kinematics,
+    (connection, named, pair): (&Connection, Option<FrameId>, &Pair),
+    line: &Line,
+    doubts: &mut Vec<Doubt>,
+) -> Base {
+    let mut likely = vec![FrameId::GROUND, carrier(scene.model, pair.b), carrier(scene.model, pair.a)];
+    if let Some(frame) = named {
+        likely = vec![frame];
+    }
+    for frame in likely.iter().copied().filter(|f| named == Some(*f) || ![pair.a, pair.b].contains(f)) {
+        let turning = pair.turning(scene, kinematics, frame);
+        let drift = scene.graph.sub(turning, line.rate);
+        if scene.vanishes(drift) {
+            return Base::Frame(frame);
+        }
+        if named.is_some() {
+            doubts.push(Doubt { rate: drift, fault: *faults::not_the_carrier(scene.model, connection, frame) });
+        }
+    }
+    Base::Line
+}
+
+/// What both axes stand on, for wheels drawn at one place.
+fn standing(
+    scene: &mut Scene,
+    kinematics: &Kinematics,
+    (connection, named, pair): (&Connection, Option<FrameId>, &Pair),
+) -> Found<FrameId> {
+    if let Some(frame) = named {
+        let [own, base] = [pair.a, frame].map(|f| {
+            let columns = kinematics.turning_in_ground_axes(scene, f);
+            combine(scene, &columns)
+        });
+        let relative = scene.minus(&own, &base);
+        let aside = scene.cross(&relative, &pair.axis);
+        return match aside.iter().all(|e| scene.vanishes(*e)) {
+            true => Ok(frame),
+            false => Err(faults::not_the_carrier(scene.model, connection, frame)),
+        };
+    }
+    let [below_a, below_b] = [pair.a, pair.b].map(|f| carrier(scene.model, f));
+    let [wa, wb] = [below_a, below_b].map(|f| pair.turning(scene, kinematics, f));
+    let apart = scene.graph.sub(wa, wb);
+    match (scene.vanishes(wa), scene.vanishes(wb)) {
+        (true, true) => Ok(FrameId::GROUND),
+        _ if scene.vanishes(apart) => Ok(below_b),
+        (true, _) => Err(faults::no_carrier(scene.model, connection, below_b)),
+        _ => Err(faults::no_carrier(scene.model, connection, below_a)),
+    }
+}
+
+/// Condition and actions that count from a frame.
+fn frame_drive(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    (connection, pair): (&Connection, &Pair),
+    (frame, line): (FrameId, Option<&Line>),
+) -> (Expr, Vec<Act>) {
+    let factors = pair.factors(scene);
+    let parts = [(pair.a, factors[0]), (pair.b, factors[1]), (frame, factors[2])];
+    let terms: Vec<Expr> = parts
+        .iter()
+        .map(|(f, factor)| {
+            let turning = pair.turning(scene, kinematics, *f);
+            scene.graph.mul(*factor, turning)
+        })
+        .collect();
+    let acts = match line.filter(|_| connection.table == "gears") {
+        Some(line) => toothed(scene, kinematics, pair, line),
+        None => parts.into_iter().map(|(on, factor)| Act::Turn { on, moment: pair.axis.map(|e| scene.graph.mul(factor, e)) }).collect(),
+    };
+    (scene.graph.sum(&terms), acts)
+}
+
+/// Teeth push at the pitch point, across the line of centres; the axles feel it.
+fn toothed(scene: &mut Scene, kinematics: &Kinematics, pair: &Pair, line: &Line) -> Vec<Act> {
+    let ([ra, rb], ob) = (pair.radii, kinematics.frames[pair.b.index()].origin);
+    // external: between the centres; internal: beyond the centre of the smaller wheel, r_a e from O_a on the side given by r_a - r_b
+    let spread = if pair.opposite { scene.graph.add(ra, rb) } else { scene.graph.sub(ra, rb) };
+    let share = scene.graph.div(ra, spread);
+    let to_pitch = line.between.map(|e| scene.graph.mul(share, e));
+    let at = scene.plus(&line.foot, &to_pitch);
+    // force on b whose moment about O_b is +r_b: perpendicular to the arm from O_b to the pitch point
+    let arm = scene.minus(&at, &ob);
+    let square = scene.dot(&arm, &arm);
+    let square = scene.tidy(square);
+    let length = scene.graph.sqrt(square);
+    let force = scene.cross(&pair.axis, &arm).map(|e| scene.graph.div(e, length));
+    let against = force.map(|e| scene.graph.neg(e));
+    vec![Act::Place { on: pair.b, at, force }, Act::Place { on: pair.a, at, force: against }]
+}
