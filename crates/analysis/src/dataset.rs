@@ -204,6 +204,21 @@ pub struct Event {
     pub states: [Vec<f64>; 2],
     /// Selected outputs just before and just after.
     pub outputs: [Vec<f64>; 2],
+    /// What became of a contact or a friction; none for other switches.
+    pub contact: Option<ContactChange>,
+}
+
+/// A change of a contact or a friction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactChange {
+    /// The user's name of it.
+    pub contact: String,
+    /// Before: `open`, `closed`, `slack`, `taut`, `sticking`, `forward`, `backward`.
+    pub from: &'static str,
+    /// After.
+    pub to: &'static str,
+    /// Impulse of an impact, N s or N m s.
+    pub impulse: Option<f64>,
 }
 
 /// A counter of work.

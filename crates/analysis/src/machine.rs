@@ -629,8 +629,8 @@ impl System for Machine {
         self.conditions.as_ref().map_or(&[], Conditions::drifts)
     }
 
-    fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<bool, Fault> {
-        self.conditions.as_mut().map_or(Ok(false), |conditions| conditions.repeats(t, x, modes))
+    fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<usize, Fault> {
+        self.conditions.as_mut().map_or(Ok(0), |conditions| conditions.repeats(t, x, modes))
     }
 
     fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {

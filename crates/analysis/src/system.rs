@@ -361,12 +361,12 @@ pub trait System {
         &[]
     }
 
-    /// Whether contacts and frictions that hold in these modes hold the same motion more than once, those left out that others carry.
+    /// How many of the contacts and frictions that hold in these modes repeat others or what holds anyway; those that others carry do not count.
     ///
     /// *Errors*: undefined there.
-    fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<bool, Fault> {
+    fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<usize, Fault> {
         let _ = (t, x, modes);
-        Ok(false)
+        Ok(0)
     }
 
     /// Puts into x the rates after the impact of this instant, all conditions kept. `closing`: contacts (guards of kind `Contact`) on their

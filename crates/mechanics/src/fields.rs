@@ -221,6 +221,17 @@ pub const TOP: TableSpec = TableSpec {
             ),
             "[\"0\", \"0\", \"-g\"]",
         ),
+        may(
+            "impacts",
+            Type::Text,
+            "",
+            "\"in sequence\"",
+            (
+                "several contacts that touch at an impact strike `in sequence` (the fastest first, equal ones at once) or `together`",
+                "несколько контактов, замкнутых при ударе, ударяют последовательно, `in sequence` (первым – быстрейший, равные вместе), или одновременно, `together`",
+            ),
+            "\"together\"",
+        ),
         may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
         may(
             "unknowns",

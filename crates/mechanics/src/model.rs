@@ -65,6 +65,8 @@ pub struct Model {
     pub unknowns: Vec<SymbolId>,
     /// Frictions at their limit in that place: name, about to slide forward (1) or backward (-1).
     pub impending: Vec<(String, f64)>,
+    /// The law of impact of several contacts.
+    pub impacts: symbolic::connections::Impacts,
     /// Instants of these at which the time of forces and torques begins anew, s.
     pub restarts: Vec<f64>,
     /// Studies, in the user's order.

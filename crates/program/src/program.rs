@@ -87,7 +87,7 @@ pub struct ConnectionRoots {
     pub mass: Range<usize>,
     /// c: gaps of contacts.
     pub gaps: Range<usize>,
-    /// c: coefficients of restitution.
+    /// 2 c: coefficients of restitution of each contact, normal and tangential.
     pub restitutions: Range<usize>,
     /// reactions x n: generalized forces per unit of each reaction, row by row.
     pub forces: Range<usize>,
@@ -126,7 +126,7 @@ impl Program {
     pub fn connection_roots(&self) -> ConnectionRoots {
         let (n, m, c) = (self.connected_coordinates(), self.conditions, self.contacts);
         let [places, rates, jacobian, mass, gaps, restitutions, forces] =
-            consecutive([m, m, m * n, n * (n + 1) / 2, c, c, self.reactions * n]);
+            consecutive([m, m, m * n, n * (n + 1) / 2, c, 2 * c, self.reactions * n]);
         ConnectionRoots { places, rates, jacobian, mass, gaps, restitutions, forces }
     }
     /// Where the roots of [`Program::laws`] are.

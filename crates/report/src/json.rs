@@ -8,7 +8,7 @@
 //!  "extremes": [{"name": "phi", "min": -1.0, "t_min": 0.5, "max": 1.0, "t_max": 0.0}],
 //!  "means": {"phi": 0.1},
 //!  "digits": {"tolerance": 1e-13, "order": 29, "columns": {"phi": {"digits": 12}}},
-//!  "events": [{"t": 10.0, "what": "...", "before": {"phi": 0.1, "phi'": -2.0}, "after": {"phi": 0.1, "phi'": 1.6}}],
+//!  "events": [{"t": 10.0, "what": "...", "contact": "floor", "from": "open", "to": "closed", "impulse": 1.4, "before": {"phi": 0.1, "phi'": -2.0}, "after": {"phi": 0.1, "phi'": 1.6}}],
 //!  "partial": false, "notes": [],
 //!  "columns": {"t": {"unit": "s", "values": [0.0, 0.1]}, "phi": {"unit": "rad", "values": [0.0, 1.5]}}}
 //! ```
@@ -141,6 +141,14 @@ fn event(data: &Dataset, event: &Event, language: Language) -> Value {
         fields.insert("name".into(), json!(event.name));
     }
     fields.insert("what".into(), json!(language.text(&event.what)));
+    if let Some(change) = &event.contact {
+        fields.insert("contact".into(), json!(change.contact));
+        fields.insert("from".into(), json!(change.from));
+        fields.insert("to".into(), json!(change.to));
+        if let Some(impulse) = change.impulse {
+            fields.insert("impulse".into(), json!(impulse));
+        }
+    }
     if !event.states[1].is_empty() {
         fields.insert("before".into(), Value::Object(side(0)));
         fields.insert("after".into(), Value::Object(side(1)));

@@ -64,11 +64,23 @@ pub enum Law {
         gap: Expr,
         /// Ratio of the rate after an impact to that before, 0 ... 1.
         restitution: Expr,
+        /// The same for the sliding speed of a friction that it presses, where the friction can hold it.
+        tangential: Expr,
         /// A rope, which pulls, and not a surface, which pushes: only the words about it differ.
         tie: bool,
     },
     /// Dry friction: λ acts against positive sliding.
     Friction(Box<Friction>),
+}
+
+/// Which contacts strike when several touch at the instant of an impact.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Impacts {
+    /// One after another, the fastest first.
+    #[default]
+    InSequence,
+    /// All at once.
+    Together,
 }
 
 /// Dry friction in one direction. λ > 0 resists sliding in the positive direction: its generalized force is -λ ∂sliding/∂q'.

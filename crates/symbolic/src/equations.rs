@@ -10,7 +10,7 @@
 //! Every symbol that occurs is time, a coordinate or its derivatives, an auxiliary state, a parameter (a number), or a definition
 //! (a formula over the others, listed so that each uses earlier ones only).
 
-use crate::connections::{Balance, Condition, Reaction, Released};
+use crate::connections::{Balance, Condition, Impacts, Reaction, Released};
 use crate::{Expr, Graph, Matrix, SymbolId, Text};
 
 /// Equations of motion and everything that is asked of them.
@@ -42,6 +42,8 @@ pub struct Equations {
     pub balances: Vec<Balance>,
     /// The released bodies, for an audit of these balances.
     pub released: Released,
+    /// The law of impact of several contacts.
+    pub impacts: Impacts,
     /// Textbook form of each equation of motion, or the reason why it is not shown.
     pub textbook: Result<Vec<Equality>, Text>,
     /// Step-by-step derivation.

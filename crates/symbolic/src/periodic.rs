@@ -25,7 +25,7 @@ impl Equations {
         for r in &self.reactions {
             list.extend(r.forces.iter().chain(&r.released).map(|(_, e)| *e));
             match &r.law {
-                Law::Contact { gap, restitution, .. } => list.extend([*gap, *restitution]),
+                Law::Contact { gap, restitution, tangential, .. } => list.extend([*gap, *restitution, *tangential]),
                 Law::Friction(f) => {
                     list.extend([f.sliding, f.fixed]);
                     list.extend(f.kinetic);

@@ -12,6 +12,7 @@ pub mod ledger;
 pub mod power;
 pub mod released;
 pub mod second;
+pub mod shared;
 
 /// Units of the last place to which the terms of a motion are rounded.
 const ROUNDED: f64 = 64.0;

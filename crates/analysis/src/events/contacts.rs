@@ -39,32 +39,29 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
         let modes = self.modes.clone();
         let list = self.holding();
+        // as many as repeat others: leaving out more would loosen what is held
+        let count = self.surplus()?.min(list.len());
+        let mut chosen: Vec<usize> = (0..count).collect();
         let mut wishes = None;
         let mut trials = 0;
-        for count in 1..=list.len() {
-            let mut chosen: Vec<usize> = (0..count).collect();
-            let mut regular = false;
-            loop {
-                let idle: Vec<Idle> = chosen.iter().map(|&k| list[k]).collect();
-                match self.try_sides(&modes, &idle, &mut trials)? {
-                    Verdict::Holds => return Ok(Verdict::Holds),
-                    Verdict::Wants(wanted) => {
-                        regular = true;
-                        wishes = wishes.or(Some(wanted));
-                    }
-                    Verdict::Repeats => {}
-                }
-                if trials > TRIALS || !next_choice(&mut chosen, list.len()) {
-                    break;
-                }
+        loop {
+            let idle: Vec<Idle> = chosen.iter().map(|&k| list[k]).collect();
+            match self.try_sides(&modes, &idle, &mut trials)? {
+                Verdict::Holds => return Ok(Verdict::Holds),
+                Verdict::Wants(wanted) => wishes = wishes.or(Some(wanted)),
+                Verdict::Repeats => {}
             }
-            // as many as needed: leaving out more would loosen what is held
-            if regular || trials > TRIALS {
+            if trials > TRIALS || !next_choice(&mut chosen, list.len()) {
                 break;
             }
         }
         self.modes = modes;
         Ok(wishes.map_or(Verdict::Repeats, Verdict::Wants))
+    }
+
+    /// Contacts and frictions that repeat others in the present modes.
+    pub(super) fn surplus(&mut self) -> Result<usize, Fault> {
+        if self.has_contacts() { self.system.repeats(self.now.high, &self.base, &self.modes) } else { Ok(0) }
     }
 
     /// Frictions first: what presses is to be found from the contacts.

@@ -216,7 +216,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Expands in the present modes and judges them.
     pub(super) fn attempt(&mut self) -> Result<Verdict, Fault> {
         self.x.clone_from(&self.base);
-        if self.has_contacts() && self.system.repeats(self.now.high, &self.x, &self.modes)? {
+        if self.surplus()? > 0 {
             return Ok(Verdict::Repeats);
         }
         if let Some(wanted) = self.torn_off()? {

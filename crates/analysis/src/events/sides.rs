@@ -31,6 +31,8 @@ const REACHED: f64 = 1e-12;
 /// A limit of a friction below this share of both: a force of more than twice the static limit would be needed. Nearer cases are judged exactly,
 /// after the state has been moved onto the conditions.
 const TORN: f64 = 0.25;
+/// Share of the loads of the machine that stands for the size of a force that nearly vanishes: it is their difference.
+const OTHERS: f64 = 0.1;
 /// Share of its scale above which a switch that should be on its surface has jumped away from it: its formula switches itself.
 const JUMPED: f64 = 1e-9;
 /// Share of positions and rates above which what others should hold moves.
@@ -142,11 +144,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let g = self.system.guard(i);
         let Some(&value) = g.first() else { return self.modes[i] };
         let usual = if self.modes[i] == Mode::Zero { Mode::Positive } else { self.modes[i] };
-        if value.abs() > REACHED * self.guard_scale[i] {
+        let scale = self.guard_scale[i].max(OTHERS * self.loads);
+        if value.abs() > REACHED * scale {
             return Mode::of(value);
         }
         let change = size(&g[1..], self.natural) * self.natural;
-        if change <= STILL * self.guard_scale[i] {
+        if change <= STILL * scale {
             return usual;
         }
         leading_term(g, self.natural, SIGNIFICANT_LEAVING).map_or(usual, |(_, mode)| mode)
@@ -225,7 +228,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let mut wanted = self.modes.clone();
         for (i, mode) in wanted.iter_mut().enumerate() {
             let signed = self.system.guards()[i].kind == GuardKind::Normal;
-            if signed && self.system.guard(i).first().is_some_and(|v| v.abs() > REACHED * self.guard_scale[i].max(v.abs())) {
+            if signed {
                 *mode = self.wanted_normal(i);
             }
         }
@@ -236,7 +239,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             let Some(bounds) = bounds else { continue };
             let [back, forth] = bounds.map(|b| self.system.guard(b).first().copied().unwrap_or(0.0));
             let (least, bound) = if back < forth { (back, bounds[0]) } else { (forth, bounds[1]) };
-            if least < -TORN * (back.abs() + forth.abs()) {
+            if least < -TORN * (back.abs() + forth.abs()) && least < -REACHED * OTHERS * self.loads {
                 wanted[i] = self.exit_of(bound);
             }
         }
@@ -279,14 +282,27 @@ impl<S: System + ?Sized> Flow<'_, S> {
         judge_bound(g, h, self.bound_scale(b, g, h))
     }
 
-    /// Both limits of a friction together are twice its static limit. A contact force is compared with the largest it has had.
+    /// Both limits of a friction together are twice its static limit. A contact force is compared with the largest it has had. Neither is told from the
+    /// rounding of the other loads of the machine.
     fn bound_scale(&self, b: usize, g: &[f64], h: f64) -> f64 {
         let GuardKind::Bound { of, .. } = self.system.guards()[b].kind else { return 0.0 };
         let value = |i: usize| self.system.guard(i).first().map_or(0.0, |v| v.abs());
-        match self.system.guards()[of].kind {
+        let own = match self.system.guards()[of].kind {
             GuardKind::Friction { limits: [a, b], .. } => value(a) + value(b),
             _ => self.guard_scale[b].max(size(g, h)),
-        }
+        };
+        own.max(OTHERS * self.loads)
+    }
+
+    /// The largest contact or normal force in the trial whose guards these are, over a step h.
+    pub(crate) fn largest_load<'g>(&self, guards: impl Fn(usize) -> &'g [f64], h: f64) -> f64 {
+        let kinds = self.system.guards();
+        let is_load = |i: &usize| match kinds[*i].kind {
+            GuardKind::Normal => true,
+            GuardKind::Bound { of, .. } => matches!(kinds[of].kind, GuardKind::Contact { .. }),
+            _ => false,
+        };
+        (0..kinds.len()).filter(is_load).map(|i| size(guards(i), h)).filter(|s| s.is_finite()).fold(0.0, f64::max)
     }
 
     /// Order and sign of the first coefficient, after the constant one, that does not vanish.

@@ -3,6 +3,7 @@
 use symbolic::Text;
 
 use super::{Change, Switch};
+use crate::dataset::ContactChange;
 use crate::fault::number;
 use crate::{Guard, GuardKind, Mode};
 
@@ -31,6 +32,28 @@ pub fn describe(switch: &Switch, guard: &Guard) -> Text {
         }
         _ => change_of_side(switch, name),
     }
+}
+
+/// The same for machines; none for a switch that is no contact.
+pub fn change(switch: &Switch, guard: &Guard) -> Option<ContactChange> {
+    let friction = match guard.kind {
+        GuardKind::Friction { .. } => true,
+        GuardKind::Contact { .. } => false,
+        _ => return None,
+    };
+    let word = |mode: Mode| match (mode, friction, guard.tie) {
+        (Mode::Zero, true, _) => "sticking",
+        (Mode::Positive, true, _) => "forward",
+        (Mode::Negative, true, _) => "backward",
+        (Mode::Positive, false, true) => "slack",
+        (_, false, true) => "taut",
+        (Mode::Positive, false, false) => "open",
+        (_, false, false) => "closed",
+    };
+    let impulse = if let Change::Impact { impulse, .. } = switch.change { Some(impulse) } else { None };
+    // a guard is named by the kind and the user's name, which has no spaces
+    let contact = guard.name.en.rsplit(' ').next().unwrap_or_default().to_owned();
+    Some(ContactChange { contact, from: word(switch.before), to: word(switch.after), impulse })
 }
 
 fn impact(switch: &Switch, rates: [f64; 2], tie: bool, told: impl Fn(String, String) -> Text) -> Text {

@@ -14,7 +14,7 @@
 use std::sync::Arc;
 
 use program::{Bound, ConnectionRoots, Evaluator, GuardKind, LawRoots, Point};
-use symbolic::connections::Law;
+use symbolic::connections::{Impacts, Law};
 use symbolic::{Equations, Text};
 
 use crate::numerics::qr::Qr;
@@ -42,6 +42,7 @@ pub(super) struct Conditions {
     pub(super) roots: ConnectionRoots,
     pub(super) laws: Evaluator,
     pub(super) law_roots: LawRoots,
+    pub(super) impacts: Impacts,
     pub(super) n: usize,
     pub(super) rows: Vec<Row>,
     /// Number of reactions.
@@ -132,6 +133,7 @@ impl Conditions {
             roots: program.connection_roots(),
             laws: bound.evaluator(&Arc::clone(&program.laws))?,
             law_roots: program.law_roots(),
+            impacts: equations.impacts,
             n: program.coordinates,
             reactions: program.reactions,
             supports: if program.joined.is_empty() {
@@ -380,8 +382,8 @@ impl Conditions {
         self.active.extend((0..self.rows.len()).filter(|&k| self.rows[k].holds == Holds::Always));
     }
 
-    /// Whether the contacts and frictions that hold in these modes repeat each other or what holds anyway, those left out that others carry.
-    pub(super) fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<bool, Fault> {
+    /// See [`crate::System::repeats`].
+    pub(super) fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<usize, Fault> {
         let carries = |row: &Row| match row.holds {
             Holds::Sticking(guard, _) | Holds::Closed(guard, _) => {
                 modes[guard] == Mode::Zero && row.share.is_some_and(|share| modes[share] == Mode::Positive)
@@ -390,7 +392,7 @@ impl Conditions {
         };
         let own: Vec<usize> = (0..self.rows.len()).filter(|&k| carries(&self.rows[k])).collect();
         if own.is_empty() {
-            return Ok(false);
+            return Ok(0);
         }
         self.evaluate(t, x)?;
         self.activate_ideal();
@@ -401,7 +403,7 @@ impl Conditions {
         };
         let ideal = rank(self);
         self.active.extend(&own);
-        Ok(rank(self) < ideal + own.len())
+        Ok((ideal + own.len()).saturating_sub(rank(self)))
     }
 }
 

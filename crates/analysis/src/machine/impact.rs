@@ -12,10 +12,14 @@
 //!
 //! Λ_n is the impulse of whatever presses the friction: a contact, a guide, a support. Frictions of a given force take no impulse, however large.
 //!
-//! **Several contacts** strike in sequence: the contact that closes fastest (those that close equally fast together), then again, until none closes.
+//! With a tangential restitution ε of the contact a friction that sticks leaves u_t+ = -ε u_t-.
+//!
+//! **Several contacts** strike in sequence: the contact that closes fastest (those that close equally fast together), then again, until none closes. Or all
+//! that close or stand strike together.
 //! *Source*: B. Brogliato, Nonsmooth Mechanics, chapters 5 and 6; Glocker, Set-Valued Force Laws, chapters 7 to 9.
 
 use program::Point;
+use symbolic::connections::Impacts;
 
 use super::conditions::{Conditions, Holds, backward, forward};
 use crate::numerics::lu::Lu;
@@ -45,11 +49,12 @@ enum Law {
     Contact {
         restitution: f64,
     },
-    /// Coefficients while sliding and at rest, factors of the reactions in the normal force.
+    /// Coefficients while sliding and at rest, factors of the reactions in the normal force, tangential restitution of the contact that presses.
     Friction {
         kinetic: f64,
         fixed: f64,
         normal: Vec<(usize, f64)>,
+        restitution: f64,
     },
 }
 
@@ -109,7 +114,7 @@ impl Conditions {
             units,
             responses,
         };
-        strike.in_sequence(t)?;
+        strike.follow(self.impacts, t)?;
         for i in 0..n {
             let change: f64 = strike.responses.iter().zip(&strike.impulses).map(|(r, p)| r[i] * p).sum();
             x[n + i] += corrected[i] + change;
@@ -124,7 +129,7 @@ impl Conditions {
             let Some(reaction) = row.reaction else { continue };
             match row.holds {
                 Holds::Closed(guard, contact) if closing.contains(&guard) || modes[guard] == Mode::Zero => {
-                    let restitution = self.values[self.roots.restitutions.start + contact];
+                    let restitution = self.values[self.roots.restitutions.start + 2 * contact];
                     units.push(Unit { guard, row: index, reaction, law: Law::Contact { restitution } });
                 }
                 Holds::Sticking(guard, friction) => {
@@ -133,7 +138,8 @@ impl Conditions {
                     let (own, factors) = laws[start..start + width].split_at(2);
                     let normal: Vec<(usize, f64)> = factors.iter().copied().enumerate().filter(|(_, f)| *f != 0.0).collect();
                     if !normal.is_empty() {
-                        let law = Law::Friction { kinetic: own[0], fixed: own[1], normal };
+                        let restitution = self.tangential(&normal);
+                        let law = Law::Friction { kinetic: own[0], fixed: own[1], normal, restitution };
                         units.push(Unit { guard, row: index, reaction, law });
                     }
                 }
@@ -141,6 +147,15 @@ impl Conditions {
             }
         }
         units
+    }
+
+    /// Tangential restitution of the first contact among the reactions that press.
+    fn tangential(&self, normal: &[(usize, f64)]) -> f64 {
+        let contact = |row: &super::conditions::Row| match (row.holds, row.reaction) {
+            (Holds::Closed(_, contact), Some(r)) if normal.iter().any(|(k, _)| *k == r) => Some(contact),
+            _ => None,
+        };
+        self.rows.iter().find_map(contact).map_or(0.0, |contact| self.values[self.roots.restitutions.start + 2 * contact + 1])
     }
 
     /// Generalized force per unit of a reaction.
@@ -288,7 +303,7 @@ impl Strike {
         (0..self.units.len()).filter(|&i| self.is_contact(i)).collect()
     }
 
-    fn in_sequence(&mut self, t: f64) -> Result<(), Fault> {
+    fn follow(&mut self, law: Impacts, t: f64) -> Result<(), Fault> {
         let contacts = self.contacts();
         let scale = contacts.iter().fold(0.0_f64, |m, &i| m.max(self.rates[i].abs()));
         self.sizes.clone_from(&self.rates.iter().map(|u| u.abs()).collect());
@@ -297,7 +312,11 @@ impl Strike {
             if worst >= -SILENT * scale {
                 return Ok(());
             }
-            let taking: Vec<usize> = contacts.iter().copied().filter(|&i| self.rates[i] <= (1.0 - TIE) * worst).collect();
+            let most = match law {
+                Impacts::InSequence => (1.0 - TIE) * worst,
+                Impacts::Together => SILENT * scale,
+            };
+            let taking: Vec<usize> = contacts.iter().copied().filter(|&i| self.rates[i] <= most).collect();
             self.strike(&taking, t)?;
         }
         Err(Fault::endless_impacts(t))
@@ -358,7 +377,7 @@ impl Strike {
             match (part, &self.units[i].law) {
                 (Part::Held, law) => {
                     row.iter_mut().zip(set).for_each(|(a, &j)| *a = self.coupling[i * count + j]);
-                    let restitution = if let Law::Contact { restitution } = law { *restitution } else { 0.0 };
+                    let (Law::Contact { restitution } | Law::Friction { restitution, .. }) = law;
                     right[k] = -(1.0 + restitution) * self.rates[i];
                 }
                 (Part::Slides(sign), Law::Friction { kinetic, .. }) => {
@@ -390,8 +409,10 @@ impl Strike {
                     let positive = impulses[k] * sum(&self.pressure, i) >= 0.0;
                     ((impulses[k].abs() - limit) / largest, Part::Slides(if positive { 1.0 } else { -1.0 }))
                 }
-                // friction acts against the sliding that it leaves
-                (_, Law::Friction { .. }) => (-after * impulses[k].signum() / size, Part::Held),
+                // friction acts against the sliding that it leaves, beside the rebound that it would give
+                (_, Law::Friction { restitution, .. }) => {
+                    (-(after + restitution * self.rates[i]) * impulses[k].signum() / size, Part::Held)
+                }
             };
             if excess > SLACK && worst.is_none_or(|(_, _, most)| excess > most) {
                 worst = Some((k, instead, excess));

@@ -9,9 +9,10 @@ use crate::audits::defect::InteriorDefect;
 use crate::audits::friction::FrictionWork;
 use crate::audits::impacts::{ImpactEnergy, drift, relative};
 use crate::audits::ledger::Ledger;
+use crate::audits::shared::Shared;
 use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, released::ReleasedBalance, second::two_derivations};
 use crate::dataset::{Audit, Column, Counter, Dataset, Event};
-use crate::events::words::describe;
+use crate::events::words::{change, describe};
 use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
 use crate::marks::Along;
@@ -274,6 +275,7 @@ struct Run {
     /// Outputs whose integrals are works to be confirmed.
     works: Vec<usize>,
     friction: FrictionWork,
+    shared: Shared,
     extremes: Extremes,
     named: Watcher,
     /// Event that ended the motion.
@@ -341,6 +343,7 @@ impl Run {
             ledger: Ledger::new(system, options.tolerance, &works),
             works,
             friction: FrictionWork::default(),
+            shared: Shared::default(),
             extremes: Extremes::new(system, &chosen, options.tolerance),
             named: Watcher::new(&options.events),
             ended: None,
@@ -419,6 +422,7 @@ impl Run {
         self.defect.look(step, system);
         self.ledger.look(step, system, length);
         self.friction.look(step, system, length);
+        self.shared.look(system, &step.modes);
         if let Some(stop) = &stop {
             self.ended = Some((step.start.after(stop.tau).high, stop.event));
         }
@@ -443,7 +447,8 @@ impl Run {
         let t = along.time(happened.tau);
         let sides = [-happened.sign, happened.sign];
         let both = [outputs.clone(), outputs];
-        self.events.push(Event { t, name, what, guard: usize::MAX, sides, states: [state.clone(), state], outputs: both });
+        let states = [state.clone(), state];
+        self.events.push(Event { t, name, what, guard: usize::MAX, sides, states, outputs: both, contact: None });
     }
 
     /// The last row, at the instant of the event that ends the motion.
@@ -528,7 +533,8 @@ impl Run {
             }
             let sides = [switch.before.sign(), switch.after.sign()];
             let (states, outputs) = (states.clone(), outputs.clone());
-            self.events.push(Event { t: switch.t, name: String::new(), what, guard: switch.guard, sides, states, outputs });
+            let contact = change(switch, &flow.system().guards()[switch.guard]);
+            self.events.push(Event { t: switch.t, name: String::new(), what, guard: switch.guard, sides, states, outputs, contact });
         }
         Ok(())
     }
@@ -621,6 +627,7 @@ impl Run {
                 format!("событие `{name}` завершает движение при t = {} с", n.ru),
             ));
         }
+        notes.extend(self.shared.note(system));
         let mut counters = counters(&self.work, &self.impacts);
         let samples = self.extremes.samples() + self.named.samples();
         if samples > 0 {

@@ -133,6 +133,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) touched: Vec<bool>,
     /// sum |g_k| h^k of each guard when it was last expanded: what counts as small.
     pub(crate) guard_scale: Vec<f64>,
+    /// The largest contact or normal force where modes were decided last.
+    pub(crate) loads: f64,
     /// Rounding of each guard's value at the end of the last step; zero at the start.
     pub(crate) guard_noise: Vec<f64>,
     /// Expansion at the current point is in the system.
@@ -196,6 +198,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             touched: vec![false; n_g],
             guard_scale: vec![0.0; n_g],
             guard_noise: vec![0.0; n_g],
+            loads: 0.0,
             expanded: false,
             freely: Vec::new(),
             turns: Vec::new(),
@@ -438,6 +441,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             let i = (0..self.x.len()).find(|&i| !self.trial.coefficients(i).iter().all(|c| c.is_finite())).unwrap_or(0);
             return Err(Fault::not_finite(&Text::same(&self.system.states()[i].name), self.now.high));
         }
+        self.loads = self.largest_load(|i| self.trial.guards.row(i), self.natural);
         for (i, scale) in self.guard_scale.iter_mut().enumerate() {
             *scale = scale.max(crate::events::size(self.trial.guards.row(i), self.natural));
         }

@@ -17,6 +17,9 @@ pub(super) struct Crowd {
 const CROWD: u32 = 64;
 const CLOSE: f64 = 1e-9;
 
+/// Share of the loads of the machine below which a normal force is rounding.
+const NO_LOAD: f64 = 1e-13;
+
 /// How far the last terms of a guard may exceed the tolerance. They are those of the states in nearly all guards and then much smaller.
 const SLACK: f64 = 100.0;
 
@@ -85,9 +88,17 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if mode == Mode::Zero || self.system.guards()[i].scheduled.is_some() || self.decides_nothing(i) {
             return None;
         }
+        if self.is_no_load(i, h) {
+            return None;
+        }
         let c = &self.step.guards.row(i)[self.deflation[i]..];
         let vanishes = c.iter().all(|c_k| *c_k == 0.0);
         if vanishes || surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
+    }
+
+    /// A normal force that is rounding of the others.
+    fn is_no_load(&self, i: usize, h: f64) -> bool {
+        self.system.guards()[i].kind == GuardKind::Normal && crate::events::size(self.step.guards.row(i), h) <= NO_LOAD * self.loads
     }
 
     /// A friction that nothing presses, and what the integrator alone sets.
@@ -156,7 +167,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
             GuardKind::Bound { of, .. } => return self.modes[of] == Mode::Zero && self.judge(i, g, self.guess) == BoundState::Crossed,
             GuardKind::Friction { .. } | GuardKind::Contact { .. } if self.modes[i] == Mode::Zero => return false,
             _ if self.decides_nothing(i) => return false,
-            GuardKind::Normal => return self.modes[i] == opposite(Mode::of(value)) && value.abs() > self.guard_noise[i],
+            GuardKind::Normal => {
+                return self.modes[i] == opposite(Mode::of(value)) && value.abs() > self.guard_noise[i].max(NO_LOAD * self.loads);
+            }
             _ => {}
         }
         match self.modes[i] {

@@ -35,6 +35,7 @@ impl Build {
                 conditions: vec![],
                 balances: vec![],
                 released: Default::default(),
+                impacts: Default::default(),
                 textbook: Err(Text::default()),
                 steps: vec![],
                 second: vec![],

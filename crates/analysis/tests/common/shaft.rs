@@ -25,6 +25,7 @@ fn blank(graph: Graph) -> Equations {
         conditions: Vec::new(),
         balances: Vec::new(),
         released: Default::default(),
+        impacts: Default::default(),
         textbook: Err(Text::default()),
         steps: vec![],
         second: vec![],

@@ -134,6 +134,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
         conditions: connected.conditions,
         balances: connected.balances,
         released: connected.free,
+        impacts: model.impacts,
         textbook,
         steps,
         second: second.residuals,

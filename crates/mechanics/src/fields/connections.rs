@@ -468,6 +468,17 @@ pub const STOP: TableSpec = table(
         may("at_least", Type::Formula, "", "", ("least value of the pathway", "наименьшее значение координаты"), "\"0 m\""),
         may("at_most", Type::Formula, "", "", ("instead: greatest value", "вместо него: наибольшее значение"), "\"0.2 m\""),
         RESTITUTION,
+        may(
+            "tangential_restitution",
+            Type::Formula,
+            "1",
+            "0",
+            (
+                "ratio of the sliding speeds after and before the impact, reversed, of a friction that the stop presses, as far as the friction can; 0 ... 1",
+                "отношение скоростей скольжения после и до удара, с обратным знаком, у трения, которое прижимает упор, насколько хватает трения; 0 ... 1",
+            ),
+            "0.4",
+        ),
     ],
     "[stops.floor]\nalong = \"y\"\nat_least = 0\nrestitution = 0.8\n",
 );

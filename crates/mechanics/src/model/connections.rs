@@ -136,6 +136,8 @@ pub enum ConnectionKind {
         above: bool,
         /// Restitution.
         restitution: Expr,
+        /// Restitution of the sliding speed of a friction that it presses.
+        tangential: Expr,
     },
     /// Dry friction on a pathway. The force is positive when it resists a growing pathway.
     Friction {

@@ -137,6 +137,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let structure = structures::read(reader, &top);
     let studies = studies::read(reader, &top);
     let variants = variants::read(reader, &top);
+    let impacts = connections::impacts(reader, &top);
 
     let mut unknowns = unknowns::check(reader, &top, &parameters);
     let impending = unknowns::impending(reader, &top, &connections, !unknowns.is_empty());
@@ -170,6 +171,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         phases,
         unknowns,
         impending,
+        impacts,
         restarts: schedule.restarts,
         studies,
         structure,

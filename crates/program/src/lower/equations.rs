@@ -144,9 +144,10 @@ fn over_reactions(equations: &Equations) -> Inputs {
     inputs
 }
 
-fn contacts(equations: &Equations) -> impl Iterator<Item = (Expr, Expr)> + '_ {
+/// Gap and restitutions, normal and tangential.
+fn contacts(equations: &Equations) -> impl Iterator<Item = (Expr, [Expr; 2])> + '_ {
     equations.reactions.iter().filter_map(|r| match &r.law {
-        Law::Contact { gap, restitution, .. } => Some((*gap, *restitution)),
+        Law::Contact { gap, restitution, tangential, .. } => Some((*gap, [*restitution, *tangential])),
         _ => None,
     })
 }
@@ -249,7 +250,7 @@ fn connections(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
         roots.extend((0..=i).map(|j| (format!("mass {} {}", i + 1, j + 1), equations.mass.get(i, j))));
     }
     roots.extend(contacts(equations).map(|c| ("gap".to_owned(), c.0)));
-    roots.extend(contacts(equations).map(|c| ("restitution".to_owned(), c.1)));
+    roots.extend(contacts(equations).flat_map(|c| c.1.map(|e| ("restitution".to_owned(), e))));
     for r in &equations.reactions {
         roots.extend(sparse(&r.forces, n, zero).into_iter().zip(&names.states).map(|(e, q)| (format!("{} on {q}", r.name), e)));
     }

@@ -84,7 +84,7 @@ pub fn contact(e: &mut Equations, name: &str, gap: Expr) -> usize {
     let condition = condition(e, name, gap);
     let forces = e.conditions[condition].columns.clone();
     let restitution = e.graph.number(ratio(1, 2));
-    reaction(e, &format!("force({name})"), forces, Law::Contact { condition, gap, restitution, tie: false })
+    reaction(e, &format!("force({name})"), forces, Law::Contact { condition, gap, restitution, tangential: restitution, tie: false })
 }
 
 pub fn balance(e: &mut Equations, name: &str, columns: Vec<(usize, Expr)>, rest: Expr, released: &[(usize, Expr)]) {

@@ -26,6 +26,7 @@ pub fn empty(mut graph: Graph) -> Equations {
         conditions: Vec::new(),
         balances: Vec::new(),
         released: Default::default(),
+        impacts: Default::default(),
         textbook: Err(Text::default()),
         steps: vec![],
         second: vec![],

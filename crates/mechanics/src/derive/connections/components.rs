@@ -41,7 +41,7 @@ pub enum Nature {
     /// Always.
     Ideal,
     /// While the gap is closed.
-    Contact { gap: Expr, restitution: Expr, tie: bool },
+    Contact { gap: Expr, restitution: [Expr; 2], tie: bool },
     /// Dry friction.
     Friction { speed: SymbolId, kinetic: Expr, fixed: Option<Expr>, normal: Option<Expr> },
     /// A prescribed motion.
@@ -113,10 +113,11 @@ pub fn of(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
             let label = Text::new(format!("drive {name}"), format!("привод {name}"));
             vec![Component { nature: Nature::Motor, ..Component::ideal((Part::Force, letter, unit), label, path.acts) }]
         }
-        ConnectionKind::Stop { gap, clearance, above, restitution } => {
+        ConnectionKind::Stop { gap, clearance, above, restitution, tangential } => {
             let path = path(scene, kinematics, resolver, connection, *gap)?;
             let clearance = resolver.resolve(scene, kinematics, *clearance)?;
-            let restitution = resolver.resolve(scene, kinematics, *restitution)?;
+            let normal = resolver.resolve(scene, kinematics, *restitution)?;
+            let restitution = [normal, resolver.resolve(scene, kinematics, *tangential)?];
             vec![stop(scene, (name, *gap), &path, (clearance, *above, restitution))]
         }
         ConnectionKind::Friction { pathway, kinetic, speed, fixed, normal } => {
@@ -274,7 +275,8 @@ fn rope(
         }
         Some(restitution) => {
             let gap = scene.graph.sub(length, total);
-            Component { place: Some(gap), nature: Nature::Contact { gap, restitution, tie: true }, ..Component::ideal(of, label, acts) }
+            let nature = Nature::Contact { gap, restitution: [restitution, scene.graph.zero()], tie: true };
+            Component { place: Some(gap), nature, ..Component::ideal(of, label, acts) }
         }
     })
 }
@@ -361,7 +363,7 @@ fn stop(
     scene: &mut Scene,
     (name, pathway): (&str, Pathway),
     path: &Path,
-    (clearance, above, restitution): (Expr, bool, Expr),
+    (clearance, above, restitution): (Expr, bool, [Expr; 2]),
 ) -> Component {
     let gap = if above { scene.graph.sub(path.value, clearance) } else { scene.graph.sub(clearance, path.value) };
     let acts = if above {

@@ -136,13 +136,15 @@ impl Connected {
                 Law::Support
             }
             // a rope of a structure at rest: statics asks whether it pulls
-            Nature::Contact { gap, restitution, tie: true } if scene.n() == 0 => {
+            Nature::Contact { gap, restitution: [restitution, tangential], tie: true } if scene.n() == 0 => {
                 self.release(scene, &component.acts);
-                Law::Contact { condition: self.conditions.len(), gap, restitution, tie: true }
+                Law::Contact { condition: self.conditions.len(), gap, restitution, tangential, tie: true }
             }
             _ if shape.columns.is_empty() => return Err(no_coordinate(connection)),
             Nature::Ideal => Law::Ideal { condition: self.conditions.len() },
-            Nature::Contact { gap, restitution, tie } => Law::Contact { condition: self.conditions.len(), gap, restitution, tie },
+            Nature::Contact { gap, restitution: [restitution, tangential], tie } => {
+                Law::Contact { condition: self.conditions.len(), gap, restitution, tangential, tie }
+            }
             Nature::Friction { speed, kinetic, fixed, normal } => {
                 self.friction(scene, kinematics, resolver, (shape.rate, speed, kinetic, fixed, normal))?
             }
@@ -432,7 +434,7 @@ impl Connected {
         for reaction in &self.reactions {
             list.extend(reaction.forces.iter().chain(&reaction.released).map(|(_, e)| *e));
             match &reaction.law {
-                Law::Contact { gap, restitution, .. } => list.extend([*gap, *restitution]),
+                Law::Contact { gap, restitution, tangential, .. } => list.extend([*gap, *restitution, *tangential]),
                 Law::Friction(friction) => {
                     list.extend([friction.sliding, friction.fixed]);
                     list.extend(friction.kinetic);

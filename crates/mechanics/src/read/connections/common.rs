@@ -229,12 +229,17 @@ pub(super) fn fixed_in<'a>(
 
 /// Restitution, 0 ... 1.
 pub(super) fn restitution<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Expr {
-    let value = fields.formula_or_zero(reader, "restitution", &Context::CONSTANT, Some(&Dimension::NONE));
+    restitution_by(reader, fields, "restitution")
+}
+
+/// The same by another key.
+pub(super) fn restitution_by<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Expr {
+    let value = fields.formula_or_zero(reader, key, &Context::CONSTANT, Some(&Dimension::NONE));
     if let Some(number) = reader.number(&value).filter(|v| !(0.0..=1.0).contains(v)) {
         reader.fault(
             Fault::new(
                 "M079",
-                fields.span_of("restitution"),
+                fields.span_of(key),
                 format!("the restitution is {number}; it lies between 0 and 1"),
                 format!("коэффициент восстановления {number}; он от 0 до 1"),
             )

@@ -1,17 +1,19 @@
 //! `[stops]`, `[frictions]`.
 
 use super::Found;
-use super::common::{Space, one_of, pathway, restitution};
+use super::common::{Space, choose, one_of, pathway, restitution, restitution_by};
 use crate::fault::Fault;
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
 use crate::model::{ConnectionKind, Part, RequestKind};
 use crate::read::reader::{Checked, Fields, Reader};
 use crate::units::si_label;
+use symbolic::connections::Impacts;
 use symbolic::{Expr, Substitution, SymbolId};
 
 pub(super) fn stop<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) -> Option<Found> {
     let path = pathway(reader, fields);
     let restitution = restitution(reader, fields);
+    let tangential = restitution_by(reader, fields, "tangential_restitution");
     let key = one_of(reader, fields, ["at_least", "at_most"], "at_least = \"0 m\"")?;
     let wanted = match path {
         Some((_, Kind::Known(d))) => Some(d),
@@ -19,8 +21,17 @@ pub(super) fn stop<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) 
     };
     let clearance = fields.formula(reader, key, &Context::TIME, wanted.as_ref())?;
     let (gap, kind) = path?;
-    let found = ConnectionKind::Stop { gap, clearance: clearance.expr, above: key == "at_least", restitution };
+    let found = ConnectionKind::Stop { gap, clearance: clearance.expr, above: key == "at_least", restitution, tangential };
     clearance.good.then(|| Found { kind: found, force: kind.conjugate() })
+}
+
+/// `impacts`, at the top of the file.
+pub fn impacts<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Impacts {
+    let Some((text, span)) = top.get("impacts").and_then(|v| Some((v.get_ref().as_str()?, v.span()))) else { return Impacts::default() };
+    match choose(reader, text, span, &["in sequence", "together"]) {
+        Some(1) => Impacts::Together,
+        _ => Impacts::InSequence,
+    }
 }
 
 pub(super) fn friction<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) -> Option<Found> {

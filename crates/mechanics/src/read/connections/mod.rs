@@ -11,6 +11,7 @@ mod tracks;
 mod wheels;
 
 pub(super) use common::Space;
+pub(super) use contacts::impacts;
 pub(super) use distributed::distributed;
 pub(super) use kept::{Places, warn};
 

@@ -60,6 +60,7 @@ fn machine() -> Equations {
         conditions: Vec::new(),
         balances: Vec::new(),
         released: Default::default(),
+        impacts: Default::default(),
         textbook: Ok(vec![]),
         steps: vec![],
         second: vec![zero; 2],
