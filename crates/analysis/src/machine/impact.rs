@@ -409,6 +409,8 @@ impl Strike {
                     let positive = impulses[k] * sum(&self.pressure, i) >= 0.0;
                     ((impulses[k].abs() - limit) / largest, Part::Slides(if positive { 1.0 } else { -1.0 }))
                 }
+                // what nothing presses gives nothing
+                (_, Law::Friction { .. }) if impulses[k].abs() <= SLACK * largest => continue,
                 // friction acts against the sliding that it leaves, beside the rebound that it would give
                 (_, Law::Friction { restitution, .. }) => {
                     (-(after + restitution * self.rates[i]) * impulses[k].signum() / size, Part::Held)
