@@ -26,6 +26,13 @@ pub enum Source {
         /// Range of bytes in that text.
         span: Range<usize>,
     },
+    /// A key of a study that the command line gives in the place of the file.
+    CommandLine {
+        /// The line as it would stand in the file: `period = "1 kg"`.
+        text: String,
+        /// Range of bytes in that text.
+        span: Range<usize>,
+    },
 }
 
 /// A finding about a model.
@@ -83,7 +90,7 @@ impl Diagnostic {
     pub fn span(&self) -> Option<Range<usize>> {
         match &self.source {
             Source::File(span) => Some(span.clone()),
-            Source::Override { .. } => None,
+            Source::Override { .. } | Source::CommandLine { .. } => None,
         }
     }
 }
@@ -93,6 +100,7 @@ pub fn sort(diagnostics: &mut Vec<Diagnostic>) {
     let key = |d: &Diagnostic| match &d.source {
         Source::File(span) => (0, span.start, span.end, d.code),
         Source::Override { index, span, .. } => (1 + index, span.start, span.end, d.code),
+        Source::CommandLine { span, .. } => (usize::MAX, span.start, span.end, d.code),
     };
     diagnostics.sort_by_key(key);
     diagnostics.dedup();

@@ -1,6 +1,7 @@
 //! Every key of the model file: what it is, what it defaults to, an example. The reader takes its list of known and required keys from
 //! here, and the reference (`docs/model-file.md`) is generated from here.
 
+pub mod claims;
 pub mod connections;
 pub mod events;
 mod sections;
@@ -293,6 +294,14 @@ pub const TOP: TableSpec = TableSpec {
         may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
         may("variants", Type::Table, "", "", ("table of variants", "таблица вариантов"), ""),
         may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
+        may(
+            "claims",
+            Type::Array,
+            "",
+            "",
+            ("published results, one [[claims]] each", "опубликованные результаты, по одному [[claims]]"),
+            "",
+        ),
         may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
     ],
 };
@@ -749,6 +758,7 @@ const BEFORE: &[&TableSpec] =
 const AFTER: &[&TableSpec] = &[
     &OUTPUT,
     &events::EVENT,
+    &claims::CLAIM,
     &SECTION,
     &PART,
     &structures::NODE,

@@ -3,9 +3,11 @@
 //! Nothing here is derived: kinematics and equations are the business of `derive`. Everything was checked by the reader: dimensions,
 //! cycles, dependence (positions depend on coordinates and time only, prescribed rates on time only, starts on constants only).
 
+mod claims;
 mod connections;
 mod studies;
 
+pub use claims::*;
 pub use connections::*;
 pub use studies::*;
 
@@ -52,6 +54,8 @@ pub struct Model {
     pub outputs: Vec<OutputDecl>,
     /// Formulas whose zeros are instants to be found, in the user's order.
     pub events: Vec<EventDecl>,
+    /// Published results to be laid against the machine.
+    pub claims: Vec<ClaimDecl>,
     /// What `derive` must find: placeholder symbols that occur in formulas and what they stand for. In order of first use, so that the
     /// argument of a time derivative contains earlier requests only.
     pub requests: Vec<Request>,

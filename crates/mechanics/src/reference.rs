@@ -46,7 +46,7 @@ const INTRODUCTION: (&str, &str) = (
 fn section(out: &mut String, table: &TableSpec, language: Language) {
     let title = match table.name {
         "" => language.pick(("Top level", "Верхний уровень")).to_owned(),
-        "study" | "phases" => format!("`[[{}]]`", table.name),
+        "study" | "phases" | "claims" => format!("`[[{}]]`", table.name),
         "parameters" | "coordinates" | "points" | "outputs" | "variants" => format!("`[{}]`", table.name),
         "inertia" | "plot" | "text" | "wound" | "circle" | "parts" => {
             format!("`{{ {} }}`", table.fields.iter().map(|f| f.key).collect::<Vec<_>>().join(", "))
@@ -76,7 +76,19 @@ const HEADER: (&str, &str) =
 fn functions(out: &mut String, language: Language) {
     let _ = writeln!(out, "## {}\n", language.pick(("Functions", "Функции")));
     let names: Vec<String> = symbolic::Function::ALL.iter().map(|(_, n)| format!("`{n}`")).collect();
-    let _ = writeln!(out, "{}, `sqrt`, `if(a < b, x, y)` (`<`, `<=`, `>`, `>=`).\n", names.join(", "));
+    let _ = writeln!(
+        out,
+        "{}, `sqrt`, `cbrt`, `ln` (= `log`), `lg` (= `log10`), `if(a < b, x, y)` (`<`, `<=`, `>`, `>=`, `and`, `or`, `not`).\n",
+        names.join(", ")
+    );
+    let _ = writeln!(
+        out,
+        "{}\n",
+        language.pick((
+            "`log` and `ln` are natural, `lg` and `log10` to the base 10; angles are in radians; `min` and `max` take two or more. `if(a < b and not c < d, x, y)`: `and` binds closer than `or`, brackets group.",
+            "`log` и `ln` — натуральный логарифм, `lg` и `log10` — десятичный; углы в радианах; у `min` и `max` два аргумента и больше. `if(a < b and not c < d, x, y)`: `and` связывает сильнее, чем `or`, скобки группируют.",
+        ))
+    );
     let _ = writeln!(out, "{}\n|---|---|", language.pick(("| kinematic function | meaning |", "| кинематическая функция | смысл |")));
     for f in KINEMATIC_FUNCTIONS {
         use crate::formula::Takes;

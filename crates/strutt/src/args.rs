@@ -46,6 +46,8 @@ pub enum Command {
     Check(Check),
     /// Derive the equations of motion
     Equations(Equations),
+    /// Lay the published results of a file against the machine
+    Claims(Claims),
     /// Compute a motion
     Simulate(Simulate),
     /// Find the forces and torques of motors that realise prescribed motions, their powers and work
@@ -219,6 +221,15 @@ pub struct Equilibrium {
     /// The range: "-180 deg,180 deg"
     #[arg(long, value_name = "FROM,TO", requires = "over", allow_hyphen_values = true)]
     pub range: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub struct Claims {
+    #[command(flatten)]
+    pub model: Model,
+    /// Exit with 1 when a published result does not hold
+    #[arg(long)]
+    pub strict: bool,
 }
 
 #[derive(Args, Debug)]

@@ -53,6 +53,11 @@ fn snippet<'a>(
             let span = within(text, span);
             return Snippet::source(text.as_str()).path("--set").annotation(AnnotationKind::Primary.span(span));
         }
+        Place::CommandLine { text, span } => {
+            let span = within(text, span);
+            let path = language.pick("command line", "командная строка");
+            return Snippet::source(text.as_str()).path(path).annotation(AnnotationKind::Primary.span(span));
+        }
         Place::File(span) => within(&source.text, span),
     };
     let related: Vec<(Range<usize>, &str)> =
@@ -136,6 +141,10 @@ pub fn short(diagnostics: &[Diagnostic], source: &Source, language: Language) ->
                 let before = &text[..within(text, span).start];
                 format!("--set {text}:1:{}", before.chars().count() + 1)
             }
+            Place::CommandLine { text, span } => {
+                let before = &text[..within(text, span).start];
+                format!("{text}:1:{}", before.chars().count() + 1)
+            }
         };
         let word = say(language, if d.severity == Severity::Error { Word::Error } else { Word::Warning });
         let what = language.text(&d.what).replace('\n', " ");
@@ -162,6 +171,7 @@ pub fn to_json(diagnostics: &[Diagnostic], source: &Source, language: Language) 
         match &d.source {
             Place::File(span) => value["place"] = place(span),
             Place::Override { text, .. } => value["set"] = json!(text),
+            Place::CommandLine { text, .. } => value["option"] = json!(text),
         }
         value
     };

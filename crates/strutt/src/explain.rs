@@ -153,6 +153,22 @@ const OWN: &[(&str, Wording, Wording)] = &[
         ),
     ),
     (
+        "C050",
+        ("No published results", "Нет опубликованных результатов"),
+        (
+            "`strutt claims` lays the tables [[claims]] of a file against the machine; the file has none.",
+            "Команда `strutt claims` сопоставляет с машиной таблицы [[claims]] файла; в файле их нет.",
+        ),
+    ),
+    (
+        "C051",
+        ("A claim that cannot be compared", "Результат не с чем сопоставить"),
+        (
+            "The formula of a claim has no meaning for this machine: it asks for something that the derivation does not give.",
+            "Формула результата не имеет смысла для этой машины: она требует того, чего вывод не даёт.",
+        ),
+    ),
+    (
         "C031",
         ("Not a parameter with a number", "Не параметр с числом"),
         (

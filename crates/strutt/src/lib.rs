@@ -10,6 +10,7 @@
 //! ```
 
 pub mod chain;
+pub mod claims;
 pub mod diagnostics;
 pub mod document;
 pub mod explain;

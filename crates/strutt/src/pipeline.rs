@@ -105,7 +105,8 @@ pub struct Calculation {
 pub fn run(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -> Result<Calculation, Failure> {
     let mut machine = build_in(source, overrides, Detail::Steps, watch)?;
     let studies = machine.model.studies.clone();
-    let findings = studies.iter().filter_map(|study| self::study(&mut machine, &study.kind, watch)).collect();
+    let mut findings: Vec<Finding> = studies.iter().filter_map(|study| self::study(&mut machine, &study.kind, watch)).collect();
+    findings.extend(crate::claims::run(&mut machine, watch));
     Ok(Calculation { machine, findings, files: Vec::new() })
 }
 

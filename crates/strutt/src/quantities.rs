@@ -10,6 +10,27 @@ pub fn seconds(key: &str, text: &str) -> Result<f64, Failure> {
     if value.is_finite() { Ok(value) } else { Err(bad(key, text, &not_finite(), &Text::default())) }
 }
 
+/// A positive time.
+pub fn step(key: &str, text: &str) -> Result<f64, Failure> {
+    let value = seconds(key, text)?;
+    let words = Text::new("the step of time must be positive", "шаг по времени должен быть положительным");
+    if value > 0.0 { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
+}
+
+/// A time that is not before the start.
+pub fn end(key: &str, text: &str) -> Result<f64, Failure> {
+    let value = seconds(key, text)?;
+    let words = Text::new("the motion begins at t = 0", "движение начинается при t = 0");
+    if value >= 0.0 { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
+}
+
+/// A tolerance of the integrator.
+pub fn tolerance(key: &str, text: &str) -> Result<f64, Failure> {
+    let value = number(key, text)?;
+    let words = Text::new("a tolerance lies between 1e-15 and 1e-3", "точность лежит между 1e-15 и 1e-3");
+    if (1e-15..=1e-3).contains(&value) { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
+}
+
 /// What stands for a key of a study: a bare number gets the SI unit, as it does for all options; a formula stays.
 pub fn with_unit(text: &str, unit: &str) -> String {
     match text.trim().replace(',', ".").parse::<f64>() {

@@ -1,5 +1,6 @@
 //! Studies, one file each.
 
+pub mod claims;
 pub mod cycle;
 pub mod equilibrium;
 pub(crate) mod explain;

@@ -39,4 +39,24 @@ pub const WORDS: &[Explanation] = &[
         "q = \"1,450 rpm\"",
         "q = \"1450 rpm\"",
     ),
+    row(
+        "M143",
+        ("a claim that compares nothing", "результат, который не с чем сравнить"),
+        (
+            "A claim of [[claims]] is one of four: `equation`; `of` with `formula`; `of` with `value` and, if it is not the start, `at`; `mode` with `value`.",
+            "Результат в [[claims]] — одно из четырёх: `equation`; `of` и `formula`; `of` и `value`, а если это не начало движения, то и `at`; `mode` и `value`.",
+        ),
+        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[[claims]]\nof = \"x\"\n",
+        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[[claims]]\nof = \"x\"\nvalue = \"0 m\"\n",
+    ),
+    row(
+        "M144",
+        ("not an equation", "не уравнение"),
+        (
+            "A published equation is written as it stands in its source: a left side, one sign =, a right side.",
+            "Опубликованное уравнение записывается так же, как в источнике: левая часть, один знак =, правая часть.",
+        ),
+        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[[claims]]\nequation = \"x''\"\n",
+        "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[[claims]]\nequation = \"x'' = 0\"\n",
+    ),
 ];

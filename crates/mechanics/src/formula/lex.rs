@@ -199,6 +199,7 @@ fn stray(c: char, at: usize) -> Fault {
             "conditions compare with < <= > >=; equality of two changing quantities never holds exactly",
             "условия сравнивают знаками < <= > >=; точное равенство меняющихся величин не наступает",
         ),
+        '&' | '|' => fault.help("conditions are joined by and, or, not", "условия соединяют словами and, or, not"),
         ';' => fault.help("arguments are separated by a comma", "аргументы разделяют запятой"),
         '°' => fault.help("write the unit in brackets: 30 [deg]", "напишите единицу в скобках: 30 [град]"),
         '\u{300}'..='\u{36f}' => fault.help(

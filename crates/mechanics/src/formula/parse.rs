@@ -143,6 +143,14 @@ pub(crate) fn parse(text: &str) -> Result<Formula, Fault> {
     }
 }
 
+/// What `if` decides by.
+enum Condition {
+    Compare(Comparison, NodeId, NodeId),
+    And(Box<(Condition, Condition)>),
+    Or(Box<(Condition, Condition)>),
+    Not(Box<Condition>),
+}
+
 /// How many arguments a function takes.
 #[derive(Clone, Copy)]
 enum Arity {
@@ -331,6 +339,7 @@ impl Parser<'_> {
         let left = &self.text[before.clone()];
         let right = &self.text[next.clone()];
         match self.peek() {
+            Token::Name(word, 0) if matches!(word.as_str(), "and" | "or") => Ok(()),
             Token::Name(..) if self.is_exponent() => Err(Fault::new(
                 "M035",
                 before.start..next.end,
@@ -453,6 +462,31 @@ impl Parser<'_> {
         )
     }
 
+    /// Functions made of others: lg x = log x/log 10, cbrt x = sign(x) |x|^(1/3).
+    fn composed(&mut self, name: &str, span: Range<usize>) -> Result<NodeId, Fault> {
+        let open = self.span();
+        self.advance();
+        let arguments = self.arguments(&open)?;
+        let [x] = arguments[..] else {
+            return Err(self.arity(name, Arity::Exactly(1), arguments.len(), span));
+        };
+        let from = span.start;
+        let factors = if name == "cbrt" {
+            let size = self.push(Ast::Call(Function::Abs, vec![x]), from);
+            let third = Rational::from(3).recip().unwrap_or(Rational::ONE);
+            let third = self.push(Ast::Number(third), from);
+            let root = self.push(Ast::Power(size, third), from);
+            let sign = self.push(Ast::Call(Function::Sign, vec![x]), from);
+            vec![(false, sign), (false, root)]
+        } else {
+            let above = self.push(Ast::Call(Function::Log, vec![x]), from);
+            let ten = self.push(Ast::Number(Rational::from(10)), from);
+            let below = self.push(Ast::Call(Function::Log, vec![ten]), from);
+            vec![(false, above), (true, below)]
+        };
+        Ok(self.push(Ast::Product(factors), from))
+    }
+
     /// The fault of `1,450,000 N`: commas that group digits.
     fn grouped(&self, from: usize) -> Option<Fault> {
         let text = &self.text[from..];
@@ -481,7 +515,10 @@ impl Parser<'_> {
         if let Some(row) = kinematic::find(name) {
             return self.kinematic(row, span);
         }
-        let function = Function::from_name(name);
+        if let "lg" | "log10" | "cbrt" = name {
+            return self.composed(name, span);
+        }
+        let function = Function::from_name(if name == "ln" { "log" } else { name });
         if function.is_none() && name != "sqrt" {
             return Err(unknown_function(name, span));
         }
@@ -539,6 +576,48 @@ impl Parser<'_> {
     fn conditional(&mut self, span: Range<usize>) -> Result<NodeId, Fault> {
         let open = self.span();
         self.advance();
+        let condition = self.either()?;
+        let mut branch = || {
+            if !self.take(&Token::Comma) {
+                return Err(self.unexpected("`,`: if(condition, value, other value)", "`,`: if(условие, значение, другое значение)"));
+            }
+            self.deeper(Self::sum)
+        };
+        let (then, otherwise) = (branch()?, branch()?);
+        self.close(&open)?;
+        Ok(self.choose(&condition, (then, otherwise), span.start))
+    }
+
+    /// Conditions joined by `or`.
+    fn either(&mut self) -> Result<Condition, Fault> {
+        let mut condition = self.both()?;
+        while self.take(&Token::Name("or".into(), 0)) {
+            condition = Condition::Or(Box::new((condition, self.both()?)));
+        }
+        Ok(condition)
+    }
+
+    /// Conditions joined by `and`, which binds closer.
+    fn both(&mut self) -> Result<Condition, Fault> {
+        let mut condition = self.single()?;
+        while self.take(&Token::Name("and".into(), 0)) {
+            condition = Condition::And(Box::new((condition, self.single()?)));
+        }
+        Ok(condition)
+    }
+
+    /// A comparison, `not` before a condition, or conditions in brackets.
+    fn single(&mut self) -> Result<Condition, Fault> {
+        if self.take(&Token::Name("not".into(), 0)) {
+            return Ok(Condition::Not(Box::new(self.deeper(Self::single)?)));
+        }
+        let open = self.span();
+        if *self.peek() == Token::Open && self.brackets_hold_condition() {
+            self.advance();
+            let inner = self.deeper(Self::either)?;
+            self.close(&open)?;
+            return Ok(inner);
+        }
         let left = self.deeper(Self::sum)?;
         let comparison = match self.peek() {
             Token::Less => Comparison::Less,
@@ -549,15 +628,42 @@ impl Parser<'_> {
         };
         self.advance();
         let right = self.deeper(Self::sum)?;
-        let mut branch = || {
-            if !self.take(&Token::Comma) {
-                return Err(self.unexpected("`,`: if(condition, value, other value)", "`,`: if(условие, значение, другое значение)"));
+        Ok(Condition::Compare(comparison, left, right))
+    }
+
+    /// Whether a comparison stands directly inside the brackets that open here.
+    fn brackets_hold_condition(&self) -> bool {
+        let mut depth = 0usize;
+        for (token, _) in &self.tokens[self.at..] {
+            match token {
+                Token::Open => depth += 1,
+                Token::Close if depth <= 1 => return false,
+                Token::Close => depth -= 1,
+                Token::Less | Token::LessEqual | Token::Greater | Token::GreaterEqual if depth == 1 => return true,
+                // `((a < b) or (c < d))`: what joins conditions shows that these brackets hold some
+                Token::Name(word, 0) if depth == 1 && matches!(word.as_str(), "and" | "or" | "not") => return true,
+                _ => {}
             }
-            self.deeper(Self::sum)
-        };
-        let (then, otherwise) = (branch()?, branch()?);
-        self.close(&open)?;
-        Ok(self.push(Ast::If { comparison, left, right, then, otherwise }, span.start))
+        }
+        false
+    }
+
+    /// Nested choices between two values: if(a and b, x, y) is if(a, if(b, x, y), y).
+    fn choose(&mut self, condition: &Condition, (then, otherwise): (NodeId, NodeId), from: usize) -> NodeId {
+        match condition {
+            Condition::Compare(comparison, left, right) => {
+                self.push(Ast::If { comparison: *comparison, left: *left, right: *right, then, otherwise }, from)
+            }
+            Condition::And(parts) => {
+                let inner = self.choose(&parts.1, (then, otherwise), from);
+                self.choose(&parts.0, (inner, otherwise), from)
+            }
+            Condition::Or(parts) => {
+                let inner = self.choose(&parts.1, (then, otherwise), from);
+                self.choose(&parts.0, (then, inner), from)
+            }
+            Condition::Not(inner) => self.choose(inner, (otherwise, then), from),
+        }
     }
 
     /// The arguments of kinematic functions are names: `x(A)`, `force(springs.front)`.
@@ -594,10 +700,34 @@ impl Parser<'_> {
     }
 }
 
+/// What to write for a function that the language does not have; a nearer name would mean another value.
+fn instead(name: &str) -> Option<(&'static str, &'static str)> {
+    Some(match name {
+        "asinh" | "arsinh" | "arsh" => ("write log(x + sqrt(x^2 + 1))", "напишите log(x + sqrt(x^2 + 1))"),
+        "acosh" | "arcosh" | "arch" => ("write log(x + sqrt(x^2 - 1))", "напишите log(x + sqrt(x^2 - 1))"),
+        "atanh" | "artanh" | "arth" => ("write log((1 + x)/(1 - x))/2", "напишите log((1 + x)/(1 - x))/2"),
+        "log2" => ("write log(x)/log(2)", "напишите log(x)/log(2)"),
+        "cot" | "ctg" | "cotan" => ("write 1/tan(x)", "напишите 1/tan(x)"),
+        "sec" => ("write 1/cos(x)", "напишите 1/cos(x)"),
+        "csc" | "cosec" => ("write 1/sin(x)", "напишите 1/sin(x)"),
+        "pow" => ("write x^n", "напишите x^n"),
+        "sqr" => ("write x^2", "напишите x^2"),
+        "floor" | "ceil" | "round" | "mod" | "frac" | "int" => (
+            "functions that jump at every whole number are not known; write the pieces with if(t < t1, ..., ...), a wave by sin",
+            "функций со скачком в каждом целом числе нет; запишите участки через if(t < t1, ..., ...), волну — через sin",
+        ),
+        _ => return None,
+    })
+}
+
 fn unknown_function(name: &str, span: Range<usize>) -> Fault {
     let known = Function::ALL.iter().map(|(_, n)| *n).chain(["sqrt", "if"]).chain(kinematic::FUNCTIONS.iter().map(|f| f.name));
     let fault = Fault::new("M033", span, format!("unknown function `{name}`"), format!("неизвестная функция `{name}`"));
+    if let Some((en, ru)) = instead(name) {
+        return fault.help(en, ru);
+    }
     let other = match name {
+        "fabs" => Some("abs"),
         "tg" => Some("tan"),
         "arctg" | "arctan" => Some("atan"),
         "arcsin" => Some("asin"),
@@ -605,7 +735,6 @@ fn unknown_function(name: &str, span: Range<usize>) -> Fault {
         "sh" => Some("sinh"),
         "ch" => Some("cosh"),
         "th" => Some("tanh"),
-        "ln" => Some("log"),
         "sgn" | "signum" => Some("sign"),
         _ => nearest(name, known),
     };

@@ -3,6 +3,7 @@
 //! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads,
 //! connections, outputs by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
 
+mod claims;
 mod connections;
 mod elements;
 mod evaluate;
@@ -131,6 +132,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     points.extend(places);
     let outputs = outputs::resolve(reader, raw_outputs);
     let events = events::read(reader, &top);
+    let claims = claims::read(reader, &top);
     if let Some(acceleration) = gravity.structure {
         plane::weight(reader, &top, acceleration);
     }
@@ -166,6 +168,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         dissipations,
         outputs,
         events,
+        claims,
         notation,
         sections,
         phases,

@@ -36,8 +36,9 @@ pub(super) struct RawParameter<'a> {
     pub name: String,
     span: Option<Range<usize>>,
     raw: Raw<'a>,
-    /// with its place and as written
-    unit: Option<(Unit, Range<usize>, String)>,
+    /// what the command line sets in its place
+    by_hand: Option<Raw<'a>>,
+    unit: Option<(Unit, Range<usize>)>,
     label: Text,
 }
 
@@ -236,19 +237,21 @@ pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &
                 let fields = Fields::open(reader, &fields::PARAMETER, table, span.clone(), format!("{section}.{}", short(name)));
                 fields.symbol(reader, name, notation);
                 label = fields.text(reader, "label").unwrap_or_default();
-                unit = fields.get("unit").and_then(|v| reader.unit(v).map(|u| (u.0, v.span(), u.1)));
+                unit = fields.get("unit").and_then(|v| reader.unit(v).map(|u| (u.0, v.span())));
                 fields.raw(reader, "value")
             }
             _ => reader.raw(value),
         };
         let raw = raw.unwrap_or(Raw { snippet: nowhere(span.clone()), formula: None });
-        found.push(RawParameter { name: name.to_owned(), span: Some(span), raw, unit, label });
+        let by_hand = reader.override_of(name).map(|snippet| reader.raw_text(snippet));
+        found.push(RawParameter { name: name.to_owned(), span: Some(span), raw, by_hand, unit, label });
     }
     if !reader.claimed.contains_key("g") && !reader.is_output("g", top) {
         let snippet = Snippet { text: Cow::Borrowed("9.81 m/s^2"), site: Site::Inside(0..0) };
         let raw = reader.raw_text(snippet);
         let label = Text::new("acceleration of gravity", "ускорение свободного падения");
-        found.push(RawParameter { name: "g".to_owned(), span: None, raw, unit: None, label });
+        let by_hand = reader.override_of("g").map(|snippet| reader.raw_text(snippet));
+        found.push(RawParameter { name: "g".to_owned(), span: None, raw, by_hand, unit: None, label });
     }
     found
 }
@@ -260,8 +263,10 @@ fn nowhere<'a>(span: Range<usize>) -> Snippet<'a> {
 /// Checks the parameters in the order of their dependence.
 pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawParameter<'a>>, schedule: &mut Schedule<'a>) -> Vec<ParameterDecl> {
     let index: HashMap<&str, usize> = raw.iter().enumerate().map(|(i, p)| (p.name.as_str(), i)).collect();
-    let uses = |p: &RawParameter| names_of(&p.raw).chain(schedule.dependencies(&p.name)).filter_map(|n| index.get(n).copied()).collect();
-    let dependencies: Vec<Vec<usize>> = raw.iter().map(uses).collect();
+    let by_hand = |p: &RawParameter| p.by_hand.iter().flat_map(names_of).filter_map(|n| index.get(n).copied()).collect::<Vec<_>>();
+    let uses =
+        |p: &RawParameter| names_of(&p.raw).chain(schedule.dependencies(&p.name)).filter_map(|n| index.get(n).copied()).collect::<Vec<_>>();
+    let dependencies: Vec<Vec<usize>> = raw.iter().map(|p| uses(p).into_iter().chain(by_hand(p)).collect()).collect();
     let (order, cycles) = topological(&dependencies);
     for cycle in &cycles {
         let names: Vec<&str> = cycle.iter().chain(cycle.first()).map(|i| raw[*i].name.as_str()).collect();
@@ -302,18 +307,11 @@ pub(super) fn cycle_fault(span: Range<usize>, names: &[&str]) -> Fault {
 
 fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut Schedule<'a>) -> ParameterDecl {
     apply_unit(reader, &mut p);
-    let by_hand_snippet = reader.override_of(&p.name);
-    if p.raw.formula.as_ref().is_some_and(Formula::is_scaled) {
-        let shown = p.unit.as_ref().map(|(_, _, written)| written.clone());
-        let shown = shown.unwrap_or_else(|| {
-            p.raw.snippet.text.trim_start_matches(|c: char| !c.is_alphabetic() && c != '°' && c != '%').trim().to_owned()
-        });
-        reader.scaled.insert(p.name.clone(), shown);
-    }
+    let by_hand = p.by_hand.take();
     let mut written = p.raw.snippet.text.trim().to_owned();
     let mut value = reader.value(&p.raw, &Context::PARAMETER, None);
     let mut symbol_free = p.raw.formula.as_ref().is_some_and(Formula::is_symbol_free);
-    if let Some((unit, span, _)) = &p.unit {
+    if let Some((unit, span)) = &p.unit {
         match value.kind {
             Kind::Known(d) if !d.same(&unit.dimension) => reader.fault(mismatch(span.clone(), &unit.dimension, &d, false)),
             Kind::Known(d) => {
@@ -327,20 +325,22 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
             Kind::Unknown => {}
         }
     }
-    if let Some(snippet) = by_hand_snippet {
+    if let Some(raw) = by_hand {
         let wanted = match value.kind {
             Kind::Known(d) => Some(d),
             _ => None,
         };
-        snippet.text.trim().clone_into(&mut written);
-        let set = by_hand(reader, (&p.name, snippet), wanted.as_ref());
+        raw.snippet.text.trim().clone_into(&mut written);
+        // a bare number is SI
+        let bare = raw.formula.as_ref().is_some_and(Formula::is_bare_number);
+        let set = reader.value(&raw, &Context::PARAMETER, wanted.as_ref().filter(|_| !bare));
         let kind = match (wanted, set.kind) {
             (Some(w), Kind::Known(d)) if !w.is_angular() => Kind::Known(w.with_angle_of(&d)),
             (Some(_), _) => value.kind,
             (None, kind) => kind,
         };
         value = Checked { kind, ..set };
-        symbol_free = true;
+        symbol_free = raw.formula.as_ref().is_some_and(Formula::is_symbol_free);
     }
     if let Some(over_time) = schedule.scheduled(reader, &p.name, value) {
         value = over_time;
@@ -351,7 +351,7 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
 
 /// `{ value = 5, unit = "kg" }` is 5 kg.
 fn apply_unit(reader: &mut Reader, p: &mut RawParameter) {
-    let (Some((unit, ..)), Some(formula)) = (&p.unit, &p.raw.formula) else { return };
+    let (Some((unit, _)), Some(formula)) = (&p.unit, &p.raw.formula) else { return };
     if let Some(number) = formula.bare_number() {
         let quantity = crate::units::Quantity { number: number.clone(), unit: unit.clone(), has_unit: true };
         if !quantity.to_f64().is_finite() {

@@ -331,7 +331,7 @@ impl<'a> Reader<'a> {
             self.fault(fault);
             return false;
         }
-        let function = symbolic::Function::from_name(name).is_some() || ["sqrt", "if"].contains(&name);
+        let function = symbolic::Function::from_name(name).is_some() || ["sqrt", "if", "and", "or", "not"].contains(&name);
         if reserved.contains(&name) || function && !reserved.contains(&"ground") {
             self.fault(
                 Fault::new(

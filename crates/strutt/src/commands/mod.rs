@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 mod check;
+mod claims;
 mod completions;
 mod cycle;
 mod equations;
@@ -47,6 +48,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
     match command {
         Command::Run(args) => run::run(&args, console),
         Command::Check(args) => check::run(&args, console),
+        Command::Claims(args) => claims::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),
         Command::Simulate(args) => simulate::run(&args, console),
         Command::Inverse(args) => inverse::run(&args, console),

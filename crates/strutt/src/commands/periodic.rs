@@ -56,7 +56,7 @@ fn asked(args: &args::Periodic, of_file: Option<Periodic>) -> Result<Periodic, F
         study.tuned = Some((name.clone(), quantities::seconds("--wanted-period", wanted)?));
     }
     if let Some(tolerance) = &args.table.tolerance {
-        study.tolerance = quantities::number("--tolerance", tolerance)?;
+        study.tolerance = quantities::tolerance("--tolerance", tolerance)?;
     }
     study.times = study::times(&args.table)?.unwrap_or(study.times);
     study.outputs = study::columns(&args.table).unwrap_or(study.outputs);

@@ -33,11 +33,11 @@ pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure
 }
 
 pub(super) fn wishes(args: &args::Simulate) -> Result<Wishes, Failure> {
-    let until = args.until.as_deref().map(|text| quantities::seconds("--until", text)).transpose()?;
-    let tolerance = args.tolerance.as_deref().map(|text| quantities::number("--tolerance", text)).transpose()?;
+    let until = args.until.as_deref().map(|text| quantities::end("--until", text)).transpose()?;
+    let tolerance = args.tolerance.as_deref().map(|text| quantities::tolerance("--tolerance", text)).transpose()?;
     let times = match (&args.at, &args.every) {
         (Some(at), _) => Some(Times::At(quantities::times("--at", at)?)),
-        (None, Some(every)) => Some(Times::Every(quantities::seconds("--every", every)?)),
+        (None, Some(every)) => Some(Times::Every(quantities::step("--every", every)?)),
         (None, None) => None,
     };
     let outputs =

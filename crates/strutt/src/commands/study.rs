@@ -5,6 +5,7 @@ use crate::args;
 use crate::console::{Console, Shape};
 use crate::quantities;
 use mechanics::derive::Detail;
+use mechanics::diagnostic::{Diagnostic, Source as Place};
 use mechanics::model::{StudyKind, Times};
 use mechanics::units::Dimension;
 use std::path::Path;
@@ -29,12 +30,37 @@ pub fn open<T>(
         None => source.text.clone(),
     };
     let extended = Source { path: source.path.clone(), text };
-    let mut machine = console.watched(|watch| pipeline::build_in(&extended, &overrides, detail, watch))?;
+    let built = console.watched(|watch| pipeline::build_in(&extended, &overrides, detail, watch));
+    let mut machine = built.map_err(|failure| placed(failure, &source, &extended))?;
+    machine.warnings.iter_mut().for_each(|d| place(d, &source, &extended));
     machine.model_hash = source.hash(&overrides);
     console.warn(&machine.warnings, &extended);
     let kinds = machine.model.studies.iter().map(|s| &s.kind);
     let found = if written.is_some() { kinds.rev().find_map(pick) } else { kinds.into_iter().find_map(pick) };
     Ok((machine, found))
+}
+
+/// Findings in the study that the command line wrote behind the file are findings on the command line.
+fn placed(failure: Failure, file: &Source, extended: &Source) -> Failure {
+    match failure {
+        Failure::Findings { source, mut diagnostics } => {
+            diagnostics.iter_mut().for_each(|d| place(d, file, extended));
+            Failure::Findings { source, diagnostics }
+        }
+        other => other,
+    }
+}
+
+fn place(diagnostic: &mut Diagnostic, file: &Source, extended: &Source) {
+    let Some(span) = diagnostic.span().filter(|s| s.start >= file.text.trim_end().len() && extended.text.len() > file.text.len()) else {
+        return;
+    };
+    let text = &extended.text;
+    let start = text[..span.start.min(text.len())].rfind('\n').map_or(0, |i| i + 1);
+    let line = text[start..].lines().next().unwrap_or_default().to_owned();
+    let within = |at: usize| at.saturating_sub(start).min(line.len());
+    let span = within(span.start)..within(span.end);
+    diagnostic.source = Place::CommandLine { text: line, span };
 }
 
 /// A row `key = "value"` of a study, quoted for TOML.
@@ -60,7 +86,7 @@ pub fn toml_string(text: &str) -> String {
 pub fn times(table: &args::Table) -> Result<Option<Times>, Failure> {
     Ok(match (&table.at, &table.every) {
         (Some(at), _) => Some(Times::At(quantities::times("--at", at)?)),
-        (None, Some(every)) => Some(Times::Every(quantities::seconds("--every", every)?)),
+        (None, Some(every)) => Some(Times::Every(quantities::step("--every", every)?)),
         (None, None) => None,
     })
 }

@@ -69,6 +69,8 @@ pub struct Results {
     pub rows: Rows,
     /// Fields of JSON besides the facts.
     pub own: Map<String, Value>,
+    /// Published results, when these are the study.
+    pub claims: Vec<crate::claims::Verdict>,
     /// Plots.
     pub plots: Vec<Plot>,
     /// What ended the study early.
@@ -126,6 +128,9 @@ impl Results {
         let mut blocks = vec![Block::heading(1, title)];
         blocks.extend(self.words.iter().map(|words| Block::paragraph(language.text(words))));
         let captioned = |table: Table, caption: &str| Block::Table(if captions { table.with_caption(caption) } else { table });
+        if !self.claims.is_empty() {
+            blocks.push(captioned(crate::claims::table(&self.claims, language), title));
+        }
         blocks.extend(self.facts_table(language).map(|table| captioned(table, title)));
         blocks.extend(self.columns_table(language).map(|table| captioned(table, language.word(Word::Results))));
         blocks

@@ -182,6 +182,13 @@ impl Command {
         };
         match self.verb.as_str() {
             "simulate" => self.simulate(&mut machine, claims),
+            "claims" => match strutt::claims::run(&mut machine, &mut Watch::default()) {
+                Some(finding) => Ok(match finding.trouble() {
+                    Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
+                    None => Outcome::Fields { own: strutt::folder::own_fields(&finding).into(), data: finding.data().clone() },
+                }),
+                None => Err("the model has no claims".into()),
+            },
             "transient" => self.transient(&mut machine, claims),
             "equilibrium" => self.equilibrium(&mut machine),
             "modes" | "response" | "equilibria" => Ok(self.fields(&mut machine)),

@@ -1,0 +1,111 @@
+//! `[[claims]]`: published results laid against the machine.
+//!
+//! Formulas and equations are compared at random states by `analysis::studies::claims`, term by term; values are those of the motion, of the equilibrium
+//! or of a mode. What differs is a result about the source, not a failed check of the run.
+
+mod laid;
+mod show;
+mod terms;
+mod values;
+
+pub use show::{table, to_json};
+
+use crate::pipeline::{Finding, Machine};
+use crate::provenance;
+use crate::studies::{Results, Rows};
+use crate::watch::Watch;
+use analysis::{Dataset, Quantity, dataset::Column};
+use mechanics::model::ClaimKind;
+use symbolic::Text;
+
+/// What came of a claim.
+#[derive(Clone, Debug, Default)]
+pub struct Verdict {
+    /// Its name.
+    pub name: String,
+    /// Where it is published; may be empty.
+    pub source: Text,
+    /// SI unit of both values.
+    pub unit: String,
+    /// What strutt finds; for equations and formulas at the state where they differ most.
+    pub value: f64,
+    /// What is published, at the same place.
+    pub published: f64,
+    /// Relative difference.
+    pub deviation: f64,
+    /// Whether it holds.
+    pub ok: bool,
+    /// What differs, in words and formulas; may be empty.
+    pub words: Text,
+}
+
+/// Lays every claim of the file against the machine; none when the file has none.
+pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Finding> {
+    if machine.model.claims.is_empty() {
+        return None;
+    }
+    let claims = machine.model.claims.clone();
+    let mut results =
+        Results {
+            kind: "claims", heading: Text::new("Published results", "Опубликованные результаты"), ..Results::default()
+        };
+    let mut verdicts: Vec<Verdict> = claims.iter().map(unjudged).collect();
+    match laid::lay(machine) {
+        Ok(mut laid) => {
+            for (i, claim) in claims.iter().enumerate() {
+                match &claim.kind {
+                    ClaimKind::Equation { .. } | ClaimKind::Formula { .. } => terms::judge(&mut laid, (i, claim), &mut verdicts[i]),
+                    ClaimKind::Frequency { mode, published } => {
+                        values::frequency(machine, (*mode, *published), &mut verdicts[i], watch);
+                    }
+                    ClaimKind::Value { .. } => {}
+                }
+            }
+            values::judge(machine, &mut laid, (&claims, &mut verdicts), watch);
+        }
+        Err(trouble) => results.trouble = Some(trouble),
+    }
+    for (claim, verdict) in claims.iter().zip(&mut verdicts) {
+        verdict.ok &= claim.dimensions.en.is_empty();
+        if !claim.dimensions.en.is_empty() {
+            verdict.words = joined(&claim.dimensions, &verdict.words);
+        }
+    }
+    let data = Dataset { columns: columns(&verdicts), ..Dataset::default() };
+    results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
+    results.rows = Rows::Hidden;
+    results.own.insert("claims".into(), to_json(&verdicts));
+    results.words = verdicts.iter().filter(|v| !v.words.en.is_empty()).map(remark).collect();
+    results.claims = verdicts;
+    Some(Finding::Study(Box::new(results)))
+}
+
+fn remark(verdict: &Verdict) -> Text {
+    let of = |words: &str| format!("{}: {words}.", verdict.name);
+    Text::new(of(&verdict.words.en), of(&verdict.words.ru))
+}
+
+fn unjudged(claim: &mechanics::model::ClaimDecl) -> Verdict {
+    let (name, source, unit) = (claim.name.clone(), claim.source.clone(), claim.unit.clone());
+    Verdict { name, source, unit, value: f64::NAN, published: f64::NAN, deviation: f64::NAN, ..Verdict::default() }
+}
+
+fn joined(first: &Text, second: &Text) -> Text {
+    let both = |a: &str, b: &str| if b.is_empty() { a.to_owned() } else { format!("{a}; {b}") };
+    Text::new(both(&first.en, &second.en), both(&first.ru, &second.ru))
+}
+
+/// Numbers for CSV, a row a claim.
+fn columns(verdicts: &[Verdict]) -> Vec<Column> {
+    let column = |name: &str, value: &dyn Fn(&Verdict) -> f64| Column {
+        quantity: Quantity::new(name, "1"),
+        values: verdicts.iter().map(value).collect(),
+        ..Column::default()
+    };
+    vec![
+        column("value", &|v| v.value),
+        column("published", &|v| v.published),
+        column("deviation", &|v| v.deviation),
+        column("ok", &|v| f64::from(u8::from(v.ok))),
+    ]
+}

@@ -1,0 +1,36 @@
+//! The table of claims, and their JSON.
+
+use super::Verdict;
+use report::table::Column;
+use report::{Cell, Language, Table};
+use serde_json::{Value, json};
+
+const DIGITS: usize = 7;
+
+/// A row a claim: name and source, what is published, what strutt finds, the deviation, whether it holds.
+pub fn table(verdicts: &[Verdict], language: Language) -> Table {
+    let heads = match language {
+        Language::En => ["Claim", "Published", "Found", "Unit", "Deviation", "Holds"],
+        Language::Ru => ["Результат", "Опубликовано", "Найдено", "Ед.", "Расхождение", "Верно"],
+    };
+    let mut table = Table::new(heads.map(Column::new).into());
+    let number = |x: f64| if x.is_finite() { Cell::number(x, DIGITS, language) } else { Cell::Empty };
+    for v in verdicts {
+        let source = language.text(&v.source);
+        let name = if source.is_empty() { v.name.clone() } else { format!("{} ({source})", v.name) };
+        let unit = Cell::words(report::unit::print(&v.unit, language));
+        let deviation = if v.deviation.is_finite() { Cell::words(report::number::short(v.deviation, 2, language)) } else { Cell::Empty };
+        table.row(vec![Cell::words(name), number(v.published), number(v.value), unit, deviation, Cell::Verdict(v.ok)]);
+    }
+    table
+}
+
+/// `[{name, value, published, deviation, ok}]`, with source, unit and the words on what differs.
+pub fn to_json(verdicts: &[Verdict]) -> Value {
+    let finite = |x: f64| x.is_finite().then_some(x);
+    let one = |v: &Verdict| {
+        json!({"name": v.name, "source": v.source.en, "unit": v.unit, "value": finite(v.value), "published": finite(v.published),
+            "deviation": finite(v.deviation), "ok": v.ok, "differs": v.words.en})
+    };
+    verdicts.iter().map(one).collect()
+}

@@ -1,0 +1,99 @@
+//! Equations and formulas at random states, and the words for the term that differs.
+
+use super::Verdict;
+use super::laid::{Laid, Terms, output_name};
+use crate::pipeline::Machine;
+use analysis::System;
+use analysis::studies::claims::{Draw, Fit, Places, Sum, fit, samples};
+use mechanics::model::ClaimDecl;
+use report::Language;
+use report::formula::{Form, Printer};
+use symbolic::{Expr, Rational, Text};
+
+/// Times at which a machine is tried lie within this many seconds: loads that depend on time take part.
+const SPAN: f64 = 10.0;
+const SEED: u64 = 41;
+
+/// Compares a claim with the machine at random states.
+pub fn judge(laid: &mut Laid, (number, claim): (usize, &ClaimDecl), verdict: &mut Verdict) {
+    let terms = laid.claims[number].clone();
+    let count = 3 * (terms.terms.len() + 1) + 12;
+    let of_rates = laid.machine.equations.conditions.iter().any(|c| c.place.is_none());
+    let places = if of_rates { Places::Carried } else { Places::Anywhere };
+    let system = &mut laid.machine.system;
+    let rows = system.start().and_then(|start| samples(system, &start, Draw { end: SPAN, count, places, seed: SEED }));
+    let rows = match rows {
+        Ok(rows) => rows,
+        Err(fault) => {
+            verdict.words = fault.what.clone();
+            return;
+        }
+    };
+    let names: Vec<&str> = system.outputs().iter().map(|q| q.name.as_str()).collect();
+    let place = |k: usize| names.iter().position(|n| *n == output_name(number, k));
+    let column = |k: usize| -> Vec<f64> {
+        let i = place(k);
+        rows.iter().map(|row| i.and_then(|i| row.get(i)).copied().unwrap_or(f64::NAN)).collect()
+    };
+    let n = terms.terms.len();
+    let values: Vec<Vec<f64>> = (0..n).map(column).collect();
+    let target = terms.of.map(|_| column(n));
+    let others: Vec<Vec<f64>> = (n..n + terms.others.len()).map(column).collect();
+    let found = fit(Sum { terms: &values, target: target.as_deref(), anchors: &terms.anchors, others: &others });
+    (verdict.value, verdict.published) = found.worst;
+    verdict.deviation = found.deviation;
+    verdict.ok = found.holds(claim.tolerance);
+    if !verdict.ok {
+        verdict.words = words(&mut laid.machine, &terms, &found, claim.tolerance);
+    }
+}
+
+/// Which terms differ, and by how much.
+fn words(machine: &mut Machine, terms: &Terms, found: &Fit, tolerance: f64) -> Text {
+    let mut list: Vec<Text> = Vec::new();
+    if let (Some(factors), groups) = (&found.factors, &found.groups) {
+        for group in groups.iter().filter(|g| (factors[g[0]] - 1.0).abs() > tolerance) {
+            let parts: Vec<Expr> = group.iter().map(|k| terms.terms[*k]).collect();
+            let whole = machine.equations.graph.sum(&parts);
+            list.push(of_term(machine, whole, factors[group[0]]));
+        }
+    }
+    if let Some((k, factor)) = found.missing {
+        let scaled = scaled(machine, terms.others[k], factor);
+        let [en, ru] = printed(machine, scaled);
+        list.push(Text::new(format!("the term {en} is missing on the left"), format!("в левой части нет слагаемого {ru}")));
+    }
+    if list.is_empty() {
+        return Text::new("no single term explains the difference", "расхождение не сводится к отдельным слагаемым");
+    }
+    let joined = |pick: fn(&Text) -> &str| list.iter().map(pick).collect::<Vec<_>>().join("; ");
+    Text::new(joined(|t| &t.en), joined(|t| &t.ru))
+}
+
+/// `published 20.6 cos φ, here 18.2466 cos φ: 0.885757 of it`.
+fn of_term(machine: &mut Machine, term: Expr, factor: f64) -> Text {
+    let [en, ru] = printed(machine, term);
+    if factor.abs() < 1e-9 {
+        return Text::new(format!("the term {en} does not exist here"), format!("слагаемого {ru} здесь нет"));
+    }
+    if (factor + 1.0).abs() < 1e-9 {
+        return Text::new(format!("the term {en} has the opposite sign here"), format!("слагаемое {ru} здесь имеет обратный знак"));
+    }
+    let difference = scaled(machine, term, 1.0 - factor);
+    let [more_en, more_ru] = printed(machine, difference);
+    let share = |language| report::number::short(factor, 6, language);
+    Text::new(
+        format!("the term {en} is to be multiplied by {}: published less derived is {more_en}", share(Language::En)),
+        format!("слагаемое {ru} нужно умножить на {}: разность опубликованного и выведенного равна {more_ru}", share(Language::Ru)),
+    )
+}
+
+/// factor · e, the factor with six digits.
+fn scaled(machine: &mut Machine, e: Expr, factor: f64) -> Expr {
+    let factor = Rational::parse_decimal(&format!("{factor:.5e}")).unwrap_or(Rational::ONE);
+    machine.equations.graph.scale(e, &factor)
+}
+
+fn printed(machine: &Machine, e: Expr) -> [String; 2] {
+    [Language::En, Language::Ru].map(|language| Printer::of(&machine.equations, language).inline(&machine.equations.graph, e, Form::Text))
+}

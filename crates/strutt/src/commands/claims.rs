@@ -1,0 +1,29 @@
+//! `strutt claims FILE`: published results against the machine.
+
+use super::{Exit, open, study};
+use crate::args;
+use crate::console::Console;
+use mechanics::derive::Detail;
+use strutt::pipeline::Finding;
+use strutt::{Failure, Trouble, claims};
+
+pub fn run(args: &args::Claims, console: &mut Console) -> Result<Exit, Failure> {
+    let (_, mut machine) = open(&args.model, Detail::Equations, console)?;
+    let finding = console.watched(|watch| claims::run(&mut machine, watch)).ok_or_else(none)?;
+    let fails = matches!(&finding, Finding::Study(results) if results.claims.iter().any(|c| !c.ok));
+    let exit = study::finish(machine, finding, None, console)?;
+    Ok(if args.strict && fails { exit.worse(Exit::Failed) } else { exit })
+}
+
+fn none() -> Failure {
+    Trouble::new("C050", "the file has no [[claims]]", "в файле нет [[claims]]")
+        .why(
+            "a claim is a published result to be laid against the machine",
+            "[[claims]] — это опубликованные результаты, сопоставляемые с машиной",
+        )
+        .help(
+            "write [[claims]] and equation = \"...\", or of = \"...\" and value = \"...\"",
+            "напишите [[claims]] и equation = \"...\" либо of = \"...\" и value = \"...\"",
+        )
+        .misuse()
+}
