@@ -29,8 +29,16 @@ pub struct Explanation {
 }
 
 /// Every table of explanations.
-pub const TABLES: &[&[Explanation]] =
-    &[EXPLANATIONS, LINEAR, EVENTS, TEXTS, WORDS, crate::derive::EXPLANATIONS, crate::structure::EXPLANATIONS, crate::section::EXPLANATIONS];
+pub const TABLES: &[&[Explanation]] = &[
+    EXPLANATIONS,
+    LINEAR,
+    EVENTS,
+    TEXTS,
+    WORDS,
+    crate::derive::EXPLANATIONS,
+    crate::structure::EXPLANATIONS,
+    crate::section::EXPLANATIONS,
+];
 
 /// The explanation of a code; small letters will do.
 pub fn find(code: &str) -> Option<&'static Explanation> {
