@@ -234,12 +234,11 @@ pub fn fit(sum: Sum) -> Fit {
     fit
 }
 
+/// Factors of columns that make a sum right.
+type Solve<'a> = dyn Fn(&[Vec<f64>]) -> Option<Vec<f64>> + 'a;
+
 /// The term whose addition makes the sum right and leaves most of the other terms alone, with its factor.
-fn missing(
-    sum: &Sum,
-    (columns, states, weight): (&[Vec<f64>], &[usize], &[f64]),
-    solve: &dyn Fn(&[Vec<f64>]) -> Option<Vec<f64>>,
-) -> Option<(usize, f64)> {
+fn missing(sum: &Sum, (columns, states, weight): (&[Vec<f64>], &[usize], &[f64]), solve: &Solve) -> Option<(usize, f64)> {
     let mut best: Option<(usize, (usize, f64))> = None;
     for (number, other) in sum.others.iter().enumerate() {
         let mut more = columns.to_vec();

@@ -3,6 +3,9 @@
 //! Formulas and equations are compared at random states by `analysis::studies::claims`, term by term; values are those of the motion, of the equilibrium
 //! or of a mode. What differs is a result about the source, not a failed check of the run.
 
+// a machine is laid out once: what it says when that fails may be large
+#![allow(clippy::result_large_err)]
+
 mod laid;
 mod show;
 mod terms;
@@ -100,7 +103,6 @@ fn columns(verdicts: &[Verdict]) -> Vec<Column> {
     let column = |name: &str, value: &dyn Fn(&Verdict) -> f64| Column {
         quantity: Quantity::new(name, "1"),
         values: verdicts.iter().map(value).collect(),
-        ..Column::default()
     };
     vec![
         column("value", &|v| v.value),
