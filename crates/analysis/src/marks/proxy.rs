@@ -332,8 +332,7 @@ mod tests {
             k = k.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             vec![(k >> 40) as f64]
         };
-        let mut proxies = Proxies::default();
-        proxies.bank = vec![300];
+        let mut proxies = Proxies { bank: vec![300], ..Proxies::default() };
         let pieces = proxies.pieces(&mut Values(f), &[0], 1.0);
         assert!(pieces.len() < 400 && proxies.lost().contains(&0), "{}", pieces.len());
     }
