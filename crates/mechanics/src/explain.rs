@@ -239,9 +239,9 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ("a unit is missing", "нет единицы"),
         (
             "Bare numbers have no dimension (0 fits everywhere). A length, a mass or a stiffness needs its unit. On the command line and in ranges a bare \
-             number is SI; where the file gives the value in another unit (deg, mm, g) it would be misread, and the unit is needed there too.",
+             number is SI; for a coordinate that the file declares in another unit (deg, mm) it would be misread, and the unit is needed there too.",
             "Число без единицы безразмерно (0 подходит всюду). Длине, массе, жёсткости нужна единица. В командной строке и в наборах значений число \
-             без единицы — в СИ; если в файле величина задана в другой единице (deg, mm, g), его поняли бы неверно, и единица нужна и там.",
+             без единицы — в СИ; если координата задана в файле в другой единице (deg, mm), его поняли бы неверно, и единица нужна и там.",
         ),
         "mass = 5",
         "mass = \"5 kg\"",
@@ -586,9 +586,9 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ("a value set by hand", "значение, заданное вручную"),
         (
             "--set takes name=quantity, where the name is a parameter, a coordinate (its start) or phi' (its rate). Bare numbers are SI; \
-             where the file uses another unit (deg, g) the unit must be written.",
+             for a coordinate in another unit (deg, mm) the unit must be written.",
             "--set принимает имя=величина, где имя — параметр, координата (начальное значение) или phi' (начальная скорость). \
-             Числа без единиц — в СИ; если в файле другая единица (deg, g), её нужно написать.",
+             Числа без единиц — в СИ; для координаты в другой единице (deg, mm) её нужно написать.",
         ),
         "--set mas=3",
         "--set m=3kg",
@@ -757,8 +757,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "M085",
         ("a normal force that is not linear", "нелинейная нормальная сила"),
         (
-            "Friction and reactions are found together from linear equations, so that the normal force is linear in the reactions. Its magnitude is taken in any case.",
-            "Трение и реакции находятся вместе из линейных уравнений, поэтому нормальная сила линейна по реакциям. Модуль берётся в любом случае.",
+            "Friction and reactions are found together from linear equations, so that the normal force is linear in the reactions. Its magnitude is taken in any case. \
+             The force of a slider is one component in the plane; in space, where the guide holds in two directions, it is a magnitude.",
+            "Трение и реакции находятся вместе из линейных уравнений, поэтому нормальная сила линейна по реакциям. Модуль берётся в любом случае. \
+             Сила ползуна на плоскости — одна компонента; в пространстве, где направляющая удерживает в двух направлениях, это модуль.",
         ),
         "normal = \"force(A)\"  # a pin: the magnitude of two components",
         "normal = \"force_y(A)\"",

@@ -106,10 +106,6 @@ impl Formula {
         });
         plain && value
     }
-    /// Whether it is one quantity in a unit that is not the SI one.
-    pub(crate) fn is_scaled(&self) -> bool {
-        matches!(&self.nodes[..], [(Ast::Quantity(q), _)] if q.has_unit && q.unit.factor != crate::units::Factor::ONE)
-    }
     /// Whether it contains nothing but numbers.
     pub(crate) fn is_symbol_free(&self) -> bool {
         self.nodes.iter().all(|(node, _)| match node {

@@ -128,7 +128,9 @@ impl Scope {
     }
     /// Whether `force` of a connection is the magnitude of several components.
     pub(crate) fn is_magnitude(&self, index: usize) -> bool {
-        let of = |a: &Acting| matches!(&a.what, What::Connection(i, parts) if *i == index && parts.iter().filter(|p| p.0 != Part::Moment).count() > 2);
+        // whether a slider has one component or two only the derivation knows
+        let known = |a: &Acting| !["sliders", "slots"].contains(&a.table);
+        let of = |a: &Acting| matches!(&a.what, What::Connection(i, parts) if *i == index && known(a) && parts.iter().filter(|p| p.0 != Part::Moment).count() > 2);
         self.acting.values().flatten().any(of)
     }
     fn declare_acting(&mut self, name: &str, acting: Acting) {

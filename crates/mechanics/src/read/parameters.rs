@@ -215,7 +215,7 @@ pub(super) fn without_unit(span: Range<usize>, (name, unit): (&str, &str), numbe
     .help(format!("write the unit: \"{number} {unit}\""), format!("напишите единицу: \"{number} {unit}\""))
 }
 
-/// A value from the command line: a bare number is SI, and refused where the file uses another unit.
+/// A value from the command line: a bare number is SI, and refused for a coordinate in another unit.
 fn by_hand<'a>(reader: &mut Reader<'a>, (name, snippet): (&str, Snippet<'a>), wanted: Option<&Dimension>) -> Checked {
     let raw = reader.raw_text(snippet);
     refuse_bare(reader, name, &raw);

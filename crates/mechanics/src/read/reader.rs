@@ -23,7 +23,7 @@ pub(super) struct Reader<'a> {
     pub claimed: HashMap<String, Range<usize>>,
     /// The first name of each look, and where it stands.
     skeletons: HashMap<String, (String, Range<usize>)>,
-    /// Names whose values the file gives in another unit than the SI one: coordinates, their rates, parameters; with that unit.
+    /// Coordinates, and their rates with a prime, that the file declares in another unit than the SI one, with that unit.
     pub scaled: std::collections::BTreeMap<String, String>,
     /// names of outputs
     pub results: std::collections::HashSet<String>,

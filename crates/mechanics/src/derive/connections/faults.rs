@@ -154,3 +154,22 @@ pub fn no_drum_carrier(model: &Model, connection: &Connection, drum: FrameId) ->
     ));
     Box::new(fault)
 }
+
+/// A friction by the magnitude of two reactions.
+pub fn curved_normal(connection: &Connection) -> Box<Diagnostic> {
+    let of = format!("{}.{}", connection.table, connection.name);
+    let fault = Diagnostic::error(
+        "M085",
+        connection.span.clone(),
+        Text::new(format!("`{of}`: the normal force is not linear in the reactions"), format!("`{of}`: нормальная сила не линейна по реакциям")),
+    )
+    .why(Text::new(
+        "friction and reactions are found together from linear equations; in space the guide holds in two directions, and `force` is their magnitude",
+        "трение и реакции находятся вместе из линейных уравнений; в пространстве направляющая удерживает в двух направлениях, и `force` — модуль",
+    ))
+    .help(Text::new(
+        "use one component: force_y(S) or force_z(S)",
+        "используйте одну компоненту: force_y(S) или force_z(S)",
+    ));
+    Box::new(fault)
+}

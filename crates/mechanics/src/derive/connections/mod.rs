@@ -146,7 +146,11 @@ impl Connected {
                 Law::Contact { condition: self.conditions.len(), gap, restitution, tangential, tie }
             }
             Nature::Friction { speed, kinetic, fixed, normal } => {
-                self.friction(scene, kinematics, resolver, (shape.rate, speed, kinetic, fixed, normal))?
+                let found = self.friction(scene, kinematics, resolver, (shape.rate, speed, kinetic, fixed, normal))?;
+                if self.is_curved(scene, &found) {
+                    return Err(faults::curved_normal(connection));
+                }
+                found
             }
         };
         let forces = match law {
@@ -271,6 +275,14 @@ impl Connected {
             }
         }
         Ok(Law::Friction(Box::new(Friction { condition: self.conditions.len(), sliding, kinetic, fixed: limit, normal: law })))
+    }
+
+    /// Whether the normal force of a friction is not linear in the reactions.
+    fn is_curved(&self, scene: &Scene, law: &Law) -> bool {
+        let Law::Friction(friction) = law else { return false };
+        let terms = friction.normal.iter().flat_map(|normal| &normal.terms);
+        let of_reaction = |s: SymbolId| self.reactions.iter().any(|r| r.symbol == s);
+        terms.into_iter().any(|(_, factor)| scene.graph.contains(*factor, of_reaction))
     }
 
     /// The balances of released bodies, and what each reaction gives there; what loads by formulas leave open joins the reactions.
