@@ -82,6 +82,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
         code: "S061", en: ("a mechanism that does not rest", UNREST_EN), ru: ("механизм не находится в равновесии", UNREST_RU)
     },
     crate::rest::faults::WANDERING,
+    crate::studies::response::ROUNDED,
     crate::rest::faults::SLIPS,
     crate::rest::faults::OPEN,
     crate::studies::explain::NO_RETURN,

@@ -10,7 +10,7 @@ use crate::numerics::sum::two_sum;
 
 /// A sum in twice the digits.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Double {
+pub(crate) struct Double {
     high: f64,
     low: f64,
 }

@@ -10,6 +10,7 @@ pub mod kinematics;
 pub mod modes;
 pub mod peaks;
 pub mod periodic;
+mod polish;
 pub mod response;
 pub mod simulate;
 pub mod statics;

@@ -17,7 +17,9 @@ use crate::fault::Message;
 use crate::linear::{Matrices, largest, parts};
 use crate::numerics::certify::certify;
 use crate::numerics::eigen;
+use crate::numerics::refined::products;
 use crate::numerics::sparse::Sparse;
+use crate::studies::polish::polish;
 use crate::{Fault, Quantity};
 
 /// How shapes are scaled.
@@ -120,6 +122,10 @@ pub struct Modes {
 
 /// Sums that cancel to this share of their terms are zero.
 const CANCELLED: f64 = 1e-12;
+/// A root below this share of the fastest is lost in its rounding, unless Newton's method finds it.
+const LOST: f64 = 1e-10;
+/// Force of a free motion beyond this share of its terms is more than rounding.
+const WEAK: f64 = 8.0 * f64::EPSILON;
 /// Coupling of undamped shapes by damping that counts as none.
 const UNCOUPLED: f64 = 1e-10;
 /// Largest residual of eigenpairs relative to its terms.
@@ -185,6 +191,12 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
         notes.extend(normalise(mode, &system.mass, normalisation).map(|what| what(i + 1)));
     }
     notes.extend(remarks(&list));
+    if (0..n).any(|j| values[j] == 0.0 && undamped.values[j] != 0.0 && weak(undamped.shape(j), &stiffness)) {
+        notes.push(Text::new(
+            "a free motion may have a weak stiffness that is lost in the rounding of strong ones",
+            "у свободного движения может быть слабая жёсткость, потерянная при округлении больших",
+        ));
+    }
     let mut audits = match kind {
         Damping::General => vec![residual(system, &list)],
         _ => vec![orthogonality(system, &stiffness, &list)],
@@ -198,9 +210,22 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
 
 /// ω², or zero when xᵀ C x is rounding of its terms; what overflows stays infinite.
 fn settled(value: f64, shape: &[f64], stiffness: &[f64]) -> f64 {
+    if value.is_finite() && value.abs() <= CANCELLED * terms(shape, stiffness) { 0.0 } else { value }
+}
+
+/// Σ |x_i C_ij x_j|.
+fn terms(shape: &[f64], stiffness: &[f64]) -> f64 {
     let n = shape.len();
-    let terms: f64 = (0..n * n).map(|p| (shape[p / n] * stiffness[p] * shape[p % n]).abs()).sum();
-    if value.is_finite() && value.abs() <= CANCELLED * terms { 0.0 } else { value }
+    (0..n * n).map(|p| (shape[p / n] * stiffness[p] * shape[p % n]).abs()).sum()
+}
+
+/// Free motions whose stiffness is not exactly zero, where something weak may restore them: C x in twice the digits, beyond its own rounding.
+fn weak(shape: &[f64], stiffness: &[f64]) -> bool {
+    let n = shape.len();
+    let forces = products(stiffness, n, shape);
+    let size = |i: usize| (0..n).map(|j| (stiffness[i * n + j] * shape[j]).abs()).sum::<f64>();
+    let largest = (0..n).map(size).fold(0.0, f64::max);
+    forces.iter().any(|f| f.abs() > WEAK * largest)
 }
 
 /// Undamped shapes as a basis, xᵀ M x = 1.
@@ -288,6 +313,13 @@ fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>
             continue;
         }
         let shape = basis.expand(&found.vector(j)[..n]);
+        let (root, shape) = match polish(system, *root, &shape) {
+            Some(better) => better,
+            // the fastest root's rounding is larger than this one
+            None if root.0.hypot(root.1) <= LOST * fastest => return Err(lost()),
+            None => (*root, shape),
+        };
+        let root = &root;
         let omega = root.0.hypot(root.1);
         let kind = match () {
             () if root.1 > 0.0 => Kind::Oscillation,
@@ -304,6 +336,13 @@ fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>
     let order = |m: &Mode| (m.kind != Kind::RigidBody, m.omega);
     modes.sort_by(|a, b| order(a).0.cmp(&order(b).0).then(a.omega.total_cmp(&b.omega)).then(a.root.0.total_cmp(&b.root.0)));
     Ok(modes)
+}
+
+fn lost() -> Fault {
+    super::response::rounded_away(Text::new(
+        "a slow root of the small motions hangs on rounding",
+        "медленный корень уравнений малых движений определяется округлением",
+    ))
 }
 
 /// Without damping an oscillation neither grows nor decays, up to rounding.

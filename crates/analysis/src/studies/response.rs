@@ -94,6 +94,8 @@ pub struct Point {
     pub outputs: Vec<Complex>,
     /// What the same load does when it acts statically; NaN where nothing restores.
     pub still: Vec<Complex>,
+    /// Share of the static displacements that a rounding of the stiffnesses may change.
+    pub doubt: f64,
 }
 
 /// |z|.
@@ -389,6 +391,10 @@ impl<'m> Forced<'m> {
         let turn = |z: Complex| self.turned(z);
         let load: Vec<Complex> = self.load(&excitation, self.current, matrices.n).into_iter().map(turn).collect();
         let (moving, still) = (solve(&matrices, omega, &load), solve(&matrices, 0.0, &load));
+        if moving.doubt.is_nan() || still.doubt.is_nan() || still.doubt > DOUBT {
+            return Err(hangs_on_rounding(omega));
+        }
+        let doubt = still.doubt;
         for z in &moving.regular {
             crate::fault::finite(z.0 + z.1, "response")?;
         }
@@ -411,7 +417,7 @@ impl<'m> Forced<'m> {
         for z in outputs.iter().filter(|z| z.0.is_nan() || z.1.is_nan() || moving.pole.is_empty()) {
             crate::fault::finite(z.0 + z.1, "response")?;
         }
-        Ok(Point { omega, coordinates: moving.coordinates(), outputs, still })
+        Ok(Point { omega, coordinates: moving.coordinates(), outputs, still, doubt })
     }
 
     /// -i exp(iωt) is the sine of the wave that exp(iωt) stands for.
@@ -465,6 +471,48 @@ pub(super) fn gains(s: &Seen, omega: f64) -> (Vec<Complex>, Vec<Complex>) {
 fn cancelled(sum: Complex, terms: f64) -> Complex {
     if magnitude(sum) <= 4.0 * f64::EPSILON * terms { (0.0, 0.0) } else { sum }
 }
+
+/// Share of a static displacement beyond which rounding of the stiffnesses decides it.
+const DOUBT: f64 = 1e-2;
+
+/// S066 for amplitudes.
+pub(super) fn hangs_on_rounding(omega: f64) -> Fault {
+    let w = rounded(omega);
+    rounded_away(Text::new(
+        format!("at ω = {} rad/s the amplitudes hang on rounding", w.en),
+        format!("при ω = {} рад/с амплитуды определяются округлением", w.ru),
+    ))
+}
+
+/// S066.
+pub(super) fn rounded_away(what: Text) -> Fault {
+    Fault::new(Message {
+        code: "S066",
+        what,
+        why: Text::new(
+            "stiffnesses, dampings or masses lie more than some 10^13 apart, so that their sums keep too few digits of the small ones",
+            "жёсткости, сопротивления или массы различаются более чем в 10^13 раз, и в их суммах остаётся слишком мало цифр меньших",
+        ),
+        help: Text::new(
+            "replace the strong part by a rigid connection, or leave out the weak one",
+            "замените жёсткую часть жёсткой связью или исключите слабую",
+        ),
+    })
+}
+
+/// S066.
+pub const ROUNDED: crate::fault::Explanation = crate::fault::Explanation {
+    code: "S066",
+    en: ("a result that hangs on rounding", ROUNDED_EN),
+    ru: ("результат, определяемый округлением", ROUNDED_RU),
+};
+
+const ROUNDED_EN: &str = "Where one spring or damper is more than some 10^13 times as strong as another, their sum in the stiffness matrix keeps few or no digits of the weak \
+    one, and slow roots and amplitudes follow from rounding. Refinement puts right what elimination loses, but not what the sums have lost. Wrong: two masses joined by 1e17 N/m on a \
+    support of 100 N/m. Right: one body, or a weld between them.";
+const ROUNDED_RU: &str = "Если одна пружина или демпфер более чем в 10^13 раз сильнее другой, в их сумме в матрице жёсткости почти или совсем не остаётся цифр слабой, и амплитуды \
+    и медленные корни определяет округление. Уточнение исправляет потери при исключении, но не потери в суммах. Неверно: две массы, соединённые пружиной 1e17 N/m, на опоре 100 N/m. Верно: \
+    одно тело или жёсткое соединение.";
 
 fn no_load() -> Fault {
     Fault::new(Message {

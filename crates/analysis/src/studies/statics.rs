@@ -25,6 +25,8 @@ use crate::{Fault, Quantity};
 
 /// Share below which a remainder counts as nothing.
 const NOTHING: f64 = 1e-9;
+/// A reaction below this share of the largest of its unit is rounding.
+const NOISE: f64 = 1e-14;
 /// Work of the loads in a free motion, relative, above which the structure does not rest.
 const RESTS: f64 = 1e-9;
 
@@ -142,7 +144,11 @@ impl System {
         let matrix: Vec<f64> = (0..m * kept.len()).map(|p| columns[kept[p % kept.len()]][p / kept.len()]).collect();
         let (solution, _) = if kept.is_empty() { (Vec::new(), 0.0) } else { Qr::new(&matrix, m, kept.len()).least_squares(&self.right) };
         let mut values: Vec<Option<f64>> = vec![None; self.unknowns.len()];
-        kept.iter().zip(&solution).for_each(|(&k, v)| values[k] = Some(*v));
+        // a reaction that rounding of the others makes up is zero
+        let unit = |k: usize| equations.reactions[self.unknowns[k]].unit.as_str();
+        let largest = |k: usize| kept.iter().zip(&solution).filter(|(j, _)| unit(**j) == unit(k)).fold(0.0_f64, |m, (_, v)| m.max(v.abs()));
+        let tidy = |k: usize, v: f64| if v.abs() <= NOISE * largest(k) { 0.0 } else { v };
+        kept.iter().zip(&solution).for_each(|(&k, v)| values[k] = Some(tidy(k, *v)));
         for (k, shares) in &relations {
             values[*k] = None;
             shares.iter().for_each(|s| values[*s] = None);

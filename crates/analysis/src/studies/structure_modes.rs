@@ -176,7 +176,7 @@ fn beside(found: &mut StructureModes) {
     let column = |quantity, values| Column { quantity, values };
     data.columns.insert(at, column(quantity("omega_exact", "omega_e", "rad/s", label), exact.clone()));
     let label = Text::new("relative error against the continuum", "относительная погрешность");
-    data.columns.insert(at + 1, column(quantity("error", "delta", "1", label), error));
+    data.columns.insert(at + 1, column(quantity("error", "Δ", "1", label), error));
     found.continuum = Some(exact);
 }
 

@@ -241,6 +241,9 @@ impl<'f, 'm> Run<'f, 'm> {
             }
             let nu = k as f64 * self.rate;
             let x = solve(&self.m, nu, load);
+            if x.doubt.is_nan() {
+                return Err(super::response::hangs_on_rounding(nu));
+            }
             if !x.pole.is_empty() {
                 motion.poles.push((nu, x.pole.clone()));
             }
@@ -352,7 +355,7 @@ impl<'f, 'm> Run<'f, 'm> {
             (0..self.full).map(entry).collect()
         };
         let pole = self.z.as_ref().map_or_else(|| pole.to_vec(), |(z, k)| back(z, *k));
-        let x = crate::studies::impedance::Amplitudes { regular: vec![(0.0, 0.0); pole.len()], pole };
+        let x = crate::studies::impedance::Amplitudes { regular: vec![(0.0, 0.0); pole.len()], pole, doubt: 0.0 };
         x.seen(&gains(s, nu).0, &[]).0.is_infinite()
     }
 

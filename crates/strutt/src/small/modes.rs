@@ -146,7 +146,7 @@ pub fn columns(found: &Found) -> Vec<Column> {
     let mut list = vec![
         column("mode", "1", "number", "номер", (1..=modes.len()).map(|i| i as f64).collect()),
         column("omega", "rad/s", "natural frequency", "собственная частота", modes.iter().map(|m| m.omega).collect()),
-        column("f", "1/s", "natural frequency", "собственная частота", modes.iter().map(|m| m.omega / TAU).collect()),
+        column("f", "Hz", "natural frequency", "собственная частота", modes.iter().map(|m| m.omega / TAU).collect()),
         column("T", "s", "period", "период", modes.iter().map(|m| over(TAU, m.omega)).collect()),
         column("damping_ratio", "1", "damping ratio", "относительное затухание", modes.iter().map(|m| m.ratio).collect()),
     ];

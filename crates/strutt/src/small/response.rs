@@ -125,6 +125,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.main = forced.components().get(main).map_or(1.0, |c| c.order);
     forced.refer(own.unwrap_or(omegas[0]))?;
     let points = over(&mut forced, &omegas)?;
+    let doubt = points.iter().map(|p| p.doubt).fold(0.0, f64::max);
     out.shapes = over(&mut forced, &study.shapes)?;
     out.own = own.map(|w| forced.at(out.main * w)).transpose()?;
     out.data = Dataset { axis: Some(0), columns: columns(&omegas, &points, &quantities), notes, ..Dataset::default() };
@@ -137,6 +138,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let from_sine = forced.from_sine();
     out.data.notes.extend(found.notes.iter().cloned());
     out.data.notes.push(reference(from_sine));
+    out.data.notes.extend(doubtful(doubt));
     out.data.notes.extend(left_out(&forced.left_out));
     quantities.iter().for_each(|q| state(&mut out.data, &q.name));
     out.coordinates = names;
@@ -273,6 +275,23 @@ fn bodies(machine: &Machine) -> Vec<Vec<String>> {
         heavy.map(|(f, _)| f.name.clone()).collect()
     };
     model.coordinates.iter().map(|c| moves(c.symbols[0])).collect()
+}
+
+/// Share that rounding of the stiffnesses may change without a remark.
+const UNDOUBTED: f64 = 1e-6;
+
+/// What rounding may have taken.
+fn doubtful(doubt: f64) -> Option<Text> {
+    let share = |language| report::number::short(100.0 * doubt, 2, language);
+    (doubt > UNDOUBTED).then(|| {
+        Text::new(
+            format!(
+                "stiffnesses lie so far apart that the rounding of their sums may change the amplitudes by {} %",
+                share(report::Language::En)
+            ),
+            format!("жёсткости настолько различны, что округление их сумм может изменить амплитуды на {} %", share(report::Language::Ru)),
+        )
+    })
 }
 
 fn reference(from_sine: bool) -> Text {
@@ -441,7 +460,7 @@ fn columns(omegas: &[f64], points: &[Point], outputs: &[Quantity]) -> Vec<Column
     let omega = Text::new("frequency of the load", "частота нагрузки");
     let mut list = vec![
         column("omega".into(), "omega".into(), "rad/s", omega.clone(), omegas.to_vec()),
-        column("f".into(), "f".into(), "1/s", omega, omegas.iter().map(|w| w / TAU).collect()),
+        column("f".into(), "f".into(), "Hz", omega, omegas.iter().map(|w| w / TAU).collect()),
     ];
     for (k, q) in outputs.iter().enumerate() {
         let of = |pick: fn(Complex) -> f64| points.iter().map(|p| pick(p.outputs[k])).collect::<Vec<f64>>();

@@ -17,10 +17,7 @@ const ORDERS: usize = 9;
 
 /// A dataset as a table, column for column.
 pub fn plain_table(data: &[analysis::dataset::Column], language: Language) -> Table {
-    let heads = data.iter().map(|c| {
-        let unit = if c.quantity.unit == "1/s" && c.quantity.name == "f" { "Hz" } else { &c.quantity.unit };
-        Column::with_unit(Rich::symbol(symbol(&c.quantity)), unit, language)
-    });
+    let heads = data.iter().map(|c| Column::with_unit(Rich::symbol(symbol(&c.quantity)), &c.quantity.unit, language));
     let mut table = Table::new(heads.collect());
     let n = data.first().map_or(0, |c| c.values.len());
     let cells: Vec<Vec<Cell>> = data.iter().map(|c| cells(&c.quantity.name, &c.values, language)).collect();
@@ -78,7 +75,9 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
             blocks.push(Block::Equation { formula, numbered: false });
         }
     }
-    blocks.push(Block::Table(plain_table(&columns(f), language)));
+    let shown = columns(f);
+    blocks.push(Block::Table(plain_table(&shown, language)));
+    blocks.push(Block::paragraph(legend(&shown, language)));
     if let Some(equation) = &f.equation {
         let of = language.pick("Frequency equation", "Частотное уравнение");
         let meaning = match &found.study.variable {
@@ -110,6 +109,19 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
         blocks.push(Block::paragraph(language.text(note)));
     }
     blocks
+}
+
+/// What the symbols of the table of modes mean.
+fn legend(columns: &[analysis::dataset::Column], language: Language) -> String {
+    let words = [
+        ("omega", "ω = |λ| natural frequency", "ω = |λ| — собственная частота"),
+        ("omega_d", "ω_d = |Im λ| frequency with damping", "ω_d = |Im λ| — частота с учётом затухания"),
+        ("damping_ratio", "ζ damping ratio", "ζ — относительное затухание"),
+        ("decrement", "δ logarithmic decrement", "δ — логарифмический декремент"),
+        ("growth", "Re λ rate of growth", "Re λ — показатель роста"),
+    ];
+    let shown = words.iter().filter(|(name, ..)| columns.iter().any(|c| c.quantity.name == *name));
+    shown.map(|(_, en, ru)| language.pick(*en, *ru)).collect::<Vec<_>>().join("; ")
 }
 
 /// Frequencies over the parameter, with damping where there is any, and the lines ω = k Ω of the orders of a speed.

@@ -67,7 +67,7 @@ fn levels(found: &ModesFound, language: Language) -> Vec<Block> {
     let mut heads = vec![Column::new(language.pick("Assumed", "Принято"))];
     for i in 0..last.omega.len() {
         heads.push(Column::with_unit(Rich::symbol(format!("ω_{}", i + 1)), "rad/s", language));
-        heads.push(Column::with_unit(Rich::symbol(format!("δ_{}", i + 1)), "%", language));
+        heads.push(Column::with_unit(Rich::symbol(format!("Δ_{}", i + 1)), "%", language));
     }
     let mut table = Table::new(heads);
     for level in &found.levels {
