@@ -211,9 +211,14 @@ impl Conditions {
 
     /// Violation of a rate, relative to the rates that the machine has had.
     fn slip(&self, row: usize, x: &[f64]) -> f64 {
-        let levers: f64 = self.column(row).iter().map(|j| j.abs()).sum();
-        let size = self.rate_size(row, &x[self.n..2 * self.n]).max(self.moved[row]).max(levers * self.fastest);
+        let size = self.slip_size(row, x);
         if size > 0.0 { self.rate(row).abs() / size } else { 0.0 }
+    }
+
+    /// What a slip is compared with: terms of the rate, now and so far, and the fastest coordinate on these levers.
+    fn slip_size(&self, row: usize, x: &[f64]) -> f64 {
+        let levers: f64 = self.column(row).iter().map(|j| j.abs()).sum();
+        self.rate_size(row, &x[self.n..2 * self.n]).max(self.moved[row]).max(levers * self.fastest)
     }
 
     fn is_sticking(&self, row: usize) -> bool {
@@ -260,7 +265,7 @@ impl Conditions {
         for k in 0..self.active.len() {
             let row = self.active[k];
             if !self.is_sticking(row) {
-                self.drifts[self.rows.len() + row] = [self.rate(row).abs(), self.moved[row]];
+                self.drifts[self.rows.len() + row] = [self.rate(row).abs(), self.slip_size(row, x)];
             }
         }
         let drift = self.active.iter().filter(|row| !self.is_sticking(**row)).fold(place, |m, &row| m.max(self.slip(row, x)));
