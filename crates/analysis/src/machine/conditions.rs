@@ -245,6 +245,7 @@ impl Conditions {
 
     /// See [`crate::System::project`].
     pub(super) fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
+        self.drifts.fill([0.0; 2]);
         self.activate(modes);
         if self.active.is_empty() {
             return Ok(0.0);
@@ -252,7 +253,6 @@ impl Conditions {
         self.evaluate(t, x)?;
         self.remember_arms(x);
         let place = self.worst(x, Level::Place);
-        self.drifts.fill([0.0; 2]);
         for k in 0..self.active.len() {
             let row = self.active[k];
             self.drifts[row] = [self.place(row).abs(), self.arms[row]];
