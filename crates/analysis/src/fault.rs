@@ -83,6 +83,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
     },
     crate::rest::faults::WANDERING,
     crate::studies::response::ROUNDED,
+    crate::studies::rolling::REFUSED,
+    crate::studies::limits::PULSATING,
     crate::rest::faults::SLIPS,
     crate::rest::faults::OPEN,
     crate::studies::explain::NO_RETURN,

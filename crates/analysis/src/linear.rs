@@ -42,6 +42,11 @@ pub struct Matrices {
     pub shaped: Vec<(usize, Vec<f64>)>,
     /// Conditions J δq = 0 of connections, row-major; empty without.
     pub jacobian: Vec<f64>,
+    /// Where conditions on rates restrain no places: D of J δq' + D δq = 0, row by row as `jacobian`. Empty where all conditions
+    /// restrain places.
+    pub drift: Vec<f64>,
+    /// Which rows are such conditions; as long as `drift` has rows.
+    pub on_rates: Vec<bool>,
 }
 
 /// A harmonic load: c cos ν t + s sin ν t on each coordinate.
@@ -74,6 +79,8 @@ impl Matrices {
             loads: self.loads.iter().map(|l| Harmonic { rate: l.rate, cos: vector(&l.cos), sin: vector(&l.sin) }).collect(),
             shaped: self.shaped.iter().map(|(form, factors)| (*form, vector(factors))).collect(),
             jacobian: Vec::new(),
+            drift: Vec::new(),
+            on_rates: Vec::new(),
         }
     }
 
@@ -127,11 +134,43 @@ pub struct LinearMachine {
     shapes: Vec<Shape>,
     /// Rest with connections, made when it is first asked for.
     near: Option<Box<Near>>,
+    /// Whether all conditions on rates restrain places, once that is known.
+    placed: Option<bool>,
 }
 
 /// Everything that the tape gives.
 struct Full {
     matrices: Matrices,
+    remainders: Vec<f64>,
+    reach: Vec<f64>,
+}
+
+/// A solution of a square system with rows and columns of unlike units; of redundant rows one is as good as another. None where they contradict.
+fn scaled_solution(a: &[f64], right: &[f64], n: usize) -> Option<Vec<f64>> {
+    let largest = |i: usize, step: usize, from: &[f64]| (0..n).fold(0.0_f64, |m, j| m.max(from[i + j * step].abs()));
+    let unit = |v: f64| if v > 0.0 { v.recip() } else { 1.0 };
+    let mut scaled = a.to_vec();
+    let (mut rows, mut columns) = (vec![1.0; n], vec![1.0; n]);
+    // a few rounds bring both to size one
+    for _ in 0..8 {
+        for i in 0..n {
+            let f = unit(largest(i * n, 1, &scaled).sqrt());
+            rows[i] *= f;
+            scaled[i * n..(i + 1) * n].iter_mut().for_each(|v| *v *= f);
+        }
+        for j in 0..n {
+            let f = unit(largest(j, n, &scaled).sqrt());
+            columns[j] *= f;
+            (0..n).for_each(|i| scaled[i * n + j] *= f);
+        }
+    }
+    let b: Vec<f64> = right.iter().zip(&rows).map(|(v, f)| v * f).collect();
+    let (x, residual) = rank::Qr::new(n, n, &scaled, rank::TOLERANCE).least_squares(&b);
+    let size = b.iter().chain(&x).fold(0.0_f64, |m, v| m.max(v.abs()));
+    // an acceleration that is rounding only would couple motions that are free of each other
+    let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let x: Vec<f64> = x.iter().map(|v| if v.abs() <= 1e-13 * largest { 0.0 } else { *v }).collect();
+    (residual <= 1e-9 * size).then(|| x.iter().zip(&columns).map(|(v, f)| v * f).collect())
 }
 
 /// A place of linearisation: q and, about a motion, q' and q''.
@@ -193,6 +232,7 @@ impl LinearMachine {
             linear,
             shapes,
             near: None,
+            placed: None,
         })
     }
 
@@ -301,13 +341,17 @@ impl LinearMachine {
         let (force, rest) = rest.split_at(n);
         let (_, rest) = rest.split_at(m);
         let (jacobian, rest) = rest.split_at(m * n);
-        let (_, rest) = rest.split_at(n * k);
+        let (drift, rest) = rest.split_at(m * n);
+        let (remainders, rest) = rest.split_at(self.linear.remainders.len());
+        let (reach, rest) = rest.split_at(n * k);
         let (loads, shaped) = rest.split_at((2 * n + 1) * self.linear.loads.len());
         let shaped = self.linear.shaped.iter().zip(shaped.chunks_exact(n.max(1))).map(|((form, _), f)| (*form, f.to_vec()));
         let loads = loads.chunks_exact(2 * n + 1).map(|l| Harmonic { rate: l[0], cos: l[1..=n].to_vec(), sin: l[n + 1..].to_vec() });
         let matrices = Matrices {
             n,
             jacobian: jacobian.to_vec(),
+            drift: drift.to_vec(),
+            on_rates: self.linear.on_rates.clone(),
             loads: loads.collect(),
             shaped: shaped.collect(),
             mass: mass.to_vec(),
@@ -315,7 +359,52 @@ impl LinearMachine {
             stiffness: stiffness.to_vec(),
             force: force.to_vec(),
         };
-        Ok(Full { matrices })
+        let mut full = Full { matrices, remainders: remainders.to_vec(), reach: reach.to_vec() };
+        if !self.on_rates_restrain(&full.matrices, &place.q)? {
+            return Ok(full);
+        }
+        (full.matrices.drift, full.matrices.on_rates) = (Vec::new(), Vec::new());
+        Ok(full)
+    }
+
+    /// Whether the conditions on rates restrain places like the others.
+    fn on_rates_restrain(&mut self, matrices: &Matrices, q: &[f64]) -> Result<bool, Fault> {
+        if !self.linear.on_rates.contains(&true) {
+            return Ok(true);
+        }
+        if matrices.drift.iter().any(|d| *d != 0.0) {
+            return Ok(false);
+        }
+        if self.placed.is_none() {
+            self.placed = Some(crate::rest::path::all_places(&self.equations, &self.values, q)?);
+        }
+        Ok(self.placed == Some(true))
+    }
+
+    /// q'' and λ of the motion with the place's q and q', from M q'' = h + R λ and J q'' = -remainder.
+    ///
+    /// *Errors*: S073 where they do not give them; an entry has no finite value.
+    pub fn moving(&mut self, place: &Place) -> Result<Place, Fault> {
+        let n = self.names.len();
+        let full = self.full(&Place { accelerations: vec![0.0; n], multipliers: Vec::new(), ..place.clone() })?;
+        let (m, k) = (full.remainders.len(), self.linear.multipliers.len());
+        let size = n + m.max(k);
+        if m != k {
+            return Err(driven());
+        }
+        let mut a = vec![0.0; size * size];
+        let mut right = vec![0.0; size];
+        for i in 0..n {
+            (0..n).for_each(|j| a[i * size + j] = full.matrices.mass[i * n + j]);
+            (0..k).for_each(|c| a[i * size + n + c] = -full.reach[i * k + c]);
+            right[i] = full.matrices.force[i];
+        }
+        for c in 0..m {
+            (0..n).for_each(|j| a[(n + c) * size + j] = full.matrices.jacobian[c * n + j]);
+            right[n + c] = -full.remainders[c];
+        }
+        let solved = scaled_solution(&a, &right, size).ok_or_else(|| undetermined(&place.q))?;
+        Ok(Place { accelerations: solved[..n].to_vec(), multipliers: solved[n..].to_vec(), ..place.clone() })
     }
 
     /// States of a tape; reactions that are not known count as zero.
@@ -444,6 +533,19 @@ impl LinearMachine {
         Ok(Observer { n: self.names.len(), tape, rows, forms, frozen, reactions, known: self.shapes.len() })
     }
 
+    /// Amplitudes |M₁|, |B₁|, |C₁| (row-major n x n each) of what oscillates in the coefficients, at a place.
+    ///
+    /// *Errors*: an entry has no finite value there.
+    pub fn pulsation(&self, place: &Place) -> Result<[Vec<f64>; 3], Fault> {
+        let square = self.names.len() * self.names.len();
+        let list: Vec<Expr> = self.linear.pulsation.iter().map(|p| p.1).collect();
+        let mut out = [(); 3].map(|()| vec![0.0; square]);
+        for ((entry, _), value) in self.linear.pulsation.iter().zip(self.values_of(&list, place)?) {
+            out[entry / square][entry % square] += value.abs();
+        }
+        Ok(out)
+    }
+
     /// What an observer sees at a place, with the parameters as they are now.
     ///
     /// *Errors*: an output has no finite value there.
@@ -536,6 +638,8 @@ fn roots(linear: &Linear) -> Vec<(String, Expr)> {
     push("force", &linear.force);
     push("condition", &linear.conditions);
     push("J", linear.jacobian.entries());
+    push("drift", linear.drift.entries());
+    push("remainder", &linear.remainders);
     push("reach", linear.reach.entries());
     for load in &linear.loads {
         push("rate", &[load.rate]);
@@ -563,6 +667,19 @@ impl Statics for LinearMachine {
         derivatives.iter_mut().zip(&found.matrices.stiffness).for_each(|(d, c)| *d = -c);
         Ok(())
     }
+}
+
+/// S092.
+fn undetermined(q: &[f64]) -> Fault {
+    let at = q.iter().map(|v| crate::fault::number(*v)).fold((String::new(), String::new()), |(en, ru), v| {
+        let gap = if en.is_empty() { "" } else { "; " };
+        (format!("{en}{gap}{}", v.en), format!("{ru}{gap}{}", v.ru))
+    });
+    let why = (
+        format!("no accelerations and reactions satisfy the equations there (q = {})", at.0),
+        format!("никакие ускорения и реакции не удовлетворяют там уравнениям (q = {})", at.1),
+    );
+    crate::studies::rolling::refused(Text::new(why.0, why.1))
 }
 
 /// S035.

@@ -9,7 +9,8 @@
 //! ```
 //!
 //! Ideal connections add their reactions λ to h, so that C contains the stiffness that they have by the change of their directions,
-//! -Σ λ_k ∂²c_k/∂q², and conditions J δq = 0 stand beside the equations. Dry friction and one-sided contacts are left out.
+//! -Σ λ_k ∂²c_k/∂q², and conditions stand beside the equations: J δq = 0, of conditions G(q) q' + g(q) = 0 on rates
+//! G δq' + ∂(G q' + g)/∂q δq = 0. Dry friction and one-sided contacts are left out.
 //!
 //! Loads in time are split into their mean, which decides the equilibrium, and harmonics c cos ν t + s sin ν t, which force small
 //! oscillations. Turn angles of prescribed speed are speed·t. *Source*: D. R. Merkin, Introduction to the Theory of Stability, ch. 6.
@@ -58,8 +59,16 @@ pub struct Linear {
     pub conditions: Vec<Expr>,
     /// J: the conditions on δq, one row each.
     pub jacobian: Matrix,
+    /// ∂(G q' + g)/∂q of conditions on rates, one row each like [`Linear::jacobian`]; zeros for conditions that have a place.
+    pub drift: Matrix,
+    /// Which conditions are on rates only.
+    pub on_rates: Vec<bool>,
+    /// d/dt of each condition without the terms with q'', about a motion.
+    pub remainders: Vec<Expr>,
     /// Generalized force on each coordinate (row) per unit of each λ (column).
     pub reach: Matrix,
+    /// Amplitudes of what oscillates in M, B and C: position in the three matrices, row-major one after another.
+    pub pulsation: Vec<(usize, Expr)>,
     /// Symbols that stand for formulas over parameters.
     pub definitions: Vec<(SymbolId, Expr)>,
     /// Replaces time-dependent definitions and turn angles; what outputs need.
@@ -156,12 +165,16 @@ impl Linear {
             multipliers: Vec::new(),
             conditions: Vec::new(),
             jacobian: Matrix::zeros(&mut graph, 0, n),
+            drift: Matrix::zeros(&mut graph, 0, n),
+            on_rates: Vec::new(),
+            remainders: Vec::new(),
             reach: Matrix::zeros(&mut graph, n, 0),
             damping: Matrix::zeros(&mut graph, n, n),
             stiffness: Matrix::zeros(&mut graph, n, n),
             force: Vec::new(),
             loads: Vec::new(),
             shaped: Vec::new(),
+            pulsation: Vec::new(),
             forms,
             definitions: still(equations, &moving),
             coordinates,
@@ -173,6 +186,7 @@ impl Linear {
         linear.connect(equations);
         linear.differentiate(&mean);
         linear.gather_loads(split_force);
+        linear.gather_pulsation(split_force, split_mass);
         linear
     }
 
@@ -193,7 +207,9 @@ impl Linear {
             let e = start.apply(graph, e);
             rest.apply(graph, e)
         };
-        let (mut rows, mut columns) = (Vec::new(), Vec::new());
+        let (mut rows, mut columns, mut drifts) = (Vec::new(), Vec::new(), Vec::new());
+        let mut by_place: Vec<Derivation> = self.coordinates.iter().map(|[q, ..]| Derivation::partial(graph, *q)).collect();
+        let mut whole = Substitution::new(self.moving.iter().copied());
         for (c, condition) in equations.conditions.iter().enumerate() {
             let reaction = ideal(c);
             if condition.reaction.is_some() && reaction.is_none() {
@@ -204,6 +220,21 @@ impl Linear {
                 row[*j] = settle(graph, *e, &mut self.timing);
             }
             rows.push(row);
+            let mut drift = vec![zero; n];
+            if condition.place.is_none() {
+                let rate = whole.apply(graph, condition.rate);
+                for (e, derivation) in drift.iter_mut().zip(&mut by_place) {
+                    let slope = derivation.apply(graph, rate);
+                    *e = settle(graph, slope, &mut self.timing);
+                }
+                self.timing.driven |= graph.contains(rate, |s| s == equations.time);
+            }
+            drifts.push(drift);
+            self.on_rates.push(condition.place.is_none());
+            if self.about == About::Motion {
+                let mut driven = Timing::default();
+                self.remainders.push(settle(graph, condition.remainder, &mut driven));
+            }
             let place = condition.place.map_or(zero, |e| settle(graph, e, &mut self.timing));
             self.conditions.push(place);
             let Some(reaction) = reaction else { continue };
@@ -218,6 +249,7 @@ impl Linear {
             return;
         }
         self.jacobian = Matrix::from_rows(&rows);
+        self.drift = Matrix::from_rows(&drifts);
         self.reach = if columns.is_empty() { Matrix::zeros(graph, n, 0) } else { Matrix::from_rows(&columns).transpose() };
     }
 
@@ -313,6 +345,38 @@ impl Linear {
                 self.shaped[place].1[i] = factor;
             }
         }
+    }
+
+    /// What oscillates in M, and in B and C by loads that depend on q' and q.
+    fn gather_pulsation(&mut self, forces: &[Harmonics], masses: &[Harmonics]) {
+        let n = forces.len();
+        let graph = &mut self.graph;
+        let zero = graph.zero();
+        let rates = match self.about {
+            About::Rest => self.coordinates.iter().map(|[_, v, _]| (*v, zero)).collect::<Vec<_>>(),
+            About::Motion => Vec::new(),
+        };
+        let mut rest = Substitution::new(rates);
+        let parts = |h: &Harmonics| -> Vec<Expr> {
+            h.waves.iter().flat_map(|w| [w.cos, w.sin]).chain(h.forms.iter().map(|(_, factor)| *factor)).collect()
+        };
+        let mut found: Vec<(usize, Expr)> = Vec::new();
+        for (entry, mass) in masses.iter().enumerate() {
+            found.extend(parts(mass).into_iter().map(|e| (entry, rest.apply(graph, e))));
+        }
+        for j in 0..n {
+            let mut by = [1, 0].map(|level| Derivation::partial(graph, self.coordinates[j][level]));
+            for (i, force) in forces.iter().enumerate() {
+                for part in parts(force) {
+                    for (matrix, derivation) in by.iter_mut().enumerate() {
+                        let slope = derivation.apply(graph, part);
+                        found.push(((matrix + 1) * n * n + i * n + j, rest.apply(graph, slope)));
+                    }
+                }
+            }
+        }
+        found.retain(|(_, e)| !graph.is_zero(*e));
+        self.pulsation = found;
     }
 
     /// An output near the state. `formula` is one of the equations that were linearised.

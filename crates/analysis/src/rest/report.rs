@@ -182,6 +182,9 @@ fn judged(equations: &Equations, parameters: &[f64], place: Place) -> Result<Row
     let at = Linearised { multipliers, ..Linearised::rest(&row.place.q) };
     let Ok(matrices) = linear.at(&at) else { return Ok(row) };
     let along = matrices.allowed().map_or(matrices.clone(), |(z, k)| matrices.reduced(&z, k));
+    if !matrices.drift.is_empty() {
+        return Ok(on_rates(row, &matrices, linear.coordinates()));
+    }
     row.free = if along.n == 0 { 0 } else { free_directions(&along) };
     if along.n == 0 {
         // the connections leave no motion: isolated, without roots
@@ -199,6 +202,19 @@ fn judged(equations: &Equations, parameters: &[f64], place: Place) -> Result<Row
     }
     row.stable = if strange { None } else { verdict(&along, growth, fastest) };
     Ok(row)
+}
+
+/// The verdict where conditions on rates restrain no places: by the roots alone, of which those at zero leave it open.
+fn on_rates(mut row: Row, matrices: &crate::linear::Matrices, names: &[Quantity]) -> Row {
+    let Ok(found) = modes(matrices, names, Normalisation::Largest) else { return row };
+    let growth = found.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0));
+    row.growth = if found.zeros > 0 { growth.max(0.0) } else { growth };
+    row.stable = match () {
+        () if growth > 0.0 => Some(false),
+        () if found.zeros == 0 && growth < 0.0 => Some(true),
+        () => None,
+    };
+    row
 }
 
 /// The second derivation at rest: its largest residual relative to the terms of the first.

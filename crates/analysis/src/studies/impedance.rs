@@ -72,6 +72,9 @@ fn dot(a: &[Complex], b: &[Complex]) -> (Complex, f64) {
 
 /// The amplitudes that a load F exp(iωt) forces; conditions of connections reduce the problem to the motions they allow.
 pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
+    if !m.drift.is_empty() {
+        return crate::studies::rolling::forced(m, omega, load);
+    }
     if let Some((z, k)) = m.allowed() {
         // X = Z Y with Zᵀ (C - ω² M + i ω B) Z Y = Zᵀ F
         let onto = |c: usize| (0..m.n).fold((0.0, 0.0), |s, i| (s.0 + z[i * k + c] * load[i].0, s.1 + z[i * k + c] * load[i].1));

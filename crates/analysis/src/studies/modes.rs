@@ -118,6 +118,8 @@ pub struct Modes {
     pub audits: Vec<Audit>,
     /// Remarks.
     pub notes: Vec<Text>,
+    /// Roots at zero that are no modes of the list, where conditions on rates restrain no places.
+    pub zeros: usize,
 }
 
 /// Sums that cancel to this share of their terms are zero.
@@ -150,6 +152,9 @@ pub fn modes(system: &Matrices, names: &[Quantity], normalisation: Normalisation
 
 /// The modes that the conditions allow.
 fn allowed(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> Result<Modes, Fault> {
+    if !system.drift.is_empty() {
+        return crate::studies::rolling::modes(system, names, normalisation);
+    }
     let Some((z, k)) = system.allowed() else { return free(system, names, normalisation) };
     let mut found = free(&system.reduced(&z, k), names, Normalisation::Mass)?;
     for (i, mode) in found.modes.iter_mut().enumerate() {
@@ -205,7 +210,7 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
     audits.extend(certify(&pencil.0, &pencil.1, &undamped, n)?.audits());
     let frequency = |v: &f64| if *v < 0.0 { f64::NAN } else { v.sqrt() };
     let undamped = values.iter().map(frequency).collect();
-    Ok(Modes { modes: list, damping: kind, gyroscopic: turns, circulatory: follows, undamped, audits, notes })
+    Ok(Modes { modes: list, damping: kind, gyroscopic: turns, circulatory: follows, undamped, audits, notes, zeros: 0 })
 }
 
 /// ω², or zero when xᵀ C x is rounding of its terms; what overflows stays infinite.
@@ -354,10 +359,10 @@ fn conservative(mode: &mut Mode) {
     }
 }
 
-type Remark = Box<dyn Fn(usize) -> Text>;
+pub(super) type Remark = Box<dyn Fn(usize) -> Text>;
 
 /// Scales a shape; a remark when it cannot be scaled as asked.
-fn normalise(mode: &mut Mode, mass: &[f64], how: Normalisation) -> Option<Remark> {
+pub(super) fn normalise(mode: &mut Mode, mass: &[f64], how: Normalisation) -> Option<Remark> {
     let n = mode.shape.len();
     let size = |z: &Complex| z.0.hypot(z.1);
     let biggest = mode.shape.iter().map(size).fold(0.0, f64::max);
@@ -406,7 +411,7 @@ pub fn divided(a: Complex, b: Complex) -> Complex {
     if b.1 == 0.0 { (a.0 / b.0, a.1 / b.0) } else { ((a.0 * b.0 + a.1 * b.1) / square, (a.1 * b.0 - a.0 * b.1) / square) }
 }
 
-fn remarks(list: &[Mode]) -> Vec<Text> {
+pub(super) fn remarks(list: &[Mode]) -> Vec<Text> {
     let mut notes = Vec::new();
     let free = list.iter().filter(|m| m.kind == Kind::RigidBody).count();
     if free > 0 {

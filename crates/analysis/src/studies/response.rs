@@ -449,6 +449,21 @@ impl<'m> Forced<'m> {
         Ok(seen.iter().map(one).collect())
     }
 
+    /// Whether the amplitudes of a point can be believed: a remark where the forces are not linear within them.
+    ///
+    /// *Errors*: S108 where coefficients that oscillate in time act back on them.
+    pub fn limits(&mut self, point: &Point) -> Result<Option<Text>, Fault> {
+        let order = self.components.get(self.current).map_or(1.0, |c| c.order);
+        self.matrices(point.omega / order)?;
+        super::limits::steady(self.machine, &self.place, point.omega, &point.coordinates)?;
+        Ok(super::limits::bent(self.machine, &self.place, point.omega, &point.coordinates))
+    }
+
+    /// Whether the load is one of the machine's own, with a size.
+    pub fn has_size(&self) -> bool {
+        matches!(self.source, Source::OfEquations | Source::Given { .. })
+    }
+
     /// Puts the parameter back.
     ///
     /// *Errors*: none that was not met before.
@@ -580,6 +595,14 @@ fn not_proportional(name: &str) -> Fault {
             "укажите другой параметр или запишите нагрузку как A*sin(p*t)",
         ),
     })
+}
+
+/// A connection that changes with time moves the machine.
+pub fn through_connections() -> Fault {
+    super::rolling::refused(Text::new(
+        "a connection changes with time: it moves the machine through reactions, which the loads of the linear equations do not hold",
+        "связь меняется со временем: она движет машину через реакции, которых нет среди нагрузок линейных уравнений",
+    ))
 }
 
 /// A range of frequencies that cannot be used.

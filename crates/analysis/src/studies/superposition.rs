@@ -80,6 +80,10 @@ pub fn superpose(forced: &mut Forced, omega: f64, care: Care) -> Result<Option<S
         return Ok(None);
     }
     let matrices = forced.matrices(omega)?;
+    if !matrices.drift.is_empty() {
+        // the series' rest is that of equations without conditions on rates
+        return Ok(None);
+    }
     let excitation = forced.excitation(&matrices)?;
     let mut orders: Vec<f64> = forced.components().iter().map(|c| c.order).collect();
     let count = orders.len();

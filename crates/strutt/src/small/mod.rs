@@ -10,6 +10,7 @@ use crate::pipeline::Machine;
 use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
 use analysis::numerics::lu::Lu;
+use analysis::rest::closed_contacts;
 use analysis::rest::mean::Resting;
 use analysis::rest::stability::with_closed;
 use analysis::studies::equilibrium::Equilibrium;
@@ -81,14 +82,23 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
 /// # Errors
 /// Formulas have no value there, or the mass matrix is singular.
 pub fn about_start(machine: &Machine) -> Result<Small, Fault> {
-    let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Motion)?;
+    if machine.equations.conditions.iter().any(|c| c.reaction.is_none()) {
+        return Err(analysis::linear::driven());
+    }
     let start = machine.system.start()?;
     let n = machine.system.n_coordinates();
+    let values: Vec<f64> = machine.equations.parameters.iter().map(|p| p.value).collect();
+    let held = if machine.equations.reactions.is_empty() { Vec::new() } else { closed_contacts(&machine.equations, &start[..n], &values)? };
+    let mut linear = LinearMachine::new(&Arc::new(with_closed(&machine.equations, &held)), About::Motion)?;
     let mut place = Place { rates: start[n..2 * n].to_vec(), ..Place::rest(&start[..n]) };
-    let there = linear.at(&place)?;
-    natural::check_mass(&there.mass, n, linear.coordinates())?;
-    if let Some(accelerations) = Lu::new(&there.mass, n).solve(&there.force) {
-        place.accelerations = accelerations;
+    if linear.linear().conditions.is_empty() {
+        let there = linear.at(&place)?;
+        natural::check_mass(&there.mass, n, linear.coordinates())?;
+        if let Some(accelerations) = Lu::new(&there.mass, n).solve(&there.force) {
+            place.accelerations = accelerations;
+        }
+    } else {
+        place = linear.moving(&place)?;
     }
     Ok(Small { machine: linear, place })
 }
@@ -140,6 +150,9 @@ fn candidates(machine: &Machine, start: &[f64], guess: &[(SymbolId, f64)]) -> Ve
 /// Whether no direction of C is negative.
 fn stable(linear: &mut LinearMachine, place: &Place) -> bool {
     let Ok(found) = linear.at(place) else { return false };
+    if !found.drift.is_empty() {
+        return natural::modes(&found, linear.coordinates(), Normalisation::Largest).is_ok_and(|m| m.modes.iter().all(|m| !m.grows()));
+    }
     let found = found.allowed().map_or(found.clone(), |(z, k)| found.reduced(&z, k));
     let (even, _) = analysis::linear::parts(&found.stiffness, found.n);
     analysis::numerics::lu::positive_definite(&even, found.n) != Some(false)

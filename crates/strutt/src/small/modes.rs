@@ -184,7 +184,7 @@ pub fn is_complex(modes: &Modes) -> bool {
 pub fn stability(modes: &Modes) -> Option<bool> {
     match () {
         () if modes.modes.iter().any(modes::Mode::grows) => Some(false),
-        () if modes.modes.iter().any(|m| m.kind == Kind::RigidBody) => None,
+        () if modes.modes.iter().any(|m| m.kind == Kind::RigidBody) || modes.zeros > 0 => None,
         () => Some(true),
     }
 }
@@ -226,6 +226,9 @@ pub fn to_json(found: &ModesFound) -> Map<String, Value> {
     own.insert("damping".into(), json!(damping));
     own.insert("gyroscopic".into(), json!(f.modes.gyroscopic));
     own.insert("circulatory".into(), json!(f.modes.circulatory));
+    if !f.matrices.drift.is_empty() {
+        own.insert("zero_roots".into(), json!(f.modes.zeros));
+    }
     own.insert("undamped".into(), json!(f.modes.undamped));
     let rows = |a: &[f64]| a.chunks(f.matrices.n.max(1)).map(<[f64]>::to_vec).collect::<Vec<_>>();
     let m = &f.matrices;

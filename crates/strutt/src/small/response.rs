@@ -111,6 +111,9 @@ pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
 fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseFound) -> Result<(), Fault> {
     let names = small.machine.coordinates().to_vec();
     let matrices = small.machine.at(&small.place)?;
+    if small.machine.timing().driven {
+        return Err(forced::through_connections());
+    }
     let found = modes(&matrices, &names, Normalisation::Largest)?;
     let (source, parameter) = source(study, &mut small)?;
     out.load = load_name(study, &small, &source, parameter);
@@ -128,6 +131,12 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let doubt = points.iter().map(|p| p.doubt).fold(0.0, f64::max);
     out.shapes = over(&mut forced, &study.shapes)?;
     out.own = own.map(|w| forced.at(out.main * w)).transpose()?;
+    let real = forced.has_size();
+    let shown = out.own.iter().chain(&points).find(|p| p.coordinates.iter().any(|z| magnitude(*z) > 0.0 && magnitude(*z).is_finite()));
+    let limit = match shown.filter(|_| real) {
+        Some(point) => forced.limits(point)?,
+        None => None,
+    };
     out.data = Dataset { axis: Some(0), columns: columns(&omegas, &points, &quantities), notes, ..Dataset::default() };
     each_order(&mut forced, &found, &omegas, (own, quantities.len()), out)?;
     forced.choose(main);
@@ -140,6 +149,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.data.notes.push(reference(from_sine));
     out.data.notes.extend(doubtful(doubt));
     out.data.notes.extend(left_out(&forced.left_out));
+    out.data.notes.extend(limit);
     quantities.iter().for_each(|q| state(&mut out.data, &q.name));
     out.coordinates = names;
     out.outputs = quantities;

@@ -1,0 +1,118 @@
+//! How far the equations of small motions hold for an amplitude that they give.
+//!
+//! Two things are left out: what oscillates in the coefficients (M₁ cos νt beside M, which turns a motion at ω into forces at ω ± ν), and what the
+//! forces of places do beyond their straight line. Both are measured on the amplitudes X, relative to the terms of the equations.
+
+use symbolic::Text;
+
+use crate::Fault;
+use crate::fault::{Explanation, Message, rounded};
+use crate::linear::{LinearMachine, Matrices, Place};
+use crate::studies::modes::Complex;
+use crate::studies::response::magnitude;
+
+/// Forces from oscillating coefficients that may be left out, relative to the terms.
+const FED_BACK: f64 = 1e-6;
+/// Distance of the forces from a straight line that is worth a word.
+const BENT: f64 = 1e-2;
+
+/// S108.
+pub const PULSATING: Explanation = Explanation {
+    code: "S108",
+    en: ("coefficients that oscillate in time", PULSATING_EN),
+    ru: ("коэффициенты, колеблющиеся во времени", PULSATING_RU),
+};
+const PULSATING_EN: &str = "Inertia, damping or stiffness oscillate in time (a rotor with unequal moments of inertia in axes at rest, a pulsating spring), so that one \
+    frequency of the load is answered at many, and these act back on the first. The amplitudes of `response` are those of the means and would be wrong by more than \
+    rounding. Wrong: response of a rotor with xx and yy that differ, its angles counted at rest. Right: count its angles in the turning frame, where the coefficients are \
+    constant, or find the regime with `periodic`.";
+const PULSATING_RU: &str = "Инерция, сопротивление или жёсткость колеблются во времени (ротор с неравными моментами инерции в неподвижных осях, пульсирующая жёсткость), \
+    поэтому на одну частоту нагрузки приходится много частот отклика, влияющих на первую. Амплитуды `response` получены по средним и были бы неверны больше, чем на \
+    погрешность округления. Неверно: response ротора с разными xx и yy, углы которого отсчитаны от неподвижных осей. Верно: отсчитывайте углы во вращающихся осях, где \
+    коэффициенты постоянны, или найдите режим с помощью `periodic`.";
+
+/// *Errors*: S108 where oscillating coefficients act back on the amplitudes X at ω.
+pub fn steady(machine: &LinearMachine, place: &Place, omega: f64, x: &[Complex]) -> Result<(), Fault> {
+    if !machine.timing().varying || x.iter().any(|z| !magnitude(*z).is_finite()) {
+        return Ok(());
+    }
+    let [mass, damping, stiffness] = machine.pulsation(place)?;
+    let fed = terms(&Matrices { n: x.len(), mass, damping, stiffness, ..Matrices::default() }, omega, x);
+    let whole = terms(&machine.clone().at(place)?, omega, x);
+    let share = fed.iter().zip(&whole).filter(|(_, w)| **w > 0.0).map(|(f, w)| f / w).fold(0.0, f64::max);
+    if share <= FED_BACK {
+        return Ok(());
+    }
+    let (share, omega) = (rounded(share), rounded(omega));
+    Err(Fault::new(Message {
+        code: "S108",
+        what: Text::new(
+            "the coefficients oscillate in time: amplitudes by their means are wrong",
+            "коэффициенты колеблются во времени: амплитуды по средним неверны",
+        ),
+        why: Text::new(
+            format!("at ω = {} rad/s their oscillating parts act with {} of the forces of the means", omega.en, share.en),
+            format!("при ω = {} рад/с колеблющиеся части дают {} от сил, вычисленных по средним", omega.ru, share.ru),
+        ),
+        help: Text::new(
+            "use `periodic`, or coordinates in which the coefficients are constant",
+            "примените `periodic` или координаты, в которых коэффициенты постоянны",
+        ),
+    }))
+}
+
+/// Σ_j (ω² |M_ij| + ω |B_ij| + |C_ij|) |X_j|.
+fn terms(m: &Matrices, omega: f64, x: &[Complex]) -> Vec<f64> {
+    let entry = |p: usize| omega * omega * m.mass[p].abs() + omega * m.damping[p].abs() + m.stiffness[p].abs();
+    (0..m.n).map(|i| (0..m.n).map(|j| entry(i * m.n + j) * magnitude(x[j])).sum()).collect()
+}
+
+/// A remark where the forces of places leave their straight line within the amplitudes X at ω.
+pub fn bent(machine: &mut LinearMachine, place: &Place, omega: f64, x: &[Complex]) -> Option<Text> {
+    if x.iter().any(|z| !magnitude(*z).is_finite()) {
+        return None;
+    }
+    let matrices = machine.at(place).ok()?;
+    let whole = terms(&matrices, omega, x);
+    let n = matrices.n;
+    let mut share = |s: f64| -> f64 {
+        let mut worst = 0.0_f64;
+        for turn in 0..4 {
+            let (sin, cos) = (std::f64::consts::FRAC_PI_2 * f64::from(turn)).sin_cos();
+            let away: Vec<f64> = x.iter().map(|z| s * (z.0 * cos - z.1 * sin)).collect();
+            let at = Place { q: place.q.iter().zip(&away).map(|(q, d)| q + d).collect(), ..place.clone() };
+            // beyond the domain of a formula nothing holds
+            let Ok(there) = machine.at(&at) else { return f64::INFINITY };
+            for i in 0..n {
+                let line: f64 = (0..n).map(|j| matrices.stiffness[i * n + j] * away[j]).sum();
+                let off = (there.force[i] - matrices.force[i] + line).abs();
+                if whole[i] > 0.0 {
+                    worst = worst.max(off / (s * whole[i]));
+                }
+            }
+        }
+        worst
+    };
+    let found = share(1.0);
+    if found <= BENT {
+        return None;
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if share(middle) <= BENT { low = middle } else { high = middle }
+    }
+    let (omega, percent, up) = (rounded(omega), rounded(100.0 * found), rounded(100.0 * low));
+    Some(Text::new(
+        format!(
+            "the equations are not linear: at ω = {} rad/s the forces leave their straight line by {} % within the amplitudes found, and by less than 1 % only up to {} % of \
+             these; use `periodic` or `simulate` beyond that",
+            omega.en, percent.en, up.en
+        ),
+        format!(
+            "уравнения нелинейны: при ω = {} рад/с силы в пределах найденных амплитуд отклоняются от линейных на {} %, а менее чем на 1 % – лишь до {} % от них; дальше \
+             применяйте `periodic` или `simulate`",
+            omega.ru, percent.ru, up.ru
+        ),
+    ))
+}
