@@ -276,7 +276,7 @@ impl Stairs {
 /// A free oscillation that the load meets makes its coordinates infinite.
 pub(super) fn forced(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
     let n = m.n;
-    let Ok(form) = Form::new(m) else { return Amplitudes { regular: vec![(f64::NAN, f64::NAN); n], pole: Vec::new() } };
+    let Ok(form) = Form::new(m) else { return Amplitudes { regular: vec![(f64::NAN, f64::NAN); n], pole: Vec::new(), doubt: f64::NAN } };
     let (w, p) = (form.allowed(), form.p);
     let unit = |i: usize| if m.mass[i * n + i] > 0.0 { m.mass[i * n + i].sqrt().recip() } else { 1.0 };
     let scale: Vec<f64> = (0..n).map(unit).collect();
@@ -310,7 +310,7 @@ pub(super) fn forced(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
         free if free.is_empty() => Vec::new(),
         free => back(&(0..2 * n).map(|i| free.iter().map(|x| x[i]).sum()).collect::<Vec<f64>>()),
     };
-    Amplitudes { regular, pole }
+    Amplitudes { regular, pole, doubt: 0.0 }
 }
 
 /// Each root in the equations and conditions as they stand: Wᵀ (λ² M + λ B + C) x, J x and (λ J + D) x, relative to their terms.
