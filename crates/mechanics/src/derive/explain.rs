@@ -135,12 +135,12 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "M119",
         ("what is kept from the start is only guessed", "сохраняется то, что в начале задано лишь приближённо"),
         (
-            "A weld or a slider with turns = false keeps the angle of the start, a slider without `through` the line through its place at the start, a rod or rope \
-             without `length` the length of the start. Coordinates with `guess` are found by closing the connections, so their rough values, and what the \
-             closing makes of them, become geometry. Give such coordinates `start`, or say the angle, the point or the length.",
-            "Жёсткое соединение и ползун с turns = false сохраняют угол начала движения, ползун без `through` — прямую через место точки в начале, стержень \
-             и канат без `length` — длину в начале. Координаты с `guess` находятся замыканием связей, поэтому их грубые значения и то, что сделает из них \
-             замыкание, становятся геометрией. Задайте таким координатам `start` либо укажите угол, точку или длину.",
+            "A weld or a slider with turns = false keeps the angle of the start, a slider without `through` the line through its place at the start. \
+             Coordinates with `guess` are found by closing the connections, so their rough values, and what the \
+             closing makes of them, become geometry. Give such coordinates `start`, or say the angle or the point.",
+            "Жёсткое соединение и ползун с turns = false сохраняют угол начала движения, ползун без `through` — прямую через место точки в начале. \
+             Координаты с `guess` находятся замыканием связей, поэтому их грубые значения и то, что сделает из них \
+             замыкание, становятся геометрией. Задайте таким координатам `start` либо укажите угол или точку.",
         ),
         "[coordinates]\na = { unit = \"rad\", guess = \"0.3\" }\nx = \"m\"\n[bodies.A]\norigin = [\"x\", \"0\"]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n\
          [points]\nO = { at = [0, 0] }\n[sliders.s]\npoint = \"A\"\nthrough = \"O\"\nturns = false",

@@ -1,7 +1,9 @@
 //! What a connection keeps as it is at the start, where the start is only guessed: the guess then is geometry, and the file should say so.
+//!
+//! A length of the start is that of the numbers in the file, guesses among them; an angle and a line are what the closing of the connections leaves.
 
 use crate::diagnostic::Diagnostic;
-use crate::model::{Connection, ConnectionKind, CoordinateDecl, Frame, FrameId, Origin, Point, PointRef, Rest};
+use crate::model::{Connection, ConnectionKind, CoordinateDecl, Frame, FrameId, Origin, Point, PointRef};
 use crate::read::reader::Reader;
 use std::collections::BTreeSet;
 use symbolic::{Expr, Graph, SymbolId, Text};
@@ -17,10 +19,9 @@ pub(in crate::read) struct Places<'m> {
 enum Kept {
     Angle,
     Line,
-    Length,
 }
 
-/// Warns of every angle, line or length of the start that belongs to guessed coordinates.
+/// Warns of every angle or line of the start that belongs to guessed coordinates.
 pub(in crate::read) fn warn(reader: &mut Reader, connections: &[Connection], places: &Places) {
     for connection in connections {
         for (kept, of) in kept(&reader.builder.graph, connection, places) {
@@ -47,12 +48,6 @@ fn kept(graph: &Graph, connection: &Connection, places: &Places) -> Vec<(Kept, B
             if through.is_none() {
                 list.push((Kept::Line, of_points(&[*point, PointRef::Origin(*on)])));
             }
-        }
-        ConnectionKind::Rod { between, length: Rest::Start } => list.push((Kept::Length, of_points(between))),
-        ConnectionKind::Rope { path, wound, length: Rest::Start, .. } => {
-            let mut of: BTreeSet<SymbolId> = of_points(path);
-            of.extend(wound.iter().flat_map(|drum| places.turns(graph, drum.on)));
-            list.push((Kept::Length, of));
         }
         _ => {}
     }
@@ -122,7 +117,6 @@ fn warning(connection: &Connection, kept: &Kept, names: &str) -> Diagnostic {
             ("its line through the place of the start", "прямую через место начала движения"),
             ("give the line a point: `through`", "задайте точку прямой: `through`"),
         ),
-        Kept::Length => (("the length of the start", "длину начала движения"), ("give `length`", "задайте `length`")),
     };
     Diagnostic::warning(
         "M119",
