@@ -248,7 +248,7 @@ impl LinearMachine {
         Ok(())
     }
 
-    fn evaluate_rows(&self, prepared: &Reactions, place: &Place, values: &[f64]) -> Result<(Vec<f64>, Vec<Row>, Vec<f64>), Fault> {
+    fn evaluate_rows(&self, prepared: &Reactions, place: &Place, values: &[f64]) -> Result<Evaluated, Fault> {
         let mut evaluator = Evaluator::new(&prepared.tape, &self.values)?;
         let states = self.states_with(place, prepared.forms, values);
         let found = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
@@ -276,6 +276,9 @@ impl LinearMachine {
         Ok((matrix, rows, slopes))
     }
 }
+
+/// The matrix of the balances, their rows, the slopes of the unknowns.
+type Evaluated = (Vec<f64>, Vec<Row>, Vec<f64>);
 
 impl Row {
     fn add(&self, gain: f64, named: bool, y: &mut Seen) {

@@ -83,12 +83,10 @@ pub fn bent(machine: &mut LinearMachine, place: &Place, omega: f64, x: &[Complex
             let at = Place { q: place.q.iter().zip(&away).map(|(q, d)| q + d).collect(), ..place.clone() };
             // beyond the domain of a formula nothing holds
             let Ok(there) = machine.at(&at) else { return f64::INFINITY };
-            for i in 0..n {
+            for (i, size) in whole.iter().enumerate().filter(|(_, size)| **size > 0.0) {
                 let line: f64 = (0..n).map(|j| matrices.stiffness[i * n + j] * away[j]).sum();
                 let off = (there.force[i] - matrices.force[i] + line).abs();
-                if whole[i] > 0.0 {
-                    worst = worst.max(off / (s * whole[i]));
-                }
+                worst = worst.max(off / (s * size));
             }
         }
         worst

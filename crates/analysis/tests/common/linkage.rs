@@ -164,7 +164,8 @@ impl Build {
     pub fn contact(&mut self, name: &str, gap: Expr, restitution: f64) -> usize {
         let condition = self.condition(name, Some(gap), None);
         let restitution = self.number(restitution);
-        self.own(name, "N", 1.0, Law::Contact { condition, gap, restitution, tie: name.starts_with("rope") })
+        let tangential = self.number(0.0);
+        self.own(name, "N", 1.0, Law::Contact { condition, gap, restitution, tangential, tie: name.starts_with("rope") })
     }
 
     pub fn friction(&mut self, name: &str, sliding: Expr, fixed: f64, kinetic: f64) -> usize {
