@@ -44,7 +44,8 @@ impl<S: System + ?Sized> Statics for S {
 /// *Errors*: S007 when Newton's method finds none.
 pub fn rest_near<S: Statics + ?Sized>(machine: &mut S, start: &[f64]) -> Result<Vec<f64>, Fault> {
     let n = machine.n_coordinates();
-    let mut search = Search { system: machine, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0, neutral_is_found: true };
+    let mut search =
+        Search { system: machine, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0, neutral_is_found: true, beside: true };
     search.from(start.to_vec()).map(|rest| rest.q)
 }
 
@@ -110,7 +111,7 @@ pub fn state(data: &mut Dataset) {
 ///
 /// Columns: the coordinates, `residual` (largest force relative to its terms), `stable` (1 yes, 0 no, NaN undecided).
 ///
-/// *Errors* beside what was found: S007 when no guess leads to an equilibrium, S008 when an equilibrium is not isolated.
+/// *Errors* beside what was found: S007 when no guess leads to an equilibrium, S008 when nothing restores any motion there.
 pub fn equilibrium<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Equilibrium) -> Outcome {
     let coordinates = system.states()[..System::n_coordinates(system)].to_vec();
     find(system, &coordinates, start, options)
@@ -122,7 +123,8 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
     if n == 0 {
         return Outcome { dataset: Dataset { notes: vec![nothing_moves()], ..Dataset::default() }, fault: None };
     }
-    let mut search = Search { system, n, forces: vec![0.0; n], jacobian: vec![0.0; n * n], steps: 0, neutral_is_found: false };
+    let (forces, jacobian) = (vec![0.0; n], vec![0.0; n * n]);
+    let mut search = Search { system, n, forces, jacobian, steps: 0, neutral_is_found: false, beside: options.over.is_none() };
     let mut found: Vec<Rest> = Vec::new();
     let mut faults = Vec::new();
     let own = start[..n].to_vec();
@@ -158,6 +160,12 @@ pub fn find<S: Statics + ?Sized>(system: &mut S, coordinates: &[Quantity], start
         dataset.notes.push(Text::new(
             "found by Newton's method from guesses along the range: there may be more",
             "найдены методом Ньютона из приближений вдоль диапазона: могут быть и другие",
+        ));
+    }
+    if options.over.is_none() && n > 1 && found.iter().any(|rest| rest.stable.is_none()) {
+        dataset.notes.push(Text::new(
+            "neutral: no force resists a small motion in at least one direction, so these places are not isolated",
+            "безразличное равновесие: хотя бы в одном направлении малому движению ничто не противится, и эти положения не изолированы",
         ));
     }
     // a guess that failed matters only when nothing was found, a free motion always
@@ -205,6 +213,8 @@ struct Search<'s, S: ?Sized> {
     steps: usize,
     /// Whether an equilibrium that is not isolated is an answer.
     neutral_is_found: bool,
+    /// Whether places beside a free motion are sought: along a range they would be as many as guesses.
+    beside: bool,
 }
 
 impl<S: Statics + ?Sized> Search<'_, S> {
@@ -217,7 +227,8 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             let lu = Lu::new(&self.jacobian, self.n);
             let balanced = self.residual(&x) <= RESIDUAL;
             let Some(correction) = lu.solve(&self.forces) else {
-                if self.neutral_is_found {
+                let held = self.beside && Qr::new(self.n, self.n, &self.jacobian, TOLERANCE).rank() > 0;
+                if self.neutral_is_found || held {
                     return self.free(x);
                 }
                 return Err(if balanced { self.neutral(&lu) } else { self.failed() });
