@@ -91,6 +91,8 @@ pub struct Timing {
     pub driven: bool,
     /// M, B or C contain harmonics, of which the mean was taken (parametric excitation).
     pub varying: bool,
+    /// The forces are not linear in the rates.
+    pub bent: bool,
     /// Loads that repeat decide the place of rest by their means over a period.
     pub averaged: bool,
 }
@@ -266,6 +268,7 @@ impl Linear {
             let mut by_rate = Derivation::partial(graph, self.coordinates[j][1]);
             for (i, h) in mean.iter().enumerate() {
                 let d = by_rate.apply(graph, *h);
+                self.timing.bent |= graph.contains(d, |s| self.coordinates.iter().any(|c| c[1] == s));
                 let d = rest.apply(graph, d);
                 let d = graph.neg(d);
                 self.damping.set(i, j, d);

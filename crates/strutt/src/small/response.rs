@@ -119,7 +119,10 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.load = load_name(study, &small, &source, parameter);
     let (quantities, formulas) = observed(study, &machine.equations);
     refuse_open(machine, &quantities)?;
-    let notes = timing_notes(small.machine.timing());
+    let mut notes = timing_notes(small.machine.timing());
+    if small.machine.timing().bent {
+        notes.push(bent_by_rates());
+    }
     let own_value = parameter.map(|p| small.machine.value(p));
     let mut forced = Forced::new(&mut small.machine, &small.place, source, parameter, &formulas)?;
     let own = forced.own_frequency().filter(|w| *w > 0.0);
@@ -155,6 +158,13 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.outputs = quantities;
     out.modes = Some(found);
     Ok(())
+}
+
+fn bent_by_rates() -> Text {
+    Text::new(
+        "the equations are not linear: forces of higher degree in the rates are left out, so the amplitudes hold for small motions only; `periodic` has them",
+        "уравнения нелинейны: силы высших степеней скоростей отброшены, и амплитуды верны лишь для малых движений; `periodic` их учитывает",
+    )
 }
 
 /// The chosen order along frequencies ω.
