@@ -31,20 +31,45 @@ const PULSATING_RU: &str = "Инерция, сопротивление или ж
     погрешность округления. Неверно: response ротора с разными xx и yy, углы которого отсчитаны от неподвижных осей. Верно: отсчитывайте углы во вращающихся осях, где \
     коэффициенты постоянны, или найдите режим с помощью `periodic`.";
 
-/// *Errors*: S108 where oscillating coefficients act back on the amplitudes X at ω.
-pub fn steady(machine: &LinearMachine, place: &Place, omega: f64, x: &[Complex]) -> Result<(), Fault> {
+/// A remark where stiffnesses oscillate: of a spring that pulsates, or of a load that depends on the place, which is small of second order.
+///
+/// *Errors*: S108 where oscillating inertia or damping acts back on the amplitudes X at ω.
+pub fn steady(machine: &LinearMachine, place: &Place, omega: f64, x: &[Complex]) -> Result<Option<Text>, Fault> {
     if !machine.timing().varying || x.iter().any(|z| !magnitude(*z).is_finite()) {
-        return Ok(());
+        return Ok(None);
     }
     let [mass, damping, stiffness] = machine.pulsation(place)?;
-    let fed = terms(&Matrices { n: x.len(), mass, damping, stiffness, ..Matrices::default() }, omega, x);
+    let (n, none) = (x.len(), vec![0.0; x.len() * x.len()]);
     let whole = terms(&machine.clone().at(place)?, omega, x);
-    let share = fed.iter().zip(&whole).filter(|(_, w)| **w > 0.0).map(|(f, w)| f / w).fold(0.0, f64::max);
-    if share <= FED_BACK {
-        return Ok(());
+    let share = |m: Matrices| -> f64 {
+        let fed = terms(&m, omega, x);
+        fed.iter().zip(&whole).filter(|(_, w)| **w > 0.0).map(|(f, w)| f / w).fold(0.0, f64::max)
+    };
+    let own = share(Matrices { n, mass, damping, stiffness: none.clone(), ..Matrices::default() });
+    let of_places = share(Matrices { n, mass: none.clone(), damping: none, stiffness, ..Matrices::default() });
+    if own > FED_BACK {
+        return Err(pulsating(own, omega));
     }
+    Ok((of_places > FED_BACK).then(|| {
+        let (share, omega) = (rounded(of_places), rounded(omega));
+        Text::new(
+            format!(
+                "stiffnesses oscillate in time (a load that depends on the place, a spring that pulsates): at ω = {} rad/s they act with {} of the forces of the \
+                 means, and the amplitudes are uncertain by as much; `periodic` gives them exactly",
+                omega.en, share.en
+            ),
+            format!(
+                "жёсткости колеблются во времени (нагрузка, зависящая от положения, пульсирующая жёсткость): при ω = {} рад/с они дают {} от сил, вычисленных по средним, \
+                 и настолько же неточны амплитуды; точные даёт `periodic`",
+                omega.ru, share.ru
+            ),
+        )
+    }))
+}
+
+fn pulsating(share: f64, omega: f64) -> Fault {
     let (share, omega) = (rounded(share), rounded(omega));
-    Err(Fault::new(Message {
+    Fault::new(Message {
         code: "S108",
         what: Text::new(
             "the coefficients oscillate in time: amplitudes by their means are wrong",
@@ -58,7 +83,7 @@ pub fn steady(machine: &LinearMachine, place: &Place, omega: f64, x: &[Complex])
             "use `periodic`, or coordinates in which the coefficients are constant",
             "примените `periodic` или координаты, в которых коэффициенты постоянны",
         ),
-    }))
+    })
 }
 
 /// Σ_j (ω² |M_ij| + ω |B_ij| + |C_ij|) |X_j|.

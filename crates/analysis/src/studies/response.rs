@@ -449,14 +449,14 @@ impl<'m> Forced<'m> {
         Ok(seen.iter().map(one).collect())
     }
 
-    /// Whether the amplitudes of a point can be believed: a remark where the forces are not linear within them.
+    /// Whether the amplitudes of a point can be believed: remarks where the forces are not linear within them.
     ///
     /// *Errors*: S108 where coefficients that oscillate in time act back on them.
-    pub fn limits(&mut self, point: &Point) -> Result<Option<Text>, Fault> {
+    pub fn limits(&mut self, point: &Point) -> Result<Vec<Text>, Fault> {
         let order = self.components.get(self.current).map_or(1.0, |c| c.order);
         self.matrices(point.omega / order)?;
-        super::limits::steady(self.machine, &self.place, point.omega, &point.coordinates)?;
-        Ok(super::limits::bent(self.machine, &self.place, point.omega, &point.coordinates))
+        let pulsing = super::limits::steady(self.machine, &self.place, point.omega, &point.coordinates)?;
+        Ok(pulsing.into_iter().chain(super::limits::bent(self.machine, &self.place, point.omega, &point.coordinates)).collect())
     }
 
     /// Whether the load is one of the machine's own, with a size.

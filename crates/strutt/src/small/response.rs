@@ -138,7 +138,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let shown = out.own.iter().chain(&points).find(|p| p.coordinates.iter().any(|z| magnitude(*z) > 0.0 && magnitude(*z).is_finite()));
     let limit = match shown.filter(|_| real) {
         Some(point) => forced.limits(point)?,
-        None => None,
+        None => Vec::new(),
     };
     out.data = Dataset { axis: Some(0), columns: columns(&omegas, &points, &quantities), notes, ..Dataset::default() };
     each_order(&mut forced, &found, &omegas, (own, quantities.len()), out)?;
