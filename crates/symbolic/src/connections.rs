@@ -176,7 +176,7 @@ pub struct FreeFrame {
 }
 
 impl Released {
-    /// Everything in it, in the order of [`Released::width`]: bodies (mass, centre, rotation by rows, six components xx, yy, zz, xy, yz, xz), then frames
+    /// Everything in it, in this order: bodies (mass, centre, rotation by rows, six components xx, yy, zz, xy, yz, xz), then frames
     /// (origin, force, moment, ways).
     pub fn expressions(&self, zero: Expr) -> Vec<Expr> {
         let mut list = Vec::new();

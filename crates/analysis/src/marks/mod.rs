@@ -2,7 +2,7 @@
 //!
 //! Both look at the dense output after a step is accepted and leave the motion alone. A state is a polynomial of the step. Any other quantity f is
 //! sampled along the step and replaced by the polynomial through its values at Chebyshev's points ([`proxy`]), on parts so short that no operation
-//! behind f hides anything between the points ([`behind`]); sign changes of the polynomial, or of its derivative, are isolated in Bernstein's form
+//! behind f hides anything between the points (`behind.rs`); sign changes of the polynomial, or of its derivative, are isolated in Bernstein's form
 //! ([`crossings`]), so that none is missed down to the rounding of its coefficients; an instant is then polished on f itself. The same polynomials give
 //! integrals, hence means and works.
 

@@ -3,7 +3,7 @@
 //! On [a, b] the values at Chebyshev's extreme points u_j = (1 - cos(π j/n))/2 give the coefficients of f = Σ c_k T_k(2u - 1). For an analytic f they
 //! fall like ρ^-k, ρ by the nearest singularity; n = 8 is tried, then 16, then the halves. The last two coefficients measure the error: they must fall
 //! below `ERROR` of the variation, or be rounding: of the largest value so far, or what the running error analysis of the tape gives. A pulse between
-//! the points leaves these coefficients small; so every operation behind the quantity must be seen at the points too ([`super::behind`]). A kink or a
+//! the points leaves these coefficients small; so every operation behind the quantity must be seen at the points too (`behind.rs`). A kink or a
 //! jump (`abs` in an output) is closed in by halving to `DEEPEST`. What does not converge is given up after `BANK` pieces in the whole run, and said so.
 //!
 //! *Source*: J. P. Boyd, Solving Transcendental Equations (SIAM 2014), chapter 3 (Chebyshev proxies with subdivision).
