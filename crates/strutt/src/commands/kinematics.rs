@@ -2,14 +2,14 @@
 
 use super::{Exit, study};
 use crate::args;
-use crate::console::{Console, listen_to_interrupts};
+use crate::console::{Console, end_on_interrupts};
 use crate::quantities;
 use mechanics::model::{Kinematics, KinematicsEnd, StudyKind};
 use strutt::pipeline::Machine;
 use strutt::{Failure, Trouble, plan, studies};
 
 pub fn run(args: &args::Kinematics, console: &mut Console) -> Result<Exit, Failure> {
-    listen_to_interrupts();
+    end_on_interrupts();
     let out = args.out.as_deref();
     let pick = |kind: &StudyKind| match kind {
         StudyKind::Kinematics(study) => Some(study.clone()),
