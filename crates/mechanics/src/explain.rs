@@ -33,6 +33,7 @@ pub struct Explanation {
 /// Every table of explanations.
 pub const TABLES: &[&[Explanation]] = &[
     EXPLANATIONS,
+    STUDIES,
     LINEAR,
     EVENTS,
     TEXTS,
@@ -513,7 +514,6 @@ pub const EXPLANATIONS: &[Explanation] = &[
 
 #[cfg(test)]
 mod tests {
-    use super::EXPLANATIONS;
     use std::collections::BTreeSet;
     use std::path::Path;
 
@@ -535,7 +535,7 @@ mod tests {
         sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut text);
         let codes = text.match_indices("\"M0").filter_map(|(i, _)| text.get(i + 1..i + 5)).filter(|c| c[1..].parse::<u16>().is_ok());
         let used: BTreeSet<&str> = codes.collect();
-        let rows = || EXPLANATIONS.iter().chain(super::STUDIES).chain(super::LINEAR);
+        let rows = || super::TABLES.iter().flat_map(|table| table.iter());
         let explained: BTreeSet<&str> = rows().map(|e| e.code).collect();
         assert_eq!(explained.len(), rows().count(), "a code has two rows");
         let used: BTreeSet<&str> = used.into_iter().filter(|c| *c < "M100").collect();
