@@ -1,6 +1,6 @@
 //! Frames: exact numbers against machine numbers, order of convergence, limits of constraints, invariance.
 
-use analysis::structure::substructure::substructure;
+use analysis::structure::substructure::{Wish, substructure};
 use analysis::structure::{Action, Assembly, Component, Displacement, Frame, Load, Node, Place, Rod, RodKind, Support};
 use analysis::structure::{continuum, reduced::Condensation};
 use analysis::studies::structure_modes::{Modes, modes};
@@ -97,7 +97,8 @@ fn exact_and_machine_numbers_agree() {
         Load { name: "q".into(), action: Action::Distributed { rod: 0, value: [[1.0, 0.0], [0.0, -2.0]] } },
     ];
     let component = Component::Along([0.0, 1.0]);
-    let displacement = Displacement { name: "v".into(), symbol: "v".into(), label: Text::default(), place: Place::Node(2), component };
+    let displacement =
+        Displacement { name: "v".into(), symbol: "v".into(), label: Text::default(), place: Place::Node(2), component, loaded: false };
     frame.displacements.push(displacement);
     // 0.6 and 0.8 are meant as decimals
     let decimal = |v: &f64| Rational::parse_decimal(&format!("{v}"));
@@ -152,11 +153,12 @@ fn amplitudes_complete_the_named_displacements() {
         label: Text::default(),
         place: Place::Node(1),
         component,
+        loaded: false,
     });
     let assembly = Assembly::of(&frame);
     let all = omegas(&frame, 4);
     let with = |count: usize| {
-        let found = substructure(&frame, &assembly, Condensation::Automatic, count).unwrap();
+        let found = substructure(&frame, &assembly, &Wish { count, ..Wish::default() }).unwrap();
         let n = found.named.len() + found.amplitudes;
         let modes = analysis::numerics::eigen::symmetric(n, &found.stiffness, &found.mass).unwrap();
         modes.values.iter().take(4).zip(&all).map(|(v, w)| (v.sqrt() / w - 1.0).abs()).fold(0.0, f64::max)

@@ -24,6 +24,8 @@ pub struct Structure {
     pub rayleigh: Vec<AssumedShape>,
     /// How to compute.
     pub options: Options,
+    /// Highest natural frequency of the shapes that stand for the frame in the machine, rad/s, when higher ones are left out.
+    pub kept: Option<f64>,
 }
 
 /// A shape of a rod assumed for Rayleigh's method.
@@ -137,6 +139,8 @@ pub struct Displacement {
     pub site: Site,
     /// Which.
     pub direction: Direction,
+    /// Whether anything but results and studies uses it: bodies, elements, connections, parameters.
+    pub loaded: bool,
 }
 
 /// A load on a node or rod.

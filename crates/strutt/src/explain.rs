@@ -64,6 +64,28 @@ type Wording = (&'static str, &'static str);
 /// Code, title, body of what the command line itself can say.
 const OWN: &[(&str, Wording, Wording)] = &[
     (
+        "S104",
+        ("Statics without the machine", "Статика без механизма"),
+        (
+            "A frame carries bodies, springs or other elements of a machine. `statics` adds what these exert at rest along the named displacements, \
+             found from the equilibrium of both. That needs loads that stand still, independent displacements and a flexibility matrix (at most \
+             12 displacements, 400 freedoms). Otherwise the structure alone would be computed as if nothing stood on it, so it is refused.",
+            "Рама несёт тела, пружины или другие элементы механизма. `statics` добавляет их действие в покое вдоль именованных перемещений, \
+             найденное из общего равновесия. Для этого нужны постоянные нагрузки, независимые перемещения и матрица податливости (не более 12 \
+             перемещений и 400 степеней свободы). Иначе конструкция считалась бы пустой, поэтому расчёт не выполняется.",
+        ),
+    ),
+    (
+        "S105",
+        ("Not for structures", "Не для конструкций"),
+        (
+            "`over`, `guess` and `about` belong to the modes of machines. A frame or truss without bodies is linear and is computed for the data \
+             of the file; other values come with --set.",
+            "`over`, `guess` и `about` относятся к формам механизмов. Рама или ферма без тел линейна и считается по данным файла; другие \
+             значения задают ключом --set.",
+        ),
+    ),
+    (
         "C001",
         ("No such file", "Нет такого файла"),
         (

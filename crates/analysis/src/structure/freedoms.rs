@@ -1,7 +1,10 @@
 //! Degrees of freedom before constraints: x, y and turn of each node, own turns of hinged rod ends, and the inner nodes of divided rods,
 //! whose displacements are counted along and across the rod, so that an inextensible rod stays one unknown along itself.
+//!
+//! A rod is also divided where one of its displacements has a name: between nodes it takes the shape of an unloaded rod, which is the truth
+//! about its own flexibility only at nodes.
 
-use super::{Frame, RodKind, Scalar};
+use super::{Frame, Place, RodKind, Scalar};
 
 /// A rod or a part of a divided one.
 #[derive(Clone, Debug)]
@@ -59,8 +62,8 @@ impl<S: Scalar> Freedoms<S> {
 
     fn rod(&mut self, frame: &Frame<S>, i_rod: usize) {
         let rod = &frame.rods[i_rod];
-        let n = if rod.is_bar() || matches!(rod.kind, RodKind::Rigid) { 1 } else { rod.divisions.max(1) };
-        let length = rod.length.div(&S::ratio(n as i64, 1));
+        let pieces = pieces(frame, i_rod);
+        let n = pieces.len();
         let turn = |freedoms: &mut Freedoms<S>, end: usize| match rod.hinged[end] || rod.is_bar() {
             true => freedoms.add(Freedom::Hinge(i_rod, end)),
             false => 3 * rod.ends[end] + 2,
@@ -73,8 +76,8 @@ impl<S: Scalar> Freedoms<S> {
                 false => [0, 1, 2].map(|k| self.add(Freedom::Inner(i_rod, i_part, k))),
             };
             let freedoms = [start[0], start[1], start[2], end[0], end[1], end[2]];
-            let from = length.mul(&S::ratio(i_part as i64, 1));
-            self.parts.push(Part { rod: i_rod, from, length: length.clone(), freedoms, ground_axes: [i_part == 0, last] });
+            let (from, length) = pieces[i_part].clone();
+            self.parts.push(Part { rod: i_rod, from, length, freedoms, ground_axes: [i_part == 0, last] });
             start = end;
         }
     }
@@ -103,4 +106,50 @@ impl<S: Scalar> Freedoms<S> {
         }
         found
     }
+}
+
+/// Share of the length of a rod below which two places are one.
+const SAME: f64 = 1e-9;
+
+/// An end of a part of a rod.
+struct Cut<S> {
+    at: S,
+    /// Which of the equal divisions it is; none for the place of a named displacement.
+    division: Option<usize>,
+}
+
+/// Start and length of the parts of a rod: equal parts, and cuts at the places of its named displacements. A division next to such a place
+/// moves onto it, so that no part is a sliver.
+fn pieces<S: Scalar>(frame: &Frame<S>, i_rod: usize) -> Vec<(S, S)> {
+    let rod = &frame.rods[i_rod];
+    let bends = matches!(rod.kind, RodKind::Beam { .. });
+    let n = if bends { rod.divisions.max(1) } else { 1 };
+    let part = rod.length.div(&S::ratio(n as i64, 1));
+    let mut cuts: Vec<Cut<S>> = (0..n).map(|i| Cut { at: part.mul(&S::ratio(i as i64, 1)), division: Some(i) }).collect();
+    cuts.push(Cut { at: rod.length.clone(), division: Some(n) });
+    let named = frame.displacements.iter().filter_map(|d| match &d.place {
+        Place::Rod(i, at) if *i == i_rod && bends => Some(at),
+        _ => None,
+    });
+    let mut kept = Vec::new();
+    for at in named.filter(|at| at.value() > 0.0 && at.value() < rod.length.value()) {
+        let gap = |cut: &Cut<S>| cut.at.sub(at).size();
+        let near = (0..cuts.len()).min_by(|i, j| gap(&cuts[*i]).total_cmp(&gap(&cuts[*j]))).unwrap_or(0);
+        let (distance, division) = (gap(&cuts[near]), cuts[near].division);
+        let inner = division.is_some_and(|k| k > 0 && k < n && !kept.contains(&k));
+        if distance <= SAME * rod.length.size() {
+            kept.extend(division);
+        } else if inner && distance < 0.125 * part.size() {
+            cuts[near] = Cut { at: at.clone(), division: None };
+        } else {
+            cuts.push(Cut { at: at.clone(), division: None });
+            cuts.sort_by(|a, b| a.at.value().total_cmp(&b.at.value()));
+        }
+    }
+    // equal parts are equal to the last digit
+    let length = |pair: &[Cut<S>]| match (pair[0].division, pair[1].division) {
+        (Some(_), Some(_)) => part.clone(),
+        _ => pair[1].at.sub(&pair[0].at),
+    };
+    cuts.windows(2).map(|pair| (pair[0].at.clone(), length(pair))).collect()
 }

@@ -76,7 +76,7 @@ pub struct Rod<S> {
     pub rotary: S,
     /// Hinges at start and end.
     pub hinged: [bool; 2],
-    /// Parts of equal length.
+    /// Parts of equal length; named displacements divide the rod besides ([`freedoms`]).
     pub divisions: usize,
 }
 
@@ -122,6 +122,8 @@ pub struct Displacement<S> {
     pub place: Place<S>,
     /// Which one.
     pub component: Component<S>,
+    /// Whether something outside the frame may act along it: what gives way there is then no freedom to be condensed.
+    pub loaded: bool,
 }
 
 /// A place on a structure.
@@ -216,7 +218,7 @@ impl<S: Scalar> Frame<S> {
                 Component::Turn => Component::Turn,
             };
             let (name, symbol, label) = (d.name.clone(), d.symbol.clone(), d.label.clone());
-            Some(Displacement { name, symbol, label, place: place(&d.place)?, component })
+            Some(Displacement { name, symbol, label, place: place(&d.place)?, component, loaded: d.loaded })
         };
         let load = |l: &Load<S>| {
             let action = match &l.action {

@@ -26,7 +26,7 @@ pub enum Condensation {
 }
 
 /// Matrices over the coordinates of a structure, row by row.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Reduced<S> {
     /// Coordinates.
     pub coordinates: Vec<Quantity>,

@@ -240,6 +240,51 @@ impl<S: Scalar> Statics<S> {
     }
 }
 
+impl Statics<f64> {
+    /// The stations of a rod with those where the bending moment (V = 0) and the shear force (q = 0) have their extremes between them.
+    pub fn diagram(&self, assembly: &Assembly<f64>, rod: usize, between: usize) -> Vec<Station<f64>> {
+        let mut out = self.stations(assembly, rod, between);
+        for (i, part) in assembly.freedoms.parts.iter().enumerate().filter(|p| p.1.rod == rod) {
+            let mut cuts: Vec<f64> = self.carried[i].points.iter().map(|p| p.0).chain([part.length]).collect();
+            cuts.sort_by(f64::total_cmp);
+            let mut from = 0.0;
+            for (passed, cut) in cuts.into_iter().enumerate() {
+                for x in self.turning(i, [from, cut], passed, part.length) {
+                    let mut station = self.section(i, &self.carried[i], &x, passed, &part.length);
+                    station.s = part.from + x;
+                    let at = out.partition_point(|s| s.s <= station.s);
+                    let near = |s: &Station<f64>| (s.s - station.s).abs() <= 1e-12 * part.length;
+                    if !out[at.saturating_sub(1)..].iter().take(2).any(near) {
+                        out.insert(at, station);
+                    }
+                }
+                from = cut;
+            }
+        }
+        out
+    }
+
+    /// Places inside a stretch without concentrated loads where the shear force or the load across vanishes: V' = q, q linear.
+    fn turning(&self, i_part: usize, [from, to]: [f64; 2], passed: usize, length: f64) -> Vec<f64> {
+        let carried = &self.carried[i_part];
+        let sum = |end: usize| carried.distributed.iter().map(|q| q[end][1]).sum::<f64>();
+        let slope = (sum(1) - sum(0)) / length;
+        let here = sum(0) + slope * from;
+        let shear = self.section(i_part, carried, &from, passed, &length).shear;
+        let mut steps = vec![-here / slope];
+        // V + q s + q' s²/2 = 0, the form without cancellation
+        let root = here * here - 2.0 * slope * shear;
+        if root >= 0.0 {
+            let sum = -(here + root.sqrt().copysign(here));
+            steps.extend([sum / slope, 2.0 * shear / sum]);
+        }
+        steps.retain(|s| s.is_finite() && *s > 0.0 && *s < to - from);
+        steps.sort_by(f64::total_cmp);
+        steps.dedup();
+        steps.into_iter().map(|s| from + s).collect()
+    }
+}
+
 /// ∫ M_i M_j/EI dx along a rod from two diagrams with the same stations, linear between them: (2ab + 2cd + ad + bc) l/6 EI on each piece.
 pub fn product<S: Scalar>(kind: &RodKind<S>, first: &[Station<S>], second: &[Station<S>]) -> S {
     let RodKind::Beam { bending, axial } = kind else {

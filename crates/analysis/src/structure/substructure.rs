@@ -10,8 +10,9 @@
 //! of boundary nodes.
 
 use super::equilibrium::SEARCHED;
-use super::reduced::{Condensation, displacements, reduce};
-use super::{Assembly, Frame, dense, faults};
+use super::loads::loading;
+use super::reduced::{Condensation, Reduced, displacements, reduce};
+use super::{Assembly, Frame, Load, dense, faults};
 use crate::Fault;
 use crate::numerics::certify::Certificate;
 use crate::numerics::eigen::Modes;
@@ -33,6 +34,10 @@ pub struct Substructure {
     pub basis: Vec<f64>,
     /// Number of independent freedoms.
     pub n_q: usize,
+    /// Whether the coordinates are just the condensed freedoms in other words.
+    pub condensed: bool,
+    /// The highest frequency of the oscillations that span the space, rad/s, when higher ones are left out.
+    pub kept: Option<f64>,
 }
 
 /// What coordinates are chosen from: shapes over the independent freedoms with their matrices.
@@ -46,47 +51,174 @@ struct Space {
     basis: Vec<f64>,
     /// Named displacements over the shapes, one row each.
     named: Vec<Vec<f64>>,
+    /// Whether it is more than the condensed freedoms, or less.
+    lost: bool,
+    /// The highest oscillation in it, rad/s, when higher ones are left out.
+    kept: Option<f64>,
 }
 
-/// The coordinates of a frame, at most `count` amplitudes.
+/// What is wanted of the coordinates.
+#[derive(Clone, Debug, Default)]
+pub struct Wish {
+    /// Which freedoms follow statically.
+    pub condensation: Condensation,
+    /// Largest number of lowest oscillations that span the space.
+    pub count: usize,
+    /// Loads whose static shapes span it too: those that change with time.
+    pub loads: Vec<Load<f64>>,
+}
+
+/// The coordinates of a frame.
 ///
-/// Where these are fewer than the freedoms, the space is spanned by the `count` lowest oscillations and the static shapes K⁻¹ Pᵀ of unit forces
-/// along the named displacements: both the lowest frequencies and the statics of the named displacements are those of the whole frame.
+/// Where the wanted oscillations are fewer than the freedoms, the space is spanned by them and the static shapes K⁻¹ Pᵀ of unit forces along
+/// the named displacements and of the loads: the lowest frequencies, the statics of the named displacements and the static part of what
+/// the loads do are those of the whole frame. Where they are not, it is spanned by all freedoms with inertia and by what gives way along the
+/// displacements that something outside acts on.
 ///
-/// *Errors*: no inertia, S063, S064, faults of the eigensolver.
-pub fn substructure(frame: &Frame<f64>, assembly: &Assembly<f64>, condensation: Condensation, count: usize) -> Result<Substructure, Fault> {
-    let n_q = assembly.n();
-    let space = match n_q > SEARCHED && condensation != Condensation::Turns {
-        true => sparse(frame, assembly, count)?,
-        false => dense_space(frame, assembly, condensation, count)?,
+/// *Errors*: nothing to move, S063, S064, faults of the eigensolver.
+pub fn substructure(frame: &Frame<f64>, assembly: &Assembly<f64>, wish: &Wish) -> Result<Substructure, Fault> {
+    let whole = Whole::of(frame, assembly, &wish.loads)?;
+    let space = match assembly.n() > SEARCHED && wish.condensation != Condensation::Turns {
+        true => whole.sparse(assembly, wish.count)?,
+        false => whole.dense(assembly, wish)?,
     };
-    coordinates(space, n_q)
+    coordinates(space, assembly.n())
 }
 
-/// All of a small frame, condensed; or the few shapes that matter.
-fn dense_space(frame: &Frame<f64>, assembly: &Assembly<f64>, condensation: Condensation, count: usize) -> Result<Space, Fault> {
-    let mut bare = frame.clone();
-    bare.displacements.clear();
-    let reduced = reduce(&bare, assembly, condensation)?;
-    let (n, n_q) = (reduced.n(), reduced.n_q);
-    let named: Vec<Vec<f64>> = displacements(frame, assembly).iter().map(|p| dense::product(p, &reduced.basis, 1, n_q, n)).collect();
-    if named.len() + count >= n {
-        let (mass, stiffness, flexibility, basis) = (reduced.mass, reduced.stiffness, reduced.flexibility, reduced.basis);
-        return Ok(Space { n, mass, stiffness, flexibility, basis, named });
+/// All independent freedoms.
+struct Whole<'a> {
+    frame: &'a Frame<f64>,
+    stiffness: Sparse,
+    mass: Sparse,
+    /// Named displacements over the freedoms.
+    named: Vec<Vec<f64>>,
+    /// Loads on the freedoms.
+    loads: Vec<Vec<f64>>,
+}
+
+impl Whole<'_> {
+    fn of<'a>(frame: &'a Frame<f64>, assembly: &Assembly<f64>, loads: &[Load<f64>]) -> Result<Whole<'a>, Fault> {
+        let (stiffness, mass) = (compressed(&assembly.stiffness(frame))?, compressed(&assembly.mass(frame))?);
+        let force = |load: &Load<f64>| assembly.elimination.gather(&loading(assembly, frame, std::slice::from_ref(load)).forces);
+        Ok(Whole { frame, stiffness, mass, named: displacements(frame, assembly), loads: loads.iter().map(force).collect() })
     }
-    let (modes, certificate) = lowest_dense(&reduced.stiffness, &reduced.mass, n, count)?;
-    confirmed(&certificate)?;
-    let (k, m) = (Sparse::from_dense(n, &reduced.stiffness)?, Sparse::from_dense(n, &reduced.mass)?);
-    let mut space = few(frame, [&k, &m], &modes, &named)?;
-    space.basis = dense::product(&reduced.basis, &space.basis, n_q, n, space.n);
-    Ok(space)
+
+    /// All of a small frame, condensed; or the few shapes that matter.
+    fn dense(&self, assembly: &Assembly<f64>, wish: &Wish) -> Result<Space, Fault> {
+        if self.mass.diagonal().iter().all(|m| *m == 0.0) {
+            return self.complete(None);
+        }
+        let mut bare = self.frame.clone();
+        bare.displacements.clear();
+        let reduced = reduce(&bare, assembly, wish.condensation)?;
+        let (n, n_q) = (reduced.n(), reduced.n_q);
+        if self.named.len() + wish.count >= n {
+            return self.complete(Some(reduced));
+        }
+        let (modes, certificate) = lowest_dense(&reduced.stiffness, &reduced.mass, n, wish.count)?;
+        confirmed(&certificate)?;
+        let shapes: Vec<f64> = (0..modes.values.len()).flat_map(|j| dense::product(&reduced.basis, modes.shape(j), n_q, n, 1)).collect();
+        self.few(&Modes { n: n_q, values: modes.values, vectors: shapes })
+    }
+
+    fn sparse(&self, assembly: &Assembly<f64>, count: usize) -> Result<Space, Fault> {
+        if self.mass.diagonal().iter().all(|m| *m == 0.0) {
+            return self.few(&Modes { n: assembly.n(), ..Modes::default() });
+        }
+        let (modes, certificate) = lowest_sparse(&assembly.stiffness(self.frame), &assembly.mass(self.frame), count)?;
+        confirmed(&certificate)?;
+        self.few(&modes)
+    }
+
+    /// The condensed freedoms, and what their condensation took from the displacements that something outside acts on.
+    fn complete(&self, reduced: Option<Reduced<f64>>) -> Result<Space, Fault> {
+        let n_q = self.stiffness.size();
+        let empty = || Reduced { n_q, ..Reduced::default() };
+        let reduced = reduced.unwrap_or_else(empty);
+        let (kept, factor) = (reduced.n(), self.stiffness.factor().map_err(|_| faults::extreme(self.frame))?);
+        let mut shapes: Vec<Vec<f64>> = (0..kept).map(|j| (0..n_q).map(|i| reduced.basis[i * kept + j]).collect()).collect();
+        let loaded = self.named.iter().zip(&self.frame.displacements).filter(|(_, d)| d.loaded);
+        for (row, _) in loaded {
+            let mut shape = row.clone();
+            factor.solve(&mut shape, 1);
+            let own = dot(row, &shape);
+            for _ in 0..2 {
+                let force = self.stiffness.product(&shape);
+                let shares: Vec<f64> = shapes.iter().map(|s| dot(s, &force)).collect();
+                let mut weights = dense::product(&reduced.flexibility, &shares[..kept], kept, kept, 1);
+                weights.extend(&shares[kept..]);
+                for (other, weight) in shapes.iter().zip(weights) {
+                    shape.iter_mut().zip(other).for_each(|(x, o)| *x -= weight * o);
+                }
+            }
+            let left = dot(&shape, &self.stiffness.product(&shape));
+            if left > NEW * own && shapes.len() < n_q {
+                shapes.push(shape.iter().map(|x| x / left.sqrt()).collect());
+            }
+        }
+        let n = shapes.len();
+        let extended = |matrix: &[f64], new: f64| -> Vec<f64> {
+            let entry = |i: usize, j: usize| match (i < kept && j < kept, i == j) {
+                (true, _) => matrix[i * kept + j],
+                (false, same) => {
+                    if same {
+                        new
+                    } else {
+                        0.0
+                    }
+                }
+            };
+            (0..n * n).map(|e| entry(e / n, e % n)).collect()
+        };
+        let (stiffness, flexibility) = (extended(&reduced.stiffness, 1.0), extended(&reduced.flexibility, 1.0));
+        let mut space = self.space(&shapes);
+        for (i, j) in (0..kept).flat_map(|i| (0..kept).map(move |j| (i, j))) {
+            space.mass[i * n + j] = reduced.mass[i * kept + j];
+        }
+        Ok(Space { stiffness, flexibility, lost: n > kept, ..space })
+    }
+
+    /// The space of some oscillations and of the static shapes of unit forces along the named displacements and of the loads, with K = 1.
+    fn few(&self, modes: &Modes) -> Result<Space, Fault> {
+        let k = &self.stiffness;
+        let factor = k.factor().map_err(|_| faults::extreme(self.frame))?;
+        let mut shapes: Vec<Vec<f64>> = Vec::new();
+        for (j, value) in modes.values.iter().enumerate() {
+            shapes.push(modes.shape(j).iter().map(|x| x / value.sqrt()).collect());
+        }
+        for row in self.named.iter().chain(&self.loads) {
+            let mut shape = row.clone();
+            factor.solve(&mut shape, 1);
+            let own = dot(row, &shape);
+            for _ in 0..2 {
+                let force = k.product(&shape);
+                let shares: Vec<f64> = shapes.iter().map(|s| dot(s, &force)).collect();
+                for (other, share) in shapes.iter().zip(shares) {
+                    shape.iter_mut().zip(other).for_each(|(x, o)| *x -= share * o);
+                }
+            }
+            let left = dot(&shape, &k.product(&shape));
+            if left > NEW * own && shapes.len() < k.size() {
+                shapes.push(shape.iter().map(|x| x / left.sqrt()).collect());
+            }
+        }
+        let kept = modes.values.iter().copied().reduce(f64::max).map(f64::sqrt);
+        Ok(Space { lost: true, kept, ..self.space(&shapes) })
+    }
+
+    /// The space of shapes that are orthonormal in K.
+    fn space(&self, shapes: &[Vec<f64>]) -> Space {
+        let (n, n_q) = (shapes.len(), self.stiffness.size());
+        let heavy: Vec<Vec<f64>> = shapes.iter().map(|s| self.mass.product(s)).collect();
+        let mass = (0..n * n).map(|e| 0.5 * (dot(&shapes[e / n], &heavy[e % n]) + dot(&shapes[e % n], &heavy[e / n]))).collect();
+        let basis = (0..n_q * n).map(|e| shapes[e % n][e / n]).collect();
+        let named = self.named.iter().map(|row| shapes.iter().map(|s| dot(row, s)).collect()).collect();
+        Space { n, mass, stiffness: dense::identity(n), flexibility: dense::identity(n), basis, named, lost: false, kept: None }
+    }
 }
 
-fn sparse(frame: &Frame<f64>, assembly: &Assembly<f64>, count: usize) -> Result<Space, Fault> {
-    let (k, m) = (assembly.stiffness(frame), assembly.mass(frame));
-    let (modes, certificate) = lowest_sparse(&k, &m, count)?;
-    confirmed(&certificate)?;
-    few(frame, [&compressed(&k)?, &compressed(&m)?], &modes, &displacements(frame, assembly))
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 fn confirmed(certificate: &Certificate) -> Result<(), Fault> {
@@ -96,38 +228,6 @@ fn confirmed(certificate: &Certificate) -> Result<(), Fault> {
 
 /// Smallest share of its energy that a static shape adds to what is there.
 const NEW: f64 = 1e-10;
-
-/// The space of some oscillations and of the static shapes of unit forces, with K = 1.
-fn few(frame: &Frame<f64>, [k, m]: [&Sparse; 2], modes: &Modes, rows: &[Vec<f64>]) -> Result<Space, Fault> {
-    let factor = k.factor().map_err(|_| faults::extreme(frame))?;
-    let mut shapes: Vec<Vec<f64>> = Vec::new();
-    for (j, value) in modes.values.iter().enumerate() {
-        shapes.push(modes.shape(j).iter().map(|x| x / value.sqrt()).collect());
-    }
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-    for row in rows {
-        let mut shape = row.clone();
-        factor.solve(&mut shape, 1);
-        let own = dot(row, &shape);
-        for _ in 0..2 {
-            let force = k.product(&shape);
-            let shares: Vec<f64> = shapes.iter().map(|s| dot(s, &force)).collect();
-            for (other, share) in shapes.iter().zip(shares) {
-                shape.iter_mut().zip(other).for_each(|(x, o)| *x -= share * o);
-            }
-        }
-        let left = dot(&shape, &k.product(&shape));
-        if left > NEW * own && shapes.len() < k.size() {
-            shapes.push(shape.iter().map(|x| x / left.sqrt()).collect());
-        }
-    }
-    let (n, n_q) = (shapes.len(), k.size());
-    let heavy: Vec<Vec<f64>> = shapes.iter().map(|s| m.product(s)).collect();
-    let mass = (0..n * n).map(|e| 0.5 * (dot(&shapes[e / n], &heavy[e % n]) + dot(&shapes[e % n], &heavy[e / n]))).collect();
-    let basis = (0..n_q * n).map(|e| shapes[e % n][e / n]).collect();
-    let named = rows.iter().map(|row| shapes.iter().map(|s| dot(row, s)).collect()).collect();
-    Ok(Space { n, mass, stiffness: dense::identity(n), flexibility: dense::identity(n), basis, named })
-}
 
 /// Named displacements, then amplitudes of shapes in which they rest.
 fn coordinates(space: Space, n_q: usize) -> Result<Substructure, Fault> {
@@ -162,7 +262,16 @@ fn coordinates(space: Space, n_q: usize) -> Result<Substructure, Fault> {
     for i in m..width {
         (m..width).for_each(|j| mass[i * width + j] = f64::from(u8::from(i == j)));
     }
-    Ok(Substructure { named, amplitudes, mass, stiffness, basis: dense::product(&space.basis, &local, n_q, n, width), n_q })
+    Ok(Substructure {
+        named,
+        amplitudes,
+        mass,
+        stiffness,
+        basis: dense::product(&space.basis, &local, n_q, n, width),
+        n_q,
+        condensed: !space.lost,
+        kept: space.kept,
+    })
 }
 
 /// The functionals that are independent of those before them, in the metric of the flexibility.

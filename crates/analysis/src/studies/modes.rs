@@ -324,7 +324,7 @@ fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>
             None if root.0.hypot(root.1) <= LOST * fastest => return Err(lost()),
             None => (*root, shape),
         };
-        let root = &root;
+        let root = &settled_root(root, largest(&system.damping) == 0.0);
         let omega = root.0.hypot(root.1);
         let kind = match () {
             () if root.1 > 0.0 => Kind::Oscillation,
@@ -332,7 +332,7 @@ fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>
             () => Kind::Aperiodic,
         };
         let omega = if kind == Kind::Divergence { 0.0 } else { omega };
-        let ratio = if kind == Kind::Divergence { f64::NAN } else { -root.0 / omega };
+        let ratio = if kind == Kind::Divergence { f64::NAN } else { 0.0 - root.0 / omega };
         modes.push(Mode { kind, omega, damped: root.1, ratio, root: *root, shape });
     }
     for j in (0..n).filter(|&j| values[j] == 0.0).take(frees.min(free)) {
@@ -341,6 +341,17 @@ fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>
     let order = |m: &Mode| (m.kind != Kind::RigidBody, m.omega);
     modes.sort_by(|a, b| order(a).0.cmp(&order(b).0).then(a.omega.total_cmp(&b.omega)).then(a.root.0.total_cmp(&b.root.0)));
     Ok(modes)
+}
+
+/// Share of a root that Newton's method with residuals in twice the digits leaves unknown.
+const POLISHED: f64 = 1e-28;
+/// The same where nothing depends on rates: λ² are roots of a real polynomial, imaginary λ leave rounding only.
+const UNDAMPED: f64 = 1e-14;
+
+/// A root whose real part is rounding neither grows nor decays.
+fn settled_root(root: Complex, no_rates: bool) -> Complex {
+    let noise = if no_rates { UNDAMPED } else { POLISHED };
+    if root.1 != 0.0 && root.0.abs() <= noise * root.1.abs() { (0.0, root.1) } else { root }
 }
 
 fn lost() -> Fault {
@@ -432,8 +443,7 @@ pub(super) fn remarks(list: &[Mode]) -> Vec<Text> {
             format!("неустойчиво: движение по форме {} растёт {} как exp({} t)", i + 1, how.1, rate.ru),
         ));
     }
-    let same =
-        |a: &Mode, b: &Mode| a.omega > 0.0 && (a.omega - b.omega).abs() <= 1e-9 * a.omega && (a.damped - b.damped).abs() <= 1e-9 * a.omega;
+    let same = |a: &Mode, b: &Mode| a.omega > 0.0 && (a.root.0 - b.root.0).hypot(a.root.1 - b.root.1) <= 1e-9 * a.omega;
     for (i, _) in list.windows(2).enumerate().filter(|(_, p)| same(&p[0], &p[1])) {
         notes.push(Text::new(
             format!("modes {} and {} have one frequency: any combination of their shapes is a shape", i + 1, i + 2),

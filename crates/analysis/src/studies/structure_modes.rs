@@ -132,7 +132,6 @@ pub fn coarse(frame: &Frame<f64>, options: &Modes, modes: &[Mode]) -> Option<Tex
         return None;
     }
     let mut finer = frame.clone();
-    finer.displacements.clear();
     finer.rods.iter_mut().filter(|r| matches!(r.kind, RodKind::Beam { .. })).for_each(|r| r.divisions *= 2);
     let options = Modes { condensation: Condensation::Massless, count: modes.len(), ..options.clone() };
     let better = plain(&finer, None, &options).ok()?;

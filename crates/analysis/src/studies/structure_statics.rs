@@ -51,7 +51,9 @@ pub struct StructureStatics {
 pub struct Flexibility<S> {
     /// Diagrams: unit force, rod, stations.
     pub diagrams: Vec<Vec<Vec<Station<S>>>>,
-    /// Products of diagrams: unit force i, unit force j, rod.
+    /// Springs of nodes that give way: node and component (x, y, turn).
+    pub springs: Vec<(usize, usize)>,
+    /// Products of diagrams: unit force i, unit force j, rod; then S_i S_j/c of each spring.
     pub products: Vec<Vec<Vec<S>>>,
     /// D, row by row: sums of products.
     pub matrix: Vec<S>,
@@ -81,7 +83,7 @@ pub fn statics(frame: &Frame<f64>, exact: Option<&Frame<Rational>>) -> Result<St
         Some(state) => state.machine(),
         None => solve(&frame, &assembly, &frame.loads, &*solver)?,
     };
-    let diagrams: Vec<Vec<Station<f64>>> = (0..frame.rods.len()).map(|i| state.stations(&assembly, i, BETWEEN)).collect();
+    let diagrams: Vec<Vec<Station<f64>>> = (0..frame.rods.len()).map(|i| state.diagram(&assembly, i, BETWEEN)).collect();
     let small = assembly.n() <= FLEXIBLE && frame.displacements.len() <= 12;
     let flexibility = small.then(|| flexibility(&frame, &assembly, &*solver)).transpose()?;
     let exact_flexibility = exact.as_ref().zip(exact_assembly.as_ref()).filter(|_| small);
@@ -122,11 +124,14 @@ pub fn statics(frame: &Frame<f64>, exact: Option<&Frame<Rational>>) -> Result<St
 /// *Errors*: as the statics.
 pub fn flexibility<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, solver: &Solver<S>) -> Result<Flexibility<S>, Fault> {
     let n = frame.displacements.len();
-    let mut diagrams = Vec::new();
+    let springs: Vec<(usize, usize)> =
+        (0..3 * frame.nodes.len()).map(|i| (i / 3, i % 3)).filter(|(i, k)| !frame.nodes[*i].springs[*k].is_zero()).collect();
+    let (mut diagrams, mut held) = (Vec::new(), Vec::new());
     let mut displacements = vec![S::zero(); n * n];
     for (j, d) in frame.displacements.iter().enumerate() {
         let state = solve(frame, assembly, &[unit(d)], solver)?;
         diagrams.push((0..frame.rods.len()).map(|rod| state.stations(assembly, rod, 0)).collect::<Vec<_>>());
+        held.push(springs.iter().map(|(i, k)| state.springs[*i][*k].clone()).collect::<Vec<S>>());
         for (i, other) in frame.displacements.iter().enumerate() {
             let row = assembly.functional(frame, &other.place, &other.component);
             displacements[i * n + j] = row.iter().fold(S::zero(), |sum, (k, c)| sum.add(&c.mul(&state.freedoms[*k])));
@@ -135,13 +140,19 @@ pub fn flexibility<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, solver: 
     common(&mut diagrams);
     let products: Vec<Vec<Vec<S>>> = (0..n)
         .map(|i| {
-            let with = |j: usize| (0..frame.rods.len()).map(|r| product(&frame.rods[r].kind, &diagrams[i][r], &diagrams[j][r])).collect();
-            (0..n).map(with).collect()
+            let rods = |j: usize| (0..frame.rods.len()).map(move |r| (r, j));
+            let bent = |(r, j): (usize, usize)| product(&frame.rods[r].kind, &diagrams[i][r], &diagrams[j][r]);
+            // the spring's share of the work of the unit force: S_i S_j/c
+            let sprung = |(s, j): (usize, usize)| {
+                let (node, k) = springs[s];
+                held[i][s].mul(&held[j][s]).div(&frame.nodes[node].springs[k])
+            };
+            (0..n).map(|j| rods(j).map(bent).chain((0..springs.len()).map(|s| sprung((s, j)))).collect()).collect()
         })
         .collect();
     let total = |k: usize| products[k / n][k % n].iter().fold(S::zero(), |sum, p| sum.add(p));
     let matrix = (0..n * n).map(total).collect();
-    Ok(Flexibility { diagrams, products, matrix, displacements })
+    Ok(Flexibility { diagrams, springs, products, matrix, displacements })
 }
 
 /// A unit force along a displacement.

@@ -128,9 +128,12 @@ fn orders(machine: &mut LinearMachine, parameter: usize, at: f64, place: &Place)
     Ok(list)
 }
 
+/// Growth below this share of a root is the rounding of the matrices' entries.
+const ROUNDING: f64 = 1e-13;
+
 /// Whether a motion grows, beyond rounding.
 fn growing(list: &[Mode]) -> bool {
-    list.iter().any(|m| m.root.0 > 1e-9 * (m.omega + m.root.0))
+    list.iter().any(|m| m.root.0 > ROUNDING * (m.omega + m.root.0))
 }
 
 fn worth_following(mode: &Mode) -> bool {
@@ -174,7 +177,12 @@ impl Run<'_> {
         Ok(ranges)
     }
 
+    /// The end of a range of growth, to rounding: the sign of Re λ decides where it is sure on the quiet side, an amount beyond rounding where
+    /// oscillations there neither grow nor decay.
     fn threshold(&mut self, [mut a, mut b]: [f64; 2], at_a: bool) -> Result<f64, Fault> {
+        let quiet = self.modes(if at_a { b } else { a })?.0;
+        let sure = quiet.iter().all(|m| m.kind == Kind::RigidBody || m.root.0 < 0.0);
+        let growing = |list: &[Mode]| if sure { list.iter().any(Mode::grows) } else { growing(list) };
         for _ in 0..100 {
             let middle = 0.5 * (a + b);
             if (b - a).abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs()) || middle == a || middle == b {

@@ -147,7 +147,11 @@ fn name_value(name: &str, primes: u8, scope: &Scope, builder: &mut Builder) -> R
     }
     let Some(entry) = scope.get(name) else { return Ok(fallback(builder)) };
     let of = match entry.kind {
-        EntryKind::Coordinate(symbols) => return Ok(builder.graph.symbol(symbols[usize::from(primes.min(2))])),
+        EntryKind::Coordinate(symbols) => {
+            let symbol = symbols[usize::from(primes.min(2))];
+            builder.used.insert(symbol);
+            return Ok(builder.graph.symbol(symbol));
+        }
         EntryKind::Parameter(symbol) => {
             builder.used.insert(symbol);
             builder.graph.symbol(symbol)

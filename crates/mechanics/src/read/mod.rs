@@ -130,13 +130,17 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let (resultants, places) = connections::distributed(reader, &top, &space, points.len());
     forces.extend(resultants);
     points.extend(places);
+    let acting = reader.builder.used.clone();
     let outputs = outputs::resolve(reader, raw_outputs);
     let events = events::read(reader, &top);
     let claims = claims::read(reader, &top);
     if let Some(acceleration) = gravity.structure {
         plane::weight(reader, &top, acceleration);
     }
-    let structure = structures::read(reader, &top);
+    let mut structure = structures::read(reader, &top);
+    for d in structure.iter_mut().flat_map(|s| &mut s.displacements) {
+        d.loaded = coordinates.iter().any(|c| c.name == d.name && c.symbols.iter().any(|s| acting.contains(s)));
+    }
     let studies = studies::read(reader, &top);
     let variants = variants::read(reader, &top);
     let impacts = connections::impacts(reader, &top);

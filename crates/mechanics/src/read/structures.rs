@@ -416,7 +416,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Stru
     let rayleigh = rayleigh(reader, top);
     let options = options(reader, top);
     let draft = std::mem::take(&mut reader.structure);
-    Some(Structure { nodes: draft.nodes, rods: draft.rods, supports, displacements, loads: draft.loads, rayleigh, options })
+    Some(Structure { nodes: draft.nodes, rods: draft.rods, supports, displacements, loads: draft.loads, rayleigh, options, kept: None })
 }
 
 fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
@@ -455,7 +455,7 @@ fn displacements<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Displacem
         let label = fields.text(reader, "label").unwrap_or_else(Text::default);
         let direction = direction(reader, &fields);
         if let (Some(site), Some(direction)) = (site(reader, &fields, "at"), direction) {
-            found.push(Displacement { name, label, site, direction });
+            found.push(Displacement { name, label, site, direction, loaded: false });
         }
     }
     found

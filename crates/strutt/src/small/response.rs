@@ -108,6 +108,20 @@ pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
     out
 }
 
+/// Share of the highest kept frequency of a frame up to which its other shapes follow statically within a fraction of their static part,
+/// 1/(1 - 0.5²) - 1 = 1/3; that of loads and named displacements is in the kept shapes.
+const STATIC: f64 = 0.5;
+
+/// Whether the frame's shapes reach as far as the frequencies asked for.
+fn beyond(machine: &Machine, top: f64) -> Option<Audit> {
+    let kept = machine.model.structure.as_ref()?.kept?;
+    let name = Text::new(
+        "highest frequency relative to that of the kept shapes of the frame ([structure] modes)",
+        "наибольшая частота относительно частоты учтённых форм рамы ([structure] modes)",
+    );
+    Some(Audit::at_most("frame_modes", name, top / kept, STATIC))
+}
+
 fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseFound) -> Result<(), Fault> {
     let names = small.machine.coordinates().to_vec();
     let matrices = small.machine.at(&small.place)?;
@@ -153,6 +167,8 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.data.notes.extend(doubtful(doubt));
     out.data.notes.extend(left_out(&forced.left_out));
     out.data.notes.extend(limit);
+    let top = omegas.iter().chain(&own).copied().fold(0.0, f64::max);
+    out.data.audits.extend(beyond(machine, out.main * top));
     quantities.iter().for_each(|q| state(&mut out.data, &q.name));
     out.coordinates = names;
     out.outputs = quantities;

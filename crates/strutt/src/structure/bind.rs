@@ -233,6 +233,7 @@ fn displacement_of<S>(d: &file::Displacement, symbol: &str, number: &mut dyn FnM
         label: d.label.clone(),
         place: place(&d.site, number)?,
         component,
+        loaded: d.loaded,
     })
 }
 

@@ -51,13 +51,39 @@ pub fn of(model: &Model) -> Option<&Structure> {
 pub fn modes(machine: &Machine, study: &mechanics::model::Modes) -> Option<Finding> {
     // with bodies on it the frame is part of the machine
     let structure = of(&machine.model).filter(|_| mount::is_bare(&machine.model))?;
-    Some(finding(machine, "modes", modes::find(&machine.model, structure, study).map(|found| Outcome::Modes(Box::new(found)))))
+    let found = match ignored(study) {
+        Some(key) => Err(Box::new(one_value(key))),
+        None => modes::find(&machine.model, structure, study).map(|found| Outcome::Modes(Box::new(found))),
+    };
+    Some(finding(machine, "modes", found))
+}
+
+/// A wish that has no meaning for a structure alone.
+fn ignored(study: &mechanics::model::Modes) -> Option<&'static str> {
+    match study {
+        study if study.over.is_some() => Some("over"),
+        study if study.about_start => Some("about = \"start\""),
+        study if !study.guess.is_empty() => Some("guess"),
+        _ => None,
+    }
+}
+
+fn one_value(key: &str) -> Trouble {
+    Trouble::new("S105", format!("the modes of a structure have no `{key}`"), format!("у форм конструкции нет `{key}`"))
+        .why(
+            "a frame or truss without bodies is linear: its modes are those of the data as they stand in the file",
+            "рама или ферма без тел линейна: её формы отвечают данным файла",
+        )
+        .help(
+            "leave it out and set the parameter for each run: strutt modes FILE --set h=2",
+            "уберите его и задавайте параметр в каждом запуске: strutt modes ФАЙЛ --set h=2",
+        )
 }
 
 /// Statics of the structure; none when the model has none.
 pub fn statics(machine: &Machine) -> Option<Finding> {
     let structure = of(&machine.model)?;
-    Some(finding(machine, "statics", statics::find(&machine.model, structure).map(|found| Outcome::Statics(Box::new(found)))))
+    Some(finding(machine, "statics", statics::find(machine, structure).map(|found| Outcome::Statics(Box::new(found)))))
 }
 
 fn finding(machine: &Machine, study: &'static str, outcome: Result<Outcome, Box<Trouble>>) -> Finding {

@@ -7,7 +7,7 @@ use crate::failure::Trouble;
 use analysis::structure::equilibrium::{EXACT, stands_undivided};
 use analysis::structure::loads::loading;
 use analysis::structure::reduced::{Condensation, reduce};
-use analysis::structure::substructure::{Substructure, substructure};
+use analysis::structure::substructure::{Substructure, Wish, substructure};
 use analysis::structure::{Action, Assembly, Frame, Load, dense};
 use analysis::studies::structure_modes::{self, Modes};
 use mechanics::Model;
@@ -34,13 +34,16 @@ const AMPLITUDES: usize = 8;
 pub fn mount(model: &mut Model) -> Result<Vec<Diagnostic>, Box<Trouble>> {
     let Some(structure) = model.structure.clone() else { return Ok(Vec::new()) };
     let mut bound = bind(model, &structure);
-    let (found, remark) = coordinates(&structure, &mut bound).map_err(|fault| Box::new(Trouble::from(fault)))?;
+    let (found, remark) = coordinates(model, &structure, &mut bound).map_err(|fault| Box::new(Trouble::from(fault)))?;
     let warnings = remark.filter(|_| speaks(model)).map(|words| Diagnostic::warning("M306", 0..0, words)).into_iter().collect();
     let first = model.coordinates.len() - structure.displacements.len().min(model.coordinates.len());
     let Some(found) = found else {
         model.coordinates.truncate(first);
         return Ok(warnings);
     };
+    if let Some(structure) = &mut model.structure {
+        structure.kept = found.kept;
+    }
     let all = model.coordinates.split_off(first);
     let (kept, followers): (Vec<_>, Vec<_>) = all.into_iter().enumerate().partition(|(i, _)| found.named.contains(i));
     model.coordinates.extend(kept.into_iter().map(|c| c.1));
@@ -85,18 +88,27 @@ fn condensation(structure: &file::Structure) -> Condensation {
 }
 
 /// The coordinates of the frame, divided as its wanted accuracy needs, and what a finer division says about a frame without such a wish.
-fn coordinates(structure: &file::Structure, bound: &mut Bound) -> Result<(Option<Substructure>, Option<Text>), analysis::Fault> {
+fn coordinates(
+    model: &Model,
+    structure: &file::Structure,
+    bound: &mut Bound,
+) -> Result<(Option<Substructure>, Option<Text>), analysis::Fault> {
     stands_undivided(&bound.frame, bound.exact.as_ref())?;
     let assembly = Assembly::of(&bound.frame);
     // nobody can speak of the displacements of a large frame without their names
     let nameless = structure.displacements.is_empty() && assembly.n() > NAMELESS;
-    if nameless || assembly.n() == 0 || assembly.n() > MOUNTED || assembly.mass(&bound.frame).entries.iter().all(|e| e.2 == 0.0) {
+    if nameless || assembly.n() == 0 || assembly.n() > MOUNTED {
+        return Ok((None, None));
+    }
+    let light = assembly.mass(&bound.frame).entries.iter().all(|e| e.2 == 0.0);
+    if light && !structure.displacements.iter().any(|d| d.loaded) {
         return Ok((None, None));
     }
     let count = structure.options.modes.unwrap_or(AMPLITUDES);
     let options = Modes { count, condensation: condensation(structure), accuracy: structure.options.accuracy, ..Modes::default() };
-    if options.accuracy.is_none() {
-        let found = substructure(&bound.frame, &assembly, options.condensation, count)?;
+    let wish = Wish { condensation: options.condensation, count, loads: changing(model, structure, bound) };
+    if light || options.accuracy.is_none() {
+        let found = substructure(&bound.frame, &assembly, &wish)?;
         let modes = structure_modes::modes_alone(&bound.frame, &options);
         return Ok((Some(found), modes.and_then(|modes| structure_modes::coarse(&bound.frame, &options, &modes))));
     }
@@ -105,13 +117,23 @@ fn coordinates(structure: &file::Structure, bound: &mut Bound) -> Result<(Option
         return Err(analysis::structure::faults::unconfirmed(audit.value, 0.0));
     }
     *bound = Bound { frame: refined.frame, exact: None };
-    let found = substructure(&bound.frame, &refined.assembly, options.condensation, count)?;
+    let found = substructure(&bound.frame, &refined.assembly, &wish)?;
     Ok((Some(found), None))
+}
+
+/// Unit loads in the places of loads that change with time.
+fn changing(model: &Model, structure: &file::Structure, bound: &Bound) -> Vec<Load<f64>> {
+    let loads = structure.loads.iter().zip(&bound.frame.loads).filter(|(load, _)| super::statics::moves(model, load));
+    let units = loads.flat_map(|(load, numbers)| components(load, numbers).into_iter().filter(|c| !model.graph.is_zero(c.0)));
+    units.map(|(_, action)| Load { name: String::new(), action }).collect()
 }
 
 fn entries(bound: &Bound, structure: &file::Structure, found: &Substructure) -> (Vec<Entry>, Vec<Entry>) {
     let n = found.named.len() + found.amplitudes;
-    let exact = bound.exact.as_ref().filter(|e| found.n_q <= EXACT && found.amplitudes == 0 && n == e.displacements.len() && n <= 8);
+    let exact = bound
+        .exact
+        .as_ref()
+        .filter(|e| found.condensed && found.n_q <= EXACT && found.amplitudes == 0 && n == e.displacements.len() && n <= 8);
     let exact = exact.and_then(|e| reduce(e, &Assembly::of(e), condensation(structure)).ok()).filter(|r| r.named);
     let list = |values: &[f64], exact: Option<&[Rational]>| -> Vec<Entry> {
         let largest: Vec<f64> = (0..n).map(|i| values[i * n + i].abs()).collect();

@@ -3,9 +3,9 @@
 use super::modes::Found as ModesFound;
 use super::statics::Found as StaticsFound;
 use crate::small::show::plain_table;
-use analysis::structure::Scalar;
 use analysis::structure::reduced::Reduced;
 use analysis::structure::truss::Term;
+use analysis::structure::{Frame, Scalar};
 use analysis::studies::structure_statics::Flexibility;
 use report::document::Rich;
 use report::table::Column;
@@ -140,9 +140,9 @@ pub fn statics(found: &StaticsFound, language: Language, page: bool) -> Vec<Bloc
     let names: Vec<String> = r.frame.displacements.iter().map(|d| d.symbol.clone()).collect();
     let rods: Vec<String> = r.frame.rods.iter().map(|rod| rod.name.clone()).collect();
     if let Some(f) = &r.exact_flexibility {
-        blocks.extend(flexibility(f, &names, &rods, &|v| v.to_string(), language));
+        blocks.extend(flexibility(f, &names, [&rods, &springs(&r.frame, &f.springs, language)], &|v| v.to_string(), language));
     } else if let Some(f) = &r.flexibility {
-        blocks.extend(flexibility(f, &names, &rods, &|v| number(*v, language), language));
+        blocks.extend(flexibility(f, &names, [&rods, &springs(&r.frame, &f.springs, language)], &|v| number(*v, language), language));
     }
     if page {
         blocks.extend(super::drawing::statics(found, language).into_iter().map(Block::Figure));
@@ -353,11 +353,18 @@ fn sections(found: &StaticsFound, language: Language) -> Vec<Block> {
     blocks
 }
 
+/// Names of springs at nodes.
+fn springs(frame: &Frame<f64>, springs: &[(usize, usize)], language: Language) -> Vec<String> {
+    let word = language.pick("spring", "пружина");
+    let along = ["x", "y", language.pick("turn", "поворот")];
+    springs.iter().map(|(i, k)| format!("{word} {}, {}", frame.nodes[*i].name, along[*k])).collect()
+}
+
 /// Diagrams of unit forces and their products.
 fn flexibility<S: Scalar>(
     f: &Flexibility<S>,
     names: &[String],
-    rods: &[String],
+    [rods, springs]: [&[String]; 2],
     show: &dyn Fn(&S) -> String,
     language: Language,
 ) -> Vec<Block> {
@@ -382,7 +389,7 @@ fn flexibility<S: Scalar>(
     }
     blocks.push(Block::Table(table));
     let mut heads = vec![Column::new("D")];
-    heads.extend(rods.iter().map(|r| Column::new(r.as_str())));
+    heads.extend(rods.iter().chain(springs).map(|r| Column::new(r.as_str())));
     heads.push(Column::new("Σ"));
     let mut table = Table::new(heads);
     let n = names.len();

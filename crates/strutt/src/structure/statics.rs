@@ -2,11 +2,13 @@
 
 use super::bind::{Bound, bind};
 use crate::failure::Trouble;
+use crate::pipeline::Machine;
 use analysis::structure::statics::Station;
 use analysis::studies::structure_statics::{self, StructureStatics};
 use mechanics::Model;
 use mechanics::model::Class;
 use mechanics::structure::{Action, Load, Structure};
+use report::number::significant;
 use serde_json::{Map, Value, json};
 use symbolic::Text;
 
@@ -19,14 +21,33 @@ pub struct Found {
     pub result: StructureStatics,
 }
 
-/// Statics under all loads at t = 0.
+/// Statics under all loads at t = 0; with a machine on the structure also under what the machine exerts at rest.
 ///
 /// # Errors
-/// Mechanisms, loose nodes, forces that statics does not determine.
-pub fn find(model: &Model, structure: &Structure) -> Result<Found, Box<Trouble>> {
-    let bound = bind(model, structure);
-    let mut result = structure_statics::statics(&bound.frame, bound.exact.as_ref()).map_err(|f| Box::new(Trouble::from(f)))?;
-    if structure.loads.iter().any(|l| moves(model, l)) {
+/// Mechanisms, loose nodes, forces that statics does not determine; no place of rest of the machine; S104.
+pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Trouble>> {
+    let model = &machine.model;
+    let mut bound = bind(model, structure);
+    let trouble = |f| Box::new(Trouble::from(f));
+    let mut result = structure_statics::statics(&bound.frame, bound.exact.as_ref()).map_err(trouble)?;
+    let moving = structure.loads.iter().any(|l| moves(model, l));
+    if !super::mount::is_bare(model) {
+        let forces = exerted(machine, &result, moving)?;
+        if !forces.is_empty() {
+            let list = |language| {
+                let one = |(l, v): &(analysis::structure::Load<f64>, f64)| format!("{} {}", l.name, significant(*v, 6, language));
+                forces.iter().map(one).collect::<Vec<_>>().join("; ")
+            };
+            let (en, ru) = (list(report::Language::En), list(report::Language::Ru));
+            bound.frame.loads.extend(forces.into_iter().map(|(load, value)| scaled(load, value)));
+            result = structure_statics::statics(&bound.frame, None).map_err(trouble)?;
+            result.dataset.notes.push(Text::new(
+                format!("the machine at rest acts along the named displacements: {en} (N, N m)"),
+                format!("механизм в покое действует вдоль именованных перемещений: {ru} (Н, Н·м)"),
+            ));
+        }
+    }
+    if moving {
         result
             .dataset
             .notes
@@ -35,8 +56,54 @@ pub fn find(model: &Model, structure: &Structure) -> Result<Found, Box<Trouble>>
     Ok(Found { bound, result })
 }
 
+/// Forces of the machine at rest along the displacements that it acts on: those which move the loaded structure from where its own loads
+/// leave it, D F = u - u₀, to where the whole machine rests.
+fn exerted(machine: &Machine, bare: &StructureStatics, moving: bool) -> Result<Vec<(analysis::structure::Load<f64>, f64)>, Box<Trouble>> {
+    let frame = &bare.frame;
+    let names = |i: &usize| machine.model.coordinates.iter().position(|c| c.name == frame.displacements[*i].name);
+    let loaded: Vec<usize> = (0..frame.displacements.len()).filter(|i| frame.displacements[*i].loaded).collect();
+    if loaded.is_empty() {
+        return Ok(Vec::new());
+    }
+    let places: Option<Vec<usize>> = loaded.iter().map(names).collect();
+    let (Some(places), Some(flexibility), false) = (places, &bare.flexibility, moving) else { return Err(Box::new(apart())) };
+    let small = crate::small::about_rest(machine, &[]).map_err(|f| Box::new(Trouble::from(f)))?;
+    let all = frame.displacements.len();
+    let gaps: Vec<f64> = loaded.iter().zip(&places).map(|(i, q)| small.place.q[*q] - bare.displacements[*i]).collect();
+    let d: Vec<f64> = loaded.iter().flat_map(|i| loaded.iter().map(move |j| flexibility.displacements[i * all + j])).collect();
+    let forces = analysis::structure::dense::solve(&d, loaded.len(), &gaps, 1).ok_or_else(|| Box::new(apart()))?;
+    let load = |i: usize| structure_statics::unit(&frame.displacements[i]);
+    Ok(loaded.into_iter().zip(forces).filter(|(_, f)| *f != 0.0).map(|(i, f)| (load(i), f)).collect())
+}
+
+fn scaled(mut load: analysis::structure::Load<f64>, factor: f64) -> analysis::structure::Load<f64> {
+    if let analysis::structure::Action::Point { value, .. } = &mut load.action {
+        value.iter_mut().for_each(|v| *v *= factor);
+    }
+    load
+}
+
+/// The machine's forces on the structure are not to be had.
+fn apart() -> Trouble {
+    Trouble::new(
+        "S104",
+        "statics of the structure alone would leave out the machine that stands on it",
+        "статика одной конструкции не учла бы стоящего на ней механизма",
+    )
+    .why(
+        "what the machine exerts is found from the displacements of both at rest; here loads depend on time, displacements hang together, \
+         or the structure is too large for its flexibility matrix",
+        "действие механизма находится по перемещениям в покое; здесь нагрузки зависят от времени, перемещения зависимы или конструкция \
+         слишком велика для матрицы податливости",
+    )
+    .help(
+        "`strutt equilibrium` gives the displacements of both; or give the machine's forces as loads of the structure",
+        "`strutt equilibrium` даёт перемещения того и другого; либо задайте силы механизма как нагрузки конструкции",
+    )
+}
+
 /// Whether a load depends on time.
-fn moves(model: &Model, load: &Load) -> bool {
+pub(super) fn moves(model: &Model, load: &Load) -> bool {
     let values: Vec<symbolic::Expr> = match &load.action {
         Action::Point { value, .. } => value.to_vec(),
         Action::Distributed { value, .. } => value.concat(),
