@@ -15,6 +15,11 @@ use strutt::{Failure, Source, Trouble, Watch};
 /// Set by Ctrl+C and by requests to end (SIGTERM, SIGHUP).
 pub static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
+/// Whether a calculation is under way.
+static CALCULATING: AtomicBool = AtomicBool::new(false);
+
+/// How long an interrupted calculation may take to come back with what it has.
+const GRACE: Duration = Duration::from_millis(1500);
 /// Between lines on the progress where no terminal shows it.
 const BETWEEN_LINES: Duration = Duration::from_secs(10);
 /// A calculation shows its progress when it takes longer.
@@ -151,7 +156,9 @@ impl Console {
         let mut watch = Watch::default();
         watch.interrupt = Some(&INTERRUPTED);
         watch.progress = Some(&mut tell);
+        CALCULATING.store(true, Ordering::Relaxed);
         let result = calculate(&mut watch);
+        CALCULATING.store(false, Ordering::Relaxed);
         if let Some(laps) = &mut self.laps {
             laps.extend(watch.laps());
         }
@@ -179,13 +186,21 @@ impl Console {
     }
 }
 
-/// From now on Ctrl+C, SIGTERM and SIGHUP ask for the results so far; a second one ends at once.
-pub fn listen_to_interrupts() {
+/// From now on Ctrl+C, SIGTERM and SIGHUP ask for the results so far; a second one ends at once, and so does the first where the calculation under way
+/// does not hear it: whatever loop it is in, it is not waited for longer than [`GRACE`].
+pub fn listen_to_interrupts(language: Language) {
     // without the handler Ctrl+C ends the program as usual
-    let _ = ctrlc::set_handler(|| {
+    let _ = ctrlc::set_handler(move || {
         if INTERRUPTED.swap(true, Ordering::Relaxed) {
             std::process::exit(130);
         }
+        std::thread::spawn(move || {
+            std::thread::sleep(GRACE);
+            if CALCULATING.load(Ordering::Relaxed) {
+                complain(&format!("{}\n", say(language, Word::InterruptedDeaf)));
+                std::process::exit(130);
+            }
+        });
     });
 }
 

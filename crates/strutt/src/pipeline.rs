@@ -105,8 +105,16 @@ pub struct Calculation {
 pub fn run(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -> Result<Calculation, Failure> {
     let mut machine = build_in(source, overrides, Detail::Steps, watch)?;
     let studies = machine.model.studies.clone();
-    let mut findings: Vec<Finding> = studies.iter().filter_map(|study| self::study(&mut machine, &study.kind, watch)).collect();
-    findings.extend(crate::claims::run(&mut machine, watch));
+    let mut findings: Vec<Finding> = Vec::new();
+    for study in &studies {
+        if watch.is_interrupted() {
+            break;
+        }
+        findings.extend(self::study(&mut machine, &study.kind, watch));
+    }
+    if !watch.is_interrupted() {
+        findings.extend(crate::claims::run(&mut machine, watch));
+    }
     Ok(Calculation { machine, findings, files: Vec::new() })
 }
 

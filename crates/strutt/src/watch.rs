@@ -1,7 +1,7 @@
 //! What watches a long calculation: a flag to stop it, a listener to its progress, a clock for its phases.
 
 use crate::words::Word;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Watches a calculation.
@@ -27,6 +27,11 @@ impl Default for Watch<'_> {
 }
 
 impl Watch<'_> {
+    /// Whether the calculation is to end.
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    }
+
     /// Ends a phase.
     pub fn lap(&mut self, phase: Word) {
         let now = Instant::now();

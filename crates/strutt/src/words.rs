@@ -18,6 +18,7 @@ report::words! {
     Written: "written:", "записано:";
     WrittenPartly: "written what was done so far:", "записано то, что успели вычислить:";
     Interrupted: "interrupted; what was done is kept", "прервано; сделанное сохранено";
+    InterruptedDeaf: "interrupted; the calculation under way could not be cut short, nothing of it is kept", "прервано; текущий расчёт нельзя было закончить раньше, его результаты не сохранены";
     AuditFailed: "a check failed:", "проверка не выполнена:";
     MoreAbout: "more:", "подробнее:";
     Table: "table, 17 digits", "таблица, 17 знаков";

@@ -361,7 +361,8 @@ impl Run {
         shown.extend(options.events.iter().map(|e| e.output).filter(|i| !self.chosen.contains(i)));
         system.show(&shown)?;
         system.placed(0.0, start)?;
-        let flow_options = Options { tolerance: options.tolerance, span: end, order: options.order, method: options.method };
+        let flow_options =
+            Options { tolerance: options.tolerance, span: end, order: options.order, method: options.method, ..Options::default() };
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
         let result = self.record(&mut flow).and_then(|()| self.follow(&mut flow, end, options));
         self.work = flow.work().clone();

@@ -55,7 +55,7 @@ pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], poi
     let quantity = machine.parameters()[parameter].clone();
     let is_speed = quantity.unit == "rad/s" || quantity.unit == "1/s";
     let orders = if is_speed { orders(machine, parameter, ends[1], place)? } else { Vec::new() };
-    let mut run = Run { machine, parameter, place: place.clone() };
+    let mut run = Run { machine, parameter, place: place.clone(), along: Vec::new() };
     let mut out = Tracks { parameter: quantity.name.clone(), orders, ..Tracks::default() };
     let mut slots: Vec<Vec<Option<Mode>>> = Vec::new();
     let (mut before, mut grows, mut diverges): (Vec<Option<Mode>>, Vec<bool>, Vec<bool>) = Default::default();
@@ -81,6 +81,7 @@ pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], poi
     out.unstable_from = out.unstable.first().map(|r| r[0]);
     out.critical = run.critical(&out, &slots)?;
     out.data = dataset(&out, &quantity, &diverges);
+    out.data.notes.extend(runs_along(&run.along));
     Ok(out)
 }
 
@@ -144,6 +145,8 @@ struct Run<'m> {
     machine: &'m mut LinearMachine,
     parameter: usize,
     place: Place,
+    /// Ranges of the speed in which a mode runs along a line ω = order·Ω.
+    along: Vec<[f64; 2]>,
 }
 
 impl Run<'_> {
@@ -237,6 +240,8 @@ impl Run<'_> {
     }
 
     /// The crossings in a cell: halved while its ends differ by more than one crossing, or a mode is nearer to the line than the cell is wide.
+    ///
+    /// A mode that runs along the line meets it nowhere by itself: rounding alone decides on which side it is, and there is nothing to locate.
     fn cell(&mut self, [a, b]: [f64; 2], [at_a, at_b]: [Count; 2], cell: Cell, found: &mut Vec<f64>) -> Result<(), Fault> {
         let Cell { order, depth } = cell;
         let changes = at_a.above.abs_diff(at_b.above);
@@ -253,10 +258,33 @@ impl Run<'_> {
             return Ok(());
         }
         let at_middle = self.above(middle, order)?;
+        let along = |count: &Count, speed: f64| count.nearest <= ALONG * order * speed.abs();
+        if (b - a).abs() > APART * middle.abs() && along(&at_a, a) && along(&at_middle, middle) && along(&at_b, b) {
+            self.along.push([a, b]);
+            return Ok(());
+        }
         let cell = Cell { order, depth: if changes == 0 { depth - 1 } else { depth } };
         self.cell([a, middle], [at_a, at_middle], cell, found)?;
         self.cell([middle, b], [at_middle, at_b], cell, found)
     }
+}
+
+/// A remark where every speed of a range is critical.
+fn runs_along(ranges: &[[f64; 2]]) -> Option<Text> {
+    let ends = ranges.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [a, b]| [low.min(*a), high.max(*b)]);
+    let [from, to] = ends.map(crate::fault::rounded);
+    (!ranges.is_empty()).then(|| {
+        Text::new(
+            format!(
+                "between {} and {} a frequency equals a multiple of the speed all along: no single critical speed can be named there",
+                from.en, to.en
+            ),
+            format!(
+                "между {} и {} собственная частота всё время равна кратной скорости: отдельной критической скорости там нет",
+                from.ru, to.ru
+            ),
+        )
+    })
 }
 
 /// How many modes oscillate above the line, and how near the nearest of all is to it.
@@ -275,6 +303,9 @@ struct Cell {
 
 /// Halvings of a cell in which a mode comes near to the line without a sign of crossing.
 const DEEPEST: usize = 6;
+/// Share of its frequency by which a mode may leave the line ω = order·Ω along which it runs, and the share of a speed over which that counts.
+const ALONG: f64 = 1e-10;
+const APART: f64 = 1e-6;
 
 /// Successors in the order of their predecessors.
 fn matched(before: &[Option<Mode>], list: Vec<Mode>, mass: &[f64]) -> Vec<Option<Mode>> {

@@ -15,7 +15,7 @@ pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure
         // columns of plots that nobody draws are not asked for
         asked.plots.clear();
     }
-    listen_to_interrupts();
+    listen_to_interrupts(console.language);
     let finding = console.watched(|watch| {
         watch.halve_tolerance = args.halve_tolerance;
         studies::inverse::run(&mut machine, &asked, watch)

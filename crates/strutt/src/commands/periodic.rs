@@ -8,7 +8,7 @@ use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, StudyKind, Times};
 use strutt::{Failure, plan, studies};
 
 pub fn run(args: &args::Periodic, console: &mut Console) -> Result<Exit, Failure> {
-    listen_to_interrupts();
+    listen_to_interrupts(console.language);
     let out = args.table.out.as_deref();
     let pick = |kind: &StudyKind| match kind {
         StudyKind::Periodic(study) => Some(study.clone()),

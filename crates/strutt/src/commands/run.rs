@@ -2,15 +2,16 @@
 
 use super::{Exit, has_numbers, inputs, judge};
 use crate::args;
-use crate::console::{Console, Shape, listen_to_interrupts, quoted};
+use crate::console::{Console, INTERRUPTED, Shape, listen_to_interrupts, quoted};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
 use strutt::document::Extent;
 use strutt::pipeline::{self, Calculation};
 use strutt::words::Word;
 use strutt::{Failure, folder};
 
 pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
-    listen_to_interrupts();
+    listen_to_interrupts(console.language);
     let (source, overrides) = inputs(&args.model)?;
     let mut calculation = console.watched(|watch| {
         watch.halve_tolerance = args.halve_tolerance;
@@ -22,7 +23,9 @@ pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
     let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, &out, language))?;
     show(&calculation, console)?;
     tell(&calculation, &paths, &args.model.file, console);
-    Ok(calculation.findings.iter().fold(Exit::Done, |exit, finding| exit.worse(judge(finding, console))))
+    // studies that were left out are no finding of their own
+    let least = if INTERRUPTED.load(Ordering::Relaxed) { Exit::Interrupted } else { Exit::Done };
+    Ok(calculation.findings.iter().fold(least, |exit, finding| exit.worse(judge(finding, console))))
 }
 
 fn show(calculation: &Calculation, console: &Console) -> Result<(), Failure> {

@@ -17,7 +17,7 @@ pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure
     let detail = if args.out.is_some() { Detail::Steps } else { Detail::Equations };
     let (_, mut machine) = open(&args.model, detail, console)?;
     let study = plan::simulation(&machine.model, &machine.equations, wishes)?;
-    listen_to_interrupts();
+    listen_to_interrupts(console.language);
     let finding = console.watched(|watch| {
         watch.halve_tolerance = args.halve_tolerance;
         watch.check = args.check;

@@ -8,7 +8,7 @@ use mechanics::model::StudyKind;
 use strutt::{Failure, Trouble, studies};
 
 pub fn run(args: &args::Sweep, console: &mut Console) -> Result<Exit, Failure> {
-    listen_to_interrupts();
+    listen_to_interrupts(console.language);
     let out = args.out.as_deref();
     let pick = |kind: &StudyKind| match kind {
         StudyKind::Sweep(study) => Some(study.clone()),

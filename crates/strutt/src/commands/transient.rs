@@ -17,7 +17,7 @@ pub fn run(asked: &args::Transient, console: &mut Console) -> Result<Exit, Failu
     let (_, mut machine) = open(&args.model, detail, console)?;
     let mut study = plan::transient(&machine.model, &machine.equations, wishes)?;
     study.linearise |= asked.linearise;
-    listen_to_interrupts();
+    listen_to_interrupts(console.language);
     let finding = console.watched(|watch| {
         watch.halve_tolerance = args.halve_tolerance;
         pipeline::transient(&mut machine, &study, watch)

@@ -55,6 +55,9 @@ pub fn regime(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Out
     }
     // a start far from the regime: let the motion come near it, and longer
     for settle in SETTLE {
+        if watch.is_interrupted() {
+            break;
+        }
         let outcome = from(machine, &Periodic { settle, ..study.clone() }, &start, watch);
         if outcome.fault.is_none() {
             return outcome;

@@ -10,9 +10,10 @@
 //! Non-Smooth Mechanical Systems, 7.
 
 use super::orbit::{Jump, Orbit};
-use super::variation::{self, Stretch};
+use super::variation::{self, Chain, Stretch};
 use crate::events::{Change, Switch};
 use crate::{Fault, GuardKind, Mode, System};
+use std::sync::atomic::AtomicBool;
 
 /// Half width of differences, in scales of the state: (1e-3)^4 of truncation against 1e-16/1e-3 of rounding.
 const WIDTH: f64 = 1e-3;
@@ -69,6 +70,22 @@ impl Square {
     /// Product of the lengths of the columns: no determinant is larger.
     pub(super) fn hadamard(&self) -> f64 {
         (0..self.n).map(|j| (0..self.n).map(|i| self.at(i, j) * self.at(i, j)).sum::<f64>().sqrt()).product()
+    }
+    /// Largest entry without its sign; infinite where one is no number.
+    pub(super) fn largest(&self) -> f64 {
+        self.values.iter().fold(0.0, |m, v| {
+            if v.abs() <= m {
+                m
+            } else if v.is_nan() {
+                f64::INFINITY
+            } else {
+                v.abs()
+            }
+        })
+    }
+    /// Largest sum of a row without signs.
+    pub(super) fn norm(&self) -> f64 {
+        self.values.chunks(self.n.max(1)).map(|row| row.iter().map(|v| v.abs()).sum()).fold(0.0, f64::max)
     }
     pub(super) fn apply(&self, x: &[f64]) -> Vec<f64> {
         (0..self.n).map(|i| (0..self.n).map(|j| self.at(i, j) * x[j]).sum()).collect()
@@ -145,6 +162,8 @@ pub(super) struct Fundamental {
     pub(super) log_determinant: Option<f64>,
     /// By how much Liouville's formula is missed.
     pub(super) liouville: f64,
+    /// What the matrix may err by, as a share of its largest entry.
+    pub(super) doubt: f64,
     /// What leaves the derivative undefined.
     pub(super) blur: Blur,
 }
@@ -164,33 +183,40 @@ pub(super) enum Blur {
 }
 
 /// The fundamental matrix of a turn.
-pub(super) fn of_orbit<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64]) -> Result<Fundamental, Fault> {
-    let n = orbit.first.len();
-    let mut out = Fundamental { matrix: Square::identity(n), log_determinant: Some(0.0), liouville: 0.0, blur: Blur::None };
+pub(super) fn of_orbit<S: System + ?Sized>(
+    system: &mut S,
+    orbit: &Orbit,
+    scales: &[f64],
+    interrupt: Option<&AtomicBool>,
+) -> Result<Fundamental, Fault> {
+    let balanced = variation::balanced(system, orbit, scales);
+    let mut chain = Chain::new(orbit.first.len());
+    let (mut log_determinant, mut liouville, mut blur) = (Some(0.0), 0.0, Blur::None);
     let mut from = 0;
     for jump in orbit.jumps.iter().map(Some).chain([None]) {
         let to = jump.map_or(orbit.steps.len(), |j| j.after + 1);
         // a change of modes without a switch parts the motion too
         for steps in orbit.steps[from..to].chunk_by(|a, b| a.modes == b.modes) {
-            let varied = variation::vary(system, &Stretch { steps, scales, period: orbit.period })?;
-            out.matrix = varied.matrix.times(&out.matrix);
-            out.log_determinant = out.log_determinant.map(|l| l + varied.divergence);
-            out.liouville += varied.liouville;
+            let stretch = Stretch { steps, scales: &balanced, period: orbit.period, interrupt };
+            let varied = variation::vary(system, &stretch, &mut chain)?;
+            log_determinant = log_determinant.map(|l| l + varied.divergence);
+            liouville += varied.liouville;
         }
         from = to;
         let Some(jump) = jump else { break };
         match saltation(system, jump, scales)? {
-            Saltation::Matrix(matrix) => {
-                let mut scaled = matrix.clone();
-                scaled.scale(scales);
+            Saltation::Matrix(mut scaled) => {
+                scaled.scale(&balanced);
                 let size = scaled.determinant().abs();
-                out.log_determinant = out.log_determinant.filter(|_| size > 1e-12 * scaled.hadamard()).map(|l| l + size.ln());
-                out.matrix = matrix.times(&out.matrix);
+                log_determinant = log_determinant.filter(|_| size > 1e-12 * scaled.hadamard()).map(|l| l + size.ln());
+                chain.push(scaled, 0.0);
             }
-            Saltation::Undefined(blur) => out.blur = blur,
+            Saltation::Undefined(undefined) => blur = undefined,
         }
     }
-    Ok(out)
+    let (doubt, mut matrix) = (chain.doubt(), chain.whole);
+    matrix.unscale(&balanced);
+    Ok(Fundamental { matrix, log_determinant, liouville, doubt, blur })
 }
 
 /// Rates of the state in given modes.

@@ -203,12 +203,15 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
 }
 
 /// A turn that closes; a motion that repeats only after several returns is given them.
-fn returned<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>) -> Result<Found, Fault> {
+fn returned<'o, S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'o>) -> Result<Found<'o>, Fault> {
     let first = newton::solve(system, start, options);
     if options.returns > 1 || !matches!(options.by, Return::Automatic) || !first.as_ref().is_err_and(|f| f.code == "S042") {
         return first;
     }
     for returns in 2..=RETURNS {
+        if interrupted(options) {
+            break;
+        }
         let more = Periodic { returns, begin: None, by: Return::Automatic, grid: Grid::Auto, outputs: None, ..*options };
         if let Ok(found) = newton::solve(system, start, &more) {
             return Ok(found);
@@ -218,7 +221,7 @@ fn returned<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodi
 }
 
 /// The same regime from where the formula passes zero from below.
-fn begun<S: System + ?Sized>(system: &mut S, found: Found, begin: Formula<'_>, options: &Periodic<'_>) -> Result<Found, Fault> {
+fn begun<'o, S: System + ?Sized>(system: &mut S, found: Found<'o>, begin: Formula<'_>, options: &Periodic<'o>) -> Result<Found<'o>, Fault> {
     if found.is_driven() {
         return Err(section_of_forced());
     }
@@ -235,7 +238,7 @@ fn begun<S: System + ?Sized>(system: &mut S, found: Found, begin: Formula<'_>, o
 /// The multipliers with their audits; none where the turn has no derivative by its start.
 fn multipliers<S: System + ?Sized>(
     system: &mut S,
-    found: &Found,
+    found: &Found<'_>,
     options: &Periodic<'_>,
     dataset: &mut Dataset,
 ) -> Result<Option<Vec<Multiplier>>, Fault> {

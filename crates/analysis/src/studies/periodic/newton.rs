@@ -10,6 +10,7 @@ use crate::numerics::rank::Qr;
 use crate::taylor::{Flow, Options};
 use crate::{Fault, Mode, System};
 use std::f64::consts::TAU;
+use std::sync::atomic::AtomicBool;
 use symbolic::Text;
 
 /// Steps of the trial run.
@@ -31,7 +32,7 @@ const AFFINE: f64 = 1e-3;
 const PARTS: usize = 12;
 
 /// A turn that closes.
-pub(super) struct Found {
+pub(super) struct Found<'o> {
     pub(super) orbit: Orbit,
     scales: Vec<f64>,
     symmetry: Symmetry,
@@ -42,6 +43,8 @@ pub(super) struct Found {
     /// Change of all states per change of the free ones, column by column.
     basis: Vec<Vec<f64>>,
     angles: Vec<bool>,
+    /// Set from outside.
+    interrupt: Option<&'o AtomicBool>,
 }
 
 /// How far a correction may lead.
@@ -54,8 +57,8 @@ enum Stride {
 }
 
 /// What the search knows before the first turn.
-struct Search<'o> {
-    options: &'o Periodic<'o>,
+struct Search<'s, 'o> {
+    options: &'s Periodic<'o>,
     flow: Options,
     scales: Vec<f64>,
     symmetry: Symmetry,
@@ -69,16 +72,19 @@ struct Search<'o> {
 }
 
 /// From a start to a turn that closes.
-pub(super) fn solve<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>) -> Result<Found, Fault> {
+pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'o>) -> Result<Found<'o>, Fault> {
     let flow = Options { tolerance: options.tolerance, ..Options::default() };
     let trial = trial(system, start, options, &flow)?;
+    if interrupted(options) {
+        return Err(unsettled(1.0, 0));
+    }
     let (mut search, mut x) = prepare(system, start, trial, options, flow)?;
     if search.state.is_none()
         && let Some(found) = at_once(system, &mut search, &x)?
     {
         return Ok(found);
     }
-    let mut best: Option<(f64, Found)> = None;
+    let mut best: Option<(f64, Found<'o>)> = None;
     let (mut follow_only, mut last) = (0_usize, f64::INFINITY);
     for turn in 0..TURNS {
         if interrupted(options) {
@@ -131,7 +137,7 @@ pub(super) fn solve<S: System + ?Sized>(system: &mut S, start: &[f64], options: 
 }
 
 /// The start of a turn after a correction.
-fn moved<S: System + ?Sized>(system: &mut S, found: &Found, step: &[f64]) -> Result<Vec<f64>, Fault> {
+fn moved<S: System + ?Sized>(system: &mut S, found: &Found<'_>, step: &[f64]) -> Result<Vec<f64>, Fault> {
     let mut x: Vec<f64> = found.orbit.first.iter().zip(step).map(|(x, d)| x + d).collect();
     system.project(0.0, &mut x, &found.orbit.modes[0])?;
     Ok(x)
@@ -139,7 +145,7 @@ fn moved<S: System + ?Sized>(system: &mut S, found: &Found, step: &[f64]) -> Res
 
 /// Newton's step of full length from wherever the start is: a linear machine closes at once, however little damping it has. Where the machine is not
 /// linear the step is forgotten, for it may lead to another regime than the motion does.
-fn at_once<S: System + ?Sized>(system: &mut S, search: &mut Search<'_>, x: &[f64]) -> Result<Option<Found>, Fault> {
+fn at_once<'o, S: System + ?Sized>(system: &mut S, search: &mut Search<'_, 'o>, x: &[f64]) -> Result<Option<Found<'o>>, Fault> {
     let (sections, limit) = (search.sections.clone(), search.options.limit());
     let Some((orbit, _)) = follow(system, x, &sections, limit, &search.flow)? else { return Ok(None) };
     let before = search.scales.clone();
@@ -227,13 +233,13 @@ fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Option<&Vec<f64>
     out
 }
 
-fn prepare<'o, S: System + ?Sized>(
+fn prepare<'s, 'o, S: System + ?Sized>(
     system: &mut S,
     start: &[f64],
     mut trial: Orbit,
-    options: &'o Periodic<'o>,
+    options: &'s Periodic<'o>,
     flow: Options,
-) -> Result<(Search<'o>, Vec<f64>), Fault> {
+) -> Result<(Search<'s, 'o>, Vec<f64>), Fault> {
     let elapsed = trial.period;
     // about a radian a step
     trial.period = elapsed.min(6.0 * elapsed / trial.steps.len().max(1) as f64).max(f64::MIN_POSITIVE);
@@ -342,7 +348,7 @@ fn transversal<S: System + ?Sized>(
     x: Vec<f64>,
     state: usize,
     frame: &[f64],
-    search: &Search<'_>,
+    search: &Search<'_, '_>,
 ) -> Result<Vec<f64>, Fault> {
     let speed = |c: &[f64]| (c[1] - frame[state]).abs();
     let fastest = trial.steps.iter().map(|s| speed(s.coefficients(state))).fold(0.0, f64::max);
@@ -357,25 +363,28 @@ fn transversal<S: System + ?Sized>(
     Ok((0..x.len()).map(|i| step.start_value(i) - frame[i] * t).collect())
 }
 
-impl Search<'_> {
+impl<'o> Search<'_, 'o> {
     /// An angle that turns, otherwise the state that moves most in its scale.
     fn automatic<S: System + ?Sized>(&self, system: &mut S, trial: &Orbit, x: &[f64]) -> Result<usize, Fault> {
         let still = vec![0.0; x.len()];
         let frame = self.symmetry.frame.as_ref().unwrap_or(&still);
         let ranges = trial.ranges(frame);
-        if let Some(i) = (0..system.n_coordinates()).find(|&i| self.angles[i] && ranges[i].0 > TAU) {
+        let shifted = |i: usize| self.symmetry.shifts.iter().any(|(p, _)| *p == i);
+        let turning = |i: &usize| self.angles[*i] && ranges[*i].0 > TAU;
+        if let Some(i) = (0..system.n_coordinates()).find(|i| turning(i) && !shifted(*i)) {
             return Ok(i);
         }
         let modes = Flow::start(system, 0.0, x, &self.flow)?.modes().to_vec();
         let rates = fundamental::rates(system, 0.0, x, &modes)?;
-        let shifted = |i: usize| self.symmetry.shifts.iter().any(|(p, _)| *p == i);
         let speed = |i: usize| if shifted(i) { -1.0 } else { (rates[i] - frame[i]).abs() / self.scales[i] };
         let n = system.n_coordinates();
         let best = |range: &mut dyn Iterator<Item = usize>| range.max_by(|&a, &b| speed(a).total_cmp(&speed(b)));
         // a coordinate unless it turns just here: a rate may stand still for a while where something sticks
         let usual = |i: usize| trial.steps.iter().map(|s| (s.coefficients(i)[1] - frame[i]).abs()).fold(0.0, f64::max) / self.scales[i];
         let moving = best(&mut (0..n).chain(2 * n..x.len())).filter(|&i| speed(i) > 0.02 * usual(i) && speed(i) > 0.0);
-        Ok(moving.or_else(|| best(&mut (0..x.len()))).unwrap_or(0))
+        // an angle that the laws do not feel brings nothing back unless nothing else moves
+        let free = || (0..n).find(turning);
+        Ok(moving.or_else(free).or_else(|| best(&mut (0..x.len()))).unwrap_or(0))
     }
 
     /// The sections through x: the same value again in the same direction, or a turn further.
@@ -427,7 +436,7 @@ impl Search<'_> {
         }
     }
 
-    fn found<S: System + ?Sized>(&self, system: &mut S, orbit: Orbit) -> Result<Found, Fault> {
+    fn found<S: System + ?Sized>(&self, system: &mut S, orbit: Orbit) -> Result<Found<'o>, Fault> {
         let (free, basis) = tangent(system, &orbit.first, &orbit.modes[0], &self.scales, self.state, &self.symmetry)?;
         Ok(Found {
             orbit,
@@ -437,6 +446,7 @@ impl Search<'_> {
             free,
             basis,
             angles: self.angles.clone(),
+            interrupt: self.options.interrupt,
         })
     }
 }
@@ -484,7 +494,7 @@ fn tangent<S: System + ?Sized>(
     Ok((free, basis))
 }
 
-impl Found {
+impl Found<'_> {
     /// The state as it would be at t = 0, had the motion begun earlier.
     pub(super) fn at_time_zero(&self, (t, mut x): (f64, Vec<f64>)) -> Vec<f64> {
         if let Some(frame) = &self.symmetry.frame {
@@ -548,7 +558,7 @@ impl Found {
         if returning.is_empty() {
             return Ok(None);
         }
-        let matrix = fundamental::of_orbit(system, &self.orbit, &self.scales)?.matrix;
+        let matrix = fundamental::of_orbit(system, &self.orbit, &self.scales, self.interrupt)?.matrix;
         let rates = self.flow_at_end(system)?;
         let m = returning.len();
         let mut square = vec![0.0; m * m];
@@ -583,7 +593,7 @@ impl Found {
 
     /// What the turn does to small changes of the states that have to come back, in scales, and what leaves that undefined.
     pub(super) fn turn<S: System + ?Sized>(&self, system: &mut S) -> Result<(Turn, Blur), Fault> {
-        let whole = fundamental::of_orbit(system, &self.orbit, &self.scales)?;
+        let whole = fundamental::of_orbit(system, &self.orbit, &self.scales, self.interrupt)?;
         let states = self.returning(None);
         let n = states.len();
         let mut matrix = vec![0.0; n * n];
@@ -597,7 +607,7 @@ impl Found {
         let flow = self.flow_at_start(system)?;
         // what connections or translations take out has no part in the matrix, but in the determinant
         let log_determinant = whole.log_determinant.filter(|_| n == self.orbit.first.len());
-        Ok((Turn { n, matrix, flow, log_determinant, liouville: whole.liouville }, whole.blur))
+        Ok((Turn { n, matrix, flow, log_determinant, liouville: whole.liouville, doubt: whole.doubt }, whole.blur))
     }
 
     /// Rates at the start of the states that have to come back, in the moving frame and in scales; none when time is not free or nothing moves in it.
@@ -652,10 +662,10 @@ impl Found {
     }
 
     /// The same motion followed for one period from another of its states.
-    pub(super) fn shifted<S: System + ?Sized>(self, system: &mut S, x: &[f64], options: &Periodic<'_>) -> Result<Found, Fault> {
+    pub(super) fn shifted<S: System + ?Sized>(self, system: &mut S, x: &[f64], options: &Periodic<'_>) -> Result<Self, Fault> {
         let flow = Options { tolerance: options.tolerance, ..Options::default() };
         let period = self.orbit.period;
-        match follow(system, x, &[Section::Time(period)], Limit { time: period, interrupt: None }, &flow)? {
+        match follow(system, x, &[Section::Time(period)], Limit { time: period, interrupt: options.interrupt }, &flow)? {
             Some((orbit, _)) => {
                 let (free, basis) = tangent(system, &orbit.first, &orbit.modes[0], &self.scales, None, &self.symmetry)?;
                 Ok(Found { orbit, free, basis, ..self })

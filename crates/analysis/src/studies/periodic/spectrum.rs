@@ -9,7 +9,8 @@
 //! ```
 //!
 //! so that a second multiplier 1 (a conservative machine) stands alone and keeps its digits. How far a multiplier can be trusted is seen by
-//! disturbing B by its own rounding.
+//! disturbing B by what it may err: its rounding, what the steps have left in it, and what is missing in Φ f = f, Φ being that of a motion which
+//! is itself known to some digits only.
 
 use super::Multiplier;
 use crate::Fault;
@@ -27,6 +28,8 @@ pub(super) struct Turn {
     pub(super) log_determinant: Option<f64>,
     /// By how much Liouville's formula was missed.
     pub(super) liouville: f64,
+    /// What the entries may err by, as a share of the largest.
+    pub(super) doubt: f64,
 }
 
 /// Multipliers and how well Φ f = f is met.
@@ -50,7 +53,8 @@ pub(super) fn spectrum(turn: &Turn, seed: u64) -> Result<Spectrum, Fault> {
     let r = if shift.is_some() { n - 1 } else { n };
     // rounding is that of the whole matrix, however small what is left of it
     let largest = turn.matrix.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let size = largest * ROUNDING.max(turn.liouville);
+    let off = shift.map_or(0.0, |(_, off)| off);
+    let size = largest * ROUNDING.max(turn.liouville).max(turn.doubt).max(off);
     let mut multipliers = with_errors(r, &rest, size, seed)?;
     name_smallest(&mut multipliers, turn.log_determinant);
     if let Some((value, _)) = shift {

@@ -5,13 +5,20 @@
 //! difference is the error, and the halves are what counts.
 //!
 //! ```text
-//! K_i = A(t + c_i h) (1 + h Σ a_ij K_j),   Φ = 1 + h Σ a_sj K_j
+//! K_i = A(t + c_i h) (1 + h Σ a_ij K_j),   F = 1 + h Σ a_sj K_j,   Φ <- F Φ
 //! det Φ = exp ∫ tr A dt                    Liouville's formula, by Gauss's rule and independent of the steps
 //! ```
 //!
+//! What counts is the error in F Φ, not in F: a mode that has died out in Φ needs no resolution any more, so that relaxation oscillations take steps of
+//! the length of their slow parts. All that the steps may have left in Φ(T) is added up, each error carried on to the end ([`Chain::doubt`]). The scales
+//! are balanced first (E. E. Osborne, J. ACM 7 (1960)): those of a machine at rest may be many decades apart.
+//!
 //! *Source*: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.5.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use super::fundamental::{Square, slopes};
+use super::orbit::Orbit;
 use crate::numerics::gauss::EIGHT;
 use crate::numerics::lu::Lu;
 use crate::taylor::Step;
@@ -25,6 +32,17 @@ const TOLERANCE: f64 = 1e-13;
 const LEAST: f64 = 32.0;
 /// Most steps of a stretch.
 const MOST: usize = 2_000_000;
+/// A difference below this that does not fall with the step is rounding of A.
+const ROUGH: f64 = 1e-9;
+/// How much smaller than the difference the error of the two halves is, at least: 2^13 in theory.
+const BETTER: f64 = 64.0;
+/// Most steps of the motion that a step of the variations covers.
+const AHEAD: usize = 4;
+/// Places of a turn at which A is looked at to balance the scales, and sweeps.
+const PLACES: usize = 48;
+const SWEEPS: usize = 10;
+/// Links of a chain before neighbours are joined.
+const LINKS: usize = 8192;
 
 /// A stretch of the motion without switches.
 pub(super) struct Stretch<'o> {
@@ -32,16 +50,66 @@ pub(super) struct Stretch<'o> {
     pub(super) scales: &'o [f64],
     /// Duration of the whole turn.
     pub(super) period: f64,
+    /// Set from outside.
+    pub(super) interrupt: Option<&'o AtomicBool>,
+}
+
+impl Stretch<'_> {
+    /// How far a step from t may go: over so few steps of the motion that none of its quick parts lies between the nodes.
+    fn seen_from(&self, t: f64) -> f64 {
+        let here = self.steps.partition_point(|s| s.end().high <= t);
+        let last = (here + AHEAD).min(self.steps.len()) - 1;
+        self.steps[last].end().high - t
+    }
+}
+
+/// The fundamental matrix from the start of the turn as a product, in scales.
+pub(super) struct Chain {
+    pub(super) whole: Square,
+    links: Vec<Link>,
+}
+
+/// A factor, and what it may err by in the entries of its product with all before it.
+struct Link {
+    matrix: Square,
+    error: f64,
+}
+
+impl Chain {
+    pub(super) fn new(n: usize) -> Chain {
+        Chain { whole: Square::identity(n), links: Vec::new() }
+    }
+
+    pub(super) fn push(&mut self, matrix: Square, error: f64) {
+        self.whole = matrix.times(&self.whole);
+        self.links.push(Link { matrix, error });
+        if self.links.len() >= LINKS {
+            let joined = |pair: &[Link]| match pair {
+                [a, b] => Link { matrix: b.matrix.times(&a.matrix), error: b.error + b.matrix.norm() * a.error },
+                _ => Link { matrix: pair[0].matrix.clone(), error: pair[0].error },
+            };
+            self.links = self.links.chunks(2).map(joined).collect();
+        }
+    }
+
+    /// Bound of the error in the entries of the whole, as a share of the largest: Σ |F_N ... F_(k+1)| e_k.
+    pub(super) fn doubt(&self) -> f64 {
+        let (mut after, mut sum) = (Square::identity(self.whole.n), 0.0);
+        for link in self.links.iter().rev() {
+            sum += after.norm() * link.error;
+            after = after.times(&link.matrix);
+        }
+        let doubt = sum / self.whole.largest();
+        if doubt.is_finite() { doubt } else { 0.0 }
+    }
 }
 
 /// What the variations of a stretch are.
 pub(super) struct Varied {
-    /// Fundamental matrix, SI.
-    pub(super) matrix: Square,
     /// ∫ tr A dt.
     pub(super) divergence: f64,
-    /// By how much Liouville's formula is missed: sum over the steps of |det Φ - exp ∫ tr A|, each relative to the largest determinant that columns
-    /// of this length can have.
+    /// By how much Liouville's formula is missed: sum over the steps of |det F - exp ∫ tr A|, each relative to the largest determinant that columns
+    /// of this length can have; of a step that does not resolve modes long dead the same with F Φ.
     pub(super) liouville: f64,
 }
 
@@ -133,15 +201,12 @@ impl<S: System + ?Sized> Along<'_, '_, S> {
         Ok(Some(out))
     }
 
-    /// The step in two halves, and the difference from one step.
-    fn halves(&mut self, radau: &Radau, t: f64, h: f64) -> Result<Option<(Square, f64)>, Fault> {
+    /// The step in two halves, and in one.
+    fn halves(&mut self, radau: &Radau, t: f64, h: f64) -> Result<Option<[Square; 2]>, Fault> {
         let Some(whole) = self.step(radau, t, h)? else { return Ok(None) };
         let Some(first) = self.step(radau, t, 0.5 * h)? else { return Ok(None) };
         let Some(second) = self.step(radau, t + 0.5 * h, 0.5 * h)? else { return Ok(None) };
-        let fine = second.times(&first);
-        let size = fine.values.iter().fold(1.0_f64, |m, v| m.max(v.abs()));
-        let off = fine.values.iter().zip(&whole.values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        Ok(Some((fine, off / size)))
+        Ok(Some([second.times(&first), whole]))
     }
 
     fn trace(&mut self, t: f64) -> Result<f64, Fault> {
@@ -158,55 +223,144 @@ impl<S: System + ?Sized> Along<'_, '_, S> {
         Ok(sum)
     }
 
-    /// The same on halves until it no longer changes.
+    /// The same on halves until it no longer changes, or changes by rounding only.
     fn settled_divergence(&mut self, t: f64, h: f64) -> Result<f64, Fault> {
-        let mut stack = vec![(t, h, self.divergence(t, h)?, 0_u32)];
+        let mut stack = vec![Span { t, h, whole: self.divergence(t, h)?, off: f64::INFINITY, depth: 0 }];
         let mut sum = 0.0;
-        while let Some((t, h, whole, depth)) = stack.pop() {
-            let (first, second) = (self.divergence(t, 0.5 * h)?, self.divergence(t + 0.5 * h, 0.5 * h)?);
-            if depth >= 12 || (first + second - whole).abs() <= 1e-13 * (1.0 + whole.abs()) {
-                sum += first + second;
-            } else {
-                stack.push((t + 0.5 * h, 0.5 * h, second, depth + 1));
-                stack.push((t, 0.5 * h, first, depth + 1));
+        while let Some(Span { t, h, whole, off, depth }) = stack.pop() {
+            let halves = [self.divergence(t, 0.5 * h)?, self.divergence(t + 0.5 * h, 0.5 * h)?];
+            let (now, size) = ((halves[0] + halves[1] - whole).abs(), 1.0 + whole.abs());
+            let rounding = depth > 0 && now > 0.25 * off && now <= ROUGH * size;
+            if depth >= 12 || now <= TOLERANCE * size || rounding {
+                sum += halves[0] + halves[1];
+                continue;
+            }
+            for (k, whole) in [(1.0, halves[1]), (0.0, halves[0])] {
+                stack.push(Span { t: t + 0.5 * k * h, h: 0.5 * h, whole, off: now, depth: depth + 1 });
             }
         }
         Ok(sum)
     }
 }
 
-/// Variations of a stretch.
+/// A part of a step whose divergence is to settle.
+struct Span {
+    t: f64,
+    h: f64,
+    whole: f64,
+    /// By how much the part before it was off.
+    off: f64,
+    depth: u32,
+}
+
+/// A step tried.
+struct Tried {
+    matrix: Square,
+    /// Difference of the halves from the whole step, as a share of the largest entry (at least 1).
+    own: f64,
+    /// The same of F Φ.
+    passed: f64,
+    /// Largest entry of the difference in F Φ.
+    error: f64,
+}
+
+impl Tried {
+    fn new([fine, whole]: [Square; 2], before: &Square) -> Tried {
+        let mut off = fine.clone();
+        off.values.iter_mut().zip(&whole.values).for_each(|(a, b)| *a -= b);
+        let (carried, error) = (fine.times(before).largest(), off.times(before).largest());
+        Tried { own: off.largest() / fine.largest().max(1.0), passed: error / carried.max(f64::MIN_POSITIVE), error, matrix: fine }
+    }
+
+    fn off(&self) -> f64 {
+        if self.own.is_nan() { f64::NAN } else { self.own.min(self.passed) }
+    }
+
+    /// Liouville's formula on the step.
+    fn missed(&self, divergence: f64, before: &Square) -> f64 {
+        let growth = divergence.exp();
+        if self.own <= TOLERANCE {
+            return (self.matrix.determinant() - growth).abs() / self.matrix.hadamard().max(growth);
+        }
+        let (old, new) = (before.determinant(), self.matrix.times(before));
+        (new.determinant() - growth * old).abs() / new.hadamard().max(f64::MIN_POSITIVE)
+    }
+}
+
+/// Continues the chain over a stretch.
 ///
-/// *Errors*: S054 where f has no derivative, S055 when the steps become too small or too many.
-pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>) -> Result<Varied, Fault> {
+/// *Errors*: S054 where f has no derivative, S055 when the steps become too small or too many, S042 after an interruption.
+pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, chain: &mut Chain) -> Result<Varied, Fault> {
     let n = stretch.scales.len();
-    let mut out = Varied { matrix: Square::identity(n), divergence: 0.0, liouville: 0.0 };
+    let mut out = Varied { divergence: 0.0, liouville: 0.0 };
     let (Some(first), Some(last)) = (stretch.steps.first(), stretch.steps.last()) else { return Ok(out) };
     let radau = Radau::new();
     let mut along = Along { system, stretch, n, x: vec![0.0; n], rows: Vec::new() };
     let (mut t, end) = (first.start.high, last.end().high);
     let mut h = (end - t).min(stretch.period / LEAST);
+    let mut refused: Option<f64> = None;
     for _ in 0..MOST {
         if end - t <= 4.0 * f64::EPSILON * end.abs() {
-            out.matrix.unscale(stretch.scales);
             return Ok(out);
         }
-        h = h.min(end - t);
+        if stretch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            return Err(super::unsettled(1.0, 0));
+        }
+        h = h.min(end - t).min(stretch.seen_from(t));
         if h <= 8.0 * f64::EPSILON * (t.abs() + h) {
             break;
         }
-        let (factor, found) = match along.halves(&radau, t, h)? {
-            Some((fine, off)) if off.is_finite() => (0.9 * (TOLERANCE / off.max(1e-30)).powf(1.0 / (2 * STAGES) as f64), Some((fine, off))),
-            _ => (0.25, None),
+        let tried = along.halves(&radau, t, h)?.map(|both| Tried::new(both, &chain.whole));
+        let Some(tried) = tried.filter(|tried| tried.off().is_finite()) else {
+            (h, refused) = (0.25 * h, None);
+            continue;
         };
-        if let Some((fine, _)) = found.filter(|(_, off)| *off <= TOLERANCE) {
-            let divergence = along.settled_divergence(t, h)?;
-            out.liouville += (fine.determinant() - divergence.exp()).abs() / fine.hadamard().max(divergence.exp());
-            out.divergence += divergence;
-            out.matrix = fine.times(&out.matrix);
-            t = if h >= end - t { end } else { t + h };
+        let off = tried.off();
+        let rounding = off <= ROUGH && refused.is_some_and(|before| off > 0.5 * before);
+        let factor = 0.9 * (TOLERANCE / off.max(1e-30)).powf(1.0 / (2 * STAGES) as f64);
+        if off > TOLERANCE && !rounding {
+            refused = Some(off);
+            h *= factor.clamp(0.2, 0.9);
+            continue;
         }
-        h *= factor.clamp(0.2, 3.0);
+        refused = None;
+        let divergence = along.settled_divergence(t, h)?;
+        out.liouville += tried.missed(divergence, &chain.whole);
+        out.divergence += divergence;
+        chain.push(tried.matrix, tried.error / BETTER);
+        t = if h >= end - t { end } else { t + h };
+        h *= factor.clamp(0.9, 3.0);
     }
     Err(super::too_quick(t))
+}
+
+/// Scales in which the rates of each state depend on the others about as the others' depend on it: rows and columns of |A|, its largest entries along
+/// the turn, made equal in length by powers of two.
+pub(super) fn balanced<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales: &[f64]) -> Vec<f64> {
+    let (n, mut out) = (scales.len(), scales.to_vec());
+    let mut largest = vec![0.0_f64; n * n];
+    let mut rows = Vec::new();
+    for step in orbit.steps.iter().step_by(orbit.steps.len().div_ceil(PLACES).max(1)) {
+        let x: Vec<f64> = (0..n).map(|i| step.start_value(i)).collect();
+        // where there is no derivative another place tells
+        if slopes(system, step.start.high, &x, &step.modes, scales, &mut rows).is_ok() {
+            for (k, entry) in largest.iter_mut().enumerate() {
+                let a = (rows[(k / n) * (n + 1) + k % n] * scales[k % n] / scales[k / n]).abs();
+                *entry = entry.max(if a.is_finite() { a } else { 0.0 });
+            }
+        }
+    }
+    for i in (0..n).cycle().take(SWEEPS * n) {
+        let others = || (0..n).filter(|j| *j != i);
+        let (row, column): (f64, f64) = (others().map(|j| largest[i * n + j]).sum(), others().map(|j| largest[j * n + i]).sum());
+        if row > 0.0 && column > 0.0 {
+            let factor = (0.5 * (row / column).log2()).round().exp2();
+            out[i] *= factor;
+            others().for_each(|j| {
+                largest[i * n + j] /= factor;
+                largest[j * n + i] *= factor;
+            });
+        }
+    }
+    out
 }
