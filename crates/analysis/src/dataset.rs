@@ -19,6 +19,8 @@ pub struct Dataset {
     pub states: Vec<String>,
     /// What happened along the axis.
     pub events: Vec<Event>,
+    /// Contacts and frictions, and what they do at the start.
+    pub contacts: Vec<Standing>,
     /// Least and greatest values of the motion itself, not of its rows.
     pub extremes: Vec<Extreme>,
     /// Integrals along the axis and last values, of the motion too.
@@ -206,6 +208,23 @@ pub struct Event {
     pub outputs: [Vec<f64>; 2],
     /// What became of a contact or a friction; none for other switches.
     pub contact: Option<ContactChange>,
+}
+
+/// A contact or a friction.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Standing {
+    /// The user's name of it.
+    pub contact: String,
+    /// What it is and its name, for people.
+    pub label: Text,
+    /// At the start, in the words of [`ContactChange::from`].
+    pub at_start: &'static str,
+    /// Its guard: that of its events.
+    pub guard: usize,
+    /// Guards of the contacts that alone press a friction: while all are open there is none.
+    pub pressed: Vec<usize>,
+    /// Whether it is a friction.
+    pub friction: bool,
 }
 
 /// A change of a contact or a friction.

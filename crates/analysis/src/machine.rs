@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 mod conditions;
 mod impact;
+mod touches;
 
 use program::{Behind, Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
 use symbolic::connections::{Law, Reaction};
@@ -12,7 +13,7 @@ use symbolic::{Equations, Text};
 use crate::connections::{Undetermined, assemble};
 use crate::fault::Message;
 use crate::system::Layout;
-use crate::{Blow, Fault, Guard, GuardKind, Mode, Powers, Quantity, System};
+use crate::{Blow, Fault, Guard, GuardKind, Mode, Powers, Quantity, System, Touch};
 use conditions::Conditions;
 
 /// Within which the instant of an event is known, relative to it.
@@ -41,6 +42,9 @@ pub struct Machine {
     shown: Vec<usize>,
     needs_accelerations: bool,
     energy: Evaluator,
+    /// Contacts and frictions in numbers, and where each is among the roots.
+    touches: Evaluator,
+    touching: Vec<touches::Place>,
     second: Evaluator,
     released: Evaluator,
     layout: Layout,
@@ -123,6 +127,8 @@ impl Machine {
             conditions: Conditions::new(equations, &bound)?,
             shown: (0..program.outputs.roots.len()).collect(),
             energy: bound.evaluator(&bound.program().energy)?,
+            touches: general.evaluator(&program.touches)?,
+            touching: touches::places(equations, program),
             second: general.evaluator(&program.second)?,
             released: general.evaluator(&program.released)?,
             layout: layout(equations),
@@ -576,6 +582,39 @@ impl System for Machine {
         let powers = self.energy.evaluate(&point).ok()?.get(program::ENERGY.len()..)?;
         let slides = |guard: &Option<usize>| guard.is_none_or(|g| modes.get(g) != Some(&Mode::Zero));
         Some(self.rubbing.iter().zip(powers).map(|(guard, power)| slides(guard).then_some(*power)).collect())
+    }
+
+    fn touches(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<Touch>> {
+        if self.touching.is_empty() {
+            return None;
+        }
+        self.observing.set(modes, &self.bound);
+        self.solve_forces(t, x).ok()?;
+        let n = self.bound.program().coordinates;
+        let mut inputs = std::mem::take(&mut self.accelerations);
+        inputs[..n].copy_from_slice(&accelerations[..n]);
+        let found = self.touches_with((t, x), &inputs, &[]);
+        self.accelerations = inputs;
+        found
+    }
+
+    fn struck(&mut self, t: f64, x: &[f64], impulses: &[f64], modes: &[Mode]) -> Option<Vec<Touch>> {
+        self.observing.set(modes, &self.bound);
+        let mut inputs = vec![0.0; self.accelerations.len()];
+        let idle = self.normals((t, x), &inputs)?;
+        let n = self.bound.program().coordinates;
+        let reactions = &mut inputs[n..];
+        reactions.copy_from_slice(impulses.get(..reactions.len())?);
+        self.touches_with((t, x), &inputs, &idle)
+    }
+
+    fn momenta(&mut self, t: f64, x: &[f64], change: &[f64], impulses: &[f64]) -> Option<Vec<[f64; 2]>> {
+        if self.balanced.is_empty() {
+            return None;
+        }
+        let inputs = [change, impulses].concat();
+        let point = Point { time: t, states: x, accelerations: &inputs, ..Point::default() };
+        touches::linear(&mut self.second, &point, change.len())
     }
 
     fn balances(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<[f64; 2]>> {

@@ -140,6 +140,42 @@ pub struct Blow {
     pub impulses: Vec<(usize, f64)>,
     /// Frictions whose sliding it stopped, by guard.
     pub stuck: Vec<usize>,
+    /// Impulses of all reactions that act on the coordinates.
+    pub reactions: Vec<f64>,
+}
+
+/// Which law a [`Touch`] obeys.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TouchLaw {
+    /// One-sided: gap and force.
+    Contact {
+        /// Gap, and the size of the terms that meet in it.
+        gap: [f64; 2],
+    },
+    /// Dry friction.
+    Friction {
+        /// Largest magnitudes sliding back, sliding forth, at rest; they are those of impulses in an impact.
+        limits: [f64; 3],
+        /// Sliding speed by that of the first friction with the same guard.
+        ratio: f64,
+    },
+}
+
+/// A contact or a dry friction at a state, with what its law compares.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Its guard.
+    pub guard: usize,
+    /// Its law.
+    pub law: TouchLaw,
+    /// Force, not negative of a contact; that of a friction resists positive sliding. Not a number where it is not unique.
+    pub force: f64,
+    /// Rate of the gap or sliding speed, and the size of the terms that meet in it.
+    pub rate: [f64; 2],
+    /// The same for its derivative.
+    pub acceleration: [f64; 2],
+    /// Coefficient of restitution; of a friction the tangential one.
+    pub restitution: f64,
 }
 
 /// Whether a system has given its Jacobian.
@@ -312,6 +348,25 @@ pub trait System {
     /// Power that each dry friction takes at (t, x), none for one that sticks. None altogether where the equations have no solution.
     fn frictions(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<Option<f64>>> {
         let _ = (t, x, modes);
+        None
+    }
+
+    /// All contacts and frictions at (t, x) with given accelerations and the forces of these modes. What is compared goes by values, not by modes.
+    /// None where the equations have no solution.
+    fn touches(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<Touch>> {
+        let _ = (t, x, accelerations, modes);
+        None
+    }
+
+    /// The same in an impact at the rates of x, before or after it: impulses of all reactions in place of forces.
+    fn struck(&mut self, t: f64, x: &[f64], impulses: &[f64], modes: &[Mode]) -> Option<Vec<Touch>> {
+        let _ = (t, x, impulses, modes);
+        None
+    }
+
+    /// Momenta in an impact by the second derivation, M Δq' - Σ forces Λ for each coordinate: residual and size of the terms that met in it.
+    fn momenta(&mut self, t: f64, x: &[f64], change: &[f64], impulses: &[f64]) -> Option<Vec<[f64; 2]>> {
+        let _ = (t, x, change, impulses);
         None
     }
 

@@ -72,7 +72,7 @@ pub use fault::{Details, EXPLANATIONS, Fault, Singular};
 pub use guard::{Guard, GuardKind, Mode};
 pub use interpret::{Evaluator, Point};
 pub use jets::Jets;
-pub use program::{Bound, ConnectionRoots, ENERGY, LawRoots, Program, RestRoots};
+pub use program::{Bound, ConnectionRoots, ENERGY, LawRoots, Program, RestRoots, TouchRoots};
 pub use tangent::Tangent;
 pub use tape::{Bounded, By, Coefficient, Instruction, Operation, Real, Register, Root, Shape, Tape, Unary};
 pub use verify::verify;

@@ -51,6 +51,8 @@ pub struct Program {
     /// t, x, q'' and all reactions, modes -> T, Π, Φ, dissipated, dE/dt, loads, drives ([`ENERGY`] names them), then the power
     /// that each dry friction takes, in the order of the reactions.
     pub energy: Arc<Tape>,
+    /// t, x, q'' and all reactions, modes -> for each contact and friction, in the order of the reactions, what its law compares; see [`TouchRoots`].
+    pub touches: Arc<Tape>,
     /// t, x, q'' and all reactions -> the residuals of the second derivation (motions, then balances), then the residuals
     /// M q'' - Σ forces λ - h of the first and Σ columns q'' - rest - Σ released λ of the balances. Switches go by value.
     pub second: Arc<Tape>,
@@ -100,6 +102,36 @@ pub struct LawRoots {
     pub frictions: Range<usize>,
     /// joined balances x (n + reactions): inertia coefficients of q'', then the share of each reaction.
     pub balances: Range<usize>,
+}
+
+/// The roots of [`Program::touches`] for one contact or friction, by place. Sizes are sums of the squares of the terms that meet.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum TouchRoots {
+    /// Gap of a contact; normal force of a friction, 1 where its magnitudes are forces.
+    Leading,
+    /// Size of the terms of its place.
+    PlaceSize,
+    /// Rate of the gap, sliding speed.
+    Rate,
+    /// Size of the terms of the rate.
+    RateSize,
+    /// Derivative of the rate with the accelerations given.
+    Acceleration,
+    /// Size of its terms.
+    AccelerationSize,
+    /// Magnitude of a friction that slides back, in units of the normal force; 0 for contacts, as what follows.
+    Back,
+    /// Magnitude of one that slides forth.
+    Forth,
+    /// Largest magnitude at rest.
+    Fixed,
+    /// Coefficient of restitution of a contact; of a friction the tangential one of the first contact that presses it.
+    Restitution,
+}
+
+impl TouchRoots {
+    /// How many there are.
+    pub const WIDTH: usize = 10;
 }
 
 /// Where the roots of [`Program::rests`] are; n coordinates, m conditions. At rest h + Σ forces λ = 0 and all places vanish; the derivative of the first

@@ -4,6 +4,7 @@
 //! numbered by the writers in the order of the blocks, so that a caption never needs a number.
 
 use crate::figure::Figure;
+use crate::figure::bands::Bands;
 use crate::language::Language;
 use crate::table::Table;
 
@@ -49,6 +50,8 @@ pub enum Block {
     Table(Table),
     /// A figure; always numbered.
     Figure(Figure),
+    /// What contacts did over time; numbered as a figure.
+    Bands(Bands),
     /// Something that opens on demand (always open in terminal text).
     Details {
         /// The line that is always seen.

@@ -114,6 +114,18 @@ words! {
     Points: "points", "точек";
     NoPositive: "no positive values: a logarithmic axis is not possible", "нет положительных значений: логарифмическая ось невозможна";
     NoData: "no finite values to draw", "нет конечных значений для построения";
+    Contacts: "Contacts and frictions", "Контакты и трение";
+    Contact: "Contact", "Контакт";
+    Before: "Before", "До";
+    After: "After", "После";
+    Impulse: "Impulse, SI", "Импульс, СИ";
+    Impacts: "impacts", "ударов";
+    StateClosed: "closed, taut", "замкнут, натянута";
+    StateOpen: "open, slack", "разомкнут, провисает";
+    StateSticks: "sticks", "залипание";
+    StateForward: "slides forward", "скользит вперёд";
+    StateBackward: "slides back", "скользит назад";
+    StateImpact: "impact", "удар";
     Omitted: "omitted", "опущено";
     Continued: "the table is cut to the width of the terminal; all columns are in the files",
         "таблица обрезана по ширине терминала; все столбцы есть в файлах";

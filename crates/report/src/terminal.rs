@@ -138,6 +138,13 @@ impl Writer {
                 let summary = figure_summary(figure, self.language);
                 self.out.push_str(&summary);
             }
+            Block::Bands(bands) => {
+                self.figures += 1;
+                let caption = format!("{} {} – {}", self.language.word(Word::Figure), self.figures, bands.title.plain(self.language));
+                self.paragraph(&caption);
+                let summary = bands.summary(self.language);
+                self.out.push_str(&summary);
+            }
             Block::Details { summary, blocks } => {
                 self.line(summary);
                 self.blocks(blocks);

@@ -335,6 +335,7 @@ impl Writer<'_> {
                 blocks.extend(self.events(data));
                 if self.extent == Extent::Page {
                     blocks.extend(figures(self.calculation, study, data, self.language).into_iter().map(Block::Figure));
+                    blocks.extend(crate::contacts::bands(data, self.language).map(Block::Bands));
                 }
                 blocks.extend(self.counters(data));
                 blocks
@@ -394,12 +395,16 @@ fn events(data: &Dataset, captions: bool, language: Language) -> Vec<Block> {
     if switches.is_empty() {
         return blocks;
     }
-    let columns = vec![Column::with_unit(language.word(Word::Time), "s", language), Column::new(language.word(Word::Event))];
-    let mut table = Table::new(columns);
+    let [time, event] = [Column::with_unit(language.word(Word::Time), "s", language), Column::new(language.word(Word::Event))];
     let listed = &switches[..switches.len().min(EVENTS)];
+    // a terminal has no room for columns that say again what the words do
+    let contacts = captions && listed.iter().any(|e| e.contact.is_some());
+    let mut table = if contacts { crate::contacts::table(time, event, language) } else { Table::new(vec![time, event]) };
+    let between = if contacts { crate::contacts::cells(listed, language) } else { vec![Vec::new(); listed.len()] };
     let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
-    for (time, event) in Cell::column(&times, 6, language).into_iter().zip(listed) {
-        table.row(vec![time, Cell::words(language.text(&event.what))]);
+    for ((time, event), between) in Cell::column(&times, 6, language).into_iter().zip(listed).zip(between) {
+        let what = Cell::words(language.text(&event.what));
+        table.row(std::iter::once(time).chain(between).chain(std::iter::once(what)).collect());
     }
     blocks.push(Block::Table(if captions { table.with_caption(language.word(Word::Events)) } else { table }));
     blocks.extend(more_events(switches.len() - listed.len(), language));

@@ -35,6 +35,10 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
             for figure in document::figures(calculation, study, data, language) {
                 plot(&mut shelf, &figure, &number, language)?;
             }
+            if let Some(bands) = crate::contacts::bands(data, language) {
+                let svg = report::figure::bands::write(&bands, true, language);
+                shelf.put(&format!("{}{number}.svg", bands.name), Word::Vector, svg.as_bytes())?;
+            }
         }
         for figure in document::other_figures(finding, language) {
             plot(&mut shelf, &figure, &number, language)?;

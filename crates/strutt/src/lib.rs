@@ -11,6 +11,7 @@
 
 pub mod chain;
 pub mod claims;
+pub mod contacts;
 pub mod diagnostics;
 pub mod document;
 pub mod explain;

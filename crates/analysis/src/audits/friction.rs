@@ -2,10 +2,11 @@
 //!
 //! The power is λ v with the sliding speed of the friction's own geometry, over sliding steps at the points of the energy ledger's kind (both ends left
 //! out, where v vanishes). A friction that drives what it should brake (a branch taken with the wrong sign, a normal force that went negative) shows as
-//! its full power. Relative to the largest power of that friction so far.
+//! its full power. Relative to the largest power of that friction so far, and to the rounding of the largest of the machine.
 
 use symbolic::Text;
 
+use super::frontier::Frontier;
 use crate::System;
 use crate::dataset::Audit;
 use crate::taylor::Step;
@@ -19,7 +20,7 @@ const PLACES: [f64; 3] = [0.1, 0.5, 0.9];
 pub struct FrictionWork {
     /// Largest |power| of each friction.
     largest: Vec<f64>,
-    worst: f64,
+    found: Frontier,
     slid: bool,
 }
 
@@ -38,9 +39,7 @@ impl FrictionWork {
                 let Some(power) = power else { continue };
                 self.slid = true;
                 *largest = largest.max(power.abs());
-                if power < 0.0 {
-                    self.worst = self.worst.max(-power / *largest);
-                }
+                self.found.note(-power, *largest);
             }
         }
     }
@@ -51,6 +50,6 @@ impl FrictionWork {
             "dry friction: largest power it supplies, relative to what it takes",
             "сухое трение: наибольшая подведённая им мощность относительно отбираемой",
         );
-        self.slid.then(|| Audit::at_most("friction_work", name, self.worst, LIMIT))
+        self.slid.then(|| Audit::at_most("friction_work", name, self.found.worst(), LIMIT))
     }
 }

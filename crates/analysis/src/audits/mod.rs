@@ -1,5 +1,6 @@
 //! Checks of a result by means that the result did not use.
 
+pub mod blows;
 pub mod bodies;
 pub mod damping;
 pub mod defect;
@@ -13,6 +14,7 @@ pub mod power;
 pub mod released;
 pub mod second;
 pub mod shared;
+pub mod touches;
 
 /// Units of the last place to which the terms of a motion are rounded.
 const ROUNDED: f64 = 64.0;

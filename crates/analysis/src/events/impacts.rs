@@ -43,6 +43,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// last expansion belongs to the present state.
     pub(super) fn collide(&mut self) -> Result<Vec<Impact>, Fault> {
         self.rebounds.fill(false);
+        self.blow = None;
         let on: Vec<usize> = (0..self.modes.len())
             .filter(|&i| self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_on_surface(i)))
             .collect();
@@ -69,6 +70,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             }
         }
         self.slide_on(&blow.stuck);
+        self.blow = Some(blow);
         Ok(impacts)
     }
 

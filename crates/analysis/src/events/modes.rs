@@ -225,6 +225,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.project_here()?;
         self.expand_here()?;
         self.measure()?;
+        // the other wishes mean nothing while a friction is taken with the wrong sign of what presses it
+        let signed = self.signed();
+        if signed != self.modes {
+            return Ok(Verdict::Wants(signed));
+        }
         if (0..self.modes.len()).any(|i| self.is_loose(i)) {
             return Ok(Verdict::Repeats);
         }

@@ -139,6 +139,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
     }
 
+    /// The present modes with the signs that the normal forces of the last expansion have.
+    pub(super) fn signed(&self) -> Vec<Mode> {
+        let normal = |i: usize| self.system.guards()[i].kind == GuardKind::Normal;
+        (0..self.modes.len()).map(|i| if normal(i) { self.wanted_normal(i) } else { self.modes[i] }).collect()
+    }
+
     /// The sign that a normal force has in the present trial; the present one where there is none.
     fn wanted_normal(&self, i: usize) -> Mode {
         let g = self.system.guard(i);
@@ -225,13 +231,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             return Ok(None);
         }
         self.system.expand(self.now.high, &self.x, &self.modes, 1)?;
-        let mut wanted = self.modes.clone();
-        for (i, mode) in wanted.iter_mut().enumerate() {
-            let signed = self.system.guards()[i].kind == GuardKind::Normal;
-            if signed {
-                *mode = self.wanted_normal(i);
-            }
-        }
+        let mut wanted = self.signed();
         if wanted != self.modes {
             return Ok(Some(wanted));
         }

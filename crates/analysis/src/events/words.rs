@@ -3,7 +3,7 @@
 use symbolic::Text;
 
 use super::{Change, Switch};
-use crate::dataset::ContactChange;
+use crate::dataset::{ContactChange, Standing};
 use crate::fault::number;
 use crate::{Guard, GuardKind, Mode};
 
@@ -36,12 +36,24 @@ pub fn describe(switch: &Switch, guard: &Guard) -> Text {
 
 /// The same for machines; none for a switch that is no contact.
 pub fn change(switch: &Switch, guard: &Guard) -> Option<ContactChange> {
+    let (from, to) = (state(switch.before, guard)?, state(switch.after, guard)?);
+    let impulse = if let Change::Impact { impulse, .. } = switch.change { Some(impulse) } else { None };
+    Some(ContactChange { contact: contact(guard), from, to, impulse })
+}
+
+/// A guard is named by the kind and the user's name, which has no spaces.
+fn contact(guard: &Guard) -> String {
+    guard.name.en.rsplit(' ').next().unwrap_or_default().to_owned()
+}
+
+/// What a contact or friction does in a mode; none for other switches.
+fn state(mode: Mode, guard: &Guard) -> Option<&'static str> {
     let friction = match guard.kind {
         GuardKind::Friction { .. } => true,
         GuardKind::Contact { .. } => false,
         _ => return None,
     };
-    let word = |mode: Mode| match (mode, friction, guard.tie) {
+    Some(match (mode, friction, guard.tie) {
         (Mode::Zero, true, _) => "sticking",
         (Mode::Positive, true, _) => "forward",
         (Mode::Negative, true, _) => "backward",
@@ -49,11 +61,23 @@ pub fn change(switch: &Switch, guard: &Guard) -> Option<ContactChange> {
         (_, false, true) => "taut",
         (Mode::Positive, false, false) => "open",
         (_, false, false) => "closed",
+    })
+}
+
+/// All contacts and frictions in these modes.
+pub fn standing(guards: &[Guard], modes: &[Mode]) -> Vec<Standing> {
+    let one = |(i, (guard, mode)): (usize, (&Guard, &Mode))| {
+        let pressed = if let GuardKind::Friction { pressed, .. } = &guard.kind { pressed.clone() } else { Vec::new() };
+        Some(Standing {
+            contact: contact(guard),
+            label: guard.name.clone(),
+            at_start: state(*mode, guard)?,
+            guard: i,
+            pressed,
+            friction: matches!(guard.kind, GuardKind::Friction { .. }),
+        })
     };
-    let impulse = if let Change::Impact { impulse, .. } = switch.change { Some(impulse) } else { None };
-    // a guard is named by the kind and the user's name, which has no spaces
-    let contact = guard.name.en.rsplit(' ').next().unwrap_or_default().to_owned();
-    Some(ContactChange { contact, from: word(switch.before), to: word(switch.after), impulse })
+    guards.iter().zip(modes).enumerate().filter_map(one).collect()
 }
 
 fn impact(switch: &Switch, rates: [f64; 2], tie: bool, told: impl Fn(String, String) -> Text) -> Text {

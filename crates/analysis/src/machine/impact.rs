@@ -92,7 +92,8 @@ impl Conditions {
         let units = self.units(modes, closing, &values);
         let bilateral = Bilateral::new(self, t)?;
         let n = self.n;
-        let (corrected, _) = bilateral.response(self, &vec![0.0; n], &bilateral.rates(self))?;
+        let (corrected, mut whole) = bilateral.response(self, &vec![0.0; n], &bilateral.rates(self))?;
+        self.support_impulses(&corrected, &mut whole, &values);
         let mut responses = Vec::with_capacity(units.len());
         let mut reactions = Vec::with_capacity(units.len());
         for unit in &units {
@@ -119,7 +120,10 @@ impl Conditions {
             let change: f64 = strike.responses.iter().zip(&strike.impulses).map(|(r, p)| r[i] * p).sum();
             x[n + i] += corrected[i] + change;
         }
-        Ok(strike.blow())
+        for (row, p) in reactions.iter().zip(&strike.impulses) {
+            whole.iter_mut().zip(row).for_each(|(sum, r)| *sum += r * p);
+        }
+        Ok(Blow { reactions: whole, ..strike.blow() })
     }
 
     /// Contacts that are handed over or closed, and every friction that follows a normal force.
@@ -429,6 +433,7 @@ impl Strike {
         Blow {
             impulses: units().map(|(i, unit)| (unit.guard, self.impulses[i])).filter(|(_, p)| *p != 0.0).collect(),
             stuck: units().filter(|(i, _)| !self.is_contact(*i) && stops(*i)).map(|(_, unit)| unit.guard).collect(),
+            reactions: Vec::new(),
         }
     }
 }

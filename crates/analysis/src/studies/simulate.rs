@@ -4,15 +4,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use symbolic::Text;
 
+use crate::audits::blows::BlowLaws;
 use crate::audits::bodies::BodyBalance;
 use crate::audits::defect::InteriorDefect;
 use crate::audits::friction::FrictionWork;
 use crate::audits::impacts::{ImpactEnergy, drift, relative};
 use crate::audits::ledger::Ledger;
 use crate::audits::shared::Shared;
+use crate::audits::touches::TouchLaws;
 use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, released::ReleasedBalance, second::two_derivations};
-use crate::dataset::{Audit, Column, Counter, Dataset, Event};
-use crate::events::words::{change, describe};
+use crate::dataset::{Audit, Column, Counter, Dataset, Event, Standing};
+use crate::events::words::{change, describe, standing};
 use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
 use crate::marks::Along;
@@ -275,6 +277,10 @@ struct Run {
     /// Outputs whose integrals are works to be confirmed.
     works: Vec<usize>,
     friction: FrictionWork,
+    touches: TouchLaws,
+    blows: BlowLaws,
+    /// Contacts and frictions at the start.
+    contacts: Vec<Standing>,
     shared: Shared,
     extremes: Extremes,
     named: Watcher,
@@ -343,6 +349,9 @@ impl Run {
             ledger: Ledger::new(system, options.tolerance, &works),
             works,
             friction: FrictionWork::default(),
+            touches: TouchLaws::default(),
+            blows: BlowLaws::default(),
+            contacts: Vec::new(),
             shared: Shared::default(),
             extremes: Extremes::new(system, &chosen, options.tolerance),
             named: Watcher::new(&options.events),
@@ -364,6 +373,8 @@ impl Run {
         let flow_options =
             Options { tolerance: options.tolerance, span: end, order: options.order, method: options.method, ..Options::default() };
         let mut flow = Flow::start(system, 0.0, start, &flow_options)?;
+        let modes = flow.modes().to_vec();
+        self.contacts = standing(flow.system().guards(), &modes);
         let result = self.record(&mut flow).and_then(|()| self.follow(&mut flow, end, options));
         self.work = flow.work().clone();
         self.drift = flow.drift();
@@ -423,6 +434,7 @@ impl Run {
         self.defect.look(step, system);
         self.ledger.look(step, system, length);
         self.friction.look(step, system, length);
+        self.touches.look(step, system, length);
         self.shared.look(system, &step.modes);
         if let Some(stop) = &stop {
             self.ended = Some((step.start.after(stop.tau).high, stop.event));
@@ -510,6 +522,7 @@ impl Run {
     fn record<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Result<(), Fault> {
         if flow.switches().iter().any(|s| matches!(s.change, Change::Impact { .. })) {
             self.ledger.impact();
+            self.judge_blow(flow);
         }
         if flow.switches().is_empty() || self.events.len() >= EVENTS {
             return Ok(());
@@ -538,6 +551,16 @@ impl Run {
             self.events.push(Event { t: switch.t, name: String::new(), what, guard: switch.guard, sides, states, outputs, contact });
         }
         Ok(())
+    }
+
+    /// The laws of the impact of this instant; one that stands for infinitely many that follow has their momenta as well.
+    fn judge_blow<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) {
+        if flow.switches().iter().any(|s| matches!(s.change, Change::Rests { .. })) {
+            return;
+        }
+        let Some(blow) = flow.blow().cloned().filter(|blow| !blow.reactions.is_empty()) else { return };
+        let (t, before, after, modes) = (flow.time(), flow.state_before(), flow.state().to_vec(), flow.modes_before().to_vec());
+        self.blows.look(t, [&before, &after], (flow.system(), &modes, &blow));
     }
 
     /// Energy that the impacts of this instant take, together, relative to the surfaces that are struck.
@@ -646,7 +669,8 @@ impl Run {
             drift(self.drift, self.work.projections, tolerance),
             confirmed,
         ];
-        let audits = audits.into_iter().flatten().collect();
+        let laws = self.touches.audits(tolerance).into_iter().chain(self.blows.audits());
+        let audits = audits.into_iter().flatten().chain(laws).collect();
         let states = system.states().iter().map(|q| q.name.clone()).collect();
         Dataset {
             axis: Some(0),
@@ -654,6 +678,7 @@ impl Run {
             audits,
             states,
             events: self.events,
+            contacts: self.contacts,
             extremes: self.extremes.found(),
             overall: self.extremes.overall(),
             counters,

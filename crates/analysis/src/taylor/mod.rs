@@ -27,7 +27,7 @@ use crate::events::{Hit, Switch};
 use crate::fault::number;
 use crate::numerics::sum::{Instant, two_sum};
 use crate::stiff::Method;
-use crate::{Fault, Mode, System};
+use crate::{Blow, Fault, Mode, System};
 use accept::Defect;
 use implicit::Implicit;
 use length::Rule;
@@ -141,6 +141,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) rebounds: Vec<bool>,
     /// The last impact at each contact.
     pub(crate) hits: Vec<Option<Hit>>,
+    /// What the impact of the last event did.
+    pub(crate) blow: Option<Blow>,
     /// For a guard that has just been crossed: number of leading coefficients that vanish (multiplicity of its root at the step's start).
     pub(crate) deflation: Vec<usize>,
     /// Guards on their surface now.
@@ -209,6 +211,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             leaving: vec![false; n_g],
             rebounds: vec![false; n_g],
             hits: vec![None; n_g],
+            blow: None,
             deflation: vec![0; n_g],
             touched: vec![false; n_g],
             guard_scale: vec![0.0; n_g],
@@ -310,6 +313,10 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     /// Modes just before the last event.
     pub fn modes_before(&self) -> &[Mode] {
         &self.modes_before
+    }
+    /// What the impact of the last event did, if there was one.
+    pub fn blow(&self) -> Option<&Blow> {
+        self.blow.as_ref()
     }
     /// Largest relative violation of the conditions of connections that was removed by projection. A condition is compared with the largest terms that
     /// meet in it along the motion: a start all but at the origin has no size of its own.

@@ -18,7 +18,7 @@ pub struct Step {
     /// Coefficients, row i = state i, order + 1 each.
     pub(super) states: Series,
     /// Coefficients of the guards.
-    pub(super) guards: Series,
+    pub(crate) guards: Series,
     /// What rounding cut from the state at the start; added to every value.
     pub(super) low: Vec<f64>,
     /// Full turns taken off the state, high and low part; empty when none.

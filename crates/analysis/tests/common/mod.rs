@@ -129,7 +129,7 @@ impl System for Hand {
     }
     fn impact(&mut self, _: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {
         let impulses = (self.impact)(x, modes, closing);
-        Ok(Blow { impulses: closing.iter().copied().zip(impulses).collect(), stuck: Vec::new() })
+        Ok(Blow { impulses: closing.iter().copied().zip(impulses).collect(), ..Blow::default() })
     }
     fn observe(&mut self, _: f64, x: &[f64], _: &[Mode], values: &mut [f64]) -> Result<(), Fault> {
         values.copy_from_slice(x);

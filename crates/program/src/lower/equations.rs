@@ -48,6 +48,7 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         dynamics: Arc::new(dynamics),
         outputs: Arc::new(observed(equations, &guards, "outputs", outputs)?),
         energy: Arc::new(energy(equations, &guards)?),
+        touches: Arc::new(super::touches::touches(equations, &guards)?),
         second: Arc::new(second(equations)?),
         released: Arc::new(released(equations)?),
         places: Arc::new(places(equations)?),
@@ -138,7 +139,7 @@ fn over_accelerations(equations: &Equations) -> Inputs {
 }
 
 /// q'' and reactions.
-fn over_reactions(equations: &Equations) -> Inputs {
+pub(super) fn over_reactions(equations: &Equations) -> Inputs {
     let mut inputs = over_accelerations(equations);
     inputs.accelerations.extend(equations.reactions.iter().map(|r| r.symbol));
     inputs

@@ -6,6 +6,7 @@ mod equations;
 mod expressions;
 mod forms;
 mod linkage;
+mod touches;
 
 pub use connections::Selection;
 pub use equations::{equations, equations_with};

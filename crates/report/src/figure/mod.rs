@@ -4,6 +4,7 @@
 //! ([`Kind::Plane`]: phase portraits, trajectories). [`svg::write`] draws it as a file, [`png::write`] rasterises that, and
 //! [`crate::page`] makes it interactive.
 
+pub mod bands;
 pub mod decimate;
 mod layout;
 mod log_axis;

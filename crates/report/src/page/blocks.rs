@@ -2,6 +2,7 @@
 
 use crate::document::{Block, Content, Download, Formula, Inline, Rich};
 use crate::escape::markup;
+use crate::figure::bands::{self, Bands};
 use crate::figure::{Figure, svg};
 use crate::language::{Language, Word};
 use crate::symbol;
@@ -18,6 +19,8 @@ const BROKEN: &str = "<mtable displaystyle";
 pub(super) struct Writer {
     pub out: String,
     language: Language,
+    /// Figures that a script makes live, by their place in its data.
+    live: usize,
     figures: usize,
     tables: usize,
     equations: usize,
@@ -25,7 +28,7 @@ pub(super) struct Writer {
 
 impl Writer {
     pub fn new(language: Language) -> Writer {
-        Writer { out: String::new(), language, figures: 0, tables: 0, equations: 0 }
+        Writer { out: String::new(), language, live: 0, figures: 0, tables: 0, equations: 0 }
     }
 
     pub fn blocks(&mut self, blocks: &[Block]) {
@@ -44,6 +47,7 @@ impl Writer {
             Block::Equation { formula, numbered } => self.equation(formula, *numbered),
             Block::Table(table) => self.table(table),
             Block::Figure(figure) => self.figure(figure),
+            Block::Bands(bands) => self.bands(bands),
             Block::Details { summary, blocks } => {
                 self.push(&format!("<details>\n<summary>{}</summary>\n", markup(summary)));
                 self.blocks(blocks);
@@ -120,7 +124,8 @@ impl Writer {
 
     /// The static picture, a place for the interactive one, caption, tools.
     fn figure(&mut self, figure: &Figure) {
-        let i = self.figures;
+        let i = self.live;
+        self.live += 1;
         self.figures += 1;
         let n = self.figures;
         let word = |w| self.language.word(w);
@@ -135,6 +140,22 @@ impl Writer {
             self.rich(&figure.title),
             markup(&summary.join("; ")),
             word(Word::ShowData),
+        );
+        self.push(&html);
+    }
+
+    /// A static picture of strips with its caption, and the same in words.
+    fn bands(&mut self, bands: &Bands) {
+        self.figures += 1;
+        let n = self.figures;
+        let summary = bands.summary(self.language);
+        let summary: Vec<&str> = summary.lines().map(str::trim).collect();
+        let html = format!(
+            "<figure id=\"figure-{n}\">\n<div class=\"still\">{}</div>\n<figcaption>{}\u{a0}{n} – {}</figcaption>\n<p class=\"summary\">{}</p>\n</figure>\n",
+            bands::write(bands, false, self.language),
+            self.language.word(Word::Figure),
+            self.rich(&bands.title),
+            markup(&summary.join("; ")),
         );
         self.push(&html);
     }

@@ -1,0 +1,260 @@
+//! The laws of contacts and frictions along the motion, each by values and not by the modes in which the motion was computed:
+//!
+//! ```text
+//! gap >= 0,   N >= 0                                     depth, pull
+//! |F| <= μ₀ N at rest,   F = μ N against the sliding     cone
+//! N gap = 0,  N a_n = 0,  slip = 0 and a_t = 0 at rest   pairing: of each pair the member that should vanish
+//! ```
+//!
+//! Forces follow from the equations in the modes of the step, gaps and speeds from the dense output, accelerations from its derivatives. They are looked at where a
+//! step begins and ends and within it, which takes in both sides of every event; gaps and forces that the integrator follows as polynomials are looked at along
+//! the whole step.
+//!
+//! Scales: a force counts against the largest of its own contact or friction so far, at least [`WEAK`] of the largest of the machine; a gap, a rate and an acceleration
+//! against the terms that meet in them, the last also against the one that the contact would have without its force.
+
+use symbolic::Text;
+
+use super::frontier::{FLOOR, Frontier};
+use crate::dataset::Audit;
+use crate::system::{Touch, TouchLaw};
+use crate::taylor::Step;
+use crate::{GuardKind, Mode, System};
+
+/// Where a step is looked at.
+const PLACES: [f64; 5] = [0.0, 0.1, 0.5, 0.9, 1.0];
+/// Steps that are looked at in all places; later ones in one, that of the golden section.
+const WHOLE: u64 = 512;
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Share of the largest force of the machine that stands for the size of a small one: it is what is left of the large ones.
+const WEAK: f64 = 1e-3;
+/// Share of the size of a speed below which its sign is rounding.
+const STILL: f64 = 1e-9;
+/// How often the acceleration without a contact's force is asked for.
+const ASKED: u32 = 16;
+/// Points at which a polynomial is looked at that may come below zero.
+const POINTS: usize = 32;
+
+/// Largest sizes of one contact or friction so far.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sizes {
+    force: f64,
+    place: f64,
+    rate: f64,
+    acceleration: f64,
+    asked: u32,
+}
+
+/// Collects what the laws leave.
+#[derive(Clone, Debug, Default)]
+pub struct TouchLaws {
+    pull: Frontier,
+    depth: Frontier,
+    cone: Frontier,
+    pairing: Frontier,
+    sizes: Vec<Sizes>,
+    strongest: f64,
+    contacts: bool,
+    frictions: bool,
+    steps: u64,
+    x: Vec<f64>,
+    rates: Vec<f64>,
+}
+
+impl TouchLaws {
+    /// Looks at a step up to `length`.
+    pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, length: f64) {
+        if !system.guards().iter().any(|g| matches!(g.kind, GuardKind::Contact { .. } | GuardKind::Friction { .. })) {
+            return;
+        }
+        self.steps += 1;
+        self.x.resize(system.states().len(), 0.0);
+        self.rates.resize(system.states().len(), 0.0);
+        let one = [(self.steps as f64 * GOLDEN).fract()];
+        let places: &[f64] = if self.steps <= WHOLE { &PLACES } else { &one };
+        for place in places {
+            let Some(touches) = self.touches(step, system, place * length) else { continue };
+            self.sizes.resize(touches.len(), Sizes::default());
+            self.measure(&touches, step);
+            if *place == PLACES[0] {
+                self.without(step, system, &touches);
+            }
+            self.judge(&touches, &step.modes);
+        }
+        self.follow(step, system, length);
+    }
+
+    fn touches<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, tau: f64) -> Option<Vec<Touch>> {
+        step.state_after(tau, &mut self.x);
+        step.rate_after(tau, &mut self.rates);
+        let n = system.n_coordinates();
+        system.touches(step.start.after(tau).high, &self.x, &self.rates[n..2 * n], &step.modes)
+    }
+
+    fn measure(&mut self, touches: &[Touch], step: &Step) {
+        for (sizes, touch) in self.sizes.iter_mut().zip(touches) {
+            let own = match touch.law {
+                TouchLaw::Contact { gap } => {
+                    self.contacts = true;
+                    sizes.place = sizes.place.max(gap[0].abs()).max(gap[1]);
+                    touch.force.abs()
+                }
+                TouchLaw::Friction { limits, .. } => {
+                    self.frictions = true;
+                    limits.iter().fold(touch.force.abs(), |m, l| m.max(l.abs()))
+                }
+            };
+            // what moves a place by less than its rounding within the step is no motion
+            let h = step.length.max(f64::MIN_POSITIVE);
+            sizes.rate = sizes.rate.max(touch.rate[0].abs()).max(touch.rate[1]).max(FLOOR * sizes.place / h);
+            sizes.acceleration = sizes.acceleration.max(touch.acceleration[0].abs()).max(touch.acceleration[1]).max(FLOOR * sizes.rate / h);
+            sizes.force = if own.is_finite() { sizes.force.max(own) } else { sizes.force };
+            self.strongest = self.strongest.max(sizes.force);
+        }
+    }
+
+    /// What the accelerations would be without the force of each contact or friction that holds: their natural size.
+    fn without<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, touches: &[Touch]) {
+        let (t, n) = (step.start.high, system.n_coordinates());
+        for (i, touch) in touches.iter().enumerate() {
+            if step.modes[touch.guard] != Mode::Zero || self.sizes[i].asked >= ASKED {
+                continue;
+            }
+            self.sizes[i].asked += 1;
+            let mut modes = step.modes.clone();
+            modes[touch.guard] = Mode::Positive;
+            if !system.rates(t, &self.x, &modes, &mut self.rates) {
+                continue;
+            }
+            let free = system.touches(t, &self.x, &self.rates[n..2 * n], &modes);
+            if let Some(free) = free.as_ref().and_then(|list| list.get(i)).filter(|free| free.acceleration[0].is_finite()) {
+                self.sizes[i].acceleration = self.sizes[i].acceleration.max(free.acceleration[0].abs());
+            }
+        }
+    }
+
+    fn judge(&mut self, touches: &[Touch], modes: &[Mode]) {
+        for (i, touch) in touches.iter().enumerate().filter(|(_, touch)| touch.force.is_finite()) {
+            let holds = modes[touch.guard] == Mode::Zero;
+            let (sizes, force) = (self.sizes[i], self.force_size(i));
+            if holds {
+                self.pairing.note(touch.rate[0].abs(), sizes.rate);
+                self.pairing.note(touch.acceleration[0].abs(), sizes.acceleration);
+            }
+            match touch.law {
+                TouchLaw::Contact { gap } => {
+                    self.depth.note(-gap[0], sizes.place);
+                    self.pull.note(-touch.force, force);
+                    self.pairing.note(if holds { gap[0].abs() } else { 0.0 }, sizes.place);
+                    self.pairing.note(if holds { 0.0 } else { touch.force.abs() }, force);
+                }
+                TouchLaw::Friction { limits, .. } if holds && limits[2].is_finite() => self.hold(touches, i),
+                TouchLaw::Friction { limits, .. } if limits.iter().all(|l| l.is_finite()) && !holds => {
+                    self.cone.note(excess(touch, limits, sizes.rate), force);
+                }
+                TouchLaw::Friction { .. } => {}
+            }
+        }
+    }
+
+    /// Frictions that stick together are held together: Σ r λ by Σ |r| limit, once for each guard.
+    fn hold(&mut self, touches: &[Touch], first: usize) {
+        let guard = touches[first].guard;
+        if touches.iter().position(|t| t.guard == guard) != Some(first) {
+            return;
+        }
+        let (mut load, mut capacity, mut size) = (0.0, 0.0, 0.0);
+        for (i, touch) in touches.iter().enumerate().filter(|(_, t)| t.guard == guard) {
+            let TouchLaw::Friction { limits, ratio } = touch.law else { continue };
+            load += ratio * touch.force;
+            capacity += ratio.abs() * limits[2];
+            size += ratio.abs() * self.force_size(i);
+        }
+        if load.is_finite() && capacity.is_finite() {
+            self.cone.note(f64::abs(load) - capacity, size);
+        }
+    }
+
+    fn force_size(&self, i: usize) -> f64 {
+        self.sizes[i].force.max(WEAK * self.strongest)
+    }
+
+    /// Gaps and forces as the integrator follows them, along the whole step.
+    fn follow<S: System + ?Sized>(&mut self, step: &Step, system: &S, length: f64) {
+        for (i, guard) in system.guards().iter().enumerate() {
+            match guard.kind {
+                GuardKind::Contact { .. } if step.modes[i] == Mode::Positive => {
+                    let place = self.sizes.iter().map(|s| s.place).fold(0.0, f64::max);
+                    self.depth.note(-least(step.guards.row(i), length), place);
+                }
+                GuardKind::Bound { of, .. } if step.modes[of] == Mode::Zero => {
+                    let below = -least(step.guards.row(i), length);
+                    let contact = matches!(system.guards()[of].kind, GuardKind::Contact { .. });
+                    if contact { self.pull.note(below, self.strongest) } else { self.cone.note(below, self.strongest) }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The audits of what there is.
+    pub fn audits(&self, tolerance: f64) -> Vec<Audit> {
+        let limit = (1e3 * tolerance).max(1e-9);
+        let audit = |key: &str, (en, ru): (&str, &str), found: &Frontier| Audit::at_most(key, Text::new(en, ru), found.worst(), limit);
+        let mut list = Vec::new();
+        if self.contacts {
+            let words = ("contacts: deepest penetration, relative", "контакты: наибольшее внедрение, относительно");
+            list.push(audit("contact_gap", words, &self.depth));
+            let words = ("contacts: largest pull, relative to the forces", "контакты: наибольшее притяжение относительно сил");
+            list.push(audit("contact_force", words, &self.pull));
+        }
+        if self.frictions {
+            let words = (
+                "dry friction: largest departure from |F| <= mu N, against the sliding, relative",
+                "сухое трение: наибольшее отступление от |F| <= mu N против скольжения, относительно",
+            );
+            list.push(audit("friction_limit", words, &self.cone));
+        }
+        if self.contacts || self.frictions {
+            let words = (
+                "contacts and frictions: of force and motion one vanishes, largest residual, relative",
+                "контакты и трение: из силы и движения одно равно нулю, наибольшая невязка, относительно",
+            );
+            list.push(audit("complementarity", words, &self.pairing));
+        }
+        list
+    }
+}
+
+/// How far a friction that slides is from its law; at a speed that is rounding only its magnitude is known.
+fn excess(touch: &Touch, [back, forth, fixed]: [f64; 3], speed: f64) -> f64 {
+    if touch.rate[0].abs() <= STILL * speed {
+        return touch.force.abs() - back.max(forth).max(fixed);
+    }
+    let law = if touch.rate[0] > 0.0 { forth } else { -back };
+    (touch.force - law).abs()
+}
+
+/// A value that the polynomial does not fall below by more than it shows at [`POINTS`] points; 0 where it surely stays positive.
+fn least(c: &[f64], h: f64) -> f64 {
+    let Some((first, rest)) = c.split_first() else { return 0.0 };
+    let change = rest.iter().rev().fold(0.0, |sum, c_k| (sum + c_k.abs()) * h);
+    if *first >= change {
+        return 0.0;
+    }
+    let value = |k: usize| c.iter().rev().fold(0.0, |sum, c_k| sum * (h * k as f64 / POINTS as f64) + c_k);
+    (0..=POINTS).map(value).fold(0.0, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_polynomial_below_zero_between_the_ends_is_seen() {
+        // (τ - 1/2)² - 1/100
+        assert!((least(&[0.24, -1.0, 1.0], 1.0) + 0.01).abs() < 1e-15);
+        assert_eq!(least(&[0.25, -1.0, 1.0], 1.0), 0.0);
+        assert_eq!(least(&[2.0, -1.0], 1.0), 0.0);
+    }
+}

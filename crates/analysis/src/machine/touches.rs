@@ -1,0 +1,125 @@
+//! Contacts and frictions in numbers, for audits: from the tape `touches`, which goes by values where the dynamics go by modes.
+
+use program::{Evaluator, Point, Program, TouchRoots};
+use symbolic::Equations;
+use symbolic::connections::Law;
+
+use super::{Machine, Switches};
+use crate::system::{Touch, TouchLaw};
+
+/// Rates by which the ratio of sliding speeds is found: those of no motion in particular.
+const IRREGULAR: f64 = 0.618_033_988_749_894_9;
+
+/// A contact or friction that has a guard.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// First of its roots.
+    root: usize,
+    guard: usize,
+    reaction: usize,
+    friction: bool,
+    /// First friction with the same guard, by place.
+    leader: usize,
+}
+
+/// Where contacts and frictions are among the roots.
+pub(super) fn places(equations: &Equations, program: &Program) -> Vec<Place> {
+    let (mut found, mut root): (Vec<Place>, usize) = (Vec::new(), 0);
+    for (reaction, r) in equations.reactions.iter().enumerate() {
+        let friction = match r.law {
+            Law::Contact { .. } => false,
+            Law::Friction(_) => true,
+            _ => continue,
+        };
+        if let Some(Some(guard)) = program.switches.get(reaction) {
+            let leader = found.iter().position(|p| p.guard == *guard).unwrap_or(found.len());
+            found.push(Place { root, guard: *guard, reaction, friction, leader });
+        }
+        root += TouchRoots::WIDTH;
+    }
+    found
+}
+
+/// Values of the tape.
+struct Values<'v>(&'v [f64]);
+
+impl Values<'_> {
+    fn of(&self, place: &Place, root: TouchRoots) -> f64 {
+        self.0.get(place.root + root as usize).copied().unwrap_or(f64::NAN)
+    }
+    fn sized(&self, place: &Place, value: TouchRoots, size: TouchRoots) -> [f64; 2] {
+        [self.of(place, value), self.of(place, size).sqrt()]
+    }
+}
+
+impl Machine {
+    /// All contacts and frictions with the accelerations and reactions in `inputs`; `idle` are the normal forces that count as none.
+    pub(super) fn touches_with(&mut self, (t, x): (f64, &[f64]), inputs: &[f64], idle: &[f64]) -> Option<Vec<Touch>> {
+        let ratios = self.ratios(t, x, inputs)?;
+        let n = self.bound.program().coordinates;
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: inputs, modes: Some(modes), active: Some(active) };
+        let values = Values(self.touches.evaluate(&point).ok()?);
+        let touch = |(i, place): (usize, &Place)| {
+            let law = if place.friction {
+                let normal = (values.of(place, TouchRoots::Leading) - idle.get(i).copied().unwrap_or(0.0)).abs();
+                let limits = [TouchRoots::Back, TouchRoots::Forth, TouchRoots::Fixed].map(|root| normal * values.of(place, root));
+                TouchLaw::Friction { limits, ratio: ratios[i] }
+            } else {
+                TouchLaw::Contact { gap: values.sized(place, TouchRoots::Leading, TouchRoots::PlaceSize) }
+            };
+            Touch {
+                guard: place.guard,
+                law,
+                force: inputs.get(n + place.reaction).copied().unwrap_or(f64::NAN),
+                rate: values.sized(place, TouchRoots::Rate, TouchRoots::RateSize),
+                acceleration: values.sized(place, TouchRoots::Acceleration, TouchRoots::AccelerationSize),
+                restitution: values.of(place, TouchRoots::Restitution),
+            }
+        };
+        Some(self.touching.iter().enumerate().map(touch).collect())
+    }
+
+    /// Normal forces of frictions with the reactions in `inputs`.
+    pub(super) fn normals(&mut self, (t, x): (f64, &[f64]), inputs: &[f64]) -> Option<Vec<f64>> {
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: inputs, modes: Some(modes), active: Some(active) };
+        let values = Values(self.touches.evaluate(&point).ok()?);
+        Some(self.touching.iter().map(|place| values.of(place, TouchRoots::Leading)).collect())
+    }
+
+    /// Sliding speeds by those of the leaders, at rates at which none vanishes.
+    fn ratios(&mut self, t: f64, x: &[f64], inputs: &[f64]) -> Option<Vec<f64>> {
+        if self.touching.iter().enumerate().all(|(i, place)| place.leader == i) {
+            return Some(vec![1.0; self.touching.len()]);
+        }
+        let n = self.bound.program().coordinates;
+        let mut moved = x.to_vec();
+        (0..n).for_each(|i| moved[n + i] = 1.0 + (IRREGULAR * (i + 1) as f64).fract());
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: &moved, accelerations: inputs, modes: Some(modes), active: Some(active) };
+        let values = Values(self.touches.evaluate(&point).ok()?);
+        let rate = |i: usize| values.of(&self.touching[i], TouchRoots::Rate);
+        let ratio = |(i, place): (usize, &Place)| if place.leader == i { 1.0 } else { rate(i) / rate(place.leader) };
+        Some(self.touching.iter().enumerate().map(ratio).collect())
+    }
+}
+
+/// Rows of a balance that is linear in its inputs: residual without the part free of them, and Σ of the terms without sign.
+pub(super) fn linear(second: &mut Evaluator, point: &Point, rows: usize) -> Option<Vec<[f64; 2]>> {
+    let mut residual = |inputs: &[f64]| -> Option<Vec<f64>> {
+        let values = second.evaluate(&Point { accelerations: inputs, ..*point }).ok()?;
+        Some(values.get(..rows)?.to_vec())
+    };
+    let whole = residual(point.accelerations)?;
+    let mut trial = vec![0.0; point.accelerations.len()];
+    let constant = residual(&trial)?;
+    let mut out: Vec<[f64; 2]> = whole.iter().zip(&constant).map(|(r, c)| [r - c, 0.0]).collect();
+    for (k, input) in point.accelerations.iter().enumerate().filter(|(_, input)| **input != 0.0) {
+        trial[k] = *input;
+        let term = residual(&trial)?;
+        trial[k] = 0.0;
+        out.iter_mut().zip(&term).zip(&constant).for_each(|((row, t), c)| row[1] += (t - c).abs());
+    }
+    Some(out)
+}
