@@ -499,7 +499,7 @@ impl Fault {
 
     /// Equilibrium that needs a rope to push or a contact to pull.
     pub fn wrong_side(name: &str, value: f64, unit: &str, tie: bool) -> Fault {
-        let n = rounded(value);
+        let (n, unit) = (rounded(value), Text::unit(unit));
         let (en, ru) = if tie {
             ("a rope cannot push", "нить не может толкать")
         } else {
@@ -508,8 +508,8 @@ impl Fault {
         Fault::new(Message {
             code: "S062",
             what: Text::new(
-                format!("equilibrium needs {name} = {} {unit}", n.en),
-                format!("для равновесия требуется {name} = {} {unit}", n.ru),
+                format!("equilibrium needs {name} = {} {}", n.en, unit.en),
+                format!("для равновесия требуется {name} = {} {}", n.ru, unit.ru),
             ),
             why: Text::new(en, ru),
             help: Text::new(

@@ -286,16 +286,25 @@ fn returned(mode: program::Mode) -> Mode {
 pub(crate) fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q f64)>) -> Text {
     let (mut en, mut ru) = (Vec::new(), Vec::new());
     for (state, value) in places {
-        let n = crate::fault::rounded(*value);
-        en.push(format!("{} = {} {}", state.name, n.en, state.unit));
-        ru.push(format!("{} = {} {}", state.name, n.ru, state.unit));
+        let (n, unit) = (crate::fault::rounded(*value), Text::unit(&state.unit));
+        en.push(format!("{} = {} {}", state.name, n.en, unit.en));
+        ru.push(format!("{} = {} {}", state.name, n.ru, unit.ru));
     }
     Text::new(en.join(", "), ru.join(", "))
 }
 
 fn layout(equations: &Equations) -> Layout {
     let released = &equations.released;
-    Layout { bodies: released.bodies.len(), frames: released.frames.iter().map(|f| (f.bodies.clone(), f.ways.len())).collect() }
+    let frames = released.frames.iter().map(|f| (f.bodies.clone(), f.ways.len())).collect();
+    Layout { bodies: released.bodies.len(), frames, leaning: leaning(equations) }
+}
+
+/// Hidden reactions with a contact or a friction in one of their balances.
+fn leaning(equations: &Equations) -> Vec<String> {
+    let one_sided = |law: &Law| matches!(law, Law::Contact { .. } | Law::Friction(_));
+    let touches = |row: usize| equations.reactions.iter().any(|r| one_sided(&r.law) && r.released.iter().any(|(i, _)| *i == row));
+    let hidden = equations.reactions.iter().filter(|r| matches!(r.law, Law::Support));
+    hidden.filter(|r| r.released.iter().any(|(row, _)| touches(*row))).map(|r| r.name.clone()).collect()
 }
 
 /// Why an output has no value.

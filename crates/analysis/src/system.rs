@@ -195,6 +195,8 @@ pub struct Layout {
     pub bodies: usize,
     /// Bodies on each frame, and its number of ways.
     pub frames: Vec<(Vec<usize>, usize)>,
+    /// Reactions that follow from balances in which contacts or frictions stand too, by name.
+    pub leaning: Vec<String>,
 }
 
 /// A machine as studies see it.

@@ -242,9 +242,9 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ("a unit is missing", "нет единицы"),
         (
             "Bare numbers have no dimension (0 fits everywhere). A length, a mass or a stiffness needs its unit. On the command line and in ranges a bare \
-             number is SI; for a coordinate that the file declares in another unit (deg, mm) it would be misread, and the unit is needed there too.",
+             number is SI; where the file gives the value in another unit (deg, mm, g) it would be misread, and the unit is needed there too.",
             "Число без единицы безразмерно (0 подходит всюду). Длине, массе, жёсткости нужна единица. В командной строке и в наборах значений число \
-             без единицы — в СИ; если координата задана в файле в другой единице (deg, mm), его поняли бы неверно, и единица нужна и там.",
+             без единицы — в СИ; если в файле величина задана в другой единице (deg, mm, г), его поняли бы неверно, и единица нужна и там.",
         ),
         "mass = 5",
         "mass = \"5 kg\"",
@@ -421,10 +421,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
     ),
     row(
         "M050",
-        ("mass is not positive", "масса не положительна"),
+        ("a mass that is negative or zero", "масса отрицательна или равна нулю"),
         (
-            "The mass of a body is negative, or a parameter makes it zero. A massless body has no `mass` key.",
-            "Масса тела отрицательна или обращена в нуль параметром. У невесомого тела ключа `mass` нет.",
+            "The mass of a body is negative (an error), or a parameter of the file makes it zero (a warning: a massless body has no `mass` key). Set to zero by --set, a variant or a sweep, the body is switched off; coordinates that lose their inertia with it are named by M100.",
+            "Масса тела отрицательна (ошибка) или обращена в нуль параметром файла (предупреждение: у невесомого тела ключа `mass` нет). Нуль, заданный через --set, вариант или sweep, отключает тело; координаты, которые теряют с ним инерцию, называет M100.",
         ),
         "mass = \"-2 kg\"",
         "mass = \"2 kg\"",

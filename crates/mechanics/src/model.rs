@@ -81,7 +81,7 @@ pub struct Model {
     pub inertias: Vec<ConstantInertia>,
     /// A table of values that replace those of the file, one row a variant.
     pub variants: Option<Variants>,
-    /// Coordinates, and their rates with a prime, that the file declares in another unit than the SI one, with that unit: a bare number would be misread.
+    /// What the file gives in another unit than the SI one (coordinates, their rates with a prime, parameters), with that unit: a bare number would be misread.
     pub scaled: std::collections::BTreeMap<String, String>,
 }
 

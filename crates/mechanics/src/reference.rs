@@ -47,7 +47,7 @@ fn section(out: &mut String, table: &TableSpec, language: Language) {
     let title = match table.name {
         "" => language.pick(("Top level", "Верхний уровень")).to_owned(),
         "study" | "phases" | "claims" => format!("`[[{}]]`", table.name),
-        "parameters" | "coordinates" | "points" | "outputs" | "variants" => format!("`[{}]`", table.name),
+        "parameters" | "coordinates" | "points" | "outputs" | "variants" | "structure" => format!("`[{}]`", table.name),
         "inertia" | "plot" | "text" | "wound" | "circle" | "parts" => {
             format!("`{{ {} }}`", table.fields.iter().map(|f| f.key).collect::<Vec<_>>().join(", "))
         }
@@ -59,14 +59,59 @@ fn section(out: &mut String, table: &TableSpec, language: Language) {
     }
     let _ = writeln!(out, "{}\n|---|---|---|---|---|---|", language.pick(HEADER));
     for f in table.fields {
-        let default = if f.required { language.pick(("**required**", "**обязателен**")) } else { f.default };
+        let default =
+            if f.required { language.pick(("**required**", "**обязателен**")) } else { default_in(f.default, language) };
         let example = if f.example.is_empty() { String::new() } else { format!("`{}`", f.example) };
         let (kind, about) = (language.pick(f.ty.words()), language.pick(f.about));
         let _ = writeln!(out, "| `{}` | {kind} | {} | {default} | {about} | {example} |", f.key, f.dimension);
     }
+    if table.name == "study" {
+        kinds(out, language);
+    }
     let _ = writeln!(out);
     if !table.example.is_empty() {
         let _ = writeln!(out, "```toml\n{}```\n", table.example);
+    }
+}
+
+/// Defaults in words; what is written in the file as it stands is the same in both languages.
+const DEFAULTS: &[(&str, &str)] = &[
+    ("the place at the start", "положение в начале движения"),
+    ("line of the centres", "линия центров"),
+    ("value", "значение"),
+    ("the other", "другое"),
+    ("start", "начальное значение"),
+    ("origin of the body", "начало координат тела"),
+    (
+        "true for undivided rods of frames with at most 100 independent displacements",
+        "true для неделённых стержней рам с числом независимых перемещений не больше 100",
+    ),
+    ("starting rate, else 1", "начальная скорость, иначе 1"),
+    ("starting rate", "начальная скорость"),
+    ("length", "длина"),
+    ("kinetic at u = 0", "kinetic при u = 0"),
+    ("coefficient at u = 0", "coefficient при u = 0"),
+    ("first that fits", "первый подходящий"),
+    ("first column", "первый столбец"),
+    ("claim N", "утверждение N"),
+    ("both", "оба"),
+    ("body that carries its axis", "тело, несущее его ось"),
+    ("body of the points", "тело этих точек"),
+    ("all others", "все остальные"),
+    ("SI", "СИ"),
+];
+
+fn default_in(default: &'static str, language: Language) -> &'static str {
+    let russian = || DEFAULTS.iter().find(|(en, _)| *en == default).map(|(_, ru)| *ru);
+    if language == Language::English { default } else { russian().unwrap_or(default) }
+}
+
+/// Which keys belong to which kind of study.
+fn kinds(out: &mut String, language: Language) {
+    let _ = writeln!(out, "\n{}\n|---|---|", language.pick(("| kind of study | its keys |", "| вид расчёта (`kind`) | его ключи |")));
+    for (name, keys) in crate::read::kinds_of_studies() {
+        let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+        let _ = writeln!(out, "| `{name}` | {} |", keys.join(", "));
     }
 }
 
@@ -85,8 +130,8 @@ fn functions(out: &mut String, language: Language) {
         out,
         "{}\n",
         language.pick((
-            "`log` and `ln` are natural, `lg` and `log10` to the base 10; angles are in radians; `min` and `max` take two or more. `if(a < b and not c < d, x, y)`: `and` binds closer than `or`, brackets group.",
-            "`log` и `ln` — натуральный логарифм, `lg` и `log10` — десятичный; углы в радианах; у `min` и `max` два аргумента и больше. `if(a < b and not c < d, x, y)`: `and` связывает сильнее, чем `or`, скобки группируют.",
+            "`log` and `ln` are natural, `lg` and `log10` to the base 10; angles are in radians; `min` and `max` take two or more. `if(a < b and not c < d, x, y)`: `and` binds closer than `or`, brackets group. Functions that jump at every whole number (`floor`, `round`, `mod`) are not known: their jumps would be as many events; write the pieces with `if`, a wave by `sin`.",
+            "`log` и `ln` — натуральный логарифм, `lg` и `log10` — десятичный; углы в радианах; у `min` и `max` два аргумента и больше. `if(a < b and not c < d, x, y)`: `and` связывает сильнее, чем `or`, скобки группируют. Функций со скачком в каждом целом числе (`floor`, `round`, `mod`) нет: их скачки были бы бесчисленными событиями; запишите участки через `if`, волну — через `sin`.",
         ))
     );
     let _ = writeln!(out, "{}\n|---|---|", language.pick(("| kinematic function | meaning |", "| кинематическая функция | смысл |")));
@@ -126,6 +171,14 @@ mod tests {
                 assert!(table.fields.iter().all(|f| text.contains(&format!("| `{}` |", f.key))), "{}", table.name);
             }
             assert!(text.contains("`rpm`") && text.contains("`кгс`") && text.contains("`vx(A)`"));
+        }
+    }
+
+    #[test]
+    fn defaults_in_words_are_translated() {
+        let defaults = fields::all().flat_map(|t| t.fields).map(|f| f.default);
+        for default in defaults.filter(|d| d.contains(' ') && !d.contains(['[', '"'])) {
+            assert!(DEFAULTS.iter().any(|(en, _)| *en == default), "{default}");
         }
     }
 }

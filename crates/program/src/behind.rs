@@ -194,6 +194,9 @@ fn curve(f: Unary) -> Curve {
         Unary::Acos => Curve::Acos,
         Unary::Atan | Unary::Tan => Curve::Atan,
         Unary::Tanh => Curve::Tanh,
+        Unary::Asinh => Curve::Asinh,
+        Unary::Acosh => Curve::Acosh,
+        Unary::Atanh => Curve::Atanh,
     }
 }
 

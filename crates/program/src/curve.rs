@@ -65,6 +65,9 @@ pub enum Curve {
     Asin,
     Acos,
     Atan,
+    Asinh,
+    Acosh,
+    Atanh,
     /// Angle of the point (b, a), continued over ±π
     Angle,
 }
@@ -92,6 +95,9 @@ impl Curve {
             Curve::Asin => a.clamp(-1.0, 1.0).asin(),
             Curve::Acos => a.clamp(-1.0, 1.0).acos(),
             Curve::Atan => a.atan(),
+            Curve::Asinh => a.asinh(),
+            Curve::Acosh => a.max(1.0).acosh(),
+            Curve::Atanh => a.atanh(),
             Curve::Angle => a.atan2(b),
         }
     }
@@ -106,6 +112,7 @@ impl Curve {
                 Range { low: self.value(0.0, 0.0), high: self.value(a.low, 0.0).max(self.value(a.high, 0.0)) }
             }
             Curve::Log if a.low <= 0.0 => return None,
+            Curve::Atanh if a.size() >= 1.0 => return None,
             Curve::Power(p) if (p < 0.0 || p.fract() == 0.0) && a.low <= 0.0 => return None,
             Curve::Angle if a.contains(0.0) && b.contains(0.0) => return None,
             // left of the axis the angle is taken about pi
@@ -132,7 +139,7 @@ fn corners(a: Range, b: Range, f: impl Fn(f64, f64) -> f64) -> Range {
 mod tests {
     use super::*;
 
-    const CURVES: [Curve; 14] = [
+    const CURVES: [Curve; 17] = [
         Curve::Product,
         Curve::Square,
         Curve::Quotient,
@@ -146,6 +153,9 @@ mod tests {
         Curve::Asin,
         Curve::Acos,
         Curve::Atan,
+        Curve::Asinh,
+        Curve::Acosh,
+        Curve::Atanh,
         Curve::Angle,
     ];
 

@@ -112,7 +112,10 @@ const CAUSES: &[(&str, [Wording; 3])] = &[
     (
         "P004",
         [
-            ("asin or acos of a number outside [-1, 1] in {}", "asin или acos числа вне отрезка [-1, 1]: {}"),
+            (
+                "an inverse function outside the numbers where it has a value (asin and acos from -1 to 1, acosh from 1, atanh between -1 and 1) in {}",
+                "обратная функция вне области определения (asin и acos: от -1 до 1; acosh: от 1; atanh: между -1 и 1): {}",
+            ),
             (
                 "the mechanism cannot be assembled at this state: a ratio of lengths exceeds one",
                 "механизм в этом состоянии не собирается: отношение длин превышает единицу",
@@ -271,10 +274,10 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
     ),
     (
         "P004",
-        ("Inverse sine out of range", "Арксинус вне области определения"),
+        ("Inverse function out of range", "Обратная функция вне области определения"),
         (
-            "asin and acos need an argument between -1 and 1. In a mechanism this means that the links are too short to reach.",
-            "asin и acos требуют аргумента от -1 до 1. Для механизма это значит, что звенья слишком коротки.",
+            "asin and acos need an argument between -1 and 1, acosh one from 1 on, atanh one inside -1 and 1. In a mechanism this means that the links are too short to reach.",
+            "asin и acos требуют аргумента от -1 до 1, acosh — не меньше 1, atanh — строго между -1 и 1. Для механизма это значит, что звенья слишком коротки.",
         ),
     ),
     (
@@ -313,8 +316,8 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
         "P009",
         ("Mass matrix that is not positive", "Матрица масс не положительно определена"),
         (
-            "T = q' M q'/2 cannot be negative. It becomes so when a formula that places a body leaves its domain while its square stays real: the rate of asin(u) is u'/sqrt(1 - u^2), and its square changes sign beyond u = 1. Negative added masses do it too.",
-            "T = q' M q'/2 не бывает отрицательной. Так получается, когда формула положения тела выходит из области определения, а квадрат остаётся вещественным: производная asin(u) равна u'/sqrt(1 - u^2), и её квадрат меняет знак при u > 1. То же дают отрицательные массы.",
+            "T = q'ᵀ M q'/2 cannot be negative. It becomes so when a formula that places a body leaves its domain while its square stays real: the rate of asin(u) is u'/sqrt(1 - u^2), and its square changes sign beyond u = 1. Negative added masses do it too.",
+            "T = q'ᵀ M q'/2 не бывает отрицательной. Так получается, когда формула положения тела выходит из области определения, а квадрат остаётся вещественным: производная asin(u) равна u'/sqrt(1 - u^2), и её квадрат меняет знак при u > 1. То же дают отрицательные массы.",
         ),
     ),
     (
@@ -339,8 +342,8 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
         "P013",
         ("Motion not determined", "Движение не определяется"),
         (
-            "Accelerations and reactions follow from M q'' = h + J' lambda and J q'' = gamma together. At this configuration these equations depend on each other: a linkage is stretched or at a dead centre, a connection repeats another, or a coordinate has neither inertia nor a condition.",
-            "Ускорения и реакции находятся из системы M q'' = h + J' lambda, J q'' = gamma. В этом положении её уравнения зависимы: механизм вытянут или в мёртвой точке, связь повторяет другую либо у координаты нет ни инерции, ни условия.",
+            "Accelerations and reactions follow from M q'' = h + Jᵀ λ and J q'' = γ together. At this configuration these equations depend on each other: a linkage is stretched or at a dead centre, a connection repeats another, or a coordinate has neither inertia nor a condition.",
+            "Ускорения и реакции находятся из системы M q'' = h + Jᵀ λ, J q'' = γ. В этом положении её уравнения зависимы: механизм вытянут или в мёртвой точке, связь повторяет другую либо у координаты нет ни инерции, ни условия.",
         ),
     ),
     (

@@ -211,7 +211,7 @@ pub(crate) fn domain_code(operation: &Operation, registers: &[f64]) -> &'static 
         Operation::Power(a, _) if at(a) < 0.0 => "P002",
         Operation::Unary(Unary::SquareRoot, _) => "P002",
         Operation::Unary(Unary::Log, _) => "P003",
-        Operation::Unary(Unary::Asin | Unary::Acos, _) => "P004",
+        Operation::Unary(Unary::Asin | Unary::Acos | Unary::Acosh | Unary::Atanh, _) => "P004",
         // an input that is no number: a reaction that is not unique
         Operation::Acceleration(_) => "P014",
         _ => "P006",

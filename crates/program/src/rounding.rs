@@ -129,6 +129,8 @@ fn unary(f: Unary, x: f64, e: f64, value: f64) -> f64 {
         Unary::Log => e / x.abs(),
         Unary::Tan => (1.0 + value * value) * e,
         Unary::Asin | Unary::Acos => (e / ((1.0 - x) * (1.0 + x)).abs().sqrt()).min(e.sqrt()),
-        Unary::Atan | Unary::Tanh => e,
+        Unary::Atan | Unary::Tanh | Unary::Asinh => e,
+        Unary::Acosh => (e / ((x - 1.0) * (x + 1.0)).abs().sqrt()).min((2.0 * e).sqrt()),
+        Unary::Atanh => e / ((1.0 - x) * (1.0 + x)).abs(),
     }
 }

@@ -196,6 +196,9 @@ fn slope(f: Unary, x: f64, own: f64) -> f64 {
         Unary::Asin => 1.0 / ((1.0 - x) * (1.0 + x)).sqrt(),
         Unary::Acos => -1.0 / ((1.0 - x) * (1.0 + x)).sqrt(),
         Unary::Atan => 1.0 / (1.0 + x * x),
+        Unary::Asinh => 1.0 / x.hypot(1.0),
+        Unary::Acosh => 1.0 / ((x - 1.0) * (x + 1.0)).sqrt(),
+        Unary::Atanh => 1.0 / ((1.0 - x) * (1.0 + x)),
         // 1 - tanh² without cancellation
         Unary::Tanh => x.cosh().recip().powi(2),
     }

@@ -70,11 +70,14 @@ pub enum Unary {
     Acos,
     Atan,
     Tanh,
+    Asinh,
+    Acosh,
+    Atanh,
 }
 
 impl Unary {
     /// Every function with its name in tape text.
-    pub const ALL: [(Unary, &'static str); 8] = [
+    pub const ALL: [(Unary, &'static str); 11] = [
         (Unary::SquareRoot, "sqrt"),
         (Unary::Exp, "exp"),
         (Unary::Log, "log"),
@@ -83,6 +86,9 @@ impl Unary {
         (Unary::Acos, "acos"),
         (Unary::Atan, "atan"),
         (Unary::Tanh, "tanh"),
+        (Unary::Asinh, "asinh"),
+        (Unary::Acosh, "acosh"),
+        (Unary::Atanh, "atanh"),
     ];
     /// Value at `x`.
     pub fn apply(self, x: f64) -> f64 {
@@ -95,6 +101,9 @@ impl Unary {
             Unary::Acos => x.acos(),
             Unary::Atan => x.atan(),
             Unary::Tanh => x.tanh(),
+            Unary::Asinh => x.asinh(),
+            Unary::Acosh => x.acosh(),
+            Unary::Atanh => x.atanh(),
         }
     }
 }

@@ -17,7 +17,7 @@ fn grow(g: &mut Graph, stack: &mut Vec<Expr>, steps: &[(u8, usize, usize)]) -> E
         let three = g.int(3);
         let positive = g.add(three, bounded);
         let small = g.scale(bounded, &ratio(1, 3));
-        stack.push(match kind % 16 {
+        stack.push(match kind % 19 {
             0 => g.add(a, b),
             1 => g.mul(a, bounded),
             2 => g.div(b, positive),
@@ -33,6 +33,9 @@ fn grow(g: &mut Graph, stack: &mut Vec<Expr>, steps: &[(u8, usize, usize)]) -> E
             12 => g.call(Function::Tanh, &[a]),
             13 => g.call(Function::Sinh, &[bounded]),
             14 => g.call(Function::Tan, &[small]),
+            15 => g.call(Function::Asinh, &[a]),
+            16 => g.call(Function::Acosh, &[positive]),
+            17 => g.call(Function::Atanh, &[small]),
             _ => g.square(bounded),
         });
     }

@@ -59,6 +59,12 @@ fn elementary_series_at_zero_have_their_textbook_coefficients() {
         0 => 0.0,
         _ => fact(k - 1) / (4.0_f64.powi(k as i32 / 2) * fact(k / 2).powi(2) * f64::from(k)),
     });
+    // asinh t: the same with the signs of sin, atanh t = Σ t^(2m+1)/(2m+1)
+    close(&series(call(Function::Asinh), 0.0, 15).0, &|k| match k % 2 {
+        0 => 0.0,
+        _ => sign(k) * fact(k - 1) / (4.0_f64.powi(k as i32 / 2) * fact(k / 2).powi(2) * f64::from(k)),
+    });
+    close(&series(call(Function::Atanh), 0.0, 20).0, &|k| if k % 2 == 1 { 1.0 / f64::from(k) } else { 0.0 });
     // (1 + t)^p has binomial coefficients
     for (n, d) in [(1, 2), (-1, 2), (7, 3), (-5, 3), (-3, 1), (4, 1), (5, 2)] {
         let p = n as f64 / d as f64;
@@ -100,6 +106,15 @@ fn compound_series_sum_to_the_direct_value() {
                 let s = g.call(Function::Sin, &[t]);
                 let h = g.scale(s, &ratio(1, 3));
                 g.call(Function::Acos, &[h])
+            }),
+        ),
+        (
+            "acosh",
+            Box::new(|g, t| {
+                let s = g.call(Function::Sin, &[t]);
+                let three = g.int(3);
+                let h = g.add(three, s);
+                g.call(Function::Acosh, &[h])
             }),
         ),
         (

@@ -39,7 +39,7 @@ fn deviation(bound: &mut Bound, x: &[f64], modes: &[Mode]) -> f64 {
 #[test]
 fn every_function_is_differentiated() {
     use Function::*;
-    for f in [Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh, Exp, Log] {
+    for f in [Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh, Asinh, Atanh, Exp, Log] {
         let mut e = empty(Graph::new());
         let (s, u) = (e.graph.symbol_id("s", 0), e.graph.symbol_id("u", 0));
         let (s, u) = (e.graph.symbol(s), e.graph.symbol(u));

@@ -10,6 +10,7 @@ use report::document::{Content, Formula, Inline, Rich};
 use report::formula::{Form, Printer};
 use report::table::Column;
 use report::{Block, Cell, Document, Download, Figure, Language, Table, Word};
+use symbolic::connections::Law;
 use symbolic::equations::Role;
 use symbolic::{Equations, Expr};
 
@@ -217,7 +218,9 @@ impl Writer<'_> {
         if !text.is_empty() {
             blocks.push(Block::paragraph(say(self.language, Say::Connections)));
         }
-        for (mathml, text) in mathml.into_iter().zip(text) {
+        let holding = holding(self.equations, self.language);
+        for ((mathml, text), when) in mathml.into_iter().zip(text).zip(holding) {
+            blocks.extend(when.map(|words| Block::paragraph(format!("{words}:"))));
             blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
         }
         let mut pieces = Vec::new();
@@ -450,10 +453,10 @@ pub fn of_results(results: &crate::studies::Results, captions: bool, language: L
     blocks
 }
 
-/// Blocks as text for a terminal.
-pub fn in_terminal(blocks: Vec<Block>, language: Language, width: usize) -> String {
+/// Blocks as text for a terminal, below the title of the machine.
+pub fn in_terminal(title: &str, blocks: Vec<Block>, language: Language, width: usize) -> String {
     let none = String::new;
-    let document = Document { language, title: none(), description: none(), blocks, version: none(), model_hash: none() };
+    let document = Document { language, title: title.into(), description: none(), blocks, version: none(), model_hash: none() };
     report::terminal::write(&document, width)
 }
 
@@ -490,6 +493,23 @@ pub fn conditions(equations: &Equations, printer: &Printer, form: Form) -> Vec<S
         printer.equality(&graph, equality, None, form)
     };
     equations.conditions.iter().map(write).collect()
+}
+
+/// When a condition holds, if not always: "while the stop `floor` is closed". One for each of [`conditions`].
+pub fn holding(equations: &Equations, language: Language) -> Vec<Option<String>> {
+    let one = |c: &symbolic::connections::Condition| {
+        let Some(reaction) = c.reaction.map(|r| &equations.reactions[r]) else {
+            return Some(language.pick("prescribed motion", "заданное движение").to_owned());
+        };
+        let name = language.text(&reaction.label);
+        match reaction.law {
+            Law::Contact { tie: true, .. } => Some(format!("{name}, {}", language.pick("while it is taut", "пока натянута"))),
+            Law::Contact { .. } => Some(format!("{name}, {}", language.pick("while it is closed", "пока контакт замкнут"))),
+            Law::Friction(_) => Some(format!("{name}, {}", language.pick("while it sticks", "пока нет скольжения"))),
+            _ => None,
+        }
+    };
+    equations.conditions.iter().map(one).collect()
 }
 
 /// The written derivation as blocks.
@@ -641,7 +661,11 @@ fn written(text: &str, language: Language) -> String {
     let number = text.split_whitespace().next().unwrap_or("");
     let (from, to) = language.pick((',', "."), ('.', ","));
     if number.parse::<f64>().is_ok() || number.replacen(',', ".", 1).parse::<f64>().is_ok() {
-        return text.replacen(from, to, usize::from(number.contains(from)));
+        let unit = text.trim_start()[number.len()..].trim();
+        let number = number.replacen(from, to, 1);
+        // the same unit in the letters of the language
+        let unit = if unit.is_ascii() && language == Language::Ru { report::unit::print(unit, language) } else { unit.to_owned() };
+        return format!("{number} {unit}").trim_end().to_owned();
     }
     text.to_owned()
 }

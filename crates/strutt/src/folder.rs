@@ -7,6 +7,7 @@ use crate::files;
 use crate::pipeline::{self, Calculation, Finding};
 use crate::words::Word;
 use analysis::Dataset;
+use analysis::dataset::Column;
 use mechanics::section::Section;
 use report::{Figure, Language, csv, json, page};
 use serde_json::{Map, Value, json};
@@ -152,23 +153,28 @@ pub fn own_fields(finding: &Finding) -> Map<String, Value> {
     own
 }
 
-/// `{coordinates: {phi: 0.1}, stable: true, residual: 1e-16}` for each; `stable` is null where linearisation does not decide.
+/// `{coordinates: {phi: 0.1}, stable: true, residual: 1e-16, outputs: {N: 3}}` for each; `stable` is null where linearisation does not decide.
 fn equilibria(data: &Dataset) -> Value {
     let n = data.columns.first().map_or(0, |c| c.values.len());
     // what is not there is null
     let at = |name: &str, row: usize| data.column(name).map_or(f64::NAN, |c| c.values[row]);
+    // coordinates and reactions come first, then the residual, then what follows from them
+    let first = data.columns.iter().position(|c| c.quantity.name == "residual").unwrap_or(data.columns.len());
+    let listed = |columns: &[Column], row: usize| -> Map<String, Value> {
+        let own = columns.iter().filter(|c| !is_verdict(&c.quantity.name) && !is_reaction(&c.quantity.name));
+        own.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect()
+    };
     let place = |row: usize| {
-        let coordinates = data.columns.iter().filter(|c| !is_verdict(&c.quantity.name) && !is_reaction(&c.quantity.name));
-        let coordinates: Map<String, Value> = coordinates.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect();
+        let coordinates = listed(&data.columns[..first], row);
         let stable = at("stable", row);
         let stable = if stable.is_nan() { Value::Null } else { json!(stable != 0.0) };
         let mut out = json!({"coordinates": coordinates, "stable": stable, "residual": at("residual", row)});
-        let reactions: Map<String, Value> = data
-            .columns
-            .iter()
-            .filter(|c| is_reaction(&c.quantity.name))
-            .map(|c| (c.quantity.name.clone(), json!(c.values[row])))
-            .collect();
+        let outputs = listed(&data.columns[first..], row);
+        if !outputs.is_empty() {
+            out["outputs"] = json!(outputs);
+        }
+        let reactions = data.columns[..first].iter().filter(|c| is_reaction(&c.quantity.name));
+        let reactions: Map<String, Value> = reactions.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect();
         if !reactions.is_empty() {
             out["reactions"] = json!(reactions);
         }

@@ -250,21 +250,26 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
     let start = machine.system.start()?;
     let mut options = plan::guesses(&machine.equations, &start, guess);
     options.over = over.and_then(|between| plan::range(&machine.equations, between));
-    let (mut outcome, timing) = if analysis::rest::report::is_free(&machine.equations) {
+    let (mut outcome, timing, equations) = if analysis::rest::report::is_free(&machine.equations) {
         use analysis::System;
         let n = machine.equations.coordinates.len();
         let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
         let found = studies::equilibrium::find(&mut linear, &machine.system.states()[..n], &start[..n], &options);
-        (found, linear.timing())
+        (found, linear.timing(), machine.equations.clone())
     } else {
         let resting = Resting::new(&machine.equations)?;
-        let parameters: Vec<f64> = resting.equations().parameters.iter().map(|p| p.value).collect();
-        (analysis::rest::report::study(resting.equations(), &parameters, &start, &options), resting.timing)
+        let parameters = numbers_of(resting.equations());
+        (analysis::rest::report::study(resting.equations(), &parameters, &start, &options), resting.timing, resting.equations().clone())
     };
     crate::small::add_roots(machine, &mut outcome.dataset);
+    analysis::rest::observed::add(&equations, &numbers_of(&equations), timing.frozen, &mut outcome.dataset);
     outcome.dataset.notes.extend(crate::small::timing_notes(timing));
     outcome.dataset.notes.extend(crate::small::unknown_notes(machine));
     Ok(outcome)
+}
+
+fn numbers_of(equations: &Equations) -> Vec<f64> {
+    equations.parameters.iter().map(|p| p.value).collect()
 }
 
 /// Natural frequencies and shapes.

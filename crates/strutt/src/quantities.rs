@@ -81,7 +81,7 @@ pub fn overrides(list: &[String]) -> Result<Vec<(String, String)>, Failure> {
     list.iter().map(split).collect()
 }
 
-/// Refuses a number without a unit for a coordinate in another unit than the SI one.
+/// Refuses a number without a unit where the file uses another unit than the SI one.
 fn has_unit(key: &str, text: &str, (number, unit): (&str, Option<&String>)) -> Result<(), Failure> {
     let bare = mechanics::units::parse_number_or_quantity(number).is_ok_and(|q| !q.has_unit && q.to_f64() != 0.0);
     let Some(unit) = unit.filter(|_| bare) else { return Ok(()) };
@@ -127,6 +127,9 @@ pub fn parameter_range(name: &str, text: &str, machine: &strutt::pipeline::Machi
     let separator = if text.contains(';') { ';' } else { ',' };
     let read =
         |end: &str| parse_quantity(end.trim(), &dimension).map_err(|fault| bad("--range", text, &fault.words.what, &fault.words.help));
+    for end in text.split(separator) {
+        has_unit("--range", text, (end.trim(), machine.model.scaled.get(name)))?;
+    }
     let values = text.split(separator).map(read).collect::<Result<Vec<f64>, Failure>>()?;
     match values[..] {
         [from, to] if from < to && to.is_finite() => Ok([from, to]),

@@ -303,13 +303,13 @@ impl Graph {
     ///
     /// The number of arguments must be [`Function::arity`]; missing ones count as 0.
     pub fn call(&mut self, function: Function, arguments: &[Expr]) -> Expr {
-        use Function::{Abs, Acos, Asin, Atan, Atan2, Cos, Cosh, Exp, Log, Max, Min, Sign, Sin, Sinh, Tan, Tanh};
+        use Function::{Abs, Acos, Acosh, Asin, Asinh, Atan, Atan2, Atanh, Cos, Cosh, Exp, Log, Max, Min, Sign, Sin, Sinh, Tan, Tanh};
         let zero = self.zero();
         let x = arguments.first().copied().unwrap_or(zero);
         let y = arguments.get(1).copied().unwrap_or(zero);
         match function {
             Sin | Cos => return self.sine(function, x),
-            Tan | Asin | Atan | Sinh | Tanh | Sign if self.is_negative(x) => {
+            Tan | Asin | Atan | Sinh | Tanh | Asinh | Atanh | Sign if self.is_negative(x) => {
                 let positive = self.neg(x);
                 let value = self.call(function, &[positive]);
                 return self.neg(value);
@@ -318,9 +318,9 @@ impl Graph {
                 let positive = self.neg(x);
                 return self.call(function, &[positive]);
             }
-            Tan | Asin | Atan | Sinh | Tanh | Sign | Abs if self.is_zero(x) => return zero,
+            Tan | Asin | Atan | Sinh | Tanh | Asinh | Atanh | Sign | Abs if self.is_zero(x) => return zero,
             Cosh | Exp if self.is_zero(x) => return self.one(),
-            Log | Acos if self.is_one(x) => return zero,
+            Log | Acos | Acosh if self.is_one(x) => return zero,
             Abs | Sign => {
                 if let Some(value) = self.fold_sign(function, x) {
                     return value;

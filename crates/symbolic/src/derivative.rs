@@ -126,6 +126,16 @@ fn unary(graph: &mut Graph, e: Expr, function: Function, x: Expr) -> Expr {
             let rest = graph.add(one, square);
             graph.div(one, rest)
         }
+        Function::Asinh | Function::Acosh => {
+            let square = graph.square(x);
+            let inner = if function == Function::Asinh { graph.add(square, one) } else { graph.sub(square, one) };
+            graph.pow(inner, &-&Rational::HALF)
+        }
+        Function::Atanh => {
+            let square = graph.square(x);
+            let rest = graph.sub(one, square);
+            graph.div(one, rest)
+        }
         Function::Sinh => graph.call(Function::Cosh, &[x]),
         Function::Cosh => graph.call(Function::Sinh, &[x]),
         Function::Exp => e,

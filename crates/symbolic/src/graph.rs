@@ -57,6 +57,9 @@ pub enum Function {
     Sinh,
     Cosh,
     Tanh,
+    Asinh,
+    Acosh,
+    Atanh,
     Exp,
     Log,
     Abs,
@@ -67,7 +70,7 @@ pub enum Function {
 
 impl Function {
     /// Every function with its name in model files.
-    pub const ALL: [(Function, &'static str); 16] = [
+    pub const ALL: [(Function, &'static str); 19] = [
         (Function::Sin, "sin"),
         (Function::Cos, "cos"),
         (Function::Tan, "tan"),
@@ -78,6 +81,9 @@ impl Function {
         (Function::Sinh, "sinh"),
         (Function::Cosh, "cosh"),
         (Function::Tanh, "tanh"),
+        (Function::Asinh, "asinh"),
+        (Function::Acosh, "acosh"),
+        (Function::Atanh, "atanh"),
         (Function::Exp, "exp"),
         (Function::Log, "log"),
         (Function::Abs, "abs"),

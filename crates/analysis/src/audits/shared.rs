@@ -31,10 +31,18 @@ impl Shared {
             self.guards.iter().map(|g| format!("`{}`", name(&system.guards()[*g].name))).collect::<Vec<_>>().join(", ")
         };
         let (en, ru) = (list(|n| &n.en), list(|n| &n.ru));
+        let leaning = system.layout().leaning.join(", ");
+        let (also, also_ru) = match leaning.as_str() {
+            "" => (String::new(), String::new()),
+            names => (
+                format!("; so are the reactions that balance them: {names}"),
+                format!("; то же относится к реакциям, которые их уравновешивают: {names}"),
+            ),
+        };
         (!self.guards.is_empty()).then(|| {
             Text::new(
-                format!("{en}: at times others hold the same motion; the motion and the sums of the forces are unique, the share of each is one admissible value"),
-                format!("{ru}: временами то же движение удерживают и другие; движение и суммы сил определены однозначно, доля каждого – одно из допустимых значений"),
+                format!("{en}: at times others hold the same motion; the motion and the sums of the forces are unique, the share of each is one admissible value{also}"),
+                format!("{ru}: временами то же движение удерживают и другие; движение и суммы сил определены однозначно, доля каждого – одно из допустимых значений{also_ru}"),
             )
         })
     }

@@ -166,12 +166,12 @@ impl Bench<'_> {
                 if old == new || coordinate.given[level.index()] {
                     continue;
                 }
-                let unit = unit_of(&coordinate.unit, level);
+                let unit = Text::unit(&unit_of(&coordinate.unit, level));
                 let prime = if k == 0 { "" } else { "'" };
                 let (old, new, name) = (rounded(old), number(new), self.coordinate(j));
                 names.push(Text::new(
-                    format!("{name}{prime} = {}{unit} (from {})", new.en, old.en),
-                    format!("{name}{prime} = {}{unit} (вместо {})", new.ru, old.ru),
+                    format!("{name}{prime} = {}{} (from {})", new.en, unit.en, old.en),
+                    format!("{name}{prime} = {}{} (вместо {})", new.ru, unit.ru, old.ru),
                 ));
             }
         }

@@ -329,10 +329,10 @@ impl Bench<'_> {
     }
 
     fn taken_as(&self, name: &str, given: f64, taken: f64, unit: &str) -> Text {
-        let (given, taken) = (number(given), number(taken));
+        let (given, taken, unit) = (number(given), number(taken), Text::unit(unit));
         Text::new(
-            format!("{name} = {} {unit} is taken as {}, which closes the connections", given.en, taken.en),
-            format!("{name} = {} {unit} принято равным {}, при котором связи замыкаются", given.ru, taken.ru),
+            format!("{name} = {} {} is taken as {}, which closes the connections", given.en, unit.en, taken.en),
+            format!("{name} = {} {} принято равным {}, при котором связи замыкаются", given.ru, unit.ru, taken.ru),
         )
     }
 }

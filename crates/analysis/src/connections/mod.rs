@@ -215,9 +215,9 @@ impl<'e> Bench<'e> {
         let (mut en, mut ru) = (Vec::new(), Vec::new());
         for j in 0..self.n {
             let value = crate::fault::rounded(self.x[j]);
-            let (name, unit) = (self.coordinate(j), &self.equations.coordinates[j].unit);
-            en.push(format!("{name} = {} {unit}", value.en));
-            ru.push(format!("{name} = {} {unit}", value.ru));
+            let (name, unit) = (self.coordinate(j), Text::unit(&self.equations.coordinates[j].unit));
+            en.push(format!("{name} = {} {}", value.en, unit.en));
+            ru.push(format!("{name} = {} {}", value.ru, unit.ru));
         }
         Text::new(en.join(", "), ru.join(", "))
     }

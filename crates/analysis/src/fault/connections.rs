@@ -311,8 +311,8 @@ impl Fault {
     pub fn inconsistent_start(condition: &Text, each: &[(String, f64, String)], together: &[(String, f64, String)]) -> Fault {
         let said = |list: &[(String, f64, String)], ru: bool, joint: &str| {
             let one = |(name, value, unit): &(String, f64, String)| {
-                let n = ten_digits(*value);
-                format!("{name} = {} {unit}", if ru { n.ru } else { n.en })
+                let (n, unit) = (ten_digits(*value), Text::unit(unit));
+                if ru { format!("{name} = {} {}", n.ru, unit.ru) } else { format!("{name} = {} {}", n.en, unit.en) }
             };
             list.iter().map(one).collect::<Vec<_>>().join(joint)
         };

@@ -151,7 +151,9 @@ fn is_calm(curve: Curve, a: Range, b: Range) -> bool {
         Curve::Root | Curve::Power(_) | Curve::Log => near(a),
         Curve::Exp | Curve::Tanh | Curve::Sinh | Curve::Cosh => a.width() <= 2.0,
         Curve::Asin | Curve::Acos => a.size() <= 0.9,
-        Curve::Atan => 0.5 * a.width() <= NEAR * (1.0 + middle(a).abs()),
+        Curve::Atan | Curve::Asinh => 0.5 * a.width() <= NEAR * (1.0 + middle(a).abs()),
+        Curve::Acosh => 0.5 * a.width() <= NEAR * (middle(a) - 1.0),
+        Curve::Atanh => 0.5 * a.width() <= NEAR * (1.0 - middle(a).abs()),
         Curve::Angle => 0.5 * (a.width() + b.width()) <= NEAR * middle(a).hypot(middle(b)),
         Curve::Product | Curve::Square => false,
     }

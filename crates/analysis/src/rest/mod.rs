@@ -8,6 +8,8 @@ pub mod faults;
 pub mod mean;
 pub mod near;
 mod newton;
+pub mod numbers;
+pub mod observed;
 pub mod path;
 pub mod places;
 pub mod report;

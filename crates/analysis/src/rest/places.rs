@@ -28,6 +28,8 @@ const PLACES: usize = 49;
 const TRIES: usize = 4;
 /// Step along a curve, rad or share of the machine's length.
 const STRIDE: f64 = 0.01;
+/// A reaction below this share of the other forces is rounding.
+const NOISE: f64 = 1e-14;
 /// Steps along a curve to either side.
 const STRIDES: usize = 20_000;
 
@@ -175,7 +177,8 @@ impl Search<'_> {
                 reactions[r] = None;
             }
         }
-        self.system.reactions.iter().enumerate().for_each(|(c, r)| reactions[*r] = Some(z[n + c]));
+        let tidy = |c: usize| if is_noise(&rows, z, n, n + c) { 0.0 } else { z[n + c] };
+        self.system.reactions.iter().enumerate().for_each(|(c, r)| reactions[*r] = Some(tidy(c)));
         let residual = worst(&rest_rows(&rows, z), z, n);
         self.found.list.push(Place { q: q.to_vec(), reactions, closed: self.closed.clone(), residual });
     }
@@ -297,6 +300,12 @@ impl Search<'_> {
             self.found.notes.push(note);
         }
     }
+}
+
+/// Whether a reaction is what rounding of the other forces leaves: beside what they change by with the coordinates, wherever it acts.
+fn is_noise(rows: &Rows, z: &[f64], n: usize, column: usize) -> bool {
+    let others = |r: &Row| (0..n).map(|i| r.slopes[i].abs() * z[i].abs().max(1.0)).sum::<f64>();
+    rows.forces.iter().filter(|r| r.slopes[column] != 0.0).all(|r| (r.slopes[column] * z[column]).abs() <= NOISE * others(r))
 }
 
 /// An orthonormal basis of the null space of the places' rows.

@@ -15,7 +15,7 @@ use super::newton::{RESIDUAL, balance, worst};
 use super::places::{Place, places};
 use super::stability::{free_directions, verdict, with_closed};
 use super::system::{Parts, RestSystem};
-use super::{closed_contacts, fault_of, hold, path};
+use super::{closed_contacts, fault_of, hold, observed, path};
 use crate::dataset::{Audit, Column, Dataset, Missing};
 use crate::fault::number;
 use crate::linear::{LinearMachine, Place as Linearised};
@@ -58,14 +58,16 @@ fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &E
     let mut found = if n == 0 { Default::default() } else { places(equations, parameters, start, options)? };
     notes.append(&mut found.notes);
     let mut rows: Vec<Row> = Vec::new();
-    for place in found.list {
+    for mut place in found.list {
+        observed::complete(equations, (parameters, &place.q), &mut place.reactions);
         rows.push(judged(equations, parameters, place)?);
     }
     let inside = options.over.is_none_or(|r| (r.from..=r.to).contains(&q[r.coordinate]));
     let mut fault = None;
     match held {
-        Some(Ok((place, ranges))) if inside && !rows.iter().any(|r| close(&r.place.q, &place.q)) => {
+        Some(Ok((mut place, ranges))) if inside && !rows.iter().any(|r| close(&r.place.q, &place.q)) => {
             notes.extend(ranges);
+            observed::complete(equations, (parameters, &place.q), &mut place.reactions);
             let second = second(equations, parameters, &place);
             rows.insert(0, Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second });
             if rough {
@@ -152,18 +154,18 @@ fn held(equations: &Equations, parameters: &[f64], q: &[f64]) -> Result<Held, Fa
 
 fn between(name: &str, ends: [f64; 2], unit: &str) -> Text {
     let end = |v: f64| if v.is_finite() { number(v) } else { Text::same(if v > 0.0 { "+∞" } else { "−∞" }) };
-    let [a, b] = ends.map(end);
+    let ([a, b], unit) = (ends.map(end), Text::unit(unit));
     Text::new(
-        format!("{name} is not determined: any value between {} and {} {unit} holds the machine", a.en, b.en),
-        format!("{name} не определяется: машину удерживает любое значение от {} до {} {unit}", a.ru, b.ru),
+        format!("{name} is not determined: any value between {} and {} {} holds the machine", a.en, b.en, unit.en),
+        format!("{name} не определяется: машину удерживает любое значение от {} до {} {}", a.ru, b.ru, unit.ru),
     )
 }
 
 fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Text {
-    let (v, l) = (number(value), number(limit));
+    let (v, l, unit) = (number(value), number(limit), Text::unit(unit));
     Text::new(
-        format!("{name} = {} {unit}, its limit is {} {unit}", v.en, l.en),
-        format!("{name} = {} {unit}, предельное значение {} {unit}", v.ru, l.ru),
+        format!("{name} = {} {2}, its limit is {} {2}", v.en, l.en, unit.en),
+        format!("{name} = {} {2}, предельное значение {} {2}", v.ru, l.ru, unit.ru),
     )
 }
 
@@ -222,10 +224,10 @@ fn second(equations: &Equations, parameters: &[f64], place: &Place) -> f64 {
     let n = equations.coordinates.len();
     let mut values: BTreeMap<SymbolId, f64> = equations.parameters.iter().map(|p| p.symbol).zip(parameters.iter().copied()).collect();
     values.extend(equations.coordinates.iter().map(|c| c.symbols[0]).zip(place.q.iter().copied()));
-    let known: Vec<(SymbolId, f64)> =
-        equations.reactions.iter().zip(&place.reactions).filter_map(|(r, v)| v.map(|v| (r.symbol, v))).collect();
+    let acting = || equations.reactions.iter().zip(&place.reactions).filter(|(r, _)| !r.law.is_hidden());
+    let known: Vec<(SymbolId, f64)> = acting().filter_map(|(r, v)| v.map(|v| (r.symbol, v))).collect();
     // an open reaction leaves nothing to compare
-    if known.len() < equations.reactions.iter().filter(|r| !r.law.is_hidden()).count() {
+    if known.len() < acting().count() {
         return 0.0;
     }
     values.extend(known);
@@ -259,7 +261,7 @@ fn dataset(equations: &Equations, rows: &[Row], notes: Vec<Text>) -> Dataset {
         let quantity = Quantity { label: c.label.clone(), ..Quantity::new(&name(equations, j), &c.unit) };
         columns.push(column(quantity, &|r| r.place.q[j]));
     }
-    for (k, reaction) in equations.reactions.iter().enumerate().filter(|(_, r)| !r.law.is_hidden()) {
+    for (k, reaction) in equations.reactions.iter().enumerate().filter(|(_, r)| r.law.is_reaction()) {
         let symbol = equations.graph.symbol_info(reaction.symbol).name.clone();
         let quantity = Quantity { symbol, ..labelled(&reaction.name, &reaction.unit, reaction.label.clone()) };
         columns.push(column(quantity, &|r| r.place.reactions[k].unwrap_or(f64::NAN)));

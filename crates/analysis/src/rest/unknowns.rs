@@ -16,7 +16,7 @@ use crate::Fault;
 use crate::connections::assemble;
 use crate::numerics::qr::norm;
 use crate::numerics::rank;
-use crate::studies::unknowns::{unbalanced, undetermined};
+use crate::studies::unknowns::{force_unit, unbalanced, undetermined};
 
 /// Share of an unknown in a direction that changes no equation, above which it is open.
 const OPEN: f64 = 1e-7;
@@ -176,9 +176,11 @@ fn left_over(equations: &Equations, system: &RestSystem, rows: &Rows, z: &[f64])
         (0..rows.len()).max_by(|a, b| at(*a).total_cmp(&at(*b))).map(|i| (i, at(i)))
     };
     match (worst_of(&rows.forces), worst_of(&rows.balances)) {
-        (Some((i, force)), other) if other.is_none_or(|(_, b)| force >= b) => unbalanced(&coordinate(i), rows.forces[i].value),
-        (_, Some((i, _))) => unbalanced(&equations.balances[i].name.en, rows.balances[i].value),
-        _ => unbalanced("-", 0.0),
+        (Some((i, force)), other) if other.is_none_or(|(_, b)| force >= b) => {
+            unbalanced(&coordinate(i), rows.forces[i].value, force_unit(&equations.coordinates[i].unit))
+        }
+        (_, Some((i, _))) => unbalanced(&equations.balances[i].name.en, rows.balances[i].value, ""),
+        _ => unbalanced("-", 0.0, ""),
     }
 }
 

@@ -14,13 +14,14 @@
 //! relation among rows) makes it a mechanism, and then it rests only if the loads do no work in that displacement.
 
 use symbolic::connections::Law;
-use symbolic::{Equations, Expr, SymbolId, Text};
+use symbolic::{Equations, Expr, Text};
 
 use crate::connections::assemble;
 use crate::fault::rounded;
 use crate::numerics::qr::{Qr, norm};
 use crate::rest::admissible::{Hold, Holds, Limit};
 use crate::rest::fault_of;
+use crate::rest::numbers::Numbers;
 use crate::{Fault, Quantity};
 
 /// Share below which a remainder counts as nothing.
@@ -95,7 +96,8 @@ struct System {
 impl System {
     fn at_rest(equations: &Equations, start: &[f64]) -> System {
         let (n, b) = (equations.coordinates.len(), equations.balances.len());
-        let numbers = Numbers::at_rest(equations, start);
+        let parameters: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+        let numbers = Numbers::at_rest(equations, &parameters, start);
         let open = open_contacts(equations, &numbers, start);
         let unknowns: Vec<usize> = (0..equations.reactions.len()).filter(|r| !open.contains(r)).collect();
         let mut graph = equations.graph.clone();
@@ -196,7 +198,8 @@ impl System {
         };
         let mut found = Vec::new();
         for (i, shares) in with_shares(&rows) {
-            if n > 0 && i >= n {
+            let idle = shares.is_empty() && self.right[i] == 0.0 && self.row(i).iter().all(|a| *a == 0.0);
+            if n > 0 && i >= n || n == 0 && idle && is_turn_of_a_point(equations, i) {
                 continue;
             }
             // the dependent row less its share of the others does no work; rows were divided by their sizes
@@ -208,6 +211,28 @@ impl System {
         }
         found
     }
+}
+
+/// Whether a balance is of moments on the joint of rods: a body without moments of inertia, with its mass and all that acts at its origin, whatever the
+/// values. Its own turning means nothing. The moments are compared at two states that nothing distinguishes.
+fn is_turn_of_a_point(equations: &Equations, balance: usize) -> bool {
+    let name = &equations.balances[balance].name.en;
+    let Some((body, _)) = name.split_once(", moments about ") else { return false };
+    let released = &equations.released;
+    let Some(frame) = released.frames.iter().find(|f| f.name.en == body) else { return true };
+    let point = |b: &usize| {
+        let body = &released.bodies[*b];
+        body.center == frame.origin && body.inertia.iter().all(|(_, _, e)| equations.graph.is_zero(*e))
+    };
+    let roots: Vec<Expr> = frame.origin.iter().chain(&frame.force).chain(&frame.moment).copied().collect();
+    let passes = |shift: f64| {
+        let v = equations.graph.evaluate(&roots, &|s| shift + (1.0 + s.index() as f64).sin());
+        let (o, f, m) = (&v[0..3], &v[3..6], &v[6..9]);
+        let turned = [o[1] * f[2] - o[2] * f[1], o[2] * f[0] - o[0] * f[2], o[0] * f[1] - o[1] * f[0]];
+        let size = norm(o) * norm(f) + norm(m);
+        (0..3).all(|k| (m[k] - turned[k]).abs() <= NOTHING * size)
+    };
+    frame.bodies.iter().all(point) && passes(0.3) && passes(1.7)
 }
 
 /// Independent vectors, and for each dependent one those it combines from.
@@ -289,29 +314,4 @@ fn described(free: &[FreeMotion]) -> Text {
         }
     }
     text
-}
-
-/// Values of all symbols with rates and accelerations zero.
-struct Numbers<'e> {
-    equations: &'e Equations,
-    values: std::collections::BTreeMap<SymbolId, f64>,
-}
-
-impl<'e> Numbers<'e> {
-    fn at_rest(equations: &'e Equations, start: &[f64]) -> Numbers<'e> {
-        let mut values: std::collections::BTreeMap<SymbolId, f64> = equations.parameters.iter().map(|p| (p.symbol, p.value)).collect();
-        for (c, q) in equations.coordinates.iter().zip(start) {
-            values.insert(c.symbols[0], *q);
-        }
-        let mut numbers = Numbers { equations, values };
-        for d in &equations.definitions {
-            let value = numbers.evaluate(&[d.formula])[0];
-            numbers.values.insert(d.symbol, value);
-        }
-        numbers
-    }
-
-    fn evaluate(&self, roots: &[Expr]) -> Vec<f64> {
-        self.equations.graph.evaluate(roots, &|s| self.values.get(&s).copied().unwrap_or(0.0))
-    }
 }

@@ -383,8 +383,8 @@ fn dataset(tracks: &Tracks, parameter: &Quantity, diverges: &[bool]) -> Dataset 
 /// A value of the parameter with its unit.
 fn written(value: f64, parameter: &Quantity) -> Text {
     let v = crate::fault::rounded(value);
-    let unit = if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) };
-    Text::new(format!("{}{unit}", v.en), format!("{}{unit}", v.ru))
+    let unit = Text::unit(&if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) });
+    Text::new(format!("{}{}", v.en, unit.en), format!("{}{}", v.ru, unit.ru))
 }
 
 /// Where a mode does not oscillate.

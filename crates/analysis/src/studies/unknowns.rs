@@ -87,7 +87,7 @@ fn balanced(machine: &mut LinearMachine, parameters: &[usize], prepared: &crate:
         let held: f64 = (0..m).map(|c| (values[reach + c] * place.multipliers[c]).abs()).sum();
         let scale = elastic + found + held;
         if values[i].abs() > UNBALANCED * scale && values[i] != 0.0 {
-            return Err(unbalanced(&machine.coordinates()[i].name, values[i]));
+            return Err(unbalanced(&machine.coordinates()[i].name, values[i], force_unit(&machine.coordinates()[i].unit)));
         }
     }
     Ok(())
@@ -105,15 +105,24 @@ pub(crate) fn undetermined(name: &str) -> Fault {
     })
 }
 
-pub(crate) fn unbalanced(name: &str, force: f64) -> Fault {
-    let f = rounded(force);
+/// The unit of the force along a coordinate, where it has a name.
+pub(crate) fn force_unit(coordinate: &str) -> &'static str {
+    match coordinate {
+        "m" => " N",
+        "rad" => " N m",
+        _ => "",
+    }
+}
+
+pub(crate) fn unbalanced(name: &str, force: f64, unit: &str) -> Fault {
+    let (f, unit) = (rounded(force), Text::unit(unit));
     Fault::new(Message {
         code: "S036",
         what: Text::new(
-            format!("no value of the unknowns makes the start a place of rest: along `{name}` a force of {} stays", f.en),
+            format!("no value of the unknowns makes the start a place of rest: along `{name}` a force of {}{} stays", f.en, unit.en),
             format!(
-                "начальное положение не станет положением равновесия ни при каких значениях неизвестных: по `{name}` остаётся сила {}",
-                f.ru
+                "начальное положение не станет положением равновесия ни при каких значениях неизвестных: по `{name}` остаётся сила {}{}",
+                f.ru, unit.ru
             ),
         ),
         why: Text::new(
@@ -130,6 +139,9 @@ pub(crate) fn unbalanced(name: &str, force: f64) -> Fault {
 /// A found number with its name, for a remark.
 pub fn remark(name: &str, value: f64, unit: &str) -> Text {
     let v = number(value);
-    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
-    Text::new(format!("found from statics: {name} = {}{unit}", v.en), format!("найдено из условий равновесия: {name} = {}{unit}", v.ru))
+    let unit = Text::unit(&if unit == "1" { String::new() } else { format!(" {unit}") });
+    Text::new(
+        format!("found from statics: {name} = {}{}", v.en, unit.en),
+        format!("найдено из условий равновесия: {name} = {}{}", v.ru, unit.ru),
+    )
 }

@@ -22,7 +22,7 @@ mod wrench;
 pub use explain::EXPLANATIONS;
 
 use crate::diagnostic::{Diagnostic, sort};
-use crate::model::{Class, Inertia, Model};
+use crate::model::{Class, CoordinateDecl, Inertia, Model};
 use connections::Connected;
 use kinematics::Kinematics;
 use lagrange::{Kinetic, Quadratic};
@@ -30,7 +30,7 @@ use loads::Loads;
 use requests::{EnergyTerms, Resolver};
 use scene::Scene;
 use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role};
-use symbolic::{Equations, Expr, Matrix, Text};
+use symbolic::{Equations, Expr, Matrix, SymbolId, Text};
 
 /// Above this number of coordinates, formulas are not written out.
 const LARGEST_SHOWN: usize = 12;
@@ -260,10 +260,15 @@ fn plane_inertia_in_space(scene: &mut Scene, kinematics: &Kinematics) -> Vec<Dia
 fn missing_inertia(scene: &Scene, mass: &Quadratic, connected: &Connected) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (i, coordinate) in scene.model.coordinates.iter().enumerate() {
-        if mass.contains_key(&(i, i)) || connected.holds(i) {
+        let own = mass.get(&(i, i)).copied();
+        if own.is_some_and(|e| !is_switched_off(scene, e)) || connected.holds(i) {
             continue;
         }
         let name = &coordinate.name;
+        if let Some(e) = own {
+            found.push(switched_off(scene, coordinate, e));
+            continue;
+        }
         found.push(
             Diagnostic::error(
                 "M100",
@@ -284,6 +289,33 @@ fn missing_inertia(scene: &Scene, mass: &Quadratic, connected: &Connected) -> Ve
         );
     }
     found
+}
+
+/// Whether an inertia is zero because parameters are: at two states that nothing distinguishes.
+fn is_switched_off(scene: &Scene, inertia: Expr) -> bool {
+    let number = |s: SymbolId| scene.model.parameters.iter().find(|p| p.symbol == s).and_then(|p| p.number);
+    let at = |state: f64| scene.graph.evaluate(&[inertia], &|s| number(s).unwrap_or(state + 0.618 * (s.index() as f64).sin()))[0];
+    at(0.3) == 0.0 && at(1.7) == 0.0
+}
+
+fn switched_off(scene: &Scene, coordinate: &CoordinateDecl, inertia: Expr) -> Diagnostic {
+    let symbols = scene.graph.symbols_in(&[inertia]);
+    let zero = scene.model.parameters.iter().filter(|p| p.number == Some(0.0) && symbols.binary_search(&p.symbol).is_ok());
+    let list = zero.map(|p| p.name.as_str()).collect::<Vec<_>>().join(", ");
+    let name = &coordinate.name;
+    Diagnostic::error(
+        "M100",
+        coordinate.span.clone(),
+        Text::new(
+            format!("with these values nothing gives inertia to coordinate `{name}`"),
+            format!("при этих значениях обобщённой координате `{name}` ничто не придаёт инерции"),
+        ),
+    )
+    .why(Text::new(format!("its inertia vanishes with {list}"), format!("её инерция обращается в нуль вместе с {list}")))
+    .help(Text::new(
+        format!("give what moves with `{name}` a mass, hold `{name}` by a motion, or remove the coordinate"),
+        format!("задайте массу тому, что движется вместе с `{name}`, закрепите `{name}` заданным движением или уберите координату"),
+    ))
 }
 
 fn energy(scene: &mut Scene, mass: &Quadratic, (loads, connected): (&Loads, &Connected), drives: Expr) -> Energy {

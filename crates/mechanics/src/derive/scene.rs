@@ -117,7 +117,9 @@ impl<'m> Scene<'m> {
     /// Notes what must have a value wherever the machine goes, if there is a place where it has none.
     pub fn must_exist(&mut self, e: Expr) {
         let limited = |e: Expr| match self.graph.node(e) {
-            Node::Call { function, .. } => matches!(function, Function::Asin | Function::Acos | Function::Log),
+            Node::Call { function, .. } => {
+                matches!(function, Function::Asin | Function::Acos | Function::Acosh | Function::Atanh | Function::Log)
+            }
             Node::Product { factors, .. } => factors.iter().any(|(_, exponent)| !exponent.is_integer()),
             Node::Power { .. } => true,
             _ => false,

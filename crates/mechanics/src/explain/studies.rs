@@ -42,8 +42,8 @@ pub const STUDIES: &[Explanation] = &[
         "M064",
         ("unknown study", "неизвестный расчёт"),
         (
-            "Studies are equations, equilibrium, simulate, inverse, statics, kinematics, periodic, cycle and sweep.",
-            "Расчёты: equations, equilibrium, simulate, inverse, statics, kinematics, periodic, cycle и sweep.",
+            "Studies are equations, equilibrium, simulate, transient, inverse, statics, kinematics, periodic, cycle, modes, response and sweep.",
+            "Расчёты: equations, equilibrium, simulate, transient, inverse, statics, kinematics, periodic, cycle, modes, response и sweep.",
         ),
         "kind = \"simulat\"",
         "kind = \"simulate\"",
@@ -83,9 +83,9 @@ pub const STUDIES: &[Explanation] = &[
         ("a value set by hand", "значение, заданное вручную"),
         (
             "--set takes name=quantity, where the name is a parameter, a coordinate (its start) or phi' (its rate). Bare numbers are SI; \
-             for a coordinate in another unit (deg, mm) the unit must be written.",
+             where the file uses another unit (deg, g) the unit must be written.",
             "--set принимает имя=величина, где имя — параметр, координата (начальное значение) или phi' (начальная скорость). \
-             Числа без единиц — в СИ; для координаты в другой единице (deg, mm) её нужно написать.",
+             Числа без единиц — в СИ; если в файле другая единица (deg, г), её нужно написать.",
         ),
         "--set mas=3",
         "--set m=3kg",

@@ -6,8 +6,8 @@ use super::{TableSpec, Type, may, must};
 pub const STUDY: TableSpec = TableSpec {
     name: "study",
     about: (
-        "Studies, carried out in order. Which keys belong to which kind: see the page of the study.",
-        "Расчёты, выполняются по порядку. Какие ключи относятся к какому расчёту, сказано на его странице.",
+        "Studies, carried out in order. Which keys belong to which kind: see the table of kinds below.",
+        "Расчёты, выполняются по порядку. Какие ключи относятся к какому расчёту — в таблице видов ниже.",
     ),
     short: None,
     fields: &[

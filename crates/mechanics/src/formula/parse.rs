@@ -106,6 +106,15 @@ impl Formula {
         });
         plain && value
     }
+    /// Whether it is made of numbers, some in a unit that is not the SI one; a part without a dimension (20 %) counts as a number.
+    pub(crate) fn is_scaled(&self) -> bool {
+        self.is_symbol_free() && self.nodes.iter().any(|(node, _)| matches!(node, Ast::Quantity(q) if q.unit.is_scaled()))
+    }
+    /// The place of its quantity, when only one stands in it.
+    pub(crate) fn only_quantity(&self) -> Option<Range<usize>> {
+        let mut places = self.nodes.iter().filter(|(node, _)| matches!(node, Ast::Quantity(_))).map(|(_, span)| span.clone());
+        places.next().filter(|_| places.next().is_none())
+    }
     /// Whether it contains nothing but numbers.
     pub(crate) fn is_symbol_free(&self) -> bool {
         self.nodes.iter().all(|(node, _)| match node {
@@ -699,9 +708,6 @@ impl Parser<'_> {
 /// What to write for a function that the language does not have; a nearer name would mean another value.
 fn instead(name: &str) -> Option<(&'static str, &'static str)> {
     Some(match name {
-        "asinh" | "arsinh" | "arsh" => ("write log(x + sqrt(x^2 + 1))", "напишите log(x + sqrt(x^2 + 1))"),
-        "acosh" | "arcosh" | "arch" => ("write log(x + sqrt(x^2 - 1))", "напишите log(x + sqrt(x^2 - 1))"),
-        "atanh" | "artanh" | "arth" => ("write log((1 + x)/(1 - x))/2", "напишите log((1 + x)/(1 - x))/2"),
         "log2" => ("write log(x)/log(2)", "напишите log(x)/log(2)"),
         "cot" | "ctg" | "cotan" => ("write 1/tan(x)", "напишите 1/tan(x)"),
         "sec" => ("write 1/cos(x)", "напишите 1/cos(x)"),
@@ -728,6 +734,9 @@ fn unknown_function(name: &str, span: Range<usize>) -> Fault {
         "arctg" | "arctan" => Some("atan"),
         "arcsin" => Some("asin"),
         "arccos" => Some("acos"),
+        "arsinh" | "arcsinh" | "arsh" => Some("asinh"),
+        "arcosh" | "arccosh" | "arch" => Some("acosh"),
+        "artanh" | "arctanh" | "arth" => Some("atanh"),
         "sh" => Some("sinh"),
         "ch" => Some("cosh"),
         "th" => Some("tanh"),

@@ -13,6 +13,8 @@ pub struct Connection {
     pub table: &'static str,
     /// What it does.
     pub kind: ConnectionKind,
+    /// SI unit of its force, for those that act along a formula: energy by the formula's unit. Empty where the formula has no known dimension.
+    pub unit: String,
     /// Place in the file (its name).
     pub span: Range<usize>,
 }

@@ -92,7 +92,8 @@ fn backlash<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind) -> O
 /// Warns of a stiffness or damping that is zero or negative.
 fn useful(reader: &mut Reader, fields: &Fields, key: &'static str, value: &Checked, kind: (&str, &str)) {
     let Some(v) = reader.number(value).filter(|v| *v <= 0.0) else { return };
-    if !fields.has(key) {
+    // an element that the command line, a variant or a sweep switches off is meant
+    if !fields.has(key) || v == 0.0 && reader.is_set_by_hand(value) {
         return;
     }
     let fault = if v == 0.0 {

@@ -1,6 +1,7 @@
 //! Machine numbers of constant expressions, to refuse what is not finite or not physical before anything is derived.
 
-use symbolic::{Expr, Graph, SymbolId};
+use std::collections::BTreeSet;
+use symbolic::{Expr, Graph, Node, SymbolId};
 
 /// Values of expressions already asked for; symbols without a value are not a number.
 #[derive(Default)]
@@ -22,6 +23,35 @@ impl Values {
     }
     fn get(&self, e: Expr) -> Option<f64> {
         self.known.get(e.index()).copied().flatten()
+    }
+
+    /// Whether an expression is zero, or has lost digits, only because a product or power in it is smaller than the least machine number.
+    pub(super) fn underflows(&mut self, graph: &Graph, root: Expr) -> bool {
+        if self.of(graph, root).abs() >= f64::MIN_POSITIVE {
+            return false;
+        }
+        let (mut stack, mut seen) = (vec![root], BTreeSet::new());
+        while let Some(e) = stack.pop() {
+            // a part that is large enough has lost nothing; terms that cancel are no loss either
+            let small = |value: f64| value.abs() < f64::MIN_POSITIVE;
+            if !seen.insert(e.index()) || !small(self.of(graph, e)) && e != root {
+                continue;
+            }
+            let value = |c: Expr, known: &mut Values| known.of(graph, c);
+            let lost = match graph.node(e) {
+                Node::Number(r) => !r.is_zero(),
+                Node::Product { coefficient, factors } => {
+                    !coefficient.is_zero() && factors.iter().all(|(base, power)| value(*base, self) != 0.0 || power.is_negative())
+                }
+                Node::Power { base, .. } => value(*base, self) != 0.0,
+                _ => false,
+            };
+            if lost && small(self.of(graph, e)) {
+                return true;
+            }
+            stack.extend(graph.children(e));
+        }
+        false
     }
 
     /// The value of an expression.

@@ -259,22 +259,10 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Mass> {
     let mass = fields.formula_or_zero(reader, "mass", &Context::CONSTANT, Some(&Dimension::MASS));
     let center = fields.vector(reader, "center", &Context::CONSTANT, &Dimension::LENGTH);
     let literal_zero = reader.builder.graph.is_zero(mass.expr);
-    if let Some(m) = reader.number(&mass)
-        && (m < 0.0 || m == 0.0 && !literal_zero)
-    {
-        reader.fault(
-            Fault::new(
-                "M050",
-                fields.span_of("mass"),
-                format!("the mass of {} is {m} kg", fields.path),
-                format!("масса {} равна {m} кг", fields.path),
-            )
-            .why(
-                "a body has a positive mass; the value of a parameter is probably wrong",
-                "масса тела положительна; вероятно, неверно значение параметра",
-            )
-            .help("for a massless body leave `mass` out", "для невесомого тела не задавайте `mass`"),
-        );
+    match reader.number(&mass) {
+        Some(m) if m < 0.0 => reader.fault(negative_mass(fields, m)),
+        Some(0.0) if !literal_zero && !reader.is_set_by_hand(&mass) => reader.fault(no_mass(fields)),
+        _ => {}
     }
     let inertia = shapes::inertia(reader, fields, mass.expr, mass.good && literal_zero);
     let gravity = match fields.get("gravity").map(|v| (v, v.get_ref().as_bool())) {
@@ -287,6 +275,32 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Mass> {
     };
     let massless = literal_zero && matches!(inertia, Inertia::None);
     (!massless).then_some(Mass { mass: mass.expr, center, inertia, gravity })
+}
+
+fn negative_mass(fields: &Fields, m: f64) -> Fault {
+    Fault::new(
+        "M050",
+        fields.span_of("mass"),
+        format!("the mass of {} is {m} kg", fields.path),
+        format!("масса {} равна {m} кг", fields.path),
+    )
+    .why(
+        "no body has a negative mass; the value of a parameter is probably wrong",
+        "масса тела не бывает отрицательной; вероятно, неверно значение параметра",
+    )
+}
+
+fn no_mass(fields: &Fields) -> Fault {
+    Fault::new("M050", fields.span_of("mass"), format!("the mass of {} is zero", fields.path), format!("масса {} равна нулю", fields.path))
+        .why(
+            "a parameter makes it so; the body has no weight and no inertia of its own",
+            "так следует из значения параметра; у тела нет ни веса, ни инерции",
+        )
+        .help(
+            "for a massless body leave `mass` out; a part is switched off without this remark by --set, a variant or a sweep",
+            "для невесомого тела не задавайте `mass`; без этого замечания часть отключают через --set, вариант или sweep",
+        )
+        .warning()
 }
 
 fn point<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>) -> Point {

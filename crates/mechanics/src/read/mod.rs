@@ -27,6 +27,7 @@ mod variants;
 
 pub use overrides::split as split_override;
 pub use ranges::sweep_range;
+pub(crate) use studies::kinds as kinds_of_studies;
 
 use crate::diagnostic::{self, Diagnostic, Severity};
 use crate::fields;

@@ -1,7 +1,7 @@
 //! Values set on the command line: `--set name=quantity`.
 //!
 //! A name is a parameter (its value is replaced, also when it was a formula), a coordinate (its start), or a coordinate with a prime
-//! (its rate). Bare numbers are SI, and refused for a coordinate in another unit.
+//! (its rate). Bare numbers are SI, and refused where the file uses another unit.
 
 use super::parameters::{RawCoordinate, RawParameter};
 use super::phases::{self, Schedule};

@@ -8,7 +8,7 @@ use crate::fault::{Fault, Site, Snippet};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind, in_field, mismatch};
 use crate::model::{Class, CoordinateDecl, ParameterDecl, ParameterValue};
-use crate::units::{Dimension, Unit, si_label};
+use crate::units::{Dimension, Unit, si_label, written_unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -38,7 +38,8 @@ pub(super) struct RawParameter<'a> {
     raw: Raw<'a>,
     /// what the command line sets in its place
     by_hand: Option<Raw<'a>>,
-    unit: Option<(Unit, Range<usize>)>,
+    /// with its place and as written
+    unit: Option<(Unit, Range<usize>, String)>,
     label: Text,
 }
 
@@ -204,6 +205,22 @@ fn refuse_bare(reader: &mut Reader, name: &str, raw: &Raw) {
     reader.report(finding);
 }
 
+/// The unit of a parameter when the file gives it in another unit than the SI one; a value made of several quantities gets the SI unit, to be written.
+fn other_unit(p: &RawParameter, kind: Kind) -> Option<String> {
+    if let Some((unit, _, written)) = &p.unit
+        && unit.is_scaled()
+    {
+        return Some(written.clone());
+    }
+    let formula = p.raw.formula.as_ref().filter(|f| f.is_scaled())?;
+    let own = formula.only_quantity().and_then(|span| p.raw.snippet.text.get(span)).and_then(written_unit);
+    match (own, kind) {
+        (Some(unit), _) => Some(unit.to_owned()),
+        (None, Kind::Known(d)) => Some(si_label(&d)).filter(|label| label != "1"),
+        (None, _) => None,
+    }
+}
+
 /// The fault of a number without a unit for something that the file gives in another unit than the SI one.
 pub(super) fn without_unit(span: Range<usize>, (name, unit): (&str, &str), number: &str) -> Fault {
     Fault::new(
@@ -215,7 +232,7 @@ pub(super) fn without_unit(span: Range<usize>, (name, unit): (&str, &str), numbe
     .help(format!("write the unit: \"{number} {unit}\""), format!("напишите единицу: \"{number} {unit}\""))
 }
 
-/// A value from the command line: a bare number is SI, and refused for a coordinate in another unit.
+/// A value from the command line: a bare number is SI, and refused where the file uses another unit.
 fn by_hand<'a>(reader: &mut Reader<'a>, (name, snippet): (&str, Snippet<'a>), wanted: Option<&Dimension>) -> Checked {
     let raw = reader.raw_text(snippet);
     refuse_bare(reader, name, &raw);
@@ -237,7 +254,7 @@ pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &
                 let fields = Fields::open(reader, &fields::PARAMETER, table, span.clone(), format!("{section}.{}", short(name)));
                 fields.symbol(reader, name, notation);
                 label = fields.text(reader, "label").unwrap_or_default();
-                unit = fields.get("unit").and_then(|v| reader.unit(v).map(|u| (u.0, v.span())));
+                unit = fields.get("unit").and_then(|v| reader.unit(v).map(|(unit, written)| (unit, v.span(), written)));
                 fields.raw(reader, "value")
             }
             _ => reader.raw(value),
@@ -311,7 +328,7 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
     let mut written = p.raw.snippet.text.trim().to_owned();
     let mut value = reader.value(&p.raw, &Context::PARAMETER, None);
     let mut symbol_free = p.raw.formula.as_ref().is_some_and(Formula::is_symbol_free);
-    if let Some((unit, span)) = &p.unit {
+    if let Some((unit, span, _)) = &p.unit {
         match value.kind {
             Kind::Known(d) if !d.same(&unit.dimension) => reader.fault(mismatch(span.clone(), &unit.dimension, &d, false)),
             Kind::Known(d) => {
@@ -325,7 +342,17 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
             Kind::Unknown => {}
         }
     }
+    if let Some(unit) = other_unit(&p, value.kind) {
+        reader.scaled.insert(p.name.clone(), unit);
+    }
+    let symbol = |reader: &mut Reader, name: &str| reader.builder.graph.symbol_id(name, 0);
+    let uses: Vec<_> = names_of(&p.raw).chain(by_hand.iter().flat_map(names_of)).map(|name| symbol(reader, name)).collect();
+    if by_hand.is_some() || uses.iter().any(|s| reader.by_hand.contains(s)) {
+        let own = symbol(reader, &p.name);
+        reader.by_hand.insert(own);
+    }
     if let Some(raw) = by_hand {
+        refuse_bare(reader, &p.name, &raw);
         let wanted = match value.kind {
             Kind::Known(d) => Some(d),
             _ => None,
@@ -351,7 +378,7 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
 
 /// `{ value = 5, unit = "kg" }` is 5 kg.
 fn apply_unit(reader: &mut Reader, p: &mut RawParameter) {
-    let (Some((unit, _)), Some(formula)) = (&p.unit, &p.raw.formula) else { return };
+    let (Some((unit, ..)), Some(formula)) = (&p.unit, &p.raw.formula) else { return };
     if let Some(number) = formula.bare_number() {
         let quantity = crate::units::Quantity { number: number.clone(), unit: unit.clone(), has_unit: true };
         if !quantity.to_f64().is_finite() {

@@ -23,8 +23,10 @@ pub(super) struct Reader<'a> {
     pub claimed: HashMap<String, Range<usize>>,
     /// The first name of each look, and where it stands.
     skeletons: HashMap<String, (String, Range<usize>)>,
-    /// Coordinates, and their rates with a prime, that the file declares in another unit than the SI one, with that unit.
+    /// What the file gives in another unit than the SI one: coordinates, their rates with a prime, parameters; with that unit.
     pub scaled: std::collections::BTreeMap<String, String>,
+    /// Parameters that the command line sets, and those whose formulas use them.
+    pub by_hand: std::collections::BTreeSet<SymbolId>,
     /// names of outputs
     pub results: std::collections::HashSet<String>,
     diagnostics: Vec<Diagnostic>,
@@ -70,6 +72,7 @@ impl<'a> Reader<'a> {
             claimed: HashMap::new(),
             skeletons: HashMap::new(),
             scaled: std::collections::BTreeMap::new(),
+            by_hand: std::collections::BTreeSet::new(),
             results: std::collections::HashSet::new(),
             diagnostics: Vec::new(),
             builder: Builder::new(),
@@ -127,6 +130,11 @@ impl<'a> Reader<'a> {
     pub(super) fn fault(&mut self, fault: Fault) {
         self.diagnostics.push(Site::Literal(0).diagnose(fault));
     }
+    /// Whether a value depends on one that was set by hand, through formulas of parameters too.
+    pub(super) fn is_set_by_hand(&self, value: &Checked) -> bool {
+        !self.by_hand.is_empty() && self.builder.graph.contains(value.expr, |s| self.by_hand.contains(&s))
+    }
+
     /// The override of a name.
     pub(super) fn override_of(&self, name: &str) -> Option<Snippet<'a>> {
         self.override_index.get(name).map(|i| self.overrides[*i].1.clone())
@@ -255,6 +263,10 @@ impl<'a> Reader<'a> {
 
     fn finite(&mut self, raw: &Raw<'a>, expr: Expr) -> bool {
         let value = self.values.of(&self.builder.graph, expr);
+        if value.is_finite() && self.values.underflows(&self.builder.graph, expr) {
+            self.report(raw.snippet.diagnose(too_small(raw.snippet.all())));
+            return false;
+        }
         if value.is_finite() {
             return true;
         }
@@ -377,6 +389,18 @@ pub(super) fn short(text: &str) -> String {
         Some((i, _)) => format!("{}...", text[..i].escape_debug()),
         None => text.escape_debug().to_string(),
     }
+}
+
+/// The fault of a constant that only the range of machine numbers makes zero.
+fn too_small(span: Range<usize>) -> Fault {
+    Fault::new(
+        "M022",
+        span,
+        "this constant is not zero, but smaller than 1e-307: it would count as zero",
+        "эта постоянная не равна нулю, но меньше 1e-307 и считалась бы нулём",
+    )
+    .why("a product of numbers of absurd size", "произведение чисел нелепой величины")
+    .help("check the exponents and the units", "проверьте показатели степеней и единицы")
 }
 
 pub(super) fn wrong_type(span: Range<usize>, en: &str, ru: &str, got: &str) -> Fault {

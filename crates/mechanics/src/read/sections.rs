@@ -16,6 +16,10 @@ const SHAPES: [&str; 7] = ["rectangle", "triangle", "circle", "half_disc", "ring
 /// More parts or corners than this are no section.
 const LIMIT: usize = 400;
 
+/// Least and greatest length in a section, m.
+const LEAST: f64 = 1e-30;
+const GREATEST: f64 = 1e30;
+
 /// A part while it is read.
 struct Draft {
     part: Part,
@@ -107,6 +111,11 @@ fn draft<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, spec: &'static TableS
     let outline = outline(&form, &mut number).placed(place, turn);
     let (area, centroid) = (number(moments.area), [number(moments.x), number(moments.y)]);
     let span = if spec.name == fields::PART.name { fields.span.clone() } else { fields.span_of(kind) };
+    for number in place {
+        if number.is_finite() && !measurable(reader, fields, number, fields.span_of("at")) {
+            return None;
+        }
+    }
     if !(angle.good && area.is_finite() && centroid.iter().chain(&place).all(|v| v.is_finite())) {
         return None;
     }
@@ -136,7 +145,28 @@ fn form<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &'static str) ->
 fn length<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &'static str) -> Option<Expr> {
     let value = fields.formula(reader, kind, &Context::CONSTANT, Some(&Dimension::LENGTH))?;
     let number = reader.number(&value)?;
-    positive(reader, fields, kind, number, fields.span_of(kind)).then_some(value.expr)
+    size(reader, fields, kind, (number, fields.span_of(kind))).then_some(value.expr)
+}
+
+/// Whether a size is positive and of a size that can be reckoned with.
+fn size(reader: &mut Reader, fields: &Fields, kind: &str, (number, span): (f64, Range<usize>)) -> bool {
+    positive(reader, fields, kind, number, span.clone()) && measurable(reader, fields, number, span)
+}
+
+/// Refuses lengths whose fourth powers leave the machine numbers.
+fn measurable(reader: &mut Reader, fields: &Fields, number: f64, span: Range<usize>) -> bool {
+    if number == 0.0 || (LEAST..=GREATEST).contains(&number.abs()) {
+        return true;
+    }
+    reader.fault(
+        Fault::new("M022", span, format!("a length of {number:e} m in {}", fields.path), format!("длина {number:e} м в {}", fields.path))
+            .why(
+                "second moments take fourth powers: lengths of a section lie between 1e-30 m and 1e30 m",
+                "в моменты инерции входят четвёртые степени: длины сечения — от 1e-30 м до 1e30 м",
+            )
+            .help("check the exponent and the unit", "проверьте показатель степени и единицу"),
+    );
+    false
 }
 
 fn positive(reader: &mut Reader, fields: &Fields, kind: &str, number: f64, span: Range<usize>) -> bool {
@@ -174,7 +204,7 @@ fn lengths<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &'static str)
         let raw = reader.raw(item)?;
         let value = reader.value(&raw, &Context::CONSTANT, Some(&Dimension::LENGTH));
         let number = reader.number(&value)?;
-        if positive(reader, fields, kind, number, item.span()) {
+        if size(reader, fields, kind, (number, item.span())) {
             found.push(value.expr);
         }
     }
@@ -237,6 +267,11 @@ fn corners<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &'static str)
     let places: Vec<[f64; 2]> = found.iter().map(|p| p.map(|e| reader.values.of(&reader.builder.graph, e))).collect();
     if places.iter().flatten().any(|v| !v.is_finite()) {
         return None;
+    }
+    for number in places.iter().flatten() {
+        if !measurable(reader, fields, *number, fields.span_of(kind)) {
+            return None;
+        }
     }
     let outline = Outline::polygon(places.clone());
     let (area, ..) = outline.polygon_moments();

@@ -98,11 +98,16 @@ impl Properties {
         let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
         let radius = half.hypot(xy);
         let (largest, angle) = if radius <= ROUND * mean { (mean, 0.0) } else { (mean + radius, 0.5 * (-xy).atan2(half)) };
-        // the product of both is known without cancellation
-        let smallest = if radius <= ROUND * mean { mean } else { (xx * yy - xy * xy) / largest };
+        // the product of both is known without cancellation; shares of the largest keep it within the machine numbers
+        let smallest = if radius <= ROUND * mean { mean } else { xx / largest * yy - xy / largest * xy };
         // -0 and -90 degrees are written as 0 and 90
         let angle = if angle <= -0.5 * std::f64::consts::PI { -angle } else { angle + 0.0 };
-        let (s, c) = angle.sin_cos();
+        // axes that lie in the given ones do so exactly: the cosine of a rounded right angle is not zero, and a long thin section would feel it
+        let (s, c) = match xy {
+            0.0 if angle == 0.0 => (0.0, 1.0),
+            0.0 => (1.0, 0.0),
+            _ => angle.sin_cos(),
+        };
         // farthest fibre on either side of an axis through the centroid along (a, b)
         let fibre = |[a, b]: [f64; 2]| {
             let side = |n: [f64; 2]| reach(n) - (n[0] * x + n[1] * y);

@@ -250,38 +250,8 @@ pub fn si_label(dimension: &Dimension) -> String {
 
 /// The same in Russian: `м`, `рад/с`, `Н м`, `кг м^2`.
 pub fn si_label_ru(dimension: &Dimension) -> String {
-    let label = si_label(dimension);
-    let mut out = String::with_capacity(2 * label.len());
-    let mut rest = label.as_str();
-    while let Some(c) = rest.chars().next() {
-        let end = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len()).max(c.len_utf8());
-        let word = &rest[..end];
-        out.push_str(RUSSIAN.iter().find(|(latin, _)| *latin == word).map_or(word, |(_, russian)| russian));
-        rest = &rest[end..];
-    }
-    out
+    symbolic::Text::unit(&si_label(dimension)).ru
 }
-
-const RUSSIAN: [(&str, &str); 18] = [
-    ("m", "м"),
-    ("kg", "кг"),
-    ("s", "с"),
-    ("A", "А"),
-    ("K", "К"),
-    ("mol", "моль"),
-    ("cd", "кд"),
-    ("rad", "рад"),
-    ("N", "Н"),
-    ("W", "Вт"),
-    ("Pa", "Па"),
-    ("C", "Кл"),
-    ("V", "В"),
-    ("Ohm", "Ом"),
-    ("F", "Ф"),
-    ("H", "Гн"),
-    ("Wb", "Вб"),
-    ("Hz", "Гц"),
-];
 
 fn invert(e: Exponent) -> Exponent {
     Exponent { n: -e.n, d: e.d }

@@ -108,6 +108,13 @@ pub fn parse_number_or_quantity(text: &str) -> Result<Quantity, Fault> {
     Ok(quantity)
 }
 
+/// The unit behind the number that a text begins with, as written: `mm` of `-5.2e3 mm` and of `5 [mm]`.
+pub(crate) fn written_unit(text: &str) -> Option<&str> {
+    let body = text.trim();
+    let (_, end) = scan_number(body)?;
+    Some(body[end..].trim().trim_start_matches('[').trim_end_matches(']').trim()).filter(|unit| parse_unit(unit).is_ok())
+}
+
 /// A warning for `1,450 rpm`: with a Latin unit and exactly three digits behind it the comma may group thousands.
 pub(crate) fn doubtful_comma(text: &str) -> Option<Fault> {
     let body = text.trim();

@@ -39,6 +39,10 @@ pub struct Unit {
 impl Unit {
     /// The unit of pure numbers.
     pub const ONE: Unit = Unit { factor: Factor::ONE, dimension: Dimension::NONE };
+    /// Whether a number in this unit is another number in SI; parts of one (%) are numbers by themselves.
+    pub(crate) fn is_scaled(&self) -> bool {
+        self.factor != Factor::ONE && (!self.dimension.is_none() || self.dimension.is_angular())
+    }
 }
 
 /// A row of the table.

@@ -157,7 +157,10 @@ impl Watch {
             Curve::Root | Curve::Power(_) | Curve::Log if way_a <= NEAR * row[0].abs() => true,
             Curve::Exp | Curve::Tanh | Curve::Sinh | Curve::Cosh if way_a <= 1.0 => true,
             Curve::Asin | Curve::Acos if row[0].abs() + way_a <= 0.9 => true,
-            Curve::Atan if way_a <= NEAR * (1.0 + row[0].abs()) => true,
+            // the singular points of both are at ±i
+            Curve::Atan | Curve::Asinh if way_a <= NEAR * (1.0 + row[0].abs()) => true,
+            Curve::Acosh if way_a <= NEAR * (row[0] - 1.0) => true,
+            Curve::Atanh if way_a <= NEAR * (1.0 - row[0].abs()) => true,
             Curve::Angle => {
                 let way_b = self.way(rows, b);
                 way_a + way_b <= NEAR * row[0].hypot(rows.row(b)[0]) || self.is_seen(rows, c, std::f64::consts::PI)

@@ -185,7 +185,9 @@ impl Plan {
             Unary::Exp => Step::Exp { row, a, weighted: self.helpers(1) },
             Unary::Tan => Step::Tangent { row, a, helper: self.helpers(2), sign: 1.0 },
             Unary::Tanh => Step::Tangent { row, a, helper: self.helpers(2), sign: -1.0 },
-            Unary::Log | Unary::Asin | Unary::Acos | Unary::Atan => Step::Inverse { row, a, f, helper: self.helpers(3) },
+            Unary::Log | Unary::Asin | Unary::Acos | Unary::Atan | Unary::Asinh | Unary::Acosh | Unary::Atanh => {
+                Step::Inverse { row, a, f, helper: self.helpers(3) }
+            }
         }
     }
 
@@ -332,6 +334,9 @@ fn inverse(f: Unary) -> Curve {
         Unary::Asin => Curve::Asin,
         Unary::Acos => Curve::Acos,
         Unary::Atan => Curve::Atan,
+        Unary::Asinh => Curve::Asinh,
+        Unary::Acosh => Curve::Acosh,
+        Unary::Atanh => Curve::Atanh,
         _ => Curve::Log,
     }
 }

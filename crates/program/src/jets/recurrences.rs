@@ -292,14 +292,19 @@ impl Memory {
         self.put(step.row(), 0, value);
     }
 
-    /// Helper rows: weighted c, u, and 1 - a² under the root.
+    /// Helper rows: weighted c, u, and what stands under the root of u: 1 - a², 1 + a², a² - 1.
     fn begin_inverse(&mut self, a: Row, f: Unary, helper: Row) -> f64 {
         let x = self.get(a, 0);
         match f {
             Unary::Log => {}
             Unary::Atan => self.put(helper + 1, 0, 1.0 + x * x),
+            Unary::Atanh => self.put(helper + 1, 0, (1.0 - x) * (1.0 + x)),
             _ => {
-                let inner = (1.0 - x) * (1.0 + x);
+                let inner = match f {
+                    Unary::Asinh => 1.0 + x * x,
+                    Unary::Acosh => (x - 1.0) * (x + 1.0),
+                    _ => (1.0 - x) * (1.0 + x),
+                };
                 self.put(helper + 2, 0, inner);
                 self.put(helper + 1, 0, inner.sqrt());
             }
@@ -408,14 +413,14 @@ impl Memory {
     fn inverse(&mut self, a: Row, f: Unary, helper: Row, k: usize) -> f64 {
         let (u, sign) = match f {
             Unary::Log => (a, 1.0),
-            Unary::Atan => {
+            Unary::Atan | Unary::Atanh => {
                 let square = self.cauchy(a, 0, a, k);
-                self.put(helper + 1, k, square);
+                self.put(helper + 1, k, if f == Unary::Atan { square } else { -square });
                 (helper + 1, 1.0)
             }
             _ => {
                 let square = self.cauchy(a, 0, a, k);
-                self.put(helper + 2, k, -square);
+                self.put(helper + 2, k, if matches!(f, Unary::Asinh | Unary::Acosh) { square } else { -square });
                 let root = self.square_root(helper + 1, helper + 2, k);
                 self.put(helper + 1, k, root);
                 (helper + 1, if f == Unary::Acos { -1.0 } else { 1.0 })

@@ -199,6 +199,9 @@ impl Builder {
             Function::Acos => self.unary(Unary::Acos, x),
             Function::Atan => self.unary(Unary::Atan, x),
             Function::Tanh => self.unary(Unary::Tanh, x),
+            Function::Asinh => self.unary(Unary::Asinh, x),
+            Function::Acosh => self.unary(Unary::Acosh, x),
+            Function::Atanh => self.unary(Unary::Atanh, x),
             Function::Log => self.unary(Unary::Log, x),
             Function::Atan2 => {
                 let y = self.whole(arguments[1]);

@@ -15,11 +15,17 @@ pub(super) fn otherwise(language: Language) -> &'static str {
 
 /// The name of a function in print.
 pub(super) fn function(language: Language, function: Function) -> &'static str {
-    use Function::{Acos, Asin, Atan, Cosh, Log, Sinh, Tan, Tanh};
+    use Function::{Acos, Acosh, Asin, Asinh, Atan, Atanh, Cosh, Log, Sinh, Tan, Tanh};
     match (language, function) {
         (_, Asin) => "arcsin",
         (_, Acos) => "arccos",
         (_, Log) => "ln",
+        (Language::En, Asinh) => "arsinh",
+        (Language::En, Acosh) => "arcosh",
+        (Language::En, Atanh) => "artanh",
+        (Language::Ru, Asinh) => "arsh",
+        (Language::Ru, Acosh) => "arch",
+        (Language::Ru, Atanh) => "arth",
         (Language::En, Atan) => "arctan",
         (Language::Ru, Tan) => "tg",
         (Language::Ru, Atan) => "arctg",

@@ -221,9 +221,9 @@ impl Composer<'_> {
 
 /// `Some(true)` for odd functions, `Some(false)` for even ones.
 fn parity(function: Function) -> Option<bool> {
-    use Function::{Abs, Asin, Atan, Cos, Cosh, Sign, Sin, Sinh, Tan, Tanh};
+    use Function::{Abs, Asin, Asinh, Atan, Atanh, Cos, Cosh, Sign, Sin, Sinh, Tan, Tanh};
     match function {
-        Sin | Tan | Asin | Atan | Sinh | Tanh | Sign => Some(true),
+        Sin | Tan | Asin | Atan | Sinh | Tanh | Asinh | Atanh | Sign => Some(true),
         Cos | Cosh | Abs => Some(false),
         _ => None,
     }

@@ -143,7 +143,11 @@ impl<'a> Writer<'a> {
         if !conditions.is_empty() {
             out.push('\n');
             out.push_str(&self.words(say(self.language, Word::Connections)));
-            out.extend(conditions.iter().map(|line| self.formula(line, None)));
+            for (line, when) in conditions.iter().zip(document::holding(self.equations, self.language)) {
+                let when = when.map(|words| self.words(&format!("{words}:"))).unwrap_or_default();
+                out.push_str(&when);
+                out.push_str(&self.formula(line, None));
+            }
         }
         if self.equations.reactions.iter().any(|r| r.law.is_reaction()) {
             out.push('\n');

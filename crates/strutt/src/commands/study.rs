@@ -105,7 +105,8 @@ pub fn columns(table: &args::Table) -> Option<Vec<String>> {
 
 /// Shows what was found, writes the folder when one is wanted, decides the exit code.
 pub fn finish(machine: Machine, finding: Finding, out: Option<&Path>, console: &mut Console) -> Result<Exit, Failure> {
-    console.timed(Word::TimeWrite, |console| show(&finding, out, console))?;
+    let title = console.language.text(&machine.model.title).to_owned();
+    console.timed(Word::TimeWrite, |console| show(&title, &finding, out, console))?;
     let exit = judge(&finding, console);
     if let Some(out) = out {
         let mut calculation = Calculation { machine, findings: vec![finding], files: Vec::new() };
@@ -117,18 +118,25 @@ pub fn finish(machine: Machine, finding: Finding, out: Option<&Path>, console: &
     Ok(exit)
 }
 
-fn show(finding: &Finding, out: Option<&Path>, console: &Console) -> Result<(), Failure> {
+fn show(title: &str, finding: &Finding, out: Option<&Path>, console: &Console) -> Result<(), Failure> {
     let (data, language) = (finding.data(), console.language);
     match console.shape {
         Shape::Json => console.out(report::json::write(data, &folder::own_fields(finding), language)),
         Shape::Csv => console.out(report::csv::write(data, report::csv::Dialect::Plain)),
         Shape::Text if out.is_some() && !console.terminal => Ok(()),
+        // a study that failed before it found anything leaves no empty heading
+        Shape::Text if is_nothing(finding) => Ok(()),
         Shape::Text => {
             let blocks = match finding {
                 Finding::Study(results) => document::of_results(results, false, language),
                 _ => Vec::new(),
             };
-            console.out(document::in_terminal(blocks, language, console.width()))
+            console.out(document::in_terminal(title, blocks, language, console.width()))
         }
     }
+}
+
+fn is_nothing(finding: &Finding) -> bool {
+    let empty = |r: &strutt::studies::Results| r.facts.is_empty() && r.words.is_empty() && r.data.columns.is_empty() && r.claims.is_empty();
+    matches!(finding, Finding::Study(results) if results.trouble.is_some() && empty(results))
 }

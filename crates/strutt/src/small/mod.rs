@@ -1,5 +1,6 @@
 //! Small motions about an equilibrium: what the studies `modes` and `response` share.
 
+pub mod bent;
 pub mod equation;
 pub mod formulas;
 pub mod modes;

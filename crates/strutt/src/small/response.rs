@@ -134,8 +134,10 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let (quantities, formulas) = observed(study, &machine.equations);
     refuse_open(machine, &quantities)?;
     let mut notes = timing_notes(small.machine.timing());
-    if small.machine.timing().bent {
-        notes.push(bent_by_rates());
+    match super::bent::remark(&machine.model) {
+        Some(remark) => notes.push(remark),
+        None if small.machine.timing().bent => notes.push(bent_by_rates()),
+        None => {}
     }
     let own_value = parameter.map(|p| small.machine.value(p));
     let mut forced = Forced::new(&mut small.machine, &small.place, source, parameter, &formulas)?;
@@ -149,11 +151,17 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.shapes = over(&mut forced, &study.shapes)?;
     out.own = own.map(|w| forced.at(out.main * w)).transpose()?;
     let real = forced.has_size();
-    let shown = out.own.iter().chain(&points).find(|p| p.coordinates.iter().any(|z| magnitude(*z) > 0.0 && magnitude(*z).is_finite()));
-    let limit = match shown.filter(|_| real) {
-        Some(point) => forced.limits(point)?,
-        None => Vec::new(),
-    };
+    // at the frequency of the file, or where nothing is to be said there, at the largest amplitude
+    let moves = |p: &&Point| p.coordinates.iter().any(|z| magnitude(*z) > 0.0) && p.coordinates.iter().all(|z| magnitude(*z).is_finite());
+    let size = |p: &&Point| p.coordinates.iter().map(|z| magnitude(*z)).fold(0.0, f64::max);
+    let largest = points.iter().filter(moves).max_by(|a, b| size(a).total_cmp(&size(b)));
+    let mut limit = Vec::new();
+    for point in out.own.iter().filter(moves).chain(largest).filter(|_| real) {
+        limit = forced.limits(point)?;
+        if !limit.is_empty() {
+            break;
+        }
+    }
     out.data = Dataset { axis: Some(0), columns: columns(&omegas, &points, &quantities), notes, ..Dataset::default() };
     each_order(&mut forced, &found, &omegas, (own, quantities.len()), out)?;
     forced.choose(main);

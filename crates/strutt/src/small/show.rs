@@ -84,7 +84,7 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
             Some(_) => String::new(),
             None => ", z = ω²".to_owned(),
         };
-        blocks.push(Block::paragraph(format!("{of}: {}{meaning}", equation.text)));
+        blocks.push(Block::paragraph(format!("{of}: {}{meaning}", polynomial(&equation.text, language))));
     }
     if let Some(tracks) = &f.tracks {
         blocks.push(Block::Table(plain_table(&thinned(&tracks.data), language)));
@@ -373,4 +373,21 @@ fn nyquist(found: &ResponseFound, language: Language) -> Option<Figure> {
         along: data.columns.first().map(|c| (Axis::of_columns(&[c]), c.values.clone())),
         strip: Vec::new(),
     })
+}
+
+/// A polynomial as text for people: raised exponents, true minus, the decimal mark of the language.
+pub fn polynomial(text: &str, language: Language) -> String {
+    let mut out = String::new();
+    let mut raised = false;
+    for c in text.chars() {
+        raised = c == '^' || raised && c.is_ascii_digit();
+        match c {
+            '^' => {}
+            c if raised => out.push_str(&report::number::superscript(&c.to_string())),
+            '-' => out.push('−'),
+            '.' => out.push_str(language.pick(".", ",")),
+            c => out.push(c),
+        }
+    }
+    out
 }

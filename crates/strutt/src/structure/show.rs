@@ -29,7 +29,7 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
     if let Some(equation) = &found.equation {
         let of = language.pick("Frequency equation", "Частотное уравнение");
         let meaning = if found.variable.is_none() { ", z = ω²" } else { "" };
-        blocks.push(Block::paragraph(format!("{of}: {equation}{meaning}")));
+        blocks.push(Block::paragraph(format!("{of}: {}{meaning}", crate::small::show::polynomial(equation, language))));
     }
     blocks.extend(reductions(found, language));
     blocks.extend(levels(found, language));

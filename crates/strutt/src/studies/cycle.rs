@@ -143,6 +143,7 @@ fn driven(machine: &Machine, study: &Cycle, name: &str, others: &[(String, f64)]
     }
     let print = |x: f64| report::number::short(x, 8, report::Language::En);
     let sign = |x: f64| if x < 0.0 { "−" } else { "+" };
+    let name = report::symbol::plain(name, report::Language::En);
     let line = format!("∮ M dφ = {} {} {}·{name} = 0,   {name} = {}", print(rest), sign(slope), print(slope.abs()), print(b));
     let ru = line.replace('.', ",");
     Ok((b, Text::new(format!("Energy balance of the cycle (J): {line}"), format!("Баланс энергии за цикл (Дж): {ru}"))))

@@ -381,11 +381,12 @@ impl Table<'_> {
             let per = |unit: &str, by: &str| if unit == by { "1".to_owned() } else { format!("{unit}/{by}") };
             let first = per(&coordinate.unit, &over.unit);
             let second = if first == "1" { format!("1/{}", over.unit) } else { format!("{first}^2") };
+            let [q, s] = [&own, &lead].map(|name| report::symbol::plain(name, report::Language::En));
             let label = Text::new("transfer function, first order", "передаточная функция первого порядка");
-            let quantity = Quantity { label, ..Quantity::new(&format!("d{own}/d{lead}"), &first) };
+            let quantity = Quantity { label, symbol: format!("d{q}/d{s}"), ..Quantity::new(&format!("d{own}/d{lead}"), &first) };
             columns.push(Column { quantity, values: places.iter().map(|p| p.first[i]).collect() });
             let label = Text::new("transfer function, second order", "передаточная функция второго порядка");
-            let quantity = Quantity { label, ..Quantity::new(&format!("d2{own}/d{lead}2"), &second) };
+            let quantity = Quantity { label, symbol: format!("d²{q}/d{s}²"), ..Quantity::new(&format!("d2{own}/d{lead}2"), &second) };
             columns.push(Column { quantity, values: places.iter().map(|p| p.second[i]).collect() });
         }
         columns

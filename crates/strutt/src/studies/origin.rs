@@ -15,14 +15,16 @@ pub struct Origin {
 }
 
 impl Machine {
-    /// A value in SI as `--set` takes it; this form reads back as the same number. A bare number serves except for coordinates in other units.
+    /// A value in SI as `--set` takes it; this form reads back as the same number. A bare number serves where the file uses SI units.
     pub fn written(&self, name: &str, value: f64) -> String {
         if !self.model.scaled.contains_key(name) {
             return format!("{value:e}");
         }
+        let parameter = self.model.parameters.iter().find(|p| p.name == name).map(|p| &p.unit);
         let base = name.trim_end_matches('\'');
-        let coordinate = self.model.coordinates.iter().find(|c| c.name == base).and_then(|c| c.units.get(name.len() - base.len()));
-        format!("{value:e} {}", coordinate.map_or("", String::as_str)).trim_end().to_owned()
+        let coordinate = || self.model.coordinates.iter().find(|c| c.name == base).and_then(|c| c.units.get(name.len() - base.len()));
+        let unit = parameter.or_else(coordinate).map_or("", String::as_str);
+        format!("{value:e} {unit}").trim_end().to_owned()
     }
 
     /// The same machine with other values, SI; names as with `--set`.

@@ -79,7 +79,7 @@ fn words(machine: &Machine, found: &Statics) -> Vec<Text> {
     });
     for motion in &found.free {
         let list = |pick: fn(&Text) -> &str| {
-            let parts: Vec<String> = motion.iter().map(|(name, share)| format!("{}: {share:.4}", pick(name))).collect();
+            let parts: Vec<String> = motion.iter().map(|(name, share)| format!("{}: {share:.4}", as_displacement(pick(name)))).collect();
             parts.join("; ")
         };
         words.push(Text::new(
@@ -88,6 +88,18 @@ fn words(machine: &Machine, found: &Statics) -> Vec<Text> {
         ));
     }
     words
+}
+
+/// A balance in a displacement, as the displacement: "beam, shift along y".
+fn as_displacement(balance: &str) -> String {
+    let words = [
+        ("moments about", "turn about"),
+        ("forces along", "shift along"),
+        ("моменты относительно оси", "поворот вокруг оси"),
+        ("моменты относительно", "поворот вокруг"),
+        ("силы вдоль", "перемещение вдоль"),
+    ];
+    words.iter().fold(balance.to_owned(), |text, (of_force, of_place)| text.replace(of_force, of_place))
 }
 
 /// Σ released λ + rest = 0 of every balance, rates and accelerations zero.

@@ -266,7 +266,8 @@ fn rope(
     }
     let total = scene.graph.sum(&parts);
     let length = length.unwrap_or_else(|| at_start(scene, total));
-    let label = Text::new(format!("rope {name}, tension"), format!("нить {name}, натяжение"));
+    let (en, ru) = if connection.table == "threads" { ("thread", "нить") } else { ("rope", "канат") };
+    let label = Text::new(format!("{en} {name}, tension"), format!("{ru} {name}, натяжение"));
     let of = (Part::Force, "S", "N");
     Ok(match restitution {
         None => {

@@ -172,7 +172,7 @@ impl Connected {
         self.reactions.push(Reaction {
             symbol,
             name,
-            unit: component.unit.to_owned(),
+            unit: if component.unit.is_empty() { connection.unit.clone() } else { component.unit.to_owned() },
             label: component.label.clone(),
             forces,
             released: Vec::new(),

@@ -323,7 +323,11 @@ fn label(body: &str, displacement: &Displacement) -> Text {
         }
         Displacement::Own(..) => Text::new(format!("{body}, along its own displacement"), format!("{body}, на собственном перемещении")),
         Displacement::About(a) => {
-            Text::new(format!("{body}, moments about {}", axis(a)), format!("{body}, моменты относительно {}", axis(a)))
+            // a body's moments are taken about its origin
+            Text::new(
+                format!("{body}, moments about {} at its origin", axis(a)),
+                format!("{body}, моменты относительно оси {} в начале координат тела", axis(a)),
+            )
         }
     }
 }

@@ -89,7 +89,11 @@ fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<[&'static st
     let surplus = [foreign, "normal"].into_iter().find(|key| fields.has(key) && !(by_coefficient && *key == "normal"));
     if missing || surplus.is_some() {
         let span = surplus.map_or(fields.span.clone(), |key| fields.span_of(key));
-        reader.fault(Fault::new("M080", span, "forces and coefficients are mixed", "смешаны силы и коэффициенты").help(
+        let (en, ru) = match surplus {
+            None => ("`coefficient` needs `normal`, the force that presses", "к `coefficient` нужно `normal` — прижимающая сила"),
+            Some(_) => ("forces and coefficients are mixed", "смешаны силы и коэффициенты"),
+        };
+        reader.fault(Fault::new("M080", span, en, ru).help(
             "either kinetic and static, or coefficient, static_coefficient and normal",
             "либо kinetic и static, либо coefficient, static_coefficient и normal",
         ));

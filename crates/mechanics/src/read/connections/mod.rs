@@ -20,7 +20,7 @@ use crate::fields::TableSpec;
 use crate::fields::connections as specs;
 use crate::formula::Kind;
 use crate::model::{Connection, ConnectionKind, Part, SupportDirection};
-use crate::units::Dimension;
+use crate::units::{Dimension, si_label};
 
 /// A connection that was read, and the dimension of its `force` where the pathway decides it.
 struct Found {
@@ -88,10 +88,19 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, space: &Space)
                 continue;
             };
             reader.scope.declare_connection(table, &name, connections.len(), parts(&found));
-            connections.push(Connection { name, table, kind: found.kind, span: fields.span.clone() });
+            let unit = unit_of(found.force);
+            connections.push(Connection { name, table, kind: found.kind, unit, span: fields.span.clone() });
         }
     }
     connections
+}
+
+/// The unit of a force.
+fn unit_of(force: Kind) -> String {
+    match force {
+        Kind::Known(d) => si_label(&d),
+        _ => String::new(),
+    }
 }
 
 /// The components that a reaction has.

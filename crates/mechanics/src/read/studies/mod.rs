@@ -53,6 +53,11 @@ const KINDS: &[Row] = &[
     Row { name: "sweep", keys: &["over", "observe", "of", "plot"], read: sweep::read },
 ];
 
+/// The kinds of studies with the keys that belong to them.
+pub(crate) fn kinds() -> impl Iterator<Item = (&'static str, &'static [&'static str])> {
+    KINDS.iter().map(|row| (row.name, row.keys))
+}
+
 /// The studies, in order.
 pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Study> {
     let Some(value) = top.get("study") else { return Vec::new() };

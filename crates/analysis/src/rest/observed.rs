@@ -1,0 +1,118 @@
+//! What else is known where a machine rests: reactions that its coordinates hide, and the outputs of the file.
+//!
+//! A reaction without a coordinate follows from the balances of released bodies, with rates and accelerations zero
+//!
+//! ```text
+//! Σ_hidden released_k λ_k = -rest - Σ_known released_k λ_k
+//! ```
+//!
+//! and has a number only where that is the same in all solutions.
+
+use symbolic::equations::Role;
+use symbolic::{Equations, Expr, SymbolId, Text};
+
+use super::admissible::Hold;
+use super::numbers::Numbers;
+use crate::Quantity;
+use crate::dataset::{Column, Dataset, Missing};
+
+/// Remainder of the balances, relative, above which nothing of them is believed.
+const BALANCED: f64 = 1e-9;
+/// A reaction below this share of the largest of its unit is rounding.
+const NOISE: f64 = 1e-14;
+
+/// Completes the reactions of a place (one for each of the equations; none: open) by those that the balances determine.
+pub fn complete(equations: &Equations, (parameters, q): (&[f64], &[f64]), reactions: &mut [Option<f64>]) {
+    let unknown: Vec<usize> = (0..reactions.len()).filter(|r| reactions[*r].is_none()).collect();
+    if unknown.is_empty() || equations.balances.is_empty() {
+        return;
+    }
+    let numbers = Numbers::at_rest(equations, parameters, q);
+    let (n, rows) = (q.len(), q.len() + equations.balances.len());
+    let mut right: Vec<f64> = equations
+        .force
+        .iter()
+        .copied()
+        .chain(equations.balances.iter().map(|b| b.rest))
+        .collect::<Vec<Expr>>()
+        .chunks(1)
+        .map(|e| -numbers.evaluate(e)[0])
+        .collect();
+    let mut matrix = vec![0.0; rows * unknown.len()];
+    for (r, reaction) in equations.reactions.iter().enumerate() {
+        let acting = reaction.forces.iter().map(|(j, e)| (*j, *e)).chain(reaction.released.iter().map(|(i, e)| (n + i, *e)));
+        let (places, list): (Vec<usize>, Vec<Expr>) = acting.unzip();
+        let column = unknown.iter().position(|u| *u == r);
+        for (row, factor) in places.into_iter().zip(numbers.evaluate(&list)) {
+            match (column, reactions[r]) {
+                (Some(k), _) => matrix[row * unknown.len() + k] += factor,
+                (None, known) => right[row] -= factor * known.unwrap_or(0.0),
+            }
+        }
+    }
+    let hold = Hold::new(&matrix, &right, unknown.len());
+    if hold.remainder > BALANCED {
+        return;
+    }
+    let unit = |k: usize| &equations.reactions[unknown[k]].unit;
+    let largest = |k: usize| (0..unknown.len()).filter(|j| unit(*j) == unit(k)).fold(0.0_f64, |m, j| m.max(hold.some[j].abs()));
+    for k in (0..unknown.len()).filter(|k| hold.is_unique(*k)) {
+        let value = hold.some[k];
+        reactions[unknown[k]] = Some(if value.abs() <= NOISE * largest(k) { 0.0 } else { value });
+    }
+}
+
+/// Whether a formula changes with time by itself, and not through coordinates and reactions.
+fn depends_on_time(equations: &Equations, formula: Expr) -> bool {
+    let turns = |s: SymbolId| s == equations.time || equations.auxiliaries.iter().any(|a| a.symbol == s);
+    let mut moving: Vec<SymbolId> = Vec::new();
+    for d in &equations.definitions {
+        if equations.graph.contains(d.formula, |s| turns(s) || moving.contains(&s)) {
+            moving.push(d.symbol);
+        }
+    }
+    equations.graph.contains(formula, |s| turns(s) || moving.contains(&s))
+}
+
+/// Adds the outputs of the file at each place of the result, one row of which is a place: columns of coordinates and reactions by their names.
+/// Outputs that change with time by themselves have no value at rest unless all loads stand still at t = 0 (`frozen`).
+pub fn add(equations: &Equations, parameters: &[f64], frozen: bool, data: &mut Dataset) {
+    let symbol_of = |name: &str| {
+        let coordinate = equations.coordinates.iter().map(|c| c.symbols[0]).find(|s| equations.graph.symbol_info(*s).name == name);
+        coordinate.or_else(|| equations.reactions.iter().find(|r| r.name == name).map(|r| r.symbol))
+    };
+    let places = data.columns.first().map_or(0, |c| c.values.len());
+    let known: Vec<(SymbolId, usize)> =
+        data.columns.iter().enumerate().filter_map(|(i, c)| Some((symbol_of(&c.quantity.name)?, i))).collect();
+    let open = equations.reactions.iter().map(|r| (r.symbol, f64::NAN));
+    let row = |row: usize| {
+        let at = |s: SymbolId| known.iter().find(|(own, _)| *own == s).map(|(_, i)| data.columns[*i].values[row]);
+        let q: Vec<f64> = equations.coordinates.iter().map(|c| at(c.symbols[0]).unwrap_or(f64::NAN)).collect();
+        let reactions: Vec<(SymbolId, f64)> = open.clone().map(|(s, none)| (s, at(s).unwrap_or(none))).collect();
+        Numbers::at_rest(equations, parameters, &q).with(reactions)
+    };
+    let rows: Vec<Numbers> = (0..places).map(row).collect();
+    let mut columns = Vec::new();
+    for output in equations.outputs.iter().filter(|o| o.role == Role::Named) {
+        let moves = !frozen && depends_on_time(equations, output.formula);
+        let value = |numbers: &Numbers| if moves { f64::NAN } else { numbers.evaluate(&[output.formula])[0] };
+        let symbol = equations.graph.symbol_info(output.symbol).name.clone();
+        let display = output.display.clone();
+        let quantity = Quantity { symbol, display, label: output.label.clone(), ..Quantity::new(&output.name, &output.unit) };
+        let held = |s: SymbolId| equations.reactions.iter().any(|r| r.symbol == s);
+        let why = match () {
+            () if moves => Text::new("changes with time by itself", "само зависит от времени"),
+            () if equations.graph.contains(output.formula, held) => {
+                Text::new("not determined by the equations of rest", "уравнениями покоя не определяется")
+            }
+            () => Text::new("has no value at rest", "в покое не имеет значения"),
+        };
+        columns.push((Column { quantity, values: rows.iter().map(value).collect() }, why));
+    }
+    for (column, why) in columns {
+        let name = column.quantity.name.clone();
+        data.columns.push(column);
+        data.state(&name, Missing::Absent, why);
+        data.state(&name, Missing::Unbounded, Text::new("has no finite value at rest", "в покое не имеет конечного значения"));
+    }
+}
