@@ -6,7 +6,7 @@ mod conditions;
 mod impact;
 mod touches;
 
-use program::{Behind, Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
+use program::{Acting, Behind, Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
 use symbolic::connections::{Law, Reaction};
 use symbolic::{Equations, Text};
 
@@ -32,6 +32,8 @@ pub struct Machine {
     jets: Jets,
     /// Made when slopes are first asked for.
     tangent: Option<Box<Tangent>>,
+    /// The dynamics as an implicit step samples them, in the modes last asked for.
+    acting: Option<Box<Acting>>,
     observed: Evaluator,
     /// Operations behind the outputs shown: in the tape of the forces, in that of the outputs, together. Made when first asked for.
     behind: Option<[Arc<Behind>; 3]>,
@@ -120,6 +122,7 @@ impl Machine {
             outputs: outputs(equations),
             jets: bound.jets(1),
             tangent: None,
+            acting: None,
             needs_accelerations: reads_accelerations(observed.tape()),
             observed,
             behind: None,
@@ -510,6 +513,28 @@ impl System for Machine {
         for (error, &i) in found.iter().zip(&self.shown) {
             row[i] = *error;
         }
+    }
+
+    fn acting(&mut self, modes: &[Mode]) -> Option<Arc<Behind>> {
+        self.observing.set(modes, &self.bound);
+        let modes = &self.observing.modes;
+        if !self.acting.as_ref().is_some_and(|acting| acting.is_of(modes)) {
+            self.acting = Some(Box::new(Acting::new(&self.bound, modes)));
+        }
+        self.acting.as_ref().map(|acting| Arc::clone(acting.behind()))
+    }
+
+    fn act(&mut self, t: f64, x: &[f64], modes: &[Mode], row: &mut Vec<f64>) -> Result<(), Fault> {
+        self.observing.set(modes, &self.bound);
+        row.clear();
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, modes: Some(modes), active: Some(active), ..Point::default() };
+        self.acting.as_mut().map_or(Ok(()), |acting| Ok(acting.record(&point, row)?))
+    }
+
+    fn act_rounding(&mut self, errors: &[f64], row: &mut Vec<f64>) {
+        row.clear();
+        self.acting.iter().for_each(|acting| acting.rounding(errors, row));
     }
 
     fn refusal(&self, output: usize) -> Option<Fault> {

@@ -307,6 +307,27 @@ pub trait System {
         row.clear();
     }
 
+    /// The operations of the equations and of the guards in force in these modes; none when the system knows values only.
+    fn acting(&mut self, modes: &[Mode]) -> Option<Arc<Behind>> {
+        let _ = modes;
+        None
+    }
+
+    /// Puts the record of [`System::acting`] at (t, x) into `row`. Does not disturb the last expansion.
+    ///
+    /// *Errors*: those of the equations there.
+    fn act(&mut self, t: f64, x: &[f64], modes: &[Mode], row: &mut Vec<f64>) -> Result<(), Fault> {
+        let _ = (t, x, modes);
+        row.clear();
+        Ok(())
+    }
+
+    /// Puts the rounding of the record made last into `row`, where the states are off by `errors`.
+    fn act_rounding(&mut self, errors: &[f64], row: &mut Vec<f64>) {
+        let _ = errors;
+        row.clear();
+    }
+
     /// Why an output has no value, when it has none: it uses a reaction that is not unique.
     fn refusal(&self, output: usize) -> Option<Fault> {
         let _ = output;

@@ -6,8 +6,9 @@
 //! result ([`crate::curve`]), as the integrator does with its Taylor polynomials.
 
 use crate::curve::Curve;
+use crate::guard::needed;
 use crate::rounding::Given;
-use crate::{By, Evaluator, Operation, Point, Register, Tape, Unary};
+use crate::{Bound, By, Evaluator, Fault, Instruction, Mode, Operation, Point, Register, Tape, Unary};
 
 /// How an operation is judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +74,23 @@ impl Behind {
             found.of.push(nodes);
             found.inputs.push(inputs);
         }
+        found
+    }
+
+    /// Of all that is needed of the dynamics in these modes: one list for everything.
+    pub(crate) fn acting(dynamics: &Evaluator, modes: &[Mode]) -> Behind {
+        let tape = dynamics.tape();
+        let (wanted, _) = needed(dynamics, modes);
+        let mut found = Behind { places: vec![None; tape.registers()], ..Behind::default() };
+        for Instruction { into, operation, .. } in &tape.body {
+            let span = into.index()..into.index() + operation.width();
+            // what a mode holds cannot change within a step
+            let held = matches!(operation, Operation::Choose { .. });
+            if !held && wanted[span].iter().any(|w| *w) {
+                found.add(dynamics, *into, operation);
+            }
+        }
+        found.of = vec![(0..found.nodes.len()).collect()];
         found
     }
 
@@ -178,6 +196,46 @@ impl Behind {
             self.record.push(Entry::Register(register));
             self.record.len() - 1
         })
+    }
+}
+
+/// The dynamics as they are sampled along a stretch of one combination of modes.
+#[derive(Clone, Debug)]
+pub struct Acting {
+    dynamics: Evaluator,
+    modes: Vec<Mode>,
+    behind: std::sync::Arc<Behind>,
+}
+
+impl Acting {
+    /// What acts in these modes.
+    pub fn new(bound: &Bound, modes: &[Mode]) -> Acting {
+        let behind = std::sync::Arc::new(Behind::acting(&bound.dynamics, modes));
+        Acting { dynamics: bound.dynamics.clone(), modes: modes.to_vec(), behind }
+    }
+
+    /// Whether it is that of these modes.
+    pub fn is_of(&self, modes: &[Mode]) -> bool {
+        self.modes == modes
+    }
+
+    /// Its operations.
+    pub fn behind(&self) -> &std::sync::Arc<Behind> {
+        &self.behind
+    }
+
+    /// Appends the record of the operations at a point.
+    ///
+    /// *Errors*: those of the equations there.
+    pub fn record(&mut self, point: &Point, into: &mut Vec<f64>) -> Result<(), Fault> {
+        self.dynamics.evaluate(point)?;
+        self.behind.record(&self.dynamics, point, into);
+        Ok(())
+    }
+
+    /// Appends the rounding of the record at the last point, where the states may be off by `errors`.
+    pub fn rounding(&self, errors: &[f64], into: &mut Vec<f64>) {
+        self.behind.rounding(&self.dynamics, errors, &[], into);
     }
 }
 

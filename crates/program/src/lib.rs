@@ -67,7 +67,7 @@ mod tape;
 pub mod text;
 mod verify;
 
-pub use behind::{Behind, HELD, Node, Seen};
+pub use behind::{Acting, Behind, HELD, Node, Seen};
 pub use fault::{Details, EXPLANATIONS, Fault, Singular};
 pub use guard::{Guard, GuardKind, Mode};
 pub use interpret::{Evaluator, Point};

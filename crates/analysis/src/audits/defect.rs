@@ -2,12 +2,14 @@
 //!
 //! The points are none of the integrator's own: step number n is looked at the fraction of n times the golden section, which fills the unit interval
 //! evenly. The defect is multiplied by the length of the step and compared with what the state changes within it, and with the tolerance that the
-//! integrator keeps at the end of a step; x' multiplies the truncation of a polynomial by at most its order.
+//! integrator keeps at the end of a step; x' multiplies the truncation of a polynomial by at most its order. In an implicit step a fast mode multiplies an
+//! error of the state by its own rate; there the defect d counts as the error of the state that it means, (1/h - J)^-1 d.
 
 use symbolic::Text;
 
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
+use crate::numerics::lu::Lu;
 use crate::taylor::Step;
 use crate::{Jacobian, System};
 
@@ -58,11 +60,13 @@ impl InteriorDefect {
             return;
         }
         let n = system.n_coordinates();
+        let meant = if step.implicit { self.meant(t, step, system) } else { None };
         for i in 0..self.x.len() {
             let [size, rate] = &mut self.sizes[i];
             *size = size.max(self.x[i].abs());
             *rate = rate.max(self.rates[i].abs());
-            let off = (step.length * (self.slopes[i] - self.rates[i]).abs() - ROUNDING * (step.length * *rate + *size)).max(0.0);
+            let off = step.length * (self.slopes[i] - self.rates[i]).abs();
+            let off = (meant.as_ref().map_or(off, |meant| meant[i].abs().min(off)) - ROUNDING * (step.length * *rate + *size)).max(0.0);
             let scale = size.max(step.length * *rate);
             // a rate that moves its coordinate by less than rounding within the step is none; a force that is left of larger ones has their rounding
             let unseen = if (n..2 * n).contains(&i) { self.sizes[i - n][0] / step.length } else { 0.0 };
@@ -70,6 +74,16 @@ impl InteriorDefect {
             self.found[i].note(off, scale.max(FLOOR * unseen));
         }
         self.compare_alike(system);
+    }
+
+    /// The error of the states that the defect means; none without a Jacobian, or where its matrix is singular.
+    fn meant<S: System + ?Sized>(&self, t: f64, step: &Step, system: &mut S) -> Option<Vec<f64>> {
+        let width = self.x.len();
+        let mut matrix = vec![0.0; width * width];
+        let Ok(Jacobian::Given) = system.jacobian(t, &self.x, &step.modes, &mut matrix) else { return None };
+        matrix.iter_mut().enumerate().for_each(|(k, v)| *v = if k / width == k % width { 1.0 } else { 0.0 } - step.length * *v);
+        let defect: Vec<f64> = self.slopes.iter().zip(&self.rates).map(|(s, r)| step.length * (s - r)).collect();
+        Lu::new(&matrix, width).solve(&defect)
     }
 
     /// Σ |∂x'_i/∂x_j x_j|: how large the terms are that meet in a rate.

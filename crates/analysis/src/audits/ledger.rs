@@ -33,6 +33,8 @@ const GAUSS: [(f64, f64); 5] = [
     (0.769_234_655_052_841_5, 0.239_314_335_249_683_23),
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
+/// Share of the tolerance, relative to what passed, below which a difference may be rounding.
+const ROUGH: f64 = 0.03;
 /// Halvings of a step.
 const DEEPEST: u32 = 24;
 /// Most parts of a step.
@@ -206,22 +208,24 @@ impl Ledger {
     /// The integral by halving, each part until two halves agree with it.
     fn halved<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, h: f64, whole: Work) -> Option<Work> {
         let mut sum = Work::default();
-        let mut open = vec![(0.0, h, whole, 0_u32)];
+        let mut open = vec![(0.0, h, whole, 0_u32, f64::INFINITY)];
         let mut parts = 0;
-        while let Some((from, to, coarse, depth)) = open.pop() {
+        while let Some((from, to, coarse, depth, before)) = open.pop() {
             let middle = 0.5 * (from + to);
             let left = self.gauss(step, system, (from, middle))?;
             let right = self.gauss(step, system, (middle, to))?;
             let off = (left.net + right.net - coarse.net).abs().max((left.rest + right.rest - coarse.rest).abs());
             parts += 1;
             let enough = off <= 1e-3 * self.tolerance * (whole.passed + sum.passed) || off <= 4.0 * f64::EPSILON * self.rounding;
-            if enough || depth >= DEEPEST || parts > PARTS {
+            // what does not fall with the part is rounding of the powers, as long as it is little
+            let rounding = off > 0.25 * before && off <= ROUGH * self.tolerance * (whole.passed + sum.passed);
+            if enough || rounding || depth >= DEEPEST || parts > PARTS {
                 sum.net += left.net + right.net;
                 sum.passed += left.passed + right.passed;
                 sum.rest += left.rest + right.rest;
             } else {
-                open.push((middle, to, right, depth + 1));
-                open.push((from, middle, left, depth + 1));
+                open.push((middle, to, right, depth + 1, off));
+                open.push((from, middle, left, depth + 1, off));
             }
         }
         Some(sum)

@@ -28,7 +28,7 @@ const NOTHING: f64 = 1e-100;
 const BETWEEN: f64 = 2.5;
 
 /// The operations at the points of one piece.
-pub(super) struct Look<'p> {
+pub(crate) struct Look<'p> {
     points: &'p Points,
     rows: &'p [Vec<f64>],
     behind: &'p Behind,
@@ -39,12 +39,12 @@ pub(super) struct Look<'p> {
 }
 
 impl<'p> Look<'p> {
-    pub(super) fn new(points: &'p Points, rows: &'p [Vec<f64>], behind: &'p Behind, first: usize, error: f64) -> Look<'p> {
+    pub(crate) fn new(points: &'p Points, rows: &'p [Vec<f64>], behind: &'p Behind, first: usize, error: f64) -> Look<'p> {
         Look { points, rows, behind, first, error, known: vec![None; behind.nodes.len()] }
     }
 
     /// Whether an operation is seen; `noise` is the rounding of a place of the row.
-    pub(super) fn sees(&mut self, node: usize, noise: &dyn Fn(usize) -> f64) -> bool {
+    pub(crate) fn sees(&mut self, node: usize, noise: &dyn Fn(usize) -> f64) -> bool {
         if let Some(known) = self.known[node] {
             return known;
         }
@@ -69,7 +69,10 @@ impl<'p> Look<'p> {
             Seen::Choice => self.is_held(&a, noise(self.first + node.a)) && converged(),
             Seen::Range(curve) => {
                 let b = self.column(node.b);
-                self.is_steady(curve, &a, &b) || (is_product(curve) || converged()) && self.is_in_range(curve, [&a, &b, &c], allowed)
+                let is_known = |f: &[f64], place: usize| self.points.tail(f) <= (self.error * spread(f)).max(noise(self.first + place));
+                let known = || is_known(&a, node.a) && (!curve.has_two() || is_known(&b, node.b));
+                self.is_steady(curve, &a, &b)
+                    || (is_product(curve) || converged()) && self.is_in_range(curve, [&a, &b, &c], (allowed, &known))
             }
         }
     }
@@ -95,7 +98,8 @@ impl<'p> Look<'p> {
         is_calm(curve, inflated(a), inflated(b)) || spread(a) == 0.0 && (!curve.has_two() || spread(b) == 0.0)
     }
 
-    fn is_in_range(&self, curve: Curve, [a, b, c]: [&[f64]; 3], allowed: f64) -> bool {
+    /// `known` tells whether the polynomials of the operands are the operands: a sine over several turns is not where seventeen of its values lead.
+    fn is_in_range(&self, curve: Curve, [a, b, c]: [&[f64]; 3], (allowed, known): (f64, &dyn Fn() -> bool)) -> bool {
         if !a.iter().chain(b).all(|v| v.is_finite()) {
             return false;
         }
@@ -107,7 +111,7 @@ impl<'p> Look<'p> {
             _ => curve.range(around_a, around_b).map(|f| (f.high - c[0]).max(c[0] - f.low)),
         };
         let enough = |reach: f64| reach <= RATIO * moved || reach <= allowed || reach <= NOTHING;
-        reach.is_some_and(enough) || self.is_within(curve, [a, b, c], allowed)
+        reach.is_some_and(enough) || known() && self.is_within(curve, [a, b, c], allowed)
     }
 
     /// The range of f over the hulls of its operands against the hull of its polynomial.

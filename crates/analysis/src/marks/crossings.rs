@@ -75,15 +75,19 @@ pub fn from_powers(c: &[f64], h: f64) -> Vec<f64> {
     b
 }
 
-/// Value of the polynomial at u.
+/// Value of the polynomial at u in [0, 1]: Σ b_i C(n, i) r^i (1 - u)^n with r = u/(1 - u), from the nearer end, so that r <= 1. All weights are positive: as
+/// exact as de Casteljau's triangle, in n operations.
 pub fn value(row: &[f64], u: f64) -> f64 {
-    let mut b = row.to_vec();
-    for level in 1..b.len() {
-        for j in 0..b.len() - level {
-            b[j] += u * (b[j + 1] - b[j]);
-        }
+    let Some(n) = row.len().checked_sub(1) else { return 0.0 };
+    let from_end = u > 0.5;
+    let (near, far) = if from_end { (1.0 - u, u) } else { (u, 1.0 - u) };
+    let ratio = near / far;
+    let (mut sum, mut weight) = (0.0, 1.0);
+    for i in 0..=n {
+        sum += weight * row[if from_end { n - i } else { i }];
+        weight *= ratio * (n - i) as f64 / (i + 1) as f64;
     }
-    b.first().copied().unwrap_or(0.0)
+    sum * far.powi(n as i32)
 }
 
 /// Coefficients of the derivative.
@@ -132,6 +136,20 @@ fn signs(row: &[f64], noise: f64) -> (usize, f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// cos(3u) of degree 16: the sum of weights against de Casteljau's triangle.
+    #[test]
+    fn values_are_those_of_the_triangle() {
+        let row: Vec<f64> = (0..17).map(|k| (3.0 * f64::from(k) / 16.0).cos()).collect();
+        for k in 0..=200 {
+            let u = f64::from(k) / 200.0;
+            let mut b = row.clone();
+            for level in 1..b.len() {
+                (0..b.len() - level).for_each(|j| b[j] += u * (b[j + 1] - b[j]));
+            }
+            assert!((value(&row, u) - b[0]).abs() < 4e-16, "{u}");
+        }
+    }
 
     fn of_roots(roots: &[f64]) -> Vec<f64> {
         let mut c = vec![1.0];

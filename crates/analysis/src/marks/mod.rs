@@ -6,7 +6,7 @@
 //! ([`crossings`]), so that none is missed down to the rounding of its coefficients; an instant is then polished on f itself. The same polynomials give
 //! integrals, hence means and works.
 
-mod behind;
+pub(crate) mod behind;
 pub(crate) mod course;
 pub mod crossings;
 pub mod extremes;

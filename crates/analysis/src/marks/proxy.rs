@@ -71,10 +71,10 @@ pub struct Piece {
 
 /// Tables for one number of points.
 #[derive(Clone, Debug)]
-pub(super) struct Points {
-    pub(super) n: usize,
+pub(crate) struct Points {
+    pub(crate) n: usize,
     /// Places in [0, 1].
-    u: Vec<f64>,
+    pub(crate) u: Vec<f64>,
     /// Values to Chebyshev's coefficients, (n+1)².
     to_chebyshev: Vec<f64>,
     /// Chebyshev's coefficients to Bernstein's, (n+1)².
@@ -82,7 +82,7 @@ pub(super) struct Points {
 }
 
 impl Points {
-    fn new(n: usize) -> Points {
+    pub(crate) fn new(n: usize) -> Points {
         let angle = |j: usize, k: usize| PI * ((j * k) % (2 * n)) as f64 / n as f64;
         let half = |k: usize| if k == 0 || k == n { 0.5 } else { 1.0 };
         let mut to_chebyshev = Vec::new();

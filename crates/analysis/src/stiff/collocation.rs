@@ -5,6 +5,7 @@ use super::newton::{Newton, Outcome, Stages};
 use super::radau::Tableau;
 use super::scales::Scales;
 use super::stages;
+use crate::marks::proxy::Points;
 use crate::numerics::sum::Instant;
 use crate::taylor::Series;
 use crate::{Fault, Jacobian, Mode, System};
@@ -52,6 +53,8 @@ pub(crate) enum Verdict {
     Impossible,
 }
 
+/// Degree of the polynomials through what operations do on a step.
+const LOOKED_AT: usize = 16;
 /// Most by which a step may exceed the one before.
 const GROWTH: f64 = 8.0;
 /// Part of the admissible step that is taken.
@@ -84,6 +87,8 @@ pub(crate) struct Collocation {
     /// Defect of the guards at the last attempt of this step: what does not fall with h is rounding.
     stubborn: Option<f64>,
     pub(super) point: Vec<f64>,
+    /// Where the operations are looked at.
+    pub(super) points: Points,
     pub(super) counts: Counts,
 }
 
@@ -108,6 +113,7 @@ impl Collocation {
             guard_active: vec![false; n_guards],
             stubborn: None,
             point: vec![0.0; n],
+            points: Points::new(LOOKED_AT),
             counts: Counts::default(),
         })
     }
@@ -165,7 +171,10 @@ impl Collocation {
             return Verdict::Shorter(if growth.is_nan() { 0.1 } else { growth.clamp(0.1, SAFETY) });
         }
         self.write_powers(h);
-        self.inspect(system, base, h).unwrap_or(Verdict::Holds(growth.min(GROWTH)))
+        if let Some(verdict) = self.inspect(system, base, h) {
+            return verdict;
+        }
+        if self.is_seen(system, base, h) { Verdict::Holds(growth.min(GROWTH)) } else { Verdict::Shorter(0.5) }
     }
 
     /// The stages from the step before; zero without one.

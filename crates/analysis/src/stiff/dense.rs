@@ -24,12 +24,11 @@ impl Dense {
         tableau.to_legendre(first, values, row);
     }
 
-    /// Factor by which the step may grow: |a_k| <= tol^(k/s) A for k = s - 1, s. What is rounding does not fall with the step and limits nothing.
+    /// Factor by which the step may grow: |a_k| <= tol^(k/s) A for k = s - 1, s.
     pub(super) fn growth(&self, scales: &Scales) -> f64 {
         let s = self.width - 1;
         let worst = |k: usize| {
-            let seen = |a: f64, lost: f64| if a <= lost { 0.0 } else { a };
-            let share = |i: usize| seen(self.row(i)[k].abs(), scales.lost[i]) / scales.of[i];
+            let share = |i: usize| self.row(i)[k].abs() / scales.of[i];
             (0..scales.of.len()).map(share).fold(0.0, |m, q| if q <= m { m } else { q })
         };
         factor(worst(s), scales.tolerance, (s, s)).min(factor(worst(s - 1), scales.tolerance, (s - 1, s)))

@@ -9,7 +9,7 @@
 //! Damping that is fast beside the motion does not limit h: the method is L-stable. What limits it is whether u follows the motion *over its whole
 //! length*, because outputs and events are read from u everywhere, not only at the end, where the order is 2s - 1. So a step is accepted on the decay of
 //! the Legendre coefficients of u, by the same majorant as in the Taylor integrator (`taylor/length.rs`), on the equations halfway between the nodes
-//! (`defect.rs`), and on both for the guards. The number of stages follows from the tolerance: 13 at 1e-12.
+//! (`defect.rs`), on both for the guards, and on what the operations of the equations do between all these points (`seen.rs`). The number of stages follows from the tolerance: 13 at 1e-12.
 //!
 //! *Source*: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, Springer 1996, IV.8; the control of the whole polynomial is ours.
 
@@ -19,6 +19,7 @@ mod dense;
 mod newton;
 pub mod radau;
 mod scales;
+mod seen;
 
 pub(crate) use collocation::{Base, Collocation, Verdict};
 

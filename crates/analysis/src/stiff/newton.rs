@@ -5,7 +5,7 @@
 //! ```
 //!
 //! With A = T diag(mu) T^-1 the system of s n unknowns falls into one real and (s - 1)/2 complex systems of n unknowns. The iteration ends when what is
-//! still missing lies below a hundredth of what the step may err, or below the rounding of f: rho_k = eps (sum_j |J_kj| |x_j| + |f_k|), which as an
+//! still missing lies below a hundredth of what the step may err, or below the rounding of f: rho_k = eps (sum_j |J_kj| |x_j| + |f_k| + |t ∂f_k/∂t|), which as an
 //! error of the states is |(1/(h mu) - J)^-1| rho. *Source*: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8.
 
 use super::collocation::{Base, Counts};
@@ -19,6 +19,8 @@ use crate::numerics::complex_lu::ComplexLu;
 const LEFT: f64 = 0.01;
 /// Iterations of one attempt.
 const MOST: usize = 14;
+/// Part of a step over which the change of f with t is measured.
+const APART: f64 = 1e-3;
 /// Rounding of r, in units of its own estimate.
 const ROUNDING: f64 = 4.0;
 
@@ -68,6 +70,8 @@ pub(super) struct Newton {
     right: Vec<Complex>,
     /// |r| that is rounding, by state.
     pub(super) rounding: Vec<f64>,
+    /// Rounding of f because t is rounded, by state.
+    by_time: Vec<f64>,
 }
 
 impl Newton {
@@ -83,6 +87,7 @@ impl Newton {
             point: vec![0.0; n],
             right: vec![Complex::ZERO; n],
             rounding: vec![0.0; n],
+            by_time: vec![0.0; n],
         }
     }
 
@@ -123,6 +128,8 @@ impl Newton {
                 return Outcome::Failed;
             }
             if iteration == 0 {
+                self.measure_time(system, base, (tableau, h), stages);
+                self.measure_rounding(base, h, stages);
                 self.note_noise((tableau, h), scales);
             }
             let rounded = self.is_rounding(stages, scales);
@@ -183,7 +190,27 @@ impl Newton {
         for (k, noise) in self.rounding.iter_mut().enumerate() {
             let parts: f64 = self.jacobian[k * n..(k + 1) * n].iter().zip(&sizes).map(|(j, x)| j.abs() * x).sum();
             let rate = self.rates.column(k).fold(0.0, |m: f64, f| m.max(f.abs()));
-            *noise = ROUNDING * f64::EPSILON * h * (parts + rate);
+            *noise = ROUNDING * h * (f64::EPSILON * (parts + rate) + self.by_time[k]);
+        }
+    }
+
+    /// What the rounding of t does to f: eps |t| |∂f/∂t| at the first, the middle and the last node, by differences. A pulse of a millisecond after an hour is
+    /// known to ten digits only.
+    fn measure_time<S: System + ?Sized>(&mut self, system: &mut S, base: &Base<'_>, (tableau, h): (&Tableau, f64), stages: &Stages) {
+        self.by_time.fill(0.0);
+        let s = tableau.stages;
+        for i in [0, s / 2, s - 1] {
+            base.state(stages.row(i), &mut self.point);
+            let (t, later) = (base.time(tableau.nodes[i] * h), base.time((tableau.nodes[i] - APART) * h));
+            // where there is no value beside the node nothing is known
+            if t == later || system.expand(later, &self.point, base.modes, 1).is_err() {
+                continue;
+            }
+            let rounding = f64::EPSILON * t.abs() / (t - later).abs();
+            for (k, most) in self.by_time.iter_mut().enumerate() {
+                let off = rounding * (system.state(k)[1] - self.rates.row(i)[k]).abs();
+                *most = most.max(if off.is_finite() { off } else { 0.0 });
+            }
         }
     }
 

@@ -24,8 +24,6 @@ pub(super) struct Scales {
     largest: Vec<f64>,
     /// Rounding of f as an error of each state.
     pub(super) noise: Vec<f64>,
-    /// What is lost of each state in its rounding and that of f: a coefficient below it says nothing.
-    pub(super) lost: Vec<f64>,
     /// A_i.
     pub(super) of: Vec<f64>,
 }
@@ -34,14 +32,7 @@ impl Scales {
     pub(super) fn new(tolerance: f64, units: &[&str]) -> Scales {
         let first = |unit: &&str| units.iter().position(|u| u == unit).unwrap_or(0);
         let n = units.len();
-        Scales {
-            tolerance,
-            group: units.iter().map(first).collect(),
-            largest: vec![0.0; n],
-            noise: vec![0.0; n],
-            lost: vec![0.0; n],
-            of: vec![0.0; n],
-        }
+        Scales { tolerance, group: units.iter().map(first).collect(), largest: vec![0.0; n], noise: vec![0.0; n], of: vec![0.0; n] }
     }
 
     /// A_i for the present stages.
@@ -54,7 +45,6 @@ impl Scales {
         }
         for (k, scale) in self.of.iter_mut().enumerate() {
             let rounding = f64::EPSILON * x[k].abs() + NOISY * self.noise[k];
-            self.lost[k] = NOISY * rounding;
             *scale = scale.max(UNIT_SHARE * self.largest[self.group[k]]).max(rounding / self.tolerance).max(NOTHING);
         }
     }

@@ -15,6 +15,8 @@ pub struct Step {
     pub order: usize,
     /// Modes of the guards, constant inside the step.
     pub modes: Vec<Mode>,
+    /// Whether the polynomials are those of the implicit method.
+    pub implicit: bool,
     /// Coefficients, row i = state i, order + 1 each.
     pub(super) states: Series,
     /// Coefficients of the guards.
@@ -58,6 +60,7 @@ impl Step {
     /// Copies the last expansion of `system`.
     pub(super) fn take<S: System + ?Sized>(&mut self, system: &S, n_states: usize, n_guards: usize, order: usize) {
         self.order = order;
+        self.implicit = false;
         self.states.reset(order + 1);
         self.guards.reset(order + 1);
         for i in 0..n_states {
@@ -71,6 +74,7 @@ impl Step {
     /// Takes the polynomials of an implicit step from the state x.
     pub(super) fn take_implicit(&mut self, engine: &Collocation, x: &[f64]) {
         self.order = engine.degree();
+        self.implicit = true;
         let (states, guards) = engine.polynomials();
         self.states.clone_from(states);
         x.iter().enumerate().for_each(|(k, x)| self.states.set_first(k, *x));

@@ -14,7 +14,8 @@
 //! of f prevails in c and the condition holds. What is left is divided: on each part of the step the arguments and c are bounded by their Bernstein
 //! coefficients (a polynomial lies within the hull of these), f by its range over the arguments. A part is good when the range of f leaves that of c
 //! by no more than half its own width (three quarters for two arguments, see [`share_beside`]) or by tol W, W the largest value of f met on the step. Parts are halved while that does not decide; the step
-//! ends where the first part begins that is not good.
+//! ends where the first part begins that is not good. All this is said of the polynomials of the arguments: where they have to be looked at, their own last
+//! terms must be small too, or they are not the arguments (a sine over several turns).
 //!
 //! *Source*: the range of a polynomial from its Bernstein coefficients, as in J. M. Lane, R. F. Riesenfeld, Bounds on a polynomial, BIT 21 (1981)
 //! 112-117; the norm is that of K. Makino, M. Berz, Taylor models and other validated functional inclusion methods, IJPAM 4 (2003) 379-456.
@@ -53,6 +54,8 @@ const DEPTH: u32 = 20;
 const PARTS: usize = 64;
 /// Looks at one operation.
 const LOOKS: usize = 12;
+/// A series of fewer coefficients says nothing of its convergence.
+const LEAST_COUNT: usize = 6;
 
 /// Coefficients of rows and the step they are taken over.
 #[derive(Clone, Copy)]
@@ -222,8 +225,35 @@ fn way(c: &[f64], powers: &[f64]) -> f64 {
     c.iter().zip(p).fold((sums[0] + sums[2]) + (sums[1] + sums[3]), |sum, (c, p)| sum + c.abs() * p)
 }
 
+/// The part of [0, h] on which the polynomial of an argument is the argument: its last two terms stay below the tolerance times its change. Beyond, a
+/// sine is no longer where its series goes, and passes places that the series does not.
+fn convergent(c: &[f64], mut h: f64, tolerance: f64) -> f64 {
+    let p = c.len() - 1;
+    for _ in 0..LOOKS * PARTS {
+        let (mut power, mut change, mut last) = (1.0, 0.0_f64, 0.0_f64);
+        for (k, c_k) in c.iter().enumerate().skip(1) {
+            power *= h;
+            let term = c_k.abs() * power;
+            if k + 2 > p { last = last.max(term) } else { change = change.max(term) }
+        }
+        let allowed = tolerance.max(64.0 * f64::EPSILON) * change + f64::EPSILON * c[0].abs();
+        if last <= allowed || last <= NOTHING {
+            break;
+        }
+        let share = (allowed / last).powf(1.0 / p as f64);
+        h *= if share.is_nan() { 0.1 } else { share.clamp(0.1, 0.97) };
+    }
+    h
+}
+
 /// The part of [0, h] on which an operation is good.
 fn looked(rows: Rows<'_>, node: Watched, mut h: f64, tolerance: f64) -> f64 {
+    if rows.count > LEAST_COUNT {
+        h = convergent(rows.row(node.a), h, tolerance);
+        if node.curve.has_two() {
+            h = convergent(rows.row(node.b), h, tolerance);
+        }
+    }
     for _ in 0..LOOKS {
         let whole = Part::whole(rows, node, h);
         let weight = largest(node, &whole).max(NOTHING);

@@ -28,6 +28,10 @@ const SINGULAR: f64 = 1e-9;
 const RESONANT: f64 = 1e-12;
 /// A far correction is kept where it leaves this share of the miss: the map of a linear machine is met at once.
 const AFFINE: f64 = 1e-3;
+/// Units of the last place of its terms to which a force is known.
+const ROUNDED: f64 = 64.0;
+/// Share of its scale by which a coordinate at rest may move within a turn.
+const RESTS: f64 = 1e-13;
 /// Parts of a period that are tried as the least one.
 const PARTS: usize = 12;
 
@@ -222,6 +226,9 @@ fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Option<&Vec<f64>
     let mut out: Vec<f64> = Vec::new();
     for (i, &(range, size)) in ranges.iter().enumerate() {
         let is_rate = (n..2 * n).contains(&i);
+        // a rate that moves its coordinate by no more than rounding is none
+        let range = if is_rate && range * time <= RESTS * out[i - n] { 0.0 } else { range };
+        let size = if range == 0.0 && is_rate && size * time <= RESTS * out[i - n] { 0.0 } else { size };
         let scale = match system.states()[i].unit.as_str() {
             "rad" => 1.0,
             _ if is_rate => range.max(0.1 * size),
@@ -689,7 +696,14 @@ impl Found<'_> {
         let first = fundamental::rates(system, 0.0, &self.orbit.first, &self.orbit.modes[0])?;
         let last = fundamental::rates(system, self.orbit.period, &self.orbit.last, &self.orbit.modes[1])?;
         let size = (n..2 * n).map(|i| self.scales[i] / self.orbit.period * TAU + first[i].abs());
-        let rates = (n..2 * n).zip(size).map(|(i, s)| (last[i] - first[i]).abs() / s).fold(0.0, f64::max);
+        // forces that cancel are known to the rounding of their terms
+        let mut slopes = Vec::new();
+        let known = fundamental::slopes(system, 0.0, &self.orbit.first, &self.orbit.modes[0], &self.scales, &mut slopes).is_ok();
+        let width = self.orbit.first.len() + 1;
+        let terms = |i: usize| -> f64 { slopes[i * width..].iter().zip(&self.orbit.first).map(|(a, x)| (a * x).abs()).sum() };
+        let rounding = |i: usize| if known && terms(i).is_finite() { ROUNDED * f64::EPSILON * terms(i) } else { 0.0 };
+        let off = |i: usize| ((last[i] - first[i]).abs() - rounding(i)).max(0.0);
+        let rates = (n..2 * n).zip(size).map(|(i, s)| off(i) / s).fold(0.0, f64::max);
         // in modes that differ (a start on a switch) the accelerations need not agree
         let same = self.orbit.modes[0] == self.orbit.modes[1];
         Ok(closure(if same { places.max(rates) } else { places }))

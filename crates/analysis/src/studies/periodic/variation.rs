@@ -21,6 +21,7 @@ use super::fundamental::{Square, slopes};
 use super::orbit::Orbit;
 use crate::numerics::gauss::EIGHT;
 use crate::numerics::lu::Lu;
+use crate::numerics::sum::Instant;
 use crate::taylor::Step;
 use crate::{Fault, System};
 
@@ -36,6 +37,8 @@ const MOST: usize = 2_000_000;
 const ROUGH: f64 = 1e-9;
 /// How much smaller than the difference the error of the two halves is, at least: 2^13 in theory.
 const BETTER: f64 = 64.0;
+/// Share of the turn below which there is no step.
+const SHORTEST: f64 = 1e-22;
 /// Most steps of the motion that a step of the variations covers.
 const AHEAD: usize = 4;
 /// Places of a turn at which A is looked at to balance the scales, and sweeps.
@@ -54,12 +57,17 @@ pub(super) struct Stretch<'o> {
     pub(super) interrupt: Option<&'o AtomicBool>,
 }
 
+/// Time from one instant to another. Jumps of a microsecond after half an hour need more digits than one number has.
+fn between(from: Instant, to: Instant) -> f64 {
+    from.until(to.high) + to.low
+}
+
 impl Stretch<'_> {
     /// How far a step from t may go: over so few steps of the motion that none of its quick parts lies between the nodes.
-    fn seen_from(&self, t: f64) -> f64 {
-        let here = self.steps.partition_point(|s| s.end().high <= t);
+    fn seen_from(&self, t: Instant) -> f64 {
+        let here = self.steps.partition_point(|s| between(t, s.end()) <= 0.0);
         let last = (here + AHEAD).min(self.steps.len()) - 1;
-        self.steps[last].end().high - t
+        between(t, self.steps[last].end())
     }
 }
 
@@ -163,25 +171,25 @@ struct Along<'s, 'o, S: System + ?Sized> {
 
 impl<S: System + ?Sized> Along<'_, '_, S> {
     /// A in scales: entry (i, j) is the rate of state i in its scale by a change of state j in its own.
-    fn matrix(&mut self, t: f64) -> Result<Vec<f64>, Fault> {
+    fn matrix(&mut self, t: Instant) -> Result<Vec<f64>, Fault> {
         let steps = self.stretch.steps;
-        let k = steps.partition_point(|s| s.end().high < t).min(steps.len() - 1);
-        steps[k].state_at(t, &mut self.x);
-        slopes(self.system, t, &self.x, &steps[k].modes, self.stretch.scales, &mut self.rows)?;
+        let k = steps.partition_point(|s| between(t, s.end()) < 0.0).min(steps.len() - 1);
+        steps[k].state_after(between(steps[k].start, t), &mut self.x);
+        slopes(self.system, t.high, &self.x, &steps[k].modes, self.stretch.scales, &mut self.rows)?;
         let (n, scales) = (self.n, self.stretch.scales);
         let entry = |k: usize| self.rows[(k / n) * (n + 1) + k % n] * scales[k % n] / scales[k / n];
         let out: Vec<f64> = (0..n * n).map(entry).collect();
-        if out.iter().all(|v| v.is_finite()) { Ok(out) } else { Err(super::no_derivative(t)) }
+        if out.iter().all(|v| v.is_finite()) { Ok(out) } else { Err(super::no_derivative(t.high)) }
     }
 
     /// One step of Radau's method; none when its system is singular.
-    fn step(&mut self, radau: &Radau, t: f64, h: f64) -> Result<Option<Square>, Fault> {
+    fn step(&mut self, radau: &Radau, t: Instant, h: f64) -> Result<Option<Square>, Fault> {
         let n = self.n;
         let size = n * STAGES;
         let mut matrix = vec![0.0; size * size];
         let mut right = Vec::with_capacity(STAGES);
         for i in 0..STAGES {
-            let a = self.matrix(t + radau.c[i] * h)?;
+            let a = self.matrix(t.after(radau.c[i] * h))?;
             for (k, entry) in a.iter().enumerate() {
                 let row = (i * n + k / n) * size + k % n;
                 (0..STAGES).for_each(|j| matrix[row + j * n] = -h * radau.a[i][j] * entry);
@@ -202,33 +210,33 @@ impl<S: System + ?Sized> Along<'_, '_, S> {
     }
 
     /// The step in two halves, and in one.
-    fn halves(&mut self, radau: &Radau, t: f64, h: f64) -> Result<Option<[Square; 2]>, Fault> {
+    fn halves(&mut self, radau: &Radau, t: Instant, h: f64) -> Result<Option<[Square; 2]>, Fault> {
         let Some(whole) = self.step(radau, t, h)? else { return Ok(None) };
         let Some(first) = self.step(radau, t, 0.5 * h)? else { return Ok(None) };
-        let Some(second) = self.step(radau, t + 0.5 * h, 0.5 * h)? else { return Ok(None) };
+        let Some(second) = self.step(radau, t.after(0.5 * h), 0.5 * h)? else { return Ok(None) };
         Ok(Some([second.times(&first), whole]))
     }
 
-    fn trace(&mut self, t: f64) -> Result<f64, Fault> {
+    fn trace(&mut self, t: Instant) -> Result<f64, Fault> {
         let (a, n) = (self.matrix(t)?, self.n);
         Ok((0..n).map(|i| a[i * n + i]).sum())
     }
 
     /// ∫ tr A dt over [t, t + h].
-    fn divergence(&mut self, t: f64, h: f64) -> Result<f64, Fault> {
+    fn divergence(&mut self, t: Instant, h: f64) -> Result<f64, Fault> {
         let mut sum = 0.0;
         for (x, w) in EIGHT {
-            sum += 0.5 * h * w * self.trace(t + 0.5 * h * (1.0 + x))?;
+            sum += 0.5 * h * w * self.trace(t.after(0.5 * h * (1.0 + x)))?;
         }
         Ok(sum)
     }
 
     /// The same on halves until it no longer changes, or changes by rounding only.
-    fn settled_divergence(&mut self, t: f64, h: f64) -> Result<f64, Fault> {
+    fn settled_divergence(&mut self, t: Instant, h: f64) -> Result<f64, Fault> {
         let mut stack = vec![Span { t, h, whole: self.divergence(t, h)?, off: f64::INFINITY, depth: 0 }];
         let mut sum = 0.0;
         while let Some(Span { t, h, whole, off, depth }) = stack.pop() {
-            let halves = [self.divergence(t, 0.5 * h)?, self.divergence(t + 0.5 * h, 0.5 * h)?];
+            let halves = [self.divergence(t, 0.5 * h)?, self.divergence(t.after(0.5 * h), 0.5 * h)?];
             let (now, size) = ((halves[0] + halves[1] - whole).abs(), 1.0 + whole.abs());
             let rounding = depth > 0 && now > 0.25 * off && now <= ROUGH * size;
             if depth >= 12 || now <= TOLERANCE * size || rounding {
@@ -236,7 +244,7 @@ impl<S: System + ?Sized> Along<'_, '_, S> {
                 continue;
             }
             for (k, whole) in [(1.0, halves[1]), (0.0, halves[0])] {
-                stack.push(Span { t: t + 0.5 * k * h, h: 0.5 * h, whole, off: now, depth: depth + 1 });
+                stack.push(Span { t: t.after(0.5 * k * h), h: 0.5 * h, whole, off: now, depth: depth + 1 });
             }
         }
         Ok(sum)
@@ -245,7 +253,7 @@ impl<S: System + ?Sized> Along<'_, '_, S> {
 
 /// A part of a step whose divergence is to settle.
 struct Span {
-    t: f64,
+    t: Instant,
     h: f64,
     whole: f64,
     /// By how much the part before it was off.
@@ -296,18 +304,19 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
     let (Some(first), Some(last)) = (stretch.steps.first(), stretch.steps.last()) else { return Ok(out) };
     let radau = Radau::new();
     let mut along = Along { system, stretch, n, x: vec![0.0; n], rows: Vec::new() };
-    let (mut t, end) = (first.start.high, last.end().high);
-    let mut h = (end - t).min(stretch.period / LEAST);
+    let (mut t, end) = (first.start, last.end());
+    let mut h = between(t, end).min(stretch.period / LEAST);
     let mut refused: Option<f64> = None;
     for _ in 0..MOST {
-        if end - t <= 4.0 * f64::EPSILON * end.abs() {
+        let left = between(t, end);
+        if left <= SHORTEST * stretch.period {
             return Ok(out);
         }
         if stretch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             return Err(super::unsettled(1.0, 0));
         }
-        h = h.min(end - t).min(stretch.seen_from(t));
-        if h <= 8.0 * f64::EPSILON * (t.abs() + h) {
+        h = h.min(left).min(stretch.seen_from(t));
+        if h <= SHORTEST * stretch.period {
             break;
         }
         let tried = along.halves(&radau, t, h)?.map(|both| Tried::new(both, &chain.whole));
@@ -328,10 +337,10 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
         out.liouville += tried.missed(divergence, &chain.whole);
         out.divergence += divergence;
         chain.push(tried.matrix, tried.error / BETTER);
-        t = if h >= end - t { end } else { t + h };
+        t = if h >= left { end } else { t.after(h) };
         h *= factor.clamp(0.9, 3.0);
     }
-    Err(super::too_quick(t))
+    Err(super::too_quick(t.high))
 }
 
 /// Scales in which the rates of each state depend on the others about as the others' depend on it: rows and columns of |A|, its largest entries along
