@@ -232,7 +232,7 @@ pub struct Standing {
 pub struct ContactChange {
     /// The user's name of it.
     pub contact: String,
-    /// Before: `open`, `closed`, `slack`, `taut`, `sticking`, `forward`, `backward`.
+    /// Before: `open`, `closed`, `slack`, `taut`, `sticking`, `forward`, `backward`, `pushes`.
     pub from: &'static str,
     /// After.
     pub to: &'static str,

@@ -82,6 +82,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
         code: "S061", en: ("a mechanism that does not rest", UNREST_EN), ru: ("механизм не находится в равновесии", UNREST_RU)
     },
     crate::rest::faults::WANDERING,
+    crate::rest::faults::JOURNAL,
     crate::studies::response::ROUNDED,
     crate::studies::rolling::REFUSED,
     crate::studies::limits::PULSATING,

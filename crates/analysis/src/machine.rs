@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 mod conditions;
 mod impact;
+mod jolt;
+mod phases;
 mod touches;
 
 use program::{Acting, Behind, Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
@@ -253,10 +255,11 @@ fn pressing(equations: &Equations, program: &Program, guard: usize) -> Vec<usize
     for reaction in own {
         let Law::Friction(friction) = &equations.reactions[reaction].law else { continue };
         let Some(normal) = &friction.normal else { return Vec::new() };
-        if !equations.graph.is_zero(normal.constant) {
+        if !equations.graph.is_zero(normal.constant) || friction.across.is_some() {
             return Vec::new();
         }
-        for (k, _) in &normal.terms {
+        // a rope presses its friction on a drum, and so does the friction itself
+        for (k, _) in normal.terms.iter().filter(|(k, _)| *k != reaction) {
             match (&equations.reactions[*k].law, program.switches.get(*k)) {
                 (Law::Contact { .. }, Some(Some(gap))) => contacts.push(*gap),
                 _ => return Vec::new(),
@@ -692,6 +695,7 @@ impl System for Machine {
     }
 
     fn project(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<f64, Fault> {
+        let t = if self.bound.program().steps { self.side_of(t, x, modes) } else { t };
         match &mut self.conditions {
             Some(conditions) => conditions.project(t, x, modes),
             None => Ok(0.0),
@@ -711,6 +715,10 @@ impl System for Machine {
             Some(conditions) => conditions.impact(t, x, modes, closing),
             None => Ok(Blow::default()),
         }
+    }
+
+    fn jolt(&mut self, t: f64, x: &mut [f64], modes: [&[Mode]; 2], closing: &[usize]) -> Result<Option<Blow>, Fault> {
+        if self.bound.program().steps { self.jump(t, x, modes, closing) } else { Ok(None) }
     }
 
     fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {

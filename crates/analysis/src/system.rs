@@ -447,6 +447,15 @@ pub trait System {
         Ok(0)
     }
 
+    /// Moves the rates over a jump of prescribed velocities where the modes change from the first to the second: momenta jump by impulses of connections,
+    /// contacts and frictions alone. `closing` are the contacts on their surfaces. None where nothing jumps.
+    ///
+    /// *Errors*: as [`System::impact`].
+    fn jolt(&mut self, t: f64, x: &mut [f64], modes: [&[Mode]; 2], closing: &[usize]) -> Result<Option<Blow>, Fault> {
+        let _ = (t, x, modes, closing);
+        Ok(None)
+    }
+
     /// Puts into x the rates after the impact of this instant, all conditions kept. `closing`: contacts (guards of kind `Contact`) on their
     /// surfaces; those that are closed in `modes` take part as well. Which of them strike, and in which order, is the system's law of impact.
     ///

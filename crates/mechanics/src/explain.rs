@@ -5,12 +5,14 @@
 
 mod events;
 mod linear;
+mod rubbing;
 mod studies;
 mod texts;
 mod words;
 
 pub use events::EVENTS;
 pub use linear::LINEAR;
+pub use rubbing::RUBBING;
 pub use studies::STUDIES;
 pub use texts::TEXTS;
 pub use words::WORDS;
@@ -36,6 +38,7 @@ pub const TABLES: &[&[Explanation]] = &[
     STUDIES,
     LINEAR,
     EVENTS,
+    RUBBING,
     TEXTS,
     WORDS,
     crate::derive::EXPLANATIONS,

@@ -217,7 +217,15 @@ fn rolling_agrees_on_lines_and_circles() {
     ];
     for track in tracks {
         for held in [true, false] {
-            let kind = ConnectionKind::Rolling { wheel: ONE, center: PointRef::Origin(ONE), radius: r, on: FrameId::GROUND, track, held };
+            let kind = ConnectionKind::Rolling {
+                wheel: ONE,
+                center: PointRef::Origin(ONE),
+                radius: r,
+                on: FrameId::GROUND,
+                track,
+                held,
+                leaves: None,
+            };
             let equations = with(model.clone(), "rolling", kind);
             assert_eq!(equations.reactions.len(), if held { 2 } else { 1 });
             assert!(disagreement(&equations, 0.7) < 1e-12);

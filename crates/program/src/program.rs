@@ -65,6 +65,8 @@ pub struct Program {
     /// t, x (rates ignored, taken as 0), q'' (ignored) and all reactions -> what equilibrium with connections needs besides [`Program::statics`];
     /// [`Program::rest_roots`] says where. Switches go by value.
     pub rests: Arc<Tape>,
+    /// Whether velocities that formulas of time prescribe may jump: they stand behind the reactions among the roots of the dynamics.
+    pub steps: bool,
     /// t, x -> all conditions and what assembly, projection and impacts need; [`Program::connection_roots`] says where. Switches go by value.
     pub connections: Arc<Tape>,
     /// t, x -> laws of friction in an impact; [`Program::law_roots`] says where. Switches go by value.
@@ -98,7 +100,8 @@ pub struct ConnectionRoots {
 /// Where the roots of [`Program::laws`] are.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct LawRoots {
-    /// frictions x (2 + reactions): kinetic friction at this sliding speed, static limit, then the factor of each reaction in the normal force.
+    /// frictions x (2 + 2 reactions): kinetic friction at this sliding speed, static limit, then the factor of each reaction in the normal force, and in
+    /// its second component.
     pub frictions: Range<usize>,
     /// joined balances x (n + reactions): inertia coefficients of q'', then the share of each reaction.
     pub balances: Range<usize>,
@@ -164,7 +167,7 @@ impl Program {
     /// Where the roots of [`Program::laws`] are.
     pub fn law_roots(&self) -> LawRoots {
         let (n, r) = (self.coordinates, self.reactions);
-        let [frictions, balances] = consecutive([self.frictions * (2 + r), self.joined.len() * (n + r)]);
+        let [frictions, balances] = consecutive([self.frictions * (2 + 2 * r), self.joined.len() * (n + r)]);
         LawRoots { frictions, balances }
     }
     fn connected_coordinates(&self) -> usize {

@@ -223,6 +223,13 @@ impl Writer<'_> {
             blocks.extend(when.map(|words| Block::paragraph(format!("{words}:"))));
             blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
         }
+        let [mathml, text] = [Form::MathMl, Form::Text].map(|form| crate::frictions::laws(self.equations, printer, form));
+        if !text.is_empty() {
+            blocks.push(Block::paragraph(say(self.language, Say::FrictionLaws)));
+        }
+        for (mathml, text) in mathml.into_iter().zip(text) {
+            blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
+        }
         let mut pieces = Vec::new();
         for (i, reaction) in self.equations.reactions.iter().filter(|r| r.law.is_reaction()).enumerate() {
             let before = if i == 0 { format!("{}: ", say(self.language, Say::Reactions)) } else { "; ".into() };
@@ -481,7 +488,8 @@ pub fn definitions(equations: &Equations, printer: &Printer, form: Form) -> Vec<
     out
 }
 
-/// The conditions of connections, `... = 0`: on positions where they exist, else on rates. Nothing when the equations are not shown.
+/// The conditions of connections, `... = 0`: on positions where they exist, else on rates. Those of frictions, which hold only at rest, stand with
+/// their laws. Nothing when the equations are not shown.
 pub fn conditions(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
     if equations.textbook.is_err() {
         return Vec::new();
@@ -492,7 +500,8 @@ pub fn conditions(equations: &Equations, printer: &Printer, form: Form) -> Vec<S
         let equality = symbolic::equations::Equality { left: c.place.unwrap_or(c.rate), right };
         printer.equality(&graph, equality, None, form)
     };
-    equations.conditions.iter().map(write).collect()
+    let rubs = |c: &symbolic::connections::Condition| c.reaction.is_some_and(|r| matches!(equations.reactions[r].law, Law::Friction(_)));
+    equations.conditions.iter().filter(|c| !rubs(c)).map(write).collect()
 }
 
 /// When a condition holds, if not always: "while the stop `floor` is closed". One for each of [`conditions`].

@@ -19,6 +19,7 @@ pub mod failure;
 pub mod files;
 pub mod finite;
 pub mod folder;
+pub mod frictions;
 pub mod gallery;
 pub mod guards;
 mod letters;

@@ -194,6 +194,7 @@ fn confirm(machine: &mut Machine, finding: Finding, watch: &mut Watch) -> Findin
     if let (false, Ok(start)) = (data.partial, machine.system.start()) {
         let mut options = plan::options(&study, watch);
         options.events = plan::events(&machine.model, &machine.equations);
+        options.pushes = plan::pushes(&machine.model, &machine.equations);
         studies::simulate::confirm(&mut machine.system, &start, &options, &mut data);
         watch.lap(Word::TimeRun);
     }
@@ -210,6 +211,7 @@ pub fn simulate_with_works(machine: &mut Machine, study: &Simulate, works: &[Str
     let mut options = plan::options(study, watch);
     options.works = works.to_vec();
     options.events = plan::events(&machine.model, &machine.equations);
+    options.pushes = plan::pushes(&machine.model, &machine.equations);
     let outcome = match machine.system.start() {
         Ok(start) => studies::simulate::simulate(&mut machine.system, &start, options),
         Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },

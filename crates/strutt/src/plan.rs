@@ -5,8 +5,9 @@ use crate::near::nearest;
 use crate::watch::Watch;
 use analysis::Dataset;
 use analysis::marks::named::{Direction, Named};
+use analysis::marks::pushes::Push;
 use mechanics::Model;
-use mechanics::derive::event_output;
+use mechanics::derive::{event_output, push_output};
 use mechanics::model::{DEFAULT_TOLERANCE, EventDecl, EventDirection, Method, Plot, Simulate, StudyKind, Times, Transient};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
@@ -212,6 +213,16 @@ pub fn events(model: &Model, equations: &Equations) -> Vec<Named> {
         Some(Named { name: event.name.clone(), output, direction, stop: event.stop })
     };
     model.events.iter().filter_map(named).collect()
+}
+
+/// Normal forces that only push, among the outputs.
+pub fn pushes(model: &Model, equations: &Equations) -> Vec<Push> {
+    let watched = |name: &str| {
+        let holder = push_output(name);
+        let output = equations.outputs.iter().position(|o| o.name == holder)?;
+        Some(Push { name: format!("normal({name})"), label: equations.outputs[output].label.clone(), output })
+    };
+    model.connections.iter().filter_map(|c| watched(&c.name)).collect()
 }
 
 /// A range of a coordinate by its index.

@@ -14,6 +14,7 @@
 //! |---|---|---|
 //! | `Contact` | open (gap > 0) | λ = 0 |
 //! | `Contact` | closed (gap = 0) | the condition; λ >= 0 must hold |
+//! | `Rough` | its contact is open | λ = 0 |
 //! | `Friction` | slides with sign s of `sliding` | λ = s · kinetic, with |N| as a factor where the normal force is a reaction |
 //! | `Friction` | sticks | the condition (sliding = 0); |λ| <= static limit must hold |
 
@@ -68,9 +69,28 @@ pub enum Law {
         tangential: Expr,
         /// A rope, which pulls, and not a surface, which pushes: only the words about it differ.
         tie: bool,
+        /// What the restitution is the ratio of.
+        rebound: Rebound,
     },
     /// Dry friction: λ acts against positive sliding.
     Friction(Box<Friction>),
+    /// No slip while a contact is closed, whatever it takes; nothing while it is open.
+    Rough {
+        /// Index in `Equations::conditions`.
+        condition: usize,
+        /// The reaction of the contact.
+        contact: usize,
+    },
+}
+
+/// Laws of restitution.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rebound {
+    /// Of rates: that of the gap after the impact to that before.
+    #[default]
+    Newton,
+    /// Of impulses: that of the time in which the gap opens again to that in which it closes.
+    Poisson,
 }
 
 /// Which contacts strike when several touch at the instant of an impact.
@@ -96,6 +116,15 @@ pub struct Friction {
     pub fixed: Expr,
     /// Normal force where it depends on reactions.
     pub normal: Option<Normal>,
+    /// A second component at right angles to it, as of the force of a pin: |N| is then the root of the sum of squares.
+    pub across: Option<Normal>,
+}
+
+impl Friction {
+    /// The components of the normal force.
+    pub fn components(&self) -> impl Iterator<Item = &Normal> {
+        self.normal.iter().chain(&self.across)
+    }
 }
 
 /// N = constant + Σ factor λ_k.
@@ -214,7 +243,7 @@ impl Law {
     /// The condition that the reaction owns.
     pub fn condition(&self) -> Option<usize> {
         match self {
-            Law::Ideal { condition } | Law::Contact { condition, .. } => Some(*condition),
+            Law::Ideal { condition } | Law::Contact { condition, .. } | Law::Rough { condition, .. } => Some(*condition),
             Law::Friction(friction) => Some(friction.condition),
             Law::Support | Law::Motor | Law::Place | Law::Transmission => None,
         }

@@ -29,12 +29,12 @@ impl Equations {
                 Law::Friction(f) => {
                     list.extend([f.sliding, f.fixed]);
                     list.extend(f.kinetic);
-                    if let Some(normal) = &f.normal {
+                    for normal in f.components() {
                         list.push(normal.constant);
                         list.extend(normal.terms.iter().map(|(_, e)| *e));
                     }
                 }
-                Law::Ideal { .. } | Law::Support | Law::Motor | Law::Place | Law::Transmission => {}
+                Law::Ideal { .. } | Law::Rough { .. } | Law::Support | Law::Motor | Law::Place | Law::Transmission => {}
             }
         }
         for b in &self.balances {

@@ -50,10 +50,19 @@ impl ImpactEnergy {
 
     /// The audit, or none without impacts.
     pub fn audit(&self) -> Option<Audit> {
-        let name = Text::new(
+        let (en, ru) = (
             "impacts: largest gain of energy, relative to the kinetic energy",
             "удары: наибольший прирост энергии относительно кинетической",
         );
+        let name = if self.worst <= GAIN {
+            Text::new(en, ru)
+        } else {
+            // what Newton's restitution does with friction in eccentric impacts
+            Text::new(
+                format!("{en}; at stops with friction law = \"poisson\" does not gain"),
+                format!("{ru}; у упоров с трением закон law = \"poisson\" прироста не даёт"),
+            )
+        };
         (self.count > 0).then(|| Audit::at_most("impact_energy", name, self.worst, GAIN))
     }
 }

@@ -231,6 +231,28 @@ impl Bench<'_> {
                 None => drop(rows.pop()),
             }
         }
+        self.roll_on(rows, guess)
+    }
+
+    /// A wheel that rolls while it touches its track does so from the start, unless the given rates lift it.
+    fn roll_on(&mut self, mut rows: Vec<usize>, guess: &[f64]) -> Result<(), Fault> {
+        let rough = |r: &symbolic::connections::Reaction| match r.law {
+            Law::Rough { condition, contact } => Some((condition, self.equations.reactions[contact].law.condition()?)),
+            _ => None,
+        };
+        let pairs: Vec<(usize, usize)> = self.equations.reactions.iter().filter_map(rough).collect();
+        for (slip, gap) in pairs {
+            self.evaluate(&self.x.clone())?;
+            let touches = self.place(gap).abs() <= CLOSED * self.place_size(gap, &self.x);
+            if !touches || self.rate(gap).abs() > CLOSED * self.rate_size(gap, &self.x) {
+                continue;
+            }
+            rows.push(slip);
+            match self.closed_by_fewest(guess, &rows, Level::Rate)? {
+                Some(x) => self.x = x,
+                None => return Err(Fault::inconsistent_start(self.name(slip), &[], &[])),
+            }
+        }
         Ok(())
     }
 

@@ -196,7 +196,7 @@ impl Bench<'_> {
     fn refuse_open_pressure(&self, placed: &[(usize, usize)]) -> Result<(), Fault> {
         for reaction in &self.equations.reactions {
             let Law::Friction(friction) = &reaction.law else { continue };
-            let terms = friction.normal.iter().flat_map(|n| &n.terms);
+            let terms = friction.components().flat_map(|n| &n.terms);
             for (r, _) in terms {
                 if let Some((_, load)) = placed.iter().find(|(p, _)| p == r) {
                     let (pressure, load) = (&self.equations.reactions[*r].name, &self.equations.reactions[*load]);

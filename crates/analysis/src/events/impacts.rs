@@ -13,7 +13,9 @@
 
 use crate::numerics::sum::Instant;
 use crate::taylor::Flow;
-use crate::{Fault, GuardKind, Mode, System};
+use crate::{Blow, Fault, GuardKind, Mode, System};
+
+use super::modes::opposite;
 
 /// Share of the time below which the impacts still to come are one instant.
 const REST: f64 = 4e-15;
@@ -44,34 +46,63 @@ impl<S: System + ?Sized> Flow<'_, S> {
     pub(super) fn collide(&mut self) -> Result<Vec<Impact>, Fault> {
         self.rebounds.fill(false);
         self.blow = None;
+        self.jolted = false;
         let on: Vec<usize> = (0..self.modes.len())
             .filter(|&i| self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_on_surface(i)))
             .collect();
         let before: Vec<f64> = on.iter().map(|&i| self.gap_rate(i)).collect();
+        if let Some(impacts) = self.jolt(&on, &before)? {
+            return Ok(impacts);
+        }
         let closing = |(i, rate): (&usize, &f64)| self.modes[*i] != Mode::Zero && *rate < 0.0;
         if !on.iter().zip(&before).any(closing) {
             self.close_touched(&on);
             return Ok(Vec::new());
         }
-        let scale = before.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
         let blow = self.system.impact(self.now.high, &mut self.x, &self.modes, &on).map_err(|f| f.during(self.now.high))?;
         self.system.expand(self.now.high, &self.x, &self.modes, 1)?;
+        let impacts = self.struck((&on, &before), &blow);
+        self.blow = Some(blow);
+        Ok(impacts)
+    }
+
+    /// Impacts by a jump of prescribed velocities; none when no switch that was reached makes one.
+    fn jolt(&mut self, on: &[usize], before: &[f64]) -> Result<Option<Vec<Impact>>, Fault> {
+        let flips = |i: &usize| self.touched[*i] && self.system.guards()[*i].kind == GuardKind::Switch && self.modes[*i] != Mode::Zero;
+        let flipped: Vec<usize> = (0..self.modes.len()).filter(flips).collect();
+        if flipped.is_empty() {
+            return Ok(None);
+        }
+        let mut after = self.modes.clone();
+        flipped.iter().for_each(|&i| after[i] = opposite(after[i]));
+        let Some(blow) = self.system.jolt(self.now.high, &mut self.x, [&self.modes, &after], on).map_err(|f| f.during(self.now.high))?
+        else {
+            return Ok(None);
+        };
+        self.jolted = true;
+        self.system.expand(self.now.high, &self.x, &after, 1)?;
+        Ok(Some(self.struck((on, before), &blow)))
+    }
+
+    /// Modes and impacts after a blow, by the last expansion.
+    fn struck(&mut self, (on, before): (&[usize], &[f64]), blow: &Blow) -> Vec<Impact> {
+        let rates: Vec<f64> = on.iter().map(|&i| self.gap_rate(i)).collect();
+        let scale = before.iter().chain(&rates).fold(0.0_f64, |m, r| m.max(r.abs()));
         let mut impacts = Vec::new();
-        for (&i, &rate) in on.iter().zip(&before) {
+        for ((&i, &rate), &after) in on.iter().zip(before).zip(&rates) {
             let was_open = self.modes[i] != Mode::Zero;
-            let after = self.gap_rate(i);
             self.rebounds[i] = after > SILENT * scale;
             self.modes[i] = if self.rebounds[i] { Mode::Positive } else { Mode::Zero };
             self.touched[i] = true;
             let impulse = blow.impulses.iter().find(|(guard, _)| *guard == i).map(|(_, p)| *p);
-            if was_open && rate < 0.0 || impulse.is_some() && (was_open || self.rebounds[i]) {
+            let struck = was_open || self.rebounds[i] || self.jolted;
+            if was_open && rate < 0.0 || impulse.is_some() && struck {
                 let after = if self.rebounds[i] { after } else { 0.0 };
                 impacts.push(Impact { guard: i, rates: [rate, after], impulse: impulse.unwrap_or(0.0) });
             }
         }
         self.slide_on(&blow.stuck);
-        self.blow = Some(blow);
-        Ok(impacts)
+        impacts
     }
 
     /// Modes of the frictions by the rates after an impact.

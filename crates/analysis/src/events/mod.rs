@@ -39,6 +39,8 @@ pub enum Change {
         /// Impulse that the contact gave in all.
         impulse: f64,
     },
+    /// Prescribed velocities jump, and the rates with them.
+    Jolt,
     /// A contact closes after infinitely many impacts.
     Rests {
         /// Sum of their intervals: the instant at which they end.

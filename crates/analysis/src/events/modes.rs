@@ -143,7 +143,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if self.follow(&mut trail, Exchange::First) || self.try_all_combinations(&last) {
             return Ok(());
         }
-        let guard = trail.suspect.or_else(|| self.touched.iter().position(|&t| t)).unwrap_or(0);
+        let guard = trail.suspect.or_else(|| self.touched.iter().position(|&t| t)).or(trail.changing).unwrap_or(0);
         Err(trail.fault.unwrap_or_else(|| self.no_modes(guard)))
     }
 
@@ -158,6 +158,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
                     let before = &tried[tried.len() - 1];
                     let suspects = |i: &usize| self.touched[*i] && wanted[*i] != before[*i];
                     trail.suspect = trail.suspect.or_else(|| (0..wanted.len()).rev().find(suspects));
+                    trail.changing = trail.changing.or_else(|| (0..wanted.len()).find(|&i| wanted[i] != before[i]));
                     let exchanged = self.exchanged(before, wanted, exchange);
                     self.take_wishes(before, exchanged);
                 }
@@ -310,7 +311,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         for (guard, mode) in self.modes_before.iter().copied().enumerate() {
             let told = impacts.iter().any(|impact| impact.guard == guard) || rests.iter().any(|r| r.0 == guard);
             if listed == Listed::All && !told && self.is_told(guard) {
-                self.switches.push(Switch { t, guard, before: mode, after: self.modes[guard], change: Change::Mode });
+                let jolts = self.jolted && self.system.guards()[guard].kind == GuardKind::Switch;
+                let change = if jolts { Change::Jolt } else { Change::Mode };
+                self.switches.push(Switch { t, guard, before: mode, after: self.modes[guard], change });
             }
         }
         self.work.switches += self.switches.len() as u64;
@@ -335,6 +338,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
 #[derive(Default)]
 struct Trail {
     suspect: Option<usize>,
+    /// The first guard that a trial wanted changed, on its surface or not.
+    changing: Option<usize>,
     fault: Option<Fault>,
 }
 

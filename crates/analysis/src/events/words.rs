@@ -20,6 +20,10 @@ pub fn describe(switch: &Switch, guard: &Guard) -> Text {
                 format!("замыкается после бесконечного числа ударов, которые кончаются при t = {} с", n.ru),
             )
         }
+        (_, Change::Jolt) => {
+            let words = change_of_side(switch, name);
+            Text::new(format!("{}, prescribed velocities jump", words.en), format!("{}, заданные скорости изменяются скачком", words.ru))
+        }
         (GuardKind::Friction { .. }, Change::Mode) => friction(switch, told),
         (GuardKind::Contact { .. }, Change::Mode) => {
             let (en, ru) = match (switch.after == Mode::Zero, guard.tie) {

@@ -18,6 +18,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
     Explanation {
         code: "S014", en: ("impact without a single solution", IMPACT_EN), ru: ("удар без однозначного решения", IMPACT_RU)
     },
+    Explanation { code: "S081", en: ("an impact that jams", JAM_EN), ru: ("удар с заклиниванием", JAM_RU) },
     Explanation { code: "S110", en: ("impacts without an end", ENDLESS_EN), ru: ("удары без конца", ENDLESS_RU) },
     Explanation {
         code: "S015",
@@ -73,6 +74,11 @@ const IMPACT_EN: &str = "Impulses follow from M dq' = F p and the rates after th
     the body that is hit has no mass the rates are not.";
 const IMPACT_RU: &str = "Импульсы находятся из M dq' = F p и скоростей после удара. Если два условия удерживают одно и то же движение, импульсы не единственны; если тело, \
     по которому приходится удар, не имеет массы, не единственны скорости.";
+const JAM_EN: &str = "By Poisson's law an impact closes until the approach has ended. With large friction in an unfavourable geometry the tangential impulse may close the \
+    contact faster than the normal one opens it, so that the approach does not end by any impulse of rigid bodies. Lower the friction or make the contact compliant.";
+const JAM_RU: &str = "По закону Пуассона первая фаза удара длится до конца сближения. При большом трении и неблагоприятной геометрии касательный импульс может \
+    замыкать контакт быстрее, чем размыкает нормальный, и тогда для твёрдых тел сближение не прекращается никаким импульсом. Уменьшите трение или сделайте контакт \
+    податливым.";
 const ENDLESS_EN: &str = "Several contacts that touch at the time of an impact strike one after another, the fastest first, until none closes. For contacts whose bodies are \
     coupled unfavourably (a heavy body between two light ones, friction that feeds the next blow) the chain may converge too slowly to be followed. Give one of the contacts \
     a compliance (a spring with damping), or a small gap.";
@@ -303,6 +309,26 @@ impl Fault {
             help: Text::new(
                 "remove the contact that repeats another, or give the bodies mass",
                 "уберите контакт, повторяющий другой, или задайте телам массу",
+            ),
+        })
+    }
+
+    /// An impact by Poisson's law whose approach never ends.
+    pub fn jammed_impact(t: f64) -> Fault {
+        let n = number(t);
+        Fault::new(Message {
+            code: "S081",
+            what: Text::new(
+                format!("the impact at t = {} s jams: while it sticks or slides on, no impulse ends the approach", n.en),
+                format!("удар при t = {} с заклинивает: при залипании или скольжении никакой импульс не прекращает сближения", n.ru),
+            ),
+            why: Text::new(
+                "the friction presses the contact more than the normal impulse opens it; it is too large for this geometry",
+                "трение прижимает контакт сильнее, чем его размыкает нормальный импульс; для этой геометрии оно слишком велико",
+            ),
+            help: Text::new(
+                "lower the coefficient of friction, or make the contact compliant",
+                "уменьшите коэффициент трения или сделайте контакт податливым",
             ),
         })
     }

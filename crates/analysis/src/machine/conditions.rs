@@ -14,7 +14,7 @@
 use std::sync::Arc;
 
 use program::{Bound, ConnectionRoots, Evaluator, GuardKind, LawRoots, Point};
-use symbolic::connections::{Impacts, Law};
+use symbolic::connections::{Impacts, Law, Rebound};
 use symbolic::{Equations, Text};
 
 use crate::numerics::qr::Qr;
@@ -26,6 +26,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 const STILL: f64 = 1e-3;
 /// Share of a rate below which what is left of it is rounding: conditions that repeat each other lose some digits in their factors.
 const CANCELS: f64 = 32.0 * f64::EPSILON;
+/// Share of a rate below which its change over an instant is no jump.
+const STEPPED: f64 = 1e-9;
 /// Newton steps of one projection.
 const STEPS: usize = 12;
 /// Relative violation from which a condition left out as a repetition contradicts the others: far above rounding near singular positions.
@@ -43,6 +45,8 @@ pub(super) struct Conditions {
     pub(super) laws: Evaluator,
     pub(super) law_roots: LawRoots,
     pub(super) impacts: Impacts,
+    /// The law of restitution of each contact.
+    pub(super) rebounds: Vec<Rebound>,
     pub(super) n: usize,
     pub(super) rows: Vec<Row>,
     /// Number of reactions.
@@ -89,6 +93,8 @@ pub(super) enum Holds {
     Sticking(usize, usize),
     /// The same, with the index among the contacts.
     Closed(usize, usize),
+    /// While the contact with this guard is closed.
+    Rough(usize),
 }
 
 impl Conditions {
@@ -115,6 +121,7 @@ impl Conditions {
                 Some(r) => match (program.switches[r], place(&frictions, r), place(&contacts, r)) {
                     (Some(guard), Some(friction), _) => Holds::Sticking(guard, friction),
                     (Some(guard), _, Some(contact)) => Holds::Closed(guard, contact),
+                    (Some(guard), ..) => Holds::Rough(guard),
                     _ => Holds::Always,
                 },
             };
@@ -134,6 +141,7 @@ impl Conditions {
             laws: bound.evaluator(&Arc::clone(&program.laws))?,
             law_roots: program.law_roots(),
             impacts: equations.impacts,
+            rebounds: contacts.iter().filter_map(|r| rebound(&equations.reactions[*r].law)).collect(),
             n: program.coordinates,
             reactions: program.reactions,
             supports: if program.joined.is_empty() {
@@ -159,7 +167,7 @@ impl Conditions {
         self.active.clear();
         self.active.extend((0..self.rows.len()).filter(|&k| match self.rows[k].holds {
             Holds::Always => true,
-            Holds::Sticking(guard, _) | Holds::Closed(guard, _) => modes[guard] == Mode::Zero,
+            Holds::Sticking(guard, _) | Holds::Closed(guard, _) | Holds::Rough(guard) => modes[guard] == Mode::Zero,
         }));
     }
 
@@ -181,6 +189,17 @@ impl Conditions {
 
     pub(super) fn rate(&self, row: usize) -> f64 {
         self.values[self.roots.rates.start + self.rows[row].condition]
+    }
+
+    /// Whether a rate jumps between two times at the same state, against the terms that meet in it: on the motion they cancel.
+    pub(super) fn steps(&mut self, [earlier, later]: [f64; 2], x: &[f64]) -> Result<bool, Fault> {
+        let rates = |c: &Conditions| -> Vec<f64> { (0..c.rows.len()).map(|row| c.rate(row)).collect() };
+        self.evaluate(earlier, x)?;
+        let before = rates(self);
+        self.evaluate(later, x)?;
+        let after = rates(self);
+        let size = |row: usize| self.rate_size(row, &x[self.n..2 * self.n]).max(before[row].abs());
+        Ok((0..self.rows.len()).any(|row| (after[row] - before[row]).abs() > STEPPED * size(row)))
     }
 
     /// How large the terms are that meet in the place of a condition: arms times angles of one radian, or the lengths themselves.
@@ -390,7 +409,7 @@ impl Conditions {
     /// See [`crate::System::repeats`].
     pub(super) fn repeats(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Result<usize, Fault> {
         let carries = |row: &Row| match row.holds {
-            Holds::Sticking(guard, _) | Holds::Closed(guard, _) => {
+            Holds::Sticking(guard, _) | Holds::Closed(guard, _) | Holds::Rough(guard) => {
                 modes[guard] == Mode::Zero && row.share.is_some_and(|share| modes[share] == Mode::Positive)
             }
             Holds::Always => false,
@@ -410,6 +429,10 @@ impl Conditions {
         self.active.extend(&own);
         Ok((ideal + own.len()).saturating_sub(rank(self)))
     }
+}
+
+fn rebound(law: &Law) -> Option<Rebound> {
+    if let Law::Contact { rebound, .. } = law { Some(*rebound) } else { None }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

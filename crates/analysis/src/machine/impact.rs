@@ -10,16 +10,20 @@
 //! friction  |Λ_t| <= μ |Λ_n|,  u_t+ = 0 or Λ_t = ±μ Λ_n with Λ_t u_t+ >= 0    Coulomb, over the whole impact
 //! ```
 //!
-//! Λ_n is the impulse of whatever presses the friction: a contact, a guide, a support. Frictions of a given force take no impulse, however large.
+//! Λ_n is the impulse of whatever presses the friction: a contact, a guide, a support; of a journal both components, |Λ_n| = √(Λ_x² + Λ_y²), whose
+//! direction is found by repetition. Frictions of a given force take no impulse, however large. What is rough (a wheel that rolls while it touches)
+//! does not slip afterwards, whatever that takes.
 //!
 //! With a tangential restitution ε of the contact a friction that sticks leaves u_t+ = -ε u_t-.
+//!
+//! Poisson's restitution: `phases.rs`.
 //!
 //! **Several contacts** strike in sequence: the contact that closes fastest (those that close equally fast together), then again, until none closes. Or all
 //! that close or stand strike together.
 //! *Source*: B. Brogliato, Nonsmooth Mechanics, chapters 5 and 6; Glocker, Set-Valued Force Laws, chapters 7 to 9.
 
 use program::Point;
-use symbolic::connections::Impacts;
+use symbolic::connections::{Impacts, Rebound};
 
 use super::conditions::{Conditions, Holds, backward, forward};
 use crate::numerics::lu::Lu;
@@ -37,30 +41,41 @@ const COMBINED: usize = 20_000;
 /// Rounding of rates and impulses of a blow.
 const SLACK: f64 = 1e-10;
 
+/// Most repetitions for the direction of a normal impulse, and where they end.
+const TURNS: usize = 200;
+const TURNED: f64 = 1e-15;
+
 /// A contact or a friction that takes part.
-struct Unit {
+pub(super) struct Unit {
     guard: usize,
     row: usize,
     reaction: usize,
-    law: Law,
+    pub(super) law: Law,
 }
 
-enum Law {
+pub(super) enum Law {
     Contact {
         restitution: f64,
+        rebound: Rebound,
     },
-    /// Coefficients while sliding and at rest, factors of the reactions in the normal force, tangential restitution of the contact that presses.
+    /// Coefficients while sliding and at rest, factors of the reactions in both components of the normal force, tangential restitution of the contact
+    /// that presses.
     Friction {
         kinetic: f64,
         fixed: f64,
-        normal: Vec<(usize, f64)>,
+        normal: [Vec<(usize, f64)>; 2],
         restitution: f64,
     },
+    /// No slip at the contact of the same guard.
+    Rough,
 }
+
+/// Components of a normal impulse.
+type Pressure = [f64; 2];
 
 /// What a unit does in a blow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Part {
+pub(super) enum Part {
     /// The contact rebounds by its law, the friction sticks.
     Held,
     /// The contact takes no impulse.
@@ -70,29 +85,35 @@ enum Part {
 }
 
 /// Units, their coupling and their rates.
-struct Strike {
-    units: Vec<Unit>,
+pub(super) struct Strike {
+    pub(super) units: Vec<Unit>,
     /// G, row by row.
-    coupling: Vec<f64>,
+    pub(super) coupling: Vec<f64>,
     /// Normal impulse of each friction by the impulse of each unit; zero rows for contacts.
-    pressure: Vec<f64>,
+    pressure: Vec<Pressure>,
     /// dq' by unit.
     responses: Vec<Vec<f64>>,
-    rates: Vec<f64>,
+    pub(super) rates: Vec<f64>,
     impulses: Vec<f64>,
     /// Rate of each unit at the start of the instant, with the largest change it has had.
-    sizes: Vec<f64>,
+    pub(super) sizes: Vec<f64>,
 }
 
 impl Conditions {
     /// See [`crate::System::impact`].
     pub(super) fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {
+        let kick = vec![0.0; self.n];
+        self.struck((t, x), modes, closing, &kick)
+    }
+
+    /// The same with generalized impulses given beside.
+    pub(super) fn struck(&mut self, (t, x): (f64, &mut [f64]), modes: &[Mode], closing: &[usize], kick: &[f64]) -> Result<Blow, Fault> {
         self.evaluate(t, x)?;
         let values = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
         let units = self.units(modes, closing, &values);
         let bilateral = Bilateral::new(self, t)?;
         let n = self.n;
-        let (corrected, mut whole) = bilateral.response(self, &vec![0.0; n], &bilateral.rates(self))?;
+        let (corrected, mut whole) = bilateral.response(self, kick, &bilateral.rates(self))?;
         self.support_impulses(&corrected, &mut whole, &values);
         let mut responses = Vec::with_capacity(units.len());
         let mut reactions = Vec::with_capacity(units.len());
@@ -134,15 +155,22 @@ impl Conditions {
             match row.holds {
                 Holds::Closed(guard, contact) if closing.contains(&guard) || modes[guard] == Mode::Zero => {
                     let restitution = self.values[self.roots.restitutions.start + 2 * contact];
-                    units.push(Unit { guard, row: index, reaction, law: Law::Contact { restitution } });
+                    let rebound = self.rebounds[contact];
+                    units.push(Unit { guard, row: index, reaction, law: Law::Contact { restitution, rebound } });
+                }
+                Holds::Rough(guard) if closing.contains(&guard) || modes[guard] == Mode::Zero => {
+                    units.push(Unit { guard, row: index, reaction, law: Law::Rough });
                 }
                 Holds::Sticking(guard, friction) => {
-                    let width = 2 + self.reactions;
+                    let width = 2 + 2 * self.reactions;
                     let start = self.law_roots.frictions.start + friction * width;
                     let (own, factors) = laws[start..start + width].split_at(2);
-                    let normal: Vec<(usize, f64)> = factors.iter().copied().enumerate().filter(|(_, f)| *f != 0.0).collect();
-                    if !normal.is_empty() {
-                        let restitution = self.tangential(&normal);
+                    let pressing =
+                        |part: &[f64]| part.iter().copied().enumerate().filter(|(_, f)| *f != 0.0).collect::<Vec<(usize, f64)>>();
+                    let (first, second) = factors.split_at(self.reactions);
+                    let normal = [pressing(first), pressing(second)];
+                    if !normal[0].is_empty() {
+                        let restitution = self.tangential(&normal[0]);
                         let law = Law::Friction { kinetic: own[0], fixed: own[1], normal, restitution };
                         units.push(Unit { guard, row: index, reaction, law });
                     }
@@ -192,10 +220,10 @@ impl Conditions {
     }
 }
 
-fn pressure(unit: &Unit, reactions: &[f64]) -> f64 {
+fn pressure(unit: &Unit, reactions: &[f64]) -> Pressure {
     match &unit.law {
-        Law::Contact { .. } => 0.0,
-        Law::Friction { normal, .. } => normal.iter().map(|(k, factor)| factor * reactions[*k]).sum(),
+        Law::Contact { .. } | Law::Rough => [0.0; 2],
+        Law::Friction { normal, .. } => normal.each_ref().map(|terms| terms.iter().map(|(k, factor)| factor * reactions[*k]).sum()),
     }
 }
 
@@ -299,7 +327,7 @@ impl Bilateral {
 }
 
 impl Strike {
-    fn is_contact(&self, i: usize) -> bool {
+    pub(super) fn is_contact(&self, i: usize) -> bool {
         matches!(self.units[i].law, Law::Contact { .. })
     }
 
@@ -314,6 +342,9 @@ impl Strike {
         for _ in 0..MOST {
             let worst = contacts.iter().fold(0.0_f64, |m, &i| m.min(self.rates[i]));
             if worst >= -SILENT * scale {
+                if self.roll_on(t)? {
+                    continue;
+                }
                 return Ok(());
             }
             let most = match law {
@@ -326,35 +357,87 @@ impl Strike {
         Err(Fault::endless_impacts(t))
     }
 
-    /// One blow at these contacts, with the frictions that they press.
+    /// One blow at these contacts, with what slides or is rough there.
     fn strike(&mut self, taking: &[usize], t: f64) -> Result<(), Fault> {
+        let set = self.set(taking);
+        let by_phases = taking.iter().any(|&i| matches!(self.units[i].law, Law::Contact { rebound: Rebound::Poisson, .. }));
+        if by_phases {
+            return self.strike_by_phases(taking, &set, t);
+        }
+        let goal: Vec<Goal> = set.iter().map(|&i| self.by_newton(i)).collect();
+        let Some(impulses) = self.solve(&set, &goal) else { return Err(Fault::undetermined_impact(t)) };
+        self.take(&set, &impulses);
+        Ok(())
+    }
+
+    /// What is rough at contacts that stay closed stops slipping, once no contact closes any more; whether something did slip.
+    fn roll_on(&mut self, t: f64) -> Result<bool, Fault> {
+        let still = |i: usize| self.rates[i].abs() <= SILENT * self.sizes[i];
+        let contact = |guard: usize| (0..self.units.len()).find(|&i| self.is_contact(i) && self.units[i].guard == guard);
+        let slips = |i: &usize| matches!(self.units[*i].law, Law::Rough) && contact(self.units[*i].guard).is_some_and(still);
+        let rough: Vec<usize> = (0..self.units.len()).filter(slips).collect();
+        if rough.iter().all(|&i| still(i)) {
+            return Ok(false);
+        }
+        let closed: Vec<usize> = self.contacts().into_iter().filter(|&i| still(i)).collect();
+        let others = self.set(&closed).into_iter().filter(|i| !rough.contains(i)).collect::<Vec<_>>();
+        let set: Vec<usize> = others.into_iter().chain(rough).collect();
+        let goal: Vec<Goal> = set.iter().map(|&i| Goal { rate: 0.0, change: -self.rates[i], impulse: 0.0 }).collect();
+        let Some(impulses) = self.solve(&set, &goal) else { return Err(Fault::undetermined_impact(t)) };
+        self.take(&set, &impulses);
+        Ok(true)
+    }
+
+    /// Units of a blow: the contacts, frictions that they press, what is rough at them.
+    fn set(&self, taking: &[usize]) -> Vec<usize> {
         let count = self.units.len();
-        let presses = |i: usize| taking.iter().any(|&j| self.pressure[i * count + j] != 0.0);
-        let frictions = (0..count).filter(|&i| !self.is_contact(i) && presses(i));
-        let set: Vec<usize> = taking.iter().copied().chain(frictions).collect();
-        let Some(impulses) = self.solve(&set) else { return Err(Fault::undetermined_impact(t)) };
+        let presses = |i: usize| taking.iter().any(|&j| self.pressure[i * count + j] != [0.0; 2]);
+        let struck = |guard: usize| taking.iter().any(|&j| self.units[j].guard == guard);
+        let others = (0..count).filter(|&i| match self.units[i].law {
+            Law::Contact { .. } => false,
+            Law::Friction { .. } => presses(i),
+            Law::Rough => struck(self.units[i].guard),
+        });
+        taking.iter().copied().chain(others).collect()
+    }
+
+    /// What Newton's law asks of a unit.
+    fn by_newton(&self, i: usize) -> Goal {
+        let restitution = match self.units[i].law {
+            Law::Contact { restitution, .. } | Law::Friction { restitution, .. } => restitution,
+            Law::Rough => 0.0,
+        };
+        Goal { rate: -restitution * self.rates[i], change: -(1.0 + restitution) * self.rates[i], impulse: 0.0 }
+    }
+
+    /// Adds impulses of a set.
+    pub(super) fn take(&mut self, set: &[usize], impulses: &[f64]) {
+        let count = self.units.len();
         for (i, rate) in self.rates.iter_mut().enumerate() {
-            let change: f64 = set.iter().zip(&impulses).map(|(&j, p)| self.coupling[i * count + j] * p).sum();
+            let change: f64 = set.iter().zip(impulses).map(|(&j, p)| self.coupling[i * count + j] * p).sum();
             self.sizes[i] = self.sizes[i].max(change.abs());
             *rate += change;
         }
         set.iter().zip(impulses).for_each(|(&j, p)| self.impulses[j] += p);
-        Ok(())
     }
 
     /// Impulses of a blow: rebound and sticking first, then what the result asks for, then all combinations.
-    fn solve(&self, set: &[usize]) -> Option<Vec<f64>> {
+    pub(super) fn solve(&self, set: &[usize], goal: &[Goal]) -> Option<Vec<f64>> {
         let mut parts = vec![Part::Held; set.len()];
         let mut tried: Vec<Vec<Part>> = Vec::new();
         while !tried.contains(&parts) && tried.len() < 8 * set.len() + 8 {
             tried.push(parts.clone());
-            let Some(impulses) = self.impulses_of(set, &parts) else { break };
-            match self.objection(set, &parts, &impulses) {
+            let Some(impulses) = self.impulses_of((set, goal), &parts) else { break };
+            match self.objection((set, goal), &parts, &impulses) {
                 None => return Some(impulses),
                 Some((k, part)) => parts[k] = part,
             }
         }
-        let options = |k: usize| if self.is_contact(set[k]) { 2 } else { 3 };
+        let options = |k: usize| match self.units[set[k]].law {
+            Law::Contact { .. } => 2,
+            Law::Friction { .. } => 3,
+            Law::Rough => 1,
+        };
         let total = (0..set.len()).try_fold(1_usize, |product, k| product.checked_mul(options(k)).filter(|p| *p <= COMBINED))?;
         (0..total).find_map(|code| {
             let mut digits = code;
@@ -367,58 +450,98 @@ impl Strike {
                 };
                 digits /= options(k);
             }
-            self.impulses_of(set, &parts).filter(|impulses| self.objection(set, &parts, impulses).is_none())
+            self.impulses_of((set, goal), &parts).filter(|impulses| self.objection((set, goal), &parts, impulses).is_none())
         })
     }
 
-    /// Impulses in given parts; none where these repeat each other.
-    fn impulses_of(&self, set: &[usize], parts: &[Part]) -> Option<Vec<f64>> {
+    /// Impulses in given parts; none where these repeat each other. Directions of normal impulses with two components are repeated until they stay.
+    pub(super) fn impulses_of(&self, (set, goal): (&[usize], &[Goal]), parts: &[Part]) -> Option<Vec<f64>> {
+        let mut along = vec![[1.0, 0.0]; set.len()];
+        for _ in 0..TURNS {
+            let impulses = self.impulses_along((set, goal), parts, &along)?;
+            let next: Vec<Pressure> = set.iter().map(|&i| self.direction(i, self.pressed(i, set, &impulses))).collect();
+            let turn = along.iter().zip(&next).fold(0.0_f64, |m, (a, b)| m.max((a[0] - b[0]).abs()).max((a[1] - b[1]).abs()));
+            if turn <= TURNED {
+                return Some(impulses);
+            }
+            along = next;
+        }
+        None
+    }
+
+    /// Unit vector of a normal impulse; one component alone keeps its axis.
+    fn direction(&self, i: usize, pressed: Pressure) -> Pressure {
+        let size = pressed[0].hypot(pressed[1]);
+        match &self.units[i].law {
+            Law::Friction { normal, .. } if !normal[1].is_empty() && size > 0.0 => pressed.map(|p| p / size),
+            _ => [1.0, 0.0],
+        }
+    }
+
+    /// Normal impulse of a friction.
+    pub(super) fn pressed(&self, i: usize, set: &[usize], impulses: &[f64]) -> Pressure {
+        let count = self.units.len();
+        let part = |axis: usize| set.iter().zip(impulses).map(|(&j, p)| self.pressure[i * count + j][axis] * p).sum();
+        [part(0), part(1)]
+    }
+
+    /// The same along its direction.
+    pub(super) fn normal(&self, i: usize, set: &[usize], impulses: &[f64]) -> f64 {
+        let pressed = self.pressed(i, set, impulses);
+        let along = self.direction(i, pressed);
+        along[0] * pressed[0] + along[1] * pressed[1]
+    }
+
+    fn impulses_along(&self, (set, goal): (&[usize], &[Goal]), parts: &[Part], along: &[Pressure]) -> Option<Vec<f64>> {
         let (count, size) = (self.units.len(), set.len());
         let mut matrix = vec![0.0; size * size];
         let mut right = vec![0.0; size];
         for (k, (&i, part)) in set.iter().zip(parts).enumerate() {
             let row = &mut matrix[k * size..(k + 1) * size];
             match (part, &self.units[i].law) {
-                (Part::Held, law) => {
+                (Part::Held, _) => {
                     row.iter_mut().zip(set).for_each(|(a, &j)| *a = self.coupling[i * count + j]);
-                    let (Law::Contact { restitution } | Law::Friction { restitution, .. }) = law;
-                    right[k] = -(1.0 + restitution) * self.rates[i];
+                    right[k] = goal[k].change;
                 }
                 (Part::Slides(sign), Law::Friction { kinetic, .. }) => {
-                    row.iter_mut().zip(set).for_each(|(a, &j)| *a = -sign * kinetic * self.pressure[i * count + j]);
+                    let normal = |j: usize| along[k][0] * self.pressure[i * count + j][0] + along[k][1] * self.pressure[i * count + j][1];
+                    row.iter_mut().zip(set).for_each(|(a, &j)| *a = -sign * kinetic * normal(j));
                     row[k] += 1.0;
                 }
-                _ => row[k] = 1.0,
+                _ => {
+                    row[k] = 1.0;
+                    right[k] = goal[k].impulse;
+                }
             }
         }
         Lu::new(&matrix, size).solve(&right)
     }
 
     /// The part that violates its law most, and what it should be instead.
-    fn objection(&self, set: &[usize], parts: &[Part], impulses: &[f64]) -> Option<(usize, Part)> {
+    fn objection(&self, (set, goal): (&[usize], &[Goal]), parts: &[Part], impulses: &[f64]) -> Option<(usize, Part)> {
         let count = self.units.len();
-        let sum = |table: &[f64], i: usize| set.iter().zip(impulses).map(|(&j, p)| table[i * count + j] * p).sum::<f64>();
-        let terms = |table: &[f64], i: usize| set.iter().zip(impulses).map(|(&j, p)| (table[i * count + j] * p).abs()).sum::<f64>();
+        let sum = |i: usize| set.iter().zip(impulses).map(|(&j, p)| self.coupling[i * count + j] * p).sum::<f64>();
+        let terms = |i: usize| set.iter().zip(impulses).map(|(&j, p)| (self.coupling[i * count + j] * p).abs()).sum::<f64>();
         let largest = impulses.iter().fold(0.0_f64, |m, p| m.max(p.abs()));
         let mut worst: Option<(usize, Part, f64)> = None;
         for (k, (&i, part)) in set.iter().zip(parts).enumerate() {
-            let after = self.rates[i] + sum(&self.coupling, i);
-            let size = self.rates[i].abs() + terms(&self.coupling, i);
+            let after = self.rates[i] + sum(i);
+            let size = self.rates[i].abs() + terms(i);
             let (excess, instead) = match (part, &self.units[i].law) {
-                (Part::Held, Law::Contact { .. }) => (-impulses[k] / largest, Part::Out),
-                (_, Law::Contact { restitution }) => ((-restitution * self.rates[i] - after) / size, Part::Held),
+                (_, Law::Rough) => continue,
+                (Part::Held, Law::Contact { .. }) => ((goal[k].impulse - impulses[k]) / largest, Part::Out),
+                (_, Law::Contact { .. }) => ((goal[k].rate - after) / size, Part::Held),
                 (Part::Held, Law::Friction { kinetic, fixed, .. }) => {
                     let still = self.rates[i].abs() <= SILENT * self.sizes[i];
-                    let limit = if still { fixed } else { kinetic } * sum(&self.pressure, i).abs();
-                    let positive = impulses[k] * sum(&self.pressure, i) >= 0.0;
+                    let pressed = self.normal(i, set, impulses);
+                    let limit = if still { fixed } else { kinetic } * pressed.abs();
+                    let positive = impulses[k] * pressed >= 0.0;
                     ((impulses[k].abs() - limit) / largest, Part::Slides(if positive { 1.0 } else { -1.0 }))
                 }
                 // what nothing presses gives nothing
                 (_, Law::Friction { .. }) if impulses[k].abs() <= SLACK * largest => continue,
                 // friction acts against the sliding that it leaves, beside the rebound that it would give
-                (_, Law::Friction { restitution, .. }) => {
-                    (-(after + restitution * self.rates[i]) * impulses[k].signum() / size, Part::Held)
-                }
+                (_, Law::Friction { .. }) => (-(after - goal[k].rate) * impulses[k].signum() / size, Part::Held),
             };
             if excess > SLACK && worst.is_none_or(|(_, _, most)| excess > most) {
                 worst = Some((k, instead, excess));
@@ -428,7 +551,7 @@ impl Strike {
     }
 
     fn blow(&self) -> Blow {
-        let units = || self.units.iter().enumerate();
+        let units = || self.units.iter().enumerate().filter(|(_, unit)| !matches!(unit.law, Law::Rough));
         let stops = |i: usize| self.impulses[i] != 0.0 && self.rates[i].abs() <= 1e-12 * self.sizes[i];
         Blow {
             impulses: units().map(|(i, unit)| (unit.guard, self.impulses[i])).filter(|(_, p)| *p != 0.0).collect(),
@@ -436,4 +559,13 @@ impl Strike {
             reactions: Vec::new(),
         }
     }
+}
+
+/// What a blow must reach: a contact at least this rate, or no more than this impulse; a friction this rate, if its limit allows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Goal {
+    pub rate: f64,
+    /// `rate` less the present one.
+    pub change: f64,
+    pub impulse: f64,
 }

@@ -12,6 +12,7 @@ pub mod crossings;
 pub mod extremes;
 pub mod named;
 pub mod proxy;
+pub mod pushes;
 
 use std::sync::Arc;
 

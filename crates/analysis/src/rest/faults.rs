@@ -1,6 +1,7 @@
 //! Faults of rest: friction that is too weak, loads that friction leaves open.
 
-use symbolic::Text;
+use symbolic::connections::Law;
+use symbolic::{Equations, Text};
 
 use crate::Fault;
 use crate::fault::{Explanation, Message, rounded};
@@ -16,6 +17,41 @@ pub const OPEN: Explanation = Explanation {
     en: ("friction leaves an unknown open", OPEN_EN),
     ru: ("трение оставляет неизвестное неопределённым", OPEN_RU),
 };
+
+/// S082.
+pub const JOURNAL: Explanation =
+    Explanation {
+        code: "S082", en: ("statics with a journal", JOURNAL_EN), ru: ("статика с трением в цапфе", JOURNAL_RU)
+    };
+
+const JOURNAL_EN: &str = "Whether friction holds a machine at rest is decided by linear inequalities in the reactions. The limit of a journal, mu r times the whole force of its \
+    pin, is not linear: `equilibrium` and `statics` refuse it. Follow the motion with `simulate`, which takes it exactly and shows whether the machine stays; or leave the \
+    friction out for the places of rest without it.";
+const JOURNAL_RU: &str = "Удерживает ли трение машину в покое, решают линейные неравенства для реакций. Предел трения в цапфе, mu r, умноженное на полную реакцию шарнира, нелинеен: \
+    `equilibrium` и `statics` его не принимают. Рассчитайте движение в `simulate`, где оно учитывается точно и видно, остаётся ли машина в покое; или уберите трение, \
+    чтобы найти положения равновесия без него.";
+
+/// The refusal of a machine with a journal; none without.
+pub(crate) fn journal(equations: &Equations) -> Option<Fault> {
+    let two = |law: &Law| matches!(law, Law::Friction(friction) if friction.across.is_some());
+    let reaction = equations.reactions.iter().find(|r| two(&r.law))?;
+    let (en, ru) = (&reaction.label.en, &reaction.label.ru);
+    Some(Fault::new(Message {
+        code: "S082",
+        what: Text::new(
+            format!("{en}: its limit at rest is not linear in the reactions"),
+            format!("{ru}: его предел при покое нелинеен по реакциям"),
+        ),
+        why: Text::new(
+            "the force of the pin has two components, and their magnitude presses",
+            "реакция шарнира имеет две составляющие, и прижимает её модуль",
+        ),
+        help: Text::new(
+            "follow the motion with `simulate`, or leave this friction out",
+            "рассчитайте движение в `simulate` или уберите это трение",
+        ),
+    }))
+}
 
 /// S065.
 pub const WANDERING: Explanation = Explanation {

@@ -50,6 +50,9 @@ pub fn study(equations: &Equations, parameters: &[f64], start: &[f64], options: 
 }
 
 fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Result<Outcome, Fault> {
+    if let Some(refused) = super::faults::journal(equations) {
+        return Err(refused);
+    }
     let n = equations.coordinates.len();
     let q = &start[..n];
     let mut notes = vec![crate::studies::equilibrium::rates_are_zero()];

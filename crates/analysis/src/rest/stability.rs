@@ -24,8 +24,9 @@ const AXIS: f64 = 1e-9;
 pub fn with_closed(equations: &Equations, closed: &[usize]) -> Equations {
     let mut out = equations.clone();
     for (r, reaction) in out.reactions.iter_mut().enumerate() {
-        if let Law::Contact { condition, .. } = reaction.law
-            && closed.contains(&r)
+        let contact = if let Law::Rough { contact, .. } = reaction.law { contact } else { r };
+        if let Law::Contact { condition, .. } | Law::Rough { condition, .. } = reaction.law
+            && closed.contains(&contact)
         {
             reaction.law = Law::Ideal { condition };
         }

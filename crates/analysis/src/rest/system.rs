@@ -98,7 +98,11 @@ impl Parts {
                     parts.reactions.push(r);
                     parts.conditions.push(*condition);
                 }
-                Law::Contact { .. } => {}
+                Law::Rough { condition, contact } if closed(*contact) => {
+                    parts.reactions.push(r);
+                    parts.conditions.push(*condition);
+                }
+                Law::Contact { .. } | Law::Rough { .. } => {}
                 Law::Friction(_) | Law::Support | Law::Motor | Law::Place | Law::Transmission => parts.reactions.push(r),
             }
         }
@@ -355,7 +359,7 @@ fn roots(equations: &Equations, parts: &Parts, graph: &mut Graph) -> Roots {
 fn needs_balances(equations: &Equations) -> bool {
     let is_support = |r: &usize| matches!(equations.reactions[*r].law, Law::Support);
     let pressed = |law: &Law| match law {
-        Law::Friction(friction) => friction.normal.iter().flat_map(|n| &n.terms).any(|(r, _)| is_support(r)),
+        Law::Friction(friction) => friction.components().flat_map(|n| &n.terms).any(|(r, _)| is_support(r)),
         _ => false,
     };
     equations.coordinates.is_empty() || equations.reactions.iter().any(|r| pressed(&r.law))

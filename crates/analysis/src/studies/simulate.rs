@@ -13,13 +13,14 @@ use crate::audits::ledger::Ledger;
 use crate::audits::shared::Shared;
 use crate::audits::touches::TouchLaws;
 use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, released::ReleasedBalance, second::two_derivations};
-use crate::dataset::{Audit, Column, Counter, Dataset, Event, Standing};
+use crate::dataset::{Audit, Column, ContactChange, Counter, Dataset, Event, Standing};
 use crate::events::words::{change, describe, standing};
 use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
 use crate::marks::Along;
 use crate::marks::extremes::Extremes;
 use crate::marks::named::{Happened, Named, Watcher};
+use crate::marks::pushes::{Push, Pushes};
 use crate::stiff::Method;
 use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance, order_for};
 use crate::{Fault, GuardKind, Mode, Quantity, System};
@@ -48,6 +49,8 @@ pub struct Simulate<'a> {
     pub outputs: Option<Vec<String>>,
     /// Formulas whose zeros are events, some of which end the motion.
     pub events: Vec<Named>,
+    /// Normal forces that only push; where one becomes negative is an event.
+    pub pushes: Vec<Push>,
     /// Outputs among those shown that are powers: their integrals are compared with the energy.
     pub works: Vec<String>,
     /// Order of the Taylor polynomials; absent: as the tolerance and the motion ask.
@@ -79,6 +82,7 @@ impl Simulate<'_> {
             tolerance: 1e-12,
             outputs: None,
             events: Vec::new(),
+            pushes: Vec::new(),
             works: Vec::new(),
             order: None,
             check: false,
@@ -177,6 +181,7 @@ fn repeated<S: System + ?Sized>(
         grid: options.grid.clone(),
         outputs: options.outputs.clone(),
         events: options.events.clone(),
+        pushes: options.pushes.clone(),
         tolerance,
         order,
         interrupt: options.interrupt,
@@ -284,6 +289,7 @@ struct Run {
     shared: Shared,
     extremes: Extremes,
     named: Watcher,
+    pushes: Pushes,
     /// Event that ended the motion.
     ended: Option<(f64, usize)>,
     /// Largest drift of conditions that was removed.
@@ -355,6 +361,7 @@ impl Run {
             shared: Shared::default(),
             extremes: Extremes::new(system, &chosen, options.tolerance),
             named: Watcher::new(&options.events),
+            pushes: Pushes::new(&options.pushes.iter().filter(|p| system.refusal(p.output).is_none()).cloned().collect::<Vec<_>>()),
             ended: None,
             drift: 0.0,
             work: Work::default(),
@@ -367,7 +374,8 @@ impl Run {
     fn integrate<S: System + ?Sized>(&mut self, system: &mut S, start: &[f64], options: &mut Simulate<'_>) -> Result<(), Fault> {
         let end = options.until;
         let mut shown = self.chosen.clone();
-        shown.extend(options.events.iter().map(|e| e.output).filter(|i| !self.chosen.contains(i)));
+        let watched = options.events.iter().map(|e| e.output).chain(self.pushes.list().iter().map(|p| p.output));
+        shown.extend(watched.filter(|i| !self.chosen.contains(i)));
         system.show(&shown)?;
         system.placed(0.0, start)?;
         let flow_options =
@@ -422,6 +430,7 @@ impl Run {
     fn look<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Option<f64> {
         let (step, system) = flow.step_and_system();
         let found = self.named.look(&mut Along::new(step, system, step.length));
+        self.look_at_pushes(&mut Along::new(step, system, step.length));
         let stop = found.last().filter(|last| self.named.stops(last) && step.start.after(last.tau).high > 0.0).cloned();
         for happened in &found {
             self.name_event(happened, &mut Along::new(step, system, step.length));
@@ -442,11 +451,24 @@ impl Run {
         stop.map(|stop| stop.tau)
     }
 
+    /// Lists where a contact that only pushes begins to pull.
+    fn look_at_pushes<S: System + ?Sized>(&mut self, along: &mut Along<'_, S>) {
+        for (i, tau) in self.pushes.look(along) {
+            let push = &self.pushes.list()[i];
+            let what = Text::new(
+                format!("{}: the normal force becomes negative", push.label.en),
+                format!("{}: нормальная реакция становится отрицательной", push.label.ru),
+            );
+            let (name, contact) = (push.name.clone(), push.label.en.rsplit(' ').next().unwrap_or_default().to_owned());
+            self.list_inside((name, what), [1.0, -1.0], tau, along);
+            if let Some(event) = self.events.last_mut() {
+                event.contact = Some(ContactChange { contact, from: "pushes", to: "pulls", impulse: None });
+            }
+        }
+    }
+
     /// Lists a named event with the outputs at its instant.
     fn name_event<S: System + ?Sized>(&mut self, happened: &Happened, along: &mut Along<'_, S>) {
-        if self.events.len() >= EVENTS {
-            return;
-        }
         let name = self.named.events()[happened.event].name.clone();
         let (en, ru) = if happened.sign > 0.0 {
             ("rises through zero", "проходит нуль снизу")
@@ -454,11 +476,18 @@ impl Run {
             ("falls through zero", "проходит нуль сверху")
         };
         let what = Text::new(format!("{name}: {en}"), format!("{name}: {ru}"));
-        let all = along.outputs(happened.tau).to_vec();
+        self.list_inside((name, what), [-happened.sign, happened.sign], happened.tau, along);
+    }
+
+    /// Lists an event inside a step.
+    fn list_inside<S: System + ?Sized>(&mut self, (name, what): (String, Text), sides: [f64; 2], tau: f64, along: &mut Along<'_, S>) {
+        if self.events.len() >= EVENTS {
+            return;
+        }
+        let all = along.outputs(tau).to_vec();
         let outputs: Vec<f64> = self.chosen.iter().map(|&i| all[i]).collect();
-        let state = along.whole_state(happened.tau);
-        let t = along.time(happened.tau);
-        let sides = [-happened.sign, happened.sign];
+        let state = along.whole_state(tau);
+        let t = along.time(tau);
         let both = [outputs.clone(), outputs];
         let states = [state.clone(), state];
         self.events.push(Event { t, name, what, guard: usize::MAX, sides, states, outputs: both, contact: None });
@@ -520,7 +549,7 @@ impl Run {
     }
 
     fn record<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Result<(), Fault> {
-        if flow.switches().iter().any(|s| matches!(s.change, Change::Impact { .. })) {
+        if flow.switches().iter().any(|s| matches!(s.change, Change::Impact { .. } | Change::Jolt)) {
             self.ledger.impact();
             self.judge_blow(flow);
         }
@@ -652,6 +681,7 @@ impl Run {
             ));
         }
         notes.extend(self.shared.note(system));
+        notes.extend(self.pushes.notes());
         let mut counters = counters(&self.work, &self.impacts);
         let samples = self.extremes.samples() + self.named.samples();
         if samples > 0 {

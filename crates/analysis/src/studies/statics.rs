@@ -67,6 +67,9 @@ pub fn statics(equations: &Equations) -> Result<Statics, Fault> {
     if equations.reactions.is_empty() {
         return Err(Fault::no_reactions());
     }
+    if let Some(refused) = crate::rest::faults::journal(equations) {
+        return Err(refused);
+    }
     let parameters: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
     let (start, notes) = match equations.coordinates.len() {
         0 => (Vec::new(), Vec::new()),

@@ -139,6 +139,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) leaving: Vec<bool>,
     /// Contacts that have just rebounded.
     pub(crate) rebounds: Vec<bool>,
+    /// Whether prescribed velocities jump at this instant.
+    pub(crate) jolted: bool,
     /// The last impact at each contact.
     pub(crate) hits: Vec<Option<Hit>>,
     /// What the impact of the last event did.
@@ -210,6 +212,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             modes: vec![Mode::Zero; n_g],
             leaving: vec![false; n_g],
             rebounds: vec![false; n_g],
+            jolted: false,
             hits: vec![None; n_g],
             blow: None,
             deflation: vec![0; n_g],

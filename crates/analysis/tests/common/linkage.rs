@@ -165,13 +165,18 @@ impl Build {
         let condition = self.condition(name, Some(gap), None);
         let restitution = self.number(restitution);
         let tangential = self.number(0.0);
-        self.own(name, "N", 1.0, Law::Contact { condition, gap, restitution, tangential, tie: name.starts_with("rope") })
+        self.own(
+            name,
+            "N",
+            1.0,
+            Law::Contact { condition, gap, restitution, tangential, tie: name.starts_with("rope"), rebound: Default::default() },
+        )
     }
 
     pub fn friction(&mut self, name: &str, sliding: Expr, fixed: f64, kinetic: f64) -> usize {
         let condition = self.condition(name, None, Some(sliding));
         let (fixed, kinetic) = (self.number(fixed), self.number(kinetic));
-        let friction = Friction { condition, sliding, kinetic: [kinetic; 2], fixed, normal: None };
+        let friction = Friction { condition, sliding, kinetic: [kinetic; 2], fixed, normal: None, across: None };
         self.own(name, "N", -1.0, Law::Friction(Box::new(friction)))
     }
 

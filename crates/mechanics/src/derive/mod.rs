@@ -22,7 +22,7 @@ mod wrench;
 pub use explain::EXPLANATIONS;
 
 use crate::diagnostic::{Diagnostic, sort};
-use crate::model::{Class, CoordinateDecl, Inertia, Model};
+use crate::model::{Class, ConnectionKind, CoordinateDecl, Inertia, Model, Part};
 use connections::Connected;
 use kinematics::Kinematics;
 use lagrange::{Kinetic, Quadratic};
@@ -444,7 +444,33 @@ fn outputs(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
             }
         }
     }
+    list.extend(pushes(scene, resolver));
     if errors.is_empty() { Ok(list) } else { Err(errors) }
+}
+
+/// The normal forces of wheels that their tracks hold both ways: a track only pushes.
+fn pushes(scene: &mut Scene, resolver: &Resolver) -> Vec<Output> {
+    let held = |kind: &ConnectionKind| matches!(kind, ConnectionKind::Rolling { held: true, leaves: None, .. });
+    let mut list = Vec::new();
+    for (i, connection) in scene.model.connections.iter().enumerate().filter(|(_, c)| held(&c.kind)) {
+        let Some(&formula) = resolver.reactions.get(&(i, Part::Normal)) else { continue };
+        let name = &connection.name;
+        list.push(Output {
+            name: push_output(name),
+            symbol: scene.graph.symbol_id(&push_output(name), 0),
+            unit: "N".to_owned(),
+            display: None,
+            label: Text::new(format!("rolling {name}"), format!("качение {name}")),
+            role: Role::Event,
+            formula,
+        });
+    }
+    list
+}
+
+/// Name of the output that holds a normal force which only pushes.
+pub fn push_output(name: &str) -> String {
+    format!("push({name})")
 }
 
 /// Name of the output that holds the formula of a named event; brackets keep it apart from the user's names.

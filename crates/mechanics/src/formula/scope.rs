@@ -126,6 +126,16 @@ impl Scope {
             acting.what = What::Connection(index, parts);
         }
     }
+    /// The connection of that name in one of these tables; its index is missing when it has a fault of its own.
+    pub(crate) fn connection(&self, tables: &[&str], name: &str) -> Option<Option<usize>> {
+        let own = self.acting.get(name)?.iter().find(|a| tables.contains(&a.table))?;
+        Some(if let What::Connection(index, _) = own.what { Some(index) } else { None })
+    }
+    /// The names in these tables.
+    pub(crate) fn connections_of(&self, tables: &[&str]) -> impl Iterator<Item = &str> {
+        let of = move |name: &&String| self.acting.get(*name).into_iter().flatten().any(|a| tables.contains(&a.table));
+        self.listed_elements.iter().filter(of).map(String::as_str)
+    }
     /// Whether `force` of a connection is the magnitude of several components.
     pub(crate) fn is_magnitude(&self, index: usize) -> bool {
         // whether a slider has one component or two only the derivation knows

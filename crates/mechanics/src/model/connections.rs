@@ -2,6 +2,7 @@
 
 use super::{FrameId, Pathway, PointRef, Rest};
 use std::ops::Range;
+use symbolic::connections::Rebound;
 use symbolic::{Expr, SymbolId};
 
 /// Something with reactions: a joint, a support, a drive, a stop, a dry friction.
@@ -97,6 +98,8 @@ pub enum ConnectionKind {
         track: Track,
         /// Whether the wheel is kept at the distance `radius` from the track (`normal` exists); not for racks.
         held: bool,
+        /// Restitution of a landing, where the wheel may leave the track: then it is held one-sidedly.
+        leaves: Option<Expr>,
     },
     /// A condition written as a formula.
     Constraint {
@@ -140,20 +143,88 @@ pub enum ConnectionKind {
         restitution: Expr,
         /// Restitution of the sliding speed of a friction that it presses.
         tangential: Expr,
+        /// What the restitution is the ratio of.
+        rebound: Rebound,
     },
-    /// Dry friction on a pathway. The force is positive when it resists a growing pathway.
+    /// Dry friction. The force is positive when it resists positive sliding.
     Friction {
-        /// Pathway whose rate is the sliding speed.
-        pathway: Pathway,
+        /// What slides.
+        slides: Slides,
         /// Kinetic magnitude over constants, time and `u`, the sliding speed's magnitude; a coefficient when `normal` is given.
         kinetic: Expr,
         /// Symbol of `u` in `kinetic`.
         speed: SymbolId,
         /// Static limit (or coefficient); `None`: the kinetic one at u = 0.
         fixed: Option<Expr>,
-        /// Normal force: a formula, which may contain reactions linearly; its magnitude counts.
-        normal: Option<Expr>,
+        /// What it is a share of.
+        normal: Pressing,
     },
+}
+
+/// What the law of a friction multiplies.
+#[derive(Clone, Copy, Debug)]
+pub enum Pressing {
+    /// Nothing: the law is a force.
+    Given,
+    /// A normal force, which may contain reactions linearly; its magnitude counts.
+    Formula(Expr),
+    /// The force of the named contact, pin or rope.
+    Contact,
+}
+
+/// What a friction acts between. Other connections go by their index in the model.
+#[derive(Clone, Debug)]
+pub enum Slides {
+    /// A pathway, whose rate is the sliding speed.
+    Along(Pathway),
+    /// A point of a body along a direction on another body: the force acts there on both.
+    Point {
+        /// The point.
+        point: PointRef,
+        /// The other body.
+        on: FrameId,
+        /// The direction.
+        direction: Aim,
+    },
+    /// A body where it touches another: at a wheel's contact point, which may then slip, or at the point of a stop.
+    Contact {
+        /// A rolling contact or a stop.
+        of: usize,
+        /// The direction; `None`: along the track, or the normal turned by -90 degrees.
+        direction: Option<Aim>,
+        /// Distance of the contact from the point of a stop, towards the surface.
+        radius: Option<Expr>,
+    },
+    /// A body that turns on another where they touch: the coefficient is the lever of the normal force.
+    Rolls {
+        /// A rolling contact or a stop.
+        of: usize,
+    },
+    /// Two bodies that turn about a pin: the coefficient times the radius is the lever of the pin's force, of all its components.
+    Journal {
+        /// A pin or a support.
+        of: usize,
+        /// Radius of the journal.
+        radius: Expr,
+    },
+    /// A rope over points of a drum or ring that does not turn: the tensions differ by the factor exp(coefficient · wrap).
+    Belt {
+        /// The rope.
+        of: usize,
+        /// First and last of its points that lie on the drum.
+        over: [PointRef; 2],
+        /// Angle of contact; `None`: that by which the rope turns there.
+        wrap: Option<Expr>,
+    },
+}
+
+/// A direction, of any length.
+#[derive(Clone, Copy, Debug)]
+pub struct Aim {
+    /// Components.
+    pub vector: [Expr; 3],
+    /// Their axes.
+    pub axes: FrameId,
 }
 
 /// A drum on which a rope winds: winding length = sense · radius · angle of the drum against its carrier.

@@ -14,14 +14,17 @@
 //! Where closed contacts and sticking frictions repeat each other (two feet of a block that rests), some of their rows are replaced: their conditions hold
 //! through the others, and their reactions are set. Which ones is a mode too (`Share`, `Side`), chosen by the integrator.
 //!
+//! Frictions pressed by a force of two components are not linear: `journals.rs`.
+//!
 //! Frictions whose sliding speeds are in a constant ratio r (two feet of a block, brakes of different radii on a shaft) stick and slide together: the first
 //! leads, the others share its guards. While they stick only the sum Σ r λ of what they do on the leader's motion is determined; it is compared with
 //! Σ |r| limit, and shared in proportion to the limits. Where normal forces from reactions make the limits unknown, the first takes all.
 
 use super::expressions::Lowering;
 use super::forms::Value;
+use super::journals::Journal;
 use crate::{Bounded, By, Fault, Guard, GuardKind, Mode, Register};
-use symbolic::connections::{Balance, Condition, Friction, Law};
+use symbolic::connections::{Balance, Condition, Friction, Law, Normal};
 use symbolic::{Equations, Expr, Text};
 
 /// What takes part of the connections of some equations. A condition that repeats others is dropped together with the reaction that owns it.
@@ -62,8 +65,23 @@ pub(super) struct Arrangement {
 /// Numbers of the guards of one reaction. Frictions that slide together have one leader, whose limits they share.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Numbers {
-    Sliding { leader: usize, sliding: u32, limits: [u32; 2], normal: Option<u32>, shares: Option<[u32; 2]> },
-    Gap { gap: u32, force: u32, share: Option<u32> },
+    Sliding {
+        leader: usize,
+        sliding: u32,
+        limits: [u32; 2],
+        normal: Option<u32>,
+        shares: Option<[u32; 2]>,
+    },
+    Gap {
+        gap: u32,
+        force: u32,
+        share: Option<u32>,
+    },
+    /// The gap is that of the contact that it follows.
+    Rough {
+        gap: u32,
+        share: Option<u32>,
+    },
 }
 
 impl Numbers {
@@ -71,7 +89,7 @@ impl Numbers {
     pub(super) fn switch(self) -> usize {
         match self {
             Numbers::Sliding { sliding, .. } => sliding as usize,
-            Numbers::Gap { gap, .. } => gap as usize,
+            Numbers::Gap { gap, .. } | Numbers::Rough { gap, .. } => gap as usize,
         }
     }
 }
@@ -124,11 +142,8 @@ impl Arrangement {
 
 /// Reactions that a friction's normal force consists of.
 fn pressing(equations: &Equations, reaction: usize) -> impl Iterator<Item = usize> + '_ {
-    let normal = match &equations.reactions[reaction].law {
-        Law::Friction(friction) => friction.normal.as_ref(),
-        _ => None,
-    };
-    normal.into_iter().flat_map(|n| n.terms.iter().map(|t| t.0))
+    let friction = friction_of(equations, reaction);
+    friction.into_iter().flat_map(|f| f.components().flat_map(|n| n.terms.iter().map(|t| t.0)))
 }
 
 /// A row under construction: entries by column, right side.
@@ -140,10 +155,11 @@ pub(super) struct Connected<'e, 'a, 'g, 't> {
     equations: &'e Equations,
     arrangement: &'e Arrangement,
     /// Column of each reaction.
-    columns: Vec<Option<usize>>,
-    size: usize,
-    matrix: Vec<Option<Register>>,
-    right: Vec<Register>,
+    pub(super) columns: Vec<Option<usize>>,
+    pub(super) size: usize,
+    pub(super) matrix: Vec<Option<Register>>,
+    pub(super) right: Vec<Register>,
+    journals: Vec<Journal<'e>>,
 }
 
 impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
@@ -162,6 +178,7 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
             size,
             matrix: Vec::with_capacity(size * size),
             right: Vec::with_capacity(size),
+            journals: Vec::new(),
         }
     }
 
@@ -179,6 +196,8 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
         for b in &self.arrangement.joined {
             self.balance(*b)?;
         }
+        let journals = std::mem::take(&mut self.journals);
+        self.press_journals(&journals)?;
         Ok(Some(self.lowering.system(self.matrix, self.right)))
     }
 
@@ -231,7 +250,7 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
         found
     }
 
-    fn condition(&mut self, condition: &Condition, numbers: &[Option<Numbers>]) -> Result<(), Fault> {
+    fn condition(&mut self, condition: &'e Condition, numbers: &[Option<Numbers>]) -> Result<(), Fault> {
         let mut entries = Vec::new();
         for (j, e) in &condition.columns {
             entries.push((*j, self.lowering.value(*e)?));
@@ -252,11 +271,19 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
                 };
                 let kinetic = [self.lowering.negative(friction.kinetic[0])?, self.lowering.value(friction.kinetic[1])?];
                 let [back, forth] = [kinetic, [kinetic[1], kinetic[0]]].map(|sides| by_sign(self.lowering, ratio, sides));
+                if let (Some(_), Some(unique)) = (&friction.across, normal) {
+                    let zero = self.lowering.literal(0.0);
+                    let coefficient = self.lowering.branch(By::Mode(sliding), [back, zero, forth]);
+                    let [one, less] = [1.0, -1.0].map(|sign| self.lowering.literal(sign));
+                    let guarded = [[zero, coefficient, coefficient], [less, one, one]];
+                    let guarded = guarded.map(|sides| self.lowering.branch(By::Mode(unique), sides));
+                    self.journals.push(Journal { row: self.right.len(), law: friction, sliding, unique, coefficient, guarded });
+                }
                 let sides = [self.slip(friction, column, back, normal)?, held, self.slip(friction, column, forth, normal)?];
                 let row = self.alternatives(sliding, sides);
                 self.push(row);
             }
-            (_, Numbers::Gap { gap, share, .. }) => {
+            (_, Numbers::Gap { gap, share, .. } | Numbers::Rough { gap, share }) => {
                 let open = (vec![(column, self.lowering.literal(1.0))], self.lowering.literal(0.0));
                 let held = match share {
                     Some(share) => self.alternatives(share, [open.clone(), open.clone(), held]),
@@ -273,6 +300,10 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
     /// λ - kinetic |N| = 0 with the sign of sliding in `kinetic`; |N| = σ N with the sign σ of N by its mode.
     fn slip(&mut self, friction: &Friction, column: usize, kinetic: Value, normal: Option<u32>) -> Result<Row, Fault> {
         let mut entries = vec![(column, self.lowering.literal(1.0))];
+        if friction.across.is_some() {
+            // what stands on the right is known when both components are
+            return Ok((entries, self.lowering.literal(0.0)));
+        }
         let (Some(normal), Some(number)) = (&friction.normal, normal) else {
             return Ok((entries, kinetic));
         };
@@ -347,6 +378,10 @@ pub(super) fn reserve(lowering: &mut Lowering, equations: &Equations, arrangemen
             Law::Friction(friction) => {
                 let leader = leader(lowering, equations, arrangement, friction)?.unwrap_or(reaction);
                 Some(sliding(lowering, reaction, friction, (numbers[leader], shared))?)
+            }
+            Law::Rough { condition, contact } => {
+                let slip = equations.conditions[*condition].rate;
+                numbers[*contact].map(|contact| rough(lowering, (reaction, slip), contact, shared))
             }
             _ => None,
         };
@@ -425,6 +460,13 @@ fn contact(lowering: &mut Lowering, reaction: usize, left: Expr, shared: Sharing
     lowering.bound(Bounded { guard: force, of: gap });
     let share = (shared == Sharing::Possible).then(|| switch(lowering, GuardKind::Share { reaction, of }, left, 1.0));
     Ok(Numbers::Gap { gap, force, share })
+}
+
+/// What follows a contact may be left to others like the contact itself.
+fn rough(lowering: &mut Lowering, (reaction, left): (usize, Expr), contact: Numbers, shared: Sharing) -> Numbers {
+    let of = contact.switch();
+    let share = (shared == Sharing::Possible).then(|| switch(lowering, GuardKind::Share { reaction, of }, left, 1.0));
+    Numbers::Rough { gap: of as u32, share }
 }
 
 fn sliding(
@@ -524,20 +566,32 @@ pub(super) fn fill(
     Ok(())
 }
 
-/// The static limit; |N| by the sign of N, whose guard gets its register here.
+/// The static limit; |N| by the sign of N, whose guard gets its register here, or from two components.
 fn limit(lowering: &mut Lowering, friction: &Friction, guard: Option<u32>, force: &dyn Fn(usize) -> Value) -> Result<Value, Fault> {
     let fixed = lowering.value(friction.fixed)?;
     let (Some(guard), Some(normal)) = (guard, &friction.normal) else { return Ok(fixed) };
+    let pressure = component(lowering, normal, force)?;
+    if let Some(across) = &friction.across {
+        let across = component(lowering, across, force)?;
+        let squares = [pressure, across].map(|part| (1.0, lowering.times(part, part)));
+        let square = lowering.sum(&squares);
+        let magnitude = lowering.root(square);
+        return Ok(lowering.times(fixed, magnitude));
+    }
+    lowering.define_guard(guard, pressure);
+    let sides = [lowering.sum(&[(-1.0, pressure)]), lowering.literal(0.0), pressure];
+    let magnitude = lowering.branch(By::Mode(guard), sides);
+    Ok(lowering.times(fixed, magnitude))
+}
+
+/// A component of a normal force from the solved reactions.
+fn component(lowering: &mut Lowering, normal: &Normal, force: &dyn Fn(usize) -> Value) -> Result<Value, Fault> {
     let mut items = vec![(1.0, lowering.value(normal.constant)?)];
     for (k, e) in &normal.terms {
         let factor = lowering.value(*e)?;
         items.push((1.0, lowering.times(factor, force(*k))));
     }
-    let pressure = lowering.sum(&items);
-    lowering.define_guard(guard, pressure);
-    let sides = [lowering.sum(&[(-1.0, pressure)]), lowering.literal(0.0), pressure];
-    let magnitude = lowering.branch(By::Mode(guard), sides);
-    Ok(lowering.times(fixed, magnitude))
+    Ok(lowering.sum(&items))
 }
 
 /// Registers of the supports, from the balances: Σ released λ = columns q'' - rest - Σ released (solved) λ.

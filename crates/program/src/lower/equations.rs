@@ -2,6 +2,7 @@
 
 use super::connections::{Arrangement, Connected, Numbers, Selection, fill, reserve, supports, surfaces};
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
+use super::steps::steps;
 use crate::passes::select;
 use crate::{ENERGY, Fault, Program, Register, Root, Tape};
 use std::collections::HashSet;
@@ -62,6 +63,7 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         guards: guards.guards,
         frictions: frictions(equations).count(),
         joined: arrangement.joined.clone(),
+        steps: steps(equations).is_some(),
         solved: arrangement.solved,
     })
 }
@@ -169,7 +171,9 @@ fn known(arrangement: &Arrangement) -> Vec<usize> {
 
 fn dynamics(equations: &Equations, names: &Names, arrangement: &Arrangement) -> Result<(Tape, GuardTable), Fault> {
     let n = equations.coordinates.len();
-    let mut lowering = Lowering::new(&equations.graph, &over_states(equations), Switches::Collect);
+    let steps = steps(equations);
+    let graph = steps.as_ref().map_or(&equations.graph, |(graph, _)| graph);
+    let mut lowering = Lowering::new(graph, &over_states(equations), Switches::Collect);
     let numbers = reserve(&mut lowering, equations, arrangement)?;
     let first = solution(&mut lowering, equations, arrangement, &numbers)?;
     let solved = |i: usize| Register(first.map_or(0, |f| f.0) + i as u32);
@@ -184,6 +188,9 @@ fn dynamics(equations: &Equations, names: &Names, arrangement: &Arrangement) -> 
     let mut roots: Vec<Root> = rates.into_iter().enumerate().map(|(i, register)| Root { name: names.rate(i), register }).collect();
     for (i, r) in arrangement.solved.iter().enumerate() {
         roots.push(Root { name: names.reaction(*r), register: solved(n + i) });
+    }
+    for (i, e) in steps.iter().flat_map(|(_, list)| list.iter().enumerate()) {
+        roots.push(Root { name: format!("prescribed velocity {}", i + 1), register: lowering.register(*e)? });
     }
     lowering.table.numbers = numbers;
     lowering.finish("dynamics", roots)
@@ -216,7 +223,7 @@ fn forces(equations: &Equations, names: &Names, arrangement: &Arrangement, dynam
     let n = equations.coordinates.len();
     if arrangement.supports.is_empty() {
         let states = names.states.len();
-        let roots: Vec<usize> = (n..2 * n).chain(states..dynamics.roots.len()).collect();
+        let roots: Vec<usize> = (n..2 * n).chain(states..states + arrangement.solved.len()).collect();
         return Ok(Tape { name: "forces".to_owned(), ..select(dynamics, &roots) });
     }
     let mut lowering = Lowering::new(&equations.graph, &over_states(equations), Switches::Known(guards));
@@ -268,8 +275,10 @@ fn laws(equations: &Equations, joined: &[usize]) -> Result<Tape, Fault> {
         let [back, forth] = friction.kinetic;
         let kinetic = graph.switch(friction.sliding, false, forth, back);
         roots.extend([kinetic, friction.fixed].map(|e| ("law of friction".to_owned(), e)));
-        let terms = friction.normal.as_ref().map_or(&[][..], |n| &n.terms);
-        roots.extend(sparse(terms, count, zero).into_iter().map(|e| ("normal force".to_owned(), e)));
+        for normal in [&friction.normal, &friction.across] {
+            let terms = normal.as_ref().map_or(&[][..], |n| &n.terms);
+            roots.extend(sparse(terms, count, zero).into_iter().map(|e| ("normal force".to_owned(), e)));
+        }
     }
     for &b in joined {
         let balance = &equations.balances[b];

@@ -4,7 +4,7 @@ use super::builder::Builder;
 use super::connections::Numbers;
 use super::forms::Value;
 use crate::verify::verified;
-use crate::{Bounded, By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Tape};
+use crate::{Bounded, By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Tape, Unary};
 use rustc_hash::FxHashMap;
 use symbolic::{Expr, Function, Graph, Node, Rational, SymbolId};
 
@@ -153,7 +153,19 @@ impl<'g, 't> Lowering<'g, 't> {
         self.builder.times(a, b)
     }
 
-    /// a/b of values over parameters.
+    /// The square root of a value that does not vanish.
+    pub(super) fn root(&mut self, a: Value) -> Value {
+        let a = self.builder.whole(a);
+        let root = self.builder.unary(Unary::SquareRoot, a);
+        self.builder.classify(root)
+    }
+
+    /// A register as a value.
+    pub(super) fn classify(&self, r: Register) -> Value {
+        self.builder.classify(r)
+    }
+
+    /// a/b.
     pub(super) fn quotient(&mut self, a: Value, b: Value) -> Value {
         let (a, b) = (self.builder.whole(a), self.builder.whole(b));
         let quotient = self.builder.divide(a, b);

@@ -5,7 +5,9 @@ mod connections;
 mod equations;
 mod expressions;
 mod forms;
+mod journals;
 mod linkage;
+mod steps;
 mod touches;
 
 pub use connections::Selection;

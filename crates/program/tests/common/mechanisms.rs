@@ -75,7 +75,7 @@ pub fn friction(e: &mut Equations, name: &str, sliding: Expr, [back, forth]: [Ex
     let condition = rate_condition(e, name, None, sliding);
     let forces = e.conditions[condition].columns.clone();
     let forces = forces.into_iter().map(|(j, c)| (j, e.graph.neg(c))).collect();
-    let law = Friction { condition, sliding, kinetic: [back, forth], fixed, normal };
+    let law = Friction { condition, sliding, kinetic: [back, forth], fixed, normal, across: None };
     reaction(e, &format!("friction({name})"), forces, Law::Friction(Box::new(law)))
 }
 
@@ -84,7 +84,12 @@ pub fn contact(e: &mut Equations, name: &str, gap: Expr) -> usize {
     let condition = condition(e, name, gap);
     let forces = e.conditions[condition].columns.clone();
     let restitution = e.graph.number(ratio(1, 2));
-    reaction(e, &format!("force({name})"), forces, Law::Contact { condition, gap, restitution, tangential: restitution, tie: false })
+    reaction(
+        e,
+        &format!("force({name})"),
+        forces,
+        Law::Contact { condition, gap, restitution, tangential: restitution, tie: false, rebound: Default::default() },
+    )
 }
 
 pub fn balance(e: &mut Equations, name: &str, columns: Vec<(usize, Expr)>, rest: Expr, released: &[(usize, Expr)]) {

@@ -8,6 +8,7 @@ use report::{Language, Word as Title};
 use serde_json::{Value, json};
 use strutt::Failure;
 use strutt::document;
+use strutt::frictions;
 use strutt::pipeline::Machine;
 use strutt::words::{Word, say};
 use symbolic::Equations;
@@ -149,6 +150,12 @@ impl<'a> Writer<'a> {
                 out.push_str(&self.formula(line, None));
             }
         }
+        let laws = frictions::laws(self.equations, &self.printer, self.form());
+        if !laws.is_empty() {
+            out.push('\n');
+            out.push_str(&self.words(say(self.language, Word::FrictionLaws)));
+            out.extend(laws.iter().map(|line| self.formula(line, None)));
+        }
         if self.equations.reactions.iter().any(|r| r.law.is_reaction()) {
             out.push('\n');
             out.push_str(&self.words(say(self.language, Word::Reactions)));
@@ -188,6 +195,9 @@ pub fn to_json(machine: &Machine, language: Language) -> Value {
     let [text, latex, mathml] =
         [formula::Form::Text, formula::Form::Latex, formula::Form::MathMl].map(|form| document::conditions(equations, &printer, form));
     let conditions: Vec<Value> = (0..text.len()).map(|i| json!({"text": text[i], "latex": latex[i], "mathml": mathml[i]})).collect();
+    let [text, latex, mathml] =
+        [formula::Form::Text, formula::Form::Latex, formula::Form::MathMl].map(|form| frictions::laws(equations, &printer, form));
+    let laws: Vec<Value> = (0..text.len()).map(|i| json!({"text": text[i], "latex": latex[i], "mathml": mathml[i]})).collect();
     let reactions: Vec<Value> = equations
         .reactions
         .iter()
@@ -201,6 +211,7 @@ pub fn to_json(machine: &Machine, language: Language) -> Value {
     own.insert("not_shown".into(), json!(reason));
     own.insert("definitions".into(), json!(definitions));
     own.insert("conditions".into(), json!(conditions));
+    own.insert("friction_laws".into(), json!(laws));
     own.insert("reactions".into(), json!(reactions));
     for (key, e) in ["kinetic", "potential", "dissipation"].into_iter().zip(document::energies(equations)) {
         own.insert(key.into(), energy(e.2));

@@ -247,12 +247,14 @@ impl Command {
         let fails = claims.iter().any(|claim| matches!(claim, Claim::Fails { .. }));
         let outputs = if fails { None } else { Some(wanted.collect()) };
         let events = strutt::plan::events(&machine.model, &machine.equations);
+        let pushes = strutt::plan::pushes(&machine.model, &machine.equations);
         let options = Simulate {
             grid: Grid::At(times.clone()),
             tolerance: self.tolerance,
             method: self.method,
             outputs,
             events,
+            pushes,
             ..Simulate::until(self.until)
         };
         let start = match machine.system.start() {

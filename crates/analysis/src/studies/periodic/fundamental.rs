@@ -180,6 +180,8 @@ pub(super) enum Blur {
     Corner,
     /// Infinitely many impacts.
     Accumulation,
+    /// Prescribed velocities jump.
+    Jolt,
 }
 
 /// The fundamental matrix of a turn.
@@ -240,6 +242,9 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64]) ->
     let n = jump.before.len();
     if jump.switches.iter().any(|s| matches!(s.change, Change::Rests { .. })) {
         return Ok(Saltation::Undefined(Blur::Accumulation));
+    }
+    if jump.switches.iter().any(|s| s.change == Change::Jolt) {
+        return Ok(Saltation::Undefined(Blur::Jolt));
     }
     let closing: Vec<usize> = jump.switches.iter().filter(|s| closes(system, s)).map(|s| s.guard).collect();
     let (map, map_rate) = reset(system, jump, &closing, scales)?;

@@ -298,6 +298,10 @@ fn blurred(blur: Blur) -> Option<Text> {
             "no multipliers: infinitely many impacts lie in the period",
             "мультипликаторов нет: в периоде бесконечно много ударов",
         )),
+        Blur::Jolt => Some(Text::new(
+            "no multipliers: prescribed velocities jump within the period",
+            "мультипликаторов нет: в периоде заданные скорости изменяются скачком",
+        )),
     }
 }
 

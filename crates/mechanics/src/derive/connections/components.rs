@@ -2,7 +2,7 @@
 
 use super::axes::axes_of;
 use super::sliders::slider;
-use super::{Doubt, drums, path, tracks, wheels};
+use super::{Doubt, drums, path, rubbing, tracks, wheels};
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::loads::at_start;
 use crate::derive::pathways::{Given, Path, located, unit_vector};
@@ -10,6 +10,7 @@ use crate::derive::requests::Resolver;
 use crate::derive::scene::{Columns, Found, Scene, Vector};
 use crate::derive::wrench::{Act, carrier, frame_of, particle};
 use crate::model::{Axis, Connection, ConnectionKind, FrameId, Measure, Part, Pathway, PointRef, Rest, SupportDirection, Wound};
+use symbolic::connections::Rebound;
 use symbolic::{Expr, SymbolId, Text};
 
 /// A scalar condition with a scalar reaction.
@@ -41,13 +42,29 @@ pub enum Nature {
     /// Always.
     Ideal,
     /// While the gap is closed.
-    Contact { gap: Expr, restitution: [Expr; 2], tie: bool },
+    Contact { gap: Expr, restitution: [Expr; 2], tie: bool, rebound: Rebound },
+    /// While the contact before it is closed, whatever it takes.
+    Rough,
     /// Dry friction.
-    Friction { speed: SymbolId, kinetic: Expr, fixed: Option<Expr>, normal: Option<Expr> },
+    Friction(Rubbing),
     /// A prescribed motion.
     Motion,
     /// An unknown drive.
     Motor,
+}
+
+/// The law of a dry friction.
+pub struct Rubbing {
+    /// Symbol of the sliding speed in `kinetic`.
+    pub speed: SymbolId,
+    /// Force, or coefficient of the normal force, while it slides.
+    pub kinetic: Expr,
+    /// The same at rest; `None`: as at the slowest sliding.
+    pub fixed: Option<Expr>,
+    /// Components of the normal force; none for a force.
+    pub normal: Vec<Expr>,
+    /// Share of the friction itself in the normal force.
+    pub own: Option<Expr>,
 }
 
 impl Component {
@@ -113,28 +130,19 @@ pub fn of(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
             let label = Text::new(format!("drive {name}"), format!("привод {name}"));
             vec![Component { nature: Nature::Motor, ..Component::ideal((Part::Force, letter, unit), label, path.acts) }]
         }
-        ConnectionKind::Stop { gap, clearance, above, restitution, tangential } => {
+        ConnectionKind::Stop { gap, clearance, above, restitution, tangential, rebound } => {
             let path = path(scene, kinematics, resolver, connection, *gap)?;
             let clearance = resolver.resolve(scene, kinematics, *clearance)?;
             let normal = resolver.resolve(scene, kinematics, *restitution)?;
             let restitution = [normal, resolver.resolve(scene, kinematics, *tangential)?];
-            vec![stop(scene, (name, *gap), &path, (clearance, *above, restitution))]
+            vec![stop(scene, (name, *gap), &path, (clearance, *above, restitution, *rebound))]
         }
-        ConnectionKind::Friction { pathway, kinetic, speed, fixed, normal } => {
-            let path = path(scene, kinematics, resolver, connection, *pathway)?;
-            let (letter, unit) = effort(*pathway, "M", "F");
-            let label = Text::new(format!("dry friction {name}"), format!("сухое трение {name}"));
-            let minus = scene.graph.int(-1);
-            let acts = path.acts.iter().map(|act| act.times(scene, minus)).collect();
-            let nature = Nature::Friction { speed: *speed, kinetic: *kinetic, fixed: *fixed, normal: *normal };
-            let rate = Some(scene.rate_of(&path.gradient));
-            vec![Component { rate, negative: true, nature, ..Component::ideal((Part::Force, letter, unit), label, acts) }]
-        }
+        ConnectionKind::Friction { .. } => vec![rubbing::friction(scene, kinematics, resolver, connection)?],
     })
 }
 
 /// Letter and unit of a force on a pathway: a moment where it is an angle.
-fn effort(pathway: Pathway, moment: &'static str, force: &'static str) -> (&'static str, &'static str) {
+pub fn effort(pathway: Pathway, moment: &'static str, force: &'static str) -> (&'static str, &'static str) {
     match pathway {
         Pathway::RelativeAngle(..) => (moment, "N m"),
         Pathway::Distance(..) => (force, "N"),
@@ -276,7 +284,7 @@ fn rope(
         }
         Some(restitution) => {
             let gap = scene.graph.sub(length, total);
-            let nature = Nature::Contact { gap, restitution: [restitution, scene.graph.zero()], tie: true };
+            let nature = Nature::Contact { gap, restitution: [restitution, scene.graph.zero()], tie: true, rebound: Rebound::Newton };
             Component { place: Some(gap), nature, ..Component::ideal(of, label, acts) }
         }
     })
@@ -364,7 +372,7 @@ fn stop(
     scene: &mut Scene,
     (name, pathway): (&str, Pathway),
     path: &Path,
-    (clearance, above, restitution): (Expr, bool, [Expr; 2]),
+    (clearance, above, restitution, rebound): (Expr, bool, [Expr; 2], Rebound),
 ) -> Component {
     let gap = if above { scene.graph.sub(path.value, clearance) } else { scene.graph.sub(clearance, path.value) };
     let acts = if above {
@@ -377,7 +385,7 @@ fn stop(
     let label = Text::new(format!("stop {name}"), format!("упор {name}"));
     Component {
         place: Some(gap),
-        nature: Nature::Contact { gap, restitution, tie: false },
+        nature: Nature::Contact { gap, restitution, tie: false, rebound },
         ..Component::ideal((Part::Force, letter, unit), label, acts)
     }
 }

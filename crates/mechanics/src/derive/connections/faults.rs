@@ -173,3 +173,107 @@ pub fn curved_normal(connection: &Connection) -> Box<Diagnostic> {
     ));
     Box::new(fault)
 }
+
+fn of_friction(connection: &Connection, code: &'static str, en: String, ru: String) -> Diagnostic {
+    Diagnostic::error(code, connection.span.clone(), Text::new(en, ru))
+}
+
+/// A friction at a contact whose place does not follow from points.
+pub fn no_place(connection: &Connection, contact: &str) -> Box<Diagnostic> {
+    let name = &connection.name;
+    let fault = of_friction(
+        connection,
+        "M123",
+        format!("`frictions.{name}`: the place of the contact `{contact}` does not follow from the model"),
+        format!("`frictions.{name}`: место контакта `{contact}` не следует из модели"),
+    )
+    .why(Text::new(
+        "a friction acts at a point of a body; the pathway of this stop is a formula of coordinates, or moves several points",
+        "трение приложено в точке тела; координата этого упора — формула обобщённых координат или движет несколько точек",
+    ))
+    .help(Text::new(
+        "write the stop by points, along = \"y(A)\", or give the place yourself: at = [\"A\", \"floor\"], direction, normal = \"force(K)\"",
+        "задайте упор через точки, along = \"y(A)\", или место сами: at = [\"A\", \"floor\"], direction, normal = \"force(K)\"",
+    ));
+    Box::new(fault)
+}
+
+/// A stop whose limit may be the radius of a ball or the height of the floor.
+pub fn where_it_touches(connection: &Connection, contact: &str) -> Box<Diagnostic> {
+    let name = &connection.name;
+    let fault = of_friction(
+        connection,
+        "M123",
+        format!("`frictions.{name}`: it is not said where the body touches at the stop `{contact}`"),
+        format!("`frictions.{name}`: не сказано, где тело касается упора `{contact}`"),
+    )
+    .why(Text::new(
+        "the limit of the stop is not zero: the centre of a ball keeps its radius, a corner keeps nothing from a floor at that height",
+        "предел упора не равен нулю: центр шара остаётся на расстоянии радиуса, а угол тела касается опоры на этой высоте",
+    ))
+    .help(Text::new(
+        "add radius = \"r\", the distance of the contact from the stop's point towards the surface; radius = 0 where the point itself touches",
+        "добавьте radius = \"r\" — расстояние от точки упора до контакта в сторону поверхности; radius = 0, если касается сама точка",
+    ));
+    Box::new(fault)
+}
+
+/// A friction whose contact has no normal force.
+pub fn unpressed(connection: &Connection) -> Box<Diagnostic> {
+    let name = &connection.name;
+    let fault = of_friction(
+        connection,
+        "M124",
+        format!("`frictions.{name}`: what it names has no force that could press"),
+        format!("`frictions.{name}`: у названной связи нет прижимающей силы"),
+    )
+    .why(Text::new(
+        "a wheel with held = false has no normal force; a journal needs both components, x and y, of its pin or support",
+        "у колеса с held = false нет нормальной реакции; для цапфы нужны обе составляющие, x и y, реакции шарнира или опоры",
+    ))
+    .help(Text::new(
+        "let the track hold the wheel, or name a support with directions = [\"x\", \"y\"]; a wheel may also have normal = \"...\"",
+        "пусть опора удерживает колесо, или назовите опору с directions = [\"x\", \"y\"]; для колеса можно задать и normal = \"...\"",
+    ));
+    Box::new(fault)
+}
+
+/// Points that a belt friction cannot lie on.
+pub fn not_on_the_rope(connection: &Connection, rope: &str) -> Box<Diagnostic> {
+    let name = &connection.name;
+    let fault = of_friction(
+        connection,
+        "M125",
+        format!("`frictions.{name}`: `over` names no inner points of the path of `{rope}`, in its order, or the rope winds on drums"),
+        format!("`frictions.{name}`: `over` — не внутренние точки пути каната `{rope}` по порядку, либо канат наматывается на барабаны"),
+    )
+    .why(Text::new(
+        "the rope runs onto a drum that does not turn and off it: each side has its own tension",
+        "канат набегает на неподвижный барабан и сбегает с него: натяжения с двух сторон разные",
+    ))
+    .help(Text::new(
+        "path = [\"A\", \"P\", \"B\"] with over = \"P\", or path = [\"A\", \"P1\", \"P2\", \"B\"] with over = [\"P1\", \"P2\"]",
+        "path = [\"A\", \"P\", \"B\"] и over = \"P\" либо path = [\"A\", \"P1\", \"P2\", \"B\"] и over = [\"P1\", \"P2\"]",
+    ));
+    Box::new(fault)
+}
+
+/// What a plane gives and space does not.
+pub fn directions_in_space(connection: &Connection) -> Box<Diagnostic> {
+    let name = &connection.name;
+    let fault = of_friction(
+        connection,
+        "M126",
+        format!("`frictions.{name}`: in space this does not say in which direction the friction acts"),
+        format!("`frictions.{name}`: в пространстве этим не задано направление трения"),
+    )
+    .why(Text::new(
+        "one friction acts along one direction; a contact in space has two, a pin a third component of its force, a rope no plane in which it turns",
+        "одно трение действует вдоль одного направления; у контакта в пространстве их два, у шарнира есть третья составляющая реакции, у каната нет плоскости изгиба",
+    ))
+    .help(Text::new(
+        "give `direction`, or `wrap` for a rope; for a journal write between = [\"a\", \"b\"] with coefficient = \"mu*r\" and a linear normal",
+        "задайте `direction`, для каната — `wrap`; для цапфы: between = [\"a\", \"b\"], coefficient = \"mu*r\" и линейная normal",
+    ));
+    Box::new(fault)
+}

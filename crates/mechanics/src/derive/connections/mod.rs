@@ -1,7 +1,7 @@
 //! Connections: what each demands of the motion and what its reactions do.
 //!
 //! Every connection is a list of [`Component`]s, each a scalar condition with a scalar reaction (`components.rs`: one function per kind;
-//! lines in `sliders.rs`, rolling in `tracks.rs`, drives in `wheels.rs`, winding in `drums.rs`).
+//! lines in `sliders.rs`, rolling in `tracks.rs`, dry friction in `rubbing.rs`, drives in `wheels.rs`, winding in `drums.rs`).
 //! Lagrange's side takes the generalized force of a reaction from the condition by differentiation; Newton-Euler's side from the forces
 //! and moments on the bodies. A condition that holds by the choice of the coordinates (a crank turned by its own angle stays on its
 //! axle anyway) has no place among the conditions of the motion: its reaction follows from the balance of the body when it is
@@ -13,6 +13,7 @@ mod drums;
 mod faults;
 mod free;
 mod release;
+mod rubbing;
 mod sliders;
 mod tracks;
 mod transmissions;
@@ -26,8 +27,8 @@ use super::requests::Resolver;
 use super::scene::{Columns, Scene};
 use super::wrench::{Act, generalized};
 use crate::diagnostic::Diagnostic;
-use crate::model::{Connection, ConnectionKind, FrameId, Part};
-use components::{Component, Nature};
+use crate::model::{Connection, ConnectionKind, FrameId, Part, Slides};
+use components::{Component, Nature, Rubbing};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction, Released};
@@ -74,6 +75,8 @@ pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
     // frictions ask for reactions of others
     let (frictions, others): (Vec<usize>, Vec<usize>) =
         (0..model.connections.len()).partition(|i| matches!(model.connections[*i].kind, ConnectionKind::Friction { .. }));
+    let mut frictions = frictions;
+    frictions.sort_by_key(|i| rubbing::order(&model.connections[*i], model));
     for i in others.into_iter().chain(frictions) {
         let connection = &model.connections[i];
         match components::of(scene, kinematics, resolver, connection) {
@@ -136,17 +139,18 @@ impl Connected {
                 Law::Support
             }
             // a rope of a structure at rest: statics asks whether it pulls
-            Nature::Contact { gap, restitution: [restitution, tangential], tie: true } if scene.n() == 0 => {
+            Nature::Contact { gap, restitution: [restitution, tangential], tie: true, rebound } if scene.n() == 0 => {
                 self.release(scene, &component.acts);
-                Law::Contact { condition: self.conditions.len(), gap, restitution, tangential, tie: true }
+                Law::Contact { condition: self.conditions.len(), gap, restitution, tangential, tie: true, rebound }
             }
             _ if shape.columns.is_empty() => return Err(no_coordinate(connection)),
             Nature::Ideal => Law::Ideal { condition: self.conditions.len() },
-            Nature::Contact { gap, restitution: [restitution, tangential], tie } => {
-                Law::Contact { condition: self.conditions.len(), gap, restitution, tangential, tie }
+            Nature::Contact { gap, restitution: [restitution, tangential], tie, rebound } => {
+                Law::Contact { condition: self.conditions.len(), gap, restitution, tangential, tie, rebound }
             }
-            Nature::Friction { speed, kinetic, fixed, normal } => {
-                let found = self.friction(scene, kinematics, resolver, (shape.rate, speed, kinetic, fixed, normal))?;
+            Nature::Rough => Law::Rough { condition: self.conditions.len(), contact: acting.saturating_sub(1) },
+            Nature::Friction(ref rubbing) => {
+                let found = self.friction(scene, kinematics, resolver, (shape.rate, rubbing))?;
                 if self.is_curved(scene, &found) {
                     return Err(faults::curved_normal(connection));
                 }
@@ -168,6 +172,11 @@ impl Connected {
         let (Some(symbol), Some(part)) = (symbol, component.part) else { return Ok(()) };
         let value = scene.graph.symbol(symbol);
         resolver.reactions.insert((index, part), value);
+        // a friction at a wheel is its tangential force, the other way round
+        if let ConnectionKind::Friction { slides: Slides::Contact { of, .. }, .. } = connection.kind {
+            let tangential = scene.graph.neg(value);
+            resolver.reactions.insert((of, Part::Tangential), tangential);
+        }
         let name = format!("{}({})", part.name(), connection.name);
         self.reactions.push(Reaction {
             symbol,
@@ -240,49 +249,56 @@ impl Connected {
         scene: &mut Scene,
         kinematics: &mut Kinematics,
         resolver: &mut Resolver,
-        (sliding, speed, kinetic, fixed, normal): (Expr, SymbolId, Expr, Option<Expr>, Option<Expr>),
+        (sliding, rubbing): (Expr, &Rubbing),
     ) -> super::scene::Found<Law> {
         let zero = scene.graph.zero();
         let minus = scene.graph.neg(sliding);
-        let at = |scene: &mut Scene, e: Expr, u: Expr| Substitution::new([(speed, u)]).apply(&mut scene.graph, e);
-        let kinetic = resolver.resolve(scene, kinematics, kinetic)?;
-        let sides = [at(scene, kinetic, minus), at(scene, kinetic, sliding)];
-        let fixed = match fixed {
+        let at = |scene: &mut Scene, e: Expr, u: Expr| Substitution::new([(rubbing.speed, u)]).apply(&mut scene.graph, e);
+        let kinetic = resolver.resolve(scene, kinematics, rubbing.kinetic)?;
+        let mut sides = [at(scene, kinetic, minus), at(scene, kinetic, sliding)];
+        let mut limit = match rubbing.fixed {
             Some(e) => resolver.resolve(scene, kinematics, e)?,
             None => at(scene, kinetic, zero),
         };
-        let normal = match normal {
-            None => None,
-            Some(e) => Some(resolver.resolve(scene, kinematics, e)?),
-        };
-        let (mut kinetic, mut limit) = (sides, fixed);
-        let mut law = None;
-        if let Some(normal) = normal {
-            let mut terms = Vec::new();
-            for (k, reaction) in self.reactions.iter().enumerate() {
-                let factor = scene.graph.derivative(normal, reaction.symbol);
-                if !scene.graph.is_zero(factor) {
-                    terms.push((k, factor));
-                }
-            }
-            let rest = Substitution::new(self.reactions.iter().map(|r| (r.symbol, zero))).apply(&mut scene.graph, normal);
-            if terms.is_empty() {
-                let size = scene.graph.call(symbolic::Function::Abs, &[rest]);
-                kinetic = kinetic.map(|e| scene.graph.mul(e, size));
-                limit = scene.graph.mul(limit, size);
-            } else {
-                law = Some(Normal { constant: rest, terms });
+        let mut normals = Vec::new();
+        for e in &rubbing.normal {
+            let e = resolver.resolve(scene, kinematics, *e)?;
+            normals.push(self.linear(scene, e));
+        }
+        if let (Some(own), Some(first)) = (rubbing.own, normals.first_mut()) {
+            first.terms.push((self.reactions.len(), own));
+        }
+        let mut normals = normals.into_iter();
+        let (mut normal, across) = (normals.next(), normals.next());
+        if let Some(given) = normal.take_if(|n| n.terms.is_empty() && across.is_none()) {
+            let size = scene.graph.call(symbolic::Function::Abs, &[given.constant]);
+            sides = sides.map(|e| scene.graph.mul(e, size));
+            limit = scene.graph.mul(limit, size);
+        }
+        let condition = self.conditions.len();
+        Ok(Law::Friction(Box::new(Friction { condition, sliding, kinetic: sides, fixed: limit, normal, across })))
+    }
+
+    /// What reactions give to a formula that is linear in them.
+    fn linear(&self, scene: &mut Scene, e: Expr) -> Normal {
+        let zero = scene.graph.zero();
+        let mut terms = Vec::new();
+        for (k, reaction) in self.reactions.iter().enumerate() {
+            let factor = scene.graph.derivative(e, reaction.symbol);
+            if !scene.graph.is_zero(factor) {
+                terms.push((k, factor));
             }
         }
-        Ok(Law::Friction(Box::new(Friction { condition: self.conditions.len(), sliding, kinetic, fixed: limit, normal: law })))
+        let constant = Substitution::new(self.reactions.iter().map(|r| (r.symbol, zero))).apply(&mut scene.graph, e);
+        Normal { constant, terms }
     }
 
     /// Whether the normal force of a friction is not linear in the reactions.
     fn is_curved(&self, scene: &Scene, law: &Law) -> bool {
         let Law::Friction(friction) = law else { return false };
-        let terms = friction.normal.iter().flat_map(|normal| &normal.terms);
+        let mut terms = friction.components().flat_map(|normal| &normal.terms);
         let of_reaction = |s: SymbolId| self.reactions.iter().any(|r| r.symbol == s);
-        terms.into_iter().any(|(_, factor)| scene.graph.contains(*factor, of_reaction))
+        terms.any(|(_, factor)| scene.graph.contains(*factor, of_reaction))
     }
 
     /// The balances of released bodies, and what each reaction gives there; what loads by formulas leave open joins the reactions.
@@ -450,12 +466,12 @@ impl Connected {
                 Law::Friction(friction) => {
                     list.extend([friction.sliding, friction.fixed]);
                     list.extend(friction.kinetic);
-                    if let Some(normal) = &friction.normal {
+                    for normal in friction.components() {
                         list.push(normal.constant);
                         list.extend(normal.terms.iter().map(|(_, e)| *e));
                     }
                 }
-                Law::Ideal { .. } | Law::Support | Law::Motor | Law::Place | Law::Transmission => {}
+                Law::Ideal { .. } | Law::Rough { .. } | Law::Support | Law::Motor | Law::Place | Law::Transmission => {}
             }
         }
         for balance in &self.balances {

@@ -1,13 +1,15 @@
 //! Rolling without slip: wheels on lines and circles, gears on racks. The wheel lies in the plane x, y of the frame of its track.
 
 use super::axes::{across, axes_of, keeps, line};
-use super::components::Component;
+use super::components::{Component, Nature};
 use super::faults;
 use crate::derive::kinematics::{Kinematics, combine};
+use crate::derive::loads::at_start;
 use crate::derive::requests::Resolver;
 use crate::derive::scene::{Columns, Found, Scene, Vector};
 use crate::derive::wrench::{Act, particle};
-use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef, Track};
+use crate::model::{Connection, ConnectionKind, FrameId, Model, Part, PointRef, Slides, Track};
+use symbolic::connections::Rebound;
 use symbolic::{Expr, Rational, Text};
 
 /// The contact of a wheel with its track.
@@ -22,9 +24,81 @@ struct Contact {
     distance: (Expr, bool),
 }
 
-/// No slip at the contact point; the centre keeps its distance.
+/// No slip at the contact point; the centre keeps its distance. Where a friction is named for the contact it decides about slip.
 pub fn rolling(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, connection: &Connection) -> Found<Vec<Component>> {
-    let ConnectionKind::Rolling { wheel, center, radius, on, track, held } = &connection.kind else { return Ok(Vec::new()) };
+    let ConnectionKind::Rolling { wheel, on, held, leaves, .. } = &connection.kind else { return Ok(Vec::new()) };
+    let contact = contact(scene, kinematics, resolver, connection)?;
+    let name = &connection.name;
+    let mut list = Vec::new();
+    if !slips(scene.model, connection) {
+        let (part, letter, what) = if connection.table == "racks" {
+            (Part::Force, "F", Text::new(format!("rack {name}, tangential force"), format!("рейка {name}, окружное усилие")))
+        } else {
+            (Part::Tangential, "F", Text::new(format!("rolling {name}, tangential force"), format!("качение {name}, сила сцепления")))
+        };
+        let (rate, acts) = slipping(scene, kinematics, (*wheel, *on, &contact));
+        let nature = if leaves.is_some() { Nature::Rough } else { Nature::Ideal };
+        list.push(Component { rate: Some(rate), nature, ..Component::ideal((part, letter, "N"), what, acts) });
+    }
+    if *held {
+        let label = Text::new(format!("rolling {name}, normal force"), format!("качение {name}, нормальная реакция"));
+        let acts = pair((*wheel, *on), &contact, contact.normal, scene);
+        let of = (Part::Normal, "N", "N");
+        let (distance, only_rate) = contact.distance;
+        match leaves {
+            Some(restitution) => {
+                let restitution = resolver.resolve(scene, kinematics, *restitution)?;
+                let start = if only_rate { at_start(scene, distance) } else { scene.graph.zero() };
+                let gap = scene.graph.sub(distance, start);
+                let nature = Nature::Contact { gap, restitution: [restitution, scene.graph.zero()], tie: false, rebound: Rebound::Newton };
+                // what is rough follows its contact
+                list.insert(0, Component { place: Some(gap), nature, ..Component::ideal(of, label, acts) });
+            }
+            None => {
+                let (place, rate) = if only_rate { (None, Some(scene.total(distance))) } else { (Some(distance), None) };
+                list.push(Component { place, rate, ..Component::ideal(of, label, acts) });
+            }
+        }
+    }
+    Ok(list)
+}
+
+/// Whether a friction at the contact of this wheel takes the place of the condition that it does not slip.
+fn slips(model: &Model, connection: &Connection) -> bool {
+    model.connections.iter().any(|other| match &other.kind {
+        ConnectionKind::Friction { slides: Slides::Contact { of, .. }, .. } => {
+            let named = &model.connections[*of];
+            (named.table, &named.name) == (connection.table, &connection.name)
+        }
+        _ => false,
+    })
+}
+
+/// Speed of the wheel's contact point along the track, and the forces along it per unit.
+pub fn slip(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, connection: &Connection) -> Found<(Expr, Vec<Act>)> {
+    let ConnectionKind::Rolling { wheel, on, .. } = connection.kind else { return Ok((scene.graph.zero(), Vec::new())) };
+    let contact = contact(scene, kinematics, resolver, connection)?;
+    Ok(slipping(scene, kinematics, (wheel, on, &contact)))
+}
+
+fn slipping(scene: &mut Scene, kinematics: &mut Kinematics, (wheel, on, contact): (FrameId, FrameId, &Contact)) -> (Expr, Vec<Act>) {
+    let (of_wheel, of_track) = (particle(scene, kinematics, wheel, &contact.at), particle(scene, kinematics, on, &contact.at));
+    let slip = difference(scene, &of_wheel, &of_track);
+    let slip = scene.dot(&contact.along, &slip);
+    let slip = scene.tidy(slip);
+    (slip, pair((wheel, on), contact, contact.along, scene))
+}
+
+/// A force on the wheel, the opposite on the track.
+fn pair((wheel, on): (FrameId, FrameId), contact: &Contact, force: Vector, scene: &mut Scene) -> Vec<Act> {
+    let against = force.map(|e| scene.graph.neg(e));
+    vec![Act::Place { on: wheel, at: contact.at, force }, Act::Place { on, at: contact.at, force: against }]
+}
+
+fn contact(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, connection: &Connection) -> Found<Contact> {
+    let ConnectionKind::Rolling { wheel, center, radius, on, track, .. } = &connection.kind else {
+        return Err(faults::no_place(connection, &connection.name));
+    };
     let radius = resolver.resolve(scene, kinematics, *radius)?;
     let centre = kinematics.position(scene, *center);
     let upright = axes_of(scene, kinematics, *on)[2];
@@ -34,7 +108,7 @@ pub fn rolling(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
     if leaves_plane(scene, kinematics, (*center, *on, &upright)) {
         return Err(faults::leaves_plane(scene.model, connection, *wheel, *on));
     }
-    let contact = match track {
+    Ok(match track {
         Track::Line { through, direction, left } => {
             let direction = resolver.resolve(scene, kinematics, *direction)?;
             on_line(scene, kinematics, (centre, radius), (*on, *through, direction, *left))
@@ -43,31 +117,7 @@ pub fn rolling(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
             let large = resolver.resolve(scene, kinematics, *large)?;
             on_circle(scene, kinematics, (centre, radius, &upright), (*center, large, *inside))
         }
-    };
-    let (of_wheel, of_track) = (particle(scene, kinematics, *wheel, &contact.at), particle(scene, kinematics, *on, &contact.at));
-    let slip = difference(scene, &of_wheel, &of_track);
-    let slip = scene.dot(&contact.along, &slip);
-    let slip = scene.tidy(slip);
-    let name = &connection.name;
-    let pair = |scene: &mut Scene, force: Vector| {
-        let against = force.map(|e| scene.graph.neg(e));
-        vec![Act::Place { on: *wheel, at: contact.at, force }, Act::Place { on: *on, at: contact.at, force: against }]
-    };
-    let (part, letter, what) = if connection.table == "racks" {
-        (Part::Force, "F", Text::new(format!("rack {name}, tangential force"), format!("рейка {name}, окружное усилие")))
-    } else {
-        (Part::Tangential, "F", Text::new(format!("rolling {name}, tangential force"), format!("качение {name}, сила сцепления")))
-    };
-    let acts = pair(scene, contact.along);
-    let mut list = vec![Component { rate: Some(slip), ..Component::ideal((part, letter, "N"), what, acts) }];
-    if *held {
-        let label = Text::new(format!("rolling {name}, normal force"), format!("качение {name}, нормальная реакция"));
-        let acts = pair(scene, contact.normal);
-        let (distance, only_rate) = contact.distance;
-        let (place, rate) = if only_rate { (None, Some(scene.total(distance))) } else { (Some(distance), None) };
-        list.push(Component { place, rate, ..Component::ideal((Part::Normal, "N", "N"), label, acts) });
-    }
-    Ok(list)
+    })
 }
 
 /// Whether the centre moves along the normal of the plane in which the track lies.

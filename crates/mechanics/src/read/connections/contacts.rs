@@ -1,19 +1,20 @@
 //! `[stops]`, `[frictions]`.
 
-use super::Found;
-use super::common::{Space, choose, one_of, pathway, restitution, restitution_by};
+use super::common::{Space, choose, one_of, pathway, restitution, restitution_by, word};
+use super::{Found, rubbing};
 use crate::fault::Fault;
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
-use crate::model::{ConnectionKind, Part, RequestKind};
+use crate::model::{ConnectionKind, Part, Pressing, RequestKind, Slides};
 use crate::read::reader::{Checked, Fields, Reader};
 use crate::units::si_label;
-use symbolic::connections::Impacts;
+use symbolic::connections::{Impacts, Rebound};
 use symbolic::{Expr, Substitution, SymbolId};
 
 pub(super) fn stop<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) -> Option<Found> {
     let path = pathway(reader, fields);
     let restitution = restitution(reader, fields);
     let tangential = restitution_by(reader, fields, "tangential_restitution");
+    let rebound = rebound(reader, fields)?;
     let key = one_of(reader, fields, ["at_least", "at_most"], "at_least = \"0 m\"")?;
     let wanted = match path {
         Some((_, Kind::Known(d))) => Some(d),
@@ -21,8 +22,29 @@ pub(super) fn stop<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) 
     };
     let clearance = fields.formula(reader, key, &Context::TIME, wanted.as_ref())?;
     let (gap, kind) = path?;
-    let found = ConnectionKind::Stop { gap, clearance: clearance.expr, above: key == "at_least", restitution, tangential };
+    let found = ConnectionKind::Stop { gap, clearance: clearance.expr, above: key == "at_least", restitution, tangential, rebound };
     clearance.good.then(|| Found { kind: found, force: kind.conjugate() })
+}
+
+/// `law`: what the restitution is the ratio of.
+fn rebound<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Rebound> {
+    let law = [Rebound::Newton, Rebound::Poisson][word(reader, fields, "law", &["newton", "poisson"])?];
+    if law == Rebound::Poisson && fields.has("tangential_restitution") {
+        let fault = Fault::new(
+            "M127",
+            fields.span_of("tangential_restitution"),
+            "`tangential_restitution` belongs to Newton's law",
+            "`tangential_restitution` относится к закону Ньютона",
+        )
+        .why(
+            "by Poisson's law the friction follows Coulomb's law through both phases of the impact and gives nothing back",
+            "по закону Пуассона трение в обеих фазах удара подчиняется закону Кулона и ничего не возвращает",
+        )
+        .help("keep one of them", "оставьте одно из двух");
+        reader.fault(fault);
+        return None;
+    }
+    Some(law)
 }
 
 /// `impacts`, at the top of the file.
@@ -35,18 +57,20 @@ pub fn impacts<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Impacts {
 }
 
 pub(super) fn friction<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) -> Option<Found> {
-    let path = pathway(reader, fields);
-    let length = path.map_or(Kind::Unknown, |p| p.1);
+    let place = rubbing::slides(reader, fields);
+    let length = place.as_ref().map_or(Kind::Unknown, |p| p.1);
     let force = length.conjugate();
-    let [law, limit] = keys(reader, fields)?;
+    let [law, limit] = keys(reader, fields, place.as_ref().map(|p| &p.0))?;
     let normal = fields.formula(reader, "normal", &Context::NORMAL, None);
     let normal = match normal {
         Some(normal) => Some(linear_normal(reader, fields, normal)?),
         None => None,
     };
+    let by_coefficient = matches!(law, "coefficient" | "lever");
     let wanted = match (force, &normal) {
-        (Kind::Known(f), None) => Some(f),
         (Kind::Known(f), Some(Checked { kind: Kind::Known(n), .. })) => f.div(n),
+        (_, None) if by_coefficient => place.as_ref().map(|p| rubbing::coefficient(&p.0)),
+        (Kind::Known(f), None) => Some(f),
         _ => None,
     };
     let speed = sliding_speed(reader, fields, length, [law, limit])?;
@@ -55,20 +79,24 @@ pub(super) fn friction<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Spa
     let kinetic = kinetic?;
     let sound = limits(reader, fields, (law, &kinetic), fixed.as_ref().map(|f| (limit, f)), speed.0);
     let good = sound && kinetic.good && fixed.is_none_or(|f| f.good);
-    let pathway = path?.0;
+    let pressed = by_coefficient.then_some(());
     let kind = ConnectionKind::Friction {
-        pathway,
+        slides: place?.0,
         kinetic: kinetic.expr,
         speed: speed.0,
         fixed: fixed.map(|f| f.expr),
-        normal: normal.map(|n| n.expr),
+        normal: match (pressed, normal) {
+            (None, _) => Pressing::Given,
+            (_, Some(normal)) => Pressing::Formula(normal.expr),
+            (_, None) => Pressing::Contact,
+        },
     };
     good.then_some(Found { kind, force })
 }
 
 /// The keys of the law and of the limit at rest: a force, or coefficients of a normal force.
-fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<[&'static str; 2]> {
-    let laws: Vec<&'static str> = ["kinetic", "curve", "coefficient"].into_iter().filter(|key| fields.has(key)).collect();
+fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, slides: Option<&Slides>) -> Option<[&'static str; 2]> {
+    let laws: Vec<&'static str> = ["kinetic", "curve", "coefficient", "lever"].into_iter().filter(|key| fields.has(key)).collect();
     let &[law] = laws.as_slice() else {
         let path = &fields.path;
         let fault = Fault::new(
@@ -83,10 +111,18 @@ fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<[&'static st
         ));
         return None;
     };
-    let by_coefficient = law == "coefficient";
-    let (own, foreign) = if by_coefficient { ("static_coefficient", "static") } else { ("static", "static_coefficient") };
-    let missing = by_coefficient && !fields.has("normal");
-    let surplus = [foreign, "normal"].into_iter().find(|key| fields.has(key) && !(by_coefficient && *key == "normal"));
+    let own = match law {
+        "coefficient" => "static_coefficient",
+        "lever" => "static_lever",
+        _ => "static",
+    };
+    let by_coefficient = own != "static";
+    let presses = slides.is_some_and(rubbing::presses);
+    // the pin's and the rope's own force, and no other
+    let bound = matches!(slides, Some(Slides::Journal { .. } | Slides::Belt { .. }));
+    let missing = by_coefficient && !fields.has("normal") && !presses && slides.is_some() || bound && !by_coefficient;
+    let foreign = ["static", "static_coefficient", "static_lever"].into_iter().find(|key| *key != own && fields.has(key));
+    let surplus = foreign.or_else(|| (fields.has("normal") && (!by_coefficient || bound)).then_some("normal"));
     if missing || surplus.is_some() {
         let span = surplus.map_or(fields.span.clone(), |key| fields.span_of(key));
         let (en, ru) = match surplus {
@@ -94,8 +130,8 @@ fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<[&'static st
             Some(_) => ("forces and coefficients are mixed", "смешаны силы и коэффициенты"),
         };
         reader.fault(Fault::new("M080", span, en, ru).help(
-            "either kinetic and static, or coefficient, static_coefficient and normal",
-            "либо kinetic и static, либо coefficient, static_coefficient и normal",
+            "either kinetic and static, or coefficient, static_coefficient and normal (which a named contact, pin or rope has itself)",
+            "либо kinetic и static, либо coefficient, static_coefficient и normal (у названного контакта, шарнира или каната она своя)",
         ));
         return None;
     }

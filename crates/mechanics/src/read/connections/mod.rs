@@ -6,6 +6,7 @@ mod contacts;
 mod distributed;
 mod joints;
 mod kept;
+mod rubbing;
 mod ties;
 mod tracks;
 mod wheels;

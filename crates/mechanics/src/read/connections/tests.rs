@@ -1,6 +1,6 @@
 //! Claims about connections, right and wrong.
 
-use crate::model::{ConnectionKind, Model, Part, PointRef, RequestKind, Rest, SupportDirection, Track};
+use crate::model::{ConnectionKind, Model, Part, PointRef, Pressing, RequestKind, Rest, SupportDirection, Track};
 use crate::read::read;
 
 const CONNECTIONS: &str = include_str!("../../../tests/connections.toml");
@@ -90,8 +90,8 @@ fn every_table_keeps_its_meaning() {
     assert_eq!(directions, &[SupportDirection::TurnZ, SupportDirection::Y]);
     assert!(matches!(kind(&model, "motions", "lift"), ConnectionKind::Motion { is_rate: true, .. }));
     assert!(matches!(kind(&model, "stops", "wall"), ConnectionKind::Stop { above: false, .. }));
-    assert!(matches!(kind(&model, "frictions", "rail"), ConnectionKind::Friction { fixed: Some(_), normal: None, .. }));
-    assert!(matches!(kind(&model, "frictions", "block"), ConnectionKind::Friction { fixed: Some(_), normal: Some(_), .. }));
+    assert!(matches!(kind(&model, "frictions", "rail"), ConnectionKind::Friction { fixed: Some(_), normal: Pressing::Given, .. }));
+    assert!(matches!(kind(&model, "frictions", "block"), ConnectionKind::Friction { fixed: Some(_), normal: Pressing::Formula(_), .. }));
 }
 
 #[test]

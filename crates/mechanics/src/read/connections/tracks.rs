@@ -1,7 +1,7 @@
 //! `[racks]`, `[rolling]`: a wheel that does not slip on a line or a circle.
 
 use super::Found;
-use super::common::{Space, direction, fixed_in, flag, frame, point, rigid, size, word};
+use super::common::{Space, direction, fixed_in, flag, frame, point, restitution, rigid, size, word};
 use crate::fault::Fault;
 use crate::fields::connections::CIRCLE;
 use crate::formula::Context;
@@ -16,19 +16,42 @@ pub(super) fn rack<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Spa
     let (direction, side) = (direction(reader, fields), word(reader, fields, "side", &["left", "right"]));
     let wheel = wheel?;
     let track = Track::Line { through: None, direction, left: side? == 0 };
-    Some(wheel.rolling(track, false))
+    Some(wheel.rolling(track, false, None))
 }
 
 pub(super) fn rolling<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
     let wheel = wheel(reader, fields, space, "body");
     let held = flag(reader, fields, "held", true);
+    let leaves = flag(reader, fields, "leaves", false);
+    let restitution = restitution(reader, fields);
+    if let Some(fault) = unheld(fields, (held, leaves)) {
+        reader.fault(fault);
+        return None;
+    }
     let on = wheel.as_ref().map_or(FrameId::GROUND, |w| w.on);
     let track = match fields.get("circle") {
         None => line(reader, fields, space, on),
         Some(_) => circle(reader, fields, space, wheel.as_ref()),
     };
     let (wheel, track) = (wheel?, track?);
-    Some(wheel.rolling(track, held))
+    Some(wheel.rolling(track, held, leaves.then_some(restitution)))
+}
+
+/// Only a wheel that is held by its track alone can leave it, and land again.
+fn unheld(fields: &Fields, (held, leaves): (bool, bool)) -> Option<Fault> {
+    let key = if leaves && !held { "leaves" } else { "restitution" };
+    (leaves && !held || !leaves && fields.has("restitution")).then(|| {
+        Fault::new(
+            "M080",
+            fields.span_of(key),
+            format!("`{key}` has no meaning for a wheel that cannot leave its track"),
+            format!("`{key}` не имеет смысла: колесо не может оторваться от опоры"),
+        )
+        .help(
+            "leaves = true needs coordinates that let the wheel leave, and no held = false; restitution needs leaves = true",
+            "для leaves = true нужны координаты, допускающие отрыв, и не нужно held = false; restitution — только вместе с leaves = true",
+        )
+    })
 }
 
 /// The wheel and the frame of its track.
@@ -42,9 +65,9 @@ struct Wheel {
 }
 
 impl Wheel {
-    fn rolling(self, track: Track, held: bool) -> Found {
+    fn rolling(self, track: Track, held: bool, leaves: Option<Expr>) -> Found {
         let Wheel { frame, center, radius, on, .. } = self;
-        ConnectionKind::Rolling { wheel: frame, center, radius, on, track, held }.into()
+        ConnectionKind::Rolling { wheel: frame, center, radius, on, track, held, leaves }.into()
     }
 }
 

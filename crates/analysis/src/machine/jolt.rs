@@ -1,0 +1,97 @@
+//! Jumps of prescribed velocities: a table that starts at once, a shaft whose speed steps.
+//!
+//! With T = q'ᵀ M q'/2 + b(q, t)·q' + c the momenta p = M q' + b jump by the impulses of connections, contacts and frictions only, whatever drives the
+//! prescribed motion gives:
+//!
+//! ```text
+//! M (q'₊ - q'₋) = b₋ - b₊ + Σ forces Λ,     J q'₊ + change in time₊ = 0
+//! ```
+//!
+//! So the jump is an impact with the generalized impulse b₋ - b₊ given beside. Positions stand still, hence M and J are the same on both sides.
+
+use super::Machine;
+use crate::{Blow, Fault, GuardKind, Mode, System};
+
+/// Share of its size below which a change of momentum or rate is rounding.
+const ROUNDING: f64 = 1e-12;
+/// Around an event, in units of its time: where formulas that switch by value are on either side.
+const BESIDE: f64 = 64.0 * f64::EPSILON;
+
+/// Instants just before and after this one.
+fn beside(t: f64) -> [f64; 2] {
+    let gap = BESIDE * t.abs().max(f64::MIN_POSITIVE / BESIDE);
+    [t - gap, t + gap]
+}
+
+impl Machine {
+    /// See [`System::jolt`].
+    pub(super) fn jump(&mut self, t: f64, x: &mut [f64], modes: [&[Mode]; 2], closing: &[usize]) -> Result<Option<Blow>, Fault> {
+        let [Some(before), Some(after)] = modes.map(|modes| self.carried(t, x, modes)) else { return Ok(None) };
+        let size = before.iter().chain(&after).fold(0.0_f64, |m, b| m.max(b.abs()));
+        let kick: Vec<f64> = before.iter().zip(&after).map(|(b, a)| b - a).collect();
+        let kicked = kick.iter().any(|k| k.abs() > ROUNDING * size);
+        let [earlier, later] = beside(t);
+        if let Some(conditions) = &mut self.conditions {
+            if !kicked && !conditions.steps([earlier, later], x)? {
+                return Ok(None);
+            }
+            return conditions.struck((later, x), modes[0], closing, &kick).map(Some);
+        }
+        if !kicked {
+            return Ok(None);
+        }
+        let Some(mass) = self.mass(t, x, modes[1]) else { return Ok(None) };
+        let n = kick.len();
+        let change = crate::numerics::lu::Lu::new(&mass, n).solve(&kick).ok_or_else(|| Fault::undetermined_impact(t))?;
+        x[n..2 * n].iter_mut().zip(change).for_each(|(v, d)| *v += d);
+        Ok(Some(Blow::default()))
+    }
+
+    /// The instant beside t at which formulas of time that switch by value are on the side of these modes; t itself away from their switches.
+    pub(super) fn side_of(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> f64 {
+        let sides = beside(t).map(|t| (t, self.bound.modes(t, x)));
+        let [(_, Ok(before)), (_, Ok(after))] = &sides else { return t };
+        let differ: Vec<usize> = (0..before.len()).filter(|&i| before[i] != after[i] && self.guards[i].kind == GuardKind::Switch).collect();
+        if differ.is_empty() {
+            return t;
+        }
+        let agrees = |side: &[program::Mode]| differ.iter().all(|&i| super::returned(side[i]) == modes[i]);
+        match (agrees(before), agrees(after)) {
+            (true, false) => sides[0].0,
+            (false, true) => sides[1].0,
+            _ => t,
+        }
+    }
+
+    /// T with these rates.
+    fn kinetic(&mut self, t: f64, x: &[f64], modes: &[Mode], rates: &[(usize, f64)]) -> Option<f64> {
+        let n = self.n_coordinates();
+        let mut y = x.to_vec();
+        y[n..2 * n].fill(0.0);
+        rates.iter().for_each(|(j, v)| y[n + j] += v);
+        Some(self.energies(t, &y, modes)?[0])
+    }
+
+    /// b: momenta at q' = 0.
+    fn carried(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
+        (0..self.n_coordinates())
+            .map(|j| Some(0.5 * (self.kinetic(t, x, modes, &[(j, 1.0)])? - self.kinetic(t, x, modes, &[(j, -1.0)])?)))
+            .collect()
+    }
+
+    /// M, row by row.
+    fn mass(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
+        let n = self.n_coordinates();
+        let rest = self.kinetic(t, x, modes, &[])?;
+        let mut mass = vec![0.0; n * n];
+        for i in 0..n {
+            for j in 0..=i {
+                let both = self.kinetic(t, x, modes, &[(i, 1.0), (j, 1.0)])?;
+                let [one, other] = [self.kinetic(t, x, modes, &[(i, 1.0)])?, self.kinetic(t, x, modes, &[(j, 1.0)])?];
+                mass[i * n + j] = both - one - other + rest;
+                mass[j * n + i] = mass[i * n + j];
+            }
+        }
+        Some(mass)
+    }
+}

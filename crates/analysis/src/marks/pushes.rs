@@ -1,0 +1,99 @@
+//! Contacts that hold both ways though a surface only pushes: when they would have to pull.
+//!
+//! A wheel that its track keeps at a distance has a normal force of either sign. Where it becomes negative the wheel would have left: an event, and a note
+//! with the first instant. What is not larger than the rounding of the forces that meet in it is no pull.
+
+use symbolic::Text;
+
+use super::Along;
+use super::named::{Direction, Named, Watcher};
+use super::proxy::Source;
+use crate::System;
+use crate::fault::number;
+
+/// A normal force to be watched.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Push {
+    /// `normal(F)`.
+    pub name: String,
+    /// What holds: "rolling F".
+    pub label: Text,
+    /// Index of the output that it is.
+    pub output: usize,
+}
+
+/// A pull must exceed so many times the rounding of the force.
+const CERTAIN: f64 = 1e3;
+/// Places of a step at which a pull is looked for.
+const PLACES: [f64; 6] = [0.02, 0.1, 0.3, 0.5, 0.8, 1.0];
+
+/// Follows normal forces along a motion.
+#[derive(Clone, Debug)]
+pub(crate) struct Pushes {
+    list: Vec<Push>,
+    watcher: Watcher,
+    /// First instant of a pull.
+    pulled: Vec<Option<f64>>,
+    started: bool,
+}
+
+impl Pushes {
+    pub(crate) fn new(list: &[Push]) -> Pushes {
+        let named = |p: &Push| Named { name: p.name.clone(), output: p.output, direction: Direction::Falling, stop: false };
+        let watcher = Watcher::new(&list.iter().map(named).collect::<Vec<_>>());
+        Pushes { list: list.to_vec(), watcher, pulled: vec![None; list.len()], started: false }
+    }
+
+    /// Where in a step a contact begins to pull: which, and how far into the step.
+    pub(crate) fn look<S: System + ?Sized>(&mut self, along: &mut Along<'_, S>) -> Vec<(usize, f64)> {
+        if self.list.is_empty() || along.length == 0.0 {
+            return Vec::new();
+        }
+        if !std::mem::replace(&mut self.started, true) {
+            for i in 0..self.list.len() {
+                if self.pulls(i, 0.0, along) {
+                    self.pulled[i] = Some(along.time(0.0));
+                }
+            }
+        }
+        let mut found = Vec::new();
+        for happened in self.watcher.look(along) {
+            let (i, left) = (happened.event, along.length - happened.tau);
+            if PLACES.iter().any(|place| self.pulls(i, happened.tau + place * left, along)) {
+                self.pulled[i] = self.pulled[i].or(Some(along.time(happened.tau)));
+                found.push((i, happened.tau));
+            }
+        }
+        found
+    }
+
+    fn pulls<S: System + ?Sized>(&self, i: usize, tau: f64, along: &mut Along<'_, S>) -> bool {
+        let output = self.list[i].output;
+        let value = along.outputs(tau)[output];
+        value < 0.0 && along.rounding(tau).get(output).is_none_or(|rounding| value < -CERTAIN * rounding)
+    }
+
+    /// What is watched.
+    pub(crate) fn list(&self) -> &[Push] {
+        &self.list
+    }
+
+    /// Contacts that pulled, with the first instant.
+    pub(crate) fn notes(&self) -> Vec<Text> {
+        let note = |(push, t): (&Push, &Option<f64>)| {
+            let n = number((*t)?);
+            let (en, ru) = (&push.label.en, &push.label.ru);
+            Some(Text::new(
+                format!(
+                    "{en}: from t = {} s on the normal force is negative at times; a track only pushes: with leaves = true the wheel would lift off there",
+                    n.en
+                ),
+                format!(
+                    "{ru}: начиная с t = {} с нормальная реакция временами отрицательна; опора только давит: с leaves = true колесо здесь оторвалось бы",
+                    n.ru
+                ),
+            ))
+        };
+        self.list.iter().zip(&self.pulled).filter_map(note).collect()
+    }
+}

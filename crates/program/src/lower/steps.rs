@@ -1,0 +1,50 @@
+//! Velocities that formulas of time prescribe and that a switch makes jump.
+//!
+//! ```text
+//! ∂T/∂q'_j at q' = 0        what prescribed origins and turns give to the momentum of coordinate j
+//! rate of a condition       at q' = 0: what it wants of the motion
+//! ```
+//!
+//! An acceleration does not show such a jump: between two constant speeds it is zero on both sides. So these velocities stand among the results of the
+//! dynamics, which makes their switches guards at which the integrator stops.
+
+use symbolic::{Equations, Expr, Function, Graph, Node, Substitution};
+
+/// The velocities with switches, over a graph that has them.
+pub(super) fn steps(equations: &Equations) -> Option<(Graph, Vec<Expr>)> {
+    let switches = |graph: &Graph, e: Expr| {
+        let mut roots = vec![e];
+        // definitions use earlier ones only
+        for d in equations.definitions.iter().rev() {
+            if graph.contains(roots[0], |s| s == d.symbol) || roots[1..].iter().any(|r| graph.contains(*r, |s| s == d.symbol)) {
+                roots.push(d.formula);
+            }
+        }
+        graph.reachable(&roots).into_iter().any(|e| is_switch(graph.node(e)))
+    };
+    let may = |e: Expr| switches(&equations.graph, e);
+    if !may(equations.energy.kinetic) && !equations.conditions.iter().any(|c| may(c.rate)) {
+        return None;
+    }
+    let mut graph = equations.graph.clone();
+    let zero = graph.zero();
+    let mut still = Substitution::new(equations.coordinates.iter().map(|c| (c.symbols[1], zero)));
+    let mut list = Vec::new();
+    for coordinate in &equations.coordinates {
+        let momentum = graph.derivative(equations.energy.kinetic, coordinate.symbols[1]);
+        list.push(still.apply(&mut graph, momentum));
+    }
+    for condition in &equations.conditions {
+        list.push(still.apply(&mut graph, condition.rate));
+    }
+    list.retain(|e| switches(&graph, *e));
+    (!list.is_empty()).then_some((graph, list))
+}
+
+fn is_switch(node: &Node) -> bool {
+    match node {
+        Node::Switch { .. } => true,
+        Node::Call { function, .. } => matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max),
+        _ => false,
+    }
+}
