@@ -1,6 +1,7 @@
-//! Whole motions after loading: a machine with connections, reactions and switches, and an oscillator with dry friction.
+//! Whole motions after loading: a machine with connections, reactions and switches, oscillators with dry friction, many contacts, many impacts.
 //!
-//! `cargo bench -p strutt --bench machines` prints medians. Targets: crank-hoist, one cycle with all reactions and outputs, 2 ms; belt oscillator, 100 s, 5 ms.
+//! `cargo bench -p strutt --bench machines` prints medians. Targets: crank-hoist, one cycle with all reactions and outputs, 2 ms; belt oscillator, 100 s, 5 ms;
+//! ten blocks that stick and slip in one model at most ten times one; wheels that rattle in their play, 1e5 impacts in 2 s.
 
 use std::path::Path;
 use std::time::Instant;
@@ -12,9 +13,73 @@ const RUNS: usize = 101;
 
 fn main() {
     // name, end, rows of the table: the 25 of the published one, or as many as a plot needs
-    for (name, until, rows) in [("crank-hoist", 0.2568, 24), ("crank-hoist", 0.2568, 1000), ("belt-oscillator", 100.0, 1000)] {
-        println!("{name:>16}  {until:>7} s  {:>5} rows  {:>8.3} ms", rows + 1, 1e3 * motion(name, until, rows));
+    let gallery =
+        [("crank-hoist", 0.2568, 24), ("crank-hoist", 0.2568, 1000), ("belt-oscillator", 100.0, 1000), ("stick-slip", 20.0, 1000)];
+    for (name, until, rows) in gallery {
+        println!("{name:>16}  {until:>7} s  {:>5} rows  {:>8.3} ms", rows + 1, 1e3 * motion(machine(name), (until, rows), RUNS));
     }
+    for pressed in ["weight", "stop"] {
+        let [one, ten] = [1, 10].map(|n| motion(written(&blocks(n, pressed)), (20.0, 100), RUNS));
+        println!("blocks pressed by {pressed:>6}: one {:.3} ms, ten {:.3} ms, ratio {:.1}", 1e3 * one, 1e3 * ten, ten / one);
+    }
+    let until = 360.0;
+    let (time, impacts) = (motion(written(GEARS), (until, 1), 3), impacts(until));
+    println!("rattling wheels: {impacts} impacts in {time:.2} s, {:.2} s for 1e5", 1e5 * time / impacts as f64);
+}
+
+/// Blocks on springs and a belt, pressed by their weight or on a floor.
+fn blocks(n: usize, pressed: &str) -> String {
+    let (mut coordinates, mut rest) = (String::from("[coordinates]\n"), String::new());
+    for k in 0..n {
+        let (y, normal) = if pressed == "stop" { (format!("y{k}"), format!("force(s{k})")) } else { ("0".into(), "1 [kg]*g".into()) };
+        coordinates += &format!("x{k} = {{ unit = \"m\", start = 0 }}\n");
+        if pressed == "stop" {
+            coordinates += &format!("y{k} = {{ unit = \"m\", start = 0 }}\n");
+            rest += &format!("[stops.s{k}]\nalong = \"y{k}\"\nat_least = 0\n");
+        }
+        rest += &format!("[bodies.b{k}]\norigin = [\"x{k}\", \"{y}\"]\nmass = \"1 kg\"\n");
+        rest += &format!("[springs.c{k}]\nalong = \"x{k}\"\nstiffness = \"40 N/m\"\n");
+        rest += &format!(
+            "[frictions.r{k}]\nalong = \"x{k} - 0.2 [m/s]*t\"\ncoefficient = 0.3\nstatic_coefficient = 0.4\nnormal = \"{normal}\"\n"
+        );
+    }
+    coordinates + &rest
+}
+
+/// A wheel between two flanks of a wheel whose speed pulsates, under a small load.
+const GEARS: &str = r#"
+[coordinates]
+psi = { unit = "rad", start = 0, rate = 0 }
+[bodies.wheel]
+angle = "psi"
+inertia = "0.02 kg m^2"
+[torques.load]
+on = "wheel"
+value = "-0.5 [N m] - 0.002 [N m s]*psi'"
+[stops.drive]
+along = "psi - 5e-3 [rad]*sin(200 [rad/s]*t)"
+at_least = "-1e-3 rad"
+restitution = 0.6
+[stops.back]
+along = "psi - 5e-3 [rad]*sin(200 [rad/s]*t)"
+at_most = "1e-3 rad"
+restitution = 0.6
+"#;
+
+fn impacts(until: f64) -> usize {
+    let mut machine = written(GEARS);
+    let start = machine.system.start().unwrap_or_default();
+    let options = analysis::studies::simulate::Simulate {
+        grid: analysis::studies::simulate::Grid::At(vec![until]),
+        ..analysis::studies::simulate::Simulate::until(until)
+    };
+    let data = analysis::studies::simulate::simulate(&mut machine.system, &start, options).dataset;
+    data.counter("events").unwrap_or(0.0) as usize
+}
+
+fn written(text: &str) -> Machine {
+    let source = Source::new("bench.toml", text);
+    pipeline::build(&source, &[], &mut Watch::default()).unwrap_or_else(|_| panic!("{text}"))
 }
 
 fn machine(name: &str) -> Machine {
@@ -23,12 +88,11 @@ fn machine(name: &str) -> Machine {
     pipeline::build(&source, &[], &mut Watch::default()).unwrap_or_else(|_| panic!("{name}"))
 }
 
-fn motion(name: &str, until: f64, rows: usize) -> f64 {
-    let mut machine = machine(name);
+fn motion(mut machine: Machine, (until, rows): (f64, usize), runs: usize) -> f64 {
     let times = (0..=rows).map(|k| until * k as f64 / rows as f64).collect();
     let wishes = plan::Wishes { until: Some(until), times: Some(mechanics::model::Times::At(times)), ..plan::Wishes::default() };
-    let study = plan::simulation(&machine.model, &machine.equations, wishes).unwrap_or_else(|_| panic!("{name}"));
-    let mut times: Vec<f64> = (0..RUNS)
+    let study = plan::simulation(&machine.model, &machine.equations, wishes).unwrap_or_else(|_| panic!("no study"));
+    let mut times: Vec<f64> = (0..runs)
         .map(|_| {
             let start = Instant::now();
             std::hint::black_box(pipeline::simulate(&mut machine, &study, &mut Watch::default()));
@@ -36,5 +100,5 @@ fn motion(name: &str, until: f64, rows: usize) -> f64 {
         })
         .collect();
     times.sort_by(f64::total_cmp);
-    times[RUNS / 2]
+    times[runs / 2]
 }

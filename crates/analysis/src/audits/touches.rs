@@ -31,7 +31,7 @@ const WEAK: f64 = 1e-3;
 /// Share of the size of a speed below which its sign is rounding.
 const STILL: f64 = 1e-9;
 /// How often the acceleration without a contact's force is asked for.
-const ASKED: u32 = 16;
+const ASKED: u32 = 4;
 /// Points at which a polynomial is looked at that may come below zero.
 const POINTS: usize = 32;
 

@@ -9,7 +9,8 @@
 //! remaining = T (r + r^2 + ...) = T r / (1 - r);      T r = -g1/g2 where the first flight begins, with the gap g1 tau + g2 tau^2 + ..., g2 < 0
 //! ```
 //!
-//! When this, and every flight that begins now, is below [`REST`] of the time (or of the step that the motion would allow), the contacts close at once.
+//! When this, and every flight that begins now, is below [`REST`] of the time (or of the step that the motion would allow), the contacts close at once. A contact
+//! closes by itself where its rates are rounding of those of the bodies that meet and shrink no more.
 
 use crate::numerics::sum::Instant;
 use crate::taylor::Flow;
@@ -48,7 +49,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.blow = None;
         self.jolted = false;
         let on: Vec<usize> = (0..self.modes.len())
-            .filter(|&i| self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_on_surface(i)))
+            .filter(|&i| {
+                self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_on_surface(i) || self.is_below(i))
+            })
             .collect();
         let before: Vec<f64> = on.iter().map(|&i| self.gap_rate(i)).collect();
         if let Some(impacts) = self.jolt(&on, &before)? {
@@ -91,7 +94,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let mut impacts = Vec::new();
         for ((&i, &rate), &after) in on.iter().zip(before).zip(&rates) {
             let was_open = self.modes[i] != Mode::Zero;
-            self.rebounds[i] = after > SILENT * scale;
+            self.rebounds[i] = after > SILENT * scale && !self.stalls(i, [rate, after]);
             self.modes[i] = if self.rebounds[i] { Mode::Positive } else { Mode::Zero };
             self.touched[i] = true;
             let impulse = blow.impulses.iter().find(|(guard, _)| *guard == i).map(|(_, p)| *p);
@@ -105,16 +108,26 @@ impl<S: System + ?Sized> Flow<'_, S> {
         impacts
     }
 
+    /// Whether a rebound is rounding of the rates of the bodies that meet, and no smaller than the last one: the next would be the same.
+    fn stalls(&self, i: usize, [before, after]: [f64; 2]) -> bool {
+        after <= self.rounding_of_rates() && self.hits[i].is_some_and(|hit| before <= hit.rate)
+    }
+
+    /// Below this a difference of rates is their rounding.
+    fn rounding_of_rates(&self) -> f64 {
+        let n = self.system.n_coordinates();
+        STOPPED * self.x[n..2 * n].iter().fold(0.0_f64, |m, v| m.max(v.abs()))
+    }
+
     /// Modes of the frictions by the rates after an impact.
     fn slide_on(&mut self, stuck: &[usize]) {
-        let n = self.system.n_coordinates();
-        let fastest = self.x[n..2 * n].iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let rounding = self.rounding_of_rates();
         for i in 0..self.modes.len() {
             if !matches!(self.system.guards()[i].kind, GuardKind::Friction { .. }) {
                 continue;
             }
             let Some(&speed) = self.system.guard(i).first() else { continue };
-            let stands = stuck.contains(&i) || speed.abs() <= STOPPED * fastest;
+            let stands = stuck.contains(&i) || speed.abs() <= rounding;
             self.touched[i] = stands;
             self.modes[i] = if stands { Mode::Zero } else { Mode::of(speed) };
         }
@@ -123,6 +136,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Whether the value of a guard is rounding.
     pub(super) fn is_on_surface(&self, i: usize) -> bool {
         self.system.guard(i).first().is_some_and(|value| value.abs() <= self.guard_noise[i])
+    }
+
+    /// A gap that rounding has made negative: the contact is on its surface, and a blow elsewhere may close it.
+    fn is_below(&self, i: usize) -> bool {
+        self.system.guard(i).first().is_some_and(|value| *value < 0.0)
     }
 
     pub(super) fn is_contact(&self, i: usize) -> bool {
