@@ -188,6 +188,10 @@ impl Writer<'_> {
     fn equations(&self) -> Vec<Block> {
         let printer = self.printer();
         let graph = &self.equations.graph;
+        let nothing_moves = self.equations.coordinates.is_empty() && self.equations.reactions.is_empty();
+        if nothing_moves {
+            return Vec::new();
+        }
         let mut blocks = vec![self.heading(Word::Equations)];
         match &self.equations.textbook {
             Err(reason) => blocks.push(Block::paragraph(self.language.text(reason))),
@@ -593,7 +597,9 @@ pub fn results(data: &Dataset, language: Language) -> Table {
 fn taken_at(axis: Option<&analysis::Quantity>, language: Language) -> Column {
     match axis.filter(|q| q.name != "t") {
         None => Column::with_unit(say(language, Say::WhenTaken), "s", language),
-        Some(q) => Column::with_unit(format!("{} {}", language.pick("at", "при"), q.symbol), &q.unit, language),
+        Some(q) => {
+            Column::with_unit(format!("{} {}", language.pick("at", "при"), report::symbol::plain(&q.symbol, language)), &q.unit, language)
+        }
     }
 }
 

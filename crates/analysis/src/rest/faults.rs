@@ -145,3 +145,19 @@ pub(crate) fn open(unknown: &str, friction: &str) -> Fault {
         ),
     })
 }
+
+/// S007 where ropes are slack or contacts open at the guess.
+pub(crate) fn with_open(names: &str) -> Fault {
+    Fault::new(Message {
+        code: "S007",
+        what: Text::new(
+            format!("no equilibrium found from this guess, where {names} carries nothing"),
+            format!("из этого приближения положение равновесия не найдено; усилия там нет: {names}"),
+        ),
+        why: Text::new("a rope is slack there or a contact open", "канат там не натянут или контакт разомкнут"),
+        help: Text::new(
+            "begin where it is taut or closed: set the start, or give a `guess` there",
+            "начните с положения, где он натянут или замкнут: измените начальное значение или задайте там `guess`",
+        ),
+    })
+}

@@ -90,7 +90,7 @@ fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &E
     if rows.is_empty() && fault.is_none() {
         fault = Some(match options.over {
             Some(r) => nothing_between(&name(equations, r.coordinate), r.from, r.to),
-            None => no_equilibrium(),
+            None => nowhere(equations, parameters, q),
         });
     }
     if rows.iter().any(|r| r.free > 0) {
@@ -103,6 +103,14 @@ fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &E
         notes.push(crate::studies::equilibrium::nothing_moves());
     }
     Ok(Outcome { dataset: dataset(equations, &rows, notes), fault })
+}
+
+/// No place of rest; ropes that are slack and contacts that stand open at the start are named, as a place with them closed may be meant.
+fn nowhere(equations: &Equations, parameters: &[f64], q: &[f64]) -> Fault {
+    let closed = closed_contacts(equations, q, parameters).unwrap_or_default();
+    let open = |r: &usize| matches!(equations.reactions[*r].law, Law::Contact { .. }) && !closed.contains(r);
+    let names: Vec<&str> = (0..equations.reactions.len()).filter(open).map(|r| equations.reactions[r].name.as_str()).collect();
+    if names.is_empty() { no_equilibrium() } else { super::faults::with_open(&names.join(", ")) }
 }
 
 fn close(a: &[f64], b: &[f64]) -> bool {

@@ -223,13 +223,16 @@ fn other_unit(p: &RawParameter, kind: Kind) -> Option<String> {
 
 /// The fault of a number without a unit for something that the file gives in another unit than the SI one.
 pub(super) fn without_unit(span: Range<usize>, (name, unit): (&str, &str), number: &str) -> Fault {
+    let si = crate::units::parse_unit(unit).map(|u| si_label(&u.dimension)).ok().filter(|si| si != unit && si != "1");
+    let (or, or_ru) =
+        si.map_or_else(Default::default, |si| (format!(", or in SI \"{number} {si}\""), format!(" или, в СИ, \"{number} {si}\"")));
     Fault::new(
         "M023",
         span,
         format!("a number without a unit, while `{name}` is in {unit}"),
         format!("число без единицы, хотя `{name}` задано в {unit}"),
     )
-    .help(format!("write the unit: \"{number} {unit}\""), format!("напишите единицу: \"{number} {unit}\""))
+    .help(format!("write the unit: \"{number} {unit}\"{or}"), format!("напишите единицу: \"{number} {unit}\"{or_ru}"))
 }
 
 /// A value from the command line: a bare number is SI, and refused where the file uses another unit.

@@ -199,6 +199,11 @@ fn turned(machine: &mut Machine, study: &Cycle) -> Result<Running, Trouble> {
     analysis::studies::cycle::running(&mut machine.system, &start, &options).map_err(|fault| explained(fault, &machine.equations))
 }
 
+/// The work over the cycle; zero where rounding of its parts is left.
+fn own_work(balance: &Balance) -> f64 {
+    if balance.work.abs() <= 1e-13 * balance.size { 0.0 } else { balance.work }
+}
+
 fn facts(results: &mut Results, machine: &Machine, balance: &Balance, speed: f64, values: &[(String, f64)]) {
     for (name, value) in values {
         let declared = machine.model.parameters.iter().find(|p| p.name == *name);
@@ -209,7 +214,13 @@ fn facts(results: &mut Results, machine: &Machine, balance: &Balance, speed: f64
     }
     let text = Text::new;
     results.facts.push(Fact::new("omega", "ω", "rad/s", speed, text("uniform rate of the shaft", "равномерная угловая скорость вала")));
-    results.facts.push(Fact::new("work", "A", "J", balance.work, text("work of all forces over the cycle", "работа всех сил за цикл")));
+    results.facts.push(Fact::new(
+        "work",
+        "A",
+        "J",
+        own_work(balance),
+        text("work of all forces over the cycle", "работа всех сил за цикл"),
+    ));
     results.facts.push(Fact::new(
         "J_mean",
         "J_m",
