@@ -6,6 +6,7 @@ mod conditions;
 mod impact;
 mod jolt;
 mod phases;
+mod ties;
 mod touches;
 
 use program::{Acting, Behind, Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
@@ -15,7 +16,7 @@ use symbolic::{Equations, Text};
 use crate::connections::{Undetermined, assemble};
 use crate::fault::Message;
 use crate::system::Layout;
-use crate::{Blow, Fault, Guard, GuardKind, Mode, Powers, Quantity, System, Touch};
+use crate::{Blow, Fault, Guard, GuardKind, Mode, Powers, Quantity, System, Tie, Touch};
 use conditions::Conditions;
 
 /// Within which the instant of an event is known, relative to it.
@@ -719,6 +720,10 @@ impl System for Machine {
 
     fn jolt(&mut self, t: f64, x: &mut [f64], modes: [&[Mode]; 2], closing: &[usize]) -> Result<Option<Blow>, Fault> {
         if self.bound.program().steps { self.jump(t, x, modes, closing) } else { Ok(None) }
+    }
+
+    fn ties(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Vec<(usize, Tie)> {
+        self.rounding_of_contacts(t, x, modes).unwrap_or_default()
     }
 
     fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {

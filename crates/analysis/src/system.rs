@@ -120,6 +120,13 @@ pub enum GuardKind {
     },
 }
 
+impl GuardKind {
+    /// Whether this bounds guard `i`.
+    pub(crate) fn bounds(&self, i: usize) -> bool {
+        matches!(self, GuardKind::Bound { of, .. } if *of == i)
+    }
+}
+
 /// Powers at a state, W.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Powers {
@@ -176,6 +183,17 @@ pub struct Touch {
     pub acceleration: [f64; 2],
     /// Coefficient of restitution; of a friction the tangential one.
     pub restitution: f64,
+}
+
+/// What rounding can make of what vanishes at a contact or friction: that much of either sign is nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Tie {
+    /// Rate of the gap, or sliding speed, m/s or rad/s.
+    pub rate: f64,
+    /// Its acceleration, m/s² or rad/s².
+    pub acceleration: f64,
+    /// Force, N or N m.
+    pub force: f64,
 }
 
 /// Whether a system has given its Jacobian.
@@ -463,6 +481,13 @@ pub trait System {
     fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {
         let _ = (t, x, modes, closing);
         Ok(Blow::default())
+    }
+
+    /// What rounding can make of the contacts and frictions at (t, x), by guard: that of the terms that meet in their rates and in the balances behind
+    /// their forces. Empty where nothing is known.
+    fn ties(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Vec<(usize, Tie)> {
+        let _ = (t, x, modes);
+        Vec::new()
     }
 
     /// Generalized forces h(q, 0, s, 0) of rest at t = 0, length n, and their derivatives by the coordinates, row i = force i.

@@ -93,6 +93,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let scale = before.iter().chain(&rates).fold(0.0_f64, |m, r| m.max(r.abs()));
         let mut impacts = Vec::new();
         for ((&i, &rate), &after) in on.iter().zip(before).zip(&rates) {
+            // a chain of blows is followed down to this
+            self.ties[i].rate = SILENT * scale;
             let was_open = self.modes[i] != Mode::Zero;
             self.rebounds[i] = after > SILENT * scale && !self.stalls(i, [rate, after]);
             self.modes[i] = if self.rebounds[i] { Mode::Positive } else { Mode::Zero };

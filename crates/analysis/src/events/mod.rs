@@ -3,6 +3,7 @@
 mod contacts;
 mod impacts;
 mod modes;
+mod nearest;
 mod sides;
 pub(crate) use impacts::{Hit, Impact};
 pub(crate) use modes::opposite;

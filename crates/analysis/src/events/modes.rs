@@ -11,12 +11,14 @@
 //!    without friction whatever the order of forces is);
 //! 3. all combinations of the guards on their surfaces, those with most contacts closed and sticking first.
 //!
+//! Where the set found departs from the suggestion, nearer ones are tried as well (`nearest.rs`).
+//!
 //! When none is admissible the switch chatters, or the contacts have no consistent state (self-locking, Painlevé).
 //!
 //! Every trial begins from the state after the impacts and moves it exactly onto the conditions of its modes ([`System::project`]).
 
 use crate::taylor::Flow;
-use crate::{Fault, GuardKind, Mode, System};
+use crate::{Fault, GuardKind, Mode, System, Tie};
 
 use super::{Change, Switch, contacts};
 
@@ -76,6 +78,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     pub(crate) fn decide(&mut self) -> Result<(), Fault> {
         self.before.clone_from(&self.x);
         self.modes_before.clone_from(&self.modes);
+        self.ties.fill(Tie::default());
         let impacts = self.collide()?;
         self.base.clone_from(&self.x);
         self.suggest();
@@ -87,6 +90,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// The first trial after an event.
     fn suggest(&mut self) {
+        self.note_fired();
         for i in 0..self.modes.len() {
             let off = self.is_off(i);
             let guard = &self.system.guards()[i];
@@ -101,7 +105,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 GuardKind::Friction { .. } if self.touched[i] => self.modes[i] = Mode::Zero,
                 // a rebound was decided with the impact
                 GuardKind::Friction { .. } | GuardKind::Contact { .. } => {}
-                GuardKind::Normal | GuardKind::Share { .. } | GuardKind::Side { .. } => self.touched[i] = false,
+                // its sign follows; that it has just vanished is known
+                GuardKind::Normal => {}
+                GuardKind::Share { .. } | GuardKind::Side { .. } => self.touched[i] = false,
                 GuardKind::Switch if self.modes[i] == Mode::Zero => {
                     self.touched[i] |= guard.scheduled.is_none() && !self.system.guard(i).is_empty();
                 }
@@ -124,6 +130,15 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
     }
 
+    /// What the event is about: guards that were crossed, and owners of crossed bounds; everything after an impact.
+    fn note_fired(&mut self) {
+        let struck = self.x != self.before;
+        for i in 0..self.modes.len() {
+            let crossed = |flow: &Self, b: usize| flow.touched[b] && flow.system.guards()[b].kind.bounds(i);
+            self.fired[i] = struck || self.touched[i] || (0..self.modes.len()).any(|b| crossed(self, b));
+        }
+    }
+
     /// Mode of a friction by its speed.
     fn load_friction(&mut self, i: usize) {
         self.touched[i] = self.is_on_surface(i);
@@ -136,12 +151,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let first = (self.modes.clone(), self.leaving.clone());
         let mut trail = Trail::default();
         if self.follow(&mut trail, Exchange::All) {
-            return Ok(());
+            return self.prefer(&first.0, &trail.tried);
         }
-        let last = std::mem::replace(&mut self.modes, first.0);
+        let last = std::mem::replace(&mut self.modes, first.0.clone());
         self.leaving = first.1;
         if self.follow(&mut trail, Exchange::First) || self.try_all_combinations(&last) {
-            return Ok(());
+            return self.prefer(&first.0, &trail.tried);
         }
         let guard = trail.suspect.or_else(|| self.touched.iter().position(|&t| t)).or(trail.changing).unwrap_or(0);
         Err(trail.fault.unwrap_or_else(|| self.no_modes(guard)))
@@ -152,6 +167,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let mut tried: Vec<Vec<Mode>> = Vec::new();
         while !tried.contains(&self.modes) && tried.len() <= patience(self.modes.len()) {
             tried.push(self.modes.clone());
+            trail.tried.push(self.modes.clone());
             match self.settle() {
                 Ok(Verdict::Holds) => return true,
                 Ok(Verdict::Wants(wanted)) => {
@@ -186,7 +202,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         !matches!(self.system.guards()[i].kind, GuardKind::Normal | GuardKind::Share { .. } | GuardKind::Side { .. })
     }
 
-    fn no_modes(&self, guard: usize) -> Fault {
+    pub(super) fn no_modes(&self, guard: usize) -> Fault {
         let Some(of) = self.system.guards().get(guard) else { return Fault::chattering(&symbolic::Text::default(), self.now.high) };
         let contacts: Vec<&symbolic::Text> =
             (0..self.modes.len()).filter(|&i| self.takes_part(i)).map(|i| &self.system.guards()[i].name).collect();
@@ -234,15 +250,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if (0..self.modes.len()).any(|i| self.is_loose(i)) {
             return Ok(Verdict::Repeats);
         }
-        let wanted: Vec<Mode> = (0..self.modes.len()).map(|i| self.wanted(i)).collect();
+        let wanted = self.wishes();
         if wanted != self.modes {
             return Ok(Verdict::Wants(wanted));
         }
         for i in 0..self.modes.len() {
-            let guard = &self.system.guards()[i];
-            let searched = guard.scheduled.is_none() && !matches!(guard.kind, GuardKind::Bound { .. }) && !self.is_off(i);
-            let deflates = self.touched[i] && self.modes[i] != Mode::Zero && searched;
-            self.deflation[i] = if deflates { self.leading(i).map_or(0, |(k, _)| k) } else { 0 };
+            self.deflation[i] = self.roots_here(i);
         }
         Ok(Verdict::Holds)
     }
@@ -266,7 +279,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         all.iter().any(|modes| self.try_combination((&on, modes), others))
     }
 
-    fn try_combination(&mut self, (on, modes): (&[usize], &[Mode]), others: &[Mode]) -> bool {
+    pub(super) fn try_combination(&mut self, (on, modes): (&[usize], &[Mode]), others: &[Mode]) -> bool {
         self.modes.copy_from_slice(others);
         on.iter().zip(modes).for_each(|(&i, mode)| self.modes[i] = *mode);
         // the others may follow the combination: a few times with what they want
@@ -319,12 +332,21 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.work.switches += self.switches.len() as u64;
     }
 
+    /// The normal force of a friction that contacts alone press: it keeps its sign.
+    fn is_of_contacts(&self, normal: usize) -> bool {
+        let guards = self.system.guards();
+        let own = |g: &crate::Guard| {
+            g.name == guards[normal].name && matches!(&g.kind, GuardKind::Friction { pressed, .. } if !pressed.is_empty())
+        };
+        guards.iter().any(own)
+    }
+
     /// Whether a change of mode means something to the user.
     fn is_told(&self, guard: usize) -> bool {
         let (before, after) = (self.modes_before[guard], self.modes[guard]);
         match &self.system.guards()[guard].kind {
             GuardKind::Share { .. } | GuardKind::Side { .. } => false,
-            GuardKind::Normal => after == opposite(before) && after != Mode::Zero,
+            GuardKind::Normal => after == opposite(before) && after != Mode::Zero && !self.is_of_contacts(guard),
             kind @ GuardKind::Friction { .. } => {
                 let were = [&self.modes_before, &self.modes].map(|modes| contacts::is_off(kind, modes));
                 before != after && !were[1] && !(were[0] && after != Mode::Zero)
@@ -341,6 +363,7 @@ struct Trail {
     /// The first guard that a trial wanted changed, on its surface or not.
     changing: Option<usize>,
     fault: Option<Fault>,
+    tried: Vec<Vec<Mode>>,
 }
 
 /// How many wishes of a trial are granted at once.

@@ -13,7 +13,7 @@
 //! | contact | open | the gap opens | to close |
 
 use crate::taylor::Flow;
-use crate::{Fault, GuardKind, Mode, System};
+use crate::{Fault, GuardKind, Mode, System, Tie};
 
 use super::modes::opposite;
 
@@ -147,18 +147,68 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// The sign that a normal force has in the present trial; the present one where there is none.
     fn wanted_normal(&self, i: usize) -> Mode {
+        match self.near_zero(i) {
+            Near::Away(mode) | Near::Leads(_, mode) => mode,
+            Near::Rests if self.modes[i] == Mode::Zero => Mode::Positive,
+            Near::Rests => self.modes[i],
+        }
+    }
+
+    /// Where a normal force stands and goes. One whose crossing has just been located is zero but for the rounding of that instant.
+    fn near_zero(&self, i: usize) -> Near {
         let g = self.system.guard(i);
-        let Some(&value) = g.first() else { return self.modes[i] };
-        let usual = if self.modes[i] == Mode::Zero { Mode::Positive } else { self.modes[i] };
+        let Some(&value) = g.first() else { return Near::Rests };
         let scale = self.guard_scale[i].max(OTHERS * self.loads);
-        if value.abs() > REACHED * scale {
-            return Mode::of(value);
+        if value.abs() > if self.touched[i] { JUMPED } else { REACHED } * scale {
+            return Near::Away(Mode::of(value));
         }
         let change = size(&g[1..], self.natural) * self.natural;
         if change <= STILL * scale {
-            return usual;
+            return Near::Rests;
         }
-        leading_term(g, self.natural, SIGNIFICANT_LEAVING).map_or(usual, |(_, mode)| mode)
+        leading_term(g, self.natural, SIGNIFICANT_LEAVING).map_or(Near::Rests, |(k, mode)| Near::Leads(k, mode))
+    }
+
+    /// Number of leading coefficients of a guard that are zero but for rounding where the motion goes on in the present modes.
+    pub(super) fn roots_here(&self, i: usize) -> usize {
+        let guard = &self.system.guards()[i];
+        if guard.kind == GuardKind::Normal {
+            return match self.near_zero(i) {
+                Near::Leads(k, mode) if mode == self.modes[i] => k,
+                Near::Rests => self.system.guard(i).len(),
+                _ => 0,
+            };
+        }
+        let searched = guard.scheduled.is_none() && !matches!(guard.kind, GuardKind::Bound { .. }) && !self.is_off(i);
+        let deflates = self.touched[i] && self.modes[i] != Mode::Zero && searched;
+        if deflates { self.leading(i).map_or(0, |(k, _)| k) } else { 0 }
+    }
+
+    /// The modes that the flow of the last expansion asks for. What violates a law counts when it is more than rounding.
+    pub(super) fn wishes(&mut self) -> Vec<Mode> {
+        let wanted: Vec<Mode> = (0..self.modes.len()).map(|i| self.wanted(i)).collect();
+        if wanted == self.modes || !self.has_contacts() {
+            return wanted;
+        }
+        self.weigh();
+        (0..self.modes.len()).map(|i| self.wanted(i)).collect()
+    }
+
+    /// What is nothing at the contacts and frictions of the present state and modes.
+    fn weigh(&mut self) {
+        for (i, tie) in self.system.ties(self.now.high, &self.x, &self.modes) {
+            let own = &mut self.ties[i];
+            *own =
+                Tie { rate: own.rate.max(tie.rate), acceleration: own.acceleration.max(tie.acceleration), force: own.force.max(tie.force) };
+        }
+    }
+
+    /// The same for the owner of a bound; whether more counts as nothing now.
+    pub(crate) fn weigh_once(&mut self, bound: usize) -> bool {
+        let GuardKind::Bound { of, .. } = self.system.guards()[bound].kind else { return false };
+        let before = self.ties[of].force;
+        self.weigh();
+        self.ties[of].force > before
     }
 
     /// A friction without a load goes by its speed alone.
@@ -235,15 +285,28 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if wanted != self.modes {
             return Ok(Some(wanted));
         }
+        let mut weighed = false;
         for (i, bounds) in limits.iter().enumerate() {
             let Some(bounds) = bounds else { continue };
-            let [back, forth] = bounds.map(|b| self.system.guard(b).first().copied().unwrap_or(0.0));
-            let (least, bound) = if back < forth { (back, bounds[0]) } else { (forth, bounds[1]) };
-            if least < -TORN * (back.abs() + forth.abs()) && least < -REACHED * OTHERS * self.loads {
+            let Some(bound) = self.tearing(i, *bounds) else { continue };
+            // once for all: the state and the modes are the same
+            if !weighed {
+                self.weigh();
+                weighed = true;
+            }
+            if self.tearing(i, *bounds).is_some() {
                 wanted[i] = self.exit_of(bound);
             }
         }
         Ok((wanted != self.modes).then_some(wanted))
+    }
+
+    /// The limit that no force of the size of both can keep.
+    fn tearing(&self, i: usize, bounds: [usize; 2]) -> Option<usize> {
+        let [back, forth] = bounds.map(|b| self.system.guard(b).first().copied().unwrap_or(0.0));
+        let (least, bound) = if back < forth { (back, bounds[0]) } else { (forth, bounds[1]) };
+        let nothing = (REACHED * OTHERS * self.loads).max(self.ties[i].force);
+        (least < -TORN * (back.abs() + forth.abs()) && least < -nothing).then_some(bound)
     }
 
     fn wanted_closed(&self, force: usize) -> Mode {
@@ -291,7 +354,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             GuardKind::Friction { limits: [a, b], .. } => value(a) + value(b),
             _ => self.guard_scale[b].max(size(g, h)),
         };
-        own.max(OTHERS * self.loads)
+        own.max(OTHERS * self.loads).max(self.ties[of].force / REACHED)
     }
 
     /// The largest contact or normal force in the trial whose guards these are, over a step h.
@@ -313,10 +376,34 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if self.rebounds[i] && g.get(1).is_some_and(|rate| *rate > 0.0) {
             return Some((1, Mode::Positive));
         }
+        let known = self.without_ties(i, g);
+        let g = known.as_deref().unwrap_or(g);
         let change = size(g.get(1..)?, h) * h;
         if change <= STILL * self.guard_scale[i] {
             return None;
         }
         leading_term(g, h, if self.leaving[i] { SIGNIFICANT_LEAVING } else { SIGNIFICANT })
     }
+
+    /// The coefficients without the rate and the acceleration where these are nothing; none where there is nothing to leave out.
+    fn without_ties(&self, i: usize, g: &[f64]) -> Option<Vec<f64>> {
+        let Tie { rate, acceleration, .. } = self.ties[i];
+        let known = match self.system.guards()[i].kind {
+            GuardKind::Contact { .. } => [rate, 0.5 * acceleration],
+            GuardKind::Friction { .. } => [acceleration, 0.0],
+            _ => return None,
+        };
+        let first = known.iter().zip(g.get(1..)?).take_while(|(nothing, g)| **g != 0.0 && g.abs() <= **nothing).count();
+        (first > 0).then(|| g.iter().enumerate().map(|(k, g)| if (1..=first).contains(&k) { 0.0 } else { *g }).collect())
+    }
+}
+
+/// Where a normal force stands and goes.
+enum Near {
+    /// It has this sign.
+    Away(Mode),
+    /// It vanishes, and takes the sign of the coefficient of this order.
+    Leads(usize, Mode),
+    /// It vanishes and stays so.
+    Rests,
 }

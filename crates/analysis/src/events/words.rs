@@ -34,6 +34,14 @@ pub fn describe(switch: &Switch, guard: &Guard) -> Text {
             };
             told(en.into(), ru.into())
         }
+        (GuardKind::Normal, Change::Mode) => {
+            let sign = if switch.after == Mode::Negative {
+                ("negative", "отрицательной")
+            } else {
+                ("positive", "положительной")
+            };
+            told(format!("its normal force becomes {}", sign.0), format!("нормальная сила становится {}", sign.1))
+        }
         _ => change_of_side(switch, name),
     }
 }

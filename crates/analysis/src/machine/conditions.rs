@@ -13,7 +13,7 @@
 
 use std::sync::Arc;
 
-use program::{Bound, ConnectionRoots, Evaluator, GuardKind, LawRoots, Point};
+use program::{Behind, Bound, ConnectionRoots, Evaluator, GuardKind, LawRoots, Point};
 use symbolic::connections::{Impacts, Law, Rebound};
 use symbolic::{Equations, Text};
 
@@ -209,7 +209,7 @@ impl Conditions {
     }
 
     /// Terms that meet in its rate.
-    fn rate_size(&self, row: usize, rates: &[f64]) -> f64 {
+    pub(super) fn rate_size(&self, row: usize, rates: &[f64]) -> f64 {
         let moved: f64 = self.column(row).iter().zip(rates).map(|(j, v)| j.abs() * v.abs()).sum();
         moved.max(self.rate(row).abs())
     }
@@ -251,6 +251,18 @@ impl Conditions {
         }
     }
 
+    /// What meets in the places as they were computed: at a start where all lengths of the state vanish the prescribed ones are left.
+    fn remember_terms(&mut self) {
+        let off = Behind::default().rounding(&self.evaluator, &[], &[], &mut Vec::new());
+        for k in 0..self.active.len() {
+            let row = self.active[k];
+            let place = self.roots.places.start + self.rows[row].condition;
+            if let Some(off) = off.get(place).filter(|off| self.rows[row].has_place && off.is_finite()) {
+                self.arms[row] = self.arms[row].max(off / ROUNDING);
+            }
+        }
+    }
+
     fn remember_rates(&mut self, x: &[f64]) {
         self.fastest = x[self.n..2 * self.n].iter().fold(self.fastest, |m, v| m.max(v.abs()));
         for k in 0..self.active.len() {
@@ -271,7 +283,11 @@ impl Conditions {
         }
         self.evaluate(t, x)?;
         self.remember_arms(x);
-        let place = self.worst(x, Level::Place);
+        let mut place = self.worst(x, Level::Place);
+        if place > REACHED {
+            self.remember_terms();
+            place = self.worst(x, Level::Place);
+        }
         for k in 0..self.active.len() {
             let row = self.active[k];
             self.drifts[row] = [self.place(row).abs(), self.arms[row]];

@@ -191,7 +191,7 @@ impl Conditions {
     }
 
     /// Generalized force per unit of a reaction.
-    fn push(&self, reaction: usize) -> &[f64] {
+    pub(super) fn push(&self, reaction: usize) -> &[f64] {
         let start = self.roots.forces.start + reaction * self.n;
         &self.values[start..start + self.n]
     }
@@ -228,7 +228,7 @@ fn pressure(unit: &Unit, reactions: &[f64]) -> Pressure {
 }
 
 /// The conditions that hold through an impact, factored.
-struct Bilateral {
+pub(super) struct Bilateral {
     rows: Vec<usize>,
     /// The reaction of each row, and the sign of its force along the row's gradient.
     reactions: Vec<Option<(usize, f64)>>,
@@ -246,7 +246,7 @@ enum Way {
 }
 
 impl Bilateral {
-    fn new(c: &mut Conditions, t: f64) -> Result<Bilateral, Fault> {
+    pub(super) fn new(c: &mut Conditions, t: f64) -> Result<Bilateral, Fault> {
         c.activate_ideal();
         let n = c.n;
         let rows = c.active.clone();
@@ -288,13 +288,18 @@ impl Bilateral {
         Ok(Bilateral { rows, reactions, way: Way::Repeated { factor, columns, qr } })
     }
 
+    /// No change of the rows.
+    pub(super) fn unmoved(&self) -> Vec<f64> {
+        vec![0.0; self.rows.len()]
+    }
+
     /// What the rates of the rows still lack.
     fn rates(&self, c: &Conditions) -> Vec<f64> {
         self.rows.iter().map(|&row| -c.rate(row)).collect()
     }
 
     /// Change of the rates under generalized impulses, the rows changed by `wanted`, and the impulses of all reactions.
-    fn response(&self, c: &Conditions, force: &[f64], wanted: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Fault> {
+    pub(super) fn response(&self, c: &Conditions, force: &[f64], wanted: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Fault> {
         let n = c.n;
         let mut impulses = vec![0.0; c.reactions];
         let (change, own) = match &self.way {

@@ -27,7 +27,7 @@ use crate::events::{Hit, Switch};
 use crate::fault::number;
 use crate::numerics::sum::{Instant, two_sum};
 use crate::stiff::Method;
-use crate::{Blow, Fault, Mode, System};
+use crate::{Blow, Fault, Mode, System, Tie};
 use accept::Defect;
 use implicit::Implicit;
 use length::Rule;
@@ -145,6 +145,10 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) hits: Vec<Option<Hit>>,
     /// What the impact of the last event did.
     pub(crate) blow: Option<Blow>,
+    /// Guards that the event crossed, and the owners of crossed bounds; all where an impact or the start decides everything.
+    pub(crate) fired: Vec<bool>,
+    /// What is nothing at contacts and frictions, by guard; found where a law is violated, since the last event.
+    pub(crate) ties: Vec<Tie>,
     /// For a guard that has just been crossed: number of leading coefficients that vanish (multiplicity of its root at the step's start).
     pub(crate) deflation: Vec<usize>,
     /// Guards on their surface now.
@@ -215,6 +219,8 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             jolted: false,
             hits: vec![None; n_g],
             blow: None,
+            fired: vec![true; n_g],
+            ties: vec![Tie::default(); n_g],
             deflation: vec![0; n_g],
             touched: vec![false; n_g],
             guard_scale: vec![0.0; n_g],

@@ -91,7 +91,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if self.is_no_load(i, h) {
             return None;
         }
-        let c = &self.step.guards.row(i)[self.deflation[i]..];
+        let c = self.step.guards.row(i).get(self.deflation[i]..).unwrap_or_default();
         let vanishes = c.iter().all(|c_k| *c_k == 0.0);
         if vanishes || surely_no_root(c, h) { None } else { self.roots.first_crossing(c, h, mode.sign()) }
     }
@@ -112,6 +112,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// Where a bound becomes negative. One that has just been reached is judged by where it goes.
     fn bound_crossing(&mut self, i: usize, h: f64) -> Option<f64> {
+        let found = self.bound_crossing_as_known(i, h)?;
+        // a violation counts when it is more than the rounding of what meets in the force
+        if self.weigh_once(i) { self.bound_crossing_as_known(i, h) } else { Some(found) }
+    }
+
+    fn bound_crossing_as_known(&mut self, i: usize, h: f64) -> Option<f64> {
         let c = self.step.guards.row(i);
         let deflation = match self.judge(i, c, h) {
             BoundState::Kept => 0,
@@ -149,7 +155,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     pub(super) fn mark_wrong_sides(&mut self) -> bool {
         let mut wrong = false;
         for i in 0..self.modes.len() {
-            let is_wrong = self.is_on_wrong_side(i);
+            let is_wrong = self.is_on_wrong_side(i) && (!self.weigh_once(i) || self.is_on_wrong_side(i));
             self.touched[i] |= is_wrong;
             wrong |= is_wrong;
         }

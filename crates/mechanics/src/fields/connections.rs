@@ -41,7 +41,10 @@ const RESTITUTION: Field = may(
     Type::Formula,
     "1",
     "0",
-    ("ratio of the rates after and before the impact, 0 ... 1", "отношение скоростей после и до удара, 0 ... 1"),
+    (
+        "ratio of the rates after and before the impact, 0 ... 1; over parameters only",
+        "отношение скоростей после и до удара, 0 ... 1; только от параметров",
+    ),
     "0.5",
 );
 const LENGTH: Field = may(
@@ -484,8 +487,25 @@ pub const STOP: TableSpec = table(
         ALONG,
         BETWEEN,
         ON_BODY,
-        may("at_least", Type::Formula, "", "", ("least value of the pathway", "наименьшее значение координаты"), "\"0 m\""),
-        may("at_most", Type::Formula, "", "", ("instead: greatest value", "вместо него: наибольшее значение"), "\"0.2 m\""),
+        may(
+            "at_least",
+            Type::Formula,
+            "",
+            "",
+            (
+                "least value of the pathway; over parameters and time, not coordinates",
+                "наименьшее значение координаты; от параметров и времени, не от координат",
+            ),
+            "\"0 m\"",
+        ),
+        may(
+            "at_most",
+            Type::Formula,
+            "",
+            "",
+            ("instead: greatest value, likewise", "вместо него: наибольшее значение, так же"),
+            "\"0.2 m\"",
+        ),
         RESTITUTION,
         may(
             "tangential_restitution",
@@ -582,10 +602,26 @@ pub const FRICTION: TableSpec = table(
             "[\"P1\", \"P2\"]",
         ),
         may("wrap", Type::Formula, "rad", "angle by which the rope turns at `over`", ("angle of contact", "угол обхвата"), "\"540 deg\""),
-        may("kinetic", Type::Formula, "", "", ("friction while sliding, over u", "трение при скольжении, функция u"), "\"F2\""),
+            "kinetic",
+            Type::Formula,
+            "",
+            "",
+            ("friction while sliding, over u and time, not coordinates", "трение при скольжении, функция u и времени, не координат"),
+            "\"F2\"",
+        ),
         may("curve", Type::Formula, "", "", ("another name of `kinetic`", "другое имя для `kinetic`"), "\"F2/(1 + u/u0)\""),
         may("static", Type::Formula, "", "kinetic at u = 0", ("largest friction at rest", "наибольшее трение покоя"), "\"F1\""),
-        may("coefficient", Type::Formula, "1", "", ("coefficient while sliding, over u", "коэффициент при скольжении, функция u"), "0.2"),
+        may(
+            "coefficient",
+            Type::Formula,
+            "1",
+            "",
+            (
+                "coefficient while sliding, over u and time, not coordinates",
+                "коэффициент при скольжении, функция u и времени, не координат",
+            ),
+            "0.2",
+        ),
         may("static_coefficient", Type::Formula, "1", "coefficient at u = 0", ("coefficient at rest", "коэффициент при покое"), "0.3"),
         may(
             "lever",

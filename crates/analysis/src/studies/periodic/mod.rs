@@ -182,6 +182,10 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
     let mut dataset = run.dataset;
     let closure = found.closure(system)?;
     let closes = closure.ok;
+    if !closes {
+        // what does not come back is no regime, whatever the section says
+        return Err(unsettled(closure.value, newton::TURNS));
+    }
     dataset.audits.insert(0, closure);
     let multipliers = if closes { multipliers(system, &found, options, &mut dataset)? } else { None };
     let (parts, forces) = found.repeats(system)?;

@@ -16,7 +16,7 @@ use symbolic::Text;
 /// Steps of the trial run.
 const TRIAL: usize = 150;
 /// Turns before the search is given up.
-const TURNS: usize = 100;
+pub(super) const TURNS: usize = 100;
 /// Misses above this share of the range are not corrected but followed.
 const FAR: f64 = 0.3;
 /// A miss below this is rounding; above `ENOUGH` it is no return.

@@ -26,7 +26,7 @@ use super::place::{Open, Opening, Placer};
 use super::requests::Resolver;
 use super::scene::{Columns, Scene};
 use super::wrench::{Act, generalized};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Source};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, Slides};
 use components::{Component, Nature, Rubbing};
 use std::collections::BTreeSet;
@@ -83,17 +83,26 @@ pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
             Ok(list) => {
                 for mut component in list {
                     let (doubts, before) = (std::mem::take(&mut component.doubts), connected.conditions.len());
-                    errors.extend(connected.add(scene, kinematics, resolver, (i, connection, component)).err().map(|d| *d));
+                    let added = connected.add(scene, kinematics, resolver, (i, connection, component));
+                    errors.extend(added.err().map(|d| placed(*d, connection)));
                     let own = before..connected.conditions.len();
                     connected.doubts.extend(doubts.into_iter().map(|doubt| (doubt, own.clone())));
                 }
             }
-            Err(diagnostic) => errors.push(*diagnostic),
+            Err(diagnostic) => errors.push(placed(*diagnostic, connection)),
         }
     }
     errors.extend(motors_match(model));
     errors.extend(connected.justified(scene));
     if errors.is_empty() { Ok(connected) } else { Err(errors) }
+}
+
+/// What is said of a formula of a connection points at the connection, unless it has a place of its own.
+fn placed(mut diagnostic: Diagnostic, connection: &Connection) -> Diagnostic {
+    if diagnostic.source == Source::File(0..0) {
+        diagnostic.source = Source::File(connection.span.clone());
+    }
+    diagnostic
 }
 
 /// Names that formulas use already.
