@@ -14,6 +14,7 @@ use symbolic::{Derivation, Equations, Expr, Linear, SymbolId, Text};
 
 use crate::fault::Message;
 use crate::machine::notation;
+use crate::numerics::lu::Lu;
 use crate::numerics::rank;
 use crate::rest::near::Near;
 use crate::studies::equilibrium::{Statics, rest_near};
@@ -137,6 +138,9 @@ pub struct LinearMachine {
     /// Whether all conditions on rates restrain places, once that is known.
     placed: Option<bool>,
 }
+
+/// Forces below this share of the terms that add up to them are rounding: some dozens of roundings.
+const BALANCED: f64 = 64.0 * f64::EPSILON;
 
 /// Everything that the tape gives.
 struct Full {
@@ -394,10 +398,12 @@ impl LinearMachine {
         }
         let mut a = vec![0.0; size * size];
         let mut right = vec![0.0; size];
+        let terms = self.force_terms(place)?;
         for i in 0..n {
             (0..n).for_each(|j| a[i * size + j] = full.matrices.mass[i * n + j]);
             (0..k).for_each(|c| a[i * size + n + c] = -full.reach[i * k + c]);
-            right[i] = full.matrices.force[i];
+            let h = full.matrices.force[i];
+            right[i] = if h.abs() <= BALANCED * terms[i] { 0.0 } else { h };
         }
         for c in 0..m {
             (0..n).for_each(|j| a[(n + c) * size + j] = full.matrices.jacobian[c * n + j]);
@@ -405,6 +411,50 @@ impl LinearMachine {
         }
         let solved = scaled_solution(&a, &right, size).ok_or_else(|| undetermined(&place.q))?;
         Ok(Place { accelerations: solved[..n].to_vec(), multipliers: solved[n..].to_vec(), ..place.clone() })
+    }
+
+    /// q'' of the motion with the place's q and q' where nothing connects, from M q'' = h.
+    ///
+    /// An acceleration below what [`BALANCED`] of the terms of h, and of M q'', make of it through M⁻¹ is zero: in a steady motion (relative equilibrium)
+    /// large terms cancel, and their rounding must not enter C by ∂(M q'')/∂q. None where M is singular.
+    ///
+    /// *Errors*: an entry has no finite value.
+    pub fn steady(&mut self, place: &Place) -> Result<Option<Vec<f64>>, Fault> {
+        let n = self.names.len();
+        let Matrices { mass, force, .. } = self.at(place)?;
+        let lu = Lu::new(&mass, n);
+        let Some(mut found) = lu.solve(&force) else { return Ok(None) };
+        let inertia = |i: usize| (0..n).map(|j| (mass[i * n + j] * found[j]).abs()).sum::<f64>();
+        let doubt: Vec<f64> = self.force_terms(place)?.iter().enumerate().map(|(i, t)| BALANCED * (t + inertia(i))).collect();
+        let mut spread = vec![0.0; n];
+        for (k, d) in doubt.iter().enumerate() {
+            let unit: Vec<f64> = (0..n).map(|i| f64::from(u8::from(i == k))).collect();
+            let column = lu.solve(&unit).unwrap_or_default();
+            spread.iter_mut().zip(column).for_each(|(s, c)| *s += (c * d).abs());
+        }
+        found.iter_mut().zip(spread).filter(|(a, s)| a.abs() <= *s).for_each(|(a, _)| *a = 0.0);
+        Ok(Some(found))
+    }
+
+    /// The size of the terms that add up to each mean force at a place: Σ |∂h/∂p p| over parameters, coordinates and rates; a rounding of any of them
+    /// changes h by ε of it.
+    ///
+    /// *Errors*: an entry has no finite value.
+    fn force_terms(&mut self, place: &Place) -> Result<Vec<f64>, Fault> {
+        let n = self.names.len();
+        let place = Place { accelerations: vec![0.0; n], multipliers: Vec::new(), ..place.clone() };
+        let Matrices { damping, stiffness, .. } = self.at(&place)?;
+        let by_state =
+            |i: usize| (0..n).map(|j| (stiffness[i * n + j] * place.q[j]).abs() + (damping[i * n + j] * place.rates[j]).abs()).sum::<f64>();
+        let mut terms: Vec<f64> = (0..n).map(by_state).collect();
+        let all: Vec<usize> = (0..self.parameters.len()).collect();
+        let prepared = self.forces_by(&all)?;
+        // a parameter at the end of its domain has no derivative and no part in this
+        let Ok(values) = self.values(&prepared, &place) else { return Ok(terms) };
+        for (p, row) in values[n..].chunks(n.max(1)).take(all.len()).enumerate() {
+            terms.iter_mut().zip(row).for_each(|(t, d)| *t += (d * self.values[p]).abs());
+        }
+        Ok(terms)
     }
 
     /// States of a tape; reactions that are not known count as zero.
@@ -436,6 +486,14 @@ impl LinearMachine {
         Ok(Place { multipliers: self.linear.multipliers.iter().map(of).collect(), ..Place::rest(&q) })
     }
 
+    /// Whether M, B and C are the same in every place, so that small motions need no equilibrium.
+    pub fn same_everywhere(&self) -> bool {
+        let linear = &self.linear;
+        let place = |s: SymbolId| linear.coordinates.iter().any(|c| c[0] == s);
+        let entries = linear.mass.entries().iter().chain(linear.damping.entries()).chain(linear.stiffness.entries());
+        linear.conditions.is_empty() && entries.copied().all(|e| !linear.graph.contains(e, place))
+    }
+
     /// Values of further expressions of [`Linear::graph`] at a place, with the parameters as they are now.
     ///
     /// *Errors*: one of them has no finite value.
@@ -458,6 +516,18 @@ impl LinearMachine {
         let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
         let states = self.states(place);
         Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
+    }
+
+    /// The values of prepared expressions in many places.
+    ///
+    /// *Errors*: one of them has no finite value.
+    pub fn values_at(&self, prepared: &Values, places: &[Place]) -> Result<Vec<Vec<f64>>, Fault> {
+        let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
+        let mut one = |place: &Place| -> Result<Vec<f64>, Fault> {
+            let states = self.states(place);
+            Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
+        };
+        places.iter().map(|p| one(p)).collect()
     }
 
     /// The mean forces, their derivatives by parameters (parameter by parameter), and the reach of the reactions, as prepared expressions.
@@ -531,6 +601,19 @@ impl LinearMachine {
         let inputs = if reactions.is_some() { self.with_reactions() } else { self.inputs.clone() };
         let tape = Arc::new(lower::expressions(&self.linear.graph, "observer", &inputs, &roots)?);
         Ok(Observer { n: self.names.len(), tape, rows, forms, frozen, reactions, known: self.shapes.len() })
+    }
+
+    /// Formulas of the equations without what time alone does to them, as functions of the whole state; zero for those over reactions.
+    ///
+    /// *Errors*: a formula that cannot be lowered.
+    pub fn whole(&mut self, formulas: &[Expr]) -> Result<Values, Fault> {
+        let zero = self.linear.graph.zero();
+        let equations = Arc::clone(&self.equations);
+        let over_reactions = |e: Expr| equations.graph.contains(e, |s| equations.reactions.iter().any(|r| r.symbol == s));
+        let one = |e: &Expr| if over_reactions(*e) { zero } else { self.linear.output(&equations, *e).whole };
+        let list: Vec<Expr> = formulas.iter().map(one).collect();
+        self.learn()?;
+        self.prepare(&list)
     }
 
     /// Amplitudes |M₁|, |B₁|, |C₁| (row-major n x n each) of what oscillates in the coefficients, at a place.

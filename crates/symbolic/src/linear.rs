@@ -123,6 +123,8 @@ pub struct HarmonicLoad {
 /// A quantity y(q, q', q'', t) near the state: y0 + ∂y/∂q δq + ∂y/∂q' δq' + ∂y/∂q'' δq'' + harmonics.
 #[derive(Clone, Debug)]
 pub struct LinearOutput {
+    /// Its mean over the oscillations of time alone, as a function of q, q' and q''.
+    pub whole: Expr,
     /// The mean at the state.
     pub mean: Expr,
     /// ∂y/∂q.
@@ -408,7 +410,7 @@ impl Linear {
         let waves: Vec<crate::harmonics::Wave> = waves.collect();
         let form = |(wave, factor): &(Waveform, Expr)| (known(graph, &mut self.forms, *wave), rest.apply(graph, *factor));
         let forms = harmonics.forms.iter().map(form).collect();
-        LinearOutput { mean, by_place, by_rate, by_acceleration, waves, forms, frozen: timing.frozen }
+        LinearOutput { whole: average, mean, by_place, by_rate, by_acceleration, waves, forms, frozen: timing.frozen }
     }
 
     /// Generalized forces of the equations (index of a coordinate, force) at rest, with the time in them.
@@ -460,6 +462,9 @@ impl Linear {
         for load in &mut at.loads {
             load.rate = substitution.apply(graph, load.rate);
             load.cos.iter_mut().chain(&mut load.sin).for_each(|e| *e = substitution.apply(graph, *e));
+        }
+        for (_, factors) in &mut at.shaped {
+            factors.iter_mut().for_each(|e| *e = substitution.apply(graph, *e));
         }
         at
     }

@@ -26,11 +26,12 @@ pub const EXPLANATIONS: &[Explanation] = &[
         en: (
             "loose node or piece",
             "A node that no rod touches, or a group of rods that no support and no spring holds. Usually a name was mistyped in `between` or a \
-             support is missing.",
+             support is missing. Free frames (free-free beams) are not solved: their stiffness matrix is singular. Hold them by soft springs at a node.",
         ),
         ru: (
             "незакреплённый узел или часть",
-            "К узлу не подходит ни один стержень, либо группа стержней не имеет ни опор, ни пружин. Обычно опечатка в `between` или забыта опора.",
+            "К узлу не подходит ни один стержень, либо группа стержней не имеет ни опор, ни пружин. Обычно опечатка в `between` или забыта опора. \
+             Свободные рамы (незакреплённые балки) не рассчитываются: их матрица жёсткости вырождена. Закрепите их мягкими пружинами в узле.",
         ),
     },
     Explanation {
@@ -141,8 +142,10 @@ pub fn unsupported(node: &str) -> Fault {
             "у неё нет опор и пружин, и стержни не связывают её с остальным",
         ),
         Text::new(
-            "add a support: [supports.S] at = \"NODE\", directions = [\"x\", \"y\"]",
-            "добавьте опору: [supports.S] at = \"УЗЕЛ\", directions = [\"x\", \"y\"]",
+            "add a support: [supports.S] at = \"NODE\", directions = [\"x\", \"y\"]; a frame that is meant to be free (free-free) needs springs at a node \
+             (spring_x, spring_y, spring_turn), so soft that their frequencies lie far below those of bending",
+            "добавьте опору: [supports.S] at = \"УЗЕЛ\", directions = [\"x\", \"y\"]; свободной (незакреплённой) раме нужны пружины в узле (spring_x, spring_y, \
+             spring_turn), столь мягкие, что их частоты намного ниже изгибных",
         ),
     )
 }

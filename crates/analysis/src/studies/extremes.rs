@@ -114,7 +114,7 @@ impl Search<'_, '_> {
         self.modes.modes.iter().all(|m| m.root.0 == 0.0)
             && self.points.iter().all(|p| {
                 let z = p.outputs[self.k];
-                !z.0.is_finite() || z.1.abs() <= 1e-12 * z.0.abs() || z.0.abs() <= 1e-12 * z.1.abs()
+                !magnitude(z).is_finite() || z.1.abs() <= 1e-12 * z.0.abs() || z.0.abs() <= 1e-12 * z.1.abs()
             })
     }
 

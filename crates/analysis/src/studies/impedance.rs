@@ -2,7 +2,8 @@
 //!
 //! Beside such a frequency, at ω + δ, X = P/δ + X₀ + O(δ) with A₀ P = 0, A₁ P + A₀ X₀ = F and A₁ X₀ + A₀ X₁ = M P, where A₀ is the matrix
 //! at ω and A₁ = -2 ω M + i B its derivative. Quantities that P does not move are finite and follow X₀, the limit of their amplitudes; all
-//! others are infinite. A load that does no work on the free oscillation has P = 0.
+//! others are infinite, real and imaginary part each on its own. A load that does no work on the free oscillation has P = 0. Machines that nothing
+//! holds at ω = 0 and near it: [`super::free_motion`].
 //!
 //! Solutions are refined with residuals in twice the digits: where a damper or a spring is 10¹³ times as strong as the others plain elimination leaves few digits.
 //! *Source*: N. J. Higham, Accuracy and Stability of Numerical Algorithms, ch. 12.
@@ -11,21 +12,60 @@ use crate::linear::Matrices;
 use crate::numerics::lu::Lu;
 use crate::numerics::rank::Qr;
 use crate::numerics::refined::{Factors, products};
+use crate::studies::free_motion;
 use crate::studies::modes::Complex;
 
-/// Amplitudes of the coordinates.
+/// Amplitudes of the coordinates: X(ω + δ) = Σ_m poles_m/δ^m + regular + Σ free, the last at ω > 0 only.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Amplitudes {
-    /// X₀.
+    /// X₀, without the free motions that stand apart.
     pub regular: Vec<Complex>,
-    /// P; empty where the matrix is regular or the free oscillation is not excited.
-    pub pole: Vec<Complex>,
+    /// Coefficients of δ⁻¹, δ⁻², ...; empty where the matrix is regular or the free oscillation is not excited.
+    pub poles: Vec<Vec<Complex>>,
+    /// Free motions that stand apart, direction and amplitude: they may be many orders larger than the rest, and what they do not move must not see them.
+    pub free: Vec<(Vec<f64>, Complex)>,
     /// Share of X₀ that plain elimination gets wrong, which refinement has put right: what a rounding of the matrix may change. NaN where refinement fails.
     pub doubt: f64,
 }
 
+/// How a quantity follows the coordinates: y = (∂y/∂q + iω ∂y/∂q' - ω² ∂y/∂q'') X.
+#[derive(Clone, Copy, Debug)]
+pub struct Gain<'a> {
+    /// ∂y/∂q.
+    pub place: &'a [f64],
+    /// ∂y/∂q'.
+    pub rate: &'a [f64],
+    /// ∂y/∂q''.
+    pub acceleration: &'a [f64],
+    /// ω, rad/s.
+    pub omega: f64,
+}
+
+impl Gain<'_> {
+    /// g, dg/dω and ½ d²g/dω².
+    fn terms(&self) -> [Vec<Complex>; 3] {
+        let w = self.omega;
+        let n = self.place.len();
+        [
+            (0..n).map(|i| (self.place[i] - w * w * self.acceleration[i], w * self.rate[i])).collect(),
+            (0..n).map(|i| (-2.0 * w * self.acceleration[i], self.rate[i])).collect(),
+            self.acceleration.iter().map(|a| (-a, 0.0)).collect(),
+        ]
+    }
+
+    /// How far a unit of a free motion moves it, and the largest of the terms; what is rounding of its terms is nothing.
+    fn along(&self, z: &[f64]) -> (Complex, f64) {
+        let one = |g: &[f64]| {
+            let (sum, size) = g.iter().zip(z).fold((0.0, 0.0), |(s, m), (g, z)| (s + g * z, m + (g * z).abs()));
+            if f64::abs(sum) <= SINGULAR * size { 0.0 } else { sum }
+        };
+        let moved = (one(self.place) - self.omega * self.omega * one(self.acceleration), self.omega * one(self.rate));
+        (moved, size(moved))
+    }
+}
+
 /// Pivots of the scaled matrix below this share are zero: a few roundings of its terms.
-const SINGULAR: f64 = 2e-14;
+pub(super) const SINGULAR: f64 = 2e-14;
 /// A free oscillation whose frequency differs by less than this share of ω is at ω.
 const NEAR: f64 = 1e-10;
 /// Work of the load on a free oscillation below this share of its terms is none.
@@ -34,25 +74,71 @@ const IDLE: f64 = 1e-11;
 const UNMOVED: f64 = 1e-9;
 
 impl Amplitudes {
-    /// X, infinite where the pole moves the coordinate.
+    /// X, infinite where a pole moves the coordinate.
     pub fn coordinates(&self) -> Vec<Complex> {
         let n = self.regular.len();
-        let unit = |i: usize| (0..n).map(|k| (f64::from(u8::from(k == i)), 0.0)).collect::<Vec<_>>();
-        (0..n).map(|i| self.seen(&unit(i), &[])).collect()
+        let none = vec![0.0; n];
+        let unit = |i: usize| (0..n).map(|k| f64::from(u8::from(k == i))).collect::<Vec<_>>();
+        (0..n).map(|i| self.seen(&Gain { place: &unit(i), rate: &none, acceleration: &none, omega: 0.0 })).collect()
     }
 
-    /// Σ g_i X_i; `slope` is dg/dω, empty for none. Infinite where Σ g_i P_i is not zero, and zero where only rounding is left.
-    pub fn seen(&self, g: &[Complex], slope: &[Complex]) -> Complex {
-        let (pole, terms) = dot(g, &self.pole);
-        let largest = self.pole.iter().map(|z| size(*z)).fold(0.0, f64::max);
-        let reach = g.iter().map(|z| size(*z)).fold(0.0, f64::max) * largest;
-        if terms > 1e-6 * UNMOVED * reach && size(pole) > UNMOVED * terms {
-            return (f64::INFINITY, 0.0);
+    /// X₀ with the free motions.
+    pub fn whole(&self) -> Vec<Complex> {
+        let mut sum = self.regular.clone();
+        for (z, a) in &self.free {
+            sum.iter_mut().zip(z).for_each(|(s, z)| *s = (s.0 + z * a.0, s.1 + z * a.1));
         }
-        let (value, terms) = dot(g, &self.regular);
-        let (turn, more) = dot(slope, &self.pole);
-        let sum = (value.0 + turn.0, value.1 + turn.1);
-        if size(sum) <= 4.0 * f64::EPSILON * (terms + more) { (0.0, 0.0) } else { sum }
+        sum
+    }
+
+    /// The same in other coordinates, X = T Y.
+    pub(super) fn mapped(&self, map: impl Fn(&[Complex]) -> Vec<Complex>) -> Amplitudes {
+        let real = |z: &[f64]| map(&z.iter().map(|v| (*v, 0.0)).collect::<Vec<_>>()).into_iter().map(|v| v.0).collect();
+        Amplitudes {
+            regular: map(&self.regular),
+            poles: self.poles.iter().map(|p| map(p)).collect(),
+            free: self.free.iter().map(|(z, a)| (real(z), *a)).collect(),
+            doubt: self.doubt,
+        }
+    }
+
+    /// Σ g_i X_i, zero where only rounding is left. Real and imaginary part are infinite where a pole moves them, each on its own; the other one is its
+    /// limit at ω.
+    pub fn seen(&self, gain: &Gain) -> Complex {
+        let g = gain.terms();
+        let mut infinite = [false; 2];
+        for m in 0..self.poles.len() {
+            // what stands with δ^-(m + 1)
+            let (mut pole, mut terms, mut reach) = ((0.0, 0.0), 0.0, 0.0_f64);
+            for (g, p) in g.iter().zip(&self.poles[m..]) {
+                let (sum, more) = dot(g, p);
+                (pole, terms) = ((pole.0 + sum.0, pole.1 + sum.1), terms + more);
+                let biggest = |v: &[Complex]| v.iter().map(|z| size(*z)).fold(0.0, f64::max);
+                reach = reach.max(biggest(g) * biggest(p));
+            }
+            if terms > 1e-6 * UNMOVED * reach && size(pole) > UNMOVED * terms {
+                infinite[0] |= pole.0.abs() > UNMOVED * size(pole);
+                infinite[1] |= pole.1.abs() > UNMOVED * size(pole);
+            }
+        }
+        let (mut sum, mut terms) = dot(&g[0], &self.regular);
+        for (g, p) in g[1..].iter().zip(&self.poles) {
+            let (more, size) = dot(g, p);
+            (sum, terms) = ((sum.0 + more.0, sum.1 + more.1), terms + size);
+        }
+        for (z, a) in &self.free {
+            let (moved, reach) = gain.along(z);
+            sum = (sum.0 + moved.0 * a.0 - moved.1 * a.1, sum.1 + moved.0 * a.1 + moved.1 * a.0);
+            terms += reach * size(*a);
+        }
+        // beside an infinite part the finite one stands by itself
+        let alone = infinite.contains(&true);
+        let part = |value: f64, infinite: bool| match () {
+            () if infinite => f64::INFINITY,
+            () if (if alone { value.abs() } else { size(sum) }) <= 4.0 * f64::EPSILON * terms => 0.0,
+            () => value,
+        };
+        (part(sum.0, infinite[0]), part(sum.1, infinite[1]))
     }
 }
 
@@ -81,16 +167,56 @@ pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
         let y = solve(&m.reduced(&z, k), omega, &(0..k).map(onto).collect::<Vec<_>>());
         let back = |y: &[Complex]| -> Vec<Complex> {
             let entry = |i: usize| y.iter().enumerate().fold((0.0, 0.0), |s, (c, v)| (s.0 + z[i * k + c] * v.0, s.1 + z[i * k + c] * v.1));
-            if y.is_empty() { Vec::new() } else { (0..m.n).map(entry).collect() }
+            (0..m.n).map(entry).collect()
         };
-        let regular = if k == 0 { vec![(0.0, 0.0); m.n] } else { back(&y.regular) };
-        return Amplitudes { regular, pole: back(&y.pole), doubt: y.doubt };
+        return y.mapped(back);
+    }
+    if let Some(found) = (omega > 0.0).then(|| free_motion::apart(m, omega, load)).flatten() {
+        return found;
     }
     let system = Real::new(m, omega);
     let right = system.load(load);
-    match system.regular(&right, omega) {
-        Some((x, doubt)) => Amplitudes { regular: system.unscaled(&x), pole: Vec::new(), doubt },
-        None => system.limit(&right),
+    if let Some((x, doubt)) = system.regular(&right, omega) {
+        return Amplitudes { regular: system.unscaled(&x), doubt, ..Amplitudes::default() };
+    }
+    let at_rest = || free_motion::at_zero([&m.stiffness, &m.damping, &m.mass], m.n, free_motion::pace(m), load);
+    (omega == 0.0).then(at_rest).flatten().unwrap_or_else(|| system.limit(&right))
+}
+
+/// Factors of rows and of columns, powers of 2, that bring the largest entries of a square matrix to size one; a row or column of zeros keeps its own.
+pub(super) fn balanced(a: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
+    let (mut rows, mut columns) = (vec![1.0; n], vec![1.0; n]);
+    let power = |v: f64| if v > 0.0 && v.is_finite() { (-0.5 * v.log2()).round().exp2() } else { 1.0 };
+    for _ in 0..8 {
+        for i in 0..n {
+            rows[i] *= power((0..n).fold(0.0_f64, |m, j| m.max((a[i * n + j] * rows[i] * columns[j]).abs())));
+        }
+        for j in 0..n {
+            columns[j] *= power((0..n).fold(0.0_f64, |m, i| m.max((a[i * n + j] * rows[i] * columns[j]).abs())));
+        }
+    }
+    (rows, columns)
+}
+
+/// Entries of a solution x of A x = b that are rounding only become zero. An entry is known to ε |A⁻¹| (|A| |x| + |b|); its row of the inverse
+/// solves Aᵀ y = e_i.
+pub(super) fn cleared(a: &[f64], b: &[f64], x: &mut [f64]) {
+    let size = x.len();
+    let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let doubtful: Vec<usize> = (0..size).filter(|i| x[*i] != 0.0 && x[*i].abs() < 1e-12 * largest).collect();
+    if doubtful.is_empty() {
+        return;
+    }
+    let row = |i: usize| a[i * size..(i + 1) * size].iter().zip(x.iter()).map(|(a, x)| (a * x).abs()).sum::<f64>();
+    let terms: Vec<f64> = (0..size).map(|i| row(i) + b[i].abs()).collect();
+    let transposed = Lu::new(&turned(a, size), size);
+    for i in doubtful {
+        let unit: Vec<f64> = (0..size).map(|k| f64::from(u8::from(k == i))).collect();
+        let Some(row) = transposed.solve(&unit) else { continue };
+        let bound: f64 = row.iter().zip(&terms).map(|(r, t)| (r * t).abs()).sum();
+        if x[i].abs() <= 4.0 * f64::EPSILON * bound {
+            x[i] = 0.0;
+        }
     }
 }
 
@@ -151,24 +277,7 @@ impl Real {
             return None;
         }
         let (mut x, doubt) = factors.refined(&self.matrix, right);
-        let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let doubtful: Vec<usize> = (0..size).filter(|i| x[*i] != 0.0 && x[*i].abs() < 1e-12 * largest).collect();
-        if doubtful.is_empty() {
-            return Some((x, doubt));
-        }
-        // an entry is known to ε |A⁻¹| (|A| |x| + |F|); its row of the inverse solves Aᵀ y = e_i
-        let absolute: Vec<f64> = self.matrix.iter().map(|a| a.abs()).collect();
-        let terms: Vec<f64> =
-            self.product(&absolute, &x.iter().map(|v| v.abs()).collect::<Vec<_>>()).iter().zip(right).map(|(a, f)| a + f.abs()).collect();
-        let transposed = Lu::new(&turned(&self.matrix, size), size);
-        for i in doubtful {
-            let unit: Vec<f64> = (0..size).map(|k| f64::from(u8::from(k == i))).collect();
-            let Some(row) = transposed.solve(&unit) else { continue };
-            let bound: f64 = row.iter().zip(&terms).map(|(r, t)| (r * t).abs()).sum();
-            if x[i].abs() <= 4.0 * f64::EPSILON * bound {
-                x[i] = 0.0;
-            }
-        }
+        cleared(&self.matrix, right, &mut x);
         Some((x, doubt))
     }
 
@@ -216,7 +325,11 @@ impl Real {
         let Some(left) = thresholds.map(|t| Qr::new(size, size, &across, t).null_space()).find(|l| l.len() == k) else {
             // what the load does on the free oscillation is not known: all that it moves counts as infinite
             let pole = (0..size).map(|i| free.iter().map(|x| x[i]).sum()).collect::<Vec<f64>>();
-            return Amplitudes { regular: self.unscaled(&qr.least_squares(right).0), pole: self.unscaled(&pole), doubt: 0.0 };
+            return Amplitudes {
+                regular: self.unscaled(&qr.least_squares(right).0),
+                poles: vec![self.unscaled(&pole)],
+                ..Amplitudes::default()
+            };
         };
         let against = |v: &[f64]| -> Vec<f64> { left.iter().map(|w| w.iter().zip(v).map(|(a, b)| a * b).sum()).collect() };
         let small = |a: &[f64]| -> Vec<f64> {
@@ -247,7 +360,8 @@ impl Real {
         let regular: Vec<f64> = particular.iter().zip(&shift).map(|(x, s)| x + s).collect();
         let noise = 1e-14 * regular.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let regular: Vec<f64> = regular.into_iter().map(|v| if v.abs() <= noise { 0.0 } else { v }).collect();
-        Amplitudes { regular: self.unscaled(&regular), pole: if excited { self.unscaled(&pole) } else { Vec::new() }, doubt: 0.0 }
+        let poles = if excited { vec![self.unscaled(&pole)] } else { Vec::new() };
+        Amplitudes { regular: self.unscaled(&regular), poles, ..Amplitudes::default() }
     }
 }
 
@@ -273,7 +387,7 @@ mod tests {
     #[test]
     fn a_load_that_does_no_work_on_the_free_oscillation_leaves_its_limit() {
         let found = solve(&chain(), 10.0, &[(1.0, 0.0), (-1.0, 0.0)]);
-        assert!(found.pole.is_empty());
+        assert!(found.poles.is_empty());
         let x = found.coordinates();
         assert!((x[0].0 - 1.0 / 200.0).abs() < 1e-16 && (x[1].0 + 1.0 / 200.0).abs() < 1e-16, "{x:?}");
     }
@@ -282,7 +396,7 @@ mod tests {
     fn what_the_free_oscillation_does_not_move_is_finite() {
         let found = solve(&chain(), 10.0, &[(1.0, 0.0), (0.0, 0.0)]);
         assert!(found.coordinates().iter().all(|z| z.0.is_infinite()));
-        let stretch = found.seen(&[(1.0, 0.0), (-1.0, 0.0)], &[]);
+        let stretch = found.seen(&Gain { place: &[1.0, -1.0], rate: &[0.0; 2], acceleration: &[0.0; 2], omega: 10.0 });
         assert!((stretch.0 - 1.0 / 200.0).abs() < 1e-15, "{stretch:?}");
     }
 }

@@ -7,7 +7,7 @@ use symbolic::Text;
 
 use crate::Fault;
 use crate::fault::{Explanation, Message, rounded};
-use crate::linear::{LinearMachine, Matrices, Place};
+use crate::linear::{LinearMachine, Matrices, Place, Seen, Values};
 use crate::studies::modes::Complex;
 use crate::studies::response::magnitude;
 
@@ -139,3 +139,46 @@ pub fn bent(machine: &mut LinearMachine, place: &Place, omega: f64, x: &[Complex
         ),
     ))
 }
+
+/// How far each output leaves its straight line within the amplitudes X at ω, as a share of what the line does; zero where the line holds to
+/// [`BENT`]. `whole` are the formulas of the outputs, `seen` their lines.
+///
+/// *Errors*: none; a formula without a value within the amplitudes counts as infinitely far.
+pub fn curved(machine: &LinearMachine, place: &Place, whole: &Values, seen: &[Seen], (omega, x): (f64, &[Complex])) -> Vec<f64> {
+    let mut off = vec![0.0_f64; seen.len()];
+    if x.iter().any(|z| !magnitude(*z).is_finite()) {
+        return off;
+    }
+    let (mut reach, mut size) = (off.clone(), off.clone());
+    let sum = |g: &[f64], v: &[f64]| g.iter().zip(v).map(|(g, v)| g * v).sum::<f64>();
+    let Ok(rest) = machine.values(whole, place) else { return off };
+    for turn in 0..INSTANTS {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(turn) / f64::from(INSTANTS)).sin_cos();
+        let away: Vec<f64> = x.iter().map(|z| z.0 * cos - z.1 * sin).collect();
+        let rates: Vec<f64> = x.iter().map(|z| -omega * (z.0 * sin + z.1 * cos)).collect();
+        let accelerations: Vec<f64> = away.iter().map(|v| -omega * omega * v).collect();
+        let at = Place {
+            q: place.q.iter().zip(&away).map(|(q, d)| q + d).collect(),
+            rates: rates.clone(),
+            accelerations: accelerations.clone(),
+            ..place.clone()
+        };
+        let Ok(there) = machine.values(whole, &at) else { return vec![f64::INFINITY; seen.len()] };
+        for (k, s) in seen.iter().enumerate() {
+            let line = sum(&s.by_place, &away) + sum(&s.by_rate, &rates) + sum(&s.by_acceleration, &accelerations);
+            reach[k] = reach[k].max(line.abs());
+            size[k] = size[k].max(there[k].abs());
+            off[k] = off[k].max((there[k] - rest[k] - line).abs());
+        }
+    }
+    // formulas over reactions are zero here and have no measure
+    let share = |k: usize| match () {
+        () if size[k] == 0.0 || off[k] <= BENT * reach[k] || off[k] <= 1e-12 * size[k] => 0.0,
+        () if reach[k] == 0.0 => f64::INFINITY,
+        () => off[k] / reach[k],
+    };
+    (0..seen.len()).map(share).collect()
+}
+
+/// Instants of a period at which outputs are looked at.
+const INSTANTS: u32 = 16;

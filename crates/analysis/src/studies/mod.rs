@@ -5,6 +5,7 @@ pub mod cycle;
 pub mod equilibrium;
 pub(crate) mod explain;
 pub mod extremes;
+mod free_motion;
 pub mod impedance;
 pub mod kinematics;
 pub mod limits;

@@ -16,7 +16,7 @@ use symbolic::{Expr, Text};
 use crate::Fault;
 use crate::fault::{Message, rounded};
 use crate::linear::{LinearMachine, LoadParts, Matrices, Observer, Place, Seen, Values};
-use crate::studies::impedance::{Amplitudes, solve};
+use crate::studies::impedance::{Amplitudes, Gain, solve};
 use crate::studies::modes::Complex;
 use crate::waveform::LISTED;
 
@@ -66,6 +66,10 @@ pub struct Forced<'m> {
     pub(super) place: Place,
     pub(super) observer: Observer,
     pub(super) source: Source,
+    /// The outputs as functions of the whole state, where they can be lowered so.
+    pub(super) formulas: Option<Values>,
+    /// Outputs that leave their straight line, see [`Forced::curved`].
+    pub(super) bent: Vec<usize>,
     given: Option<Values>,
     /// The loads over time, as the equations have them.
     whole: Values,
@@ -88,11 +92,11 @@ pub struct Forced<'m> {
 pub struct Point {
     /// Frequency of the load, its order times ω.
     pub omega: f64,
-    /// Complex amplitudes of the coordinates; infinite at a resonance without damping.
+    /// Complex amplitudes of the coordinates; at a resonance without damping their real or imaginary parts, or both, are infinite.
     pub coordinates: Vec<Complex>,
     /// Complex amplitudes of the outputs.
     pub outputs: Vec<Complex>,
-    /// What the same load does when it acts statically; NaN where nothing restores.
+    /// What the same load does as ω -> 0: statically, with the inertia of free motions; NaN where it grows beyond all bounds.
     pub still: Vec<Complex>,
     /// Share of the static displacements that a rounding of the stiffnesses may change.
     pub doubt: f64,
@@ -105,7 +109,7 @@ pub fn magnitude(z: Complex) -> f64 {
 
 /// arg z in [-π, π), so that a motion against its load lags by π.
 pub fn phase(z: Complex) -> f64 {
-    if z == (0.0, 0.0) || !z.0.is_finite() {
+    if z == (0.0, 0.0) || !magnitude(z).is_finite() {
         return f64::NAN;
     }
     if z.1.abs() <= 1e-14 * z.0.abs() {
@@ -146,6 +150,7 @@ impl<'m> Forced<'m> {
             Source::Constant(parts, _) => parts.clone(),
             Source::OfEquations | Source::Unit(_) => Vec::new(),
         };
+        let whole_formulas = machine.whole(formulas).ok();
         let given = if list.is_empty() { None } else { Some(machine.prepare(&list)?) };
         let rates: Vec<Expr> = machine.linear().forms.iter().map(|f| f.wave.rate).collect();
         let rates = machine.prepare(&rates)?;
@@ -161,6 +166,8 @@ impl<'m> Forced<'m> {
             place: place.clone(),
             observer,
             source,
+            formulas: whole_formulas,
+            bent: Vec::new(),
             given,
             rates,
             follows: None,
@@ -395,7 +402,7 @@ impl<'m> Forced<'m> {
             return Err(hangs_on_rounding(omega));
         }
         let doubt = still.doubt;
-        for z in &moving.regular {
+        for z in moving.regular.iter().chain(moving.free.iter().map(|f| &f.1)) {
             crate::fault::finite(z.0 + z.1, "response")?;
         }
         let seen = self.machine.observe(&self.observer, &self.place)?;
@@ -403,18 +410,18 @@ impl<'m> Forced<'m> {
         let direct = if free { seen.iter().map(|s| self.turned((s.constant, 0.0))).collect() } else { self.direct(&seen, omega)? };
         let see = |x: &Amplitudes, omega: f64| -> Vec<Complex> {
             let one = |(s, own): (&Seen, &Complex)| {
-                let (g, slope) = gains(s, omega);
-                let y = x.seen(&g, &slope);
-                if *own == (0.0, 0.0) || y.0.is_infinite() { y } else { cancelled((y.0 + own.0, y.1 + own.1), magnitude(y)) }
+                let y = x.seen(&gain(s, omega));
+                let sum = (y.0 + own.0, y.1 + own.1);
+                if *own == (0.0, 0.0) || !magnitude(y).is_finite() { sum } else { cancelled(sum, magnitude(y)) }
             };
             seen.iter().zip(&direct).map(one).collect()
         };
-        // nothing restores a free motion: there is no static displacement
-        let unbounded = |z: Complex| if z.0.is_infinite() { (f64::NAN, f64::NAN) } else { z };
+        // nothing restores a free motion: there is no static displacement along it
+        let unbounded = |z: Complex| if !magnitude(z).is_finite() { (f64::NAN, f64::NAN) } else { z };
         let still = see(&still, 0.0).into_iter().map(unbounded).collect();
         let outputs = see(&moving, omega);
         // infinite by the free oscillation is meant, by overflow it is not
-        for z in outputs.iter().filter(|z| z.0.is_nan() || z.1.is_nan() || moving.pole.is_empty()) {
+        for z in outputs.iter().filter(|z| z.0.is_nan() || z.1.is_nan() || moving.poles.is_empty()) {
             crate::fault::finite(z.0 + z.1, "response")?;
         }
         Ok(Point { omega, coordinates: moving.coordinates(), outputs, still, doubt })
@@ -459,6 +466,21 @@ impl<'m> Forced<'m> {
         Ok(pulsing.into_iter().chain(super::limits::bent(self.machine, &self.place, point.omega, &point.coordinates)).collect())
     }
 
+    /// Outputs that leave their straight line within the amplitudes of a point, and by which share; from then on superposed motions take their values
+    /// from the formulas themselves.
+    ///
+    /// *Errors*: an output has no finite value at the place.
+    pub fn curved(&mut self, point: &Point) -> Result<Vec<(usize, f64)>, Fault> {
+        let order = self.components.get(self.current).map_or(1.0, |c| c.order);
+        self.matrices(point.omega / order)?;
+        let Some(formulas) = &self.formulas else { return Ok(Vec::new()) };
+        let seen = self.machine.observe(&self.observer, &self.place)?;
+        let shares = super::limits::curved(self.machine, &self.place, formulas, &seen, (point.omega, &point.coordinates));
+        let found: Vec<(usize, f64)> = shares.into_iter().enumerate().filter(|(_, s)| *s > 0.0).collect();
+        self.bent = found.iter().map(|f| f.0).collect();
+        Ok(found)
+    }
+
     /// Whether the load is one of the machine's own, with a size.
     pub fn has_size(&self) -> bool {
         matches!(self.source, Source::OfEquations | Source::Given { .. })
@@ -475,11 +497,9 @@ impl<'m> Forced<'m> {
     }
 }
 
-/// g = ∂y/∂q + iω ∂y/∂q' - ω² ∂y/∂q'' and dg/dω.
-pub(super) fn gains(s: &Seen, omega: f64) -> (Vec<Complex>, Vec<Complex>) {
-    let n = s.by_place.len();
-    let g = (0..n).map(|i| (s.by_place[i] - omega * omega * s.by_acceleration[i], omega * s.by_rate[i])).collect();
-    (g, (0..n).map(|i| (-2.0 * omega * s.by_acceleration[i], s.by_rate[i])).collect())
+/// How an output follows the coordinates at ω.
+pub(super) fn gain(s: &Seen, omega: f64) -> Gain<'_> {
+    Gain { place: &s.by_place, rate: &s.by_rate, acceleration: &s.by_acceleration, omega }
 }
 
 /// A sum, zero where it is rounding of its terms.

@@ -276,7 +276,9 @@ impl Stairs {
 /// A free oscillation that the load meets makes its coordinates infinite.
 pub(super) fn forced(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
     let n = m.n;
-    let Ok(form) = Form::new(m) else { return Amplitudes { regular: vec![(f64::NAN, f64::NAN); n], pole: Vec::new(), doubt: f64::NAN } };
+    let Ok(form) = Form::new(m) else {
+        return Amplitudes { regular: vec![(f64::NAN, f64::NAN); n], doubt: f64::NAN, ..Amplitudes::default() };
+    };
     let (w, p) = (form.allowed(), form.p);
     let unit = |i: usize| if m.mass[i * n + i] > 0.0 { m.mass[i * n + i].sqrt().recip() } else { 1.0 };
     let scale: Vec<f64> = (0..n).map(unit).collect();
@@ -306,11 +308,34 @@ pub(super) fn forced(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
     let qr = Qr::new(2 * rows.len(), 2 * n, &a, SINGULAR);
     let back = |x: &[f64]| -> Vec<Complex> { (0..n).map(|i| (x[i] * scale[i], x[n + i] * scale[i])).collect() };
     let regular = back(&qr.least_squares(&right).0);
-    let pole = match qr.null_space() {
-        free if free.is_empty() => Vec::new(),
-        free => back(&(0..2 * n).map(|i| free.iter().map(|x| x[i]).sum()).collect::<Vec<f64>>()),
-    };
-    Amplitudes { regular, pole, doubt: 0.0 }
+    let free = qr.null_space();
+    if free.is_empty() {
+        return Amplitudes { regular, ..Amplitudes::default() };
+    }
+    let at_rest = (omega == 0.0).then(|| at_zero(m, &w, p, load)).flatten();
+    let pole = || back(&(0..2 * n).map(|i| free.iter().map(|x| x[i]).sum()).collect::<Vec<f64>>());
+    at_rest.unwrap_or_else(|| Amplitudes { regular, poles: vec![pole()], ..Amplitudes::default() })
+}
+
+/// The limit of the same for ω -> 0 where free motions are left: Wᵀ (C + s B + s² M) X = Wᵀ F, (D + s J) X = 0.
+fn at_zero(m: &Matrices, w: &[f64], p: usize, load: &[Complex]) -> Option<Amplitudes> {
+    let n = m.n;
+    if p + m.on_rates.len() != n {
+        return None;
+    }
+    let along = |a: &[f64]| (0..p * n).map(|e| (0..n).map(|i| w[i * p + e / n] * a[i * n + e % n]).sum()).collect::<Vec<f64>>();
+    let [mut first, mut second, mut third] = [along(&m.stiffness), along(&m.damping), along(&m.mass)];
+    let none = vec![0.0; n];
+    for (r, on_rates) in m.on_rates.iter().enumerate() {
+        let row = |a: &[f64]| a[r * n..(r + 1) * n].to_vec();
+        let (place, rate) = if *on_rates { (row(&m.drift), row(&m.jacobian)) } else { (row(&m.jacobian), none.clone()) };
+        first.extend(place);
+        second.extend(rate);
+        third.extend(&none);
+    }
+    let onto = |c: usize| (0..n).fold((0.0, 0.0), |s, i| (s.0 + w[i * p + c] * load[i].0, s.1 + w[i * p + c] * load[i].1));
+    let right: Vec<Complex> = (0..n).map(|c| if c < p { onto(c) } else { (0.0, 0.0) }).collect();
+    super::free_motion::at_zero([&first, &second, &third], n, super::free_motion::pace(m), &right)
 }
 
 /// Each root in the equations and conditions as they stand: Wᵀ (λ² M + λ B + C) x, J x and (λ J + D) x, relative to their terms.

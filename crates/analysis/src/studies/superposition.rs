@@ -13,11 +13,11 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::Fault;
-use crate::linear::{Matrices, Seen};
+use crate::linear::{Matrices, Place, Seen};
 use crate::numerics::lu::Lu;
-use crate::studies::impedance::solve;
+use crate::studies::impedance::{Amplitudes, solve};
 use crate::studies::modes::Complex;
-use crate::studies::response::{Excitation, Forced, Source, gains};
+use crate::studies::response::{Excitation, Forced, Source, gain, magnitude};
 use crate::waveform::{NODES, Panels, RULE, series};
 
 /// The motion of one output over a period, its static part included.
@@ -110,6 +110,7 @@ struct Run<'f, 'm> {
     panels: Panels,
     /// Harmonics that are summed.
     k: usize,
+    care: Care,
 }
 
 /// y, y', y'' by coordinate, then node; and which coordinates are infinite.
@@ -119,7 +120,7 @@ struct Motion {
     accelerations: Vec<Vec<f64>>,
     loads: Vec<Vec<f64>>,
     /// Harmonics with an infinite amplitude: the pole of each.
-    poles: Vec<(f64, Vec<Complex>)>,
+    poles: Vec<(f64, Vec<Vec<Complex>>)>,
 }
 
 impl<'f, 'm> Run<'f, 'm> {
@@ -150,13 +151,13 @@ impl<'f, 'm> Run<'f, 'm> {
             }
         }
         let panels = Panels::new(edges, TAU / (k as f64 / 2.0).max(8.0));
-        Ok(Run { forced, m, z, full, excitation, rate, multiples, panels, k })
+        Ok(Run { forced, m, z, full, excitation, rate, multiples, panels, k, care })
     }
 
     fn superposed(&self, omega: f64) -> Result<Superposed, Fault> {
         let motion = self.motion()?;
         let seen = self.forced.machine.observe(&self.forced.observer, &self.forced.place)?;
-        let outputs = seen.iter().map(|s| self.range(s, &motion)).collect::<Result<Vec<Range>, Fault>>()?;
+        let outputs = seen.iter().enumerate().map(|(k, s)| self.range((k, s), &motion)).collect::<Result<Vec<Range>, Fault>>()?;
         Ok(Superposed { omega, period: TAU / self.rate, outputs, residual: self.residual(&motion)? })
     }
 
@@ -248,10 +249,10 @@ impl<'f, 'm> Run<'f, 'm> {
             if x.doubt.is_nan() {
                 return Err(super::response::hangs_on_rounding(nu));
             }
-            if !x.pole.is_empty() {
-                motion.poles.push((nu, x.pole.clone()));
+            if !x.poles.is_empty() {
+                motion.poles.push((nu, x.poles.clone()));
             }
-            for (i, z) in x.regular.iter().enumerate().filter(|(_, z)| **z != (0.0, 0.0)) {
+            for (i, z) in x.whole().iter().enumerate().filter(|(_, z)| **z != (0.0, 0.0)) {
                 turn.add(&mut motion.places[i], *z);
                 turn.add(&mut motion.rates[i], (-nu * z.1, nu * z.0));
             }
@@ -330,7 +331,7 @@ impl<'f, 'm> Run<'f, 'm> {
     }
 
     /// The range of an output.
-    fn range(&self, s: &Seen, motion: &Motion) -> Result<Range, Fault> {
+    fn range(&self, (output, s): (usize, &Seen), motion: &Motion) -> Result<Range, Fault> {
         if motion.poles.iter().any(|(nu, pole)| self.resounds(s, *nu, pole)) {
             let (above, below) = ((f64::INFINITY, f64::NAN), (f64::NEG_INFINITY, f64::NAN));
             return Ok(Range { mean: s.mean, max: above, min: below, largest: above });
@@ -345,22 +346,49 @@ impl<'f, 'm> Run<'f, 'm> {
                 values.iter_mut().zip(row).for_each(|(v, x)| *v += g * x);
             }
         }
+        let formula = if self.care == Care::Number { self.by_formula(output, motion)? } else { None };
+        let mut mean = s.mean;
+        if let Some(curve) = formula {
+            values = curve;
+            let level = values.iter().zip(self.panels.weights()).map(|(v, w)| v * w).sum::<f64>() / TAU;
+            values.iter_mut().for_each(|v| *v -= level);
+            mean = level;
+        }
         self.add_direct(s, &mut values)?;
         let high = self.extreme(&values, 1.0);
         let low = self.extreme(&values, -1.0);
         let largest = if high.0 >= -low.0 { high } else { (-low.0, low.1) };
-        Ok(Range { mean: s.mean, max: (s.mean + high.0, high.1), min: (s.mean + low.0, low.1), largest })
+        Ok(Range { mean, max: (mean + high.0, high.1), min: (mean + low.0, low.1), largest })
     }
 
-    fn resounds(&self, s: &Seen, nu: f64, pole: &[Complex]) -> bool {
-        let back = |z: &[f64], k: usize| -> Vec<Complex> {
+    /// An output that leaves its straight line, by its formula along the superposed motion.
+    fn by_formula(&self, output: usize, motion: &Motion) -> Result<Option<Vec<f64>>, Fault> {
+        let Some(formulas) = self.forced.formulas.as_ref().filter(|_| self.forced.bent.contains(&output)) else { return Ok(None) };
+        let back = |v: &[Vec<f64>], x: usize| -> Vec<f64> {
+            let Some((z, k)) = &self.z else { return v.iter().map(|row| row[x]).collect() };
+            (0..self.full).map(|i| (0..*k).map(|c| z[i * k + c] * v[c][x]).sum()).collect()
+        };
+        let rest = &self.forced.place;
+        let at = |x: usize| Place {
+            q: rest.q.iter().zip(back(&motion.places, x)).map(|(q, d)| q + d).collect(),
+            rates: back(&motion.rates, x),
+            accelerations: back(&motion.accelerations, x),
+            ..rest.clone()
+        };
+        let places: Vec<Place> = (0..self.panels.count() * NODES).map(at).collect();
+        let values = self.forced.machine.values_at(formulas, &places)?;
+        Ok(Some(values.into_iter().map(|v| v[output]).collect()))
+    }
+
+    fn resounds(&self, s: &Seen, nu: f64, poles: &[Vec<Complex>]) -> bool {
+        let back = |pole: &[Complex], z: &[f64], k: usize| -> Vec<Complex> {
             let entry =
                 |i: usize| pole.iter().enumerate().fold((0.0, 0.0), |t, (c, v)| (t.0 + z[i * k + c] * v.0, t.1 + z[i * k + c] * v.1));
             (0..self.full).map(entry).collect()
         };
-        let pole = self.z.as_ref().map_or_else(|| pole.to_vec(), |(z, k)| back(z, *k));
-        let x = crate::studies::impedance::Amplitudes { regular: vec![(0.0, 0.0); pole.len()], pole, doubt: 0.0 };
-        x.seen(&gains(s, nu).0, &[]).0.is_infinite()
+        let whole = |pole: &Vec<Complex>| self.z.as_ref().map_or_else(|| pole.clone(), |(z, k)| back(pole, z, *k));
+        let x = Amplitudes { regular: vec![(0.0, 0.0); self.full], poles: poles.iter().map(whole).collect(), ..Amplitudes::default() };
+        !magnitude(x.seen(&gain(s, nu))).is_finite()
     }
 
     /// What the output does by itself at multiples of the common frequency.

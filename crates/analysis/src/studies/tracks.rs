@@ -33,6 +33,8 @@ pub struct Tracks {
     pub unstable_from: Option<f64>,
     /// Ranges of the parameter in which a motion grows, with their ends located to rounding (those of the range itself as they are).
     pub unstable: Vec<[f64; 2]>,
+    /// Whether there are modes at each value: an equilibrium, or matrices that need none.
+    pub known: Vec<bool>,
     /// The same as columns.
     pub data: Dataset,
 }
@@ -55,18 +57,26 @@ pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], poi
     let quantity = machine.parameters()[parameter].clone();
     let is_speed = quantity.unit == "rad/s" || quantity.unit == "1/s";
     let orders = if is_speed { orders(machine, parameter, ends[1], place)? } else { Vec::new() };
-    let mut run = Run { machine, parameter, place: place.clone(), along: Vec::new() };
+    let mut run = Run { machine, parameter, place: place.clone(), along: Vec::new(), home: place.clone(), without: Vec::new() };
     let mut out = Tracks { parameter: quantity.name.clone(), orders, ..Tracks::default() };
     let mut slots: Vec<Vec<Option<Mode>>> = Vec::new();
     let (mut before, mut grows, mut diverges): (Vec<Option<Mode>>, Vec<bool>, Vec<bool>) = Default::default();
     for k in 0..points {
         let value = ends[0] + (ends[1] - ends[0]) * k as f64 / (points - 1).max(1) as f64;
-        let (list, mass) = run.modes(value)?;
+        out.values.push(value);
+        let Some((list, mass)) = run.known(value)? else {
+            // nothing is known here: the tracks go on behind it
+            grows.push(grows.last().copied().unwrap_or(false));
+            diverges.push(false);
+            slots.push(Vec::new());
+            out.known.push(false);
+            continue;
+        };
+        out.known.push(true);
         grows.push(growing(&list));
         diverges.push(list.iter().any(|m| m.kind == Kind::Divergence));
         let here =
             if before.is_empty() { list.into_iter().filter(worth_following).map(Some).collect() } else { matched(&before, list, &mass) };
-        out.values.push(value);
         // a mode that is lost for a while keeps its last shape
         before = here.iter().enumerate().map(|(j, s)| s.clone().or_else(|| before.get(j).cloned().flatten())).collect();
         slots.push(here);
@@ -82,6 +92,7 @@ pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], poi
     out.critical = run.critical(&out, &slots)?;
     out.data = dataset(&out, &quantity, &diverges);
     out.data.notes.extend(runs_along(&run.along));
+    out.data.notes.extend(run.missing(&quantity));
     Ok(out)
 }
 
@@ -106,6 +117,9 @@ fn number(slots: &mut [Vec<Option<Mode>>], tracks: usize) {
         *here = list.iter().map(|j| here.get(*j).cloned().flatten()).collect();
     }
 }
+
+/// Code of an equilibrium that is not found.
+const LOST: &str = "S007";
 
 /// Orders that are followed at most.
 const ORDERS: usize = 6;
@@ -147,13 +161,72 @@ struct Run<'m> {
     place: Place,
     /// Ranges of the speed in which a mode runs along a line ω = order·Ω.
     along: Vec<[f64; 2]>,
+    /// Where the search for an equilibrium begins again when it is lost on the way.
+    home: Place,
+    /// Values at which there was none.
+    without: Vec<f64>,
 }
 
+/// Values that differ by less than this share are one place without an equilibrium.
+const ONE_PLACE: f64 = 1e-3;
+
 impl Run<'_> {
+    /// The same; none where there is no equilibrium and the matrices depend on the place.
+    fn known(&mut self, value: f64) -> Result<Option<(Vec<Mode>, Vec<f64>)>, Fault> {
+        match self.modes(value) {
+            Err(fault) if fault.code == LOST => Ok(None),
+            found => found.map(Some),
+        }
+    }
+
+    /// An equilibrium, from the last one or from the first. Where there is none, as at a value at which det K = 0 and the equilibrium runs away, the last
+    /// place serves for a machine whose matrices are the same everywhere.
+    fn settle(&mut self, value: f64) -> Result<(), Fault> {
+        let found = self.machine.settle(&self.place.q).or_else(|fault| match fault.code {
+            LOST => self.machine.settle(&self.home.q),
+            _ => Err(fault),
+        });
+        match found {
+            Ok(place) => self.place = place,
+            Err(fault) if fault.code == LOST => {
+                self.without.push(value);
+                if !self.machine.same_everywhere() {
+                    return Err(fault);
+                }
+            }
+            Err(fault) => return Err(fault),
+        }
+        Ok(())
+    }
+
+    /// Where there is no equilibrium.
+    fn missing(&self, parameter: &Quantity) -> Vec<Text> {
+        let mut list = self.without.clone();
+        list.sort_by(f64::total_cmp);
+        let groups = list.chunk_by(|a, b| (b - a).abs() <= ONE_PLACE * a.abs().max(b.abs()));
+        let roots = if self.machine.same_everywhere() {
+            ("the modes do not depend on it", "собственные движения от него не зависят")
+        } else {
+            (
+                "there are no modes about it, and ends of ranges there are not located",
+                "собственных движений около него нет, и концы областей там не найдены",
+            )
+        };
+        let one = |group: &[f64]| {
+            let at = written(group[group.len() / 2], parameter);
+            let name = &parameter.name;
+            Text::new(
+                format!("no equilibrium was found at {name} = {} (it may run to infinity there); {}", at.en, roots.0),
+                format!("при {name} = {} равновесие не найдено (возможно, оно уходит там в бесконечность); {}", at.ru, roots.1),
+            )
+        };
+        groups.map(one).collect()
+    }
+
     /// The modes at a value of the parameter, and M.
     fn modes(&mut self, value: f64) -> Result<(Vec<Mode>, Vec<f64>), Fault> {
         self.machine.set(self.parameter, value)?;
-        self.place = self.machine.settle(&self.place.q)?;
+        self.settle(value)?;
         let matrices = self.machine.at(&self.place)?;
         let names = self.machine.coordinates().to_vec();
         let found = modes::modes(&matrices, &names, Normalisation::Largest)?;
@@ -191,20 +264,21 @@ impl Run<'_> {
             if (b - a).abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs()) || middle == a || middle == b {
                 break;
             }
-            if growing(&self.modes(middle)?.0) == at_a { a = middle } else { b = middle }
+            let Some((list, _)) = self.known(middle)? else { break };
+            if growing(&list) == at_a { a = middle } else { b = middle }
         }
         Ok(0.5 * (a + b))
     }
 
     /// How many modes oscillate above the line ω = order·Ω, at Ω: only a crossing with the line changes it, because a mode begins and ceases to
     /// oscillate at ω = 0.
-    fn above(&mut self, speed: f64, order: f64) -> Result<Count, Fault> {
-        let (list, _) = self.modes(speed)?;
+    fn above(&mut self, speed: f64, order: f64) -> Result<Option<Count>, Fault> {
+        let Some((list, _)) = self.known(speed)? else { return Ok(None) };
         let line = order * speed;
         let oscillating: Vec<f64> = list.iter().filter(|m| worth_following(m) && m.damped > 0.0).map(|m| m.damped).collect();
         let above = oscillating.iter().filter(|w| **w > line).count();
         let nearest = oscillating.iter().map(|w| (w - line).abs()).fold(f64::INFINITY, f64::min);
-        Ok(Count { above, nearest })
+        Ok(Some(Count { above, nearest }))
     }
 
     /// Crossings with the lines ω = order·Ω: between values where the number of modes above the line changes, and where a mode comes so near to
@@ -213,7 +287,7 @@ impl Run<'_> {
         let mut out = Vec::new();
         for order in &tracks.orders {
             let mut places = Vec::new();
-            let counts = tracks.values.iter().map(|v| self.above(*v, *order)).collect::<Result<Vec<Count>, Fault>>()?;
+            let counts = tracks.values.iter().map(|v| self.above(*v, *order)).collect::<Result<Vec<Option<Count>>, Fault>>()?;
             for k in 1..tracks.values.len() {
                 let cell = Cell { order: *order, depth: DEEPEST };
                 self.cell([tracks.values[k - 1], tracks.values[k]], [counts[k - 1], counts[k]], cell, &mut places)?;
@@ -242,8 +316,10 @@ impl Run<'_> {
     /// The crossings in a cell: halved while its ends differ by more than one crossing, or a mode is nearer to the line than the cell is wide.
     ///
     /// A mode that runs along the line meets it nowhere by itself: rounding alone decides on which side it is, and there is nothing to locate.
-    fn cell(&mut self, [a, b]: [f64; 2], [at_a, at_b]: [Count; 2], cell: Cell, found: &mut Vec<f64>) -> Result<(), Fault> {
+    fn cell(&mut self, [a, b]: [f64; 2], ends: [Option<Count>; 2], cell: Cell, found: &mut Vec<f64>) -> Result<(), Fault> {
         let Cell { order, depth } = cell;
+        // beside a value without an equilibrium nothing is counted
+        let [Some(at_a), Some(at_b)] = ends else { return Ok(()) };
         let changes = at_a.above.abs_diff(at_b.above);
         let near = at_a.nearest.min(at_b.nearest) <= 2.0 * order * (b - a);
         let middle = 0.5 * (a + b);
@@ -259,13 +335,13 @@ impl Run<'_> {
         }
         let at_middle = self.above(middle, order)?;
         let along = |count: &Count, speed: f64| count.nearest <= ALONG * order * speed.abs();
-        if (b - a).abs() > APART * middle.abs() && along(&at_a, a) && along(&at_middle, middle) && along(&at_b, b) {
+        if (b - a).abs() > APART * middle.abs() && along(&at_a, a) && at_middle.is_some_and(|m| along(&m, middle)) && along(&at_b, b) {
             self.along.push([a, b]);
             return Ok(());
         }
         let cell = Cell { order, depth: if changes == 0 { depth - 1 } else { depth } };
-        self.cell([a, middle], [at_a, at_middle], cell, found)?;
-        self.cell([middle, b], [at_middle, at_b], cell, found)
+        self.cell([a, middle], [Some(at_a), at_middle], cell, found)?;
+        self.cell([middle, b], [at_middle, Some(at_b)], cell, found)
     }
 }
 
@@ -370,8 +446,8 @@ fn dataset(tracks: &Tracks, parameter: &Quantity, diverges: &[bool]) -> Dataset 
     let names: Vec<String> = data.columns[1..].iter().map(|c| c.quantity.name.clone()).collect();
     for name in names {
         let words = Text::new(
-            "the mode does not oscillate here: its roots are real (the notes say where)",
-            "здесь движение по этой форме без колебаний: корни вещественные (где именно, сказано в примечаниях)",
+            "the mode does not oscillate here: its roots are real, or there is no equilibrium (the notes say where)",
+            "здесь движение по этой форме без колебаний: корни вещественные, либо равновесия нет (где именно, сказано в примечаниях)",
         );
         data.state(&name, Missing::Absent, words);
     }
@@ -389,7 +465,7 @@ fn written(value: f64, parameter: &Quantity) -> Text {
 
 /// Where a mode does not oscillate.
 fn still(tracks: &Tracks, j: usize, parameter: &Quantity, diverges: &[bool]) -> Vec<Text> {
-    let absent: Vec<bool> = tracks.omega[j].iter().map(|w| w.is_nan()).collect();
+    let absent: Vec<bool> = tracks.omega[j].iter().zip(&tracks.known).map(|(w, known)| *known && w.is_nan()).collect();
     let mut notes = Vec::new();
     let mut k = 0;
     while k < absent.len() {

@@ -602,6 +602,7 @@ pub const FRICTION: TableSpec = table(
             "[\"P1\", \"P2\"]",
         ),
         may("wrap", Type::Formula, "rad", "angle by which the rope turns at `over`", ("angle of contact", "угол обхвата"), "\"540 deg\""),
+        may(
             "kinetic",
             Type::Formula,
             "",

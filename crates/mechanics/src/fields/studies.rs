@@ -46,7 +46,7 @@ pub const STUDY: TableSpec = TableSpec {
             Type::Names,
             "",
             "",
-            ("results wanted; all without it", "нужные результаты; без ключа — все"),
+            ("results wanted; all without it (response: the coordinates)", "нужные результаты; без ключа — все (response: координаты)"),
             "[\"phi\", \"omega_p\"]",
         ),
         may(

@@ -2,7 +2,7 @@
 
 use crate::small::Small;
 use symbolic::equations::Equality;
-use symbolic::{Equations, Expr, Function, Graph, Linear, SymbolId};
+use symbolic::{Equations, Expr, Function, Graph, Linear, Substitution, SymbolId};
 
 /// More coordinates than this are not written out.
 const LARGEST: usize = 6;
@@ -36,7 +36,8 @@ pub fn at_place(equations: &Equations, small: &Small) -> Option<Linear> {
     }
     let linear = linear.at(&place);
     let coordinate = |s: SymbolId| linear.coordinates.iter().any(|c| c.contains(&s)) || linear.multipliers.contains(&s);
-    let loads = linear.loads.iter().flat_map(|l| l.cos.iter().chain(&l.sin));
+    let shaped = linear.shaped.iter().flat_map(|(_, factors)| factors);
+    let loads = linear.loads.iter().flat_map(|l| l.cos.iter().chain(&l.sin)).chain(shaped);
     let entries = linear.mass.entries().iter().chain(linear.damping.entries()).chain(linear.stiffness.entries()).chain(loads);
     for e in entries {
         if linear.graph.contains(*e, coordinate) {
@@ -52,7 +53,9 @@ pub fn write(equations: &Equations, small: &Small) -> Option<Written> {
     if n > LARGEST || !small.machine.linear().conditions.is_empty() {
         return None;
     }
-    let linear = at_place(equations, small)?;
+    let mut linear = at_place(equations, small)?;
+    let means = means(small, &mut linear.graph);
+    let linear = linear.at(&means);
     let mut graph = linear.graph.clone();
     let mut list = Vec::with_capacity(n);
     for i in 0..n {
@@ -73,6 +76,13 @@ pub fn write(equations: &Equations, small: &Small) -> Option<Written> {
                 waves.push(graph.mul(amplitude, wave));
             }
         }
+        for (form, factors) in &linear.shaped {
+            let wave = waveform(&linear, *form, &mut graph);
+            let mean = means[*form].1;
+            // the mean stands in the equilibrium
+            let swing = graph.sub(wave, mean);
+            waves.push(graph.mul(factors[i], swing));
+        }
         let right = graph.sum(&waves);
         if graph.reachable(&[left, right]).len() > LONGEST {
             return None;
@@ -80,4 +90,35 @@ pub fn write(equations: &Equations, small: &Small) -> Option<Written> {
         list.push(Equality { left, right });
     }
     Some(Written { graph, equations: list })
+}
+
+/// Digits of the mean of a waveform in print.
+const DIGITS: usize = 6;
+/// Means below this share of the waveform's harmonics are zero.
+const LEVEL: f64 = 1e-12;
+
+/// The means of the waveforms over a period as numbers of [`DIGITS`] digits, for the parameters as they are.
+fn means(small: &Small, graph: &mut Graph) -> Vec<(SymbolId, Expr)> {
+    let number = |shape: &analysis::waveform::Shape| {
+        let wave = &shape.wave;
+        let size = wave.cos.iter().chain(&wave.sin).fold(0.0_f64, |m, v| m.max(v.abs()));
+        if wave.mean.abs() <= LEVEL * size { None } else { symbolic::Rational::parse_decimal(&format!("{:.*e}", DIGITS - 1, wave.mean)) }
+    };
+    let mut list = Vec::new();
+    for (form, shape) in small.machine.linear().forms.iter().zip(small.machine.shapes()) {
+        let mean = match number(shape) {
+            Some(r) => graph.number(r),
+            None => graph.zero(),
+        };
+        list.push((form.mean, mean));
+    }
+    list
+}
+
+/// A waveform as a formula of time.
+fn waveform(linear: &Linear, form: usize, graph: &mut Graph) -> Expr {
+    let wave = linear.forms[form].wave;
+    let time = graph.symbol(linear.time());
+    let phase = graph.mul(wave.rate, time);
+    Substitution::new([(linear.time(), phase)]).apply(graph, wave.shape)
 }

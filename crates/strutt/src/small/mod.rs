@@ -10,7 +10,6 @@ pub mod show;
 use crate::pipeline::Machine;
 use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
-use analysis::numerics::lu::Lu;
 use analysis::rest::closed_contacts;
 use analysis::rest::mean::Resting;
 use analysis::rest::stability::with_closed;
@@ -95,7 +94,7 @@ pub fn about_start(machine: &Machine) -> Result<Small, Fault> {
     if linear.linear().conditions.is_empty() {
         let there = linear.at(&place)?;
         natural::check_mass(&there.mass, n, linear.coordinates())?;
-        if let Some(accelerations) = Lu::new(&there.mass, n).solve(&there.force) {
+        if let Some(accelerations) = linear.steady(&place)? {
             place.accelerations = accelerations;
         }
     } else {

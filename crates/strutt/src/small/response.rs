@@ -156,10 +156,13 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let size = |p: &&Point| p.coordinates.iter().map(|z| magnitude(*z)).fold(0.0, f64::max);
     let largest = points.iter().filter(moves).max_by(|a, b| size(a).total_cmp(&size(b)));
     let mut limit = Vec::new();
+    let mut curved = Vec::new();
     for point in out.own.iter().filter(moves).chain(largest).filter(|_| real) {
-        limit = forced.limits(point)?;
-        if !limit.is_empty() {
-            break;
+        if limit.is_empty() {
+            limit = forced.limits(point)?;
+        }
+        if curved.is_empty() {
+            curved = forced.curved(point)?;
         }
     }
     out.data = Dataset { axis: Some(0), columns: columns(&omegas, &points, &quantities), notes, ..Dataset::default() };
@@ -177,11 +180,49 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.data.notes.extend(limit);
     let top = omegas.iter().chain(&own).copied().fold(0.0, f64::max);
     out.data.audits.extend(beyond(machine, out.main * top));
+    out.data.notes.extend(curved.iter().map(|(k, share)| not_straight(&quantities[*k].name, *share)));
+    out.data.notes.extend(not_shown(study, &machine.equations));
     quantities.iter().for_each(|q| state(&mut out.data, &q.name));
     out.coordinates = names;
     out.outputs = quantities;
     out.modes = Some(found);
     Ok(())
+}
+
+/// An output that is not linear in the motion.
+fn not_straight(name: &str, share: f64) -> Text {
+    let percent = |language| report::number::short(100.0 * share, 3, language);
+    let far = match share.is_finite() {
+        true => Text::new(
+            format!("leaves its straight line by {} % within the amplitudes found", percent(report::Language::En)),
+            format!("отклоняется в пределах найденных амплитуд от линейной зависимости на {} %", percent(report::Language::Ru)),
+        ),
+        false => Text::new("has no linear part there", "не имеет там линейной части"),
+    };
+    Text::new(
+        format!(
+            "`{name}` is not linear in the motion and {}: its amplitude, phase and coefficient are those of the line, mean, greatest and least value over a period those of the formula \
+             along the small motion; use `periodic` or `simulate` where that is not enough",
+            far.en
+        ),
+        format!(
+            "величина `{name}` нелинейна относительно движения и {}: амплитуда, фаза и коэффициент относятся к линейной части, а среднее, наибольшее и наименьшее за период – к самой \
+             формуле вдоль малого движения; если этого мало, примените `periodic` или `simulate`",
+            far.ru
+        ),
+    )
+}
+
+/// Outputs of the file that nobody asked for.
+fn not_shown(study: &Study, equations: &Equations) -> Option<Text> {
+    let own: Vec<&str> = equations.outputs.iter().filter(|o| matches!(o.role, Role::Named)).map(|o| o.name.as_str()).collect();
+    (study.outputs.is_empty() && !own.is_empty()).then(|| {
+        let list = own.join(", ");
+        Text::new(
+            format!("not shown: the outputs {list} of the file; name those that are wanted with outputs"),
+            format!("не показаны величины файла {list}; нужные укажите ключом outputs"),
+        )
+    })
 }
 
 fn bent_by_rates() -> Text {
@@ -436,7 +477,7 @@ fn load_name(study: &Study, small: &Small, source: &Source, parameter: Option<us
     }
 }
 
-/// The outputs wanted: those named, else the coordinates and the user's outputs.
+/// The outputs wanted: those named, else the coordinates.
 fn observed(study: &Study, equations: &Equations) -> (Vec<Quantity>, Vec<Expr>) {
     let wanted = |o: &&symbolic::equations::Output| match &study.outputs[..] {
         [] => matches!(o.role, Role::Coordinate),

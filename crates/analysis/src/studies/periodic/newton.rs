@@ -90,12 +90,22 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
     }
     let mut best: Option<(f64, Found<'o>)> = None;
     let (mut follow_only, mut last) = (0_usize, f64::INFINITY);
+    // where the motion itself went, beside a start that Newton's method proposes
+    let mut went: Option<Vec<f64>> = None;
     for turn in 0..TURNS {
         if interrupted(options) {
             break;
         }
-        let Some((orbit, which)) = follow(system, &x, &search.sections, options.limit(), &search.flow)? else {
-            return Err(no_return(&search.name, options));
+        let (orbit, which) = match (follow(system, &x, &search.sections, options.limit(), &search.flow), went.take()) {
+            (Ok(Some(found)), _) => found,
+            // the proposal stands inside a wall, outside of a domain or where nothing returns: it fails, not the file
+            (_, Some(turn)) => {
+                (x, follow_only) = (turn, 3);
+                search.aim(&x);
+                continue;
+            }
+            (Ok(None), None) => return Err(no_return(&search.name, options)),
+            (Err(fault), None) => return Err(fault),
         };
         // a turn and a return are alternatives: the first to happen is the section from now on
         search.sections = vec![search.sections[which]];
@@ -121,8 +131,11 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
             Some(step) => step?,
             None => None,
         };
-        x = match step {
-            Some(step) => moved(system, &found, &step)?,
+        x = match step.and_then(|step| moved(system, &found, &step).ok()) {
+            Some(proposed) => {
+                went = Some(next_turn);
+                proposed
+            }
             None => next_turn,
         };
         search.aim(&x);
