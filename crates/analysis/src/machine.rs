@@ -572,8 +572,8 @@ impl System for Machine {
         let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
         // the order is that of program::ENERGY
-        let [_, _, _, dissipated, rate, loads, drives, ..] = *self.energy.evaluate(&point).ok()? else { return None };
-        Some(Powers { rate, loads, drives, dissipated })
+        let [_, _, _, dissipated, rate, loads, drives, through, ..] = *self.energy.evaluate(&point).ok()? else { return None };
+        Some(Powers { rate, loads, drives, dissipated, through })
     }
 
     fn placed(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {

@@ -138,6 +138,8 @@ pub struct Powers {
     pub drives: f64,
     /// Power taken by dissipative elements.
     pub dissipated: f64,
+    /// Σ of the powers of all loads by size, before they cancel; 0 when unknown.
+    pub through: f64,
 }
 
 /// What an impact did.

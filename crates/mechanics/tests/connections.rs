@@ -251,7 +251,7 @@ inertia = "0.1 kg m^2"
 #[test]
 fn a_support_on_the_axle_carries_the_pendulum() {
     let directions = vec![SupportDirection::X, SupportDirection::Y];
-    let kind = ConnectionKind::Support { at: PointRef::Origin(ONE), directions, axes: FrameId::GROUND };
+    let kind = ConnectionKind::Support { at: PointRef::Origin(ONE), directions, axes: FrameId::GROUND, on: None };
     let equations = with(read(PENDULUM), "supports", kind);
     assert!(equations.conditions.is_empty() && equations.balances.len() >= 2);
     let (phi, w, e) = (0.7, -1.9, 3.1);
@@ -294,7 +294,7 @@ fn joints_of_a_resting_structure_have_balances_only() {
         "{text}[points]\nC = {{ on = \"left\", at = [\"2 m\", \"0\"] }}\n[coordinates]\nq = \"m\"\n[bodies.cart]\norigin = [\"q\", \"0\"]\nmass = \"1 kg\"\n"
     ));
     let directions = vec![SupportDirection::X, SupportDirection::Y];
-    let kind = ConnectionKind::Support { at: PointRef::Origin(ONE), directions, axes: FrameId::GROUND };
+    let kind = ConnectionKind::Support { at: PointRef::Origin(ONE), directions, axes: FrameId::GROUND, on: None };
     model.connections.push(Connection { name: "A".into(), table: "supports", kind, span: 0..0 });
     let kind = ConnectionKind::Pin { between: [PointRef::Point(PointId(0)), PointRef::Origin(TWO)], axes: FrameId::GROUND };
     let equations = with(model, "pins", kind);

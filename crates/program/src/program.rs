@@ -48,7 +48,7 @@ pub struct Program {
     pub forces: Arc<Tape>,
     /// t, x, q'' and all reactions, modes -> the outputs of the model, in order.
     pub outputs: Arc<Tape>,
-    /// t, x, q'' and all reactions, modes -> T, Π, Φ, dissipated, dE/dt, loads, drives ([`ENERGY`] names them), then the power
+    /// t, x, q'' and all reactions, modes -> T, Π, Φ, dissipated, dE/dt, loads, drives, what passes through ([`ENERGY`] names them), then the power
     /// that each dry friction takes, in the order of the reactions.
     pub energy: Arc<Tape>,
     /// t, x, q'' and all reactions, modes -> for each contact and friction, in the order of the reactions, what its law compares; see [`TouchRoots`].
@@ -154,7 +154,7 @@ pub struct RestRoots {
 }
 
 /// Names of the roots of [`Program::energy`].
-pub const ENERGY: [&str; 7] = ["kinetic", "potential", "dissipation", "dissipated", "rate", "loads", "drives"];
+pub const ENERGY: [&str; 8] = ["kinetic", "potential", "dissipation", "dissipated", "rate", "loads", "drives", "through"];
 
 impl Program {
     /// Where the roots of [`Program::connections`] are.

@@ -221,6 +221,9 @@ pub struct Energy {
     pub loads: Expr,
     /// Power of the drives that realise prescribed motions, from Newton-Euler; over q, q', q''.
     pub drives: Expr,
+    /// Σ |Q_kj q'_j| over every load k (gravity of each body, each spring, damper, force) and every reaction that is in the powers, and every
+    /// coordinate j: how large the powers are before they cancel.
+    pub through: Expr,
 }
 
 /// A named formula for the user.

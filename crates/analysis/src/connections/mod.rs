@@ -4,6 +4,7 @@
 //! another (`rank.rs`): one that repeats others is left out with its reaction, and reactions that share a load in a way that rigid bodies
 //! leave open are marked as not unique.
 
+mod apart;
 mod choice;
 mod closing;
 mod rank;
@@ -49,6 +50,7 @@ pub fn assemble(equations: &Equations, parameters: &[f64]) -> Result<Assembly, F
     let before = bench.x.clone();
     if !equations.conditions.is_empty() {
         bench.close_places(&mut notes)?;
+        bench.keep_apart()?;
         bench.moved = (0..bench.n).map(|j| bench.x[j] != before[j]).collect();
         bench.close_rates(&mut notes)?;
     }

@@ -18,7 +18,16 @@ impl Build {
         let mut graph = Graph::new();
         let (time, zero) = (graph.symbol_id("t", 0), graph.zero());
         let mass = Matrix::zeros(&mut graph, 0, 0);
-        let energy = Energy { kinetic: zero, potential: zero, dissipation: zero, dissipated: zero, rate: zero, loads: zero, drives: zero };
+        let energy = Energy {
+            kinetic: zero,
+            potential: zero,
+            dissipation: zero,
+            dissipated: zero,
+            rate: zero,
+            loads: zero,
+            drives: zero,
+            through: zero,
+        };
         Build {
             e: Equations {
                 graph,

@@ -31,7 +31,16 @@ fn blank(graph: Graph) -> Equations {
         second: vec![],
         places: vec![],
         applied: vec![],
-        energy: Energy { kinetic: zero, potential: zero, dissipation: zero, dissipated: zero, rate: zero, loads: zero, drives: zero },
+        energy: Energy {
+            kinetic: zero,
+            potential: zero,
+            dissipation: zero,
+            dissipated: zero,
+            rate: zero,
+            loads: zero,
+            drives: zero,
+            through: zero,
+        },
         outputs: vec![],
         notation: vec![],
     }

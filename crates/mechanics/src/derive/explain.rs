@@ -147,4 +147,24 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[coordinates]\na = { unit = \"rad\", start = \"0.3\" }\nx = \"m\"\n[bodies.A]\norigin = [\"x\", \"0\"]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n\
          [points]\nO = { at = [0, 0] }\n[sliders.s]\npoint = \"A\"\nthrough = \"O\"\nturns = false",
     ),
+    row(
+        "M151",
+        ("what holds a mounted body is not known", "неизвестно, что удерживает установленное тело"),
+        (
+            "A body whose `origin` is the name of a point of another body has two partners: the body of the point carries it, `on` gives it its axes. A force at \
+             the mount is that of the joint with the first; at other places `on` holds. A support against turning is that of `on`, as the angle counts \
+             from there; but where the two partners do not turn against each other the joint at the mount may be a weld, and the moment comes from the \
+             other body. The same holds for a frame that is no body and is mounted at a point: it gives no reaction of its own. Say which it is: `on` of the \
+             support, or declare the joint by [pins] or [welds].",
+            "У тела, у которого `origin` — имя точки другого тела, два партнёра: тело этой точки несёт его, а от `on` отсчитываются оси. Сила в точке установки — \
+             сила шарнира с первым; в остальных местах удерживает `on`. От поворота тоже удерживает `on`, потому что угол отсчитывается от него; но если \
+             партнёры не поворачиваются друг относительно друга, соединение может быть жёстким, и момент передаёт первое тело. То же относится к системе \
+             отсчёта, которая не является телом и помещена в точку тела: своих реакций у неё нет. Укажите, что имеется в виду: ключ `on` опоры \
+             либо соединение в [pins] или [welds].",
+        ),
+        "[coordinates]\nx = \"m\"\n[bodies.cart]\norigin = [\"x\", \"0\"]\nmass = \"2 kg\"\n[points]\nC = { on = \"cart\", at = [\"0\", \"1 m\"] }\n\
+         [bodies.bar]\norigin = \"C\"\nmass = \"1 kg\"\ncenter = [\"0.5 m\", \"0\"]\n[supports.s]\nat = \"bar\"\ndirections = [\"x\", \"y\", \"turn\"]",
+        "[coordinates]\nx = \"m\"\n[bodies.cart]\norigin = [\"x\", \"0\"]\nmass = \"2 kg\"\n[points]\nC = { on = \"cart\", at = [\"0\", \"1 m\"] }\n\
+         [bodies.bar]\norigin = \"C\"\nmass = \"1 kg\"\ncenter = [\"0.5 m\", \"0\"]\n[supports.s]\nat = \"bar\"\ndirections = [\"x\", \"y\", \"turn\"]\non = \"cart\"",
+    ),
 ];

@@ -108,7 +108,16 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
     let force = motion.right_sides(&mut scene);
     let mut roots: Vec<Expr> = mass.entries().to_vec();
     roots.extend(force.iter().chain(&second.residuals).copied());
-    roots.extend([energy.kinetic, energy.potential, energy.dissipation, energy.dissipated, energy.rate, energy.loads, energy.drives]);
+    roots.extend([
+        energy.kinetic,
+        energy.potential,
+        energy.dissipation,
+        energy.dissipated,
+        energy.rate,
+        energy.loads,
+        energy.drives,
+        energy.through,
+    ]);
     roots.extend(outputs.iter().map(|o| o.formula));
     roots.extend(scene.places.iter().copied());
     if let Ok(equalities) = &textbook {
@@ -335,8 +344,22 @@ fn energy(scene: &mut Scene, mass: &Quadratic, (loads, connected): (&Loads, &Con
         powers.push(scene.graph.mul(force, rate));
     }
     powers.push(given);
+    let through = through(scene, loads, connected);
     let loads = scene.graph.sum(&powers);
-    Energy { kinetic, potential, dissipation, dissipated, rate, loads, drives }
+    Energy { kinetic, potential, dissipation, dissipated, rate, loads, drives, through }
+}
+
+/// The powers of single loads and reactions by single coordinates, by size.
+fn through(scene: &mut Scene, loads: &Loads, connected: &Connected) -> Expr {
+    let mut sizes = connected.power_sizes(scene);
+    for columns in [&loads.conservative, &loads.resisting, &loads.applied].into_iter().flatten() {
+        for (j, force) in columns {
+            let rate = scene.rate(*j);
+            let power = scene.graph.mul(*force, rate);
+            sizes.push(scene.graph.call(symbolic::Function::Abs, &[power]));
+        }
+    }
+    scene.graph.sum(&sizes)
 }
 
 fn coordinates(model: &Model) -> Vec<Coordinate> {

@@ -109,7 +109,9 @@ impl Resolver {
             RequestKind::Dissipation => self.energies.map(|e| e.dissipation).ok_or_else(|| missing(scene)),
             RequestKind::ElementForce(element) => self.element(element).map(|(force, _)| force).ok_or_else(|| missing(scene)),
             RequestKind::Extension(element) => self.element(element).map(|(_, extension)| extension).ok_or_else(|| missing(scene)),
-            RequestKind::Reaction(connection, part) => self.reaction(scene, (connection, part)).ok_or_else(|| missing(scene)),
+            RequestKind::Reaction(connection, part) => {
+                self.reaction(scene, (connection, part)).ok_or_else(|| self.no_component(scene, request, connection))
+            }
             RequestKind::TimeDerivative { of, order } => {
                 let mut e = self.resolve(scene, kinematics, of)?;
                 for _ in 0..order {
@@ -129,8 +131,11 @@ impl Resolver {
         match part {
             // a moment on an angle is the drive's or friction's only component
             Part::Moment => of(Part::Force),
+            // a rack has no normal force: its only one is tangential
+            Part::Tangential => of(Part::Force),
             Part::Force => {
-                let parts: Vec<Expr> = [Part::ForceX, Part::ForceY, Part::ForceZ].into_iter().filter_map(of).collect();
+                let all = [Part::ForceX, Part::ForceY, Part::ForceZ, Part::Normal, Part::Tangential];
+                let parts: Vec<Expr> = all.into_iter().filter_map(of).collect();
                 match parts[..] {
                     [] => of(Part::Moment),
                     [only] => Some(only),
@@ -143,6 +148,25 @@ impl Resolver {
             }
             _ => None,
         }
+    }
+
+    /// A component that the connection does not have; before the reactions are known, any.
+    fn no_component(&self, scene: &Scene, request: &Request, connection: usize) -> Box<Diagnostic> {
+        let of = &scene.model.connections[connection].name;
+        let own = self.reactions.keys().filter(|(c, _)| *c == connection).map(|(_, part)| part);
+        let mut names: Vec<String> = own.map(|part| format!("{}({of})", part.name())).collect();
+        names.sort();
+        if names.is_empty() {
+            return not_available(scene, request);
+        }
+        let (name, list) = (&scene.graph.symbol_info(request.symbol).name, names.join(", "));
+        let what = Text::new(format!("`{name}` is not available here"), format!("величина `{name}` здесь недоступна"));
+        let why = Text::new(
+            format!("`{of}` has no such component in this machine"),
+            format!("у связи `{of}` в этой машине нет такой компоненты"),
+        );
+        let help = Text::new(format!("it has: {list}"), format!("у неё есть: {list}"));
+        Box::new(Diagnostic::error("M103", 0..0, what).why(why).help(help))
     }
 
     fn element(&self, element: Element) -> Option<(Expr, Expr)> {

@@ -428,8 +428,8 @@ pub const CONSTRAINT: TableSpec = table(
 pub const SUPPORT: TableSpec = table(
     "supports",
     (
-        "Supports: reactions of a body that the coordinates already hold, or hold less than the support. They act on the body and hold it to what it stands on (`on`), which gets the opposite.",
-        "Опоры: реакции, действующие на тело, которое уже удержано выбором координат или удерживается опорой. Опора соединяет тело с тем, на чём оно стоит (`on`); туда действует противоположная реакция.",
+        "Supports: reactions of a body that the coordinates already hold, or hold less than the support. They act on the body and hold it to what it stands on (`on` of the body), which gets the opposite. A body whose `origin` is the name of a point of another body is jointed to it there: at this place forces are those of the joint with that body, unless a pin or a weld of the two stands there; at all other places, and about turning, `on` holds it.",
+        "Опоры: реакции, действующие на тело, которое уже удержано выбором координат или удерживается опорой. Опора соединяет тело с тем, на чём оно стоит (`on` тела); туда действует противоположная реакция. Тело, у которого `origin` — имя точки другого тела, соединено с ним в этой точке шарниром: силы в этом месте — силы шарнира между ними, если там нет их общего pin или weld; в остальных местах и от поворота тело удерживает `on`.",
     ),
     &[
         must("at", Type::Name, "", ("point, or body for its origin", "точка или тело (тогда его начало)"), "\"A\""),
@@ -444,6 +444,14 @@ pub const SUPPORT: TableSpec = table(
             "[\"x\", \"y\"]",
         ),
         AXES,
+        may(
+            "on",
+            Type::Name,
+            "",
+            "see above",
+            ("what holds the body and gets the opposite", "что удерживает тело; туда действует противоположная реакция"),
+            "\"cart\"",
+        ),
     ],
     "[supports.A]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]\n",
 );

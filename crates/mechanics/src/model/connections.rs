@@ -116,6 +116,8 @@ pub enum ConnectionKind {
         directions: Vec<SupportDirection>,
         /// Axes of the components.
         axes: FrameId,
+        /// What holds it; `None`: what the body stands on, at its mount the body of that point.
+        on: Option<FrameId>,
     },
     /// A prescribed motion: pathway = value, or its rate.
     Motion {

@@ -321,7 +321,7 @@ fn observed(equations: &Equations, guards: &GuardTable, name: &str, roots: Vec<(
 /// The energies and powers, then the power that each dry friction takes: λ v, v its sliding speed.
 fn energy(equations: &Equations, guards: &GuardTable) -> Result<Tape, Fault> {
     let e = &equations.energy;
-    let formulas = [e.kinetic, e.potential, e.dissipation, e.dissipated, e.rate, e.loads, e.drives];
+    let formulas = [e.kinetic, e.potential, e.dissipation, e.dissipated, e.rate, e.loads, e.drives, e.through];
     let mut roots: Vec<(String, Expr)> = ENERGY.iter().map(|n| (*n).to_owned()).zip(formulas).collect();
     let mut graph = equations.graph.clone();
     for reaction in &equations.reactions {

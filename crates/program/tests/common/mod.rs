@@ -11,7 +11,16 @@ pub fn empty(mut graph: Graph) -> Equations {
     let time = graph.symbol_id("t", 0);
     let zero = graph.zero();
     let mass = Matrix::zeros(&mut graph, 0, 0);
-    let energy = Energy { kinetic: zero, potential: zero, dissipation: zero, dissipated: zero, rate: zero, loads: zero, drives: zero };
+    let energy = Energy {
+        kinetic: zero,
+        potential: zero,
+        dissipation: zero,
+        dissipated: zero,
+        rate: zero,
+        loads: zero,
+        drives: zero,
+        through: zero,
+    };
     Equations {
         graph,
         title: Text::default(),

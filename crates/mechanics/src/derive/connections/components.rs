@@ -2,13 +2,13 @@
 
 use super::axes::axes_of;
 use super::sliders::slider;
-use super::{Doubt, drums, path, rubbing, tracks, wheels};
+use super::{Doubt, drums, held, path, rubbing, tracks, wheels};
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::loads::at_start;
 use crate::derive::pathways::{Given, Path, located, unit_vector};
 use crate::derive::requests::Resolver;
 use crate::derive::scene::{Columns, Found, Scene, Vector};
-use crate::derive::wrench::{Act, carrier, frame_of, particle};
+use crate::derive::wrench::{Act, frame_of, particle};
 use crate::model::{Axis, Connection, ConnectionKind, FrameId, Measure, Part, Pathway, PointRef, Rest, SupportDirection, Wound};
 use symbolic::connections::Rebound;
 use symbolic::{Expr, SymbolId, Text};
@@ -117,7 +117,7 @@ pub fn of(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
             let zero = resolver.resolve(scene, kinematics, *zero)?;
             vec![constraint(name, (zero, *on_rates), acts)]
         }
-        ConnectionKind::Support { at, directions, axes } => support(scene, kinematics, name, (*at, directions, *axes)),
+        ConnectionKind::Support { at, directions, axes, on } => support(scene, kinematics, connection, (*at, directions, *axes, *on))?,
         ConnectionKind::Motion { pathway, value, is_rate } => {
             let path = path(scene, kinematics, resolver, connection, *pathway)?;
             let value = resolver.resolve(scene, kinematics, *value)?;
@@ -296,21 +296,16 @@ fn constraint(name: &str, (zero, on_rates): (Expr, bool), acts: Vec<Act>) -> Com
     Component { place, rate, ..Component::ideal((Part::Force, "λ", ""), label, acts) }
 }
 
-/// Velocity components of the point, or angular velocities of its body, are held relative to what the body stands on, which gets the opposite.
+/// Velocity components of the point, or angular velocities of its body, are held relative to what holds the body, which gets the opposite.
 fn support(
     scene: &mut Scene,
     kinematics: &mut Kinematics,
-    name: &str,
-    (at, directions, axes): (PointRef, &[SupportDirection], FrameId),
-) -> Vec<Component> {
-    let axes = axes_of(scene, kinematics, axes);
+    connection: &Connection,
+    (at, directions, axes, on): (PointRef, &[SupportDirection], FrameId, Option<FrameId>),
+) -> Found<Vec<Component>> {
+    let (name, axes) = (&connection.name, axes_of(scene, kinematics, axes));
     let body = frame_of(scene, at);
-    let base = carrier(scene.model, body);
     let place = kinematics.position(scene, at);
-    let columns = [kinematics.jacobian(scene, at), particle(scene, kinematics, base, &place)];
-    let velocity = relative(scene, columns);
-    let columns = [body, base].map(|f| kinematics.turning_in_ground_axes(scene, f));
-    let turning = relative(scene, columns);
     let mut list = Vec::new();
     for direction in directions {
         let (turns, i) = match direction {
@@ -323,11 +318,16 @@ fn support(
         };
         let axis = axes[i];
         let against = axis.map(|e| scene.graph.neg(e));
-        let (moving, acts) = if turns {
-            (turning, vec![Act::Turn { on: body, moment: axis }, Act::Turn { on: base, moment: against }])
+        let (columns, acts) = if turns {
+            let base = on.map_or_else(|| held::against_turning(scene, kinematics, connection, at), Ok)?;
+            let columns = [body, base].map(|f| kinematics.turning_in_ground_axes(scene, f));
+            (columns, vec![Act::Turn { on: body, moment: axis }, Act::Turn { on: base, moment: against }])
         } else {
-            (velocity, vec![Act::Point { point: at, force: axis }, Act::Place { on: base, at: place, force: against }])
+            let base = on.map_or_else(|| held::at_place(scene, connection, at), Ok)?;
+            let columns = [kinematics.jacobian(scene, at), particle(scene, kinematics, base, &place)];
+            (columns, vec![Act::Point { point: at, force: axis }, Act::Place { on: base, at: place, force: against }])
         };
+        let moving = relative(scene, columns);
         let (what, part, letter) = if turns { moment_about(i) } else { in_axis(i) };
         let rate = scene.dot(&axis, &moving);
         let rate = scene.tidy(rate);
@@ -335,7 +335,7 @@ fn support(
         let label = labelled("support", "опора", name, &what);
         list.push(Component { rate: Some(rate), ..Component::ideal((part, letter, unit), label, acts) });
     }
-    list
+    Ok(list)
 }
 
 /// Difference of two velocities.

@@ -1,4 +1,4 @@
-//! Faults of wheels, tracks and drums.
+//! Faults of wheels, tracks, drums and supports.
 
 use crate::diagnostic::Diagnostic;
 use crate::model::{Connection, FrameId, Model};
@@ -274,6 +274,28 @@ pub fn directions_in_space(connection: &Connection) -> Box<Diagnostic> {
     .help(Text::new(
         "give `direction`, or `wrap` for a rope; for a journal write between = [\"a\", \"b\"] with coefficient = \"mu*r\" and a linear normal",
         "задайте `direction`, для каната — `wrap`; для цапфы: between = [\"a\", \"b\"], coefficient = \"mu*r\" и линейная normal",
+    ));
+    Box::new(fault)
+}
+
+/// A support of a body with two partners, either of which may hold it.
+pub fn unknown_holder(model: &Model, connection: &Connection, [body, mount, below]: [FrameId; 3]) -> Box<Diagnostic> {
+    let [body, mount, below] = [body, mount, below].map(|f| &model.frames[f.index()].name);
+    let of = format!("{}.{}", connection.table, connection.name);
+    let fault = Diagnostic::error(
+        "M151",
+        connection.span.clone(),
+        Text::new(format!("`{of}`: what holds `{body}` is not known"), format!("`{of}`: неизвестно, что удерживает тело `{body}`")),
+    )
+    .why(Text::new(
+        format!("a point of `{mount}` carries it, `{below}` gives it its axes; the reaction may act between it and either"),
+        format!(
+            "оно установлено в точке тела `{mount}`, а оси отсчитываются от `{below}`; реакция может действовать между ним и любым из них"
+        ),
+    ))
+    .help(Text::new(
+        format!("add on = \"{mount}\" or on = \"{below}\" to the support"),
+        format!("добавьте в опору on = \"{mount}\" или on = \"{below}\""),
     ));
     Box::new(fault)
 }

@@ -12,6 +12,7 @@ mod components;
 mod drums;
 mod faults;
 mod free;
+mod held;
 mod release;
 mod rubbing;
 mod sliders;
@@ -243,12 +244,14 @@ impl Connected {
         });
     }
 
-    /// Releases the bodies that the actions hold together, and those between them and their last common carrier.
+    /// Releases the bodies that the actions hold together, and those between them and their last common carrier. A structure that stands in one position is
+    /// cut where reactions are declared only: what else joins its bodies stays whole.
     fn release(&mut self, scene: &Scene, acts: &[Act]) {
         let frames: Vec<FrameId> = acts.iter().filter_map(|act| act.frame(scene)).collect();
         for frame in &frames {
             for other in &frames {
-                self.released.extend(release::between(scene, *frame, *other));
+                let frames = if scene.n() == 0 { release::parted } else { release::between };
+                self.released.extend(frames(scene, *frame, *other));
             }
         }
     }
@@ -404,6 +407,20 @@ impl Connected {
             }
         }
         (scene.graph.sum(&given), scene.graph.sum(&taken))
+    }
+
+    /// Σ |λ columns_j q'_j| of the reactions that do work on the coordinates.
+    pub fn power_sizes(&self, scene: &mut Scene) -> Vec<Expr> {
+        let mut sizes = Vec::new();
+        for (reaction, columns) in self.reactions.iter().zip(&self.geometric).filter(|(r, _)| !matches!(r.law, Law::Support)) {
+            let symbol = scene.graph.symbol(reaction.symbol);
+            for (j, e) in columns {
+                let rate = scene.rate(*j);
+                let power = scene.graph.product(&[symbol, *e, rate]);
+                sizes.push(scene.graph.call(symbolic::Function::Abs, &[power]));
+            }
+        }
+        sizes
     }
 
     /// Power of each motor, as a result that can be asked for: λ Σ forces q'.

@@ -65,20 +65,32 @@ pub fn is_spatial(model: &Model) -> bool {
 
 /// From a frame to the ground, both included.
 pub fn chain(scene: &Scene, frame: FrameId) -> Vec<FrameId> {
+    down(frame, |f| carrier(scene.model, f))
+}
+
+/// The same by what gives each frame its axes.
+fn axes_chain(scene: &Scene, frame: FrameId) -> Vec<FrameId> {
+    down(frame, |f| scene.model.frames[f.index()].on)
+}
+
+fn down(frame: FrameId, below: impl Fn(FrameId) -> FrameId) -> Vec<FrameId> {
     let mut list = vec![frame];
     let mut here = frame;
     while here != FrameId::GROUND {
-        here = carrier(scene.model, here);
+        here = below(here);
         list.push(here);
     }
     list
 }
 
 /// The bodies to release so that two frames part: on each side the frame next to their last common one.
-fn parted(scene: &Scene, a: FrameId, b: FrameId) -> Vec<FrameId> {
-    let (from_a, from_b) = (chain(scene, a), chain(scene, b));
+pub fn parted(scene: &Scene, a: FrameId, b: FrameId) -> Vec<FrameId> {
+    next_to_common([chain(scene, a), chain(scene, b)])
+}
+
+fn next_to_common([a, b]: [Vec<FrameId>; 2]) -> Vec<FrameId> {
     let below = |list: &[FrameId], other: &[FrameId]| list.iter().copied().take_while(|f| !other.contains(f)).last();
-    below(&from_a, &from_b).into_iter().chain(below(&from_b, &from_a)).collect()
+    below(&a, &b).into_iter().chain(below(&b, &a)).collect()
 }
 
 /// The frames of both chains down to the last common one.
@@ -175,26 +187,50 @@ struct Joint {
     forces: Vec<(Vector, Vector, Text)>,
     /// Declared moments.
     moments: Vec<(Vector, Text)>,
+    /// Declared forces, with their places, that pass by a mount: between a body that is mounted at a point of another one and what this body stands on,
+    /// or what gives its axes. The mount takes forces in the same directions, so they say nothing about what is not declared.
+    beside: Vec<(Vector, Vector, Text)>,
     /// Forces of other declared reactions on the frame and what stands on it.
     other: Vec<(Vector, Text)>,
 }
 
+/// What a reaction is to a frame's joint.
+#[derive(Clone, Copy, PartialEq)]
+enum Hold {
+    /// One of its forces and moments.
+    Own,
+    /// It passes by a mount.
+    Beside,
+    /// It holds others.
+    Other,
+}
+
 impl Joint {
     fn new(scene: &mut Scene, kinematics: &Kinematics, placer: &Placer, (frame, connected): (FrameId, &Connected)) -> Joint {
-        let mut joint = Joint { frame, forces: Vec::new(), moments: Vec::new(), other: Vec::new() };
+        let mut joint = Joint { frame, forces: Vec::new(), moments: Vec::new(), beside: Vec::new(), other: Vec::new() };
         for (reaction, acts) in connected.reactions.iter().zip(&connected.acts).filter(|(r, _)| matches!(r.law, Law::Support)) {
             let name = Text::same(&reaction.name);
-            let holds = belongs(scene, placer, acts, frame) && !works(scene, kinematics, placer, (frame, acts));
+            let hold = match hold(scene, placer, acts, frame) {
+                found if found != Hold::Other && works(scene, kinematics, placer, (frame, acts)) => Hold::Other,
+                found => found,
+            };
             for act in acts {
                 if !act.frame(scene).is_some_and(|f| chain(scene, f).contains(&frame)) {
                     continue;
                 }
-                match act {
-                    Act::Turn { moment, .. } if holds => joint.moments.push((*moment, name.clone())),
-                    Act::Point { point, force } if holds => joint.forces.push((*force, kinematics.position(scene, *point), name.clone())),
-                    Act::Place { at, force, .. } if holds => joint.forces.push((*force, *at, name.clone())),
-                    Act::Point { force, .. } | Act::Place { force, .. } => joint.other.push((*force, name.clone())),
-                    Act::Turn { .. } | Act::Along(_) => {}
+                let (force, at) = match act {
+                    Act::Turn { moment, .. } if hold == Hold::Own => {
+                        joint.moments.push((*moment, name.clone()));
+                        continue;
+                    }
+                    Act::Point { point, force } => (*force, kinematics.position(scene, *point)),
+                    Act::Place { at, force, .. } => (*force, *at),
+                    Act::Turn { .. } | Act::Along(_) => continue,
+                };
+                match hold {
+                    Hold::Own => joint.forces.push((force, at, name.clone())),
+                    Hold::Beside => joint.beside.push((force, at, name.clone())),
+                    Hold::Other => joint.other.push((force, name.clone())),
                 }
             }
         }
@@ -219,42 +255,62 @@ impl Joint {
             }
         }
         let declared: Vec<Vector> = self.forces.iter().map(|f| f.0).collect();
-        let (p, all) = (scene.rank(&declared), declared.iter().chain(&shifts).copied().collect::<Vec<_>>());
+        let all = declared.iter().chain(&shifts).copied().collect::<Vec<_>>();
+        let mut pairs = self.forces.clone();
         if scene.rank(&all) == if spatial { 3 } else { 2 } {
-            ordered[2].extend(self.other.iter().map(|(force, name)| Displacement::With(*force, name.clone())));
+            let beside = self.beside.iter().map(|(force, _, name)| (force, name));
+            let others = self.other.iter().map(|(force, name)| (force, name)).chain(beside);
+            ordered[2].extend(others.map(|(force, name)| Displacement::With(*force, name.clone())));
             ordered[2].extend(if spatial { SPACE[..3].to_vec() } else { PLANE[..2].to_vec() });
+            pairs.extend(self.beside.iter().cloned());
         }
         ordered[3].extend(self.moments.iter().map(|(moment, name)| Displacement::Turn(*moment, name.clone())));
-        let (couples, free) = (self.forces.len().saturating_sub(p), scene.rank(&turns));
+        let directions: Vec<Vector> = pairs.iter().map(|f| f.0).collect();
+        let (couples, free) = (pairs.len().saturating_sub(scene.rank(&directions)), scene.rank(&turns));
         if couples + self.moments.len() + free >= if spatial { 3 } else { 1 } {
             ordered[3].extend(if spatial { SPACE[3..].to_vec() } else { PLANE[2..].to_vec() });
         } else if couples > 0 {
-            ordered[3].extend(self.couples(scene));
+            ordered[3].extend(couples_of(scene, &pairs));
         }
         ordered
     }
+}
 
-    /// Axes of the couples of two parallel forces.
-    fn couples(&self, scene: &mut Scene) -> Vec<Displacement> {
-        let mut list = Vec::new();
-        for (i, (force, at, name)) in self.forces.iter().enumerate() {
-            for (other, place, _) in &self.forces[..i] {
-                if other == force {
-                    let arm = scene.minus(at, place);
-                    let axis = scene.cross(&arm, force).map(|e| scene.tidy(e));
-                    list.push(Displacement::Turn(axis, name.clone()));
-                }
+/// Axes of the couples of two parallel forces.
+fn couples_of(scene: &mut Scene, forces: &[(Vector, Vector, Text)]) -> Vec<Displacement> {
+    let mut list = Vec::new();
+    for (i, (force, at, name)) in forces.iter().enumerate() {
+        for (other, place, _) in &forces[..i] {
+            if other == force {
+                let arm = scene.minus(at, place);
+                let axis = scene.cross(&arm, force).map(|e| scene.tidy(e));
+                list.push(Displacement::Turn(axis, name.clone()));
             }
         }
-        list
+    }
+    list
+}
+
+/// What a reaction is to the joint of a frame. Moments go by what gives the axes, as angles count from there; forces by what carries the origins.
+fn hold(scene: &Scene, placer: &Placer, acts: &[Act], frame: FrameId) -> Hold {
+    let frames: BTreeSet<FrameId> = acts.iter().filter_map(|act| act.frame(scene)).collect();
+    let pairs: Vec<(FrameId, FrameId)> = frames.iter().flat_map(|a| frames.iter().map(|b| (*a, *b))).collect();
+    let held: BTreeSet<FrameId> = pairs.iter().flat_map(|(a, b)| parted(scene, *a, *b)).collect();
+    let turned: BTreeSet<FrameId> =
+        pairs.iter().flat_map(|(a, b)| next_to_common([axes_chain(scene, *a), axes_chain(scene, *b)])).collect();
+    let by_the_mount = turned.len() == 1 && turned != held;
+    let moment = acts.iter().all(|act| matches!(act, Act::Turn { .. }));
+    match (by_the_mount, moment) {
+        (true, true) if turned.contains(&frame) => Hold::Own,
+        (true, false) if turned.contains(&frame) || held.contains(&frame) => Hold::Beside,
+        (true, _) => Hold::Other,
+        (false, _) if belongs(placer, &held, frame) => Hold::Own,
+        (false, _) => Hold::Other,
     }
 }
 
 /// Whether a reaction is one between the frame and its carrier, or realises the formula by which the frame follows another.
-fn belongs(scene: &Scene, placer: &Placer, acts: &[Act], frame: FrameId) -> bool {
-    let frames: BTreeSet<FrameId> = acts.iter().filter_map(|act| act.frame(scene)).collect();
-    let held: BTreeSet<FrameId> =
-        frames.iter().flat_map(|a| frames.iter().flat_map(|b| parted(scene, *a, *b)).collect::<Vec<_>>()).collect();
+fn belongs(placer: &Placer, held: &BTreeSet<FrameId>, frame: FrameId) -> bool {
     let own = placer.own(frame).coordinates();
     let follows = |other: &FrameId| {
         let others = placer.own(*other).coordinates();

@@ -78,7 +78,28 @@ pub(super) fn support<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &
         );
         return None;
     }
-    complete.then(|| ConnectionKind::Support { at, directions, axes }.into())
+    let on = match fields.has("on") {
+        true => Some(holder(reader, fields, space, at)?),
+        false => None,
+    };
+    complete.then(|| ConnectionKind::Support { at, directions, axes, on }.into())
+}
+
+/// What is named to hold a body: not the body itself.
+fn holder<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, at: PointRef) -> Option<FrameId> {
+    let on = frame(reader, fields, "on")?;
+    if space.place_in(reader, at).0 != on {
+        return Some(on);
+    }
+    reader.fault(
+        Fault::new("M081", fields.span_of("on"), "this body would be held to itself", "тело удерживалось бы само собой")
+            .why(
+                "a support acts between two bodies, or between a body and the ground",
+                "опора действует между двумя телами или между телом и неподвижной системой",
+            )
+            .help("name what holds the body, or drop `on`", "укажите, что удерживает тело, или уберите `on`"),
+    );
+    None
 }
 
 /// A body that stands still has reactions, too, so only the ground itself is refused.

@@ -44,7 +44,16 @@ fn machine() -> Equations {
     let psi = graph.symbol_id("psi", 0);
     let rate = graph.var("omega");
     let auxiliaries = vec![Auxiliary { symbol: psi, unit: "rad".into(), label: nothing(), rate, start: zero }];
-    let energy = Energy { kinetic: zero, potential: zero, dissipation: zero, dissipated: zero, rate: zero, loads: zero, drives: zero };
+    let energy = Energy {
+        kinetic: zero,
+        potential: zero,
+        dissipation: zero,
+        dissipated: zero,
+        rate: zero,
+        loads: zero,
+        drives: zero,
+        through: zero,
+    };
     let mass = Matrix::zeros(&mut graph, 2, 2);
     Equations {
         graph,
