@@ -57,7 +57,7 @@ pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], poi
     let quantity = machine.parameters()[parameter].clone();
     let is_speed = quantity.unit == "rad/s" || quantity.unit == "1/s";
     let orders = if is_speed { orders(machine, parameter, ends[1], place)? } else { Vec::new() };
-    let mut run = Run { machine, parameter, place: place.clone(), along: Vec::new(), home: place.clone(), without: Vec::new() };
+    let mut run = Run { machine, parameter, place: place.clone(), along: Vec::new(), cells: 0, home: place.clone(), without: Vec::new() };
     let mut out = Tracks { parameter: quantity.name.clone(), orders, ..Tracks::default() };
     let mut slots: Vec<Vec<Option<Mode>>> = Vec::new();
     let (mut before, mut grows, mut diverges): (Vec<Option<Mode>>, Vec<bool>, Vec<bool>) = Default::default();
@@ -93,6 +93,12 @@ pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], poi
     out.data = dataset(&out, &quantity, &diverges);
     out.data.notes.extend(runs_along(&run.along));
     out.data.notes.extend(run.missing(&quantity));
+    if run.cells > CELLS {
+        out.data.notes.push(Text::new(
+            "critical speeds are not all located: modes begin and cease to oscillate at random within rounding (a double root, an inertia that is all but zero)",
+            "критические скорости найдены не все: формы начинают и перестают колебаться случайно, в пределах округления (кратный корень, почти нулевая инерция)",
+        ));
+    }
     Ok(out)
 }
 
@@ -165,6 +171,8 @@ struct Run<'m> {
     home: Place,
     /// Values at which there was none.
     without: Vec<f64>,
+    /// Cells halved so far.
+    cells: usize,
 }
 
 /// Values that differ by less than this share are one place without an equilibrium.
@@ -333,6 +341,10 @@ impl Run<'_> {
         if changes == 0 && (!near || depth == 0) {
             return Ok(());
         }
+        self.cells += 1;
+        if self.cells > CELLS {
+            return Ok(());
+        }
         let at_middle = self.above(middle, order)?;
         let along = |count: &Count, speed: f64| count.nearest <= ALONG * order * speed.abs();
         if (b - a).abs() > APART * middle.abs() && along(&at_a, a) && at_middle.is_some_and(|m| along(&m, middle)) && along(&at_b, b) {
@@ -382,6 +394,8 @@ const DEEPEST: usize = 6;
 /// Share of its frequency by which a mode may leave the line ω = order·Ω along which it runs, and the share of a speed over which that counts.
 const ALONG: f64 = 1e-10;
 const APART: f64 = 1e-6;
+/// Cells that are halved at most; a hundred critical speeds need six thousand.
+const CELLS: usize = 20_000;
 
 /// Successors in the order of their predecessors.
 fn matched(before: &[Option<Mode>], list: Vec<Mode>, mass: &[f64]) -> Vec<Option<Mode>> {

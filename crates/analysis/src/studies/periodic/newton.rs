@@ -28,6 +28,8 @@ const SINGULAR: f64 = 1e-9;
 const RESONANT: f64 = 1e-12;
 /// A far correction is kept where it leaves this share of the miss: the map of a linear machine is met at once.
 const AFFINE: f64 = 1e-3;
+/// Shares of the period by which a turn may be followed further to end behind a switch.
+const BEHIND: [f64; 4] = [0.0, 1e-14, 1e-13, 1e-12];
 /// Units of the last place of its terms to which a force is known.
 const ROUNDED: f64 = 64.0;
 /// Share of its scale by which a coordinate at rest may move within a turn.
@@ -685,13 +687,23 @@ impl Found<'_> {
     pub(super) fn shifted<S: System + ?Sized>(self, system: &mut S, x: &[f64], options: &Periodic<'_>) -> Result<Self, Fault> {
         let flow = Options { tolerance: options.tolerance, ..Options::default() };
         let period = self.orbit.period;
-        match follow(system, x, &[Section::Time(period)], Limit { time: period, interrupt: options.interrupt }, &flow)? {
-            Some((orbit, _)) => {
-                let (free, basis) = tangent(system, &orbit.first, &orbit.modes[0], &self.scales, None, &self.symmetry)?;
-                Ok(Found { orbit, free, basis, ..self })
+        let mut ended: Option<Orbit> = None;
+        // a start on a switch is behind it; so must the end be, which rounding may have put before it
+        for late in BEHIND {
+            let end = period * (1.0 + late);
+            let limit = Limit { time: end, interrupt: options.interrupt };
+            let Some((orbit, _)) = follow(system, x, &[Section::Time(end)], limit, &flow)? else { break };
+            let same = orbit.modes[0] == orbit.modes[1];
+            if same || ended.is_none() {
+                ended = Some(orbit);
             }
-            None => Err(unsettled(1.0, 1)),
+            if same {
+                break;
+            }
         }
+        let orbit = ended.ok_or_else(|| unsettled(1.0, 1))?;
+        let (free, basis) = tangent(system, &orbit.first, &orbit.modes[0], &self.scales, None, &self.symmetry)?;
+        Ok(Found { orbit, free, basis, ..self })
     }
 
     /// Largest difference of the start from another state, in scales.

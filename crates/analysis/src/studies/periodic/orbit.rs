@@ -234,13 +234,22 @@ impl Orbit {
             step.state_at(t, &mut x);
             (formula(t, &x), x.clone())
         };
+        // where the motion sticks on the section, rounding decides the sign
+        let mut largest = 0.0_f64;
+        for step in &self.steps {
+            for k in 0..=SAMPLES {
+                let found = value(step, step.start.after(step.length * k as f64 / SAMPLES as f64).high).0.abs();
+                largest = largest.max(if found.is_finite() { found } else { 0.0 });
+            }
+        }
+        let zero = -ON_SECTION * largest;
         let mut below = false;
         for step in &self.steps {
             let mut before = step.start.high;
             for k in 0..=SAMPLES {
                 let t = step.start.after(step.length * k as f64 / SAMPLES as f64).high;
                 let (found, x) = value(step, t);
-                if below && found >= 0.0 {
+                if below && found >= zero {
                     if k == 0 {
                         return Some((t, x));
                     }
@@ -255,15 +264,17 @@ impl Orbit {
                     }
                     return Some((b, value(step, b).1));
                 }
-                below = found < 0.0;
+                below = found < zero;
                 before = t;
             }
         }
         // the zero may be at the very start, which is also the end
         let (first, x) = value(self.steps.first()?, 0.0);
-        (below && first >= 0.0).then_some((0.0, x))
+        (below && first >= zero).then_some((0.0, x))
     }
 }
 
+/// Share of its largest value within which a section's formula is zero.
+const ON_SECTION: f64 = 1e-13;
 /// Places within a step at which a section's formula is looked at.
 const SAMPLES: usize = 16;
