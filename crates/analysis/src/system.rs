@@ -145,6 +145,8 @@ pub struct Powers {
 /// What an impact did.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Blow {
+    /// Rates of contacts and frictions that took part, before, by guard.
+    pub rates: Vec<(usize, f64)>,
     /// Contacts and frictions that took an impulse, by guard.
     pub impulses: Vec<(usize, f64)>,
     /// Frictions whose sliding it stopped, by guard.

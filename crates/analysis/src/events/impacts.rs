@@ -90,7 +90,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Modes and impacts after a blow, by the last expansion.
     fn struck(&mut self, (on, before): (&[usize], &[f64]), blow: &Blow) -> Vec<Impact> {
         let rates: Vec<f64> = on.iter().map(|&i| self.gap_rate(i)).collect();
-        let scale = before.iter().chain(&rates).fold(0.0_f64, |m, r| m.max(r.abs()));
+        let n = self.system.n_coordinates();
+        // where a surface jumps, contacts elsewhere have no rate to compare with
+        let fastest = if self.jolted { self.x[n..2 * n].iter().fold(0.0_f64, |m, v| m.max(v.abs())) } else { 0.0 };
+        let scale = before.iter().chain(&rates).fold(fastest, |m, r| m.max(r.abs()));
         let mut impacts = Vec::new();
         for ((&i, &rate), &after) in on.iter().zip(before).zip(&rates) {
             // a chain of blows is followed down to this
@@ -103,6 +106,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
             let struck = was_open || self.rebounds[i] || self.jolted;
             if was_open && rate < 0.0 || impulse.is_some() && struck {
                 let after = if self.rebounds[i] { after } else { 0.0 };
+                // a jump of the surface itself is not in the expansion before it
+                let jumped = blow.rates.iter().find(|(guard, _)| self.jolted && *guard == i);
+                let rate = jumped.map_or(rate, |(_, rate)| *rate);
                 impacts.push(Impact { guard: i, rates: [rate, after], impulse: impulse.unwrap_or(0.0) });
             }
         }

@@ -136,6 +136,7 @@ impl Conditions {
             units,
             responses,
         };
+        let before = strike.rates.clone();
         strike.follow(self.impacts, t)?;
         for i in 0..n {
             let change: f64 = strike.responses.iter().zip(&strike.impulses).map(|(r, p)| r[i] * p).sum();
@@ -144,7 +145,7 @@ impl Conditions {
         for (row, p) in reactions.iter().zip(&strike.impulses) {
             whole.iter_mut().zip(row).for_each(|(sum, r)| *sum += r * p);
         }
-        Ok(Blow { reactions: whole, ..strike.blow() })
+        Ok(Blow { reactions: whole, ..strike.blow(&before) })
     }
 
     /// Contacts that are handed over or closed, and every friction that follows a normal force.
@@ -555,10 +556,11 @@ impl Strike {
         worst.map(|(k, part, _)| (k, part))
     }
 
-    fn blow(&self) -> Blow {
+    fn blow(&self, before: &[f64]) -> Blow {
         let units = || self.units.iter().enumerate().filter(|(_, unit)| !matches!(unit.law, Law::Rough));
         let stops = |i: usize| self.impulses[i] != 0.0 && self.rates[i].abs() <= 1e-12 * self.sizes[i];
         Blow {
+            rates: units().map(|(i, unit)| (unit.guard, before[i])).collect(),
             impulses: units().map(|(i, unit)| (unit.guard, self.impulses[i])).filter(|(_, p)| *p != 0.0).collect(),
             stuck: units().filter(|(i, _)| !self.is_contact(*i) && stops(*i)).map(|(_, unit)| unit.guard).collect(),
             reactions: Vec::new(),

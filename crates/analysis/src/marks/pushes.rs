@@ -9,7 +9,7 @@ use super::Along;
 use super::named::{Direction, Named, Watcher};
 use super::proxy::Source;
 use crate::System;
-use crate::fault::number;
+use crate::fault::rounded;
 
 /// A normal force to be watched.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,7 +81,7 @@ impl Pushes {
     /// Contacts that pulled, with the first instant.
     pub(crate) fn notes(&self) -> Vec<Text> {
         let note = |(push, t): (&Push, &Option<f64>)| {
-            let n = number((*t)?);
+            let n = rounded((*t)?);
             let (en, ru) = (&push.label.en, &push.label.ru);
             Some(Text::new(
                 format!(

@@ -92,4 +92,15 @@ pub const RUBBING: &[Explanation] = &[
         "[stops.K]\nalong = \"x\"\nat_least = 0\nlaw = \"poisson\"\ntangential_restitution = 0.5",
         "[stops.K]\nalong = \"x\"\nat_least = 0\ntangential_restitution = 0.5",
     ),
+    row(
+        "M128",
+        ("two frictions at one wheel", "два трения у одного колеса"),
+        (
+            "A friction that names a rolling contact is the tangential force of the wheel there: one friction a wheel. A moment against the rolling is another \
+             one, with lever.",
+            "Трение, называющее качение, — это сила сцепления колеса в этом контакте: одно трение на колесо. Момент против качения — другое трение, с lever.",
+        ),
+        "[rolling.R]\nbody = \"b\"\nradius = \"R\"\n[frictions.f]\nat = \"R\"\ncoefficient = 0.1\n[frictions.g]\nat = \"R\"\ncoefficient = 0.2",
+        "[rolling.R]\nbody = \"b\"\nradius = \"R\"\n[frictions.f]\nat = \"R\"\ncoefficient = 0.1\n[frictions.g]\nat = \"R\"\nlever = \"1 mm\"",
+    ),
 ];

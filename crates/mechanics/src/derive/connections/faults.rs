@@ -299,3 +299,23 @@ pub fn unknown_holder(model: &Model, connection: &Connection, [body, mount, belo
     ));
     Box::new(fault)
 }
+
+/// A second friction at one wheel.
+pub fn two_frictions(connection: &Connection, contact: &str) -> Box<Diagnostic> {
+    let name = &connection.name;
+    let fault = of_friction(
+        connection,
+        "M128",
+        format!("`frictions.{name}` is the second friction at the wheel of `{contact}`"),
+        format!("`frictions.{name}` — второе трение у колеса `{contact}`"),
+    )
+    .why(Text::new(
+        "the friction at a wheel is its tangential force, and there is one",
+        "трение у колеса — это его сила сцепления, она одна",
+    ))
+    .help(Text::new(
+        "keep one with the sum of the coefficients; rolling resistance is a friction with `lever`",
+        "оставьте одно с суммой коэффициентов; трение качения задаётся ключом `lever`",
+    ));
+    Box::new(fault)
+}
