@@ -166,6 +166,14 @@ fn at_contact(
 ) -> Found<Sliding> {
     let contact = &scene.model.connections[of];
     if let ConnectionKind::Rolling { .. } = contact.kind {
+        let first = scene
+            .model
+            .connections
+            .iter()
+            .find(|c| matches!(&c.kind, ConnectionKind::Friction { slides: Slides::Contact { of: same, .. }, .. } if *same == of));
+        if first.is_some_and(|first| first.name != connection.name) {
+            return Err(faults::two_frictions(connection, &contact.name));
+        }
         let (rate, acts) = tracks::slip(scene, kinematics, resolver, contact)?;
         let minus = scene.graph.int(-1);
         let acts = acts.iter().map(|act| act.times(scene, minus)).collect();

@@ -30,7 +30,7 @@ pub fn rolling(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
     let contact = contact(scene, kinematics, resolver, connection)?;
     let name = &connection.name;
     let mut list = Vec::new();
-    if !slips(scene.model, connection)? {
+    if !slips(scene.model, connection) {
         let (part, letter, what) = if connection.table == "racks" {
             (Part::Force, "F", Text::new(format!("rack {name}, tangential force"), format!("рейка {name}, окружное усилие")))
         } else {
@@ -64,19 +64,14 @@ pub fn rolling(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
 }
 
 /// Whether a friction at the contact of this wheel takes the place of the condition that it does not slip.
-fn slips(model: &Model, connection: &Connection) -> Found<bool> {
-    let at = |other: &&Connection| match &other.kind {
+fn slips(model: &Model, connection: &Connection) -> bool {
+    model.connections.iter().any(|other| match &other.kind {
         ConnectionKind::Friction { slides: Slides::Contact { of, .. }, .. } => {
             let named = &model.connections[*of];
             (named.table, &named.name) == (connection.table, &connection.name)
         }
         _ => false,
-    };
-    let mut own = model.connections.iter().filter(at);
-    match (own.next(), own.next()) {
-        (_, Some(second)) => Err(faults::two_frictions(second, &connection.name)),
-        (first, None) => Ok(first.is_some()),
-    }
+    })
 }
 
 /// Speed of the wheel's contact point along the track, and the forces along it per unit.
