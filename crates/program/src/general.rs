@@ -6,7 +6,8 @@
 //! conditions come first: accelerations that conditions alone determine are then found from these alone, and a block that is held stays at exactly 0
 //! whatever the forces on it are.
 //!
-//! L and U are kept as lists of entries that are not zero: a row of a mechanism has few.
+//! A, L and U are kept as lists of entries that are not zero: a row of a mechanism has few. Rows are worked through in the order of the columns, so that sums are
+//! those of the whole rows.
 
 use crate::solve::Defect;
 
@@ -16,12 +17,22 @@ pub(crate) struct General {
     size: usize,
     /// A by rows.
     matrix: Vec<f64>,
+    /// Columns of the entries of A that are not zero, by row; ends by row.
+    pattern: Vec<u32>,
+    bounds: Vec<usize>,
     /// Largest entry of each row and, after division by it, of each column.
     rows: Vec<f64>,
     columns: Vec<f64>,
     /// Column and value of the pivot of each row.
     pivots: Vec<(usize, f64)>,
     used: Vec<bool>,
+    /// The row whose pivot each column is; [`OPEN`] for none yet.
+    owner: Vec<u32>,
+    /// Rows before that the row under elimination still needs, one bit each.
+    pending: Vec<u64>,
+    /// Columns of the row under elimination that may not be zero.
+    columns_here: Vec<u32>,
+    marked: Vec<bool>,
     /// Multipliers of earlier rows, then what stands right of the pivot: (index, value) by row; ends of both lists by row.
     lower: Vec<(u32, f64)>,
     upper: Vec<(u32, f64)>,
@@ -33,6 +44,8 @@ pub(crate) struct General {
 
 /// A pivot below this part, times n, of its scale has lost all digits to cancellation.
 const SINGULAR: f64 = 4.0 * f64::EPSILON;
+/// A column without a pivot.
+const OPEN: u32 = u32::MAX;
 
 impl General {
     /// Takes the matrix, by rows.
@@ -49,8 +62,11 @@ impl General {
         let n = self.size;
         self.measure();
         self.pivots.clear();
-        self.used.clear();
-        self.used.resize(n, false);
+        refill(&mut self.used, n, false);
+        refill(&mut self.owner, n, OPEN);
+        refill(&mut self.marked, n, false);
+        refill(&mut self.pending, n.div_ceil(64), 0);
+        self.row.fill(0.0);
         self.lower.clear();
         self.upper.clear();
         self.ends.clear();
@@ -64,6 +80,7 @@ impl General {
                     self.pivots.push((0, f64::NAN));
                 }
             }
+            self.clear_row();
             self.ends.push((self.lower.len(), self.upper.len()));
         }
         match failed {
@@ -77,45 +94,95 @@ impl General {
         self.rows.clear();
         self.columns.clear();
         self.columns.resize(n, 0.0);
+        self.pattern.clear();
+        self.bounds.clear();
+        self.bounds.push(0);
         for row in self.matrix.chunks_exact(n) {
-            let largest = row.iter().fold(0.0_f64, |m, a| m.max(a.abs()));
+            let start = self.pattern.len();
+            self.pattern.extend((0_u32..).zip(row).filter(|(_, a)| **a != 0.0).map(|(j, _)| j));
+            self.bounds.push(self.pattern.len());
+            let entries = || self.pattern[start..].iter().map(|j| (*j as usize, row[*j as usize].abs()));
+            let largest = entries().fold(0.0_f64, |m, (_, a)| m.max(a));
             self.rows.push(largest);
-            for (column, a) in self.columns.iter_mut().zip(row) {
-                let scaled = a.abs() / largest;
-                if scaled > *column {
-                    *column = scaled;
+            for (j, a) in entries() {
+                let scaled = a / largest;
+                if scaled > self.columns[j] {
+                    self.columns[j] = scaled;
                 }
             }
         }
     }
 
-    /// Subtracts multiples of the rows before from row i.
-    fn eliminate(&mut self, i: usize) {
-        let n = self.size;
-        self.row.copy_from_slice(&self.matrix[i * n..(i + 1) * n]);
-        let mut start = 0;
-        for (p, &(column, pivot)) in self.pivots.iter().enumerate() {
-            let end = self.ends[p].1;
-            let entry = self.row[column];
-            // a row that failed has no pivot
-            if entry != 0.0 && !pivot.is_nan() {
-                let l = entry / pivot;
-                self.lower.push((p as u32, l));
-                for &(j, u) in &self.upper[start..end] {
-                    self.row[j as usize] -= l * u;
-                }
-            }
-            start = end;
+    /// A column of the row under elimination, and the row whose pivot it is.
+    fn mark(&mut self, j: usize) {
+        if self.marked[j] {
+            return;
         }
+        self.marked[j] = true;
+        self.columns_here.push(j as u32);
+        let owner = self.owner[j];
+        if owner != OPEN {
+            self.pending[owner as usize / 64] |= 1 << (owner % 64);
+        }
+    }
+
+    /// The first row before that is still needed.
+    fn next_pending(&mut self, from: &mut usize) -> Option<usize> {
+        while *from < self.pending.len() {
+            let word = self.pending[*from];
+            if word != 0 {
+                self.pending[*from] = word & (word - 1);
+                return Some(64 * *from + word.trailing_zeros() as usize);
+            }
+            *from += 1;
+        }
+        None
+    }
+
+    fn clear_row(&mut self) {
+        for j in self.columns_here.drain(..) {
+            self.row[j as usize] = 0.0;
+            self.marked[j as usize] = false;
+        }
+    }
+
+    /// Subtracts multiples of the rows before from row i, in their order: what they fill in belongs to pivots of later rows.
+    fn eliminate(&mut self, i: usize) {
+        for k in self.bounds[i]..self.bounds[i + 1] {
+            let j = self.pattern[k] as usize;
+            self.row[j] = self.matrix[i * self.size + j];
+            self.mark(j);
+        }
+        let mut word = 0;
+        while let Some(p) = self.next_pending(&mut word) {
+            let (column, pivot) = self.pivots[p];
+            let entry = self.row[column];
+            // a number that is lost stays where it is
+            if entry == 0.0 || pivot.is_nan() {
+                continue;
+            }
+            let l = entry / pivot;
+            self.lower.push((p as u32, l));
+            let start = if p == 0 { 0 } else { self.ends[p - 1].1 };
+            for k in start..self.ends[p].1 {
+                let (j, u) = self.upper[k];
+                self.row[j as usize] -= l * u;
+                self.mark(j as usize);
+            }
+        }
+        self.columns_here.sort_unstable();
     }
 
     /// The column of the pivot; none when nothing but rounding is left.
     fn choose(&self, i: usize) -> Option<usize> {
         let limit = SINGULAR * self.size as f64 * self.rows[i];
+        if limit.is_infinite() {
+            return self.used.iter().position(|used| !used);
+        }
         let (mut best, mut largest) = (None, 0.0);
-        for j in (0..self.size).filter(|j| !self.used[*j]) {
+        for j in self.columns_here.iter().map(|j| *j as usize).filter(|j| !self.used[*j]) {
             let scaled = self.row[j].abs() / self.columns[j];
-            if self.row[j].is_nan() || limit.is_infinite() {
+            if self.row[j].is_nan() {
                 return Some(j);
             }
             if scaled > limit && scaled > largest {
@@ -127,8 +194,9 @@ impl General {
 
     fn keep(&mut self, column: usize) {
         self.used[column] = true;
+        self.owner[column] = self.pivots.len() as u32;
         self.pivots.push((column, self.row[column]));
-        for j in 0..self.size {
+        for j in self.columns_here.iter().map(|j| *j as usize) {
             if !self.used[j] && self.row[j] != 0.0 {
                 self.upper.push((j as u32, self.row[j]));
             }
@@ -167,9 +235,9 @@ impl General {
         let mut rest = std::mem::take(&mut self.rest);
         rest.copy_from_slice(b);
         self.solve(b);
-        for (value, row) in rest.iter_mut().zip(self.matrix.chunks_exact(n)) {
-            for (a, x) in row.iter().zip(b.iter()) {
-                *value -= a * x;
+        for (i, (value, row)) in rest.iter_mut().zip(self.matrix.chunks_exact(n)).enumerate() {
+            for j in &self.pattern[self.bounds[i]..self.bounds[i + 1]] {
+                *value -= row[*j as usize] * b[*j as usize];
             }
         }
         self.solve(&mut rest);
@@ -178,6 +246,11 @@ impl General {
         }
         self.rest = rest;
     }
+}
+
+fn refill<T: Clone>(list: &mut Vec<T>, n: usize, value: T) {
+    list.clear();
+    list.resize(n, value);
 }
 
 #[cfg(test)]
