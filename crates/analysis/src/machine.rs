@@ -703,6 +703,21 @@ impl System for Machine {
         }
     }
 
+    fn margin(&mut self, t: f64, x: &[f64]) -> Option<f64> {
+        self.conditions.as_mut()?.margin(t, x)
+    }
+
+    fn polish(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<(), Fault> {
+        match &mut self.conditions {
+            Some(conditions) => conditions.polish(t, x, modes),
+            None => Ok(()),
+        }
+    }
+
+    fn margins(&self) -> usize {
+        self.conditions.as_ref().map_or(0, Conditions::margins)
+    }
+
     fn drifts(&self) -> &[[f64; 2]] {
         self.conditions.as_ref().map_or(&[], Conditions::drifts)
     }

@@ -289,6 +289,26 @@ pub trait System {
     /// Coefficients of guard `i` from the last [`System::expand`]; length order + 1. Empty when the guard decides nothing in these modes.
     fn guard(&self, i: usize) -> &[f64];
 
+    /// How far the conditions that always hold are from depending on one another at (t, x): the least pivot of their gradients by the metric of the kinetic energy,
+    /// rows relative to their largest so far. It passes zero at change points. None without such conditions. Does not disturb the last expansion.
+    fn margin(&mut self, t: f64, x: &[f64]) -> Option<f64> {
+        let _ = (t, x);
+        None
+    }
+
+    /// Closes the conditions to the last digits, where [`System::project`] leaves alone what is rounding.
+    ///
+    /// *Errors*: those of [`System::project`].
+    fn polish(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<(), Fault> {
+        let _ = (t, x, modes);
+        Ok(())
+    }
+
+    /// Margins worth asking for inside a step.
+    fn margins(&self) -> usize {
+        0
+    }
+
     /// Derivatives at (t, x) in the given modes, exact up to rounding, put into `rows`: row by row those of the rates x', then of the guards; columns
     /// x, then t. False when the system knows values only. Does not disturb the last expansion.
     ///

@@ -85,7 +85,7 @@ impl ReleasedBalance {
     /// Looks at the middle of a step; at every one of the first, then at every second, fourth, ...
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
         self.steps += 1;
-        if !self.known || step.length == 0.0 || !(self.steps - 1).is_multiple_of(self.stride) {
+        if !self.known || step.length == 0.0 || step.change.is_some() || !(self.steps - 1).is_multiple_of(self.stride) {
             return;
         }
         let Some(terms) = self.terms(step, system) else {

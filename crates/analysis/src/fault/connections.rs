@@ -34,6 +34,12 @@ pub const EXPLANATIONS: &[Explanation] = &[
         code: "S019", en: ("reaction that is not unique", OPEN_EN), ru: ("неединственная реакция", OPEN_RU)
     },
     Explanation {
+        code: "S058", en: ("change point that is not passed", CHANGE_EN), ru: ("непройденное положение ветвления", CHANGE_RU)
+    },
+    Explanation {
+        code: "S059", en: ("no value at a change point", BLIND_EN), ru: ("нет значения в положении ветвления", BLIND_RU)
+    },
+    Explanation {
         code: "S087",
         en: ("reaction that depends on the place of a load", PLACE_EN),
         ru: ("реакция, зависящая от места приложения нагрузки", PLACE_RU),
@@ -55,6 +61,18 @@ pub const EXPLANATIONS: &[Explanation] = &[
     },
 ];
 
+const CHANGE_EN: &str = "At a change point the conditions of a linkage depend on each other for an instant: a parallelogram whose cranks and coupler lie in line, a deltoid whose \
+    crank covers the frame. Several ways of assembly meet there. A machine that moves passes it along the smooth continuation of its motion. It is refused where its rates vanish there, where \
+    a load, contact or friction switches in the position itself, or where the motion really ends (a massless linkage in its dead position). A second crank or linkage, set at \
+    another angle, as locomotives have it, keeps the motion unique; so does starting or switching a little beside the position.";
+const CHANGE_RU: &str = "В положении ветвления условия связей на мгновение становятся зависимыми: параллелограмм, кривошипы и шатун которого вытянулись в линию, ромбоид, кривошип которого \
+    лёг на стойку. Здесь встречаются несколько вариантов сборки. Движущаяся машина проходит его по гладкому продолжению движения. Отказ следует, если скорости в нём обращаются в нуль, если \
+    нагрузка, контакт или трение переключаются в самом положении или если движение действительно кончается (невесомый механизм в мёртвом положении). Второй кривошип или механизм, \
+    поставленный под другим углом, как у паровоза, сохраняет определённость движения; помогает и начало или переключение чуть в стороне.";
+const BLIND_EN: &str = "At a change point reactions usually grow beyond all bounds: the linkage has no lever there against the loads that it holds elsewhere. An output over such a reaction has \
+    no value in the position itself. Everything else is interpolated from both sides.";
+const BLIND_RU: &str = "В положении ветвления реакции, как правило, неограниченно растут: у механизма нет плеча против нагрузок, которые он несёт рядом. Величина, в которую входит такая \
+    реакция, в самом положении не имеет значения. Всё остальное интерполируется с обеих сторон.";
 const NO_STATE_EN: &str = "Contacts and frictions of one instant are decided together, and here no combination of closed and open, sticking and sliding agrees with the forces that it \
     leads to. With friction on a computed normal force this is self-locking (a shoe brake whose lever is pressed on by the friction itself), a jam, or Painlevé's paradox: closed, the normal force would be negative, \
     open, the gap would close. It also happens when the static limit is below the kinetic one. Rigid bodies have no motion with finite forces then; give the contact some compliance, or a smaller coefficient.";
@@ -397,6 +415,46 @@ impl Fault {
             ),
             why: Text::new("they hold the same motion in different ways", "они удерживают одно и то же движение по-разному"),
             help: Text::new("remove one of them, or make their numbers agree", "уберите одно из них или согласуйте числа"),
+        })
+    }
+
+    /// A position in which several ways of assembly meet and the motion chooses none.
+    pub fn change_point(places: &Text, t: f64) -> Fault {
+        let t = number(t);
+        Fault::new(Message {
+            code: "S058",
+            what: Text::new(
+                format!("the motion cannot be followed past the change point at t = {} s, {}", t.en, places.en),
+                format!("движение нельзя проследить за положение ветвления при t = {} с, {}", t.ru, places.ru),
+            ),
+            why: Text::new(
+                "the conditions of the connections depend on each other here for an instant, several ways of assembly meet, and neither the rates nor the loads decide between them",
+                "условия связей здесь на мгновение зависимы, встречаются несколько вариантов сборки, и ни скорости, ни нагрузки не выбирают один из них",
+            ),
+            help: Text::new(
+                "let the machine pass it with a rate that is not zero, switch loads a little beside it, or add a crank at another angle",
+                "пройдите его с ненулевой скоростью, переключайте нагрузки чуть в стороне или добавьте кривошип под другим углом",
+            ),
+        })
+    }
+
+    /// An output that grows beyond bounds at a change point.
+    pub fn blind(output: &str, t: f64) -> Fault {
+        let t = number(t);
+        Fault::new(Message {
+            code: "S059",
+            what: Text::new(
+                format!("the output `{output}` has no value at t = {} s: a change point", t.en),
+                format!("величина `{output}` не имеет значения при t = {} с: положение ветвления", t.ru),
+            ),
+            why: Text::new(
+                "it does not approach the same value from both sides: in this position the linkage has no lever against its loads and reactions grow beyond bounds",
+                "с двух сторон она не стремится к одному значению: в этом положении у механизма нет плеча против нагрузок и реакции неограниченно растут",
+            ),
+            help: Text::new(
+                "ask for other instants, or leave this output out",
+                "запросите другие моменты времени или не выводите эту величину",
+            ),
         })
     }
 

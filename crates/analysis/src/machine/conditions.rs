@@ -34,6 +34,9 @@ const STEPS: usize = 12;
 const CONTRADICTS: f64 = 1e-7;
 /// The same for machines at their origin, where nothing is left to compare with: metres, radians (and per second).
 const MOVED: f64 = 1e-12;
+/// Margins asked for inside a step, and the number of conditions from which on they cost more than they are worth.
+const INSIDE: usize = 3;
+const MANY: usize = 24;
 /// Violation that a projection must reach.
 const REACHED: f64 = 1e-9;
 
@@ -66,6 +69,8 @@ pub(super) struct Conditions {
     pub(super) active: Vec<usize>,
     /// Largest terms of each row's place so far: in some positions all levers vanish.
     arms: Vec<f64>,
+    /// Largest gradients of each row so far, in the metric of the kinetic energy.
+    spans: Vec<f64>,
     /// Largest terms of each row's rate so far: a machine that stops for an instant has rates of its own size all the same.
     moved: Vec<f64>,
     /// Largest rate of a coordinate so far: what a machine that has come to rest is compared with.
@@ -154,6 +159,7 @@ impl Conditions {
             values: Vec::new(),
             active: Vec::with_capacity(rows.len()),
             arms: vec![0.0; rows.len()],
+            spans: vec![0.0; rows.len()],
             moved: vec![0.0; rows.len()],
             fastest: 0.0,
             drifts: vec![[0.0; 2]; 2 * rows.len()],
@@ -311,6 +317,19 @@ impl Conditions {
         Ok(if place > ROUNDING || rate > ROUNDING { drift.max(f64::MIN_POSITIVE) } else { 0.0 })
     }
 
+    /// See [`crate::System::polish`].
+    pub(super) fn polish(&mut self, t: f64, x: &mut [f64], modes: &[Mode]) -> Result<(), Fault> {
+        self.activate(modes);
+        if self.active.is_empty() {
+            return Ok(());
+        }
+        self.evaluate(t, x)?;
+        for level in [Level::Place, Level::Rate] {
+            self.close(t, x, level, self.worst(x, level))?;
+        }
+        Ok(())
+    }
+
     /// See [`crate::System::drifts`].
     pub(super) fn drifts(&self) -> &[[f64; 2]] {
         &self.drifts
@@ -388,15 +407,43 @@ impl Conditions {
         let wanted: Vec<f64> =
             self.active.iter().map(|&row| if level == Level::Place { self.place(row) } else { self.rate(row) }).collect();
         let factor = self.metric();
+        let mut change = Qr::new(&self.gradients(), n, m).shortest(&wanted);
+        backward(&factor, n, &mut change);
+        change
+    }
+
+    /// See [`crate::System::margin`].
+    pub(super) fn margin(&mut self, t: f64, x: &[f64]) -> Option<f64> {
+        self.activate_ideal();
+        if self.active.is_empty() || self.evaluate(t, x).is_err() {
+            return None;
+        }
+        let (n, m) = (self.n, self.active.len());
+        let mut columns = self.gradients();
+        for (k, &row) in self.active.iter().enumerate() {
+            let span = (0..n).fold(0.0_f64, |span, i| span.hypot(columns[i * m + k]));
+            self.spans[row] = self.spans[row].max(span);
+            (0..n).filter(|_| span > 0.0).for_each(|i| columns[i * m + k] /= self.spans[row]);
+        }
+        Some(Qr::new(&columns, n, m).least_pivot())
+    }
+
+    /// See [`crate::System::margins`].
+    pub(super) fn margins(&self) -> usize {
+        if self.rows.len() <= MANY { INSIDE } else { 0 }
+    }
+
+    /// C^-1 J' of the active rows, row-major.
+    fn gradients(&self) -> Vec<f64> {
+        let (n, m) = (self.n, self.active.len());
+        let factor = self.metric();
         let mut columns = vec![0.0; n * m];
         for (k, &row) in self.active.iter().enumerate() {
             let mut a = self.column(row).to_vec();
             forward(&factor, n, &mut a);
             (0..n).for_each(|i| columns[i * m + k] = a[i]);
         }
-        let mut change = Qr::new(&columns, n, m).shortest(&wanted);
-        backward(&factor, n, &mut change);
-        change
+        columns
     }
 
     /// C of M = C C', row-major.

@@ -55,6 +55,11 @@ impl Qr {
         self.rank
     }
 
+    /// The least distance of a column from those taken before it; 0 where one depends on them.
+    pub fn least_pivot(&self) -> f64 {
+        if self.rank < self.columns { 0.0 } else { (0..self.rank).fold(f64::INFINITY, |least, k| least.min(self.r(k, k).abs())) }
+    }
+
     /// The independent columns, those that were taken first in front.
     pub fn independent(&self) -> &[usize] {
         &self.order[..self.rank]

@@ -22,7 +22,7 @@ use crate::marks::extremes::Extremes;
 use crate::marks::named::{Happened, Named, Watcher};
 use crate::marks::pushes::{Push, Pushes};
 use crate::stiff::Method;
-use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance, order_for};
+use crate::taylor::{Flow, Options, Step, TOLERANCES, Work, check_tolerance, order_for};
 use crate::{Fault, GuardKind, Mode, Quantity, System};
 
 /// Times at which results are wanted.
@@ -109,6 +109,10 @@ pub struct Outcome {
 /// Most events that are kept one by one.
 const EVENTS: usize = 100_000;
 const AUTO: usize = 1000;
+/// Where values around a change point are taken, in units of the stretch in which conditions are not closed.
+const BRIDGE: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
+/// Rounding of forces at these places, relative to their size.
+const LIMIT: f64 = 1e-8;
 /// Steps between looks at the pace.
 const PACE: u64 = 1024;
 /// Looks in a row at which the run needs too many steps before it is given up.
@@ -526,15 +530,55 @@ impl Run {
             if end.until(t) >= 0.0 {
                 break;
             }
+            let tau = step.start.until(t);
             step.state_at(t, &mut self.x);
             // conditions hold at what is shown too, not only at the ends of steps
-            system.project(t, &mut self.x, &step.modes)?;
-            self.fill(system, t, row, &step.modes)?;
+            if !step.is_blind(tau) {
+                system.project(t, &mut self.x, &step.modes)?;
+            }
+            match step.at_change_point(tau) {
+                Some(around) => self.bridge(system, (step, around), t, row)?,
+                None => self.fill(system, t, row, &step.modes)?,
+            }
             self.next += 1;
             if self.next.is_multiple_of(ROWS) && options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
                 break;
             }
         }
+        Ok(())
+    }
+
+    /// Values in a change point, where forces follow from no equation: the cubic through both sides.
+    ///
+    /// *Errors*: S059 for what grows towards the point instead of having a limit.
+    fn bridge<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        (step, [to, around]): (&Step, [f64; 2]),
+        t: f64,
+        row: usize,
+    ) -> Result<(), Fault> {
+        let mut sides: Vec<Vec<f64>> = Vec::new();
+        for node in BRIDGE {
+            let tau = to + node * around;
+            let at = step.start.after(tau).high;
+            step.state_after(tau, &mut self.x);
+            system.project(at, &mut self.x, &step.modes)?;
+            system.observe(at, &self.x, &step.modes, &mut self.all)?;
+            sides.push(self.chosen.iter().map(|&i| self.all[i]).collect());
+        }
+        let place = (step.start.until(t) - to) / around;
+        let n = self.chosen.len();
+        for k in 0..n {
+            let value = |i: usize| sides[i][k];
+            let (far, near) = ((value(3) - value(0)).abs(), (value(2) - value(1)).abs());
+            let size = (0..4).map(|i| value(i).abs()).fold(0.0, f64::max);
+            if near > 0.75 * far + LIMIT * size || !size.is_finite() {
+                return Err(Fault::blind(&self.outputs[k].name, t));
+            }
+            self.table[row * n + k] = (0..4).map(|i| value(i) * lagrange(i, place)).sum();
+        }
+        self.extremes.offer_row(t, &self.table[row * n..(row + 1) * n]);
         Ok(())
     }
 
@@ -717,6 +761,12 @@ impl Run {
             ..Dataset::default()
         }
     }
+}
+
+/// Weight of a node of [`BRIDGE`] in the cubic at `place`.
+fn lagrange(i: usize, place: f64) -> f64 {
+    let others = (0..4).filter(|k| *k != i);
+    others.map(|k| (place - BRIDGE[k]) / (BRIDGE[i] - BRIDGE[k])).product()
 }
 
 /// Indices of the wanted outputs.

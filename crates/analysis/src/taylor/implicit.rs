@@ -249,7 +249,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             }
         }
         let lands = if full && !event { Instant::at(target) } else { self.now.after(length) };
-        if self.correct(lands).and_then(|()| self.probe(lands, event)).is_err() {
+        if self.correct(lands, length).and_then(|()| self.probe(lands, event)).is_err() {
             self.work.rejected += 1;
             return Ok(Landing::OutOfReach);
         }

@@ -13,6 +13,7 @@
 mod accept;
 mod implicit;
 mod length;
+mod passage;
 mod step;
 mod switching;
 mod turns;
@@ -32,6 +33,7 @@ use accept::Defect;
 use implicit::Implicit;
 use length::Rule;
 pub use length::{HIGHEST_ORDER, order_for};
+use passage::Passage;
 use switching::Crowd;
 
 /// Smallest and largest tolerance accepted.
@@ -181,6 +183,7 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) switches: Vec<Switch>,
     crowd: Crowd,
     implicit: Implicit,
+    passage: Passage,
     pub(crate) roots: RootFinder,
     pub(crate) work: Work,
 }
@@ -242,6 +245,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             switches: Vec::new(),
             crowd: Crowd::default(),
             implicit,
+            passage: Passage::default(),
             roots: RootFinder::default(),
             work: Work::default(),
         };
@@ -256,6 +260,10 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
 
     /// One step towards `end`, at most to it. Afterwards [`Flow::step`] is the dense output and [`Flow::switches`] what happened at its end.
     pub fn advance(&mut self, end: f64) -> Result<(), Fault> {
+        self.advance_plainly(end).map_err(|fault| self.explained(fault))
+    }
+
+    fn advance_plainly(&mut self, end: f64) -> Result<(), Fault> {
         self.switches.clear();
         self.take_turns_off();
         if !self.expanded {
@@ -276,6 +284,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         }
         h = self.trusted(&self.step, h);
         h = self.faithful(h);
+        h = self.clear(h, limit)?;
         let mut defect = Defect::default();
         if self.system.holds_powers() {
             self.rule.rescale(&self.step.states, h);
@@ -285,16 +294,26 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             self.check_length(h)?;
             let full = h >= limit;
             let (length, event) = self.shorten_to_event(h);
+            self.refuse_switch_in_passage(event.then_some(length))?;
             self.evaluate(length);
             let finite = self.next_x.iter().all(|x| x.is_finite());
             let lands = if full && !event { Instant::at(target) } else { self.now.after(length) };
-            let probe = if !finite { Err(self.not_finite()) } else { self.correct(lands).and_then(|()| self.probe(lands, event)) };
+            let probe = if !finite { Err(self.not_finite()) } else { self.correct(lands, length).and_then(|()| self.probe(lands, event)) };
+            let passes = probe.is_ok() && (event || self.passes(length) != Some(false));
+            if !passes && let Some(shorter) = self.give_up_passage() {
+                h = shorter?;
+                continue;
+            }
             if let Err(fault) = probe {
                 h = self.take_back(h, 0.25, Some(fault))?;
-            } else if !defect.accept(self.defect(length), length, self.rule.tolerance) {
+            } else if self.passes(length).is_none() && !defect.accept(self.defect(length), length, self.rule.tolerance) {
                 h = self.take_back(h, 0.5, None)?;
             } else {
+                if !event && self.passes(length).is_some() && self.mark_wrong_sides() {
+                    self.refuse_switch_in_passage(Some(length))?;
+                }
                 self.step.length = length;
+                self.note_passage(length);
                 self.note_taylor_step(lands);
                 let arrived = self.arrive(lands, event);
                 self.show_turns();
@@ -412,11 +431,18 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     }
 
     /// Moves the next state onto the conditions of the present modes.
-    fn correct(&mut self, at: Instant) -> Result<(), Fault> {
+    fn correct(&mut self, at: Instant, length: f64) -> Result<(), Fault> {
         self.base.copy_from_slice(&self.next_x);
+        self.removed = 0.0;
+        if self.ends_blind(length) {
+            return Ok(());
+        }
         let drift = self.system.project(at.high, &mut self.next_x, &self.modes)?;
+        if self.is_near_change_point() {
+            self.system.polish(at.high, &mut self.next_x, &self.modes)?;
+        }
         self.removed = drift;
-        if drift > 0.0 {
+        if drift > 0.0 || self.is_near_change_point() {
             for i in 0..self.base.len() {
                 if self.next_x[i] != self.base[i] {
                     self.next_low[i] = 0.0;

@@ -4,6 +4,11 @@ use crate::numerics::sum::Instant;
 use crate::stiff::Collocation;
 use crate::{Mode, System};
 
+/// Share of the surroundings of a change point in which no force follows from the equations.
+const IN_IT: f64 = 1e-3;
+/// Share of the way to a change point, on both its sides, on which forces have fewer digits than audits ask for.
+const BESIDE: f64 = 0.7;
+
 /// Taylor polynomials of a step, x_i(start + tau) = sum_k c_ik tau^k for 0 <= tau <= length.
 #[derive(Clone, Debug, Default)]
 pub struct Step {
@@ -25,6 +30,9 @@ pub struct Step {
     pub(super) low: Vec<f64>,
     /// Full turns taken off the state, high and low part; empty when none.
     pub(super) turned: Vec<[f64; 2]>,
+    /// A change point within it, or closely behind its start (negative): how far it is, and how far around it conditions have too few digits to be closed or to
+    /// give forces.
+    pub(crate) change: Option<[f64; 2]>,
 }
 
 /// Rows of Taylor coefficients of one length.
@@ -43,6 +51,12 @@ impl Series {
     }
     fn set_first(&mut self, i: usize, value: f64) {
         self.values[i * self.stride] = value;
+    }
+    /// Leaves the terms up to this one.
+    pub(super) fn cut(&mut self, last: usize) {
+        for row in self.values.chunks_mut(self.stride.max(1)) {
+            row.iter_mut().skip(last + 1).for_each(|c| *c = 0.0);
+        }
     }
     pub(crate) fn reset(&mut self, stride: usize) {
         self.values.clear();
@@ -97,6 +111,26 @@ impl Step {
         match self.turned.get(state) {
             Some([high, low]) => high + (own + low),
             None => own,
+        }
+    }
+
+    /// Whether `tau` is so near to a change point that forces have too few digits there.
+    pub fn is_blind(&self, tau: f64) -> bool {
+        self.change.is_some_and(|[to, around]| (tau - to).abs() < around)
+    }
+
+    /// The change point, with its surroundings, where `tau` is all but in it and values on both sides lie in the step.
+    pub fn at_change_point(&self, tau: f64) -> Option<[f64; 2]> {
+        let [to, around] = self.change?;
+        let between = to - 2.0 * around >= 0.0 && to + 2.0 * around <= self.length;
+        (between && (tau - to).abs() <= IN_IT * around).then_some([to, around])
+    }
+
+    /// The same length, or the start of the step in place of one near a change point.
+    pub fn beside_change_point(&self, tau: f64) -> f64 {
+        match self.change {
+            Some([to, _]) if to < 0.0 || (tau - to).abs() < BESIDE * to => 0.0,
+            _ => tau,
         }
     }
 
