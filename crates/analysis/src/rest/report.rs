@@ -145,7 +145,8 @@ fn held(equations: &Equations, parameters: &[f64], q: &[f64]) -> Result<Held, Fa
     for (c, (least, most)) in ranges.iter().enumerate() {
         let r = system.reactions[c];
         reactions[r] = (least == most).then_some(*least);
-        if least < most {
+        // where a load acts that its formula does not place is no reaction
+        if least < most && equations.reactions[r].law.is_reaction() {
             notes.push(between(&equations.reactions[r].name, [*least, *most], &equations.reactions[r].unit));
         }
     }
