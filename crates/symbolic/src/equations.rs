@@ -222,7 +222,7 @@ pub struct Energy {
     /// Power of the drives that realise prescribed motions, from Newton-Euler; over q, q', q''.
     pub drives: Expr,
     /// Σ |Q_kj q'_j| over every load k (gravity of each body, each spring, damper, force) and every reaction that is in the powers, and every
-    /// coordinate j: how large the powers are before they cancel.
+    /// coordinate j, and with drives every component of the inertia forces of each body: how large the powers are before they cancel.
     pub through: Expr,
 }
 

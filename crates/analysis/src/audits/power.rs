@@ -10,7 +10,7 @@
 //! rounding of velocities over the step h. A force that fades (a saturation) leaves powers smaller than the error that the step was allowed, tol of the
 //! change of a rate within it: that change over h, as an acceleration, is a scale too. The least scale is the power that changes q'·M q' by 1e-4 of itself within a step.
 //!
-//! **Rounding.** At rest the powers of weights, springs and drives cancel, and what is left of them is the rounding of the single ones, Σ_kj |Q_kj q'_j|, and of the
+//! **Rounding.** At rest the powers of weights, springs and drives cancel, and what is left of them is the rounding of the single ones, Σ_kj |Q_kj q'_j| and Σ |m a_k v_k|, and of the
 //! places, Σ_ij |∂x''_i/∂q_j q_j| as a power. No scale is so small that 64 units in the last place of these two would meet the limit: a machine that rests to 1e-16, or
 //! moves by 1e-9 about its rest, is not blamed, and an error of the equations there is still seen, as it is far above rounding.
 

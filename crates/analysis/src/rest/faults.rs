@@ -127,6 +127,27 @@ pub(crate) fn slips(frictions: &str, times: f64) -> Fault {
     })
 }
 
+/// Directions of impending sliding in which no load of the asked kind holds the machine.
+pub(crate) fn never_impending(unknowns: &str, frictions: &str) -> Fault {
+    Fault::new(Message {
+        code: "S093",
+        what: Text::new(
+            format!("no value of {unknowns} lets the machine rest with {frictions} about to slide in the directions of [impending]"),
+            format!(
+                "ни при каком значении {unknowns} машина не покоится на пределе скольжения {frictions} в направлениях, указанных в [impending]"
+            ),
+        ),
+        why: Text::new(
+            "with these frictions at their limits the equations ask another friction for more than its limit, or a contact for a pull",
+            "когда эти трения на пределе, уравнения требуют от другого трения силы больше предельной либо от контакта – притяжения",
+        ),
+        help: Text::new(
+            "turn round a direction in [impending], or name other frictions there",
+            "измените направление в [impending] или укажите там другие трения",
+        ),
+    })
+}
+
 /// An unknown that friction at rest leaves open.
 pub(crate) fn open(unknown: &str, friction: &str) -> Fault {
     Fault::new(Message {

@@ -9,6 +9,7 @@
 use symbolic::connections::Law;
 use symbolic::{Equations, Text};
 
+use super::admissible::Holds;
 use super::newton::{self, worst};
 use super::system::{Parts, RestSystem, Row, Rows};
 use super::{closed_contacts, faults, hold};
@@ -63,7 +64,14 @@ pub fn unknowns(equations: &Equations, parameters: &[usize], impending: &[Impend
         return Err(left_over(equations, &system, &all, &z));
     }
     let hold = hold(equations, &system, &all, &z);
-    if let Some(fault) = super::fault_of(equations, &system.reactions, &hold, &hold.judge()) {
+    let judged = hold.judge();
+    if matches!(judged, Holds::Slips(_)) && !impending.is_empty() {
+        let unknown: Vec<&str> =
+            parameters.iter().map(|p| equations.graph.symbol_info(equations.parameters[*p].symbol).name.as_str()).collect();
+        let about: Vec<&str> = impending.iter().map(|(r, _)| equations.reactions[*r].name.as_str()).collect();
+        return Err(faults::never_impending(&unknown.join(", "), &about.join(", ")));
+    }
+    if let Some(fault) = super::fault_of(equations, &system.reactions, &hold, &judged) {
         return Err(fault);
     }
     let first = system.n + system.reactions.len();

@@ -85,7 +85,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
     connected.balance(&mut scene, &mut kinematics, &loads, &inertial);
     let mut second = newton_euler::project(&mut scene, &mut kinematics, &loads, &connected);
     second.residuals.extend(connected.balance_residuals(&mut scene));
-    let energy = energy(&mut scene, &kinetic.total, (&loads, &connected), second.drives);
+    let energy = energy(&mut scene, &kinetic.total, (&loads, &connected), &second);
     resolver.energies = Some(EnergyTerms { kinetic: energy.kinetic, potential: energy.potential, dissipation: energy.dissipation });
     resolver.kinetic = kinetic.bodies.iter().map(|b| (!b.is_empty()).then(|| lagrange::energy_of(&mut scene, b))).collect();
     let steps = if written { steps::write(&mut scene, &mut kinematics, (&kinetic, &loads, &motion), &connected) } else { Vec::new() };
@@ -327,7 +327,7 @@ fn switched_off(scene: &Scene, coordinate: &CoordinateDecl, inertia: Expr) -> Di
     ))
 }
 
-fn energy(scene: &mut Scene, mass: &Quadratic, (loads, connected): (&Loads, &Connected), drives: Expr) -> Energy {
+fn energy(scene: &mut Scene, mass: &Quadratic, (loads, connected): (&Loads, &Connected), second: &newton_euler::Projected) -> Energy {
     let kinetic = lagrange::energy_of(scene, mass);
     let potential = Loads::total(scene, &loads.potentials);
     let potential = scene.shortest(potential);
@@ -344,14 +344,16 @@ fn energy(scene: &mut Scene, mass: &Quadratic, (loads, connected): (&Loads, &Con
         powers.push(scene.graph.mul(force, rate));
     }
     powers.push(given);
-    let through = through(scene, loads, connected);
+    let through = through(scene, loads, connected, &second.sizes);
+    let drives = second.drives;
     let loads = scene.graph.sum(&powers);
     Energy { kinetic, potential, dissipation, dissipated, rate, loads, drives, through }
 }
 
 /// The powers of single loads and reactions by single coordinates, by size.
-fn through(scene: &mut Scene, loads: &Loads, connected: &Connected) -> Expr {
+fn through(scene: &mut Scene, loads: &Loads, connected: &Connected, inertial: &[Expr]) -> Expr {
     let mut sizes = connected.power_sizes(scene);
+    sizes.extend(inertial);
     for columns in [&loads.conservative, &loads.resisting, &loads.applied].into_iter().flatten() {
         for (j, force) in columns {
             let rate = scene.rate(*j);

@@ -24,6 +24,8 @@ pub struct Projected {
     pub residuals: Vec<Expr>,
     /// Power of the drives.
     pub drives: Expr,
+    /// Its parts by size, |m a_k v_k| and |(I ω' + ω × I ω)_k ω_k| of every body and axis: in a frame that turns they cancel. None without drives.
+    pub sizes: Vec<Expr>,
 }
 
 /// m a and I ω' + ω × I ω of every body, as if they acted on it; ground axes.
@@ -59,7 +61,7 @@ pub fn inertial(scene: &mut Scene, kinematics: &mut Kinematics) -> Vec<Act> {
 /// Projects the equations of all bodies.
 pub fn project(scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads, connected: &Connected) -> Projected {
     let n = scene.n();
-    let mut inertial: Vec<Vec<Expr>> = vec![Vec::new(); n + 1];
+    let (mut inertial, mut powers): (Vec<Vec<Expr>>, Vec<(Vector, Vector)>) = (vec![Vec::new(); n + 1], Vec::new());
     let model = scene.model;
     for (i, frame) in model.frames.iter().enumerate() {
         let Some(mass) = &frame.mass else { continue };
@@ -71,12 +73,14 @@ pub fn project(scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads, co
             let force = acceleration.map(|a| scene.graph.mul(mass.mass, a));
             let columns = kinematics.jacobian(scene, center);
             push_projection(scene, &force, &columns, &mut inertial);
+            powers.push((force, velocity));
         }
         let parts = inertia_parts(scene, mass);
         if !parts.is_empty() {
             let turning = kinematics.frames[i].turning.clone();
             let moment = moment(scene, &turning, &parts);
             push_projection(scene, &moment, &turning, &mut inertial);
+            powers.push((moment, combine(scene, &turning)));
         }
     }
     for inertia in &model.inertias {
@@ -108,7 +112,18 @@ pub fn project(scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads, co
     let change = scene.graph.sum(&loads.potential_change);
     let drives = scene.graph.sub(time_part, force);
     let drives = scene.graph.add(drives, change);
-    Projected { residuals, drives }
+    let sizes = if scene.graph.is_zero(drives) { Vec::new() } else { sizes(scene, &powers) };
+    Projected { residuals, drives, sizes }
+}
+
+/// |f_k v_k| of every pair of vectors and every component.
+fn sizes(scene: &mut Scene, pairs: &[(Vector, Vector)]) -> Vec<Expr> {
+    let products: Vec<(Expr, Expr)> = pairs.iter().flat_map(|(f, v)| f.iter().copied().zip(v.iter().copied())).collect();
+    let size = |(f, v): (Expr, Expr)| {
+        let power = scene.graph.mul(f, v);
+        scene.graph.call(symbolic::Function::Abs, &[power])
+    };
+    products.into_iter().map(size).collect()
 }
 
 /// I ω' + ω × I ω in body axes.

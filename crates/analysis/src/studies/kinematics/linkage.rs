@@ -348,8 +348,10 @@ impl<'e> Linkage<'e> {
         let (rate, acceleration) = (fastest(b), fastest(c));
         let mut worst = [self.gaps_of_places(at), 0.0, 0.0];
         for k in 0..self.conditions.len() {
-            // the condition's arms at the rates of the fastest link: one that stands for an instant has rounding of its own only
+            // the condition's arms at the rates of the fastest link: one that stands for an instant has rounding of its own only; one whose arms all vanish
+            // here (it repeats others, as the height of a point that circles a pole) has those of other places
             let arms: f64 = self.row(k).iter().enumerate().map(|(i, j)| j.abs() * unit(i)).sum();
+            let arms = arms.max(self.reach[k]);
             let off = self.values[self.roots.rates.start + k];
             worst[1] = f64::max(worst[1], share(off, (w * rate).abs() * arms));
             let sum: f64 = self.row(k).iter().zip(c).map(|(j, c)| j * c * w * w).sum();
