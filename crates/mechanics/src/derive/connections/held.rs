@@ -38,7 +38,8 @@ pub fn against_turning(scene: &mut Scene, kinematics: &Kinematics, connection: &
     let body = frame_of(scene, at);
     let (below, mount) = partners(scene, body);
     if mount != below {
-        let known = is_declared(scene, [body, mount]) || turn_apart(scene, kinematics, [mount, below]);
+        let one = body_below(scene, mount) == body_below(scene, below);
+        let known = one || is_declared(scene, [body, mount]) || turn_apart(scene, kinematics, [mount, below]);
         return if known { Ok(below) } else { Err(faults::unknown_holder(scene.model, connection, [body, mount, below])) };
     }
     match floating(scene, below) {
@@ -55,7 +56,17 @@ fn partners(scene: &Scene, frame: FrameId) -> (FrameId, FrameId) {
 /// The body at a point of which a frame that is no body is mounted, when it is not the one that gives it its axes.
 fn floating(scene: &Scene, frame: FrameId) -> Option<FrameId> {
     let (below, mount) = partners(scene, frame);
-    (frame != FrameId::GROUND && !scene.model.frames[frame.index()].is_body && mount != below).then_some(mount)
+    let apart = body_below(scene, mount) != body_below(scene, below);
+    (frame != FrameId::GROUND && !scene.model.frames[frame.index()].is_body && apart).then_some(mount)
+}
+
+/// The frame itself if it is a body, else the first body, or the ground, on which it stands.
+fn body_below(scene: &Scene, frame: FrameId) -> FrameId {
+    let mut here = frame;
+    while here != FrameId::GROUND && !scene.model.frames[here.index()].is_body {
+        here = scene.model.frames[here.index()].on;
+    }
+    here
 }
 
 /// Whether a point is the origin of its frame for all values of the parameters.
