@@ -130,11 +130,13 @@ pub enum TouchRoots {
     Fixed,
     /// Coefficient of restitution of a contact; of a friction the tangential one of the first contact that presses it.
     Restitution,
+    /// Second component of a normal force, at right angles to the first.
+    Across,
 }
 
 impl TouchRoots {
     /// How many there are.
-    pub const WIDTH: usize = 10;
+    pub const WIDTH: usize = 11;
 }
 
 /// Where the roots of [`Program::rests`] are; n coordinates, m conditions. At rest h + Σ forces λ = 0 and all places vanish; the derivative of the first

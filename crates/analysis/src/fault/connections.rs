@@ -483,12 +483,12 @@ impl Fault {
                 format!("величина `{output}` использует реакцию `{reaction}`, которая не единственна"),
             ),
             why: Text::new(
-                "several connections hold the same motion of rigid bodies; how they share the load depends on their elasticity",
-                "одно и то же движение твёрдых тел удерживают несколько связей; как они делят нагрузку, зависит от их упругости",
+                "rigid bodies are held here more than once: by several connections, or by a connection and by joints that the coordinates imply and nothing declares; the shares are open",
+                "твёрдые тела удержаны здесь неоднократно: несколькими связями либо связью и соединениями, которые подразумевает выбор координат, но которые не заданы; доли неопределимы",
             ),
             help: Text::new(
-                "remove the redundant connection, replace it by a spring, or ask for other outputs",
-                "уберите лишнюю связь, замените её пружиной или запросите другие величины",
+                "remove the redundant connection, replace it by a spring, declare the joints of the body ([pins], [supports]), or ask for other outputs",
+                "уберите лишнюю связь, замените её пружиной, задайте соединения тела ([pins], [supports]) или запросите другие величины",
             ),
         })
     }

@@ -54,7 +54,7 @@ impl Values<'_> {
 
 impl Machine {
     /// All contacts and frictions with the accelerations and reactions in `inputs`; `idle` are the normal forces that count as none.
-    pub(super) fn touches_with(&mut self, (t, x): (f64, &[f64]), inputs: &[f64], idle: &[f64]) -> Option<Vec<Touch>> {
+    pub(super) fn touches_with(&mut self, (t, x): (f64, &[f64]), inputs: &[f64], idle: &[[f64; 2]]) -> Option<Vec<Touch>> {
         let ratios = self.ratios(t, x, inputs)?;
         let n = self.bound.program().coordinates;
         let Switches { modes, active, .. } = &self.observing;
@@ -62,7 +62,8 @@ impl Machine {
         let values = Values(self.touches.evaluate(&point).ok()?);
         let touch = |(i, place): (usize, &Place)| {
             let law = if place.friction {
-                let normal = (values.of(place, TouchRoots::Leading) - idle.get(i).copied().unwrap_or(0.0)).abs();
+                let [along, across] = idle.get(i).copied().unwrap_or_default();
+                let normal = (values.of(place, TouchRoots::Leading) - along).hypot(values.of(place, TouchRoots::Across) - across);
                 let limits = [TouchRoots::Back, TouchRoots::Forth, TouchRoots::Fixed].map(|root| normal * values.of(place, root));
                 TouchLaw::Friction { limits, ratio: ratios[i] }
             } else {
@@ -80,12 +81,13 @@ impl Machine {
         Some(self.touching.iter().enumerate().map(touch).collect())
     }
 
-    /// Normal forces of frictions with the reactions in `inputs`.
-    pub(super) fn normals(&mut self, (t, x): (f64, &[f64]), inputs: &[f64]) -> Option<Vec<f64>> {
+    /// Normal forces of frictions, by components, with the reactions in `inputs`.
+    pub(super) fn normals(&mut self, (t, x): (f64, &[f64]), inputs: &[f64]) -> Option<Vec<[f64; 2]>> {
         let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, accelerations: inputs, modes: Some(modes), active: Some(active) };
         let values = Values(self.touches.evaluate(&point).ok()?);
-        Some(self.touching.iter().map(|place| values.of(place, TouchRoots::Leading)).collect())
+        let both = |place: &Place| [TouchRoots::Leading, TouchRoots::Across].map(|root| values.of(place, root));
+        Some(self.touching.iter().map(both).collect())
     }
 
     /// Sliding speeds by those of the leaders, at rates at which none vanishes.

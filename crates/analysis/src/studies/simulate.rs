@@ -626,9 +626,10 @@ impl Run {
         Ok(())
     }
 
-    /// The laws of the impact of this instant; one that stands for infinitely many that follow has their momenta as well.
+    /// The laws of the impact of this instant; one that stands for infinitely many that follow has their momenta as well, one with a jump of prescribed
+    /// velocities those of the drives.
     fn judge_blow<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) {
-        if flow.switches().iter().any(|s| matches!(s.change, Change::Rests { .. })) {
+        if flow.switches().iter().any(|s| matches!(s.change, Change::Rests { .. } | Change::Jolt)) {
             return;
         }
         let Some(blow) = flow.blow().cloned().filter(|blow| !blow.reactions.is_empty()) else { return };

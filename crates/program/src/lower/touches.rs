@@ -6,7 +6,7 @@
 use super::equations::over_reactions;
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
 use crate::{Fault, Tape, TouchRoots};
-use symbolic::connections::{Condition, Friction, Law};
+use symbolic::connections::{Condition, Friction, Law, Normal};
 use symbolic::{Equations, Expr, Graph};
 
 /// In the order of [`TouchRoots`].
@@ -34,26 +34,30 @@ fn contact(graph: &mut Graph, equations: &Equations, (condition, gap, restitutio
     let zero = graph.zero();
     let [rate, acceleration] = motion(graph, equations, condition);
     let place = place_size(graph, equations, condition);
-    [gap, place, rate[0], rate[1], acceleration[0], acceleration[1], zero, zero, zero, restitution]
+    [gap, place, rate[0], rate[1], acceleration[0], acceleration[1], zero, zero, zero, restitution, zero]
 }
 
 /// The normal force is 1 where the magnitudes are forces.
 fn friction(graph: &mut Graph, equations: &Equations, friction: &Friction) -> [Expr; WIDTH] {
     let condition = &equations.conditions[friction.condition];
     let [rate, acceleration] = motion(graph, equations, condition);
-    let mut normal = graph.one();
-    if let Some(own) = &friction.normal {
-        let mut terms = vec![own.constant];
-        for (k, factor) in &own.terms {
-            let force = graph.symbol(equations.reactions[*k].symbol);
-            terms.push(graph.mul(*factor, force));
-        }
-        normal = graph.sum(&terms);
-    }
+    let [normal, across] = [&friction.normal, &friction.across].map(|own| own.as_ref().map(|own| pressure(graph, equations, own)));
+    let normal = normal.unwrap_or_else(|| graph.one());
+    let across = across.unwrap_or_else(|| graph.zero());
     let place = place_size(graph, equations, condition);
     let [back, forth] = friction.kinetic;
     let restitution = tangential(graph, equations, friction);
-    [normal, place, friction.sliding, rate[1], acceleration[0], acceleration[1], back, forth, friction.fixed, restitution]
+    [normal, place, friction.sliding, rate[1], acceleration[0], acceleration[1], back, forth, friction.fixed, restitution, across]
+}
+
+/// A component of a normal force.
+fn pressure(graph: &mut Graph, equations: &Equations, normal: &Normal) -> Expr {
+    let mut terms = vec![normal.constant];
+    for (k, factor) in &normal.terms {
+        let force = graph.symbol(equations.reactions[*k].symbol);
+        terms.push(graph.mul(*factor, force));
+    }
+    graph.sum(&terms)
 }
 
 /// Tangential restitution of the first contact that presses.

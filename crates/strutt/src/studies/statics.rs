@@ -90,6 +90,7 @@ fn words(machine: &Machine, found: &Statics) -> Vec<Text> {
     words
 }
 
+<<<<<<< HEAD
 /// A balance in a displacement, as the displacement: "beam, shift along y".
 fn as_displacement(balance: &str) -> String {
     let words = [
@@ -103,12 +104,15 @@ fn as_displacement(balance: &str) -> String {
 }
 
 /// Σ released λ + rest = 0 of every balance, rates and accelerations zero.
+=======
+/// Σ released λ + rest = 0 of every balance, rates and accelerations zero; what an earlier one says, perhaps with the other sign, is not told again.
+>>>>>>> 9955b55 (Statics tells each balance once, whatever its sign; S019 names joints that the coordinates imply as a cause)
 fn equilibrium(equations: &Equations) -> Vec<Text> {
     let mut graph = equations.graph.clone();
     let zero = graph.zero();
     let still = equations.coordinates.iter().flat_map(|c| [(c.symbols[1], zero), (c.symbols[2], zero)]);
     let mut still = symbolic::Substitution::new(still.collect::<Vec<_>>());
-    let mut sums = Vec::new();
+    let mut sums: Vec<(usize, symbolic::Expr)> = Vec::new();
     for (row, balance) in equations.balances.iter().enumerate() {
         let mut terms = vec![still.apply(&mut graph, balance.rest)];
         for reaction in &equations.reactions {
@@ -117,14 +121,22 @@ fn equilibrium(equations: &Equations) -> Vec<Text> {
                 terms.push(graph.mul(*e, symbol));
             }
         }
-        sums.push(graph.sum(&terms));
+        let sum = graph.sum(&terms);
+        let told = |graph: &mut symbolic::Graph, earlier: symbolic::Expr| {
+            let both = graph.add(earlier, sum);
+            earlier == sum || graph.is_zero(both)
+        };
+        if !sums.iter().any(|(_, earlier)| told(&mut graph, *earlier)) {
+            sums.push((row, sum));
+        }
     }
     let line = |balance: &symbolic::connections::Balance, sum: symbolic::Expr, language: Language| {
         let formula = Printer::of(equations, language).inline(&graph, sum, Form::Text);
         format!("{}: {formula} = 0", language.text(&balance.name))
     };
-    let both = |(balance, sum): (&symbolic::connections::Balance, symbolic::Expr)| {
+    let both = |(row, sum): (usize, symbolic::Expr)| {
+        let balance = &equations.balances[row];
         Text::new(line(balance, sum, Language::En), line(balance, sum, Language::Ru))
     };
-    equations.balances.iter().zip(sums).map(both).collect()
+    sums.into_iter().map(both).collect()
 }
