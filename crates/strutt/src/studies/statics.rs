@@ -90,7 +90,6 @@ fn words(machine: &Machine, found: &Statics) -> Vec<Text> {
     words
 }
 
-<<<<<<< HEAD
 /// A balance in a displacement, as the displacement: "beam, shift along y".
 fn as_displacement(balance: &str) -> String {
     let words = [
@@ -103,10 +102,7 @@ fn as_displacement(balance: &str) -> String {
     words.iter().fold(balance.to_owned(), |text, (of_force, of_place)| text.replace(of_force, of_place))
 }
 
-/// Σ released λ + rest = 0 of every balance, rates and accelerations zero.
-=======
 /// Σ released λ + rest = 0 of every balance, rates and accelerations zero; what an earlier one says, perhaps with the other sign, is not told again.
->>>>>>> 9955b55 (Statics tells each balance once, whatever its sign; S019 names joints that the coordinates imply as a cause)
 fn equilibrium(equations: &Equations) -> Vec<Text> {
     let mut graph = equations.graph.clone();
     let zero = graph.zero();
