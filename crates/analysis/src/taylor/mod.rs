@@ -297,7 +297,10 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             self.refuse_switch_in_passage(event.then_some(length))?;
             self.evaluate(length);
             let finite = self.next_x.iter().all(|x| x.is_finite());
-            let lands = if full && !event { Instant::at(target) } else { self.now.after(length) };
+            let lands = self.now.after(length);
+            // what rounding leaves up to the target is no step
+            let full = full || lands.until(target).abs() <= 4.0 * f64::EPSILON * target.abs();
+            let lands = if full && !event { Instant::at(target) } else { lands };
             let probe = if !finite { Err(self.not_finite()) } else { self.correct(lands, length).and_then(|()| self.probe(lands, event)) };
             let passes = probe.is_ok() && (event || self.passes(length) != Some(false));
             if !passes && let Some(shorter) = self.give_up_passage() {

@@ -101,8 +101,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let near = if end < floor { self.nearest(h) } else { self.dip(h, end) };
         let Some(Near { to, margin }) = near else { return Ok(h) };
         if margin > ZERO * best {
-            // not met by the series from here, or none
-            return Ok(if margin < CLEAR * here { h.min(OWN * to) } else { h });
+            // not met by the series from here, or none: nearer to it the series tells
+            return Ok(h.min(OWN * to));
         }
         if self.rests_at(to, h) {
             return Err(self.at_change_point(to));
@@ -140,7 +140,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let rate = |i: usize, tau: f64| step::slope(self.step.states.row(i), tau).abs();
         let n = self.system.n_coordinates();
         let fastest = |i: usize| rate(i, 0.0).max(rate(i, h.min(2.0 * to)));
-        (0..n).all(|i| rate(i, to) <= STILL * fastest(i).max(f64::MIN_POSITIVE))
+        let most = (0..n).map(fastest).fold(0.0, f64::max);
+        (0..n).filter(|i| fastest(*i) > STILL * STILL * most).all(|i| rate(i, to) <= STILL * fastest(i))
     }
 
     /// A step that ends before the change point.
@@ -149,6 +150,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if OWN * here <= BLIND * best {
             return Err(self.at_change_point(to));
         }
+        self.step.change = Some([to, 0.0]);
         // the margin falls nearly like the distance
         let left = (CLEAR * best / here).min(OWN);
         Ok(to * (1.0 - left))

@@ -30,7 +30,7 @@ pub struct Step {
     pub(super) low: Vec<f64>,
     /// Full turns taken off the state, high and low part; empty when none.
     pub(super) turned: Vec<[f64; 2]>,
-    /// A change point within it, or closely behind its start (negative): how far it is, and how far around it conditions have too few digits to be closed or to
+    /// A change point within it, closely behind its start (negative) or its end: how far it is, and how far around it conditions have too few digits to be closed or to
     /// give forces.
     pub(crate) change: Option<[f64; 2]>,
 }
