@@ -25,6 +25,9 @@ const SILENT: f64 = 1e-12;
 /// Rounding of sliding speeds after an impact, in units of the last place of the rates.
 const STOPPED: f64 = 64.0 * f64::EPSILON;
 
+/// Rounding of a gap, in units of the last place of the positions.
+const MET: f64 = 8.0 * f64::EPSILON;
+
 /// An impact at one contact.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Impact {
@@ -49,9 +52,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.blow = None;
         self.jolted = false;
         let on: Vec<usize> = (0..self.modes.len())
-            .filter(|&i| {
-                self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_on_surface(i) || self.is_below(i))
-            })
+            .filter(|&i| self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_met(i)))
             .collect();
         let before: Vec<f64> = on.iter().map(|&i| self.gap_rate(i)).collect();
         if let Some(impacts) = self.jolt(&on, &before)? {
@@ -146,9 +147,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.system.guard(i).first().is_some_and(|value| value.abs() <= self.guard_noise[i])
     }
 
-    /// A gap that rounding has made negative: the contact is on its surface, and a blow elsewhere may close it.
-    fn is_below(&self, i: usize) -> bool {
-        self.system.guard(i).first().is_some_and(|value| *value < 0.0)
+    /// Whether a gap is zero but for the rounding of the positions that meet in it, which a gap that has been small for a whole step no longer shows.
+    fn is_met(&self, i: usize) -> bool {
+        let places = self.x[..self.system.n_coordinates()].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let noise = self.guard_noise[i].max(MET * places);
+        self.system.guard(i).first().is_some_and(|value| *value <= noise)
     }
 
     pub(super) fn is_contact(&self, i: usize) -> bool {
