@@ -147,11 +147,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.system.guard(i).first().is_some_and(|value| value.abs() <= self.guard_noise[i])
     }
 
-    /// Whether a gap is zero but for the rounding of the positions that meet in it, which a gap that has been small for a whole step no longer shows.
+    /// Whether a gap is zero, or negative by no more than the rounding of the positions that meet in it, which a gap that has been small for a whole step no
+    /// longer shows.
     fn is_met(&self, i: usize) -> bool {
         let places = self.x[..self.system.n_coordinates()].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let noise = self.guard_noise[i].max(MET * places);
-        self.system.guard(i).first().is_some_and(|value| *value <= noise)
+        let below = |value: f64| value < 0.0 && -value <= MET * places;
+        self.is_on_surface(i) || self.system.guard(i).first().is_some_and(|value| below(*value))
     }
 
     pub(super) fn is_contact(&self, i: usize) -> bool {
