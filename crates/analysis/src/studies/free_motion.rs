@@ -17,15 +17,17 @@
 
 use crate::linear::{Matrices, largest};
 use crate::numerics::rank::Qr;
-use crate::numerics::refined::Factors;
+use crate::numerics::refined::{Factors, products};
 use crate::studies::impedance::{Amplitudes, SINGULAR, balanced, cleared};
 use crate::studies::modes::Complex;
 
 /// Terms of the series that are carried: enough for poles of the order [`DEEPEST`].
 const TERMS: usize = 9;
+/// Share of the terms of C z that roundings leave: one in each entry of C and of z, and one in the sums of C.
+const ROUNDED: f64 = 2.0 * f64::EPSILON;
 /// Highest order of a pole.
 const DEEPEST: usize = 4;
-/// Below this ratio of the elastic terms, which cancel in a free motion, to its inertia no digits worth a word are lost.
+/// Below this ratio of the elastic terms, which cancel in a free motion, to its inertia and damping no digits worth a word are lost.
 const HARMLESS: f64 = 1e2;
 
 /// A dense matrix, row-major.
@@ -64,7 +66,7 @@ impl Dense {
 }
 
 /// A sum, zero where it is rounding of its terms.
-fn settled(terms: impl Iterator<Item = f64>) -> f64 {
+pub(super) fn settled(terms: impl Iterator<Item = f64>) -> f64 {
     let (sum, size) = terms.fold((0.0, 0.0), |(s, m), t: f64| (s + t, m + t.abs()));
     if sum.abs() <= SINGULAR * size { 0.0 } else { sum }
 }
@@ -290,8 +292,13 @@ pub(super) fn apart(m: &Matrices, omega: f64, load: &[Complex]) -> Option<Amplit
     let (stiffness, damping, mass) = (whole(&m.stiffness), whole(&m.damping), whole(&m.mass));
     let (bz, mz, wb, wm) = (damping.times(&z), mass.times(&z), w.times(&damping), w.times(&mass));
     let (wbz, wmz) = (w.times(&bz), w.times(&mz));
-    let terms = |j: usize| (0..n * n).map(|p| (w.at(j, p / n) * stiffness.data[p] * z.at(p % n, j)).abs()).sum::<f64>();
-    if (0..k).all(|j| terms(j) <= HARMLESS * (omega * wbz.at(j, j).abs() + omega * omega * wmz.at(j, j).abs())) {
+    if !(0..k).all(|j| unrestored(&stiffness, &(0..n).map(|i| z.at(i, j)).collect::<Vec<f64>>())) {
+        return None;
+    }
+    // of each row, what cancels in C Z beside what is left
+    let cancels = |i: usize, j: usize| (0..n).map(|l| (stiffness.at(i, l) * z.at(l, j)).abs()).sum::<f64>();
+    let left = |i: usize, j: usize| omega * bz.at(i, j).abs() + omega * omega * mz.at(i, j).abs();
+    if (0..n).all(|i| (0..k).all(|j| cancels(i, j) <= HARMLESS * left(i, j))) {
         return None;
     }
     let entry = |r: usize, c: usize| -> Complex {
@@ -318,6 +325,13 @@ pub(super) fn apart(m: &Matrices, omega: f64, load: &[Complex]) -> Option<Amplit
     let direction = |j: usize| (0..n).map(|i| z.at(i, j)).collect::<Vec<f64>>();
     let free = (0..k).map(|j| (direction(j), (x[j].1 / omega, -x[j].0 / omega))).collect();
     Some(Amplitudes { regular, free, doubt, ..Amplitudes::default() })
+}
+
+/// Whether C z, in twice the digits, is what the roundings of C and z leave of its terms: more may be a weak spring beside strong ones.
+fn unrestored(stiffness: &Dense, z: &[f64]) -> bool {
+    let n = z.len();
+    let terms = |i: usize| (0..n).map(|l| (stiffness.at(i, l) * z[l]).abs()).sum::<f64>();
+    products(&stiffness.data, n, z).iter().enumerate().all(|(i, f)| f.abs() <= ROUNDED * terms(i))
 }
 
 /// A square complex system in balanced real form, refined; none where it is singular.
@@ -400,5 +414,20 @@ mod tests {
         let x = solve(&m, 0.0, &[(9.0, 0.0), (0.0, 0.0)]);
         assert!((seen(&x, [0.0; 2], [1.0, 0.0], 0.0).0 - 2.0).abs() < 1e-13);
         assert!(seen(&x, [1.0, 0.0], [0.0; 2], 0.0).0.is_infinite());
+    }
+
+    #[test]
+    fn several_free_motions_keep_their_digits_together() {
+        // the discs with a third body on a damper between them, whatever the order of rows
+        let mut m = Matrices { n: 3, mass: vec![0.0; 9], damping: vec![0.0; 9], stiffness: vec![0.0; 9], ..Matrices::default() };
+        (m.mass[0], m.mass[4], m.mass[8], m.damping[4]) = (2.0, 5.0, 6.0, 0.5);
+        (m.stiffness[0], m.stiffness[2], m.stiffness[6], m.stiffness[8]) = (200.0, -200.0, -200.0, 200.0);
+        for omega in [0.0, 1e-7] {
+            let x = solve(&m, omega, &[(8.0, 0.0), (3.0, 0.0), (0.0, 0.0)]);
+            let none = [0.0; 3];
+            let twist = x.seen(&Gain { place: &[200.0, 0.0, -200.0], rate: &none, acceleration: &none, omega });
+            let rate = x.seen(&Gain { place: &none, rate: &[0.0, 1.0, 0.0], acceleration: &none, omega });
+            assert!((twist.0 - 6.0).abs() < 1e-12 && (rate.0 - 6.0).abs() < 1e-10, "{omega}: {twist:?} {rate:?}");
+        }
     }
 }

@@ -82,15 +82,6 @@ impl Amplitudes {
         (0..n).map(|i| self.seen(&Gain { place: &unit(i), rate: &none, acceleration: &none, omega: 0.0 })).collect()
     }
 
-    /// X₀ with the free motions.
-    pub fn whole(&self) -> Vec<Complex> {
-        let mut sum = self.regular.clone();
-        for (z, a) in &self.free {
-            sum.iter_mut().zip(z).for_each(|(s, z)| *s = (s.0 + z * a.0, s.1 + z * a.1));
-        }
-        sum
-    }
-
     /// The same in other coordinates, X = T Y.
     pub(super) fn mapped(&self, map: impl Fn(&[Complex]) -> Vec<Complex>) -> Amplitudes {
         let real = |z: &[f64]| map(&z.iter().map(|v| (*v, 0.0)).collect::<Vec<_>>()).into_iter().map(|v| v.0).collect();

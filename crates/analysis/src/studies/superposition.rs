@@ -15,6 +15,7 @@ use std::f64::consts::{PI, TAU};
 use crate::Fault;
 use crate::linear::{Matrices, Place, Seen};
 use crate::numerics::lu::Lu;
+use crate::studies::free_motion::settled;
 use crate::studies::impedance::{Amplitudes, solve};
 use crate::studies::modes::Complex;
 use crate::studies::response::{Excitation, Forced, Source, gain, magnitude};
@@ -121,6 +122,47 @@ struct Motion {
     loads: Vec<Vec<f64>>,
     /// Harmonics with an infinite amplitude: the pole of each.
     poles: Vec<(f64, Vec<Vec<Complex>>)>,
+    /// Free motions that stand apart, see [`Amplitudes::free`]; not part of `places` and `rates`.
+    free: Vec<Free>,
+}
+
+/// A free motion: direction, then amplitude and rate by node.
+struct Free {
+    z: Vec<f64>,
+    place: Vec<f64>,
+    rate: Vec<f64>,
+}
+
+impl Motion {
+    /// y with the free motions.
+    fn whole_places(&self) -> Vec<Vec<f64>> {
+        self.whole(&self.places, |f| &f.place)
+    }
+
+    /// y' with the free motions.
+    fn whole_rates(&self) -> Vec<Vec<f64>> {
+        self.whole(&self.rates, |f| &f.rate)
+    }
+
+    fn whole(&self, bound: &[Vec<f64>], part: fn(&Free) -> &Vec<f64>) -> Vec<Vec<f64>> {
+        let mut out = bound.to_vec();
+        for f in &self.free {
+            for (row, z) in out.iter_mut().zip(&f.z) {
+                row.iter_mut().zip(part(f)).for_each(|(v, a)| *v += z * a);
+            }
+        }
+        out
+    }
+
+    /// The free motion along z.
+    fn along(&mut self, z: &[f64]) -> &mut Free {
+        let count = self.places.first().map_or(0, Vec::len);
+        let known = self.free.iter().position(|f| f.z == z).unwrap_or_else(|| {
+            self.free.push(Free { z: z.to_vec(), place: vec![0.0; count], rate: vec![0.0; count] });
+            self.free.len() - 1
+        });
+        &mut self.free[known]
+    }
 }
 
 impl<'f, 'm> Run<'f, 'm> {
@@ -150,7 +192,9 @@ impl<'f, 'm> Run<'f, 'm> {
                 edges.extend((0..times as usize).map(|j| (turn(*edge) + TAU * j as f64) / times));
             }
         }
-        let panels = Panels::new(edges, TAU / (k as f64 / 2.0).max(8.0));
+        // a formula has harmonics that its motion has not
+        let fine = if care == Care::Number && !forced.bent.is_empty() { 8.0 } else { 1.0 };
+        let panels = Panels::new(edges, TAU / (k as f64 / 2.0).max(8.0) / fine);
         Ok(Run { forced, m, z, full, excitation, rate, multiples, panels, k, care })
     }
 
@@ -234,7 +278,7 @@ impl<'f, 'm> Run<'f, 'm> {
         let series = self.series(&loads);
         let nodes = self.panels.nodes();
         let zero = || vec![vec![0.0; nodes.len()]; n];
-        let mut motion = Motion { places: zero(), rates: zero(), accelerations: zero(), loads, poles: Vec::new() };
+        let mut motion = Motion { places: zero(), rates: zero(), accelerations: zero(), loads, poles: Vec::new(), free: Vec::new() };
         let largest = series.iter().flatten().fold(0.0_f64, |m, z| m.max(z.0.hypot(z.1)));
         let mut turn = Turn::new(&nodes);
         for (k, load) in series.iter().enumerate().map(|(i, f)| (i + 1, f)) {
@@ -252,7 +296,12 @@ impl<'f, 'm> Run<'f, 'm> {
             if !x.poles.is_empty() {
                 motion.poles.push((nu, x.poles.clone()));
             }
-            for (i, z) in x.whole().iter().enumerate().filter(|(_, z)| **z != (0.0, 0.0)) {
+            for (z, a) in &x.free {
+                let free = motion.along(z);
+                turn.add(&mut free.place, *a);
+                turn.add(&mut free.rate, (-nu * a.1, nu * a.0));
+            }
+            for (i, z) in x.regular.iter().enumerate().filter(|(_, z)| **z != (0.0, 0.0)) {
                 turn.add(&mut motion.places[i], *z);
                 turn.add(&mut motion.rates[i], (-nu * z.1, nu * z.0));
             }
@@ -263,7 +312,12 @@ impl<'f, 'm> Run<'f, 'm> {
         let lu = Lu::new(&self.m.mass, n);
         for x in 0..nodes.len() {
             let row = |a: &[f64], v: &[Vec<f64>], i: usize| (0..n).map(|j| a[i * n + j] * v[j][x]).sum::<f64>();
-            let force = |i: usize| motion.loads[i][x] - row(&self.m.damping, &motion.rates, i) - row(&self.m.stiffness, &motion.places, i);
+            // C Z = 0, and B Z where that is rounding
+            let dragged = |i: usize, f: &Free| settled((0..n).map(|j| self.m.damping[i * n + j] * f.z[j])) * f.rate[x];
+            let free = |i: usize| motion.free.iter().map(|f| dragged(i, f)).sum::<f64>();
+            let force = |i: usize| {
+                motion.loads[i][x] - row(&self.m.damping, &motion.rates, i) - free(i) - row(&self.m.stiffness, &motion.places, i)
+            };
             let force: Vec<f64> = (0..n).map(force).collect();
             let found = lu.solve(&force).unwrap_or_else(|| vec![f64::NAN; n]);
             found.into_iter().enumerate().for_each(|(i, a)| motion.accelerations[i][x] = a);
@@ -346,6 +400,13 @@ impl<'f, 'm> Run<'f, 'm> {
                 values.iter_mut().zip(row).for_each(|(v, x)| *v += g * x);
             }
         }
+        for f in &motion.free {
+            for (g, row) in [(&s.by_place, &f.place), (&s.by_rate, &f.rate)] {
+                // what the free motion does not move must not see it
+                let moved = settled(reduce(g).iter().zip(&f.z).map(|(g, z)| g * z));
+                values.iter_mut().zip(row).for_each(|(v, a)| *v += moved * a);
+            }
+        }
         let formula = if self.care == Care::Number { self.by_formula(output, motion)? } else { None };
         let mut mean = s.mean;
         if let Some(curve) = formula {
@@ -369,9 +430,10 @@ impl<'f, 'm> Run<'f, 'm> {
             (0..self.full).map(|i| (0..*k).map(|c| z[i * k + c] * v[c][x]).sum()).collect()
         };
         let rest = &self.forced.place;
+        let (moved, rates) = (motion.whole_places(), motion.whole_rates());
         let at = |x: usize| Place {
-            q: rest.q.iter().zip(back(&motion.places, x)).map(|(q, d)| q + d).collect(),
-            rates: back(&motion.rates, x),
+            q: rest.q.iter().zip(back(&moved, x)).map(|(q, d)| q + d).collect(),
+            rates: back(&rates, x),
             accelerations: back(&motion.accelerations, x),
             ..rest.clone()
         };
@@ -446,6 +508,8 @@ impl<'f, 'm> Run<'f, 'm> {
         };
         let integral = |v: &[f64]| -> Vec<f64> { self.panels.integral(v).iter().map(|v| v / self.rate).collect() };
         let displaced: Vec<Vec<f64>> = motion.places.iter().map(|y| integral(y)).collect();
+        // C Z = 0: what the springs do follows from the rest
+        let (moved, rates) = (motion.whole_places(), motion.whole_rates());
         let (mut worst, mut size) = (0.0_f64, 0.0_f64);
         for i in 0..n {
             let mut own = force(i);
@@ -456,8 +520,7 @@ impl<'f, 'm> Run<'f, 'm> {
             let mut first = None;
             for (x, impulse) in impulse.iter().enumerate() {
                 let row = |a: &[f64], v: &[Vec<f64>]| (0..n).map(|j| a[i * n + j] * v[j][x]).sum::<f64>();
-                let terms =
-                    [row(&self.m.mass, &motion.rates), row(&self.m.damping, &motion.places), row(&self.m.stiffness, &displaced), -impulse];
+                let terms = [row(&self.m.mass, &rates), row(&self.m.damping, &moved), row(&self.m.stiffness, &displaced), -impulse];
                 let sum: f64 = terms.iter().sum();
                 size = terms.iter().fold(size, |m, t| m.max(t.abs()));
                 worst = worst.max((sum - *first.get_or_insert(sum)).abs());

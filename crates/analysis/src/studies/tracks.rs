@@ -221,8 +221,9 @@ impl Run<'_> {
             )
         };
         let one = |group: &[f64]| {
-            let at = written(group[group.len() / 2], parameter);
-            let name = &parameter.name;
+            let value = crate::fault::ten_digits(group[group.len() / 2]);
+            let unit = if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) };
+            let (at, name) = (Text::new(format!("{}{unit}", value.en), format!("{}{unit}", value.ru)), &parameter.name);
             Text::new(
                 format!("no equilibrium was found at {name} = {} (it may run to infinity there); {}", at.en, roots.0),
                 format!("при {name} = {} равновесие не найдено (возможно, оно уходит там в бесконечность); {}", at.ru, roots.1),

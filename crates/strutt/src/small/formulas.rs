@@ -80,8 +80,9 @@ pub fn write(equations: &Equations, small: &Small) -> Option<Written> {
             let wave = waveform(&linear, *form, &mut graph);
             let mean = means[*form].1;
             // the mean stands in the equilibrium
-            let swing = graph.sub(wave, mean);
-            waves.push(graph.mul(factors[i], swing));
+            waves.push(graph.mul(factors[i], wave));
+            let level = graph.mul(factors[i], mean);
+            waves.push(graph.neg(level));
         }
         let right = graph.sum(&waves);
         if graph.reachable(&[left, right]).len() > LONGEST {
