@@ -149,7 +149,8 @@ pub fn curved(machine: &LinearMachine, place: &Place, whole: &Values, seen: &[Se
     if x.iter().any(|z| !magnitude(*z).is_finite()) {
         return off;
     }
-    let (mut reach, mut size) = (off.clone(), off.clone());
+    let (mut reach, mut size, mut terms) = (off.clone(), off.clone(), off.clone());
+    let reaches = |g: &[f64], v: &[f64]| g.iter().zip(v).map(|(g, v)| (g * v).abs()).sum::<f64>();
     let sum = |g: &[f64], v: &[f64]| g.iter().zip(v).map(|(g, v)| g * v).sum::<f64>();
     let Ok(rest) = machine.values(whole, place) else { return off };
     for turn in 0..INSTANTS {
@@ -166,6 +167,8 @@ pub fn curved(machine: &LinearMachine, place: &Place, whole: &Values, seen: &[Se
         let Ok(there) = machine.values(whole, &at) else { return vec![f64::INFINITY; seen.len()] };
         for (k, s) in seen.iter().enumerate() {
             let line = sum(&s.by_place, &away) + sum(&s.by_rate, &rates) + sum(&s.by_acceleration, &accelerations);
+            let long = reaches(&s.by_place, &away) + reaches(&s.by_rate, &rates) + reaches(&s.by_acceleration, &accelerations);
+            terms[k] = terms[k].max(long + there[k].abs());
             reach[k] = reach[k].max(line.abs());
             size[k] = size[k].max(there[k].abs());
             off[k] = off[k].max((there[k] - rest[k] - line).abs());
@@ -173,7 +176,7 @@ pub fn curved(machine: &LinearMachine, place: &Place, whole: &Values, seen: &[Se
     }
     // formulas over reactions are zero here and have no measure
     let share = |k: usize| match () {
-        () if size[k] == 0.0 || off[k] <= BENT * reach[k] || off[k] <= 1e-12 * size[k] => 0.0,
+        () if size[k] == 0.0 || off[k] <= BENT * reach[k] || off[k] <= 1e-12 * terms[k] => 0.0,
         () if reach[k] == 0.0 => f64::INFINITY,
         () => off[k] / reach[k],
     };
