@@ -47,7 +47,7 @@ fn read(text: &str) -> Model {
 }
 
 fn with(mut model: Model, table: &'static str, kind: ConnectionKind) -> Equations {
-    model.connections.push(Connection { name: "K".into(), table, kind, span: 0..0 });
+    model.connections.push(Connection { name: "K".into(), table, kind, unit: String::new(), span: 0..0 });
     derive_in(&model, Detail::Equations).unwrap_or_else(|e| panic!("{e:?}"))
 }
 
@@ -170,7 +170,7 @@ fn rods_ropes_and_wheels_agree() {
     // wheels whose axes a rod keeps at their distance; the line of centres turns
     let ends = [PointRef::Origin(ONE), PointRef::Origin(TWO)];
     let kind = ConnectionKind::Rod { between: ends, length: Rest::Start };
-    model.connections.push(Connection { name: "R".into(), table: "rods", kind, span: 0..0 });
+    model.connections.push(Connection { name: "R".into(), table: "rods", kind, unit: String::new(), span: 0..0 });
     for (table, opposite) in [("belts", false), ("belts", true), ("gears", true), ("gears", false)] {
         for carrier in [None, Some(FrameId::GROUND)] {
             let kind = ConnectionKind::Wheels { between: [ONE, TWO], radii: [r, s], opposite, carrier };
@@ -187,7 +187,7 @@ fn wheels_whose_axes_part_are_refused() {
     let mut model = read(BODIES);
     let r = number(&mut model, "0.3");
     let kind = ConnectionKind::Wheels { between: [ONE, TWO], radii: [r, r], opposite: true, carrier: None };
-    model.connections.push(Connection { name: "K".into(), table: "gears", kind, span: 0..0 });
+    model.connections.push(Connection { name: "K".into(), table: "gears", kind, unit: String::new(), span: 0..0 });
     let codes: Vec<&str> = derive_in(&model, Detail::Equations).unwrap_err().iter().map(|d| d.code).collect();
     assert_eq!(codes, ["M118"]);
 }
@@ -295,7 +295,7 @@ fn joints_of_a_resting_structure_have_balances_only() {
     ));
     let directions = vec![SupportDirection::X, SupportDirection::Y];
     let kind = ConnectionKind::Support { at: PointRef::Origin(ONE), directions, axes: FrameId::GROUND, on: None };
-    model.connections.push(Connection { name: "A".into(), table: "supports", kind, span: 0..0 });
+    model.connections.push(Connection { name: "A".into(), table: "supports", kind, unit: String::new(), span: 0..0 });
     let kind = ConnectionKind::Pin { between: [PointRef::Point(PointId(0)), PointRef::Origin(TWO)], axes: FrameId::GROUND };
     let equations = with(model, "pins", kind);
     assert_eq!(equations.balances.len(), 6);
