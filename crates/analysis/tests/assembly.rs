@@ -38,7 +38,7 @@ fn published_angle_that_does_not_close_is_answered_by_the_one_that_does() {
     let fault = refused(&hoist(Start::Given(1.69)));
     assert_eq!(fault.code, "S015");
     assert!(fault.help.en.contains("phi2 = 1.694108602 rad"), "{fault}");
-    assert!(fault.help.ru.contains("phi2 = 1,694108602 rad"), "{}", fault.help.ru);
+    assert!(fault.help.ru.contains("phi2 = 1,694108602 рад"), "{}", fault.help.ru);
     assert!(fault.what.en.contains("piston on its line"));
     // the printed value may be typed in
     let machine = assembled(&hoist(Start::Given(1.694108602))).unwrap();

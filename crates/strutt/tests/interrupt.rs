@@ -34,14 +34,14 @@ fn ctrl_c_and_requests_to_end_keep_what_is_done() {
     }
 }
 
-/// A study of a hundred million points that listens to nobody is not waited for.
+/// A study of a million points that listens to nobody is not waited for.
 #[test]
 fn a_calculation_that_does_not_listen_is_left() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("deaf");
     std::fs::create_dir_all(&folder).unwrap();
     let text = std::fs::read_to_string(gallery("gyroscopic-rotor")).unwrap();
     let model = folder.join("model.toml");
-    std::fs::write(&model, text.replace("points = 121", "points = 100000000")).unwrap();
+    std::fs::write(&model, text.replace("points = 121", "points = 1000000")).unwrap();
     let mut child = Command::new(assert_cmd::cargo::cargo_bin!("strutt"))
         .arg("run")
         .arg(&model)

@@ -90,6 +90,9 @@ pub(crate) fn judge_bound(g: &[f64], h: f64, scale: f64) -> BoundState {
     }
 }
 
+/// Largest share of what a guard does that counts as its rounding.
+const PLAUSIBLE: f64 = 1e-6;
+
 impl<S: System + ?Sized> Flow<'_, S> {
     pub(super) fn has_contacts(&self) -> bool {
         self.system.guards().iter().any(|g| matches!(g.kind, GuardKind::Friction { .. } | GuardKind::Contact { .. }))
@@ -197,10 +200,25 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// What is nothing at the contacts and frictions of the present state and modes.
     fn weigh(&mut self) {
         for (i, tie) in self.system.ties(self.now.high, &self.x, &self.modes) {
+            if !self.is_rounding(i, tie) {
+                continue;
+            }
             let own = &mut self.ties[i];
             *own =
                 Tie { rate: own.rate.max(tie.rate), acceleration: own.acceleration.max(tie.acceleration), force: own.force.max(tie.force) };
         }
+    }
+
+    /// Whether a tie is small beside what the guard does. Where a condition has no direction (a slider in its dead centre) its force, and all that is computed
+    /// from it, has no digits.
+    fn is_rounding(&self, i: usize, tie: Tie) -> bool {
+        let g = self.system.guard(i);
+        let change = g.get(1..).map_or(0.0, |rest| size(rest, self.natural) * self.natural);
+        let effect = match self.system.guards()[i].kind {
+            GuardKind::Contact { .. } => 0.5 * tie.acceleration * self.natural * self.natural,
+            _ => tie.acceleration * self.natural,
+        };
+        effect <= PLAUSIBLE * self.guard_scale[i].max(change)
     }
 
     /// The same for the owner of a bound; whether more counts as nothing now.

@@ -452,7 +452,7 @@ impl Conditions {
         let mass = &self.values[self.roots.mass.clone()];
         let at = |i: usize, j: usize| mass[i.max(j) * (i.max(j) + 1) / 2 + i.min(j)];
         let full: Vec<f64> = (0..n * n).map(|k| at(k / n, k % n)).collect();
-        if let Some(factor) = cholesky(&full, n) {
+        if let Some(factor) = Some(()).filter(|()| is_firm(&full, n)).and_then(|()| cholesky(&full, n)) {
             return factor;
         }
         let mut widened = full;
@@ -502,6 +502,26 @@ fn rebound(law: &Law) -> Option<Rebound> {
 enum Level {
     Place,
     Rate,
+}
+
+/// Whether every motion has inertia: elimination with the largest share first, so that what is left at last is the rounding of few steps.
+fn is_firm(matrix: &[f64], n: usize) -> bool {
+    let root: Vec<f64> = (0..n).map(|i| matrix[i * n + i].sqrt()).collect();
+    let mut a: Vec<f64> = (0..n * n).map(|k| matrix[k] / (root[k / n] * root[k % n])).collect();
+    let mut left: Vec<usize> = (0..n).collect();
+    while let Some(k) = (0..left.len()).max_by(|i, j| a[left[*i] * (n + 1)].total_cmp(&a[left[*j] * (n + 1)])) {
+        let pivot = left.swap_remove(k);
+        let size = a[pivot * (n + 1)];
+        if size.is_nan() || size <= 1e-12 {
+            return false;
+        }
+        for &i in &left {
+            for &j in &left {
+                a[i * n + j] -= a[i * n + pivot] * a[pivot * n + j] / size;
+            }
+        }
+    }
+    true
 }
 
 /// Lower factor C of a symmetric positive definite matrix C C'; none when it is not.

@@ -116,7 +116,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         Err(self.underflow())
     }
 
-    fn underflow(&self) -> Fault {
+    pub(super) fn underflow(&self) -> Fault {
         let places = self.system.states().iter().zip(&self.x).take(self.system.n_coordinates());
         Fault::underflow(&self.fastest(), self.now.high).in_configuration(&crate::machine::configuration(places))
     }

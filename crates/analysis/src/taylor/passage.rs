@@ -46,6 +46,9 @@ const STILL: f64 = 1e-6;
 const NOISE: f64 = 4.0 * f64::EPSILON;
 /// How far the rates behind it may be from the equations, in these errors.
 const DEFECT: f64 = 1e3;
+/// Growth of the fastest rate on the way to a point that is no change point: along a branch of assembly rates stay, at the end of a reach they grow like
+/// the inverse of the margin.
+const RUNAWAY: f64 = 10.0;
 const GOLDEN: f64 = 0.381_966_011_250_105;
 /// Halvings and golden sections.
 const SECTIONS: usize = 48;
@@ -58,6 +61,8 @@ pub(super) struct Passage {
     here: f64,
     /// Least margin known within the present step.
     least: f64,
+    /// Fastest rate where the margin was last a good one.
+    pace: f64,
     /// Instant of the last change point passed; long ago where there was none.
     behind: Option<Instant>,
     /// The change point that the present step leads over.
@@ -86,6 +91,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let Some(here) = self.margin(0.0) else { return Ok(h) };
         let best = self.passage.best.max(here);
         (self.passage.here, self.passage.best, self.passage.least) = (here, best, here);
+        if here >= FINE * best {
+            self.passage.pace = self.fastest_rate();
+        }
         if here < BLIND * best {
             return Err(self.at_change_point(0.0));
         }
@@ -321,7 +329,16 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if of_the_position && least < BLIND * best { self.at_change_point(0.0) } else { fault }
     }
 
+    fn fastest_rate(&self) -> f64 {
+        let n = self.system.n_coordinates();
+        self.x[n..2 * n].iter().fold(0.0_f64, |m, rate| m.max(rate.abs()))
+    }
+
+    /// The fault of a change point; of the end of a reach, where rates grow without bound.
     fn at_change_point(&self, to: f64) -> Fault {
+        if self.fastest_rate() > RUNAWAY * self.passage.pace {
+            return self.underflow();
+        }
         let place = |i: usize| {
             let c = self.step.states.row(i);
             c[0] + step::increment(c, to)

@@ -48,6 +48,9 @@ fn value(layout: &Layout) -> Option<f64> {
                 "arccos" => "acos",
                 "arctan" => "atan",
                 "ln" => "log",
+                "arsinh" => "asinh",
+                "arcosh" => "acosh",
+                "artanh" => "atanh",
                 other => other,
             };
             let exponent = power.as_ref().map_or(1, |p| p.parse().unwrap());
