@@ -46,9 +46,9 @@ const STILL: f64 = 1e-6;
 const NOISE: f64 = 4.0 * f64::EPSILON;
 /// How far the rates behind it may be from the equations, in these errors.
 const DEFECT: f64 = 1e3;
-/// Growth of the fastest rate on the way to a point that is no change point: along a branch of assembly rates stay, at the end of a reach they grow like
-/// the inverse of the margin.
-const RUNAWAY: f64 = 10.0;
+/// Change of the fastest rate within the distance of the singularity, as a share of it: 1/2 at the end of a reach, where q - q* goes like a square root; on
+/// the way into a change point it vanishes with the distance.
+const RUNAWAY: f64 = 0.2;
 const GOLDEN: f64 = 0.381_966_011_250_105;
 /// Halvings and golden sections.
 const SECTIONS: usize = 48;
@@ -61,8 +61,6 @@ pub(super) struct Passage {
     here: f64,
     /// Least margin known within the present step.
     least: f64,
-    /// Fastest rate where the margin was last a good one.
-    pace: f64,
     /// Instant of the last change point passed; long ago where there was none.
     behind: Option<Instant>,
     /// The change point that the present step leads over.
@@ -91,9 +89,6 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let Some(here) = self.margin(0.0) else { return Ok(h) };
         let best = self.passage.best.max(here);
         (self.passage.here, self.passage.best, self.passage.least) = (here, best, here);
-        if here >= FINE * best {
-            self.passage.pace = self.fastest_rate();
-        }
         if here < BLIND * best {
             return Err(self.at_change_point(0.0));
         }
@@ -329,14 +324,19 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if of_the_position && least < BLIND * best { self.at_change_point(0.0) } else { fault }
     }
 
-    fn fastest_rate(&self) -> f64 {
-        let n = self.system.n_coordinates();
-        self.x[n..2 * n].iter().fold(0.0_f64, |m, rate| m.max(rate.abs()))
+    /// Whether the rates grow without bound towards the singularity that ends the convergence of the series.
+    fn runs_out(&self) -> bool {
+        let (n, p) = (self.system.n_coordinates(), self.step.order);
+        let rate = |i: &usize| self.step.states.row(*i)[1].abs();
+        let Some(i) = (0..n).filter(|_| p > 4).max_by(|a, b| rate(a).total_cmp(&rate(b))) else { return false };
+        let c = self.step.states.row(i);
+        let distance = (c[p - 1] / c[p]).abs();
+        2.0 * c[2].abs() * distance > RUNAWAY * c[1].abs()
     }
 
     /// The fault of a change point; of the end of a reach, where rates grow without bound.
     fn at_change_point(&self, to: f64) -> Fault {
-        if self.fastest_rate() > RUNAWAY * self.passage.pace {
+        if self.runs_out() {
             return self.underflow();
         }
         let place = |i: usize| {
