@@ -60,7 +60,7 @@ impl Motion {
     fn of(path: &Path) -> Option<Motion> {
         let name = path.parent()?.file_name()?.to_string_lossy().into_owned();
         let source = Source::open(&path.to_string_lossy()).ok()?;
-        let mut machine = pipeline::build(&source, &[], &mut Watch::default()).ok()?;
+        let machine = pipeline::build(&source, &[], &mut Watch::default()).ok()?;
         let study = plan::simulation(&machine.model, &machine.equations, plan::Wishes::default()).ok()?;
         let start = machine.system.start().ok()?;
         Some(Motion { name, start, until: study.until, tolerance: study.tolerance, machine })

@@ -415,7 +415,7 @@ impl LinearMachine {
 
     /// q'' of the motion with the place's q and q' where nothing connects, from M q'' = h.
     ///
-    /// An acceleration below what [`BALANCED`] of the terms of h, and of M q'', make of it through M⁻¹ is zero: in a steady motion (relative equilibrium)
+    /// An acceleration below what `BALANCED` of the terms of h, and of M q'', make of it through M⁻¹ is zero: in a steady motion (relative equilibrium)
     /// large terms cancel, and their rounding must not enter C by ∂(M q'')/∂q. None where M is singular.
     ///
     /// *Errors*: an entry has no finite value.
@@ -523,11 +523,11 @@ impl LinearMachine {
     /// *Errors*: one of them has no finite value.
     pub fn values_at(&self, prepared: &Values, places: &[Place]) -> Result<Vec<Vec<f64>>, Fault> {
         let mut evaluator = Evaluator::new(&prepared.0, &self.values)?;
-        let mut one = |place: &Place| -> Result<Vec<f64>, Fault> {
+        let one = |place: &Place| -> Result<Vec<f64>, Fault> {
             let states = self.states(place);
             Ok(evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec())
         };
-        places.iter().map(|p| one(p)).collect()
+        places.iter().map(one).collect()
     }
 
     /// The mean forces, their derivatives by parameters (parameter by parameter), and the reach of the reactions, as prepared expressions.

@@ -41,7 +41,7 @@ impl<'a> Track<'a> {
     /// Nothing while no contact presses a friction.
     fn state(&self) -> Option<State> {
         let idle = !self.pressed.is_empty() && self.pressed.iter().all(|(_, closed)| !closed);
-        (!idle).then(|| match self.now {
+        (!idle).then_some(match self.now {
             "closed" | "taut" => State::Closed,
             "open" | "slack" => State::Open,
             "forward" => State::Forward,

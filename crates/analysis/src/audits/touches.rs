@@ -10,7 +10,7 @@
 //! step begins and ends and within it, which takes in both sides of every event; gaps and forces that the integrator follows as polynomials are looked at along
 //! the whole step.
 //!
-//! Scales: a force counts against the largest of its own contact or friction so far, at least [`WEAK`] of the largest of the machine; a gap, a rate and an acceleration
+//! Scales: a force counts against the largest of its own contact or friction so far, at least `WEAK` of the largest of the machine; a gap, a rate and an acceleration
 //! against the terms that meet in them, the last also against the one that the contact would have without its force.
 
 use symbolic::Text;

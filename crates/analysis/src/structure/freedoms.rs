@@ -69,14 +69,13 @@ impl<S: Scalar> Freedoms<S> {
             false => 3 * rod.ends[end] + 2,
         };
         let mut start = [3 * rod.ends[0], 3 * rod.ends[0] + 1, turn(self, 0)];
-        for i_part in 0..n {
+        for (i_part, (from, length)) in pieces.into_iter().enumerate() {
             let last = i_part + 1 == n;
             let end = match last {
                 true => [3 * rod.ends[1], 3 * rod.ends[1] + 1, turn(self, 1)],
                 false => [0, 1, 2].map(|k| self.add(Freedom::Inner(i_rod, i_part, k))),
             };
             let freedoms = [start[0], start[1], start[2], end[0], end[1], end[2]];
-            let (from, length) = pieces[i_part].clone();
             self.parts.push(Part { rod: i_rod, from, length, freedoms, ground_axes: [i_part == 0, last] });
             start = end;
         }

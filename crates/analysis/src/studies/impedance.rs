@@ -3,7 +3,7 @@
 //! Beside such a frequency, at ω + δ, X = P/δ + X₀ + O(δ) with A₀ P = 0, A₁ P + A₀ X₀ = F and A₁ X₀ + A₀ X₁ = M P, where A₀ is the matrix
 //! at ω and A₁ = -2 ω M + i B its derivative. Quantities that P does not move are finite and follow X₀, the limit of their amplitudes; all
 //! others are infinite, real and imaginary part each on its own. A load that does no work on the free oscillation has P = 0. Machines that nothing
-//! holds at ω = 0 and near it: [`super::free_motion`].
+//! holds at ω = 0 and near it: `free_motion`.
 //!
 //! Solutions are refined with residuals in twice the digits: where a damper or a spring is 10¹³ times as strong as the others plain elimination leaves few digits.
 //! *Source*: N. J. Higham, Accuracy and Stability of Numerical Algorithms, ch. 12.

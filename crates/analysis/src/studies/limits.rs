@@ -141,7 +141,7 @@ pub fn bent(machine: &mut LinearMachine, place: &Place, omega: f64, x: &[Complex
 }
 
 /// How far each output leaves its straight line within the amplitudes X at ω, as a share of what the line does; zero where the line holds to
-/// [`BENT`]. `whole` are the formulas of the outputs, `seen` their lines.
+/// `BENT`. `whole` are the formulas of the outputs, `seen` their lines.
 ///
 /// *Errors*: none; a formula without a value within the amplitudes counts as infinitely far.
 pub fn curved(machine: &LinearMachine, place: &Place, whole: &Values, seen: &[Seen], (omega, x): (f64, &[Complex])) -> Vec<f64> {

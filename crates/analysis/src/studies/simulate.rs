@@ -569,8 +569,9 @@ impl Run {
         }
         let place = (step.start.until(t) - to) / around;
         let n = self.chosen.len();
-        for k in 0..n {
-            let value = |i: usize| sides[i][k];
+        let columns = (0..n).map(|k| [0, 1, 2, 3].map(|i: usize| sides[i][k]));
+        for (k, column) in columns.enumerate() {
+            let value = |i: usize| column[i];
             let (far, near) = ((value(3) - value(0)).abs(), (value(2) - value(1)).abs());
             let size = (0..4).map(|i| value(i).abs()).fold(0.0, f64::max);
             if near > 0.75 * far + LIMIT * size || !size.is_finite() {

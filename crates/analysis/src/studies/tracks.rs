@@ -161,6 +161,9 @@ fn worth_following(mode: &Mode) -> bool {
     mode.kind == Kind::Oscillation || mode.kind == Kind::RigidBody
 }
 
+/// Modes, and M.
+type Found = (Vec<Mode>, Vec<f64>);
+
 struct Run<'m> {
     machine: &'m mut LinearMachine,
     parameter: usize,
@@ -180,7 +183,7 @@ const ONE_PLACE: f64 = 1e-3;
 
 impl Run<'_> {
     /// The same; none where there is no equilibrium and the matrices depend on the place.
-    fn known(&mut self, value: f64) -> Result<Option<(Vec<Mode>, Vec<f64>)>, Fault> {
+    fn known(&mut self, value: f64) -> Result<Option<Found>, Fault> {
         match self.modes(value) {
             Err(fault) if fault.code == LOST => Ok(None),
             found => found.map(Some),
@@ -233,7 +236,7 @@ impl Run<'_> {
     }
 
     /// The modes at a value of the parameter, and M.
-    fn modes(&mut self, value: f64) -> Result<(Vec<Mode>, Vec<f64>), Fault> {
+    fn modes(&mut self, value: f64) -> Result<Found, Fault> {
         self.machine.set(self.parameter, value)?;
         self.settle(value)?;
         let matrices = self.machine.at(&self.place)?;
