@@ -239,7 +239,7 @@ fn kind(equations: &Equations, program: &Program, guard: usize) -> GuardKind {
     use program::GuardKind as Kind;
     match program.guards[guard].kind {
         Kind::Sliding { limits, .. } => GuardKind::Friction { limits, pressed: pressing(equations, program, guard) },
-        Kind::Normal { .. } => GuardKind::Normal,
+        Kind::Normal { reaction } => GuardKind::Normal { of: program.switches.get(reaction).copied().flatten().unwrap_or(guard) },
         Kind::Share { of, .. } => GuardKind::Share { of },
         Kind::Side { of, .. } => GuardKind::Side { of },
         Kind::Limit { of, exit, .. } => GuardKind::Bound { of, exit: returned(exit) },

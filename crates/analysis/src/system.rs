@@ -100,7 +100,10 @@ pub enum GuardKind {
         force: usize,
     },
     /// Sign of a normal force that follows from the reactions. It jumps where modes change.
-    Normal,
+    Normal {
+        /// The guard of its friction.
+        of: usize,
+    },
     /// Whether contact or friction `of` carries its own condition (`Positive`), or others that hold the same motion carry it (`Zero`).
     Share {
         /// The guard it belongs to.

@@ -61,6 +61,11 @@ proptest! {
     }
 
     #[test]
+    fn any_range(range in "[ \u{a0}]{0,3}[a-zφ²ωm']{0,4}[ \u{a0}]{0,3}=[ 0-9a-zφ².,;()]{0,20}") {
+        check(&STUDIES.replace("v=linspace(1 m/s, 3 m/s, 21)", &range))?;
+    }
+
+    #[test]
     fn mutated_files(which in 0usize..3, cuts in prop::collection::vec((0usize..4000, 0usize..40, 0usize..4000, 0u8..3), 1..5)) {
         let mut text = [FULL, CONNECTIONS, STUDIES][which].to_owned();
         for (at, length, from, how) in cuts {

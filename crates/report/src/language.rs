@@ -120,7 +120,7 @@ words! {
     After: "After", "После";
     Impulse: "Impulse, SI", "Импульс, СИ";
     Impacts: "impacts", "ударов";
-    StateClosed: "closed, taut", "замкнут, натянута";
+    StateClosed: "closed, taut", "замкнут, натянут";
     StateOpen: "open, slack", "разомкнут, провисает";
     StateSticks: "sticks", "залипание";
     StateForward: "slides forward", "скользит вперёд";

@@ -115,7 +115,7 @@ fn word(state: &str, language: Language) -> &'static str {
         "open" => ("open", "разомкнут"),
         "closed" => ("closed", "замкнут"),
         "slack" => ("slack", "провисает"),
-        "taut" => ("taut", "натянута"),
+        "taut" => ("taut", "натянут"),
         "forward" => ("slides forward", "скользит вперёд"),
         "backward" => ("slides back", "скользит назад"),
         _ => ("sticks", "залипание"),

@@ -516,7 +516,7 @@ pub fn holding(equations: &Equations, language: Language) -> Vec<Option<String>>
         };
         let name = language.text(&reaction.label);
         match reaction.law {
-            Law::Contact { tie: true, .. } => Some(format!("{name}, {}", language.pick("while it is taut", "пока натянута"))),
+            Law::Contact { tie: true, .. } => Some(format!("{name}, {}", language.pick("while it is taut", "пока связь натянута"))),
             Law::Contact { .. } => Some(format!("{name}, {}", language.pick("while it is closed", "пока контакт замкнут"))),
             Law::Friction(_) => Some(format!("{name}, {}", language.pick("while it sticks", "пока нет скольжения"))),
             _ => None,

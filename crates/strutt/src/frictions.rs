@@ -5,7 +5,7 @@ use symbolic::connections::{Friction, Law, Normal};
 use symbolic::equations::Equality;
 use symbolic::{Equations, Expr, Function, Graph, SymbolId};
 
-/// Two lines a friction: λ = μ |N| sign v while it slides, |λ| = μ₀ |N| where it breaks away. Nothing when the equations are not shown.
+/// Two lines a friction: λ = μ |N| sign v while it slides, |λ| ≤ μ₀ |N| while it sticks. Nothing when the equations are not shown.
 pub fn laws(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
     if equations.textbook.is_err() {
         return Vec::new();
@@ -14,9 +14,9 @@ pub fn laws(equations: &Equations, printer: &Printer, form: Form) -> Vec<String>
     let mut lines = Vec::new();
     for reaction in &equations.reactions {
         if let Law::Friction(friction) = &reaction.law {
-            for equality in law(equations, &mut graph, friction, reaction.symbol) {
-                lines.push(printer.equality(&graph, equality, None, form));
-            }
+            let [sliding, sticking] = law(equations, &mut graph, friction, reaction.symbol);
+            lines.push(printer.equality(&graph, sliding, None, form));
+            lines.push(printer.at_most(&graph, sticking, form));
         }
     }
     lines

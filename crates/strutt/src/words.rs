@@ -41,7 +41,7 @@ report::words! {
     WhereText: "where", "где";
     Connections: "Equations of the connections", "Уравнения связей";
     Reactions: "Reactions", "Реакции";
-    FrictionLaws: "Dry friction: while it slides, and the limit at rest", "Сухое трение: при скольжении и предел при покое";
+    FrictionLaws: "Dry friction: the force while it slides, its limit while it sticks", "Сухое трение: сила при скольжении и предел при покое";
     Columns: "Quantities", "Величины";
     ClosedForm: "Motion in closed form", "Движение в замкнутой форме";
     AtStart: "at the start", "в начале";

@@ -109,8 +109,8 @@ impl InteriorDefect {
     /// The audit, or none when the system cannot be evaluated.
     pub fn audit(&self, tolerance: f64) -> Option<Audit> {
         let name = Text::new(
-            "defect x' - f inside the steps: largest relative to the state",
-            "невязка x' - f внутри шагов: наибольшая относительно состояния",
+            "defect x' − f inside the steps: largest relative to the state",
+            "невязка x' − f внутри шагов: наибольшая относительно состояния",
         );
         let worst = self
             .found

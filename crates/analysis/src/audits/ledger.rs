@@ -241,8 +241,8 @@ impl Ledger {
     /// The audit; none when the system has no energies or did not move in time.
     pub fn audit(&self) -> Option<Audit> {
         let name = Text::new(
-            "energy ledger: largest |E - E(0) - work| relative to the energy that passed",
-            "баланс энергии: наибольшее |E - E(0) - работа| относительно прошедшей энергии",
+            "energy ledger: largest |E − E(0) − work| relative to the energy that passed",
+            "баланс энергии: наибольшее |E − E(0) − работа| относительно прошедшей энергии",
         );
         let limit = (self.steps as f64 * self.tolerance).clamp(LEAST, MOST);
         (self.known && self.steps > 0).then(|| Audit::at_most("energy_ledger", name, self.found.worst(), limit))

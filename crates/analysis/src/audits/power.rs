@@ -117,8 +117,8 @@ impl PowerBalance {
     /// The audit, or none when the system has no energies or did not move.
     pub fn audit(&self, tolerance: f64) -> Option<Audit> {
         let name = Text::new(
-            "power balance dE/dt = supplied - dissipated: largest relative residual",
-            "баланс мощностей dE/dt = подведённая - рассеянная: наибольшая относительная невязка",
+            "power balance dE/dt = supplied − dissipated: largest relative residual",
+            "баланс мощностей dE/dt = подведённая − рассеянная: наибольшая относительная невязка",
         );
         (self.known && self.taken > 0).then(|| Audit::at_most("power_balance", name, self.found.worst(), (1e3 * tolerance).max(1e-9)))
     }

@@ -106,7 +106,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 // a rebound was decided with the impact
                 GuardKind::Friction { .. } | GuardKind::Contact { .. } => {}
                 // its sign follows; that it has just vanished is known
-                GuardKind::Normal => {}
+                GuardKind::Normal { .. } => {}
                 GuardKind::Share { .. } | GuardKind::Side { .. } => self.touched[i] = false,
                 GuardKind::Switch if self.modes[i] == Mode::Zero => {
                     self.touched[i] |= guard.scheduled.is_none() && !self.system.guard(i).is_empty();
@@ -199,7 +199,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     }
 
     fn is_choice(&self, i: usize) -> bool {
-        !matches!(self.system.guards()[i].kind, GuardKind::Normal | GuardKind::Share { .. } | GuardKind::Side { .. })
+        !matches!(self.system.guards()[i].kind, GuardKind::Normal { .. } | GuardKind::Share { .. } | GuardKind::Side { .. })
     }
 
     pub(super) fn no_modes(&self, guard: usize) -> Fault {
@@ -332,13 +332,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.work.switches += self.switches.len() as u64;
     }
 
-    /// The normal force of a friction that contacts alone press: it keeps its sign.
-    fn is_of_contacts(&self, normal: usize) -> bool {
-        let guards = self.system.guards();
-        let own = |g: &crate::Guard| {
-            g.name == guards[normal].name && matches!(&g.kind, GuardKind::Friction { pressed, .. } if !pressed.is_empty())
-        };
-        guards.iter().any(own)
+    /// Whether contacts alone press a friction: its normal force keeps its sign.
+    fn is_of_contacts(&self, friction: usize) -> bool {
+        matches!(&self.system.guards()[friction].kind, GuardKind::Friction { pressed, .. } if !pressed.is_empty())
     }
 
     /// Whether a change of mode means something to the user.
@@ -346,7 +342,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let (before, after) = (self.modes_before[guard], self.modes[guard]);
         match &self.system.guards()[guard].kind {
             GuardKind::Share { .. } | GuardKind::Side { .. } => false,
-            GuardKind::Normal => after == opposite(before) && after != Mode::Zero && !self.is_of_contacts(guard),
+            GuardKind::Normal { of } => after == opposite(before) && after != Mode::Zero && !self.is_of_contacts(*of),
             kind @ GuardKind::Friction { .. } => {
                 let were = [&self.modes_before, &self.modes].map(|modes| contacts::is_off(kind, modes));
                 before != after && !were[1] && !(were[0] && after != Mode::Zero)

@@ -132,7 +132,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         match self.system.guards()[i].kind {
             GuardKind::Switch => self.wanted_switch(i),
             GuardKind::Bound { .. } => Mode::Positive,
-            GuardKind::Normal => self.wanted_normal(i),
+            GuardKind::Normal { .. } => self.wanted_normal(i),
             GuardKind::Share { .. } | GuardKind::Side { .. } => self.modes[i],
             GuardKind::Friction { .. } if self.is_off(i) => self.wanted_unloaded(i),
             GuardKind::Friction { limits, .. } if self.modes[i] == Mode::Zero => self.wanted_sticking(limits),
@@ -144,7 +144,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// The present modes with the signs that the normal forces of the last expansion have.
     pub(super) fn signed(&self) -> Vec<Mode> {
-        let normal = |i: usize| self.system.guards()[i].kind == GuardKind::Normal;
+        let normal = |i: usize| matches!(self.system.guards()[i].kind, GuardKind::Normal { .. });
         (0..self.modes.len()).map(|i| if normal(i) { self.wanted_normal(i) } else { self.modes[i] }).collect()
     }
 
@@ -175,7 +175,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Number of leading coefficients of a guard that are zero but for rounding where the motion goes on in the present modes.
     pub(super) fn roots_here(&self, i: usize) -> usize {
         let guard = &self.system.guards()[i];
-        if guard.kind == GuardKind::Normal {
+        if matches!(guard.kind, GuardKind::Normal { .. }) {
             return match self.near_zero(i) {
                 Near::Leads(k, mode) if mode == self.modes[i] => k,
                 Near::Rests => self.system.guard(i).len(),
@@ -379,7 +379,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     pub(crate) fn largest_load<'g>(&self, guards: impl Fn(usize) -> &'g [f64], h: f64) -> f64 {
         let kinds = self.system.guards();
         let is_load = |i: &usize| match kinds[*i].kind {
-            GuardKind::Normal => true,
+            GuardKind::Normal { .. } => true,
             GuardKind::Bound { of, .. } => matches!(kinds[of].kind, GuardKind::Contact { .. }),
             _ => false,
         };

@@ -34,7 +34,7 @@ pub fn describe(switch: &Switch, guard: &Guard) -> Text {
             };
             told(en.into(), ru.into())
         }
-        (GuardKind::Normal, Change::Mode) => {
+        (GuardKind::Normal { .. }, Change::Mode) => {
             let sign = if switch.after == Mode::Negative {
                 ("negative", "отрицательной")
             } else {

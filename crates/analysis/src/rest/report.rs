@@ -312,10 +312,11 @@ fn verdicts(rows: &[Row]) -> Vec<Column> {
     };
     let stable = |r: &Row| r.stable.map_or(f64::NAN, |s| f64::from(u8::from(s)));
     let growth = Text::new("largest real part of a root", "наибольшая вещественная часть корня");
+    let growth = column("growth", "1/s", growth, &|r| r.growth);
     let negative = Text::new("directions in which the potential energy falls", "направлений убывания потенциальной энергии");
     vec![
         column("stable", "1", Text::new("1 stable, 0 unstable", "1 устойчиво, 0 неустойчиво"), &stable),
-        column("growth", "1/s", growth, &|r| r.growth),
+        Column { quantity: Quantity { symbol: "lambda".into(), ..growth.quantity }, ..growth },
         column("negative_directions", "1", negative, &|r| r.negative),
     ]
 }

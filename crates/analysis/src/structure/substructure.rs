@@ -16,6 +16,7 @@ use super::{Assembly, Frame, Load, dense, faults};
 use crate::Fault;
 use crate::numerics::certify::Certificate;
 use crate::numerics::eigen::Modes;
+use crate::numerics::factor::Factored;
 use crate::numerics::sparse::Sparse;
 use crate::studies::structure_modes::{compressed, lowest_dense, lowest_sparse};
 
@@ -139,22 +140,7 @@ impl Whole<'_> {
         let mut shapes: Vec<Vec<f64>> = (0..kept).map(|j| (0..n_q).map(|i| reduced.basis[i * kept + j]).collect()).collect();
         let loaded = self.named.iter().zip(&self.frame.displacements).filter(|(_, d)| d.loaded);
         for (row, _) in loaded {
-            let mut shape = row.clone();
-            factor.solve(&mut shape, 1);
-            let own = dot(row, &shape);
-            for _ in 0..2 {
-                let force = self.stiffness.product(&shape);
-                let shares: Vec<f64> = shapes.iter().map(|s| dot(s, &force)).collect();
-                let mut weights = dense::product(&reduced.flexibility, &shares[..kept], kept, kept, 1);
-                weights.extend(&shares[kept..]);
-                for (other, weight) in shapes.iter().zip(weights) {
-                    shape.iter_mut().zip(other).for_each(|(x, o)| *x -= weight * o);
-                }
-            }
-            let left = dot(&shape, &self.stiffness.product(&shape));
-            if left > NEW * own && shapes.len() < n_q {
-                shapes.push(shape.iter().map(|x| x / left.sqrt()).collect());
-            }
+            shapes.extend(self.beyond(row, &factor, &shapes, &reduced));
         }
         let n = shapes.len();
         let extended = |matrix: &[f64], new: f64| -> Vec<f64> {
@@ -187,23 +173,30 @@ impl Whole<'_> {
             shapes.push(modes.shape(j).iter().map(|x| x / value.sqrt()).collect());
         }
         for row in self.named.iter().chain(&self.loads) {
-            let mut shape = row.clone();
-            factor.solve(&mut shape, 1);
-            let own = dot(row, &shape);
-            for _ in 0..2 {
-                let force = k.product(&shape);
-                let shares: Vec<f64> = shapes.iter().map(|s| dot(s, &force)).collect();
-                for (other, share) in shapes.iter().zip(shares) {
-                    shape.iter_mut().zip(other).for_each(|(x, o)| *x -= share * o);
-                }
-            }
-            let left = dot(&shape, &k.product(&shape));
-            if left > NEW * own && shapes.len() < k.size() {
-                shapes.push(shape.iter().map(|x| x / left.sqrt()).collect());
-            }
+            shapes.extend(self.beyond(row, &factor, &shapes, &Reduced::default()));
         }
         let kept = modes.values.iter().copied().reduce(f64::max).map(f64::sqrt);
         Ok(Space { lost: true, kept, ..self.space(&shapes) })
+    }
+
+    /// What the static shape of a unit force along `row` adds to shapes, xᵀ K x = 1; nothing where it only repeats them. The first shapes are the columns of
+    /// condensed freedoms, the others orthonormal in K and to them.
+    fn beyond(&self, row: &[f64], factor: &Factored, shapes: &[Vec<f64>], condensed: &Reduced<f64>) -> Option<Vec<f64>> {
+        let (k, kept) = (&self.stiffness, condensed.n());
+        let mut shape = row.to_vec();
+        factor.solve(&mut shape, 1);
+        let own = dot(row, &shape);
+        for _ in 0..2 {
+            let force = k.product(&shape);
+            let shares: Vec<f64> = shapes.iter().map(|s| dot(s, &force)).collect();
+            let mut weights = dense::product(&condensed.flexibility, &shares[..kept], kept, kept, 1);
+            weights.extend(&shares[kept..]);
+            for (other, weight) in shapes.iter().zip(weights) {
+                shape.iter_mut().zip(other).for_each(|(x, o)| *x -= weight * o);
+            }
+        }
+        let left = dot(&shape, &k.product(&shape));
+        (left > NEW * own && shapes.len() < k.size()).then(|| shape.iter().map(|x| x / left.sqrt()).collect())
     }
 
     /// The space of shapes that are orthonormal in K.

@@ -1,5 +1,8 @@
 //! Motion from given initial values.
 
+mod blows;
+mod bridge;
+
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use symbolic::Text;
@@ -8,22 +11,22 @@ use crate::audits::blows::BlowLaws;
 use crate::audits::bodies::BodyBalance;
 use crate::audits::defect::InteriorDefect;
 use crate::audits::friction::FrictionWork;
-use crate::audits::impacts::{ImpactEnergy, drift, relative};
+use crate::audits::impacts::{ImpactEnergy, drift};
 use crate::audits::ledger::Ledger;
 use crate::audits::shared::Shared;
 use crate::audits::touches::TouchLaws;
 use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, released::ReleasedBalance, second::two_derivations};
 use crate::dataset::{Audit, Column, ContactChange, Counter, Dataset, Event, Standing};
+use crate::events::Change;
 use crate::events::words::{change, describe, standing};
-use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
 use crate::marks::Along;
 use crate::marks::extremes::Extremes;
 use crate::marks::named::{Happened, Named, Watcher};
 use crate::marks::pushes::{Push, Pushes};
 use crate::stiff::Method;
-use crate::taylor::{Flow, Options, Step, TOLERANCES, Work, check_tolerance, order_for};
-use crate::{Fault, GuardKind, Mode, Quantity, System};
+use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance, order_for};
+use crate::{Fault, Mode, Quantity, System};
 
 /// Times at which results are wanted.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -109,10 +112,6 @@ pub struct Outcome {
 /// Most events that are kept one by one.
 const EVENTS: usize = 100_000;
 const AUTO: usize = 1000;
-/// Where values around a change point are taken, in units of the stretch in which conditions are not closed.
-const BRIDGE: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
-/// Rounding of forces at these places, relative to their size.
-const LIMIT: f64 = 1e-8;
 /// Steps between looks at the pace.
 const PACE: u64 = 1024;
 /// Looks in a row at which the run needs too many steps before it is given up.
@@ -548,41 +547,6 @@ impl Run {
         Ok(())
     }
 
-    /// Values in a change point, where forces follow from no equation: the cubic through both sides.
-    ///
-    /// *Errors*: S059 for what grows towards the point instead of having a limit.
-    fn bridge<S: System + ?Sized>(
-        &mut self,
-        system: &mut S,
-        (step, [to, around]): (&Step, [f64; 2]),
-        t: f64,
-        row: usize,
-    ) -> Result<(), Fault> {
-        let mut sides: Vec<Vec<f64>> = Vec::new();
-        for node in BRIDGE {
-            let tau = to + node * around;
-            let at = step.start.after(tau).high;
-            step.state_after(tau, &mut self.x);
-            system.project(at, &mut self.x, &step.modes)?;
-            system.observe(at, &self.x, &step.modes, &mut self.all)?;
-            sides.push(self.chosen.iter().map(|&i| self.all[i]).collect());
-        }
-        let place = (step.start.until(t) - to) / around;
-        let n = self.chosen.len();
-        let columns = (0..n).map(|k| [0, 1, 2, 3].map(|i: usize| sides[i][k]));
-        for (k, column) in columns.enumerate() {
-            let value = |i: usize| column[i];
-            let (far, near) = ((value(3) - value(0)).abs(), (value(2) - value(1)).abs());
-            let size = (0..4).map(|i| value(i).abs()).fold(0.0, f64::max);
-            if near > 0.75 * far + LIMIT * size || !size.is_finite() {
-                return Err(Fault::blind(&self.outputs[k].name, t));
-            }
-            self.table[row * n + k] = (0..4).map(|i| value(i) * lagrange(i, place)).sum();
-        }
-        self.extremes.offer_row(t, &self.table[row * n..(row + 1) * n]);
-        Ok(())
-    }
-
     fn fill<S: System + ?Sized>(&mut self, system: &mut S, t: f64, row: usize, modes: &[Mode]) -> Result<(), Fault> {
         system.observe(t, &self.x, modes, &mut self.all)?;
         let n = self.chosen.len();
@@ -625,50 +589,6 @@ impl Run {
             self.events.push(Event { t: switch.t, name: String::new(), what, guard: switch.guard, sides, states, outputs, contact });
         }
         Ok(())
-    }
-
-    /// The laws of the impact of this instant; one that stands for infinitely many that follow has their momenta as well, one with a jump of prescribed
-    /// velocities those of the drives.
-    fn judge_blow<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) {
-        if flow.switches().iter().any(|s| matches!(s.change, Change::Rests { .. } | Change::Jolt)) {
-            return;
-        }
-        let Some(blow) = flow.blow().cloned().filter(|blow| !blow.reactions.is_empty()) else { return };
-        let (t, before, after, modes) = (flow.time(), flow.state_before(), flow.state().to_vec(), flow.modes_before().to_vec());
-        self.blows.look(t, [&before, &after], (flow.system(), &modes, &blow));
-    }
-
-    /// Energy that the impacts of this instant take, together, relative to the surfaces that are struck.
-    fn loss<S: System + ?Sized>(
-        &mut self,
-        flow: &mut Flow<'_, S>,
-        switches: &[Switch],
-        states: &[Vec<f64>; 2],
-        modes: [&[Mode]; 2],
-    ) -> Option<f64> {
-        if !switches.iter().any(|s| matches!(s.change, Change::Impact { .. })) {
-            return None;
-        }
-        let (t, system) = (flow.time(), flow.system());
-        // all that took part holds: then the rates nearest to rest are those of the surfaces themselves
-        let mut taking = modes[1].to_vec();
-        let took = |i: usize| switches.iter().any(|s| s.guard == i && matches!(s.change, Change::Impact { .. }));
-        for (i, guard) in system.guards().iter().enumerate() {
-            let struck = took(i);
-            // a friction strikes with the contact that presses it: its surface may move too
-            let rubbed = matches!(&guard.kind, GuardKind::Friction { pressed, .. } if pressed.iter().any(|gap| took(*gap)));
-            if struck || rubbed || (modes[0][i] == Mode::Zero && matches!(guard.kind, GuardKind::Contact { .. })) {
-                taking[i] = Mode::Zero;
-            }
-        }
-        let n = system.n_coordinates();
-        let mut surface = states[1].clone();
-        surface[n..2 * n].fill(0.0);
-        if system.project(t, &mut surface, &taking).is_err() {
-            surface[n..2 * n].fill(0.0);
-        }
-        let [before, after] = relative(system, t, [&states[0], &states[1]], &surface, modes[1])?;
-        Some(self.impacts.record(before, after))
     }
 
     /// The check of works.
@@ -763,12 +683,6 @@ impl Run {
             ..Dataset::default()
         }
     }
-}
-
-/// Weight of a node of [`BRIDGE`] in the cubic at `place`.
-fn lagrange(i: usize, place: f64) -> f64 {
-    let others = (0..4).filter(|k| *k != i);
-    others.map(|k| (place - BRIDGE[k]) / (BRIDGE[i] - BRIDGE[k])).product()
 }
 
 /// Indices of the wanted outputs.

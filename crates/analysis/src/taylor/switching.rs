@@ -98,7 +98,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// A normal force that is rounding of the others.
     fn is_no_load(&self, i: usize, h: f64) -> bool {
-        self.system.guards()[i].kind == GuardKind::Normal && crate::events::size(self.step.guards.row(i), h) <= NO_LOAD * self.loads
+        matches!(self.system.guards()[i].kind, GuardKind::Normal { .. })
+            && crate::events::size(self.step.guards.row(i), h) <= NO_LOAD * self.loads
     }
 
     /// A friction that nothing presses, and what the integrator alone sets.
@@ -173,7 +174,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             GuardKind::Bound { of, .. } => return self.modes[of] == Mode::Zero && self.judge(i, g, self.guess) == BoundState::Crossed,
             GuardKind::Friction { .. } | GuardKind::Contact { .. } if self.modes[i] == Mode::Zero => return false,
             _ if self.decides_nothing(i) => return false,
-            GuardKind::Normal => {
+            GuardKind::Normal { .. } => {
                 return self.modes[i] == opposite(Mode::of(value)) && value.abs() > self.guard_noise[i].max(NO_LOAD * self.loads);
             }
             _ => {}

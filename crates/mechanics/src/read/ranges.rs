@@ -19,6 +19,8 @@ pub(super) struct Range {
     pub dimension: Option<Dimension>,
     /// The first value other than zero without a unit.
     bare: Option<String>,
+    /// Where the name and the whole text stand, in bytes.
+    pub named: Span<usize>,
     whole: Span<usize>,
 }
 
@@ -60,7 +62,7 @@ pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Fault> {
     };
     let Some(unit) = parameter.or_else(coordinate) else {
         let names = model.parameters.iter().map(|p| p.name.as_str()).chain(model.coordinates.iter().map(|c| c.name.as_str()));
-        return Err(unknown_name(&range.name, crate::fault::nearest(&range.name, names)));
+        return Err(unknown_name(&range, crate::fault::nearest(&range.name, names)));
     };
     if let Ok(unit) = parse_unit(unit) {
         range.fits(&unit.dimension, model.scaled.get(&range.name))?;
@@ -69,11 +71,12 @@ pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Fault> {
 }
 
 /// The fault of a name that cannot be swept.
-pub(super) fn unknown_name(name: &str, near: Option<&str>) -> Fault {
+pub(super) fn unknown_name(range: &Range, near: Option<&str>) -> Fault {
+    let name = range.name.as_str();
     let shown = super::reader::short(name);
     let fault = Fault::new(
         "M068",
-        0..name.len(),
+        range.named.clone(),
         format!("the model has no parameter or coordinate `{shown}`"),
         format!("в модели нет параметра или координаты `{shown}`"),
     );
@@ -89,7 +92,9 @@ pub(super) fn parse(text: &str) -> Result<Range, Fault> {
     let Some((name, list)) = text.split_once('=').filter(|(name, _)| !name.trim().is_empty()) else {
         return Err(no_range(whole));
     };
+    let start = name.len() - name.trim_start().len();
     let (name, list) = (name.trim().to_owned(), list.trim());
+    let named = start..start + name.len();
     let (kind, inner) = match list.strip_suffix(')').and_then(|l| l.split_once('(')) {
         Some((kind, inner)) => (kind.trim(), inner),
         None => ("", list),
@@ -115,7 +120,7 @@ pub(super) fn parse(text: &str) -> Result<Range, Fault> {
     let given = if kind.is_empty() { items.len() } else { 2 };
     let is_bare = |item: &&str| parse_number_or_quantity(item).is_ok_and(|q| !q.has_unit && q.to_f64() != 0.0);
     let bare = items.iter().take(given).copied().find(|item| is_bare(item)).map(str::to_owned);
-    Ok(Range { name, values, dimension, bare, whole })
+    Ok(Range { name, values, dimension, bare, named, whole })
 }
 
 fn two(from: &str, to: &str, whole: &Span<usize>) -> Result<([f64; 2], Option<Dimension>), Fault> {

@@ -99,6 +99,15 @@ impl Printer {
         self.write(&self.equality_layout(graph, equality, own), form, Placement::Block)
     }
 
+    /// A bound: `|F| ≤ F₁`.
+    pub fn at_most(&self, graph: &Graph, bound: Equality, form: Form) -> String {
+        let layout = match self.equality_layout(graph, bound, None) {
+            Layout::Related(left, _, right) => Layout::Related(left, Relation::LessEqual, right),
+            other => other,
+        };
+        self.write(&layout, form, Placement::Block)
+    }
+
     /// symbol = formula.
     pub fn definition(&self, graph: &Graph, symbol: SymbolId, formula: Expr, form: Form) -> String {
         let left = Layout::Symbol(self.identifier(graph.symbol_info(symbol)));

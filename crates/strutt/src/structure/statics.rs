@@ -42,8 +42,8 @@ pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Troub
             bound.frame.loads.extend(forces.into_iter().map(|(load, value)| scaled(load, value)));
             result = structure_statics::statics(&bound.frame, None).map_err(trouble)?;
             result.dataset.notes.push(Text::new(
-                format!("the machine at rest acts along the named displacements: {en} (N, N m)"),
-                format!("механизм в покое действует вдоль именованных перемещений: {ru} (Н, Н·м)"),
+                format!("the machine at rest (repeating loads by their means) acts along the named displacements: {en} (N, N m)"),
+                format!("механизм в покое (повторяющиеся нагрузки — средними) действует вдоль именованных перемещений: {ru} (Н, Н·м)"),
             ));
         }
     }

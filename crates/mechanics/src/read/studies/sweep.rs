@@ -68,7 +68,7 @@ fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Option<SweepRange
         Some((EntryKind::Coordinate(_), Kind::Known(d))) if primes <= 1 => Kind::Known(if primes == 1 { d.per_time(1) } else { d }),
         Some((EntryKind::Coordinate(_), kind)) if primes <= 1 => kind,
         _ => {
-            let fault = ranges::unknown_name(&range.name, nearest(base, reader.scope.names()));
+            let fault = ranges::unknown_name(&range, nearest(base, reader.scope.names()));
             reader.report(snippet.diagnose(fault));
             return None;
         }
