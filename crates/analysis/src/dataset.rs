@@ -4,6 +4,9 @@ use symbolic::Text;
 
 use crate::Quantity;
 
+/// A row may lie outside the extremes by this share of them: both come from the same formulas, by different ways through a step.
+const BESIDE: f64 = 1e-9;
+
 /// Result of a study.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Dataset {
@@ -277,6 +280,37 @@ impl Dataset {
         rows.sort_by(|a, b| a[axis].total_cmp(&b[axis]));
         let column = |(i, c): (usize, &Column)| Column { values: rows.iter().map(|row| row[i]).collect(), ..c.clone() };
         Dataset { columns: self.columns.iter().enumerate().map(column).collect(), ..self.clone() }
+    }
+    /// Leaves out columns; what speaks of the others by their index follows. Values at events stand beside all columns but the axis.
+    pub fn keep_columns(&mut self, keep: impl FnMut(&Column) -> bool) {
+        let kept: Vec<bool> = self.columns.iter().map(keep).collect();
+        let moved = |i: usize| kept.get(i).filter(|k| **k).map(|_| kept[..i].iter().filter(|k| **k).count());
+        let outputs: Vec<bool> = (0..kept.len()).filter(|i| Some(*i) != self.axis).map(|i| kept[i]).collect();
+        for side in self.events.iter_mut().flat_map(|e| &mut e.outputs) {
+            let mut at = outputs.iter();
+            side.retain(|_| at.next().is_none_or(|k| *k));
+        }
+        let mut at = kept.iter();
+        self.columns.retain(|_| at.next().is_none_or(|k| *k));
+        self.axis = self.axis.and_then(moved);
+        self.extremes.retain_mut(|e| moved(e.column).map(|i| e.column = i).is_some());
+        self.overall.retain_mut(|o| moved(o.column).map(|i| o.column = i).is_some());
+        if let Some(digits) = &mut self.digits {
+            digits.columns.retain_mut(|h| moved(h.column).map(|i| h.column = i).is_some());
+        }
+    }
+    /// Name of a column of which a row lies outside its extremes, by more than rounding: the extremes belong to another column.
+    pub fn outside_extremes(&self) -> Option<&str> {
+        let outside = |e: &&Extreme| {
+            let Some(column) = self.columns.get(e.column) else { return true };
+            let size = e.min.abs().max(e.max.abs());
+            let beyond = |v: &f64| {
+                v.is_finite() && (*v < e.min - BESIDE * size - f64::MIN_POSITIVE || *v > e.max + BESIDE * size + f64::MIN_POSITIVE)
+            };
+            column.values.iter().any(beyond)
+        };
+        let name = |e: &Extreme| self.columns.get(e.column).map_or("extremes", |c| c.quantity.name.as_str());
+        self.extremes.iter().find(outside).map(name)
     }
     /// Says what values of a column mean that are no finite numbers; nothing where the column has none of that kind.
     pub fn state(&mut self, column: &str, missing: Missing, words: Text) {

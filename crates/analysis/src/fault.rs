@@ -97,6 +97,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
     crate::studies::explain::NOTHING_MOVES,
     crate::studies::explain::SECTION_OF_FORCED,
     crate::studies::explain::ROWS_ONLY,
+    crate::studies::explain::NO_NUMBER,
     crate::studies::explain::NOT_AT_REST,
     crate::studies::explain::NO_SUCH_PERIOD,
     crate::studies::explain::NOT_TURNING,
@@ -150,6 +151,10 @@ pub const EXPLANATIONS: &[Explanation] = &[
         code: "S075",
         en: ("no equilibrium to linearise about", NOWHERE_EN),
         ru: ("нет равновесия для линеаризации", NOWHERE_RU),
+    },
+    Explanation { code: "S084", en: ("nothing can move", NOTHING_EN), ru: ("двигаться нечему", NOTHING_RU) },
+    Explanation {
+        code: "S083", en: ("extremes leave out a row", OUTSIDE_EN), ru: ("крайние значения не охватывают строк", OUTSIDE_RU)
     },
     Explanation { code: "S077", en: ("a number without a value", OVERFLOW_EN), ru: ("число без значения", OVERFLOW_RU) },
     Explanation { code: "S089", en: ("amplitude of a reaction", REACTION_EN), ru: ("амплитуда реакции", REACTION_RU) },
@@ -225,6 +230,15 @@ const VARYING_EN: &str = "A mass, a damping or a stiffness is a formula of time 
     form. A change at the switches of phases is allowed.";
 const VARYING_RU: &str = "Масса, сопротивление или жёсткость — функция времени (параметрическое возбуждение, вращающаяся система с неравными жёсткостями). Замкнутого решения у \
     таких систем нет. Изменение при переключении этапов допустимо.";
+const NOTHING_EN: &str = "Modes and responses are those of coordinates, and the model has none: its bodies stand where the file places them. Wrong: `strutt modes` of beams on \
+    supports. Right: `strutt statics`, or [coordinates] by which the bodies move.";
+const NOTHING_RU: &str = "Собственные формы и отклики относятся к координатам, а в модели их нет: тела стоят там, где их поместил файл. Неверно: `strutt modes` для балок на опорах. \
+    Верно: `strutt statics` либо [coordinates], через которые тела движутся.";
+const OUTSIDE_EN: &str = "Least and greatest values are found along the whole motion, rows are single places of it: a row beyond them means that one of both belongs to another \
+    quantity or motion. It is no fault of the model; do not use the numbers, and report the file. Wrong: the result of this run. Right: a version of strutt that gives both alike.";
+const OUTSIDE_RU: &str = "Наименьшее и наибольшее значения ищутся вдоль всего движения, строки — отдельные его места: строка вне этих пределов означает, что одно из двух относится \
+    к другой величине или движению. Модель в этом не виновата; не пользуйтесь числами и сообщите о файле. Неверно: результат этого запуска. Верно: версия strutt, в которой то и \
+    другое согласуется.";
 const OVERFLOW_EN: &str = "A result is infinite or undefined where no infinity is meant. Parameters of extreme size overflow: a mass of 1e300 kg beside one of 1e-300 kg, a \
     growing motion followed for too long. Check the units of the parameters. Wrong: m = 1e300 kg. Right: numbers that a machine can have.";
 const OVERFLOW_RU: &str = "Результат бесконечен или не определён там, где бесконечности быть не может. Параметры крайней величины вызывают переполнение: масса 1e300 кг \
@@ -550,6 +564,41 @@ const UNREST_RU: &str = "Некоторому перемещению ничто 
 /// *Errors*: S077 when it is infinite or undefined.
 pub fn finite(value: f64, name: &str) -> Result<f64, Fault> {
     if value.is_finite() { Ok(value) } else { Err(no_value(name)) }
+}
+
+/// S084: modes of what has no coordinates.
+pub fn nothing_moves() -> Fault {
+    Fault::new(Message {
+        code: "S084",
+        what: Text::new("nothing can move: the model has no coordinates", "двигаться нечему: в модели нет координат"),
+        why: Text::new(
+            "modes, responses and motions are those of coordinates",
+            "собственные формы, отклики и движения относятся к координатам",
+        ),
+        help: Text::new(
+            "`strutt statics` finds what holds the bodies; for a motion, write [coordinates] and place the bodies by them",
+            "`strutt statics` находит, что удерживает тела; для движения задайте [coordinates] и положения тел через них",
+        ),
+    })
+}
+
+/// S083: rows outside the least and greatest values.
+pub fn outside_extremes(name: &str) -> Fault {
+    Fault::new(Message {
+        code: "S083",
+        what: Text::new(
+            format!("the least and greatest values of {name} leave out a row of its table"),
+            format!("наименьшее и наибольшее значения {name} не охватывают строк её таблицы"),
+        ),
+        why: Text::new(
+            "both come from one motion in two ways, so one of them is wrong",
+            "то и другое получено из одного движения двумя способами, значит, одно из них неверно",
+        ),
+        help: Text::new(
+            "do not use these numbers; this is a fault of strutt, please report it with the file",
+            "не пользуйтесь этими числами; это ошибка strutt, сообщите о ней, приложив файл",
+        ),
+    })
 }
 
 /// S077: a result without a finite value.

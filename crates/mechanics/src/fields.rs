@@ -353,7 +353,10 @@ pub const COORDINATE: TableSpec = TableSpec {
             Type::Formula,
             "",
             "0",
-            ("rate at t = 0, a constant; not given: as for `start`", "скорость при t = 0, постоянная; если не задана — как для `start`"),
+            (
+                "rate at t = 0, a constant; not given: as for `start`; a stop that opens or strikes and a rope that slackens allow 0",
+                "скорость при t = 0, постоянная; если не задана — как для `start`; упор, который размыкается или ударяет, и провисающий канат допускают 0",
+            ),
             "\"2 rad/s\"",
         ),
         may(

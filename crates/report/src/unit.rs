@@ -70,6 +70,15 @@ pub fn print(label: &str, language: Language) -> String {
     out
 }
 
+/// The unit behind a number in a line of formulas: a lone reciprocal as a power, so that `10 s⁻¹` cannot be read as `101/s`.
+pub fn beside_number(label: &str, language: Language) -> String {
+    let lone = label.trim().strip_prefix("1/").filter(|below| below.chars().all(|c| c.is_alphanumeric() || c == '^'));
+    match lone.map(|below| below.split_once('^').unwrap_or((below, "1"))) {
+        Some((name, power)) => print(&format!("{name}^-{power}"), language),
+        None => print(label, language),
+    }
+}
+
 fn print_name(name: &str, language: Language) -> String {
     let find = |n: &str| NAMES.iter().find(|row| row.0 == n).map(|row| language.pick(row.1, row.2));
     if let Some(print) = find(name) {
@@ -151,6 +160,15 @@ mod tests {
         ] {
             assert_eq!(print(label, En), en);
             assert_eq!(print(label, Ru), ru);
+        }
+    }
+
+    #[test]
+    fn lone_reciprocals_beside_numbers_are_powers() {
+        for (label, en, ru) in [("1/s", "s⁻¹", "с⁻¹"), ("1/s^2", "s⁻²", "с⁻²"), ("N/m", "N/m", "Н/м"), ("1/(N m)", "1/(N·m)", "1/(Н·м)")]
+        {
+            assert_eq!(beside_number(label, En), en);
+            assert_eq!(beside_number(label, Ru), ru);
         }
     }
 

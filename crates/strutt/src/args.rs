@@ -404,7 +404,7 @@ pub struct Sweep {
     /// Values of a parameter or start: v=linspace(1 m/s, 3 m/s, 21), c=logspace(1 N/m, 1 kN/m, 4), m=1 kg, 2 kg; may be repeated
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     pub over: Vec<String>,
-    /// What is noted: period, multipliers.1.abs, events, max(x), min(x), amplitude(x), mean(x), last(x)
+    /// What is noted: events, max(x), min(x), amplitude(x), mean(x), last(x), or a number of the study's JSON, whose lists count from 0: period, multipliers.1.abs
     #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
     pub observe: Option<Vec<String>>,
     /// The study that is repeated, when the file has several

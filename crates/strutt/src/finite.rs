@@ -1,7 +1,8 @@
 //! The last gate of every study: no number that is infinite or undefined leaves with exit code 0 unless the study says what it means.
 //!
 //! A study states such values by [`analysis::dataset::Stated`] (an amplitude at an undamped resonance is infinite, a phase of nothing is none), a fact by
-//! its words. Whatever else is not finite overflowed on the way, and the study fails with S077.
+//! its words. Whatever else is not finite overflowed on the way, and the study fails with S077. Least and greatest values that leave out a row belong to
+//! another quantity: S083.
 
 use crate::failure::Trouble;
 use crate::pipeline::Finding;
@@ -11,6 +12,11 @@ use analysis::Dataset;
 /// The finding as it may leave: with a trouble where a number has no value and nobody says why.
 pub fn checked(mut finding: Finding) -> Finding {
     if finding.trouble().is_some() {
+        return finding;
+    }
+    if let Some(name) = finding.data().outside_extremes() {
+        let trouble = Trouble::from(analysis::fault::outside_extremes(name));
+        finding.fail(trouble);
         return finding;
     }
     if let Some(name) = unexplained(&finding) {

@@ -221,7 +221,10 @@ const RUSSIAN: &[(&str, &str)] = &[
         "sweep.over",
         "Значения параметра или начального условия: v=linspace(1 м/с, 3 м/с, 21), c=logspace(1 Н/м, 1 кН/м, 4), \"m=1 кг; 2 кг\"; ключ можно повторять",
     ),
-    ("sweep.observe", "Что записывать: period, multipliers.1.abs, events, max(x), min(x), amplitude(x), mean(x), last(x)"),
+    (
+        "sweep.observe",
+        "Что записывать: events, max(x), min(x), amplitude(x), mean(x), last(x) либо число из JSON расчёта, где списки нумеруются с 0: period, multipliers.1.abs",
+    ),
     ("sweep.of", "Повторяемый расчёт, если в файле их несколько"),
     ("periodic.section", "Начало периода: угол (один оборот) или формула, переходящая через нуль снизу вверх"),
     ("periodic.turns", "Число оборотов угла за период"),

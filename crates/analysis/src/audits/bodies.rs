@@ -55,7 +55,7 @@ impl BodyBalance {
         if !self.known || step.length == 0.0 || !(self.steps - 1).is_multiple_of(self.stride) {
             return;
         }
-        let t = step.start.after(step.beside_change_point(0.5 * step.length)).high;
+        let t = step.instant(step.beside_change_point(0.5 * step.length)).high;
         step.state_at(t, &mut self.x);
         step.rate_at(t, &mut self.rates);
         let n = system.n_coordinates();

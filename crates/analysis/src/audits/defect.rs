@@ -52,7 +52,7 @@ impl InteriorDefect {
     /// Looks at one point of a step.
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S) {
         self.steps += 1;
-        let t = step.start.after(step.beside_change_point((self.steps as f64 * GOLDEN).fract() * step.length)).high;
+        let t = step.instant(step.beside_change_point((self.steps as f64 * GOLDEN).fract() * step.length)).high;
         step.state_at(t, &mut self.x);
         step.rate_at(t, &mut self.slopes);
         if !self.known || !system.rates(t, &self.x, &step.modes, &mut self.rates) {

@@ -34,7 +34,7 @@ impl FrictionWork {
         let mut x = vec![0.0; system.states().len()];
         for place in PLACES {
             step.state_after(place * length, &mut x);
-            let powers = system.frictions(step.start.after(place * length).high, &x, &step.modes).unwrap_or_default();
+            let powers = system.frictions(step.instant(place * length).high, &x, &step.modes).unwrap_or_default();
             for (largest, power) in self.largest.iter_mut().zip(powers) {
                 let Some(power) = power else { continue };
                 self.slid = true;

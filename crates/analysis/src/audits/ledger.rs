@@ -131,7 +131,7 @@ impl Ledger {
         self.add(change - work.net);
         self.owed += change - work.rest;
         self.steps += 1;
-        self.last = Some((step.start.after(h).high, self.x.clone(), step.modes.clone()));
+        self.last = Some((step.instant(h).high, self.x.clone(), step.modes.clone()));
         if let Some((_, x, _)) = &mut self.last {
             step.state_after(h, x);
         }
@@ -141,7 +141,7 @@ impl Ledger {
     /// What passes through the damping alone, W.
     fn through<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, tau: f64) -> f64 {
         step.state_after(tau, &mut self.x);
-        damping_alone(system, step.start.after(tau).high, &self.x, &step.modes)
+        damping_alone(system, step.instant(tau).high, &self.x, &step.modes)
     }
 
     /// What happened since the end of the last step, where the energies were before.
@@ -178,7 +178,7 @@ impl Ledger {
     /// T and Π; widens the scales.
     fn energy<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, tau: f64) -> Option<[f64; 2]> {
         step.state_after(tau, &mut self.x);
-        let [kinetic, potential] = system.energies(step.start.after(tau).high, &self.x, &step.modes)?;
+        let [kinetic, potential] = system.energies(step.instant(tau).high, &self.x, &step.modes)?;
         let first = *self.potential.get_or_insert(potential);
         self.kinetic = self.kinetic.max(kinetic.abs());
         self.range = self.range.max((potential - first).abs());
@@ -193,7 +193,7 @@ impl Ledger {
             let tau = from + (to - from) * u;
             step.state_after(tau, &mut self.x);
             step.rate_after(tau, &mut self.rates);
-            let p: Powers = system.powers(step.start.after(tau).high, &self.x, &self.rates[n..2 * n], &step.modes)?;
+            let p: Powers = system.powers(step.instant(tau).high, &self.x, &self.rates[n..2 * n], &step.modes)?;
             let share = weight * (to - from);
             let net = p.loads + p.drives - p.dissipated;
             work.net += share * net;
@@ -208,7 +208,7 @@ impl Ledger {
         if self.powers.is_empty() {
             return Some(0.0);
         }
-        system.observe(step.start.after(tau).high, &self.x, &step.modes, &mut self.outputs).ok()?;
+        system.observe(step.instant(tau).high, &self.x, &step.modes, &mut self.outputs).ok()?;
         Some(self.powers.iter().map(|i| self.outputs[*i]).sum())
     }
 

@@ -61,7 +61,7 @@ impl PowerBalance {
         if !self.known || !(self.steps - 1).is_multiple_of(self.stride) {
             return;
         }
-        let t = step.start.after(step.beside_change_point(0.5 * step.length)).high;
+        let t = step.instant(step.beside_change_point(0.5 * step.length)).high;
         step.state_at(t, &mut self.x);
         step.rate_at(t, &mut self.rates);
         let n = system.n_coordinates();
@@ -77,7 +77,7 @@ impl PowerBalance {
         for i in 0..n {
             self.rates[n + i] = self.x[n + i] / step.length;
         }
-        let within = step.start.after(step.length).high;
+        let within = step.instant(step.length).high;
         let scale = scale.max(self.size_at(within, step, system)).max(damping_alone(system, t, &self.x, &step.modes));
         let change = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes).map_or(0.0, |p| (p.rate - still.rate).abs());
         let local = self.local(step, system, t, still.rate);

@@ -161,7 +161,7 @@ impl ReleasedBalance {
     }
 
     fn node<S: System + ?Sized>(&self, step: &Step, after: f64, system: &mut S) -> Option<Vec<f64>> {
-        let t = step.start.after(after).high;
+        let t = step.instant(after).high;
         let n = system.states().len();
         let (mut x, mut rates) = (vec![0.0; n], vec![0.0; n]);
         step.state_at(t, &mut x);

@@ -88,7 +88,7 @@ impl TouchLaws {
         step.state_after(tau, &mut self.x);
         step.rate_after(tau, &mut self.rates);
         let n = system.n_coordinates();
-        system.touches(step.start.after(tau).high, &self.x, &self.rates[n..2 * n], &step.modes)
+        system.touches(step.instant(tau).high, &self.x, &self.rates[n..2 * n], &step.modes)
     }
 
     fn measure(&mut self, touches: &[Touch], step: &Step) {

@@ -181,7 +181,7 @@ impl Bench<'_> {
         let guess = self.x.clone();
         if let Some(x) = self.closed_by_fewest(&guess, &rows, Level::Rate)? {
             self.x = x;
-            return self.follow_contacts(rows, &guess);
+            return self.follow_contacts(rows, &guess, notes);
         }
         let mut cures = Vec::new();
         for j in (0..self.n).rev().filter(|j| given[*j]) {
@@ -214,24 +214,58 @@ impl Bench<'_> {
         Err(Fault::contradiction(&self.involved(&rows, worst), &self.configuration()))
     }
 
-    /// Rates that nobody gives follow the contacts that are closed: a load on a taut rope starts with its drum. A contact that the given rates
-    /// open or close stays as it is.
-    fn follow_contacts(&mut self, mut rows: Vec<usize>, guess: &[f64]) -> Result<(), Fault> {
+    /// Rates that nobody gives follow ropes that are taut and would be torn otherwise (a load on a taut rope starts with its drum), and tracks on which
+    /// wheels roll. A rope that slackens lets them stay 0, and so does a stop: it opens, or strikes.
+    fn follow_contacts(&mut self, mut rows: Vec<usize>, guess: &[f64], notes: &mut Vec<Text>) -> Result<(), Fault> {
         self.evaluate(&self.x.clone())?;
-        let closed = |c: usize| {
-            let reaction = self.equations.conditions[c].reaction;
-            let contact = reaction.is_some_and(|r| matches!(self.equations.reactions[r].law, Law::Contact { .. }));
-            contact && self.place(c).abs() <= CLOSED * self.place_size(c, &self.x)
-        };
-        let contacts: Vec<usize> = (0..self.equations.conditions.len()).filter(|c| closed(*c)).collect();
-        for contact in contacts {
-            rows.push(contact);
-            match self.closed_by_fewest(guess, &rows, Level::Rate)? {
-                Some(x) => self.x = x,
-                None => drop(rows.pop()),
-            }
+        let closed = |c: &usize| self.place(*c).abs() <= CLOSED * self.place_size(*c, &self.x);
+        let [tracks, ties] = [self.tracks(), self.ties()].map(|list| list.into_iter().filter(closed).collect::<Vec<usize>>());
+        for track in tracks {
+            self.hold(track, &mut rows, guess)?;
         }
+        // one that is held may tighten another
+        let mut tried = Vec::new();
+        for _ in 0..ties.len() {
+            self.evaluate(&self.x.clone())?;
+            let torn = |c: &usize| !tried.contains(c) && self.rate(*c) < -CLOSED * self.rate_size(*c, &self.x);
+            let Some(tie) = ties.iter().copied().find(torn) else { break };
+            tried.push(tie);
+            self.hold(tie, &mut rows, guess)?;
+        }
+        self.evaluate(&self.x.clone())?;
+        let left = |j: &usize| !self.equations.coordinates[*j].given[1];
+        let slack =
+            |c: &&usize| self.rate(**c) > CLOSED * self.rate_size(**c, &self.x) && (0..self.n).any(|j| left(&j) && self.row(**c)[j] != 0.0);
+        notes.extend(ties.iter().filter(slack).map(|c| slackens(self.name(*c))));
         self.roll_on(rows, guess)
+    }
+
+    /// Lets the rates that nobody gives meet one more row, where they can.
+    fn hold(&mut self, row: usize, rows: &mut Vec<usize>, guess: &[f64]) -> Result<(), Fault> {
+        rows.push(row);
+        match self.closed_by_fewest(guess, rows, Level::Rate)? {
+            Some(x) => self.x = x,
+            None => drop(rows.pop()),
+        }
+        Ok(())
+    }
+
+    /// Conditions of ropes.
+    fn ties(&self) -> Vec<usize> {
+        let tie = |law: &Law| match law {
+            Law::Contact { condition, tie: true, .. } => Some(*condition),
+            _ => None,
+        };
+        self.equations.reactions.iter().filter_map(|r| tie(&r.law)).collect()
+    }
+
+    /// Conditions of contacts on which wheels roll.
+    fn tracks(&self) -> Vec<usize> {
+        let track = |law: &Law| match law {
+            Law::Rough { contact, .. } => self.equations.reactions[*contact].law.condition(),
+            _ => None,
+        };
+        self.equations.reactions.iter().filter_map(|r| track(&r.law)).collect()
     }
 
     /// A wheel that rolls while it touches its track does so from the start, unless the given rates lift it.
@@ -357,4 +391,11 @@ impl Bench<'_> {
             format!("{name} = {} {} принято равным {}, при котором связи замыкаются", given.ru, unit.ru, taken.ru),
         )
     }
+}
+
+fn slackens(rope: &Text) -> Text {
+    Text::new(
+        format!("{} slackens at the start: rates that are not given are 0", rope.en),
+        format!("{}: в начале движения провисает, так как незаданные скорости равны 0", rope.ru),
+    )
 }

@@ -41,7 +41,7 @@ impl<'a, S: System + ?Sized> Along<'a, S> {
 
     /// Time at `tau` after the start of the step.
     pub fn time(&self, tau: f64) -> f64 {
-        self.step.start.after(tau).high
+        self.step.instant(tau).high
     }
 
     /// All outputs at `tau`; not numbers where they have no value.

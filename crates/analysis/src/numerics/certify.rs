@@ -41,6 +41,10 @@ const PLACES: [f64; 4] = [0.4, 0.55, 0.25, 0.7];
 /// *Shapes*: M positive semidefinite, eigenvalues ascending. *Errors*: memory, K and M that vanish for the same motion.
 pub fn certify(k: &Sparse, m: &Sparse, modes: &Modes, wanted: usize) -> Result<Certificate, Fault> {
     let wanted = wanted.min(modes.values.len());
+    if modes.n == 0 {
+        // nothing can be missing where nothing moves
+        return Ok(Certificate { residuals: Vec::new(), count: Some((0, 0)) });
+    }
     if wanted == 0 {
         return Ok(Certificate::default());
     }

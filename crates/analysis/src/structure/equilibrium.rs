@@ -1,6 +1,7 @@
 //! Whether a structure stands: mechanisms with their free motion, and the degree of statical indeterminacy.
 
 use super::assembly::{Sparse, name_of};
+use super::freedoms::Freedom;
 use super::{Assembly, Frame, RodKind, Scalar, dense, faults};
 use crate::Fault;
 use crate::numerics::trouble::Trouble;
@@ -39,7 +40,9 @@ pub fn standing<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<S
     let of_springs = frame.nodes.iter().flat_map(|n| &n.springs).filter(|s| !s.is_zero()).count();
     let idle = assembly.bonds.iter().filter(|b| **b == super::assembly::Bond::Idle).count();
     // a hinged end has an own turn, whose equation says that it carries no moment
-    let equations = assembly.freedoms.meaning.len() - idle;
+    // a point inside a rod divides nothing: its three equations meet three unknown forces more
+    let inside = assembly.freedoms.meaning.iter().filter(|f| matches!(f, Freedom::Inner(..))).count();
+    let equations = assembly.freedoms.meaning.len() - idle - inside;
     let motions = match assembly.n() {
         0 => Vec::new(),
         n if n <= SEARCHED => {
@@ -135,12 +138,10 @@ pub fn describe<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, motion: &[f
 }
 
 fn name_is_turn<S>(assembly: &Assembly<S>, i: usize) -> bool {
-    use super::freedoms::Freedom;
     matches!(assembly.freedoms.meaning[i], Freedom::Node(_, 2) | Freedom::Hinge(..) | Freedom::Inner(_, _, 2))
 }
 
 fn node_of<S>(frame: &Frame<S>, assembly: &Assembly<S>, i: usize) -> String {
-    use super::freedoms::Freedom;
     match assembly.freedoms.meaning[i] {
         Freedom::Node(node, _) => frame.nodes[node].name.clone(),
         Freedom::Hinge(rod, end) => frame.nodes[frame.rods[rod].ends[end]].name.clone(),

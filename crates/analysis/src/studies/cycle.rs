@@ -166,7 +166,7 @@ fn same_work<S: System + ?Sized>(system: &mut S, steps: &[(Step, f64)], work: f6
         let part = length / CHECK as f64;
         for k in 0..CHECK {
             for (node, weight) in EIGHT {
-                let t = step.start.after(part * (k as f64 + 0.5 * (1.0 + node))).high;
+                let t = step.instant(part * (k as f64 + 0.5 * (1.0 + node))).high;
                 step.state_at(t, &mut x);
                 step.rate_at(t, &mut slope);
                 uneven = uneven.max((x[n + options.angle] / options.rate - 1.0).abs());
@@ -174,7 +174,7 @@ fn same_work<S: System + ?Sized>(system: &mut S, steps: &[(Step, f64)], work: f6
                 again += 0.5 * part * weight * (p.loads - p.dissipated - p.rate);
             }
         }
-        for (end, t) in [(0, step.start.high), (1, step.start.after(*length).high)] {
+        for (end, t) in [(0, step.start.high), (1, step.instant(*length).high)] {
             step.state_at(t, &mut x);
             let energy = system.energies(t, &x, &step.modes).map(|[kinetic, _]| kinetic);
             if end == 1 || kinetic[0].is_none() {
@@ -232,7 +232,7 @@ fn place(step: &Step, j: usize, tau: f64) -> f64 {
 /// The reduced machine at tau in a step.
 fn reduced<S: System + ?Sized>(system: &mut S, step: &Step, tau: f64, options: &Cycle) -> Result<Reduced, Fault> {
     let (n, j, w) = (system.n_coordinates(), options.angle, options.rate);
-    let t = step.start.after(tau).high;
+    let t = step.instant(tau).high;
     let n_x = system.states().len();
     let (mut x, mut slope) = (vec![0.0; n_x], vec![0.0; n_x]);
     step.state_at(t, &mut x);

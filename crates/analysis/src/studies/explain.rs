@@ -231,6 +231,20 @@ pub(crate) const SECTION_OF_FORCED: Explanation = Explanation {
     ),
 };
 
+pub(crate) const NO_NUMBER: Explanation = Explanation {
+    code: "S085",
+    en: (
+        "no such number in the study",
+        "A sweep may note a number of the repeated study's JSON by its path, such as `multipliers.1.abs`: names and, in lists, numbers that count from 0. The study \
+         has nothing at this path. `strutt STUDY FILE --json` shows what it has. Wrong: modes.2.omega of a machine with two modes. Right: modes.1.omega.",
+    ),
+    ru: (
+        "в расчёте нет такого числа",
+        "Серия может записывать число из JSON повторяемого расчёта по его пути, например `multipliers.1.abs`: имена, а в списках номера, считая с 0. По этому пути в \
+         расчёте ничего нет. Что в нём есть, показывает `strutt РАСЧЁТ ФАЙЛ --json`. Неверно: modes.2.omega для машины с двумя формами. Верно: modes.1.omega.",
+    ),
+};
+
 pub(crate) const ROWS_ONLY: Explanation = Explanation {
     code: "S100",
     en: (

@@ -409,8 +409,8 @@ impl Run {
             }
             self.record(flow)?;
             let (step, system) = flow.step_and_system();
-            step.state_at(step.start.after(step.length).high, &mut self.x);
-            system.placed(step.start.after(step.length).high, &self.x)?;
+            step.state_at(step.instant(step.length).high, &mut self.x);
+            system.placed(step.instant(step.length).high, &self.x)?;
             outcome?;
             self.pace.look(flow, end, options.most_steps)?;
             if let Some(progress) = &mut options.progress
@@ -434,7 +434,7 @@ impl Run {
         let (step, system) = flow.step_and_system();
         let found = self.named.look(&mut Along::new(step, system, step.length));
         self.look_at_pushes(&mut Along::new(step, system, step.length));
-        let stop = found.last().filter(|last| self.named.stops(last) && step.start.after(last.tau).high > 0.0).cloned();
+        let stop = found.last().filter(|last| self.named.stops(last) && step.instant(last.tau).high > 0.0).cloned();
         for happened in &found {
             self.name_event(happened, &mut Along::new(step, system, step.length));
         }
@@ -449,7 +449,7 @@ impl Run {
         self.touches.look(step, system, length);
         self.shared.look(system, &step.modes);
         if let Some(stop) = &stop {
-            self.ended = Some((step.start.after(stop.tau).high, stop.event));
+            self.ended = Some((step.instant(stop.tau).high, stop.event));
         }
         stop.map(|stop| stop.tau)
     }
@@ -499,7 +499,7 @@ impl Run {
     /// The last row, at the instant of the event that ends the motion.
     fn end_inside<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, tau: f64) -> Result<(), Fault> {
         let (step, system) = flow.step_and_system();
-        let t = step.start.after(tau).high;
+        let t = step.instant(tau).high;
         step.state_after(tau, &mut self.x);
         let row = self.times.len();
         self.times.truncate(self.next);
@@ -524,7 +524,7 @@ impl Run {
     /// Values at the requested times inside the last step; its end, or that of the motion, belongs to what follows.
     fn sample<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, options: &Simulate<'_>, stop: Option<f64>) -> Result<(), Fault> {
         let (step, system) = flow.step_and_system();
-        let end = stop.map_or_else(|| step.end(), |tau| step.start.after(tau));
+        let end = stop.map_or_else(|| step.end(), |tau| step.instant(tau));
         while let Some(&(t, row)) = self.times.get(self.next) {
             if end.until(t) >= 0.0 {
                 break;

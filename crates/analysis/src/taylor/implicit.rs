@@ -257,7 +257,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             self.work.rejected += 1;
             return Ok(Landing::Drifts);
         }
-        self.step.length = length;
+        (self.step.length, self.step.ends) = (length, lands);
         self.work.implicit_steps += 1;
         engine.keep();
         self.implicit.next = Some(h * growth);

@@ -315,7 +315,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
                 if !event && self.passes(length).is_some() && self.mark_wrong_sides() {
                     self.refuse_switch_in_passage(Some(length))?;
                 }
-                self.step.length = length;
+                (self.step.length, self.step.ends) = (length, lands);
                 self.note_passage(length);
                 self.note_taylor_step(lands);
                 let arrived = self.arrive(lands, event);
@@ -404,7 +404,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
 
     fn take_expansion(&mut self) {
         self.step.start = self.now;
-        self.step.length = 0.0;
+        (self.step.length, self.step.ends) = (0.0, self.now);
         self.step.modes.copy_from_slice(&self.modes);
         self.step.low.copy_from_slice(&self.low);
         self.step.take(&*self.system, self.x.len(), self.modes.len(), self.rule.order);

@@ -284,7 +284,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Keeps the instant of a change point that has been passed.
     pub(super) fn note_passage(&mut self, length: f64) {
         if let Some(over) = self.passage.over.take().filter(|over| over.to < length) {
-            self.passage.behind = Some(self.step.start.after(over.to));
+            self.passage.behind = Some(self.step.instant(over.to));
         }
     }
 

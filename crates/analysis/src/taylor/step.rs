@@ -16,6 +16,8 @@ pub struct Step {
     pub start: Instant,
     /// Length.
     pub length: f64,
+    /// Where it ends: what must be hit exactly is hit, where start + length is off by rounding.
+    pub(super) ends: Instant,
     /// Order of the polynomials.
     pub order: usize,
     /// Modes of the guards, constant inside the step.
@@ -97,7 +99,17 @@ impl Step {
 
     /// End of the step.
     pub fn end(&self) -> Instant {
-        self.start.after(self.length)
+        self.ends
+    }
+
+    /// An instant of the step; its end exactly.
+    pub fn instant(&self, tau: f64) -> Instant {
+        if tau == self.length { self.ends } else { self.start.after(tau) }
+    }
+
+    /// Leaves the first part of it.
+    pub fn shorten(&mut self, length: f64) {
+        (self.length, self.ends) = (length, self.instant(length));
     }
 
     /// Coefficients of a state.

@@ -159,7 +159,8 @@ fn words(words: &str, out: &mut String) {
     match words {
         " " => out.push_str(THIN),
         "∂" | "d" | "…" => out.push_str(&format!("<mi mathvariant=\"normal\">{words}</mi>")),
-        other => element(out, "<mtext>", "mtext", |out| push_escaped(other, out)),
+        // white space at the ends of a text element is dropped by browsers
+        other => element(out, "<mtext>", "mtext", |out| push_escaped(&other.replace(' ', "\u{a0}"), out)),
     }
 }
 

@@ -40,7 +40,7 @@ impl Setting {
 
     /// A result with its unit.
     pub fn result(&self, x: f64, unit: &str) -> Layout {
-        let unit = report::unit::print(unit, self.language);
+        let unit = report::unit::beside_number(unit, self.language);
         if unit.is_empty() { self.number(x) } else { Layout::Row(vec![self.number(x), Layout::Words(format!(" {unit}"))]) }
     }
 

@@ -333,7 +333,7 @@ impl<'a> Writer<'a> {
             fraction(set.size(h), root(plus(vec![square(fence(numbers.clone())), damping_number]))),
             set.result(amplitude, &self.units[0]),
         ]));
-        let tangent = Layout::Row(vec![Layout::Words(set.language.pick("tan ", "tg ").into()), letter("epsilon")]);
+        let tangent = set.wave(set.language.pick("tan", "tg"), letter("epsilon"));
         blocks.push(self.line(vec![
             tangent,
             fraction(product(vec![whole(2), self.letter("n"), letter("p")]), difference),

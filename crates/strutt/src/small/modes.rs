@@ -62,6 +62,9 @@ pub fn find(machine: &Machine, study: &Study) -> ModesFound {
 }
 
 fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault> {
+    if machine.equations.coordinates.is_empty() {
+        return Err(analysis::fault::nothing_moves());
+    }
     let matrices = small.machine.at(&small.place)?;
     let names = small.machine.coordinates().to_vec();
     let modes = modes::modes(&matrices, &names, normalisation(study.scale))?;
@@ -112,6 +115,12 @@ fn dataset(found: &Found) -> Dataset {
     };
     data.audits.extend(found.modes.audits.iter().cloned());
     data.notes.extend(found.modes.notes.iter().cloned());
+    if found.modes.modes.is_empty() {
+        data.notes.push(Text::new(
+            "no small motion is left: the connections and the contacts that are closed hold every coordinate",
+            "малых движений нет: связи и замкнутые контакты удерживают все координаты",
+        ));
+    }
     if found.small.place.rates.iter().any(|v| *v != 0.0) {
         data.notes.push(Text::new(
             "about the motion as it is at the start; the coefficients are those of that instant",

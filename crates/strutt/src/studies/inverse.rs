@@ -33,7 +33,9 @@ pub fn run(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Findin
         return Finding::Study(Box::new(Results { kind: "inverse", heading: heading(), ..Results::default() }));
     };
     let (facts, work) = if trouble.is_none() && !data.partial { works(&motors, &data) } else { Default::default() };
-    keep(&mut data, shown);
+    // only the columns that were asked for; the powers stand behind them
+    let mut at = 0..;
+    data.keep_columns(|_| at.next().is_some_and(|i| i <= shown));
     let mut results =
         Results { kind: "inverse", heading: heading(), facts, data, plots: study.plots.clone(), trouble, ..Results::default() };
     results.own.insert("until".into(), json!(study.until));
@@ -67,12 +69,4 @@ fn works(motors: &[Motor], data: &Dataset) -> (Vec<Fact>, serde_json::Value) {
         own.insert(name.clone(), json!(work));
     }
     (facts, own.into())
-}
-
-/// Only the columns that were asked for; the powers stand behind them.
-fn keep(data: &mut Dataset, shown: usize) {
-    data.columns.truncate(shown + 1);
-    data.extremes.retain(|e| e.column <= shown);
-    data.overall.retain(|o| o.column <= shown);
-    data.events.iter_mut().flat_map(|e| &mut e.outputs).for_each(|side| side.truncate(shown));
 }

@@ -158,10 +158,10 @@ impl Centres {
             let own = [format!("P_x_{body}"), format!("P_y_{body}")];
             let all = |c: &Column| own.contains(&c.quantity.name) && !c.values.is_empty() && c.values.iter().all(|v| v.is_nan());
             if data.columns.iter().any(all) {
-                data.columns.retain(|c| !own.contains(&c.quantity.name));
+                data.keep_columns(|c| !own.contains(&c.quantity.name));
                 data.notes.push(Text::new(
-                    format!("`{body}` does not turn: its instantaneous centre is at infinity"),
-                    format!("`{body}` не вращается: мгновенный центр скоростей в бесконечности"),
+                    format!("body {body} does not turn: its instantaneous centre is at infinity"),
+                    format!("тело {body} движется поступательно: его мгновенный центр скоростей бесконечно удалён"),
                 ));
             }
             for name in own {

@@ -105,6 +105,10 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         }
     }
     results.own.insert("of".into(), json!(name_of(&base)));
+    if study.of.is_none() && machine.model.studies.iter().filter(|s| moves(&s.kind) || rests(&s.kind)).count() > 1 {
+        let name = name_of(&base);
+        data.notes.push(Text::new(format!("repeated: the study `{name}`"), format!("повторялся расчёт `{name}`")));
+    }
     if results.plots.is_empty() && study.over.len() == 1 {
         let plot = |c: &Column| mechanics::model::Plot { title: Text::default(), x: None, y: vec![c.quantity.name.clone()] };
         results.plots = columns[own..].iter().map(plot).collect();
@@ -198,10 +202,14 @@ fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Resu
     let fields = || wanted.iter().filter_map(|(_, w)| if let Wanted::Field(name) = w { Some(name.as_str()) } else { None });
     let of_periodic = fields().any(|name| OF_PERIODIC.iter().any(|p| name.starts_with(p)));
     let kind = study.of.as_deref().or(of_periodic.then_some("periodic"));
-    let of = machine.model.studies.iter().position(|s| match kind {
-        Some(kind) => name_of(&s.kind) == kind,
-        None => !matches!(s.kind, StudyKind::Equations | StudyKind::Sweep(_) | StudyKind::Kinematics(_)),
-    });
+    let first = |fits: &dyn Fn(&StudyKind) -> bool| machine.model.studies.iter().position(|s| fits(&s.kind));
+    let repeatable = |k: &StudyKind| !matches!(k, StudyKind::Equations | StudyKind::Sweep(_) | StudyKind::Kinematics(_));
+    let of = match kind {
+        Some(kind) => first(&|k| name_of(k) == kind),
+        // greatest values are those of a motion, else of a place of rest: a shape of modes has no size
+        None if wanted.iter().any(|(_, w)| !matches!(w, Wanted::Field(_))) => first(&moves).or_else(|| first(&rests)),
+        None => first(&repeatable),
+    };
     let in_file = of.map(|k| &machine.model.studies[k].kind);
     let mut base = match (in_file, kind) {
         (Some(kind), _) => kind.clone(),
@@ -220,6 +228,14 @@ fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Resu
         wanted.iter().filter_map(|(_, w)| if let Wanted::Column(n, _) = w { Some(n.clone()) } else { None }).collect();
     show(&mut base, columns);
     Ok((base, of))
+}
+
+fn moves(kind: &StudyKind) -> bool {
+    matches!(kind, StudyKind::Simulate(_) | StudyKind::Inverse(_) | StudyKind::Periodic(_) | StudyKind::Transient(_) | StudyKind::Cycle(_))
+}
+
+fn rests(kind: &StudyKind) -> bool {
+    matches!(kind, StudyKind::Equilibrium { .. } | StudyKind::Statics)
 }
 
 /// Lets a study give these columns only.
@@ -274,7 +290,12 @@ fn name_of(kind: &StudyKind) -> &'static str {
         StudyKind::Statics => "statics",
         StudyKind::Periodic(_) => "periodic",
         StudyKind::Cycle(_) => "cycle",
-        _ => "",
+        StudyKind::Transient(_) => "transient",
+        StudyKind::Modes(_) => "modes",
+        StudyKind::Response(_) => "response",
+        StudyKind::Kinematics(_) => "kinematics",
+        StudyKind::Equations => "equations",
+        StudyKind::Sweep(_) => "sweep",
     }
 }
 
@@ -333,7 +354,10 @@ fn number(finding: &Finding, wanted: &Wanted) -> Result<(f64, Option<Quantity>),
                 Finding::Study(results) => results.facts.iter().find(|f| f.quantity.name == *path).map(|f| f.quantity.clone()),
                 _ => None,
             };
-            (at_path(&fields, path).unwrap_or(f64::NAN), described)
+            match at_path(&fields, path) {
+                Some(value) => (value, described),
+                None => return Err(no_number(path, &fields)),
+            }
         }
     })
 }
@@ -351,7 +375,23 @@ fn rows_only(name: &str) -> Trouble {
     )
 }
 
-/// A number in JSON by its path: `multipliers.1.abs`; true is 1, false 0.
+/// The study's JSON has nothing at this path.
+fn no_number(path: &str, fields: &Value) -> Trouble {
+    let first = path.split('.').next().unwrap_or_default();
+    let trouble = Trouble::new("S085", format!("the study has no number `{path}`"), format!("в расчёте нет числа `{path}`"));
+    match fields.get(first).and_then(Value::as_array).map(Vec::len) {
+        Some(n) => trouble.help(
+            format!("`{first}` has {n} entries; as in the JSON of the study they are counted from 0"),
+            format!("в `{first}` элементов: {n}; как и в JSON расчёта, их счёт начинается с 0"),
+        ),
+        None => {
+            let names = fields.as_object().map(|o| o.keys().map(String::as_str).collect::<Vec<_>>().join(", ")).unwrap_or_default();
+            trouble.help(format!("it has: {names}"), format!("в нём есть: {names}"))
+        }
+    }
+}
+
+/// A number in JSON by its path: `multipliers.1.abs`, the second of the list; true is 1, false 0, null no number.
 pub fn at_path(fields: &Value, path: &str) -> Option<f64> {
     let whole = fields.get(path).cloned();
     let found = whole.or_else(|| {
@@ -360,5 +400,8 @@ pub fn at_path(fields: &Value, path: &str) -> Option<f64> {
             Err(_) => at.get(key).cloned(),
         })
     })?;
-    found.as_f64().or_else(|| found.as_bool().map(|b| if b { 1.0 } else { 0.0 }))
+    match found {
+        Value::Null => Some(f64::NAN),
+        found => found.as_f64().or_else(|| found.as_bool().map(|b| if b { 1.0 } else { 0.0 })),
+    }
 }

@@ -89,8 +89,8 @@ pub(super) fn follow<S: System + ?Sized>(
         // a section that is a switch: the turn ends behind it, as it began
         let at_switch = switched && back.is_some_and(|(tau, _)| step.length - tau <= TOGETHER * (step.length + orbit.period));
         if let Some((tau, which)) = back.filter(|_| !at_switch) {
-            let at = step.start.after(tau);
-            step.length = tau;
+            let at = step.instant(tau);
+            step.shorten(tau);
             orbit.period = at.high;
             orbit.last = vec![0.0; x.len()];
             step.state_at(at.high, &mut orbit.last);
@@ -238,7 +238,7 @@ impl Orbit {
         let mut largest = 0.0_f64;
         for step in &self.steps {
             for k in 0..=SAMPLES {
-                let found = value(step, step.start.after(step.length * k as f64 / SAMPLES as f64).high).0.abs();
+                let found = value(step, step.instant(step.length * k as f64 / SAMPLES as f64).high).0.abs();
                 largest = largest.max(if found.is_finite() { found } else { 0.0 });
             }
         }
@@ -247,7 +247,7 @@ impl Orbit {
         for step in &self.steps {
             let mut before = step.start.high;
             for k in 0..=SAMPLES {
-                let t = step.start.after(step.length * k as f64 / SAMPLES as f64).high;
+                let t = step.instant(step.length * k as f64 / SAMPLES as f64).high;
                 let (found, x) = value(step, t);
                 if below && found >= zero {
                     if k == 0 {

@@ -23,7 +23,7 @@ impl Run {
         let mut sides: Vec<Vec<f64>> = Vec::new();
         for node in BRIDGE {
             let tau = to + node * around;
-            let at = step.start.after(tau).high;
+            let at = step.instant(tau).high;
             step.state_after(tau, &mut self.x);
             system.project(at, &mut self.x, &step.modes)?;
             system.observe(at, &self.x, &step.modes, &mut self.all)?;
