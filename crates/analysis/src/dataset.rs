@@ -30,6 +30,8 @@ pub struct Dataset {
     pub overall: Vec<Overall>,
     /// What a repetition with other steps confirms.
     pub digits: Option<Digits>,
+    /// Rounding of the columns where it was measured, SI: smaller values are zero.
+    pub rounding: Vec<f64>,
     /// Work done, by name: steps, evaluations.
     pub counters: Vec<Counter>,
     /// Remarks to show beside the result.
@@ -190,6 +192,8 @@ pub struct Held {
     pub instants: [f64; 2],
     /// First row time at which fewer than four digits are left.
     pub lost: Option<f64>,
+    /// Values up to this size are zero but for rounding, SI.
+    pub noise: f64,
 }
 
 /// Something that happened at an instant.
@@ -295,6 +299,8 @@ impl Dataset {
         self.axis = self.axis.and_then(moved);
         self.extremes.retain_mut(|e| moved(e.column).map(|i| e.column = i).is_some());
         self.overall.retain_mut(|o| moved(o.column).map(|i| o.column = i).is_some());
+        let mut at = kept.iter();
+        self.rounding.retain(|_| at.next().is_none_or(|k| *k));
         if let Some(digits) = &mut self.digits {
             digits.columns.retain_mut(|h| moved(h.column).map(|i| h.column = i).is_some());
         }

@@ -575,11 +575,15 @@ pub fn results(data: &Dataset, language: Language) -> Table {
         let none = Extreme { min: f64::NAN, t_min: f64::NAN, max: f64::NAN, t_max: f64::NAN, column: i };
         let e = known.unwrap_or(none);
         let size = [first, e.min, e.max, last].iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
-        let scale = scale(&column.quantity, size);
-        let shown = [first, e.min, e.max, last].map(|v| v / scale.size);
         let held = data.digits.as_ref().and_then(|d| d.columns.iter().find(|h| h.column == i));
+        // what is rounding alone is a zero
+        let noise = held.map_or(0.0, |h| h.noise);
+        let scale = scale(&column.quantity, if size <= noise { 0.0 } else { size });
+        let shown = [first, e.min, e.max, last].map(|v| if v.abs() <= noise { 0.0 } else { v / scale.size });
         let mut cells = with_digits(&shown, held.map(|h| h.deviations.map(|d| d / scale.size)), language).into_iter();
-        let mut instants = with_digits(&[e.t_min, e.t_max], held.map(|h| h.instants), language).into_iter();
+        let nothing = e.min.abs().max(e.max.abs()) <= noise && noise > 0.0;
+        let instants = if nothing { [f64::NAN; 2] } else { [e.t_min, e.t_max] };
+        let mut instants = with_digits(&instants, held.map(|h| h.instants), language).into_iter();
         let mut row = vec![Cell::symbol(&column.quantity.symbol), Cell::words(scale.print(language))];
         row.extend(cells.next());
         for _ in 0..2 {

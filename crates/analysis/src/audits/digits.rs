@@ -6,13 +6,17 @@
 
 use symbolic::Text;
 
-use crate::dataset::{Dataset, Digits, Extreme, Held};
+use crate::dataset::{Column, Dataset, Digits, Extreme, Held};
 use crate::fault::number;
 
 /// More digits than a number has are not claimed.
 const MOST: f64 = 15.0;
 /// Fewer than so many digits of a column are worth a remark.
 const FEW: i32 = 4;
+/// A value must exceed the tolerance of the terms behind it so many times to be more than that.
+const CERTAIN: f64 = 16.0;
+/// Share of the largest value of the same unit below which a value is the rounding of a zero: a rate of 1e-15 beside one of 100 has no digit.
+const ROUNDING: f64 = 1e-13;
 
 /// Compares a motion with its repetition; `tolerance` and `order` are those of the repetition.
 pub fn compare(data: &Dataset, again: &Dataset, tolerance: f64, order: usize) -> Digits {
@@ -20,7 +24,7 @@ pub fn compare(data: &Dataset, again: &Dataset, tolerance: f64, order: usize) ->
     let axis = data.axis;
     let columns = (0..data.columns.len()).filter(|i| Some(*i) != axis && !data.columns[*i].values.is_empty());
     let columns = columns.filter(|i| again.columns.get(*i).is_some_and(|c| c.values.len() == data.columns[*i].values.len()));
-    Digits { tolerance, order, columns: columns.map(|i| held(data, again, i, &left_out)).collect() }
+    Digits { tolerance, order, columns: columns.map(|i| held(data, again, i, (&left_out, 10.0 * tolerance))).collect() }
 }
 
 /// Number of digits of a value of this size that a deviation leaves.
@@ -33,8 +37,25 @@ pub fn digits(size: f64, deviation: f64) -> i32 {
     if digits.is_nan() { 0 } else { digits.clamp(0.0, MOST) as i32 }
 }
 
-fn held(data: &Dataset, again: &Dataset, i: usize, left_out: &[bool]) -> Held {
+/// Size up to which the values of a column are zero within the tolerance of the terms that meet in them; 0 where both motions agree on digits.
+fn noise(data: &Dataset, again: &Dataset, i: usize, tolerance: f64) -> f64 {
+    let largest = |c: &Column| c.values.iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
+    let [a, b] = [&data.columns[i], &again.columns[i]];
+    let worst = a.values.iter().zip(&b.values).map(|(a, b)| apart(*a, *b)).fold(0.0, f64::max);
+    if digits(largest(a), worst) >= FEW {
+        return 0.0;
+    }
+    let alike = data.columns.iter().filter(|c| c.quantity.unit == a.quantity.unit);
+    let beside = ROUNDING * alike.map(largest).fold(0.0, f64::max);
+    // the states are off by the tolerance, as by rounding
+    let terms = data.rounding.get(i).copied().unwrap_or(0.0) / f64::EPSILON;
+    beside.max(CERTAIN * terms * tolerance.max(f64::EPSILON))
+}
+
+fn held(data: &Dataset, again: &Dataset, i: usize, (left_out, tolerance): (&[bool], f64)) -> Held {
     let (a, b) = (&data.columns[i].values, &again.columns[i].values);
+    let noise = noise(data, again, i, tolerance);
+    let apart = |a: f64, b: f64| if a.abs().max(b.abs()) <= noise { 0.0 } else { apart(a, b) };
     let rows = || a.iter().zip(b).enumerate().filter(|(row, _)| left_out.get(*row) != Some(&true));
     let size = a.iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
     let worst = rows().map(|(_, (a, b))| apart(*a, *b)).fold(0.0, f64::max);
@@ -50,6 +71,7 @@ fn held(data: &Dataset, again: &Dataset, i: usize, left_out: &[bool]) -> Held {
         deviations: [apart(a[0], b[0]), extreme(|e| e.min), extreme(|e| e.max), apart(a[last], b[last])],
         instants: [extreme(|e| e.t_min), extreme(|e| e.t_max)],
         lost: lost.and_then(|row| data.axis.map(|axis| data.columns[axis].values[row])),
+        noise,
     }
 }
 

@@ -23,6 +23,7 @@ use crate::fault::{number, rounded};
 use crate::marks::Along;
 use crate::marks::extremes::Extremes;
 use crate::marks::named::{Happened, Named, Watcher};
+use crate::marks::proxy::Source;
 use crate::marks::pushes::{Push, Pushes};
 use crate::stiff::Method;
 use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance, order_for};
@@ -295,6 +296,8 @@ struct Run {
     pushes: Pushes,
     /// Event that ended the motion.
     ended: Option<(f64, usize)>,
+    /// Largest rounding of the outputs shown at ends of steps, when asked for.
+    rounding: Option<Vec<f64>>,
     /// Largest drift of conditions that was removed.
     drift: f64,
     work: Work,
@@ -366,6 +369,7 @@ impl Run {
             named: Watcher::new(&options.events),
             pushes: Pushes::new(&options.pushes.iter().filter(|p| system.refusal(p.output).is_none()).cloned().collect::<Vec<_>>()),
             ended: None,
+            rounding: options.check.then(|| vec![0.0; chosen.len()]),
             drift: 0.0,
             work: Work::default(),
             interrupted: false,
@@ -440,6 +444,11 @@ impl Run {
         }
         let length = stop.as_ref().map_or(step.length, |stop| stop.tau);
         self.extremes.look(&mut Along::new(step, system, length));
+        if let Some(largest) = &mut self.rounding {
+            let here = Along::new(step, system, length).rounding(length);
+            let of = |i: &usize| here.get(*i).copied().filter(|r| r.is_finite()).unwrap_or(0.0);
+            largest.iter_mut().zip(&self.chosen).for_each(|(r, i)| *r = r.max(of(i)));
+        }
         self.power.look(step, system);
         self.bodies.look(step, system);
         self.released.look(step, system);
@@ -677,6 +686,7 @@ impl Run {
             contacts: self.contacts,
             extremes: self.extremes.found(),
             overall: self.extremes.overall(),
+            rounding: self.rounding.map(|r| std::iter::once(0.0).chain(r).collect()).unwrap_or_default(),
             counters,
             notes,
             partial: self.interrupted,
