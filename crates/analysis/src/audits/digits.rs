@@ -48,7 +48,7 @@ fn noise(data: &Dataset, again: &Dataset, i: usize, tolerance: f64) -> f64 {
     let alike = data.columns.iter().filter(|c| c.quantity.unit == a.quantity.unit);
     let beside = ROUNDING * alike.map(largest).fold(0.0, f64::max);
     // the states are off by the tolerance, as by rounding
-    let terms = data.rounding.get(i).copied().unwrap_or(0.0) / f64::EPSILON;
+    let terms = again.rounding.get(i).copied().unwrap_or(0.0) / f64::EPSILON;
     beside.max(CERTAIN * terms * tolerance.max(f64::EPSILON))
 }
 

@@ -195,6 +195,7 @@ fn repeated<S: System + ?Sized>(
         ..Simulate::until(options.until)
     };
     let mut run = Run::prepare(system, &again).ok()?;
+    run.rounding = Some(vec![0.0; run.chosen.len()]);
     let fault = run.integrate(system, start, &mut again).err();
     let mut dataset = run.dataset(system, tolerance);
     dataset.partial |= fault.is_some();
@@ -296,7 +297,7 @@ struct Run {
     pushes: Pushes,
     /// Event that ended the motion.
     ended: Option<(f64, usize)>,
-    /// Largest rounding of the outputs shown at ends of steps, when asked for.
+    /// Largest rounding of the outputs shown at ends of steps: the repetition measures it.
     rounding: Option<Vec<f64>>,
     /// Largest drift of conditions that was removed.
     drift: f64,
@@ -369,7 +370,7 @@ impl Run {
             named: Watcher::new(&options.events),
             pushes: Pushes::new(&options.pushes.iter().filter(|p| system.refusal(p.output).is_none()).cloned().collect::<Vec<_>>()),
             ended: None,
-            rounding: options.check.then(|| vec![0.0; chosen.len()]),
+            rounding: None,
             drift: 0.0,
             work: Work::default(),
             interrupted: false,
