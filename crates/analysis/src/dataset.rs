@@ -5,7 +5,7 @@ use symbolic::Text;
 use crate::Quantity;
 
 /// A row may lie outside the extremes by this share of them: both come from the same formulas, by different ways through a step.
-const BESIDE: f64 = 1e-9;
+const BESIDE: f64 = 1e-6;
 
 /// Result of a study.
 #[derive(Clone, Debug, Default, PartialEq)]

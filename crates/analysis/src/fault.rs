@@ -300,7 +300,7 @@ pub(crate) fn number(value: f64) -> Text {
 }
 
 /// Three digits, for estimates.
-pub(crate) fn rounded(value: f64) -> Text {
+pub fn rounded(value: f64) -> Text {
     let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
     number(short)
 }

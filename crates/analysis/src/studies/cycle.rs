@@ -13,6 +13,7 @@
 //! reduced moment     M = (loads - dissipated - dΠ/dt)/ω          J φ'' + ½ J' φ'² = M
 //! ```
 //!
+//! where the dissipated power is taken at the accelerations of the uniform motion, from which the normal forces of dry frictions follow;
 //! and ∮ M dφ = 0 in a steady cycle. J, J', M and the power M φ' of each step are polynomials through Chebyshev's points ([`crate::marks::proxy`]); the
 //! work A(φ) is the integral of the last, and its extremes lie where M passes zero, between steps and inside them.
 //!
@@ -30,7 +31,7 @@ use crate::marks::proxy::{Piece, Proxies, Values};
 use crate::marks::{Along, bracketed};
 use crate::numerics::gauss::EIGHT;
 use crate::taylor::{Flow, Options, Step};
-use crate::{Fault, Mode, Quantity, System};
+use crate::{Fault, GuardKind, Mode, Quantity, System};
 
 /// Options of the study.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,25 +83,54 @@ struct Reduced {
 /// *Errors*: S046 when the shaft does not turn through the cycle, S047 when the system has no energies, and every fault of a motion.
 pub fn cycle<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], options: &Cycle) -> Result<Balance, Fault> {
     let alike = |lead: &S| lead.states() == system.states() && lead.guards().len() == system.guards().len();
-    let steps = match lead.filter(|lead| alike(lead)) {
-        Some(lead) => turn(lead, start, options, 1.0)?,
+    let mut lead = lead.filter(|lead| alike(lead));
+    let steps = match &mut lead {
+        Some(lead) => turn(&mut **lead, start, options, 1.0)?,
         // places alone matter: where the loads stop the shaft, it is made quicker
         None => match turn(system, start, options, 1.0) {
             Err(fault) if fault.code == "S046" => turn(system, start, options, 30.0)?,
             other => other?,
         },
     };
+    let rubs = lead.is_none() && system.guards().iter().any(|g| matches!(g.kind, GuardKind::Friction { .. }));
+    let machine = &mut Pair { own: system, uniform: lead };
     let mut sum = Sum::new(options, start[options.angle]);
     for (step, length) in &steps {
-        sum.add(system, step, *length, options)?;
+        sum.add(machine, step, *length, options)?;
     }
-    sum.finish(system, &steps, options)?;
+    sum.finish(machine, &steps, options)?;
     let Sum { work, size, inertia, angle, .. } = sum;
-    let mut dataset = sum.dataset(system, options);
+    let mut dataset = sum.dataset(&*machine.own, options);
+    dataset.notes.extend(rubs.then(pressed));
     let range = dataset.extreme("A").map_or([0.0; 2], |e| [e.min.min(0.0), e.max.max(0.0)]);
-    dataset.audits.push(periodic_inertia(system, &steps, options)?);
-    dataset.audits.push(same_work(system, &steps, work, size, options)?);
+    dataset.audits.push(periodic_inertia(machine, &steps, options)?);
+    dataset.audits.push(same_work(machine, &steps, work, size, options)?);
     Ok(Balance { work, size, inertia: inertia / angle, excess: range[1] - range[0], dataset })
+}
+
+/// The machine, and the same with its shaft held to the uniform rate. What dry friction takes hangs on normal forces, and these on accelerations: those of
+/// the uniform motion, not those that the loads would give a free shaft.
+struct Pair<'p, S: ?Sized> {
+    own: &'p mut S,
+    uniform: Option<&'p mut S>,
+}
+
+impl<S: System + ?Sized> Pair<'_, S> {
+    /// Powers of the machine, the dissipated one at the accelerations of the uniform motion.
+    fn power(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Result<crate::Powers, Fault> {
+        let mut found = power(&mut *self.own, t, x, accelerations, modes)?;
+        if let Some(uniform) = &mut self.uniform {
+            found.dissipated = power(&mut **uniform, t, x, accelerations, modes)?.dissipated;
+        }
+        Ok(found)
+    }
+}
+
+fn pressed() -> Text {
+    Text::new(
+        "the shaft cannot be held to the uniform rate: normal forces of dry frictions are those of the machine's own motion",
+        "вал нельзя удержать на постоянной скорости: нормальные силы сухого трения взяты из собственного движения машины",
+    )
 }
 
 /// How the shaft runs over one cycle.
@@ -136,7 +166,7 @@ pub fn running<S: System>(system: &mut S, start: &[f64], options: &Cycle) -> Res
 }
 
 /// The machine at the end of the cycle is the one at its start.
-fn periodic_inertia<S: System + ?Sized>(system: &mut S, steps: &[(Step, f64)], options: &Cycle) -> Result<Audit, Fault> {
+fn periodic_inertia<S: System + ?Sized>(machine: &mut Pair<'_, S>, steps: &[(Step, f64)], options: &Cycle) -> Result<Audit, Fault> {
     let name = Text::new(
         "the reduced inertia is the same after the cycle: relative difference",
         "приведённый момент инерции после цикла тот же: относительное расхождение",
@@ -144,7 +174,7 @@ fn periodic_inertia<S: System + ?Sized>(system: &mut S, steps: &[(Step, f64)], o
     let (Some((first, _)), Some((last, length))) = (steps.first(), steps.last()) else {
         return Ok(Audit::at_most("periodic_inertia", name, 0.0, 1e-9));
     };
-    let (a, b) = (reduced(system, first, 0.0, options)?, reduced(system, last, *length, options)?);
+    let (a, b) = (reduced(machine, first, 0.0, options)?, reduced(machine, last, *length, options)?);
     let off = (a.inertia - b.inertia).abs() / a.inertia.abs().max(b.inertia.abs()).max(f64::MIN_POSITIVE);
     Ok(Audit::at_most("periodic_inertia", name, off, 1e-9))
 }
@@ -157,8 +187,14 @@ fn periodic_inertia<S: System + ?Sized>(system: &mut S, steps: &[(Step, f64)], o
 /// ```
 ///
 /// provided that the loads do not feel the rate; the check is made where the motion is the uniform one.
-fn same_work<S: System + ?Sized>(system: &mut S, steps: &[(Step, f64)], work: f64, size: f64, options: &Cycle) -> Result<Audit, Fault> {
-    let (n, n_x) = (system.n_coordinates(), system.states().len());
+fn same_work<S: System + ?Sized>(
+    machine: &mut Pair<'_, S>,
+    steps: &[(Step, f64)],
+    work: f64,
+    size: f64,
+    options: &Cycle,
+) -> Result<Audit, Fault> {
+    let (n, n_x) = (machine.own.n_coordinates(), machine.own.states().len());
     let (mut x, mut slope) = (vec![0.0; n_x], vec![0.0; n_x]);
     let (mut again, mut uneven) = (0.0, 0.0_f64);
     let mut kinetic: [Option<f64>; 2] = [None, None];
@@ -170,13 +206,13 @@ fn same_work<S: System + ?Sized>(system: &mut S, steps: &[(Step, f64)], work: f6
                 step.state_at(t, &mut x);
                 step.rate_at(t, &mut slope);
                 uneven = uneven.max((x[n + options.angle] / options.rate - 1.0).abs());
-                let p = power(system, t, &x, &slope[n..2 * n], &step.modes)?;
+                let p = machine.power(t, &x, &slope[n..2 * n], &step.modes)?;
                 again += 0.5 * part * weight * (p.loads - p.dissipated - p.rate);
             }
         }
         for (end, t) in [(0, step.start.high), (1, step.instant(*length).high)] {
             step.state_at(t, &mut x);
-            let energy = system.energies(t, &x, &step.modes).map(|[kinetic, _]| kinetic);
+            let energy = machine.own.energies(t, &x, &step.modes).map(|[kinetic, _]| kinetic);
             if end == 1 || kinetic[0].is_none() {
                 kinetic[end] = energy;
             }
@@ -230,10 +266,10 @@ fn place(step: &Step, j: usize, tau: f64) -> f64 {
 }
 
 /// The reduced machine at tau in a step.
-fn reduced<S: System + ?Sized>(system: &mut S, step: &Step, tau: f64, options: &Cycle) -> Result<Reduced, Fault> {
-    let (n, j, w) = (system.n_coordinates(), options.angle, options.rate);
+fn reduced<S: System + ?Sized>(machine: &mut Pair<'_, S>, step: &Step, tau: f64, options: &Cycle) -> Result<Reduced, Fault> {
+    let (n, j, w) = (machine.own.n_coordinates(), options.angle, options.rate);
     let t = step.instant(tau).high;
-    let n_x = system.states().len();
+    let n_x = machine.own.states().len();
     let (mut x, mut slope) = (vec![0.0; n_x], vec![0.0; n_x]);
     step.state_at(t, &mut x);
     step.rate_at(t, &mut slope);
@@ -243,7 +279,7 @@ fn reduced<S: System + ?Sized>(system: &mut S, step: &Step, tau: f64, options: &
     let mut at = |w: f64, accelerations: &[f64]| {
         let mut x = x.clone();
         (0..n).for_each(|i| x[n + i] = b[i] * w);
-        power(system, t, &x, accelerations, &step.modes)
+        machine.power(t, &x, accelerations, &step.modes)
     };
     let scaled = |factor: f64| c.iter().map(|c| c * factor).collect::<Vec<f64>>();
     let uniform = at(w, &scaled(w * w))?;
@@ -335,9 +371,9 @@ impl Sum {
     }
 
     /// Adds a step up to `length`.
-    fn add<S: System + ?Sized>(&mut self, system: &mut S, step: &Step, length: f64, options: &Cycle) -> Result<(), Fault> {
+    fn add<S: System + ?Sized>(&mut self, machine: &mut Pair<'_, S>, step: &Step, length: f64, options: &Cycle) -> Result<(), Fault> {
         let mut fault = None;
-        let mut sample = Values(|tau: f64| match reduced(system, step, tau, options) {
+        let mut sample = Values(|tau: f64| match reduced(machine, step, tau, options) {
             Ok(r) => vec![r.inertia, r.slope, r.moment, r.moment * r.rate, r.inertia * r.rate],
             Err(f) => {
                 fault.get_or_insert(f);
@@ -354,7 +390,7 @@ impl Sum {
         }
         let (mut now, before) = (0.0, self.work);
         for piece in pieces.iter().filter(|p| p.of == POWER) {
-            self.rows(system, step, (piece, before + now), &place, options)?;
+            self.rows(machine, step, (piece, before + now), &place, options)?;
             now += self.working(piece, before + now, &place);
         }
         self.work = before + now;
@@ -390,7 +426,7 @@ impl Sum {
     /// Rows whose angle lies in a piece of the power, before which the work is `before`.
     fn rows<S: System + ?Sized>(
         &mut self,
-        system: &mut S,
+        machine: &mut Pair<'_, S>,
         step: &Step,
         (piece, before): (&Piece, f64),
         place: &dyn Fn(f64) -> f64,
@@ -407,7 +443,7 @@ impl Sum {
                 let middle = 0.5 * (low + high);
                 if sign * (place(middle) - angle) < 0.0 { low = middle } else { high = middle }
             }
-            let here = reduced(system, step, high, options)?;
+            let here = reduced(machine, step, high, options)?;
             let work = before + crossings::value(&done, (high - piece.from) / (piece.to - piece.from));
             self.values.push([here.inertia, here.slope, here.moment, work]);
         }
@@ -415,10 +451,10 @@ impl Sum {
     }
 
     /// The last row, at the end of the cycle.
-    fn finish<S: System + ?Sized>(&mut self, system: &mut S, steps: &[(Step, f64)], options: &Cycle) -> Result<(), Fault> {
+    fn finish<S: System + ?Sized>(&mut self, machine: &mut Pair<'_, S>, steps: &[(Step, f64)], options: &Cycle) -> Result<(), Fault> {
         if let Some((step, length)) = steps.last() {
             while self.values.len() < self.angles.len() {
-                let here = reduced(system, step, *length, options)?;
+                let here = reduced(machine, step, *length, options)?;
                 self.values.push([here.inertia, here.slope, here.moment, self.work]);
             }
         }

@@ -111,6 +111,9 @@ pub(super) fn parse(text: &str) -> Result<Range, Fault> {
             (spaced(kind == "logspace", from, to, number_of(count, &whole)?, &whole)?, dimension)
         }
         ("", items) => {
+            if separator == ',' && decimal_comma(inner, items) {
+                return Err(comma(whole));
+            }
             let mut dimension = None;
             let values = items.iter().map(|item| quantity(item, &mut dimension, &whole)).collect::<Result<Vec<f64>, Fault>>()?;
             (values, dimension)
@@ -121,6 +124,28 @@ pub(super) fn parse(text: &str) -> Result<Range, Fault> {
     let is_bare = |item: &&str| parse_number_or_quantity(item).is_ok_and(|q| !q.has_unit && q.to_f64() != 0.0);
     let bare = items.iter().take(given).copied().find(|item| is_bare(item)).map(str::to_owned);
     Ok(Range { name, values, dimension, bare, named, whole })
+}
+
+/// Whether a comma between two digits leaves a bare number beside values with units: `1,5 kg, 2 kg`.
+fn decimal_comma(list: &str, items: &[&str]) -> bool {
+    let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let tight = list.match_indices(',').any(|(at, _)| digit(list[..at].chars().next_back()) && digit(list[at + 1..].chars().next()));
+    let units = |item: &&str| parse_number_or_quantity(item).map(|q| q.has_unit);
+    let found = || items.iter().map(units);
+    tight && found().any(|u| u == Ok(true)) && found().any(|u| u == Ok(false))
+}
+
+fn comma(whole: Span<usize>) -> Fault {
+    Fault::new(
+        "M070",
+        whole,
+        "a comma between digits: is it a decimal mark, or does it separate values?",
+        "запятая между цифрами: это десятичный знак или разделитель значений?",
+    )
+    .help(
+        "separate with semicolons (`1,5 kg; 2 kg`), or write points (`1.5 kg, 2 kg`)",
+        "разделяйте точкой с запятой (`1,5 кг; 2 кг`) или пишите точки (`1.5 кг, 2 кг`)",
+    )
 }
 
 fn two(from: &str, to: &str, whole: &Span<usize>) -> Result<([f64; 2], Option<Dimension>), Fault> {

@@ -8,7 +8,7 @@ use crate::pipeline::{self, Finding, Machine};
 use crate::watch::Watch;
 use crate::words::Word;
 use crate::{folder, provenance};
-use analysis::dataset::{Column, Missing};
+use analysis::dataset::{Audit, Column, Missing};
 use analysis::reduce::{NAMES, Reduction, reduce};
 use analysis::{Dataset, Quantity};
 use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, Simulate, StudyKind, Sweep, SweepRange, Times};
@@ -60,6 +60,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     let (mut guess, mut failed, mut first): (Option<Vec<f64>>, usize, Option<Trouble>) = (None, 0, None);
     let own = study.over.len();
     let mut without: Vec<(String, Text)> = Vec::new();
+    let (mut checked_runs, mut doubtful) = (0, Vec::new());
     for row in 0..count {
         if watch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             data.partial = true;
@@ -68,6 +69,11 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         }
         let values = place(&study.over, row);
         let outcome = one(machine, &Repeated { base: &base, of }, &values, &mut guess, watch);
+        if let Ok(finding) = &outcome {
+            let audits = &finding.data().audits;
+            checked_runs += usize::from(!audits.is_empty());
+            doubtful.extend(audits.iter().find(|a| !a.ok).map(|audit| (values.clone(), audit.clone())));
+        }
         let outcome = outcome.and_then(|finding| wanted.iter().map(|(_, w)| number(&finding, w)).collect::<Result<Vec<_>, _>>());
         for (column, (_, value)) in columns.iter_mut().zip(&values) {
             column.values.push(*value);
@@ -90,6 +96,10 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         if let Some(progress) = &mut watch.progress {
             progress((row + 1) as f64 / count as f64);
         }
+    }
+    if checked_runs > 0 {
+        data.audits.push(judged(doubtful.len()));
+        data.notes.extend(doubtful.first().map(|(values, audit)| doubt(values, audit)));
     }
     if let Some(trouble) = first {
         let (en, ru) = (&trouble.what.en, &trouble.what.ru);
@@ -120,6 +130,23 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     data.columns = columns;
     without.into_iter().for_each(|(column, words)| data.state(&column, Missing::Absent, words));
     Ok(data)
+}
+
+/// The checks of all runs.
+fn judged(failed: usize) -> Audit {
+    let name = Text::new("repeated studies of which a check failed", "повторённых расчётов, в которых не выполнена проверка");
+    Audit::at_most("repeated", name, failed as f64, 0.0)
+}
+
+/// The first run of which a check failed.
+fn doubt(values: &[(String, f64)], audit: &Audit) -> Text {
+    let shown: Vec<(String, Text)> = values.iter().map(|(name, value)| (name.clone(), analysis::fault::rounded(*value))).collect();
+    let list =
+        |pick: fn(&Text) -> &str| shown.iter().map(|(name, value)| format!("{name} = {}", pick(value))).collect::<Vec<_>>().join(", ");
+    Text::new(
+        format!("the check that failed at {}: {}", list(|t| &t.en), audit.name.en),
+        format!("проверка, не выполненная при {}: {}", list(|t| &t.ru), audit.name.ru),
+    )
 }
 
 /// Values of all ranges in a row; the last range changes fastest.
@@ -207,10 +234,16 @@ fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Resu
     let of = match kind {
         Some(kind) => first(&|k| name_of(k) == kind),
         // greatest values are those of a motion, else of a place of rest: a shape of modes has no size
-        None if wanted.iter().any(|(_, w)| !matches!(w, Wanted::Field(_))) => first(&moves).or_else(|| first(&rests)),
+        None if wanted.iter().any(|(_, w)| !matches!(w, Wanted::Field(_))) => {
+            first(&moves).or_else(|| first(&rests)).or_else(|| first(&repeatable))
+        }
         None => first(&repeatable),
     };
     let in_file = of.map(|k| &machine.model.studies[k].kind);
+    let column = wanted.iter().find_map(|(_, w)| if let Wanted::Column(name, _) = w { Some(name) } else { None });
+    if let (Some(StudyKind::Modes(_)), Some(name)) = (in_file, column) {
+        return Err(rows_only(name));
+    }
     let mut base = match (in_file, kind) {
         (Some(kind), _) => kind.clone(),
         (None, Some("periodic")) => StudyKind::Periodic(automatic()),

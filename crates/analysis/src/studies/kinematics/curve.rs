@@ -17,16 +17,14 @@ use crate::marks::proxy::{Proxies, Source};
 const PIECES: i64 = 600;
 
 /// Extremes of all quantities of the observer; those that could not be followed everywhere are left out.
-pub(super) fn extremes(walk: &mut Walk, stands: &[Stand], observer: &mut dyn Observer, places: &[Place]) -> Vec<Extreme> {
+pub(super) fn extremes(walk: &mut Walk, stands: &[Stand], observer: &mut dyn Observer, rows: (&[Place], &[f64])) -> Vec<Extreme> {
     let (Some(first), Some(last)) = (stands.first(), stands.last()) else { return Vec::new() };
     let count = observer.count();
     let mut course = Course::new(count, Proxies::sparing(PIECES, count));
-    if places.len() == stands.len() {
-        // places of the table count exactly
-        for (stand, place) in stands.iter().zip(places) {
-            let values = observer.values(place);
-            (0..count).for_each(|k| course.offer(k, stand.s, values[k]));
-        }
+    // places of the table count exactly, also those that can be passed and not stood on
+    for (place, s) in rows.0.iter().zip(rows.1) {
+        let values = observer.values(place);
+        (0..count).for_each(|k| course.offer(k, *s, values[k]));
     }
     let (from, span) = (first.s, last.s - first.s);
     let sign = span.signum();

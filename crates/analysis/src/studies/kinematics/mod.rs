@@ -102,7 +102,7 @@ pub fn follow(equations: &Equations, start: &[f64], way: Way) -> Followed {
         let mut stands = Vec::new();
         let result = walk.all(start, way.at, &mut found, &mut stands);
         if let (Ok(()), Some(observer)) = (&result, way.observer) {
-            found.extremes = curve::extremes(&mut walk, &stands, observer, &found.places);
+            found.extremes = curve::extremes(&mut walk, &stands, observer, (&found.places, way.at));
         }
         found.audits = walk.audits();
         result
