@@ -164,6 +164,9 @@ impl Machine {
         machine.notes = assembly.notes;
         let n = equations.coordinates.len();
         machine.balanced.retain(|&i| i < n || assembly.selection.balances.get(i - n) == Some(&true));
+        if let Some(conditions) = &mut machine.conditions {
+            conditions.look_around(&assembly.start);
+        }
         machine.start = Some(assembly.start);
         Ok(machine)
     }

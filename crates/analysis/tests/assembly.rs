@@ -172,6 +172,8 @@ fn redundant_loop_of_a_flat_mechanism_is_told_from_a_singular_one() {
     let place = b.e.conditions[0].place.unwrap();
     b.ideal("pin again, x", place);
     let assembly = assemble(&b.e, &[]).unwrap();
-    assert_eq!(assembly.selection.conditions, vec![true, true, false]);
-    assert_eq!(assembly.undetermined.open, vec![0, 2]);
+    let repeated = assembly.selection.repeated.unwrap();
+    let members: Vec<usize> = repeated.members.iter().map(|(c, _)| *c).collect();
+    assert_eq!((repeated.count, members), (1, vec![0, 1, 2]));
+    assert_eq!((assembly.selection.conditions, assembly.undetermined.open), (vec![true; 3], vec![0, 2]));
 }

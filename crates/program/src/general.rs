@@ -10,6 +10,7 @@
 //! those of the whole rows.
 
 use crate::solve::Defect;
+use crate::spare::{Spare, leave_out};
 
 /// A factored matrix; reused from call to call without allocation.
 #[derive(Clone, Debug, Default)]
@@ -40,6 +41,8 @@ pub(crate) struct General {
     /// Row under elimination, later the solution.
     row: Vec<f64>,
     rest: Vec<f64>,
+    /// Rows that repeat others here: their right sides are 0. Empty where none can.
+    out: Vec<bool>,
 }
 
 /// A pivot below this part, times n, of its scale has lost all digits to cancellation.
@@ -48,11 +51,16 @@ const SINGULAR: f64 = 4.0 * f64::EPSILON;
 const OPEN: u32 = u32::MAX;
 
 impl General {
-    /// Takes the matrix, by rows.
-    pub(crate) fn load(&mut self, size: usize, entries: impl Iterator<Item = f64>) {
+    /// Takes the matrix, by rows; of spare rows those that repeat others here are left out.
+    pub(crate) fn load(&mut self, (size, spare): (usize, Option<&Spare>), entries: impl Iterator<Item = f64>) {
         self.size = size;
         self.matrix.clear();
         self.matrix.extend(entries);
+        self.out.clear();
+        if let Some(spare) = spare {
+            self.out.resize(size, false);
+            leave_out(spare, &mut self.matrix, &mut self.out);
+        }
         self.row.resize(size, 0.0);
         self.rest.resize(size, 0.0);
     }
@@ -205,6 +213,7 @@ impl General {
 
     /// Replaces b by A⁻¹ b.
     pub(crate) fn solve(&mut self, b: &mut [f64]) {
+        self.drop_right_sides(b);
         let mut start = 0;
         for i in 0..self.size {
             let end = self.ends[i].0;
@@ -227,6 +236,10 @@ impl General {
             end = start;
         }
         b.copy_from_slice(&self.row[..self.size]);
+    }
+
+    fn drop_right_sides(&self, b: &mut [f64]) {
+        b.iter_mut().zip(&self.out).filter(|(_, out)| **out).for_each(|(b, _)| *b = 0.0);
     }
 
     /// The same with one step of refinement, x + A⁻¹(b - A x): each equation is then met to its own rounding (Skeel 1980).
@@ -262,7 +275,7 @@ mod tests {
 
     fn solved(matrix: &[f64], b: &[f64]) -> Result<Vec<f64>, Defect> {
         let mut general = General::default();
-        general.load(b.len(), matrix.iter().copied());
+        general.load((b.len(), None), matrix.iter().copied());
         general.factor()?;
         let mut x = b.to_vec();
         general.solve_refined(&mut x);

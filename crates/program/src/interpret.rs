@@ -286,9 +286,9 @@ fn execute(
             registers[into..into + solution.len()].copy_from_slice(solution);
             return Ok(());
         }
-        Operation::System { matrix, right } => {
+        Operation::System { matrix, right, spare } => {
             let Scratch { general, solution, .. } = scratch;
-            general.load(right.len(), matrix.iter().map(|r| r.map_or(0.0, |r| registers[r.index()])));
+            general.load((right.len(), spare.as_deref()), matrix.iter().map(|r| r.map_or(0.0, |r| registers[r.index()])));
             if let Err(defect) = general.factor() {
                 registers[into..into + right.len()].fill(f64::NAN);
                 return Err(defective(tape, instruction.into, defect));

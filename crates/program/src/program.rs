@@ -36,6 +36,8 @@ pub struct Program {
     pub reactions: usize,
     /// Reactions (by index) that the dynamics solve for: roots 2n + s, 2n + s + 1, ... of [`Program::dynamics`].
     pub solved: Vec<usize>,
+    /// How many of the conditions repeat others wherever the machine is.
+    pub repeated: usize,
     /// Reactions (by index) that [`Program::forces`] gives: roots n, n + 1, ... The others are not unique.
     pub known: Vec<usize>,
     /// Names of the equations of the dynamics, for [`crate::Singular::row`]: kept conditions, motions, kept balances when they take part.

@@ -74,7 +74,9 @@ fn errors(tape: &Tape, registers: &[f64], count: usize, given: &Given) -> Vec<f6
         let error = match instruction.operation {
             Operation::State(slot) => given.states.get(slot as usize).copied().unwrap_or(0.0),
             Operation::Acceleration(slot) => given.accelerations.get(slot as usize).copied().unwrap_or(0.0),
-            Operation::Solve { ref matrix, ref right } | Operation::System { ref matrix, ref right } if given.solved == Solved::Usual => {
+            Operation::Solve { ref matrix, ref right } | Operation::System { ref matrix, ref right, .. }
+                if given.solved == Solved::Usual =>
+            {
                 let of = |r: Register| [registers[r.index()].abs(), errors[r.index()]];
                 let share = share(matrix.iter().flatten().map(|r| of(*r))) + share(right.iter().map(|r| of(*r)));
                 (USUAL + share) * (first..first + right.len()).fold(0.0, |m: f64, k| m.max(registers[k].abs()))

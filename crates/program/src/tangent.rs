@@ -145,9 +145,9 @@ impl Tangent {
                 }
                 return Ok(());
             }
-            Operation::System { matrix, right } => {
+            Operation::System { matrix, right, spare } => {
                 let values = &self.values;
-                self.general.load(right.len(), matrix.iter().map(|r| r.map_or(0.0, |r| values.value(r))));
+                self.general.load((right.len(), spare.as_deref()), matrix.iter().map(|r| r.map_or(0.0, |r| values.value(r))));
                 if self.general.factor().is_ok() {
                     let n = right.len();
                     self.system(into, right, &|i, j| matrix[i * n + j], &|t: &mut Tangent, b: &mut [f64]| t.general.solve_refined(b));

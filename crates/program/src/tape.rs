@@ -4,6 +4,9 @@
 //! for everything after. The *body* runs once per state. Registers are numbered in the order of the instructions, so every operand
 //! has a smaller number than the result ([`crate::verify`] checks it).
 
+use std::sync::Arc;
+
+use crate::Spare;
 use symbolic::Expr;
 
 /// A value: the number of the register that holds it.
@@ -164,6 +167,8 @@ pub enum Operation {
         matrix: Box<[Option<Register>]>,
         /// b.
         right: Box<[Register]>,
+        /// Rows of which some repeat others.
+        spare: Option<Arc<Spare>>,
     },
 }
 
@@ -223,7 +228,7 @@ impl Operation {
                 }
                 sides.iter().copied().for_each(visit);
             }
-            Operation::Solve { matrix, right } | Operation::System { matrix, right } => {
+            Operation::Solve { matrix, right } | Operation::System { matrix, right, .. } => {
                 matrix.iter().flatten().copied().for_each(&mut *visit);
                 right.iter().copied().for_each(visit);
             }
@@ -259,9 +264,11 @@ impl Operation {
             Operation::Solve { matrix, right } => {
                 Operation::Solve { matrix: matrix.iter().map(|r| r.map(name)).collect(), right: right.iter().map(|r| name(*r)).collect() }
             }
-            Operation::System { matrix, right } => {
-                Operation::System { matrix: matrix.iter().map(|r| r.map(name)).collect(), right: right.iter().map(|r| name(*r)).collect() }
-            }
+            Operation::System { matrix, right, spare } => Operation::System {
+                matrix: matrix.iter().map(|r| r.map(name)).collect(),
+                right: right.iter().map(|r| name(*r)).collect(),
+                spare: spare.clone(),
+            },
             leaf => leaf.clone(),
         }
     }

@@ -13,7 +13,8 @@
 //!   %4 %5 = sincos %2
 //!   %6 = choose mode 0 %1 %1 %4         negative, zero, positive; or: choose value %2 ...
 //!   %7 %8 = solve %0 - %3 | %4 %5       lower triangle by rows, - is zero; right sides after |
-//!   %9 = solve-general %0 | %4          the same with the whole matrix, by rows
+//!   %9 = solve-general %0 | %4          the same with the whole matrix, by rows; behind it may stand | count | rows that stay | row:unknown:size | sizes of
+//!                                       columns: rows of which `count` repeat others
 //! guards
 //!   %2                                  - when this tape does not compute it
 //! bounds                                absent when there are none
@@ -22,8 +23,9 @@
 //!   %7 NAME
 //! ```
 
-use crate::{Bounded, By, Coefficient, Fault, Instruction, Operation, Register, Root, Shape, Tape, Unary, verify::verify};
+use crate::{Bounded, By, Coefficient, Fault, Instruction, Operation, Real, Register, Root, Shape, Spare, Tape, Unary, verify::verify};
 use std::fmt::{self, Display, Write};
+use std::sync::Arc;
 
 impl Display for Register {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -58,13 +60,28 @@ impl Display for Operation {
                 By::Mode(g) => write!(f, " mode {g} {n} {z} {p}"),
                 By::Value(r) => write!(f, " value {r} {n} {z} {p}"),
             },
-            Operation::Solve { matrix, right } | Operation::System { matrix, right } => {
-                matrix.iter().try_for_each(|r| write!(f, " {}", Entry(*r)))?;
-                f.write_str(" |")?;
-                right.iter().try_for_each(|r| write!(f, " {r}"))
+            Operation::Solve { matrix, right } => write_system(f, matrix, right),
+            Operation::System { matrix, right, spare } => {
+                write_system(f, matrix, right)?;
+                spare.iter().try_for_each(|spare| write_spare(f, spare))
             }
         }
     }
+}
+
+fn write_system(f: &mut fmt::Formatter, matrix: &[Option<Register>], right: &[Register]) -> fmt::Result {
+    matrix.iter().try_for_each(|r| write!(f, " {}", Entry(*r)))?;
+    f.write_str(" |")?;
+    right.iter().try_for_each(|r| write!(f, " {r}"))
+}
+
+fn write_spare(f: &mut fmt::Formatter, spare: &Spare) -> fmt::Result {
+    write!(f, " | {} |", spare.count)?;
+    spare.fixed.iter().try_for_each(|row| write!(f, " {row}"))?;
+    f.write_str(" |")?;
+    spare.pairs.iter().try_for_each(|(row, unknown, size)| write!(f, " {row}:{unknown}:{:?}", size.0))?;
+    f.write_str(" |")?;
+    spare.columns.iter().try_for_each(|size| write!(f, " {:?}", size.0))
 }
 
 struct Entry(Option<Register>);
@@ -196,12 +213,37 @@ fn read_operation(words: &str) -> Option<Operation> {
         "sinhcosh" => Operation::SinhCosh(read_register(rest)?),
         "choose" => read_choice(rest)?,
         "solve" => read_system(rest).map(|(matrix, right)| Operation::Solve { matrix, right })?,
-        "solve-general" => read_system(rest).map(|(matrix, right)| Operation::System { matrix, right })?,
+        "solve-general" => read_general(rest)?,
         _ => return None,
     })
 }
 
 type SystemOperands = (Box<[Option<Register>]>, Box<[Register]>);
+
+fn read_general(rest: &str) -> Option<Operation> {
+    let parts: Vec<&str> = rest.splitn(3, " |").collect();
+    let spare = match parts.get(2) {
+        Some(text) => Some(Arc::new(read_spare(text)?)),
+        None => None,
+    };
+    let (matrix, right) = read_system(&rest[..rest.len() - parts.get(2).map_or(0, |text| text.len() + 2)])?;
+    Some(Operation::System { matrix, right, spare })
+}
+
+fn read_spare(text: &str) -> Option<Spare> {
+    let parts: Vec<&str> = text.split('|').collect();
+    let [count, fixed, pairs, columns] = parts[..] else { return None };
+    let pair = |word: &str| {
+        let mut words = word.split(':');
+        Some((words.next()?.parse().ok()?, words.next()?.parse().ok()?, Real(words.next()?.parse().ok()?)))
+    };
+    Some(Spare {
+        count: count.trim().parse().ok()?,
+        fixed: fixed.split_whitespace().map(|word| word.parse().ok()).collect::<Option<_>>()?,
+        pairs: pairs.split_whitespace().map(pair).collect::<Option<_>>()?,
+        columns: columns.split_whitespace().map(|word| word.parse().ok().map(Real)).collect::<Option<_>>()?,
+    })
+}
 
 fn read_system(rest: &str) -> Option<SystemOperands> {
     let (matrix, right) = rest.split_once(" | ")?;

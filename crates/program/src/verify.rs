@@ -89,9 +89,10 @@ fn check_slots(tape: &Tape, instruction: &Instruction) -> Broken {
             let n = right.len();
             if n > 0 && matrix.len() == n * (n + 1) / 2 { Ok(()) } else { Err("system has the wrong shape") }
         }
-        Operation::System { matrix, right } => {
+        Operation::System { matrix, right, spare } => {
             let n = right.len();
-            if n > 0 && matrix.len() == n * n { Ok(()) } else { Err("system has the wrong shape") }
+            let fits = spare.as_ref().is_none_or(|spare| spare.fits(n));
+            if n > 0 && matrix.len() == n * n && fits { Ok(()) } else { Err("system has the wrong shape") }
         }
         _ => Ok(()),
     }

@@ -480,7 +480,7 @@ fn dropped_reaction_is_refused_where_it_is_asked_for() {
     let singular = fault.singular.unwrap();
     assert_eq!((fault.code, &bound.program().rows[singular.row].en[..]), ("P013", "second"));
     assert!(bound.program().unknowns[singular.unknown].starts_with("force("));
-    let selection = Selection { conditions: vec![true, false], reactions: vec![true, false], balances: vec![] };
+    let selection = Selection { conditions: vec![true, false], reactions: vec![true, false], balances: vec![], repeated: None };
     let program = Arc::new(equations_with(&e, &selection).unwrap());
     let mut forces = Evaluator::new(&program.forces, &program.values).unwrap();
     let roots = forces.evaluate(&Point { states: &[1.0, 2.0, 0.0, 0.0], ..Point::default() }).unwrap();

@@ -26,6 +26,8 @@ pub(super) const CLOSED: f64 = 1e-12;
 const STEPS: usize = 200;
 /// Longest step, rad, or share of the size.
 const LONGEST: f64 = 0.5;
+/// Share of a rate by typical levers with which a condition without levers is compared.
+const STILL: f64 = 1e-3;
 /// Guesses around the user's.
 const AROUND: usize = 40;
 /// A given value that closes when it changes by this share is the printed form of one that does.
@@ -155,7 +157,8 @@ impl Bench<'_> {
         let scaled = if damping == 0.0 {
             let matrix: Vec<f64> = (0..n * m).map(|p| entry(p % m, p / m)).collect();
             let wanted: Vec<f64> = residual.iter().map(|r| -r).collect();
-            Qr::new(&matrix, n, m).shortest(&wanted)
+            let factors = if self.has_dead(rows) { Qr::measured(&matrix, n, m, m) } else { Qr::new(&matrix, n, m) };
+            factors.shortest(&wanted)
         } else {
             let largest = (0..m * n).fold(0.0_f64, |l, p| l.max(entry(p / n, p % n).abs()));
             let weight = damping.sqrt() * largest;
@@ -296,12 +299,16 @@ impl Bench<'_> {
         let mut x = guess.to_vec();
         for _ in 0..3 {
             self.evaluate(&x)?;
-            let matrix: Vec<f64> = (0..n * m).map(|p| self.row(rows[p % m])[free[p / m]] / self.reach[free[p / m]]).collect();
-            let wanted: Vec<f64> = rows.iter().map(|&c| -self.rate(c)).collect();
+            let dead = self.has_dead(rows);
+            let unit = |c: usize| if dead { self.spans[c] } else { 1.0 };
+            let entry = |c: usize, j: usize| self.row(c)[j] / (self.reach[j] * unit(c));
+            let matrix: Vec<f64> = (0..n * m).map(|p| entry(rows[p % m], free[p / m])).collect();
+            let wanted: Vec<f64> = rows.iter().map(|&c| -self.rate(c) / unit(c)).collect();
             if wanted.iter().all(|w| *w == 0.0) {
                 break;
             }
-            let change = Qr::new(&matrix, n, m).shortest(&wanted);
+            let factors = if dead { Qr::measured(&matrix, n, m, m) } else { Qr::new(&matrix, n, m) };
+            let change = factors.shortest(&wanted);
             for (&j, d) in free.iter().zip(&change) {
                 let (old, change) = (x[self.n + j], d / self.reach[j]);
                 // what cancels to rounding is zero
@@ -315,7 +322,8 @@ impl Bench<'_> {
 
     /// Size of the rates that were given: rates that have cancelled are compared with these.
     fn rate_scale(&self, condition: usize, guess: &[f64]) -> f64 {
-        1e-3 * self.row(condition).iter().zip(&guess[self.n..2 * self.n]).map(|(a, v)| a.abs() * v.abs()).sum::<f64>()
+        let own: f64 = self.row(condition).iter().zip(&guess[self.n..2 * self.n]).map(|(a, v)| a.abs() * v.abs()).sum();
+        STILL * own.max(self.typical_rate(condition, guess))
     }
 
     fn worst_of(&self, rows: &[usize], size: impl Fn(&Self, usize) -> f64) -> usize {

@@ -86,6 +86,9 @@ fn guides_by_guess(equations: &Equations) -> Vec<Text> {
     notes
 }
 
+/// Share of its typical length below which a gradient is rounding.
+const DEAD: f64 = 1e-7;
+
 /// The conditions at a state that is being put together.
 struct Bench<'e> {
     equations: &'e Equations,
@@ -100,6 +103,8 @@ struct Bench<'e> {
     reach: Vec<f64>,
     /// Typical size of the terms of each condition's place.
     sizes: Vec<f64>,
+    /// Typical length of each gradient over `reach`: in some positions a condition has no levers.
+    spans: Vec<f64>,
     /// Coordinates whose place was moved from the start of the file.
     moved: Vec<bool>,
 }
@@ -110,6 +115,7 @@ impl<'e> Bench<'e> {
             conditions: vec![false; equations.conditions.len()],
             reactions: vec![false; equations.reactions.len()],
             balances: vec![false; equations.balances.len()],
+            repeated: None,
         };
         let program = Arc::new(program::lower::equations_with(equations, &none)?);
         let bound = Bound::new(&program, parameters)?;
@@ -125,6 +131,7 @@ impl<'e> Bench<'e> {
             values: Vec::new(),
             reach: vec![1.0; n],
             sizes: vec![0.0; equations.conditions.len()],
+            spans: vec![1.0; equations.conditions.len()],
             moved: vec![false; n],
         };
         bench.measure_reach();
@@ -166,6 +173,7 @@ impl<'e> Bench<'e> {
         let mut random = crate::numerics::random::Random::new(7);
         let mut reach = vec![0.0_f64; self.n];
         let mut sizes = vec![0.0_f64; self.equations.conditions.len()];
+        let mut rows: Vec<(usize, Vec<f64>)> = Vec::new();
         for trial in 0..5 {
             let mut x = self.x.clone();
             if trial > 0 {
@@ -180,11 +188,27 @@ impl<'e> Bench<'e> {
             for c in self.lasting() {
                 let row = self.row(c);
                 reach.iter_mut().zip(row).for_each(|(r, j)| *r = r.max(j.abs()));
+                rows.push((c, row.to_vec()));
                 sizes[c] = sizes[c].max(self.place_size_here(c, &x));
             }
         }
         self.reach = reach.into_iter().map(|r| if r > 0.0 && r.is_finite() { r } else { 1.0 }).collect();
         self.sizes = sizes;
+        let mut spans = vec![0.0_f64; self.equations.conditions.len()];
+        for (c, row) in rows {
+            spans[c] = spans[c].max(self.over_reach(&row));
+        }
+        self.spans = spans.into_iter().map(|s| if s > 0.0 && s.is_finite() { s } else { 1.0 }).collect();
+    }
+
+    /// Length of a gradient over the reach of the coordinates.
+    fn over_reach(&self, row: &[f64]) -> f64 {
+        row.iter().zip(&self.reach).map(|(a, r)| (a / r).powi(2)).sum::<f64>().sqrt()
+    }
+
+    /// Whether one of these conditions has no levers here; what is left of them is rounding.
+    fn has_dead(&self, rows: &[usize]) -> bool {
+        rows.iter().any(|&c| self.over_reach(self.row(c)) < DEAD * self.spans[c])
     }
 
     /// How large the terms are that meet in the place of a condition.
@@ -202,6 +226,11 @@ impl<'e> Bench<'e> {
     fn rate_size(&self, condition: usize, x: &[f64]) -> f64 {
         let moved: f64 = self.row(condition).iter().zip(&x[self.n..2 * self.n]).map(|(a, v)| a.abs() * v.abs()).sum();
         moved.max(self.rate(condition).abs()).max(f64::MIN_POSITIVE)
+    }
+
+    /// Terms of a rate by the typical levers of its condition.
+    fn typical_rate(&self, condition: usize, x: &[f64]) -> f64 {
+        self.spans[condition] * self.reach.iter().zip(&x[self.n..2 * self.n]).map(|(r, v)| r * v.abs()).sum::<f64>()
     }
 
     fn name(&self, condition: usize) -> &Text {

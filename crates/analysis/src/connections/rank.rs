@@ -1,12 +1,14 @@
 //! Which conditions are independent, and which reactions are unique.
 //!
-//! Rows of J are taken in their order; one that depends on those before it is left out with its reaction. The dependence must hold in neighbouring
-//! configurations too: where it holds only at the start the configuration is singular, and no motion follows from it.
+//! Rows of J are taken in their order; one that depends on those before it repeats them. The dependence must hold in neighbouring configurations too:
+//! where it holds only at the start the configuration is singular. Which of the rows that repeat each other are equations is chosen where the machine is
+//! ([`program::Spare`]), for each of them may lose its levers somewhere; here only their number is found, and the reactions that they leave open, at the start and
+//! beside it.
 //!
 //! Reactions λ enter motions and balances through the columns of [F; R]. Every relation Σ c_k column_k = 0 leaves the λ_k with c_k ≠ 0 open. It may be hidden
 //! in the position of the start: positions around it are asked too, and balances are chosen where most are independent.
 
-use program::lower::Selection;
+use program::lower::{Repeated, Selection};
 use symbolic::Text;
 use symbolic::connections::{Law, Reaction};
 
@@ -30,12 +32,17 @@ pub(super) struct Sorted {
     relations: Vec<(usize, Vec<(usize, f64)>)>,
 }
 
-/// Gram-Schmidt, twice is enough.
+/// What is left of a vector is compared with the vector itself.
 pub(super) fn sort(vectors: &[Vec<f64>]) -> Sorted {
+    sort_beside(vectors, norm)
+}
+
+/// Gram-Schmidt, twice is enough; what is left is compared with a `size`.
+fn sort_beside(vectors: &[Vec<f64>], size: impl Fn(&[f64]) -> f64) -> Sorted {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     let mut sorted = Sorted { kept: Vec::new(), relations: Vec::new() };
     for (i, vector) in vectors.iter().enumerate() {
-        let length = norm(vector);
+        let length = size(vector);
         let mut left = vector.clone();
         for _ in 0..2 {
             for b in &basis {
@@ -49,15 +56,14 @@ pub(super) fn sort(vectors: &[Vec<f64>]) -> Sorted {
             basis.push(left);
             sorted.kept.push(i);
         } else {
-            sorted.relations.push((i, shares(vectors, &sorted.kept, i)));
+            sorted.relations.push((i, shares(vectors, &sorted.kept, (i, length))));
         }
     }
     sorted
 }
 
-/// Relative shares of the kept vectors in vector i.
-fn shares(vectors: &[Vec<f64>], kept: &[usize], i: usize) -> Vec<(usize, f64)> {
-    let length = norm(&vectors[i]);
+/// Shares of the kept vectors in vector i, relative to a length.
+fn shares(vectors: &[Vec<f64>], kept: &[usize], (i, length): (usize, f64)) -> Vec<(usize, f64)> {
     if length == 0.0 || kept.is_empty() {
         return Vec::new();
     }
@@ -70,9 +76,7 @@ fn shares(vectors: &[Vec<f64>], kept: &[usize], i: usize) -> Vec<(usize, f64)> {
 impl Bench<'_> {
     /// Relative shares of `others` in the row of `condition`; none when it is independent of them.
     pub(super) fn combination(&self, others: &[usize], condition: usize) -> Option<Vec<f64>> {
-        let row = |c: usize| self.row(c).iter().zip(&self.reach).map(|(a, r)| a / r).collect::<Vec<f64>>();
-        let vectors: Vec<Vec<f64>> = others.iter().map(|&c| row(c)).chain([row(condition)]).collect();
-        let sorted = sort(&vectors);
+        let sorted = self.sorted_rows(&[others, &[condition]].concat());
         let (last, found) = sorted.relations.last()?;
         if *last != others.len() {
             return None;
@@ -83,8 +87,9 @@ impl Bench<'_> {
     }
 
     fn sorted_rows(&self, rows: &[usize]) -> Sorted {
-        let vectors: Vec<Vec<f64>> = rows.iter().map(|&c| self.row(c).iter().zip(&self.reach).map(|(a, r)| a / r).collect()).collect();
-        sort(&vectors)
+        let vector = |c: usize| self.row(c).iter().zip(&self.reach).map(|(a, r)| a / (r * self.spans[c])).collect();
+        let vectors: Vec<Vec<f64>> = rows.iter().map(|&c| vector(c)).collect();
+        sort_beside(&vectors, |_| 1.0)
     }
 
     /// Selection of conditions, reactions and balances; reactions that are not unique.
@@ -96,25 +101,22 @@ impl Bench<'_> {
             return Ok((selection, Undetermined::default()));
         }
         self.evaluate(&x)?;
-        let rows = self.lasting();
-        let sorted = self.sorted_rows(&rows);
-        if !sorted.relations.is_empty() {
-            self.refuse_singular(&rows, &sorted)?;
+        let mut rows = self.lasting();
+        rows.sort_by_key(|c| self.equations.conditions[*c].reaction.is_some());
+        let here = self.sorted_rows(&rows);
+        if !here.relations.is_empty() {
+            let beside = self.beside(&rows, &here)?;
             self.evaluate(&x)?;
-        }
-        for (i, shares) in &sorted.relations {
-            let condition = rows[*i];
-            let names = shares.iter().map(|(k, _)| self.name(rows[*k])).chain([self.name(condition)]);
-            notes.push(repeated(self.name(condition), &listed(names)));
-            selection.conditions[condition] = false;
-            for c in shares.iter().map(|(k, _)| rows[*k]).chain([condition]) {
-                if let Some(r) = self.equations.conditions[c].reaction {
-                    open[r] = true;
-                }
+            for (i, shares) in beside.iter().flat_map(|sorted| &sorted.relations).chain(&here.relations) {
+                let own = shares.iter().map(|(k, _)| rows[*k]).chain([rows[*i]]);
+                own.filter_map(|c| self.equations.conditions[c].reaction).for_each(|r| open[r] = true);
             }
-            if let Some(r) = self.equations.conditions[condition].reaction {
-                selection.reactions[r] = false;
+            let usual = beside.first().unwrap_or(&here);
+            for (i, shares) in &usual.relations {
+                let names = shares.iter().map(|(k, _)| self.name(rows[*k])).chain([self.name(rows[*i])]);
+                notes.push(repeated(self.name(rows[*i]), &listed(names)));
             }
+            self.select_repeated(&rows, usual, &mut selection);
         }
         let places = self.places_around(&rows)?;
         self.evaluate(&x)?;
@@ -122,6 +124,7 @@ impl Bench<'_> {
         let shown = |r: usize| open[r] && self.equations.reactions[r].law.is_reaction();
         let open: Vec<usize> = (0..open.len()).filter(|r| shown(*r)).collect();
         self.refuse_open_pressure(&placed)?;
+        self.refuse_shared_pressure(&open)?;
         for (r, load) in &placed {
             notes.push(without_place(&self.equations.reactions[*r].name, &self.equations.reactions[*load]));
         }
@@ -131,6 +134,35 @@ impl Bench<'_> {
             notes.push(not_unique(&open.iter().map(|&r| self.equations.reactions[r].name.as_str()).collect::<Vec<_>>().join(", ")));
         }
         Ok((selection, Undetermined { open, placed }))
+    }
+
+    /// Conditions without a reaction that repeat others are no equations; of those with one, and of all that hold together with them, enough are chosen later.
+    fn select_repeated(&self, rows: &[usize], usual: &Sorted, selection: &mut Selection) {
+        let has_reaction = |c: &usize| self.equations.conditions[*c].reaction.is_some();
+        let (members, without): (Vec<usize>, Vec<usize>) = usual.relations.iter().map(|(i, _)| rows[*i]).partition(has_reaction);
+        without.iter().for_each(|c| selection.conditions[*c] = false);
+        let group = self.holding_together(rows, &members);
+        let (all, fixed): (Vec<usize>, Vec<usize>) = group.into_iter().filter(|c| selection.conditions[*c]).partition(has_reaction);
+        selection.repeated = (!members.is_empty()).then(|| Repeated {
+            count: members.len(),
+            members: all.into_iter().map(|c| (c, self.spans[c])).collect(),
+            fixed,
+            reach: self.reach.clone(),
+        });
+    }
+
+    /// Conditions that reach one another through common coordinates, from some of them.
+    fn holding_together(&self, rows: &[usize], from: &[usize]) -> Vec<usize> {
+        let columns = |c: usize| self.equations.conditions[c].columns.iter().map(|(j, _)| *j);
+        let mut touched = vec![false; self.n];
+        let mut group: Vec<usize> = from.to_vec();
+        from.iter().flat_map(|c| columns(*c)).for_each(|j| touched[j] = true);
+        while let Some(next) = rows.iter().find(|c| !group.contains(c) && columns(**c).any(|j| touched[j])) {
+            group.push(*next);
+            columns(*next).for_each(|j| touched[j] = true);
+        }
+        group.sort_unstable();
+        group
     }
 
     /// The start and some places around it, in which hidden reactions are looked at.
@@ -210,6 +242,18 @@ impl Bench<'_> {
         Ok(())
     }
 
+    /// A friction pressed by reactions that are not unique is not either.
+    fn refuse_shared_pressure(&self, open: &[usize]) -> Result<(), Fault> {
+        for reaction in &self.equations.reactions {
+            let Law::Friction(friction) = &reaction.law else { continue };
+            let mut pressing = friction.components().flat_map(|n| &n.terms).map(|(r, _)| *r);
+            if let Some(r) = pressing.find(|r| open.contains(r)) {
+                return Err(Fault::pressure_not_unique(&reaction.name, &self.equations.reactions[r].name));
+            }
+        }
+        Ok(())
+    }
+
     /// A support whose balance contains an open reaction is open too, unless that reaction's share is fixed by the balances.
     /// Returns the reactions that loads without a place leave open, each with such a load.
     fn spread_open(&self, released: &[f64], supports: &[usize], open: &mut [bool]) -> Vec<(usize, usize)> {
@@ -235,10 +279,13 @@ impl Bench<'_> {
         placed
     }
 
-    /// A dependence that neighbouring configurations do not have is a singular configuration.
-    fn refuse_singular(&mut self, rows: &[usize], sorted: &Sorted) -> Result<(), Fault> {
+    /// What depends on what in neighbouring configurations.
+    ///
+    /// *Errors*: S018 a dependence that they do not have, that of a singular configuration.
+    fn beside(&mut self, rows: &[usize], sorted: &Sorted) -> Result<Vec<Sorted>, Fault> {
         let x = self.x.clone();
         let mut random = Random::new(3);
+        let mut beside = Vec::new();
         for _ in 0..3 {
             self.evaluate(&x)?;
             let Some(mut near) = self.along_the_motion(&x, (rows, NEAR), &mut random) else { continue };
@@ -255,8 +302,11 @@ impl Bench<'_> {
                 let names = listed(shares.iter().map(|(k, _)| self.name(rows[*k])).chain([self.name(rows[*i])]));
                 return Err(Fault::singular_start(&names, &self.configuration()));
             }
+            if there.kept.len() == sorted.kept.len() {
+                beside.push(there);
+            }
         }
-        Ok(())
+        Ok(beside)
     }
 
     /// A state a little way along a motion that the conditions allow to first order.
@@ -279,8 +329,8 @@ impl Bench<'_> {
 
 fn repeated(condition: &Text, together: &Text) -> Text {
     Text::new(
-        format!("`{}` repeats other conditions and is left out; together they are: {}", condition.en, together.en),
-        format!("условие `{}` повторяет другие и не используется; вместе это: {}", condition.ru, together.ru),
+        format!("`{}` repeats other conditions; one of them is left out, chosen where the machine is: {}", condition.en, together.en),
+        format!("условие `{}` повторяет другие; одно из них не используется, по положению машины: {}", condition.ru, together.ru),
     )
 }
 

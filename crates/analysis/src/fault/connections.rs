@@ -50,6 +50,11 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ru: ("трение от неопределённой нормальной реакции", PRESSURE_RU),
     },
     Explanation {
+        code: "S120",
+        en: ("friction pressed by a reaction that is not unique", SHARED_EN),
+        ru: ("трение от неединственной реакции", SHARED_RU),
+    },
+    Explanation {
         code: "S090",
         en: ("reaction that depends on an undeclared transmission", TRANSMISSION_EN),
         ru: ("реакция, зависящая от незаданной передачи", TRANSMISSION_RU),
@@ -138,6 +143,13 @@ const PRESSURE_EN: &str = "The normal force of this friction is a reaction that 
 const PRESSURE_RU: &str = "Нормальная сила этого трения – реакция, зависящая от места приложения нагрузки, а нагрузка задана формулой, из которой место не следует. Трение, а с ним \
     и движение, было бы произвольным. Задайте место приложения нагрузки или другую нормальную силу.";
 
+const SHARED_EN: &str = "The normal force of this friction is one of several reactions that hold the same motion of rigid bodies (a second side rod, a bearing too many). How they \
+    share the load is open, and with the normal force the friction and the motion would be arbitrary. Take the redundant connection away, make one of the parts elastic \
+    (a spring), or give the friction by a law that needs no reaction.";
+const SHARED_RU: &str = "Нормальная сила этого трения – одна из нескольких реакций, удерживающих одно и то же движение твёрдых тел (второе сцепное дышло, лишняя опора). Распределение \
+    нагрузки между ними неопределимо, и вместе с нормальной силой произвольными были бы трение и движение. Уберите лишнюю связь, сделайте одну из частей упругой (пружина) или задайте \
+    трение законом, не зависящим от реакций.";
+
 const TRANSMISSION_EN: &str = "One coordinate moves several bodies: a piston placed by a formula of the crank's angle, a load whose height is the drum's angle times \
     its radius. Motion and energy follow from the coordinate alone. But whatever carries the motion from one body to the other (rod, rope, gear, slot) pulls or presses \
     on both, and supports feel the parts of this force in their direction; they depend on its line of action. Declare it: [rods] between crank and piston, [ropes], \
@@ -219,6 +231,25 @@ impl Fault {
                 "формула через координаты задаёт работу нагрузки, но не её место; трение и движение были бы произвольными",
             ),
             help: give_a_place(load),
+        })
+    }
+
+    /// A friction pressed by one of several reactions that share a load.
+    pub fn pressure_not_unique(friction: &str, reaction: &str) -> Fault {
+        Fault::new(Message {
+            code: "S120",
+            what: Text::new(
+                format!("`{friction}` is pressed by the reaction `{reaction}`, which is not unique"),
+                format!("`{friction}` прижимается реакцией `{reaction}`, которая не единственна"),
+            ),
+            why: Text::new(
+                "rigid bodies are held here more than once, and how they share the load is open: friction and motion would be arbitrary",
+                "твёрдые тела удержаны здесь неоднократно, и распределение нагрузки между связями неопределимо: трение и движение были бы произвольными",
+            ),
+            help: Text::new(
+                "remove the redundant connection, replace it by a spring, or give the friction by a law of its own (`damping`, a torque by formula)",
+                "уберите лишнюю связь, замените её пружиной или задайте трение собственным законом (`damping`, момент по формуле)",
+            ),
         })
     }
 

@@ -18,6 +18,7 @@ use symbolic::connections::{Impacts, Law, Rebound};
 use symbolic::{Equations, Text};
 
 use crate::numerics::qr::Qr;
+use crate::numerics::random::Random;
 use crate::{Fault, Mode, Quantity};
 
 /// Violations below this many units in the last place of the terms that meet in a condition are left alone.
@@ -34,6 +35,8 @@ const STEPS: usize = 12;
 const CONTRADICTS: f64 = 1e-7;
 /// The same for machines at their origin, where nothing is left to compare with: metres, radians (and per second).
 const MOVED: f64 = 1e-12;
+/// Positions around the start that are looked at.
+const AROUND: usize = 4;
 /// Margins asked for inside a step, and the number of conditions from which on they cost more than they are worth.
 const INSIDE: usize = 3;
 const MANY: usize = 24;
@@ -56,8 +59,9 @@ pub(super) struct Conditions {
     pub(super) reactions: usize,
     /// Supports that press frictions: unknowns of the balances among the dynamics.
     pub(super) supports: Vec<usize>,
-    /// Conditions left out because they repeat others at the start: index, whether it has a place, name.
-    repeated: Vec<(usize, bool, Text)>,
+    /// How many of the conditions that always hold repeat others wherever the machine is.
+    repeated: usize,
+    names: Vec<Text>,
     /// Names and units, for messages.
     coordinates: Vec<Quantity>,
     /// Motors: reactions whose impulses keep prescribed motions.
@@ -73,6 +77,8 @@ pub(super) struct Conditions {
     spans: Vec<f64>,
     /// Largest terms of each row's rate so far: a machine that stops for an instant has rates of its own size all the same.
     moved: Vec<f64>,
+    /// Largest levers of each row around the start, where rows repeat others: one of them may have none in some position.
+    levers: Vec<f64>,
     /// Largest rate of a coordinate so far: what a machine that has come to rest is compared with.
     fastest: f64,
     /// Violation and size of each row's place, then of each row's rate, as the last projection found them.
@@ -113,16 +119,11 @@ impl Conditions {
         let frictions = of_kind(|law| matches!(law, Law::Friction(_)));
         let supports = of_kind(|law| matches!(law, Law::Support | Law::Place));
         let place = |list: &[usize], r: usize| list.iter().position(|k| *k == r);
-        let (mut rows, mut repeated) = (Vec::new(), Vec::new());
+        let mut rows = Vec::new();
         for (condition, c) in equations.conditions.iter().enumerate() {
             let holds = match c.reaction {
                 None => Holds::Always,
-                Some(r) if !program.solved.contains(&r) => {
-                    if matches!(equations.reactions[r].law, Law::Ideal { .. }) {
-                        repeated.push((condition, c.place.is_some(), c.name.clone()));
-                    }
-                    continue;
-                }
+                Some(r) if !program.solved.contains(&r) => continue,
                 Some(r) => match (program.switches[r], place(&frictions, r), place(&contacts, r)) {
                     (Some(guard), Some(friction), _) => Holds::Sticking(guard, friction),
                     (Some(guard), _, Some(contact)) => Holds::Closed(guard, contact),
@@ -163,8 +164,10 @@ impl Conditions {
             moved: vec![0.0; rows.len()],
             fastest: 0.0,
             drifts: vec![[0.0; 2]; 2 * rows.len()],
+            levers: vec![0.0; rows.len()],
+            names: rows.iter().map(|row| equations.conditions[row.condition].name.clone()).collect(),
             rows,
-            repeated,
+            repeated: program.repeated,
             coordinates,
         }))
     }
@@ -243,7 +246,7 @@ impl Conditions {
     /// What a slip is compared with: terms of the rate, now and so far, and the fastest coordinate on these levers.
     fn slip_size(&self, row: usize, x: &[f64]) -> f64 {
         let levers: f64 = self.column(row).iter().map(|j| j.abs()).sum();
-        self.rate_size(row, &x[self.n..2 * self.n]).max(self.moved[row]).max(levers * self.fastest)
+        self.rate_size(row, &x[self.n..2 * self.n]).max(self.moved[row]).max(levers.max(self.levers[row]) * self.fastest)
     }
 
     fn is_sticking(&self, row: usize) -> bool {
@@ -275,7 +278,8 @@ impl Conditions {
             let row = self.active[k];
             // what sticks is compared with itself, so that it stands exactly
             if !self.is_sticking(row) {
-                self.moved[row] = self.moved[row].max(self.rate_size(row, &x[self.n..2 * self.n]));
+                let size = self.rate_size(row, &x[self.n..2 * self.n]).max(self.levers[row] * self.fastest);
+                self.moved[row] = self.moved[row].max(size);
             }
         }
     }
@@ -335,21 +339,42 @@ impl Conditions {
         &self.drifts
     }
 
-    /// What repeated other conditions at the start must go on doing so: prescribed places may part later.
+    /// What repeats other conditions must hold through these: prescribed places may part.
     fn check_repeated(&self, x: &[f64]) -> Result<(), Fault> {
-        for (condition, has_place, name) in &self.repeated {
-            let start = self.roots.jacobian.start + condition * self.n;
-            let column = &self.values[start..start + self.n];
-            let size = |part: &[f64]| column.iter().zip(part).map(|(j, v)| j.abs() * v.abs()).sum::<f64>();
-            let unit: f64 = column.iter().map(|j| j.abs()).sum();
-            let parted = |value: f64, size: f64| value.abs() > (CONTRADICTS * size).max(MOVED * unit);
-            let place = if *has_place { self.values[self.roots.places.start + condition] } else { 0.0 };
-            let rate = self.values[self.roots.rates.start + condition];
-            if parted(place, size(&x[..self.n])) || parted(rate, size(&x[self.n..2 * self.n])) {
-                return Err(Fault::contradiction(name, &super::configuration(self.coordinates.iter().zip(x))));
+        let lasting = |row: &&usize| self.repeated > 0 && self.rows[**row].holds == Holds::Always;
+        for &row in self.active.iter().filter(lasting) {
+            let levers = self.levers[row].max(self.column(row).iter().map(|j| j.abs()).sum());
+            let parted = |value: f64, size: f64| value.abs() > (CONTRADICTS * size).max(MOVED * levers);
+            if parted(self.place(row), self.arms[row]) || parted(self.rate(row), self.slip_size(row, x)) {
+                return Err(Fault::contradiction(&self.names[row], &super::configuration(self.coordinates.iter().zip(x))));
             }
         }
         Ok(())
+    }
+
+    /// Sizes of conditions that repeat others, from positions around the start: where the machine stands some may have no levers.
+    pub(super) fn look_around(&mut self, start: &[f64]) {
+        let mut random = Random::new(7);
+        self.activate_ideal();
+        for _ in 0..if self.repeated > 0 { AROUND } else { 0 } {
+            let mut x = start.to_vec();
+            for (value, angle) in x.iter_mut().zip(&self.angles) {
+                let unit = random.between(-1.0, 1.0);
+                *value += if *angle { unit } else { 0.5 * unit * *value };
+            }
+            if self.evaluate(0.0, &x).is_err() {
+                continue;
+            }
+            for k in 0..self.active.len() {
+                let row = self.active[k];
+                let levers: f64 = self.column(row).iter().map(|j| j.abs()).sum();
+                if levers.is_finite() {
+                    self.levers[row] = self.levers[row].max(levers);
+                }
+            }
+            self.remember_arms(&x);
+            let _ = self.measured();
+        }
     }
 
     /// Newton's method on one level, as long as it helps.
@@ -387,6 +412,7 @@ impl Conditions {
         }
         // rates that vanish leave nothing to compare with
         if level == Level::Place && violation > REACHED {
+            self.check_repeated(x)?;
             return Err(Fault::lost_conditions(violation, t));
         }
         Ok(())
@@ -402,14 +428,41 @@ impl Conditions {
     }
 
     /// Change d with J d = the violations of the active rows and least d' M d.
-    fn least_change(&self, level: Level) -> Vec<f64> {
+    fn least_change(&mut self, level: Level) -> Vec<f64> {
         let (n, m) = (self.n, self.active.len());
         let wanted: Vec<f64> =
             self.active.iter().map(|&row| if level == Level::Place { self.place(row) } else { self.rate(row) }).collect();
         let factor = self.metric();
-        let mut change = Qr::new(&self.gradients(), n, m).shortest(&wanted);
+        let mut change =
+            if self.repeated > 0 { self.least_of_repeated(&wanted) } else { Qr::new(&self.gradients(), n, m).shortest(&wanted) };
         backward(&factor, n, &mut change);
         change
+    }
+
+    /// The least change where conditions repeat each other: by those that are independent here.
+    fn least_of_repeated(&mut self, wanted: &[f64]) -> Vec<f64> {
+        let columns = self.measured();
+        let spans = self.active.iter().map(|row| self.spans[*row]);
+        let wanted: Vec<f64> = wanted.iter().zip(spans).map(|(w, span)| if span > 0.0 { w / span } else { *w }).collect();
+        self.independent(&columns).shortest(&wanted)
+    }
+
+    /// Factors of measured gradients, as many of them as can be independent.
+    pub(super) fn independent(&self, columns: &[f64]) -> Qr {
+        let m = self.active.len();
+        Qr::measured(columns, self.n, m, m.saturating_sub(self.repeated))
+    }
+
+    /// Gradients of the active rows, each relative to its largest so far.
+    pub(super) fn measured(&mut self) -> Vec<f64> {
+        let (n, m) = (self.n, self.active.len());
+        let mut columns = self.gradients();
+        for (k, &row) in self.active.iter().enumerate() {
+            let span = (0..n).fold(0.0_f64, |span, i| span.hypot(columns[i * m + k]));
+            self.spans[row] = self.spans[row].max(span);
+            (0..n).filter(|_| span > 0.0).for_each(|i| columns[i * m + k] /= self.spans[row]);
+        }
+        columns
     }
 
     /// See [`crate::System::margin`].
@@ -418,14 +471,14 @@ impl Conditions {
         if self.active.is_empty() || self.evaluate(t, x).is_err() {
             return None;
         }
-        let (n, m) = (self.n, self.active.len());
-        let mut columns = self.gradients();
-        for (k, &row) in self.active.iter().enumerate() {
-            let span = (0..n).fold(0.0_f64, |span, i| span.hypot(columns[i * m + k]));
-            self.spans[row] = self.spans[row].max(span);
-            (0..n).filter(|_| span > 0.0).for_each(|i| columns[i * m + k] /= self.spans[row]);
-        }
-        Some(Qr::new(&columns, n, m).least_pivot())
+        let columns = self.measured();
+        let factors = if self.repeated > 0 { self.independent(&columns) } else { Qr::new(&columns, self.n, self.active.len()) };
+        Some(factors.least_pivot())
+    }
+
+    /// Whether conditions that always hold repeat each other.
+    pub(super) fn has_repeated(&self) -> bool {
+        self.repeated > 0
     }
 
     /// See [`crate::System::margins`].

@@ -250,6 +250,12 @@ impl Bilateral {
     pub(super) fn new(c: &mut Conditions, t: f64) -> Result<Bilateral, Fault> {
         c.activate_ideal();
         let n = c.n;
+        if c.has_repeated() {
+            let columns = c.measured();
+            let mut chosen = c.independent(&columns).independent().to_vec();
+            chosen.sort_unstable();
+            c.active = chosen.into_iter().map(|k| c.active[k]).collect();
+        }
         let rows = c.active.clone();
         let m = rows.len();
         let size = n + m;

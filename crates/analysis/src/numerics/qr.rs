@@ -15,6 +15,8 @@ pub struct Qr {
     /// Column of A that stands at each place.
     order: Vec<usize>,
     rank: usize,
+    /// Rank that the columns have at best.
+    most: usize,
 }
 
 /// What is left of a column is dependent below this share of the column itself.
@@ -23,10 +25,26 @@ pub const DEPENDENT: f64 = 1e-10;
 impl Qr {
     /// Factors a row-major m x n matrix. Columns are compared after scaling to unit length, so that units do not matter.
     pub fn new(matrix: &[f64], rows: usize, columns: usize) -> Qr {
-        let mut qr = Qr { rows, columns, order: (0..columns).collect(), ..Qr::default() };
-        qr.factors = (0..rows * columns).map(|k| matrix[(k % rows) * columns + k / rows]).collect();
+        let qr = Qr::loaded(matrix, rows, columns);
         let lengths: Vec<f64> = (0..columns).map(|j| norm(&qr.factors[j * rows..(j + 1) * rows])).collect();
-        for k in 0..rows.min(columns) {
+        qr.factored(&lengths)
+    }
+
+    /// The same for columns that are compared as they are, of which no more than `most` are independent anywhere: those left when so many have been taken
+    /// differ from the others by rounding only.
+    pub fn measured(matrix: &[f64], rows: usize, columns: usize, most: usize) -> Qr {
+        Qr { most, ..Qr::loaded(matrix, rows, columns) }.factored(&vec![1.0; columns])
+    }
+
+    fn loaded(matrix: &[f64], rows: usize, columns: usize) -> Qr {
+        let factors = (0..rows * columns).map(|k| matrix[(k % rows) * columns + k / rows]).collect();
+        Qr { rows, columns, factors, order: (0..columns).collect(), most: columns, ..Qr::default() }
+    }
+
+    fn factored(mut self, lengths: &[f64]) -> Qr {
+        let (rows, columns) = (self.rows, self.columns);
+        let qr = &mut self;
+        for k in 0..rows.min(qr.most) {
             // pivots by the share of each column that is still independent
             let share = |qr: &Qr, j: usize| {
                 let left = norm(&qr.factors[j * rows + k..(j + 1) * rows]);
@@ -47,7 +65,7 @@ impl Qr {
             qr.reflect(k);
             qr.rank = k + 1;
         }
-        qr
+        self
     }
 
     /// Number of independent columns.
@@ -55,9 +73,9 @@ impl Qr {
         self.rank
     }
 
-    /// The least distance of a column from those taken before it; 0 where one depends on them.
+    /// The least distance of a column from those taken before it; 0 where one more depends on them than must.
     pub fn least_pivot(&self) -> f64 {
-        if self.rank < self.columns { 0.0 } else { (0..self.rank).fold(f64::INFINITY, |least, k| least.min(self.r(k, k).abs())) }
+        if self.rank < self.most { 0.0 } else { (0..self.rank).fold(f64::INFINITY, |least, k| least.min(self.r(k, k).abs())) }
     }
 
     /// The independent columns, those that were taken first in front.
@@ -156,6 +174,17 @@ mod tests {
         assert!(rest < 1e-15 && product.iter().zip([1.0, 2.0, 3.0]).all(|(a, b)| (a - b).abs() < 1e-14));
         let (_, rest) = qr.least_squares(&[0.0, 0.0, 1.0]);
         assert!((rest - 1.0 / 3.0_f64.sqrt()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn columns_that_repeat_others_are_left_to_rounding() {
+        let mut matrix = TWO;
+        matrix[8] += 1e-14;
+        matrix[0] = 1e-3;
+        let qr = Qr::measured(&matrix, 3, 3, 2);
+        assert_eq!((qr.rank(), Qr::measured(&TWO, 3, 3, 1).rank()), (2, 1));
+        assert!(qr.least_pivot() > 0.1);
+        assert_eq!(Qr::measured(&[1.0, 1.0, 0.0, 0.0], 2, 2, 2).least_pivot(), 0.0);
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use super::faithful::Watched;
 use super::recurrences::{Row, Step};
 use crate::curve::Curve;
-use crate::{By, Coefficient, Evaluator, Mode, Operation, Register, Unary};
+use crate::{By, Coefficient, Evaluator, Mode, Operation, Register, Spare, Unary};
+use std::sync::Arc;
 
 /// Rows, steps and tables of one bound tape.
 #[derive(Clone, Debug, Default)]
@@ -57,6 +58,7 @@ pub(super) struct GeneralSystem {
     /// By rows; `None` is zero.
     pub(super) entries: Vec<Option<Row>>,
     pub(super) right: Vec<Row>,
+    pub(super) spare: Option<Arc<Spare>>,
 }
 
 /// The same on the branches that some modes take: choices are replaced by what they choose, constants by numbers.
@@ -70,6 +72,8 @@ pub(super) struct Resolved {
     pub(super) right: Vec<Row>,
     /// Those that change in time: (i, row).
     pub(super) driven: Vec<(u32, Row)>,
+    /// Rows of which some repeat others.
+    pub(super) spare: Option<Arc<Spare>>,
 }
 
 impl Plan {
@@ -168,10 +172,10 @@ impl Plan {
                 self.systems.push(system);
                 Step::Solve { row, system: self.systems.len() as u32 - 1 }
             }
-            Operation::System { matrix, right } => {
+            Operation::System { matrix, right, spare } => {
                 let entries = matrix.iter().map(|r| r.map(|r| at(&r))).collect();
                 let right = right.iter().map(at).collect::<Vec<_>>();
-                self.generals.push(GeneralSystem { size: right.len(), entries, right });
+                self.generals.push(GeneralSystem { size: right.len(), entries, right, spare: spare.clone() });
                 Step::System { row, system: self.generals.len() as u32 - 1 }
             }
             _ => Step::Copy { row, a: row },
@@ -227,7 +231,7 @@ impl Plan {
             content[*row as usize] = content[sources[modes[*guard].side()] as usize];
         }
         let system = |system: &GeneralSystem| {
-            let mut resolved = Resolved::default();
+            let mut resolved = Resolved { spare: system.spare.clone(), ..Resolved::default() };
             for (position, entry) in system.entries.iter().enumerate() {
                 let entry = entry.map_or(Err(0.0), |row| content[row as usize]);
                 if let Ok(row) = entry {

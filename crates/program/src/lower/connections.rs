@@ -23,12 +23,13 @@
 use super::expressions::Lowering;
 use super::forms::Value;
 use super::journals::Journal;
-use crate::{Bounded, By, Fault, Guard, GuardKind, Mode, Register};
+use crate::{Bounded, By, Fault, Guard, GuardKind, Mode, Real, Register, Spare};
+use std::sync::Arc;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal};
 use symbolic::{Equations, Expr, Text};
 
 /// What takes part of the connections of some equations. A condition that repeats others is dropped together with the reaction that owns it.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct Selection {
     /// Conditions that are equations.
     pub conditions: Vec<bool>,
@@ -36,6 +37,21 @@ pub struct Selection {
     pub reactions: Vec<bool>,
     /// Balances that are equations.
     pub balances: Vec<bool>,
+    /// Conditions that take part, and of which some repeat others wherever the machine is.
+    pub repeated: Option<Repeated>,
+}
+
+/// Conditions of which `count` repeat the others in every position, but not the same ones in every position: see [`crate::Spare`].
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Repeated {
+    /// How many of them.
+    pub count: usize,
+    /// Conditions with a reaction: index, typical size of its gradient over `reach`.
+    pub members: Vec<(usize, f64)>,
+    /// Conditions without one, that hold together with the members.
+    pub fixed: Vec<usize>,
+    /// Typical size of the gradients by coordinate.
+    pub reach: Vec<f64>,
 }
 
 impl Selection {
@@ -45,6 +61,7 @@ impl Selection {
             conditions: vec![true; equations.conditions.len()],
             reactions: vec![true; equations.reactions.len()],
             balances: vec![true; equations.balances.len()],
+            repeated: None,
         }
     }
 }
@@ -60,6 +77,8 @@ pub(super) struct Arrangement {
     /// Supports that follow from `balances` afterwards.
     pub(super) supports: Vec<usize>,
     pub(super) balances: Vec<usize>,
+    /// Rows of the dynamics of which some repeat others.
+    pub(super) spare: Option<Arc<Spare>>,
 }
 
 /// Numbers of the guards of one reaction. Frictions that slide together have one leader, whose limits they share.
@@ -123,7 +142,20 @@ impl Arrangement {
         };
         mismatch(conditions.len() + joined.len(), solved.len())?;
         mismatch(balances.len(), supports.len())?;
-        Ok(Arrangement { conditions, solved, joined, supports, balances })
+        let spare = selection.repeated.as_ref().map(|repeated| {
+            let columns = equations.coordinates.len();
+            let row = |c: &usize| conditions.iter().position(|k| k == c).map(|row| row as u32);
+            let unknown =
+                |c: usize| solved.iter().position(|r| equations.reactions[*r].law.condition() == Some(c)).map(|k| (columns + k) as u32);
+            let pair = |(c, size): &(usize, f64)| Some((row(c)?, unknown(*c)?, Real(*size)));
+            Arc::new(Spare {
+                count: repeated.count as u32,
+                fixed: repeated.fixed.iter().filter_map(row).collect(),
+                pairs: repeated.members.iter().filter_map(pair).collect(),
+                columns: repeated.reach.iter().map(|r| Real(*r)).collect(),
+            })
+        });
+        Ok(Arrangement { conditions, solved, joined, supports, balances, spare })
     }
 
     /// Whether the equations of motion stand alone.
@@ -153,7 +185,7 @@ type Row = (Vec<(usize, Value)>, Value);
 pub(super) struct Connected<'e, 'a, 'g, 't> {
     pub(super) lowering: &'a mut Lowering<'g, 't>,
     equations: &'e Equations,
-    arrangement: &'e Arrangement,
+    pub(super) arrangement: &'e Arrangement,
     /// Column of each reaction.
     pub(super) columns: Vec<Option<usize>>,
     pub(super) size: usize,
@@ -198,7 +230,7 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
         }
         let journals = std::mem::take(&mut self.journals);
         self.press_journals(&journals)?;
-        Ok(Some(self.lowering.system(self.matrix, self.right)))
+        Ok(Some(self.lowering.system(self.matrix, self.right, self.arrangement.spare.clone())))
     }
 
     fn push(&mut self, (entries, right): Row) {
@@ -633,5 +665,5 @@ pub(super) fn supports(
     if right.is_empty() {
         return Ok(None);
     }
-    Ok(Some(lowering.system(matrix, right)))
+    Ok(Some(lowering.system(matrix, right, None)))
 }

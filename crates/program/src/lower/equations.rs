@@ -64,6 +64,7 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         frictions: frictions(equations).count(),
         joined: arrangement.joined.clone(),
         steps: steps(equations).is_some(),
+        repeated: arrangement.spare.as_ref().map_or(0, |spare| spare.count as usize),
         solved: arrangement.solved,
     })
 }

@@ -4,8 +4,9 @@ use super::builder::Builder;
 use super::connections::Numbers;
 use super::forms::Value;
 use crate::verify::verified;
-use crate::{Bounded, By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Tape, Unary};
+use crate::{Bounded, By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Spare, Tape, Unary};
 use rustc_hash::FxHashMap;
+use std::sync::Arc;
 use symbolic::{Expr, Function, Graph, Node, Rational, SymbolId};
 
 /// What the symbols of the expressions are. A symbol may be in one list only.
@@ -137,8 +138,8 @@ impl<'g, 't> Lowering<'g, 't> {
     }
 
     /// x with A x = b.
-    pub(super) fn system(&mut self, matrix: Vec<Option<Register>>, right: Vec<Register>) -> Register {
-        self.builder.push(Operation::System { matrix: matrix.into(), right: right.into() })
+    pub(super) fn system(&mut self, matrix: Vec<Option<Register>>, right: Vec<Register>, spare: Option<Arc<Spare>>) -> Register {
+        self.builder.push(Operation::System { matrix: matrix.into(), right: right.into(), spare })
     }
 
     pub(super) fn literal(&mut self, value: f64) -> Value {

@@ -43,7 +43,7 @@ impl Connected<'_, '_, '_, '_> {
         if journals.is_empty() {
             return Ok(());
         }
-        let base = self.lowering.system(self.matrix.clone(), self.right.clone());
+        let base = self.lowering.system(self.matrix.clone(), self.right.clone(), self.arrangement.spare.clone());
         let mut own = Vec::new();
         for journal in journals {
             own.push(self.force(journal.law, base, Constant::Counts)?);
@@ -51,7 +51,7 @@ impl Connected<'_, '_, '_, '_> {
         let mut by = Vec::new();
         for journal in journals {
             let unit = self.unit(journal);
-            let response = self.lowering.system(self.matrix.clone(), unit);
+            let response = self.lowering.system(self.matrix.clone(), unit, self.arrangement.spare.clone());
             let mut list = Vec::new();
             for other in journals {
                 list.push(self.force(other.law, response, Constant::Left)?);

@@ -10,7 +10,7 @@ mod linkage;
 mod steps;
 mod touches;
 
-pub use connections::Selection;
+pub use connections::{Repeated, Selection};
 pub use equations::{equations, equations_with};
 pub use expressions::{Inputs, expressions};
 pub use linkage::{Drive, LinkageRoots, linkage};

@@ -89,9 +89,9 @@ impl Rewriting {
                 let (matrix, right) = self.system(matrix, right);
                 self.builder.push(Operation::Solve { matrix, right })
             }
-            Operation::System { matrix, right } => {
+            Operation::System { matrix, right, spare } => {
                 let (matrix, right) = self.system(matrix, right);
-                self.builder.push(Operation::System { matrix, right })
+                self.builder.push(Operation::System { matrix, right, spare: spare.clone() })
             }
             other => self.builder.push(other.rename(&|r| self.names[r.index()])),
         };
