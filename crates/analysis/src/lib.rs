@@ -23,4 +23,4 @@ pub use dataset::Dataset;
 pub use fault::Fault;
 pub use linear::{LinearMachine, Matrices};
 pub use machine::Machine;
-pub use system::{Blow, Guard, GuardKind, Jacobian, Mode, Powers, Quantity, System, Tie, Touch, TouchLaw};
+pub use system::{Blow, Guard, GuardKind, Jacobian, Mode, Powers, Quantity, Supply, System, Tie, Touch, TouchLaw};

@@ -3,9 +3,11 @@
 use std::sync::Arc;
 
 mod conditions;
+mod flows;
 mod impact;
 mod jolt;
 mod phases;
+mod solved;
 mod ties;
 mod touches;
 
@@ -16,8 +18,10 @@ use symbolic::{Equations, Text};
 use crate::connections::{Undetermined, assemble};
 use crate::fault::Message;
 use crate::system::Layout;
-use crate::{Blow, Fault, Guard, GuardKind, Mode, Powers, Quantity, System, Tie, Touch};
+use crate::{Blow, Fault, Guard, GuardKind, Mode, Powers, Quantity, Supply, System, Tie, Touch};
 use conditions::Conditions;
+use flows::Flows;
+use solved::Solved;
 
 /// Within which the instant of an event is known, relative to it.
 const RESOLUTION: f64 = 32.0 * f64::EPSILON;
@@ -47,11 +51,14 @@ pub struct Machine {
     shown: Vec<usize>,
     needs_accelerations: bool,
     energy: Evaluator,
+    flows: Flows,
     /// Contacts and frictions in numbers, and where each is among the roots.
     touches: Evaluator,
     touching: Vec<touches::Place>,
     second: Evaluator,
     released: Evaluator,
+    /// The roots of it that are bodies.
+    placements: Evaluator,
     layout: Layout,
     places: Evaluator,
     statics: Evaluator,
@@ -61,6 +68,7 @@ pub struct Machine {
     observing: Switches,
     /// q'', then all reactions.
     accelerations: Vec<f64>,
+    solved: Solved,
     /// The guard of each dry friction, in the order of its power among the roots of `energy`.
     rubbing: Vec<Option<usize>>,
     /// Rows of `second` that hold with the reactions; none without reactions.
@@ -133,16 +141,19 @@ impl Machine {
             conditions: Conditions::new(equations, &bound)?,
             shown: (0..program.outputs.roots.len()).collect(),
             energy: bound.evaluator(&bound.program().energy)?,
+            flows: Flows::new(&bound)?,
             touches: general.evaluator(&program.touches)?,
             touching: touches::places(equations, program),
             second: general.evaluator(&program.second)?,
             released: general.evaluator(&program.released)?,
+            placements: placements(equations, &general)?,
             layout: layout(equations),
             places: general.evaluator(&program.places)?,
             statics: general.evaluator(&program.statics)?,
             expanded: Switches::default(),
             observing: Switches::default(),
             accelerations: vec![0.0; program.coordinates + program.reactions],
+            solved: Solved::default(),
             guards,
             rubbing: rubbing(equations, program),
             balanced: if program.reactions > 0 { (0..equations.second.len()).collect() } else { Vec::new() },
@@ -192,7 +203,7 @@ impl Machine {
     fn take_accelerations(&mut self, t: f64, x: &[f64], accelerations: &[f64]) -> Result<(), Fault> {
         let n = self.bound.program().coordinates;
         if self.accelerations.len() > n {
-            self.solve_forces(t, x)?;
+            self.look_up_forces(t, x)?;
             self.accelerations[n..].iter_mut().filter(|r| r.is_nan()).for_each(|r| *r = 0.0);
         }
         self.accelerations[..n].copy_from_slice(&accelerations[..n]);
@@ -301,6 +312,13 @@ pub(crate) fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q 
         ru.push(format!("{} = {} {}", state.name, n.ru, unit.ru));
     }
     Text::new(en.join(", "), ru.join(", "))
+}
+
+/// The released bodies without what acts on them.
+fn placements(equations: &Equations, general: &Bound) -> Result<Evaluator, Fault> {
+    let bodies: Vec<usize> = (0..Layout::BODY * equations.released.bodies.len()).collect();
+    let tape = passes::specialise(&Arc::new(passes::select(&general.program().released, &bodies)), general.parameters())?;
+    Ok(general.evaluator(&Arc::new(tape))?)
 }
 
 fn layout(equations: &Equations) -> Layout {
@@ -600,14 +618,12 @@ impl System for Machine {
         true
     }
 
+    fn supply(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Supply> {
+        self.supply_with(t, x, accelerations, modes)
+    }
+
     fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
-        self.observing.set(modes, &self.bound);
-        // they read no accelerations
-        self.accelerations.fill(0.0);
-        let Switches { modes, active, .. } = &self.observing;
-        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
-        let [kinetic, potential, ..] = *self.energy.evaluate(&point).ok()? else { return None };
-        (kinetic.is_finite() && potential.is_finite()).then_some([kinetic, potential])
+        self.levels(t, x, modes)
     }
 
     fn n_frictions(&self) -> usize {
@@ -615,14 +631,7 @@ impl System for Machine {
     }
 
     fn frictions(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<Option<f64>>> {
-        self.observing.set(modes, &self.bound);
-        self.solve_forces(t, x).ok()?;
-        self.accelerations.iter_mut().filter(|r| r.is_nan()).for_each(|r| *r = 0.0);
-        let Switches { modes: own, active, .. } = &self.observing;
-        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(own), active: Some(active) };
-        let powers = self.energy.evaluate(&point).ok()?.get(program::ENERGY.len()..)?;
-        let slides = |guard: &Option<usize>| guard.is_none_or(|g| modes.get(g) != Some(&Mode::Zero));
-        Some(self.rubbing.iter().zip(powers).map(|(guard, power)| slides(guard).then_some(*power)).collect())
+        self.rubbed(t, x, modes)
     }
 
     fn touches(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<Touch>> {
@@ -630,7 +639,7 @@ impl System for Machine {
             return None;
         }
         self.observing.set(modes, &self.bound);
-        self.solve_forces(t, x).ok()?;
+        self.look_up_forces(t, x).ok()?;
         let n = self.bound.program().coordinates;
         let mut inputs = std::mem::take(&mut self.accelerations);
         inputs[..n].copy_from_slice(&accelerations[..n]);
@@ -692,6 +701,14 @@ impl System for Machine {
         self.take_accelerations(t, x, accelerations).ok()?;
         let point = Point { time: t, states: x, accelerations: &self.accelerations, ..Point::default() };
         Some(self.released.evaluate(&point).ok()?.to_vec())
+    }
+
+    fn placements(&mut self, t: f64, x: &[f64]) -> Option<Vec<f64>> {
+        if self.layout.frames.is_empty() {
+            return None;
+        }
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, ..Point::default() };
+        Some(self.placements.evaluate(&point).ok()?.to_vec())
     }
 
     fn layout(&self) -> Layout {

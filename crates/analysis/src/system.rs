@@ -123,13 +123,6 @@ pub enum GuardKind {
     },
 }
 
-impl GuardKind {
-    /// Whether this bounds guard `i`.
-    pub(crate) fn bounds(&self, i: usize) -> bool {
-        matches!(self, GuardKind::Bound { of, .. } if *of == i)
-    }
-}
-
 /// Powers at a state, W.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Powers {
@@ -143,6 +136,17 @@ pub struct Powers {
     pub dissipated: f64,
     /// Σ of the powers of all loads by size, before they cancel; 0 when unknown.
     pub through: f64,
+}
+
+/// What passes into and out of a machine at a state, W: dE/dt = loads + drives - dissipated.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Supply {
+    /// Power of applied loads without potential.
+    pub loads: f64,
+    /// Power of the drives that realise prescribed motions.
+    pub drives: f64,
+    /// Power taken by dissipative elements.
+    pub dissipated: f64,
 }
 
 /// What an impact did.
@@ -222,6 +226,11 @@ pub struct Layout {
     pub frames: Vec<(Vec<usize>, usize)>,
     /// Reactions that follow from balances in which contacts or frictions stand too, by name.
     pub leaning: Vec<String>,
+}
+
+impl Layout {
+    /// Numbers of a body.
+    pub const BODY: usize = 19;
 }
 
 /// A machine as studies see it.
@@ -402,6 +411,12 @@ pub trait System {
         None
     }
 
+    /// The same without dE/dt and what is compared with it: what the energy ledger integrates.
+    fn supply(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Supply> {
+        let p = self.powers(t, x, accelerations, modes)?;
+        Some(Supply { loads: p.loads, drives: p.drives, dissipated: p.dissipated })
+    }
+
     /// Kinetic and potential energy at (t, x); none when the system has no energies, or they have no value there.
     fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
         let _ = (t, x, modes);
@@ -448,6 +463,12 @@ pub trait System {
     /// Released bodies as numbers, with given accelerations and the reactions of this state, see [`Layout`]. None when no reaction is hidden.
     fn released(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
         let _ = (t, x, accelerations, modes);
+        None
+    }
+
+    /// The numbers of the bodies in [`System::released`] alone, which need no reactions; none as there.
+    fn placements(&mut self, t: f64, x: &[f64]) -> Option<Vec<f64>> {
+        let _ = (t, x);
         None
     }
 

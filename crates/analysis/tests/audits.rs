@@ -89,6 +89,17 @@ fn ledger_sees_work_that_nobody_did() {
 }
 
 #[test]
+fn ledger_integrates_a_power_to_its_last_digits() {
+    // x = cos t with a load that is said to give v² / 1000, or 1/1000 at all times: what is open is its work, (t/2 - sin(2 t)/4)/1000 J or t/1000 J, beside the
+    // same energy
+    let open = |loads| run(Told { loads, ..Told::new() }, 1e-12, 20.0).audit("energy_ledger").unwrap().value;
+    let ratio = open(|_, v| 1e-3 * v * v) / open(|_, _| 1e-3);
+    let exact = (10.0 - 40.0_f64.sin() / 4.0) / 20.0;
+    // the steps err by 1e-12 each, the quadrature by no more than what its halving asks for
+    assert!((ratio - exact).abs() < 1e-10, "{ratio} {exact}");
+}
+
+#[test]
 fn ledger_sees_the_drift_of_a_long_run_whatever_the_tolerance() {
     let data = run(Told::new(), 1e-3, 1000.0);
     let audit = data.audit("energy_ledger").unwrap();

@@ -207,6 +207,27 @@ fn fails(scene: &Scene, broken: Broken, key: &str) {
     assert!(!audit.ok, "{broken:?}: {audit:?}");
 }
 
+/// The parts of the tape of energies that audits take by themselves are those of the whole tape.
+#[test]
+fn supply_and_frictions_are_those_of_the_powers() {
+    for scene in [&SLIDES, &LANDS, &LIFTED] {
+        let (mut machine, start) = machine(scene);
+        let x: Vec<f64> = start.iter().enumerate().map(|(i, x)| x + 0.1 * (i as f64 + 1.0)).collect();
+        for floor in [Mode::Zero, Mode::Positive] {
+            let contact = |g: &Guard| if matches!(g.kind, GuardKind::Contact { .. }) { floor } else { Mode::Positive };
+            let modes: Vec<Mode> = machine.guards().iter().map(contact).collect();
+            let powers = machine.powers(0.7, &x, &[0.3, -0.2], &modes).unwrap();
+            let supply = machine.supply(0.7, &x, &[0.3, -0.2], &modes).unwrap();
+            assert_eq!([supply.loads, supply.drives, supply.dissipated], [powers.loads, powers.drives, powers.dissipated]);
+            let taken: f64 = machine.frictions(0.7, &x, &modes).unwrap().into_iter().flatten().sum();
+            assert_eq!(taken, powers.dissipated);
+            let [kinetic, potential] = machine.energies(0.7, &x, &modes).unwrap();
+            let own = [0.5 * (x[2] * x[2] + x[3] * x[3]), 0.5 * scene.spring * x[0] * x[0] + 9.81 * x[1]];
+            assert!((kinetic - own[0]).abs() + (potential - own[1]).abs() < 1e-13);
+        }
+    }
+}
+
 const KEYS: [&str; 4] = ["contact_gap", "contact_force", "friction_limit", "complementarity"];
 
 #[test]

@@ -16,9 +16,9 @@ use crate::spare::{Spare, leave_out};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct General {
     size: usize,
-    /// A by rows.
+    /// Entries of A that are not zero, by rows.
     matrix: Vec<f64>,
-    /// Columns of the entries of A that are not zero, by row; ends by row.
+    /// Their columns; ends by row.
     pattern: Vec<u32>,
     bounds: Vec<usize>,
     /// Largest entry of each row and, after division by it, of each column.
@@ -43,6 +43,8 @@ pub(crate) struct General {
     rest: Vec<f64>,
     /// Rows that repeat others here: their right sides are 0. Empty where none can.
     out: Vec<bool>,
+    /// All entries of a matrix with spare rows.
+    whole: Vec<f64>,
 }
 
 /// A pivot below this part, times n, of its scale has lost all digits to cancellation.
@@ -51,18 +53,44 @@ const SINGULAR: f64 = 4.0 * f64::EPSILON;
 const OPEN: u32 = u32::MAX;
 
 impl General {
-    /// Takes the matrix, by rows; of spare rows those that repeat others here are left out.
-    pub(crate) fn load(&mut self, (size, spare): (usize, Option<&Spare>), entries: impl Iterator<Item = f64>) {
+    /// Takes the matrix by its entries: place i n + j and value, by rows. Places left out are zero. Of spare rows those that repeat others here are left out.
+    pub(crate) fn load(&mut self, (size, spare): (usize, Option<&Spare>), entries: impl Iterator<Item = (u32, f64)>) {
         self.size = size;
-        self.matrix.clear();
-        self.matrix.extend(entries);
         self.out.clear();
-        if let Some(spare) = spare {
-            self.out.resize(size, false);
-            leave_out(spare, &mut self.matrix, &mut self.out);
+        match spare {
+            None => self.collect(entries),
+            Some(spare) => {
+                let mut whole = std::mem::take(&mut self.whole);
+                refill(&mut whole, size * size, 0.0);
+                entries.for_each(|(place, value)| whole[place as usize] = value);
+                self.out.resize(size, false);
+                leave_out(spare, &mut whole, &mut self.out);
+                self.collect((0..).zip(whole.iter().copied()));
+                self.whole = whole;
+            }
         }
         self.row.resize(size, 0.0);
         self.rest.resize(size, 0.0);
+    }
+
+    fn collect(&mut self, entries: impl Iterator<Item = (u32, f64)>) {
+        let size = self.size as u32;
+        self.matrix.clear();
+        self.pattern.clear();
+        self.bounds.clear();
+        self.bounds.push(0);
+        let mut end_of_row = size;
+        for (place, value) in entries {
+            while place >= end_of_row {
+                self.bounds.push(self.pattern.len());
+                end_of_row += size;
+            }
+            if value != 0.0 {
+                self.pattern.push(place + size - end_of_row);
+                self.matrix.push(value);
+            }
+        }
+        self.bounds.resize(self.size + 1, self.pattern.len());
     }
 
     /// Entries that are not finite pass through and spoil the solution, which is reported where it is used.
@@ -102,14 +130,8 @@ impl General {
         self.rows.clear();
         self.columns.clear();
         self.columns.resize(n, 0.0);
-        self.pattern.clear();
-        self.bounds.clear();
-        self.bounds.push(0);
-        for row in self.matrix.chunks_exact(n) {
-            let start = self.pattern.len();
-            self.pattern.extend((0_u32..).zip(row).filter(|(_, a)| **a != 0.0).map(|(j, _)| j));
-            self.bounds.push(self.pattern.len());
-            let entries = || self.pattern[start..].iter().map(|j| (*j as usize, row[*j as usize].abs()));
+        for ends in self.bounds.windows(2) {
+            let entries = || (ends[0]..ends[1]).map(|k| (self.pattern[k] as usize, self.matrix[k].abs()));
             let largest = entries().fold(0.0_f64, |m, (_, a)| m.max(a));
             self.rows.push(largest);
             for (j, a) in entries() {
@@ -158,7 +180,7 @@ impl General {
     fn eliminate(&mut self, i: usize) {
         for k in self.bounds[i]..self.bounds[i + 1] {
             let j = self.pattern[k] as usize;
-            self.row[j] = self.matrix[i * self.size + j];
+            self.row[j] = self.matrix[k];
             self.mark(j);
         }
         let mut word = 0;
@@ -244,13 +266,12 @@ impl General {
 
     /// The same with one step of refinement, x + A⁻¹(b - A x): each equation is then met to its own rounding (Skeel 1980).
     pub(crate) fn solve_refined(&mut self, b: &mut [f64]) {
-        let n = self.size;
         let mut rest = std::mem::take(&mut self.rest);
         rest.copy_from_slice(b);
         self.solve(b);
-        for (i, (value, row)) in rest.iter_mut().zip(self.matrix.chunks_exact(n)).enumerate() {
-            for j in &self.pattern[self.bounds[i]..self.bounds[i + 1]] {
-                *value -= row[*j as usize] * b[*j as usize];
+        for (value, ends) in rest.iter_mut().zip(self.bounds.windows(2)) {
+            for k in ends[0]..ends[1] {
+                *value -= self.matrix[k] * b[self.pattern[k] as usize];
             }
         }
         self.solve(&mut rest);
@@ -275,7 +296,7 @@ mod tests {
 
     fn solved(matrix: &[f64], b: &[f64]) -> Result<Vec<f64>, Defect> {
         let mut general = General::default();
-        general.load((b.len(), None), matrix.iter().copied());
+        general.load((b.len(), None), (0..).zip(matrix.iter().copied()));
         general.factor()?;
         let mut x = b.to_vec();
         general.solve_refined(&mut x);

@@ -40,6 +40,8 @@ struct Scratch {
     factor: solve::Factor,
     general: General,
     solution: Vec<f64>,
+    /// For each system, by its first register, the places of its matrix that are not empty.
+    patterns: Vec<(Register, Box<[(u32, Register)]>)>,
 }
 
 impl Evaluator {
@@ -54,7 +56,7 @@ impl Evaluator {
         let mut evaluator = Evaluator {
             registers: vec![0.0; tape.registers()],
             roots: vec![0.0; tape.roots.len()],
-            scratch: Scratch::default(),
+            scratch: Scratch { patterns: patterns(tape), ..Scratch::default() },
             late: late(tape),
             tape: Arc::clone(tape),
         };
@@ -286,9 +288,10 @@ fn execute(
             registers[into..into + solution.len()].copy_from_slice(solution);
             return Ok(());
         }
-        Operation::System { matrix, right, spare } => {
-            let Scratch { general, solution, .. } = scratch;
-            general.load((right.len(), spare.as_deref()), matrix.iter().map(|r| r.map_or(0.0, |r| registers[r.index()])));
+        Operation::System { right, spare, .. } => {
+            let Scratch { general, solution, patterns, .. } = scratch;
+            let places = patterns.iter().find(|(first, _)| *first == instruction.into).map_or(&[][..], |(_, places)| places);
+            general.load((right.len(), spare.as_deref()), places.iter().map(|(place, r)| (*place, registers[r.index()])));
             if let Err(defect) = general.factor() {
                 registers[into..into + right.len()].fill(f64::NAN);
                 return Err(defective(tape, instruction.into, defect));
@@ -320,6 +323,19 @@ pub(crate) fn defective(tape: &Tape, into: Register, defect: Defect) -> Fault {
         Defect::Dependent { row, unknown } if first.is_some_and(|i| i.into == into) => fault.with(Singular { row, unknown }),
         _ => fault,
     }
+}
+
+fn patterns(tape: &Tape) -> Vec<(Register, Box<[(u32, Register)]>)> {
+    let of = |i: &Instruction| match &i.operation {
+        Operation::System { matrix, .. } => Some((i.into, places(matrix).collect())),
+        _ => None,
+    };
+    tape.instructions().filter_map(of).collect()
+}
+
+/// The places of a matrix that are not empty.
+pub(crate) fn places(matrix: &[Option<Register>]) -> impl Iterator<Item = (u32, Register)> + '_ {
+    (0..).zip(matrix).filter_map(|(place, r)| r.map(|r| (place, r)))
 }
 
 /// Guards whose register comes after a choice by them.

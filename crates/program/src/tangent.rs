@@ -5,6 +5,7 @@
 //! *Source*: A. Griewank, A. Walther, Evaluating Derivatives, 3.1.
 
 use crate::general::General;
+use crate::interpret::places;
 use crate::solve::Factor;
 use crate::{Bound, Evaluator, Fault, Instruction, Operation, Point, Register, Unary};
 
@@ -147,7 +148,7 @@ impl Tangent {
             }
             Operation::System { matrix, right, spare } => {
                 let values = &self.values;
-                self.general.load((right.len(), spare.as_deref()), matrix.iter().map(|r| r.map_or(0.0, |r| values.value(r))));
+                self.general.load((right.len(), spare.as_deref()), places(matrix).map(|(place, r)| (place, values.value(r))));
                 if self.general.factor().is_ok() {
                     let n = right.len();
                     self.system(into, right, &|i, j| matrix[i * n + j], &|t: &mut Tangent, b: &mut [f64]| t.general.solve_refined(b));

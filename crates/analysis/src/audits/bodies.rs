@@ -14,6 +14,8 @@ use crate::taylor::Step;
 
 /// Share of the inertia forces that double the rates within a step below which a balance is rounding.
 const SMALL: f64 = 1e-4;
+/// Share of its own terms, a hundredth of the least limit, up to which a residual is in order whatever else may be a size.
+const CLEAR: f64 = 1e-11;
 /// Samples before every second one is dropped.
 const SAMPLES: u64 = 16;
 
@@ -63,16 +65,18 @@ impl BodyBalance {
             self.known = false;
             return;
         };
-        for i in 0..n {
-            self.rates[n + i] = self.x[n + i] / step.length;
-        }
-        let inertia = system.balances(t, &self.x, &self.rates[n..2 * n], &step.modes).unwrap_or_default();
         self.largest.resize(rows.len(), 0.0);
-        for (i, ([residual, size], largest)) in rows.into_iter().zip(&mut self.largest).enumerate() {
-            *largest = largest.max(size);
+        for ([_, size], largest) in rows.iter().zip(&mut self.largest) {
+            *largest = largest.max(*size);
+            self.strongest = self.strongest.max(*size);
+        }
+        let own = |([_, size], largest): (&[f64; 2], &f64)| size.max(1e-3 * *largest);
+        let clear = rows.iter().zip(&self.largest).all(|(row, largest)| row[0].abs() <= CLEAR * own((row, largest)));
+        // what closes against its own terms needs no further size
+        let inertia = if clear { Vec::new() } else { self.inertia(t, step, system) };
+        for (i, (row, largest)) in rows.iter().zip(&self.largest).enumerate() {
             let least = inertia.get(i).map_or(0.0, |row| SMALL * row[1]);
-            self.found.note(residual.abs(), size.max(1e-3 * *largest).max(least));
-            self.strongest = self.strongest.max(size);
+            self.found.note(row[0].abs(), own((row, largest)).max(least));
         }
         // a body at the far end of a chain carries what rounding leaves of the forces before it
         self.found.whole(self.strongest);
@@ -80,6 +84,15 @@ impl BodyBalance {
         if self.taken.is_multiple_of(SAMPLES) {
             self.stride *= 2;
         }
+    }
+
+    /// The balances with the accelerations that change the rates by themselves within the step.
+    fn inertia<S: System + ?Sized>(&mut self, t: f64, step: &Step, system: &mut S) -> Vec<[f64; 2]> {
+        let n = system.n_coordinates();
+        for i in 0..n {
+            self.rates[n + i] = self.x[n + i] / step.length;
+        }
+        system.balances(t, &self.x, &self.rates[n..2 * n], &step.modes).unwrap_or_default()
     }
 
     /// The audit, or none when the system has no reactions or no second derivation.

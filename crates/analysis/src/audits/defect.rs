@@ -32,6 +32,8 @@ pub struct InteriorDefect {
     rates: Vec<f64>,
     /// Largest size and largest rate of each state so far.
     sizes: Vec<[f64; 2]>,
+    /// For each state the first of those with its unit.
+    alike: Vec<usize>,
 }
 
 impl InteriorDefect {
@@ -98,12 +100,13 @@ impl InteriorDefect {
 
     /// States of one kind are known to the rounding of the largest of them: the far end of a chain moves by what is left of the rest.
     fn compare_alike<S: System + ?Sized>(&mut self, system: &S) {
-        let units: Vec<&str> = system.states().iter().map(|q| q.unit.as_str()).collect();
-        for i in 0..units.len() {
-            let alike = (0..units.len()).filter(|k| units[*k] == units[i]);
-            let largest = alike.map(|k| self.sizes[k][0]).fold(0.0, f64::max);
-            self.found[i].whole(largest);
+        if self.alike.is_empty() {
+            let units: Vec<&str> = system.states().iter().map(|q| q.unit.as_str()).collect();
+            self.alike = units.iter().enumerate().map(|(i, unit)| units.iter().position(|u| u == unit).unwrap_or(i)).collect();
         }
+        let mut largest = vec![0.0_f64; self.alike.len()];
+        self.alike.iter().zip(&self.sizes).for_each(|(first, [size, _])| largest[*first] = largest[*first].max(*size));
+        self.found.iter_mut().zip(&self.alike).for_each(|(found, first)| found.whole(largest[*first]));
     }
 
     /// The audit, or none when the system cannot be evaluated.

@@ -18,10 +18,12 @@ use symbolic::Text;
 
 use super::damping::{damping_alone, places_alone};
 use super::frontier::{FLOOR, Frontier};
-use crate::System;
 use crate::dataset::Audit;
 use crate::taylor::Step;
+use crate::{Powers, System};
 
+/// Share of the powers of an instant, a hundredth of the least limit, up to which a residual is in order whatever else may be a scale.
+const CLEAR: f64 = 1e-11;
 /// Share of q'·M q' within a step below which a power is rounding of the velocities.
 const SMALL: f64 = 1e-4;
 /// Samples before every second one is dropped.
@@ -74,21 +76,30 @@ impl PowerBalance {
         let Some(still) = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes) else { return };
         let scale = (p.rate - still.rate).abs() + still.rate.abs() + p.loads.abs() + p.drives.abs() + p.dissipated.abs();
         self.largest = self.largest.max(scale);
-        for i in 0..n {
-            self.rates[n + i] = self.x[n + i] / step.length;
-        }
-        let within = step.instant(step.length).high;
-        let scale = scale.max(self.size_at(within, step, system)).max(damping_alone(system, t, &self.x, &step.modes));
-        let change = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes).map_or(0.0, |p| (p.rate - still.rate).abs());
-        let local = self.local(step, system, t, still.rate);
-        let rounded = FLOOR * (p.through + places_alone(system, t, &self.x, &step.modes));
+        let scale = scale.max(1e-3 * self.largest);
         let residual = (p.rate - (p.loads + p.drives - p.dissipated)).abs();
-        self.found.note(residual, scale.max(1e-3 * self.largest).max(SMALL * change).max(local).max(rounded));
+        // what closes against the powers of the instant needs no further scale
+        let scale = if residual <= CLEAR * scale { scale } else { scale.max(self.further((t, step), system, [&p, &still])) };
+        self.found.note(residual, scale);
         self.found.whole(self.largest);
         self.taken += 1;
         if self.taken.is_multiple_of(SAMPLES) {
             self.stride *= 2;
         }
+    }
+
+    /// The scales that count where a residual is not clear: powers at the end of the step, of damping alone, of the changes within the step, and of rounding.
+    fn further<S: System + ?Sized>(&mut self, (t, step): (f64, &Step), system: &mut S, [p, still]: [&Powers; 2]) -> f64 {
+        let n = system.n_coordinates();
+        for i in 0..n {
+            self.rates[n + i] = self.x[n + i] / step.length;
+        }
+        let within = step.instant(step.length).high;
+        let scale = self.size_at(within, step, system).max(damping_alone(system, t, &self.x, &step.modes));
+        let change = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes).map_or(0.0, |p| (p.rate - still.rate).abs());
+        let local = self.local(step, system, t, still.rate);
+        let rounded = FLOOR * (p.through + places_alone(system, t, &self.x, &step.modes));
+        scale.max(SMALL * change).max(local).max(rounded)
     }
 
     /// How large the powers are that meet at an instant of a step, the inertial one left aside: where a motion breaks loose within a step, its middle

@@ -37,9 +37,11 @@ const TAIL: f64 = 1e-12;
 /// How often the stretch of the step that is looked at is halved.
 const HALVINGS: usize = 24;
 /// Numbers of a body.
-const BODY: usize = 19;
+const BODY: usize = Layout::BODY;
 
 type Vector = [f64; 3];
+/// Centre, rotation by rows.
+type Placement = [f64; 12];
 
 /// Collects the residual along a motion.
 #[derive(Clone, Debug)]
@@ -54,6 +56,8 @@ pub struct ReleasedBalance {
     taken: u64,
     known: bool,
     derivative: Vec<f64>,
+    /// cos(π k/N), k < 2 N.
+    cosines: Vec<f64>,
 }
 
 /// Terms of one displacement.
@@ -79,6 +83,7 @@ impl ReleasedBalance {
             taken: 0,
             known,
             derivative: chebyshev(),
+            cosines: (0..2 * N).map(|k| (std::f64::consts::PI * k as f64 / N as f64).cos()).collect(),
         }
     }
 
@@ -107,17 +112,8 @@ impl ReleasedBalance {
 
     fn terms<S: System + ?Sized>(&self, step: &Step, system: &mut S) -> Option<Vec<Terms>> {
         let middle = 0.5 * step.length;
-        let mut half = middle;
-        let mut nodes = Vec::new();
-        for _ in 0..HALVINGS {
-            let list: Option<Vec<Vec<f64>>> = (0..=N).map(|k| self.node(step, middle + half * abscissa(k), system)).collect();
-            nodes = list?;
-            if self.is_resolved(&nodes) {
-                break;
-            }
-            half *= 0.5;
-        }
-        let here = &nodes[N / 2];
+        let here = self.balance(step, middle, system)?;
+        let (nodes, half) = self.nodes(step, middle, system)?;
         let momenta: Vec<[Vector; 3]> = (0..self.layout.bodies).map(|b| self.rates(&nodes, b, half)).collect();
         let mut at = BODY * self.layout.bodies;
         let mut take = || -> Vector {
@@ -144,23 +140,50 @@ impl ReleasedBalance {
         Some(list)
     }
 
+    /// Placements at Chebyshev's points of a stretch about the middle that is short enough to resolve them, and half of its length.
+    fn nodes<S: System + ?Sized>(&self, step: &Step, middle: f64, system: &mut S) -> Option<(Vec<Vec<f64>>, f64)> {
+        let mut half = middle;
+        let mut x = vec![0.0; system.states().len()];
+        for halving in 1.. {
+            let mut node = |k: usize| {
+                let t = step.instant(middle + half * abscissa(k)).high;
+                step.state_at(t, &mut x);
+                system.placements(t, &x)
+            };
+            let nodes: Vec<Vec<f64>> = (0..=N).map(&mut node).collect::<Option<_>>()?;
+            if halving == HALVINGS || self.is_resolved(&nodes) {
+                return Some((nodes, half));
+            }
+            half *= 0.5;
+        }
+        None
+    }
+
     /// Whether the last coefficients of Chebyshev's series of every placement have died out: a step may hold many turns of a shaft.
     fn is_resolved(&self, nodes: &[Vec<f64>]) -> bool {
-        let coefficient = |i: usize, k: usize| -> f64 {
-            let end = |j: usize| if j == 0 || j == N { 0.5 } else { 1.0 };
-            let term = |j: usize| end(j) * nodes[j][i] * (std::f64::consts::PI * (j * k) as f64 / N as f64).cos();
-            2.0 / N as f64 * (0..=N).map(term).sum::<f64>()
-        };
-        let placements = (0..self.layout.bodies).flat_map(|b| (1..13).map(move |i| BODY * b + i));
-        placements.into_iter().all(|i| {
-            let tail = (N - 2..=N).fold(0.0_f64, |m, k| m.max(coefficient(i, k).abs()));
-            let size = (1..N / 2).fold(0.0_f64, |m, k| m.max(coefficient(i, k).abs()));
-            let rounding = 8.0 * f64::EPSILON * nodes.iter().fold(0.0_f64, |m, n| m.max(n[i].abs()));
-            tail <= (TAIL * size).max(rounding)
+        let end = |j: usize| if j == 0 || j == N { 0.5 } else { 1.0 };
+        let coefficients = |body: usize, k: usize| self.weighted(nodes, body, |j| 2.0 / N as f64 * end(j) * self.cosines[j * k % (2 * N)]);
+        let largest = |m: Placement, c: Placement| std::array::from_fn(|i| f64::max(m[i], c[i].abs()));
+        (0..self.layout.bodies).all(|body| {
+            let tail = (N - 2..=N).fold(Placement::default(), |m, k| largest(m, coefficients(body, k)));
+            let size = (1..N / 2).fold(Placement::default(), |m, k| largest(m, coefficients(body, k)));
+            let values = nodes.iter().fold(Placement::default(), |m, node| largest(m, *placement(node, body)));
+            (0..tail.len()).all(|i| tail[i] <= (TAIL * size[i]).max(8.0 * f64::EPSILON * values[i]))
         })
     }
 
-    fn node<S: System + ?Sized>(&self, step: &Step, after: f64, system: &mut S) -> Option<Vec<f64>> {
+    /// Σ w_j placement_j over the points.
+    fn weighted(&self, nodes: &[Vec<f64>], body: usize, weight: impl Fn(usize) -> f64) -> Placement {
+        let mut sum = Placement::default();
+        for (j, node) in nodes.iter().enumerate() {
+            let w = weight(j);
+            sum.iter_mut().zip(placement(node, body)).for_each(|(s, v)| *s += w * v);
+        }
+        sum
+    }
+
+    /// Bodies and all that acts on them.
+    fn balance<S: System + ?Sized>(&self, step: &Step, after: f64, system: &mut S) -> Option<Vec<f64>> {
         let t = step.instant(after).high;
         let n = system.states().len();
         let (mut x, mut rates) = (vec![0.0; n], vec![0.0; n]);
@@ -174,7 +197,9 @@ impl ReleasedBalance {
     /// p' and L' in the middle, and the rounding of both.
     fn rates(&self, nodes: &[Vec<f64>], body: usize, half: f64) -> [Vector; 3] {
         let of = |k: usize, i: usize| nodes[k][BODY * body + i];
-        let derivative = |i: usize, k: usize| -> f64 { (0..=N).map(|j| self.derivative[k * (N + 1) + j] * of(j, i)).sum::<f64>() / half };
+        let moved: Vec<Placement> = (0..=N).map(|k| self.weighted(nodes, body, |j| self.derivative[k * (N + 1) + j])).collect();
+        // centre and rotation begin behind the mass
+        let derivative = |i: usize, k: usize| moved[k][i - 1] / half;
         let mass = of(N / 2, 0);
         let momentum = |k: usize| -> (Vector, Vector) {
             let p = [1, 2, 3].map(|i| mass * derivative(i, k));
@@ -216,6 +241,11 @@ impl ReleasedBalance {
         );
         (self.known && self.taken > 0).then(|| Audit::at_most("released_balance", name, self.found.worst(), (1e3 * tolerance).max(LIMIT)))
     }
+}
+
+/// Centre and rotation of a body.
+fn placement(node: &[f64], body: usize) -> &Placement {
+    node[BODY * body + 1..].first_chunk().unwrap_or(&[0.0; 12])
 }
 
 fn abscissa(k: usize) -> f64 {

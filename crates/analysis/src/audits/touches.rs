@@ -30,6 +30,8 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 const WEAK: f64 = 1e-3;
 /// Share of the size of a speed below which its sign is rounding.
 const STILL: f64 = 1e-9;
+/// Share of its size, a hundredth of the least limit, up to which an acceleration is in order whatever else may be a size.
+const CLEAR: f64 = 1e-11;
 /// How often the acceleration without a contact's force is asked for.
 const ASKED: u32 = 4;
 /// Points at which a polynomial is looked at that may come below zero.
@@ -76,9 +78,7 @@ impl TouchLaws {
             let Some(touches) = self.touches(step, system, place * length) else { continue };
             self.sizes.resize(touches.len(), Sizes::default());
             self.measure(&touches, step);
-            if *place == PLACES[0] {
-                self.without(step, system, &touches);
-            }
+            self.without((step, place * length), system, &touches);
             self.judge(&touches, &step.modes);
         }
         self.follow(step, system, length);
@@ -114,10 +114,12 @@ impl TouchLaws {
     }
 
     /// What the accelerations would be without the force of each contact or friction that holds: their natural size.
-    fn without<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, touches: &[Touch]) {
-        let (t, n) = (step.start.high, system.n_coordinates());
+    /// Asked where an acceleration is not small against those that have been seen.
+    fn without<S: System + ?Sized>(&mut self, (step, tau): (&Step, f64), system: &mut S, touches: &[Touch]) {
+        let (t, n) = (step.instant(tau).high, system.n_coordinates());
         for (i, touch) in touches.iter().enumerate() {
-            if step.modes[touch.guard] != Mode::Zero || self.sizes[i].asked >= ASKED {
+            let clear = touch.acceleration[0].abs() <= CLEAR * self.sizes[i].acceleration;
+            if step.modes[touch.guard] != Mode::Zero || clear || self.sizes[i].asked >= ASKED {
                 continue;
             }
             self.sizes[i].asked += 1;

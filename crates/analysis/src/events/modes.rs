@@ -133,9 +133,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// What the event is about: guards that were crossed, and owners of crossed bounds; everything after an impact.
     fn note_fired(&mut self) {
         let struck = self.x != self.before;
-        for i in 0..self.modes.len() {
-            let crossed = |flow: &Self, b: usize| flow.touched[b] && flow.system.guards()[b].kind.bounds(i);
-            self.fired[i] = struck || self.touched[i] || (0..self.modes.len()).any(|b| crossed(self, b));
+        self.fired.iter_mut().zip(&self.touched).for_each(|(fired, touched)| *fired = struck || *touched);
+        for (guard, _) in self.system.guards().iter().zip(&self.touched).filter(|(_, touched)| **touched) {
+            if let GuardKind::Bound { of, .. } = guard.kind {
+                self.fired[of] = true;
+            }
         }
     }
 

@@ -221,9 +221,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
         effect <= PLAUSIBLE * self.guard_scale[i].max(change)
     }
 
-    /// The same for the owner of a bound; whether more counts as nothing now.
+    /// The same for the owner of a bound; whether more counts as nothing now. What is nothing is found for all at once.
     pub(crate) fn weigh_once(&mut self, bound: usize) -> bool {
         let GuardKind::Bound { of, .. } = self.system.guards()[bound].kind else { return false };
+        if std::mem::replace(&mut self.weighed, true) {
+            return false;
+        }
         let before = self.ties[of].force;
         self.weigh();
         self.ties[of].force > before

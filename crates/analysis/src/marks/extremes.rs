@@ -14,6 +14,15 @@ use crate::System;
 use crate::dataset::{Extreme, Overall};
 use crate::numerics::sum::two_sum;
 
+/// Error of a piece relative to its variation, with room to spare.
+const ROUGH: f64 = 1e-9;
+
+/// Whether the slope of Σ c_k τ^k keeps its sign: |c_1| > Σ_{k>1} k |c_k| h^(k-1).
+fn surely_monotone(c: &[f64], h: f64) -> bool {
+    let rest = c.iter().enumerate().skip(2).rev().fold(0.0, |sum, (k, c_k)| (sum + k as f64 * c_k.abs()) * h);
+    c[1].abs() > rest
+}
+
 /// Collects extremes of columns.
 #[derive(Clone, Debug)]
 pub struct Extremes {
@@ -100,6 +109,11 @@ impl Extremes {
         if first + reach <= self.list[j].max && first - reach >= self.list[j].min {
             return;
         }
+        if c.len() > 1 && surely_monotone(c, h) {
+            self.offer(j, along.time(0.0), first);
+            self.offer(j, along.time(h), along.state(state, h));
+            return;
+        }
         let slope: Vec<f64> = c.iter().enumerate().skip(1).map(|(k, c_k)| k as f64 * c_k).collect();
         let mut value = |tau: f64| slope.iter().rev().fold(0.0, |sum, c_k| sum * tau + c_k);
         let row = crossings::from_powers(&slope, h);
@@ -142,6 +156,11 @@ impl Extremes {
             } else {
                 from
             };
+            // what its polynomial leaves well inside of what was found cannot be more
+            let (rough, off, known) = (crossings::value(&piece.row, u), ROUGH * (high - low), &self.list[j]);
+            if known.min <= known.max && rough - off >= known.min && rough + off <= known.max {
+                continue;
+            }
             let tau = at(u);
             let value = along.outputs(tau)[piece.of];
             self.offer(j, along.time(tau), value);

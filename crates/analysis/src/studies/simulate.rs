@@ -437,16 +437,18 @@ impl Run {
     /// Named events, extremes and checks along the last step. How far into the step the motion goes when an event ends it.
     fn look<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Option<f64> {
         let (step, system) = flow.step_and_system();
-        let found = self.named.look(&mut Along::new(step, system, step.length));
-        self.look_at_pushes(&mut Along::new(step, system, step.length));
+        let mut along = Along::new(step, system, step.length);
+        let found = self.named.look(&mut along);
+        self.look_at_pushes(&mut along);
         let stop = found.last().filter(|last| self.named.stops(last) && step.instant(last.tau).high > 0.0).cloned();
         for happened in &found {
-            self.name_event(happened, &mut Along::new(step, system, step.length));
+            self.name_event(happened, &mut along);
         }
         let length = stop.as_ref().map_or(step.length, |stop| stop.tau);
-        self.extremes.look(&mut Along::new(step, system, length));
+        along.length = length;
+        self.extremes.look(&mut along);
         if let Some(largest) = &mut self.rounding {
-            let here = Along::new(step, system, length).rounding(length);
+            let here = along.rounding(length);
             let of = |i: &usize| here.get(*i).copied().filter(|r| r.is_finite()).unwrap_or(0.0);
             largest.iter_mut().zip(&self.chosen).for_each(|(r, i)| *r = r.max(of(i)));
         }

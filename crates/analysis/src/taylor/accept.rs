@@ -14,6 +14,10 @@ pub(super) struct Defect {
     tries: u32,
     /// A power is kept constant at its zero.
     held: bool,
+    /// Defect per length that halving did not lower on the step before.
+    floor: Option<f64>,
+    /// The same of this step.
+    pub(super) stayed: Option<f64>,
 }
 
 /// The defect at the end of a step: the greatest length times the difference of the rates of the polynomial and of the equations.
@@ -32,6 +36,8 @@ const DEFECT: f64 = 60.0;
 const ROUNDING: f64 = 64.0;
 /// Share of the tolerance, relative to the largest values so far, below which a step over the zero of a power is left alone.
 const LITTLE: f64 = 1e-2;
+/// A defect per length that exceeds that of rounding by less than this is rounding too: truncation on a step twice as long would be eight times as large.
+const ALIKE: f64 = 4.0;
 /// Times such a step is taken back before its defect is taken for rounding.
 const PATIENCE: u32 = 16;
 
@@ -39,6 +45,11 @@ impl Defect {
     /// Of a step over the zero of a root or power.
     pub(super) fn of_held_powers() -> Defect {
         Defect { held: true, ..Defect::default() }
+    }
+
+    /// After a step whose defect was rounding.
+    pub(super) fn after(floor: Option<f64>) -> Defect {
+        Defect { floor, ..Defect::default() }
     }
 
     /// Truncation falls at least like h^4 when the step is halved. What does not fall is rounding of the system itself and has to be accepted, or a power
@@ -51,9 +62,14 @@ impl Defect {
             return true;
         }
         let per_length = off.share / h;
+        if !self.held && self.floor.is_some_and(|floor| per_length <= ALIKE * floor) {
+            self.stayed = self.floor;
+            return true;
+        }
         let stays = self.tries >= 2 && self.before.is_some_and(|before| per_length > 0.25 * before);
         self.before = Some(per_length);
         self.tries += 1;
+        self.stayed = (stays && !self.held).then_some(per_length);
         stays && (!self.held || off.of_all <= LITTLE * tolerance || self.tries > PATIENCE)
     }
 }

@@ -197,6 +197,11 @@ impl Rule {
         self.reach[self.group[i]]
     }
 
+    /// For each state the group of those with its unit, counted from 0.
+    pub(super) fn groups(&self) -> &[usize] {
+        &self.group
+    }
+
     /// The scales of a step that was made shorter than [`Rule::length`] had found: those of the long one would excuse too much.
     pub(super) fn rescale(&mut self, states: &Series, h: f64) {
         // what has not moved yet is going to move as far as the long step says

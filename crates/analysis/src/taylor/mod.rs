@@ -151,6 +151,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) fired: Vec<bool>,
     /// What is nothing at contacts and frictions, by guard; found where a law is violated, since the last event.
     pub(crate) ties: Vec<Tie>,
+    /// Whether `ties` are those of the present state.
+    pub(crate) weighed: bool,
     /// For a guard that has just been crossed: number of leading coefficients that vanish (multiplicity of its root at the step's start).
     pub(crate) deflation: Vec<usize>,
     /// Guards on their surface now.
@@ -184,6 +186,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     crowd: Crowd,
     implicit: Implicit,
     passage: Passage,
+    /// Defect per length of the last step where it was rounding of the system itself.
+    rough: Option<f64>,
     pub(crate) roots: RootFinder,
     pub(crate) work: Work,
 }
@@ -224,6 +228,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             blow: None,
             fired: vec![true; n_g],
             ties: vec![Tie::default(); n_g],
+            weighed: false,
             deflation: vec![0; n_g],
             touched: vec![false; n_g],
             guard_scale: vec![0.0; n_g],
@@ -246,6 +251,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             crowd: Crowd::default(),
             implicit,
             passage: Passage::default(),
+            rough: None,
             roots: RootFinder::default(),
             work: Work::default(),
         };
@@ -285,7 +291,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         h = self.trusted(&self.step, h);
         h = self.faithful(h);
         h = self.clear(h, limit)?;
-        let mut defect = Defect::default();
+        let mut defect = Defect::after(self.rough);
         if self.system.holds_powers() {
             self.rule.rescale(&self.step.states, h);
             defect = Defect::of_held_powers();
@@ -315,6 +321,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
                 if !event && self.passes(length).is_some() && self.mark_wrong_sides() {
                     self.refuse_switch_in_passage(Some(length))?;
                 }
+                self.rough = defect.stayed;
                 (self.step.length, self.step.ends) = (length, lands);
                 self.note_passage(length);
                 self.note_taylor_step(lands);

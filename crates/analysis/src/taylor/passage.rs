@@ -49,6 +49,8 @@ const DEFECT: f64 = 1e3;
 /// Change of the fastest rate within the distance of the singularity, as a share of it: 1/2 at the end of a reach, where q - q* goes like a square root; on
 /// the way into a change point it vanishes with the distance.
 const RUNAWAY: f64 = 0.2;
+/// Ratio of margins at four places, thirds apart, below which there is no zero between: beside one, two of them are at least as 2 to 1.
+const FLAT: f64 = 1.1;
 const GOLDEN: f64 = 0.381_966_011_250_105;
 /// Halvings and golden sections.
 const SECTIONS: usize = 48;
@@ -127,15 +129,26 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Distance of the last change point behind. At the start of a motion it is looked for.
     fn behind(&mut self, h: f64) -> f64 {
         if self.passage.behind.is_none() {
-            let found = if h.is_finite() {
-                self.nearest(-h)
-                    .map_or(f64::INFINITY, |near| if near.margin <= ZERO * self.passage.best { -near.to } else { f64::INFINITY })
-            } else {
-                f64::INFINITY
-            };
+            let found = if h.is_finite() { self.zero_behind(h) } else { f64::INFINITY };
             self.passage.behind = Some(self.now.after(-found.min(f64::MAX)));
         }
         self.passage.behind.map_or(f64::INFINITY, |at| -self.now.until(at.high) - at.low)
+    }
+
+    /// How far the last zero of the margin is behind, infinite where there is none.
+    fn zero_behind(&mut self, h: f64) -> f64 {
+        let Some([from, to]) = self.valley(-h).filter(|valley| !self.is_flat(*valley)) else { return f64::INFINITY };
+        let (to, margin) = self.lowest(from, to);
+        if margin <= ZERO * self.passage.best { -to } else { f64::INFINITY }
+    }
+
+    /// Whether the margin all but stands between two lengths. One that passes zero there does not: it falls and rises like the distance, and of four
+    /// places two lie on one side of the zero.
+    fn is_flat(&mut self, [from, to]: [f64; 2]) -> bool {
+        let third = (to - from) / 3.0;
+        let margins = [from, from + third, to - third, to].map(|tau| self.margin(tau).unwrap_or(0.0));
+        let (low, high) = margins.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), m| (l.min(*m), h.max(*m)));
+        high <= FLAT * low
     }
 
     /// Whether all rates vanish in the change point, beside those on the way: then nothing decides how the motion goes on.
@@ -161,11 +174,17 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// The least margin ahead, or behind for a negative length; none where it only falls or rises.
     fn nearest(&mut self, h: f64) -> Option<Near> {
+        let [from, to] = self.valley(h)?;
+        let (to, margin) = self.lowest(from, to);
+        Some(Near { to, margin })
+    }
+
+    /// Two lengths between which the margin has a least value; the first such ones.
+    fn valley(&mut self, h: f64) -> Option<[f64; 2]> {
         let step = AHEAD * h / LOOKS as f64;
         let margins: Vec<f64> = (0..=LOOKS).map(|k| self.margin(k as f64 * step).unwrap_or(0.0)).collect();
         let lowest = (1..LOOKS).find(|&k| margins[k] <= margins[k - 1] && margins[k] <= margins[k + 1] && margins[k] < margins[0])?;
-        let (to, margin) = self.lowest((lowest as f64 - 1.0) * step, (lowest as f64 + 1.0) * step);
-        Some(Near { to, margin })
+        Some([(lowest as f64 - 1.0) * step, (lowest as f64 + 1.0) * step])
     }
 
     /// The least margin inside a step that ends clear of it, where it falls to less than half of that at the ends.
@@ -225,11 +244,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
         let changes = self.changes(tau);
         let mut sizes: Vec<f64> = (0..=p).map(|k| NOISE * (tau / pole).abs().powi(k as i32)).collect();
+        let powers: Vec<f64> = std::iter::successors(Some(1.0), |power| Some(power * tau.abs())).take(p + 1).collect();
         for (i, change) in changes.iter().enumerate().filter(|(_, change)| **change > 0.0) {
-            let mut power = 1.0_f64;
-            for (size, c) in sizes.iter_mut().zip(self.step.states.row(i)) {
-                *size = size.max(c.abs() * power.abs() / change);
-                power *= tau;
+            for ((size, c), power) in sizes.iter_mut().zip(self.step.states.row(i)).zip(&powers) {
+                *size = size.max(c.abs() * power / change);
             }
         }
         let pair = |k: usize| sizes[k].max(sizes[k + 1]);
@@ -242,13 +260,14 @@ impl<S: System + ?Sized> Flow<'_, S> {
             let c = self.step.states.row(i);
             (1..c.len().min(4)).map(|k| c[k].abs() * tau.abs().powi(k as i32)).fold(0.0, f64::max)
         };
-        let states = self.system.states();
         let mut own: Vec<f64> = (0..self.x.len()).map(own).collect();
         // a rate by what it moves: uniform motions have no change of their own
         let n = self.system.n_coordinates();
         (0..n).for_each(|i| own[n + i] = own[n + i].max(own[i] / tau.abs()));
-        let alike = |i: usize| (0..states.len()).filter(move |k| states[*k].unit == states[i].unit);
-        (0..self.x.len()).map(|i| alike(i).map(|k| own[k]).fold(0.0, f64::max)).collect()
+        let groups = self.rule.groups();
+        let mut largest = vec![0.0_f64; own.len()];
+        groups.iter().zip(&own).for_each(|(group, own)| largest[*group] = largest[*group].max(*own));
+        groups.iter().map(|group| largest[*group]).collect()
     }
 
     /// Cuts the series for a step to `out` over the change point at `to`; false where they have too few digits.

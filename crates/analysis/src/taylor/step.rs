@@ -155,10 +155,31 @@ impl Step {
     pub fn state_after(&self, tau: f64, x: &mut [f64]) {
         for (i, x_i) in x.iter_mut().enumerate() {
             let c = self.states.row(i);
-            *x_i = match self.turned.get(i) {
-                Some([high, low]) => high + ((c[0] + (increment(c, tau) + self.low[i])) + low),
-                None => c[0] + (increment(c, tau) + self.low[i]),
-            };
+            *x_i = self.whole(i, c[0], increment(c, tau));
+        }
+    }
+
+    /// One state at `tau` after the start of the step.
+    pub fn value_after(&self, i: usize, tau: f64) -> f64 {
+        let c = self.states.row(i);
+        self.whole(i, c[0], increment(c, tau))
+    }
+
+    /// State and its time derivative at `tau` after the start of the step, as [`Step::state_after`] and [`Step::rate_after`] give them.
+    pub fn motion_after(&self, tau: f64, x: &mut [f64], rate: &mut [f64]) {
+        for (i, (x_i, r)) in x.iter_mut().zip(rate).enumerate() {
+            let c = self.states.row(i);
+            let (change, slope) = increment_and_slope(c, tau);
+            *x_i = self.whole(i, c[0], change);
+            *r = slope;
+        }
+    }
+
+    /// The value of a state from its coefficient 0 and its change.
+    fn whole(&self, i: usize, first: f64, change: f64) -> f64 {
+        match self.turned.get(i) {
+            Some([high, low]) => high + ((first + (change + self.low[i])) + low),
+            None => first + (change + self.low[i]),
         }
     }
 

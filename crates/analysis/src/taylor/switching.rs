@@ -54,6 +54,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// The step up to the first sign change of a guard; marks the guards that change there.
     pub(super) fn shorten_to_event(&mut self, h: f64) -> (f64, bool) {
         self.touched.fill(false);
+        self.weighed = false;
         let (mut first, mut whose) = (f64::INFINITY, 0);
         for i in 0..self.modes.len() {
             if let Some(tau) = self.crossing(i, h)
@@ -155,6 +156,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Marks guards whose sign contradicts their mode: they have been crossed within rounding of the step's end.
     pub(super) fn mark_wrong_sides(&mut self) -> bool {
         let mut wrong = false;
+        self.weighed = false;
         for i in 0..self.modes.len() {
             let is_wrong = self.is_on_wrong_side(i) && (!self.weigh_once(i) || self.is_on_wrong_side(i));
             self.touched[i] |= is_wrong;

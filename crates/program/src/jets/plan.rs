@@ -64,8 +64,8 @@ pub(super) struct GeneralSystem {
 /// The same on the branches that some modes take: choices are replaced by what they choose, constants by numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Resolved {
-    /// A at order 0: row, or a constant.
-    pub(super) entries: Vec<Result<Row, f64>>,
+    /// A at order 0: place i n + j, and row or constant; places left out are zero.
+    pub(super) entries: Vec<(u32, Result<Row, f64>)>,
     /// Entries that change in time: (i, j, row).
     pub(super) moving: Vec<(u32, u32, Row)>,
     /// Right sides at order 0.
@@ -237,7 +237,9 @@ impl Plan {
                 if let Ok(row) = entry {
                     resolved.moving.push(((position / system.size) as u32, (position % system.size) as u32, row));
                 }
-                resolved.entries.push(entry);
+                if entry != Err(0.0) {
+                    resolved.entries.push((position as u32, entry));
+                }
             }
             for (i, row) in (0..).zip(&system.right) {
                 resolved.right.push(*row);

@@ -471,8 +471,8 @@ impl Memory {
         let mut b = std::mem::take(&mut self.scratch);
         let resolved = &self.resolved[index];
         let size = resolved.right.len();
-        general
-            .load((size, resolved.spare.as_deref()), resolved.entries.iter().map(|e| e.map_or_else(|value| value, |row| self.get(row, 0))));
+        let entries = resolved.entries.iter().map(|(place, e)| (*place, e.map_or_else(|value| value, |row| self.get(row, 0))));
+        general.load((size, resolved.spare.as_deref()), entries);
         match general.factor() {
             Ok(()) => {
                 for (value, row) in b.iter_mut().zip(&resolved.right) {

@@ -1,0 +1,79 @@
+//! Parts of the tape of energies, each by itself: an audit that asks for one at many points of a step does not pay for the others.
+
+use std::sync::Arc;
+
+use program::{Bound, ENERGY, Evaluator, Operation, Point, passes};
+
+use super::{Machine, Switches};
+use crate::system::Supply;
+use crate::{Fault, Mode};
+
+/// The parts.
+#[derive(Clone, Debug)]
+pub(super) struct Flows {
+    /// T and Π.
+    levels: Evaluator,
+    /// Loads, drives, dissipated.
+    supply: Evaluator,
+    /// Whether the supply reads reactions, which cost a solution of the equations.
+    reacts: bool,
+    /// The power that each dry friction takes.
+    rubbed: Evaluator,
+}
+
+impl Flows {
+    /// *Errors*: P020 when a pass broke a tape.
+    pub(super) fn new(bound: &Bound) -> Result<Flows, Fault> {
+        let energy = &bound.program().energy;
+        let part = |roots: &[usize]| -> Result<Evaluator, Fault> {
+            let tape = passes::specialise(&Arc::new(passes::select(energy, roots)), bound.parameters())?;
+            Ok(bound.evaluator(&Arc::new(tape))?)
+        };
+        let of = |names: &[&str]| -> Vec<usize> { names.iter().filter_map(|n| ENERGY.iter().position(|e| e == n)).collect() };
+        let supply = part(&of(&["loads", "drives", "dissipated"]))?;
+        let n = bound.program().coordinates as u32;
+        let reacts = supply.tape().body.iter().any(|i| matches!(i.operation, Operation::Acceleration(slot) if slot >= n));
+        let frictions: Vec<usize> = (ENERGY.len()..energy.roots.len()).collect();
+        Ok(Flows { levels: part(&of(&["kinetic", "potential"]))?, supply, reacts, rubbed: part(&frictions)? })
+    }
+}
+
+impl Machine {
+    /// See [`crate::System::supply`].
+    pub(super) fn supply_with(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Supply> {
+        self.observing.set(modes, &self.bound);
+        if self.flows.reacts {
+            self.take_accelerations(t, x, accelerations).ok()?;
+        } else {
+            let n = self.bound.program().coordinates;
+            self.accelerations[..n].copy_from_slice(&accelerations[..n]);
+        }
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
+        let [loads, drives, dissipated] = *self.flows.supply.evaluate(&point).ok()? else { return None };
+        Some(Supply { loads, drives, dissipated })
+    }
+
+    /// See [`crate::System::energies`].
+    pub(super) fn levels(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
+        self.observing.set(modes, &self.bound);
+        // they read no accelerations
+        self.accelerations.fill(0.0);
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
+        let [kinetic, potential] = *self.flows.levels.evaluate(&point).ok()? else { return None };
+        (kinetic.is_finite() && potential.is_finite()).then_some([kinetic, potential])
+    }
+
+    /// See [`crate::System::frictions`].
+    pub(super) fn rubbed(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<Option<f64>>> {
+        self.observing.set(modes, &self.bound);
+        self.look_up_forces(t, x).ok()?;
+        self.accelerations.iter_mut().filter(|r| r.is_nan()).for_each(|r| *r = 0.0);
+        let Switches { modes: own, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(own), active: Some(active) };
+        let powers = self.flows.rubbed.evaluate(&point).ok()?;
+        let slides = |guard: &Option<usize>| guard.is_none_or(|g| modes.get(g) != Some(&Mode::Zero));
+        Some(self.rubbing.iter().zip(powers).map(|(guard, power)| slides(guard).then_some(*power)).collect())
+    }
+}
