@@ -42,6 +42,30 @@ struct Scratch {
     solution: Vec<f64>,
     /// For each system, by its first register, the places of its matrix that are not empty.
     patterns: Vec<(Register, Box<[(u32, Register)]>)>,
+    /// Largest magnitude of each state so far, and how far the states may be off along a motion: where a mode ends, they stand beside the place where its guard
+    /// vanishes, by rounding of what they have been and by the resolution of time.
+    reach: Vec<f64>,
+    off: Vec<f64>,
+}
+
+/// Rounding that a state has gathered, in units of its largest value.
+const GATHERED: f64 = 16.0 * f64::EPSILON;
+/// Resolution of time relative to it.
+const INSTANT: f64 = 4.0 * f64::EPSILON;
+
+impl Scratch {
+    /// Notes the states of a point. Where modes are not given every sign is decided by value, and nothing is beside its place.
+    fn note(&mut self, point: &Point) {
+        let n = point.states.len();
+        self.off.clear();
+        if point.modes.is_none() {
+            return;
+        }
+        self.reach.resize(n, 0.0);
+        self.reach.iter_mut().zip(point.states).for_each(|(r, x)| *r = r.max(x.abs()));
+        let moved = |i: usize| INSTANT * point.time.abs() * self.reach.get(i + n / 2).copied().unwrap_or(0.0);
+        self.off.extend((0..n).map(|i| GATHERED * self.reach[i] + moved(i)));
+    }
 }
 
 impl Evaluator {
@@ -144,6 +168,7 @@ impl Evaluator {
     }
 
     fn pass(&mut self, point: &Point) -> Result<(), Fault> {
+        self.scratch.note(point);
         let mut result = Ok(());
         for instruction in &self.tape.body {
             // a system without a solution leaves not-a-numbers, and what does not depend on it is still computed
@@ -263,8 +288,8 @@ fn execute(
         Operation::Multiply(a, b) => at(a) * at(b),
         Operation::Square(a) => at(a) * at(a),
         Operation::Divide(a, b) => at(a) / at(b),
-        Operation::Power(a, p) => rounding::radicand(tape, registers, *a).powf(resolve(*p, registers)),
-        Operation::Unary(Unary::SquareRoot, a) => rounding::radicand(tape, registers, *a).sqrt(),
+        Operation::Power(a, p) => rounding::radicand((tape, &scratch.off), registers, *a).powf(resolve(*p, registers)),
+        Operation::Unary(Unary::SquareRoot, a) => rounding::radicand((tape, &scratch.off), registers, *a).sqrt(),
         Operation::Unary(f, a) => f.apply(at(a)),
         Operation::Atan2(a, b) => at(a).atan2(at(b)),
         Operation::SinCos(a) => {

@@ -21,10 +21,15 @@ const USUAL: f64 = 256.0 * f64::EPSILON;
 /// Slack of the whole bound: states come from integration and assembly, which leave them a few units off.
 const SLACK: f64 = 8.0;
 
-/// The radicand in a register, zero when it is negative by no more than rounding.
-pub(crate) fn radicand(tape: &Tape, registers: &[f64], register: Register) -> f64 {
+/// The radicand in a register, zero when it is negative by no more than rounding and by what the states are off.
+pub(crate) fn radicand((tape, states): (&Tape, &[f64]), registers: &[f64], register: Register) -> f64 {
     let value = registers[register.index()];
-    if value < 0.0 && -value <= bound(tape, registers, register) { 0.0 } else { value }
+    if value >= 0.0 || value.is_nan() {
+        return value;
+    }
+    let given = Given { states, ..Given::default() };
+    let bound = SLACK * errors(tape, registers, register.index() + 1, &given)[register.index()];
+    if -value <= bound { 0.0 } else { value }
 }
 
 /// Bound of the rounding in a register, whose value and those before it are known.

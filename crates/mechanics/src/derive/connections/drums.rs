@@ -33,7 +33,8 @@ fn base(scene: &mut Scene, kinematics: &mut Kinematics, (drum, corners, wound): 
     let parent = carrier(scene.model, drum);
     let turns = !kinematics.frames[parent.index()].turning.is_empty();
     let plane = kinematics.frames[drum.index()].plane_angle.is_some();
-    let counted = if plane && !turns { FrameId::GROUND } else { parent };
+    let held = leaves_over(scene, (drum, parent), corners);
+    let counted = if plane && !turns && !held { FrameId::GROUND } else { parent };
     let hinged = is_fixed(scene, kinematics, PointRef::Origin(drum), parent);
     let moves = turns || !kinematics.jacobian(scene, PointRef::Origin(drum)).is_empty();
     let ends: Vec<usize> = if corners.is_empty() { Vec::new() } else { vec![0, corners.len() - 1] };
@@ -50,8 +51,30 @@ fn base(scene: &mut Scene, kinematics: &mut Kinematics, (drum, corners, wound): 
     known.then_some(counted)
 }
 
+/// Whether the rope's pull on the drum is counted where it leaves, at a point of what carries the drum: its moment about the axle is then held there, and not
+/// by the ground. Two drums without a path between them hold each other.
+fn leaves_over(scene: &Scene, (drum, parent): (FrameId, FrameId), corners: &[PointRef]) -> bool {
+    let of_parent = |corner: Option<&PointRef>| corner.is_some_and(|c| is_of(scene, frame_of(scene, *c), (drum, parent)));
+    corners.is_empty() || of_parent(corners.first()) || of_parent(corners.last())
+}
+
+/// Whether a frame is `parent` or stands on it without a joint of its own; the drum does not.
+fn is_of(scene: &Scene, mut frame: FrameId, (drum, parent): (FrameId, FrameId)) -> bool {
+    while frame != drum {
+        let own = &scene.model.frames[frame.index()];
+        if frame == parent {
+            return true;
+        }
+        if frame == FrameId::GROUND || !own.rotations.is_empty() || own.spin.is_some() {
+            return false;
+        }
+        frame = carrier(scene.model, frame);
+    }
+    false
+}
+
 /// Whether a point is fixed in a frame.
-fn is_fixed(scene: &mut Scene, kinematics: &mut Kinematics, point: PointRef, frame: FrameId) -> bool {
+pub(super) fn is_fixed(scene: &mut Scene, kinematics: &mut Kinematics, point: PointRef, frame: FrameId) -> bool {
     let at = kinematics.position(scene, point);
     let (own, carried) = (kinematics.jacobian(scene, point), particle(scene, kinematics, frame, &at));
     let [own, carried] = [own, carried].map(|columns| combine(scene, &columns));

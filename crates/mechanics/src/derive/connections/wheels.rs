@@ -11,6 +11,7 @@
 
 use super::axes::{across, common};
 use super::components::Component;
+use super::drums::is_fixed;
 use super::{Doubt, faults};
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::requests::Resolver;
@@ -147,26 +148,34 @@ impl Line {
     }
 }
 
-/// The named carrier when it turns like the line; else a body on which a wheel stands that does; else the line itself.
+/// The named carrier when it turns like the line; else the one body in which both axles are fixed, or an arm that carries one of them and turns like the line;
+/// else the line itself: then the axles hold what the wheels feel.
 fn line_base(
     scene: &mut Scene,
-    kinematics: &Kinematics,
+    kinematics: &mut Kinematics,
     (connection, named, pair): (&Connection, Option<FrameId>, &Pair),
     line: &Line,
     doubts: &mut Vec<Doubt>,
 ) -> Base {
-    let mut likely = vec![FrameId::GROUND, carrier(scene.model, pair.b), carrier(scene.model, pair.a)];
     if let Some(frame) = named {
-        likely = vec![frame];
-    }
-    for frame in likely.iter().copied().filter(|f| named == Some(*f) || ![pair.a, pair.b].contains(f)) {
         let turning = pair.turning(scene, kinematics, frame);
         let drift = scene.graph.sub(turning, line.rate);
         if scene.vanishes(drift) {
             return Base::Frame(frame);
         }
-        if named.is_some() {
-            doubts.push(Doubt { rate: drift, fault: *faults::not_the_carrier(scene.model, connection, frame) });
+        doubts.push(Doubt { rate: drift, fault: *faults::not_the_carrier(scene.model, connection, frame) });
+        return Base::Line;
+    }
+    let [below_a, below_b] = [pair.a, pair.b].map(|f| carrier(scene.model, f));
+    if below_a == below_b && [pair.a, pair.b].iter().all(|f| is_fixed(scene, kinematics, PointRef::Origin(*f), below_b)) {
+        return Base::Frame(below_b);
+    }
+    let arms = [below_b, below_a].into_iter().filter(|f| ![pair.a, pair.b, FrameId::GROUND].contains(f));
+    for frame in arms {
+        let turning = pair.turning(scene, kinematics, frame);
+        let drift = scene.graph.sub(turning, line.rate);
+        if !scene.vanishes(turning) && scene.vanishes(drift) {
+            return Base::Frame(frame);
         }
     }
     Base::Line
@@ -194,7 +203,7 @@ fn standing(
     let [wa, wb] = [below_a, below_b].map(|f| pair.turning(scene, kinematics, f));
     let apart = scene.graph.sub(wa, wb);
     match (scene.vanishes(wa), scene.vanishes(wb)) {
-        (true, true) => Ok(FrameId::GROUND),
+        (true, true) => Ok(if below_a == below_b { below_b } else { FrameId::GROUND }),
         _ if scene.vanishes(apart) => Ok(below_b),
         (true, _) => Err(faults::no_carrier(scene.model, connection, below_b)),
         _ => Err(faults::no_carrier(scene.model, connection, below_a)),
