@@ -122,7 +122,6 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let dampers = elements::dampers(reader, &top);
     let mut forces = elements::forces(reader, &top);
     let mut torques = elements::torques(reader, &top);
-    parameters.extend(schedule.restart(reader, &parameters, &mut forces, &mut torques, &mut notation));
     let potentials = elements::potentials(reader, &top);
     let dissipations = elements::dissipations(reader, &top);
     let space = connections::Space::new(reader, &frames, &points, &parameters);
@@ -142,6 +141,9 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     for d in structure.iter_mut().flat_map(|s| &mut s.displacements) {
         d.loaded = coordinates.iter().any(|c| c.name == d.name && c.symbols.iter().any(|s| acting.contains(s)));
     }
+    let on_structure = structure.iter_mut().flat_map(|s| &mut s.loads);
+    let loads = phases::Loads { forces: &mut forces, torques: &mut torques, on_structure: on_structure.collect() };
+    parameters.extend(schedule.restart(reader, &parameters, loads, &mut notation));
     let studies = studies::read(reader, &top);
     let variants = variants::read(reader, &top);
     let impacts = connections::impacts(reader, &top);

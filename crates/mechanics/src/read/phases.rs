@@ -10,6 +10,7 @@ use crate::fault::{Fault, nearest};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry as ScopeEntry, EntryKind, Kind};
 use crate::model::{Action, Class, Force, ParameterDecl, ParameterValue, Torque};
+use crate::structure;
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -275,8 +276,7 @@ impl<'a> Schedule<'a> {
         &mut self,
         reader: &mut Reader<'a>,
         parameters: &[ParameterDecl],
-        forces: &mut [Force],
-        torques: &mut [Torque],
+        loads: Loads,
         notation: &mut Vec<(String, String)>,
     ) -> Option<ParameterDecl> {
         let origins = self.origins(reader);
@@ -295,11 +295,7 @@ impl<'a> Schedule<'a> {
         let elapsed = graph.symbol(symbol);
         notation.push((name.clone(), "τ".to_owned()));
         let mut rewriting = Rewriting::new(reader, parameters, |name| self.sets(name), elapsed);
-        let values = forces.iter_mut().flat_map(|f| match &mut f.action {
-            Action::AtPoint { value, .. } => value.iter_mut().collect::<Vec<_>>(),
-            Action::OnPathway { value, .. } => vec![value],
-        });
-        for value in values.chain(torques.iter_mut().flat_map(|t| t.value.iter_mut())) {
+        for value in loads.values() {
             *value = rewriting.apply(reader, *value);
         }
         Some(ParameterDecl {
@@ -313,6 +309,29 @@ impl<'a> Schedule<'a> {
             label: Text::new("time since the last restart of the loads", "время с последнего возобновления нагрузок"),
             span: None,
         })
+    }
+}
+
+/// All that acts as a load of its own: on bodies and on structures.
+pub(super) struct Loads<'l> {
+    pub forces: &'l mut [Force],
+    pub torques: &'l mut [Torque],
+    pub on_structure: Vec<&'l mut structure::Load>,
+}
+
+impl<'l> Loads<'l> {
+    fn values(self) -> Vec<&'l mut Expr> {
+        let of_force = |f: &'l mut Force| match &mut f.action {
+            Action::AtPoint { value, .. } => value.iter_mut().collect::<Vec<_>>(),
+            Action::OnPathway { value, .. } => vec![value],
+        };
+        let of_structure = |load: &'l mut structure::Load| match &mut load.action {
+            structure::Action::Point { value, .. } => value.iter_mut().collect::<Vec<_>>(),
+            structure::Action::Distributed { value, .. } => value.iter_mut().flatten().collect(),
+        };
+        let forces = self.forces.iter_mut().flat_map(of_force);
+        let torques = self.torques.iter_mut().flat_map(|t| t.value.iter_mut());
+        forces.chain(torques).chain(self.on_structure.into_iter().flat_map(of_structure)).collect()
     }
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use program::Behind;
 
+use super::walk::Walk;
 use super::{Phase, modes};
 use crate::System;
 use crate::dataset::{Extreme, Overall};
@@ -16,7 +17,7 @@ pub(super) fn course<S: System + ?Sized>(system: &mut S, phases: &[Phase], chose
     let mut last = vec![f64::NAN; chosen.len()];
     for phase in phases {
         let length = phase.end - phase.start;
-        let mut closed = Closed { system, phase, chosen };
+        let mut closed = Closed { system, phase, chosen, walk: Walk::new(&phase.motion, length) };
         course.add(&mut closed, length, &|tau| phase.start + tau);
         last.copy_from_slice(&closed.sample(length)[..chosen.len()]);
     }
@@ -29,13 +30,14 @@ struct Closed<'c, S: ?Sized> {
     system: &'c mut S,
     phase: &'c Phase,
     chosen: &'c [usize],
+    walk: Walk<'c>,
 }
 
 impl<S: System + ?Sized> Source for Closed<'_, S> {
     fn sample(&mut self, tau: f64) -> Vec<f64> {
         let (phase, t) = (self.phase, self.phase.start + tau);
         let turns = phase.form.turns.iter().map(|turn| turn.at(t));
-        let x: Vec<f64> = phase.motion.states(&[tau]).into_iter().flatten().chain(turns).collect();
+        let x: Vec<f64> = self.walk.state(tau).into_iter().chain(turns).collect();
         let modes = modes(self.system, phase, t, &x);
         let count = self.system.outputs().len();
         let mut row = Vec::new();

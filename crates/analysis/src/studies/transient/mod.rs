@@ -13,6 +13,7 @@ mod obstacle;
 pub mod oscillator;
 mod rest;
 mod value;
+mod walk;
 
 use super::simulate::{self, Grid, Outcome, Simulate};
 use crate::dataset::{Audit, Column, Dataset, Event};

@@ -341,10 +341,27 @@ impl Joint {
                 z = (0..self.size).map(|i| (0..self.size).map(|j| e[i * self.size + j] * z[j]).sum()).collect();
                 before = tau;
             }
-            let q = z[..self.n].iter().map(|q| q / self.omega);
-            found.push(q.chain(z[self.n..2 * self.n].iter().copied()).collect());
+            found.push(self.state_of(&z));
         }
         found
+    }
+
+    /// (q, q') of z.
+    pub(super) fn state_of(&self, z: &[f64]) -> Vec<f64> {
+        let q = z[..self.n].iter().map(|q| q / self.omega);
+        q.chain(z[self.n..2 * self.n].iter().copied()).collect()
+    }
+    /// Number of components of z.
+    pub(super) fn size(&self) -> usize {
+        self.size
+    }
+    /// A by rows.
+    pub(super) fn matrix(&self) -> &[f64] {
+        &self.matrix
+    }
+    /// z at the start of the phase.
+    pub(super) fn start(&self) -> &[f64] {
+        &self.start
     }
 }
 
