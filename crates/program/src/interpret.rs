@@ -87,7 +87,7 @@ impl Evaluator {
         let point = Point::default();
         for instruction in &tape.prologue {
             // a constant mass matrix has no place in a prologue, so nothing here can be singular
-            let _ = execute(instruction, &mut evaluator.registers, &mut evaluator.scratch, &point, parameters, tape);
+            let _ = execute(instruction, &mut evaluator.registers, &mut evaluator.scratch, (&point, parameters), tape);
         }
         Ok(evaluator)
     }
@@ -169,12 +169,14 @@ impl Evaluator {
 
     fn pass(&mut self, point: &Point) -> Result<(), Fault> {
         self.scratch.note(point);
-        let mut result = Ok(());
+        let mut failed = None;
         for instruction in &self.tape.body {
             // a system without a solution leaves not-a-numbers, and what does not depend on it is still computed
-            result = result.and(execute(instruction, &mut self.registers, &mut self.scratch, point, &[], &self.tape));
+            if let Err(fault) = execute(instruction, &mut self.registers, &mut self.scratch, (point, &[]), &self.tape) {
+                failed = failed.or(Some(fault));
+            }
         }
-        result
+        failed.map_or(Ok(()), Err)
     }
 
     fn check(&self, point: &Point) -> Result<(), Fault> {
@@ -266,17 +268,30 @@ fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Result<Mode,
     if value.is_nan() { Err(register) } else { Ok(Mode::of(value)) }
 }
 
+/// One instruction. What can fail stands apart: the others are many and short.
+#[inline(always)]
 fn execute(
     instruction: &Instruction,
     registers: &mut [f64],
     scratch: &mut Scratch,
-    point: &Point,
-    parameters: &[f64],
+    (point, parameters): (&Point, &[f64]),
     tape: &Tape,
 ) -> Result<(), Fault> {
+    match &instruction.operation {
+        Operation::Solve { .. } | Operation::System { .. } => solve_system(instruction, registers, scratch, tape),
+        _ => {
+            registers[instruction.into.index()] = value(instruction, registers, (point, parameters), (tape, &scratch.off));
+            Ok(())
+        }
+    }
+}
+
+/// The value of an operation that cannot fail; a second one is put beside it.
+#[inline(always)]
+fn value(instruction: &Instruction, registers: &mut [f64], (point, parameters): (&Point, &[f64]), (tape, off): (&Tape, &[f64])) -> f64 {
     let into = instruction.into.index();
     let at = |r: &Register| registers[r.index()];
-    let value = match &instruction.operation {
+    match &instruction.operation {
         Operation::Number(v) => v.0,
         Operation::Parameter(slot) => parameters[*slot as usize],
         Operation::Time => point.time,
@@ -288,8 +303,8 @@ fn execute(
         Operation::Multiply(a, b) => at(a) * at(b),
         Operation::Square(a) => at(a) * at(a),
         Operation::Divide(a, b) => at(a) / at(b),
-        Operation::Power(a, p) => rounding::radicand((tape, &scratch.off), registers, *a).powf(resolve(*p, registers)),
-        Operation::Unary(Unary::SquareRoot, a) => rounding::radicand((tape, &scratch.off), registers, *a).sqrt(),
+        Operation::Power(a, p) => rounding::radicand((tape, off), registers, *a).powf(resolve(*p, registers)),
+        Operation::Unary(Unary::SquareRoot, a) => rounding::radicand((tape, off), registers, *a).sqrt(),
         Operation::Unary(f, a) => f.apply(at(a)),
         Operation::Atan2(a, b) => at(a).atan2(at(b)),
         Operation::SinCos(a) => {
@@ -303,6 +318,15 @@ fn execute(
             x.sinh()
         }
         Operation::Choose { by, sides } => decide(*by, registers, point, tape).map_or(f64::NAN, |mode| at(&sides[mode.side()])),
+        Operation::Solve { .. } | Operation::System { .. } => f64::NAN,
+    }
+}
+
+/// The solution of a system.
+fn solve_system(instruction: &Instruction, registers: &mut [f64], scratch: &mut Scratch, tape: &Tape) -> Result<(), Fault> {
+    let into = instruction.into.index();
+    let at = |r: &Register| registers[r.index()];
+    match &instruction.operation {
         Operation::Solve { matrix, right } => {
             let Scratch { factor, solution, .. } = scratch;
             factor.load(right.len(), matrix.iter().map(|r| r.map_or(0.0, |r| registers[r.index()])));
@@ -311,7 +335,6 @@ fn execute(
             solution.extend(right.iter().map(at));
             factor.solve(solution);
             registers[into..into + solution.len()].copy_from_slice(solution);
-            return Ok(());
         }
         Operation::System { right, spare, .. } => {
             let Scratch { general, solution, patterns, .. } = scratch;
@@ -325,10 +348,9 @@ fn execute(
             solution.extend(right.iter().map(at));
             general.solve_refined(solution);
             registers[into..into + solution.len()].copy_from_slice(solution);
-            return Ok(());
         }
-    };
-    registers[into] = value;
+        _ => {}
+    }
     Ok(())
 }
 

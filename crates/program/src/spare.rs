@@ -105,7 +105,7 @@ mod tests {
     fn the_row_that_says_least_here_is_left_out() {
         assert_eq!(left_out([[1.0, 0.0], [0.0, 1.0], [1e-9, 1e-9]]), [2]);
         assert_eq!(left_out([[0.0, 0.0], [0.0, 1.0], [1.0, 1.0]]), [0]);
-        assert_eq!(left_out([[1.0, 0.0], [1.0, 1e-7], [0.0, 1.0]]), [1]);
+        assert_eq!(left_out([[1.0, 0.0], [1.0, 1e-3], [0.0, 1.0]]), [0]);
         // of equal ones the last
         assert_eq!(left_out([[1.0, 0.0], [0.0, 1.0], [0.0, 1.0]]), [2]);
     }

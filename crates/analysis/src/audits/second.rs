@@ -90,10 +90,11 @@ impl Sample {
             trial.fill(0.0);
             trial[j] = length;
             let column = self.residuals(system, &trial)?;
+            let size = rate.max(typical(&units[j]));
             for i in 0..n {
                 let share = (column[i] - constant[i]).abs() / length;
                 scale[i] += share * acceleration;
-                inertia[i] += share * rate.max(typical(&units[j]));
+                inertia[i] += share * size;
             }
         }
         // b is what reactions leave of the loads: rounding follows the terms, not the rest
