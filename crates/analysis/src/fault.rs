@@ -196,11 +196,11 @@ const CHATTERING_RU: &str = "Формула с sign, if, abs, min или max в�
     переключалась бы бесконечно часто. Физически это залипание (тело удерживается сухим трением) или идеальное реле без гистерезиса; одна функция sign(v) \
     этого не описывает. Примените элемент сухого трения, у которого есть состояние залипания с ограниченной реакцией, либо задайте реле гистерезис или \
     запаздывание.";
-const ACCUMULATION_EN: &str = "Switches follow one another at intervals that shrink to nothing (a bouncing ball coming to rest, a relay spiralling into its \
-    centre). After the accumulation point the model gives no motion. Stop the run before it, or describe the contact by a spring with damping or by an \
+const ACCUMULATION_EN: &str = "Switches follow one another at intervals that shrink to nothing (a ball whose rebound is written with if, a relay spiralling into \
+    its centre). After the accumulation point the model gives no motion; the impacts of [stops] are followed to their limit. Stop the run before it, or describe the contact by a spring with damping or by an \
     element with a resting state.";
-const ACCUMULATION_RU: &str = "Переключения следуют через промежутки, стремящиеся к нулю (подскакивающий шар, реле, входящее по спирали в центр). После точки \
-    сгущения модель не определяет движения. Остановите расчёт раньше или опишите контакт пружиной с демпфером либо элементом, имеющим состояние покоя.";
+const ACCUMULATION_RU: &str = "Переключения следуют через промежутки, стремящиеся к нулю (шар, отскок которого записан через if, реле, входящее по спирали в центр). После \
+    точки сгущения модель не определяет движения; удары упоров [stops] прослеживаются до предела. Остановите расчёт раньше или опишите контакт пружиной с демпфером либо элементом, имеющим состояние покоя.";
 const UNDERFLOW_EN: &str = "The step needed for the tolerance is below the resolution of time: the motion runs into a singularity (a force that grows without \
     bound, a distance that becomes zero, a mass matrix that loses rank, a square root at zero).";
 const UNDERFLOW_RU: &str = "Шаг, нужный для заданной точности, меньше разрешения времени: движение приходит в особую точку (неограниченно растущая сила, расстояние, \
@@ -210,8 +210,7 @@ const FINITE_RU: &str = "Одна из величин стала бесконе�
 const MEMORY_EN: &str = "Times asked for x columns x 8 bytes is more than the limit. Ask for fewer times or outputs.";
 const MEMORY_RU: &str = "Число моментов времени x число столбцов x 8 байт превышает предел. Запросите меньше моментов времени или величин.";
 const OPTION_EN: &str = "An option of the study has a value that means nothing: a tolerance outside 1e-15 ... 1e-3, an end before the start, a grid step that is not positive.";
-const OPTION_RU: &str =
-    "Параметр расчёта имеет бессмысленное значение: точность вне 1e-15 ... 1e-3, конец раньше начала, неположительный шаг сетки.";
+const OPTION_RU: &str = "Параметр расчёта имеет бессмысленное значение: допустимая погрешность вне 1e-15 ... 1e-3, конец раньше начала, неположительный шаг сетки.";
 const NEWTON_EN: &str = "From no guess did Newton's method reach a state in which all generalized forces vanish. There may be no equilibrium, or the guesses are far from it.";
 const NEWTON_RU: &str = "Ни из одного начального приближения метод Ньютона не пришёл к состоянию, где все обобщённые силы равны нулю. Равновесия может не быть, или приближения далеки от него.";
 const NEUTRAL_EN: &str = "The stiffness matrix is singular: along some direction the machine moves freely, so equilibria are not isolated.";
@@ -293,10 +292,19 @@ const STEPS_EN: &str = "The step follows the quickest part of the motion, even w
 const STEPS_RU: &str = "Шаг определяется самой быстрой частью движения, даже если она уже затухла (жёсткая система: шаг ограничен самым быстрым \
     затуханием, а не точностью). После десятка тысяч шагов видно, что их потребуется более 1e10, то есть часы и дни.";
 
-/// A number in both languages: decimal point and decimal comma.
+/// A number in both languages: decimal point and decimal comma, a true minus, `9.61·10⁻⁵`.
 pub(crate) fn number(value: f64) -> Text {
-    let en = if value == 0.0 || (1e-4..1e6).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") };
+    let plain = value == 0.0 || (1e-4..1e6).contains(&value.abs());
+    let typed = if plain { format!("{value}") } else { format!("{value:e}") };
+    let (mantissa, exponent) = typed.split_once('e').map_or((typed.as_str(), None), |(m, e)| (m, Some(e)));
+    let power = exponent.map_or_else(String::new, |e| format!("·10{}", e.chars().map(raised).collect::<String>()));
+    let en = format!("{}{power}", mantissa.replace('-', "−"));
     Text { ru: en.replace('.', ","), en }
+}
+
+fn raised(c: char) -> char {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    c.to_digit(10).map_or('⁻', |d| DIGITS[d as usize])
 }
 
 /// Three digits, for estimates.
@@ -305,10 +313,18 @@ pub fn rounded(value: f64) -> Text {
     number(short)
 }
 
-/// Ten digits: enough to type in again.
+/// Seven digits: enough to recognise a place.
+pub(crate) fn seven_digits(value: f64) -> Text {
+    let short: f64 = format!("{value:.6e}").parse().unwrap_or(value);
+    number(short)
+}
+
+/// Ten digits, as they are typed in again.
 pub(crate) fn ten_digits(value: f64) -> Text {
     let short: f64 = format!("{value:.9e}").parse().unwrap_or(value);
-    number(short)
+    let plain = short == 0.0 || (1e-4..1e6).contains(&short.abs());
+    let en = if plain { format!("{short}") } else { format!("{short:e}") };
+    Text { ru: en.replace('.', ","), en }
 }
 
 impl Fault {

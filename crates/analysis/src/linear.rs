@@ -61,21 +61,48 @@ pub struct Harmonic {
     pub sin: Vec<f64>,
 }
 
+/// Sums of two products of n terms that cancel to this share of their terms are rounding.
+const CANCELLED: f64 = 256.0 * f64::EPSILON;
+
+/// Rounding of stiffnesses is small beside the largest of them; a bound beyond this share of it says nothing.
+const ROUNDING: f64 = 1e-12;
+
+/// Stiffnesses of which cancellation left only rounding (ropes that lie straight) are zero: they would be oscillations of years.
+fn settle(stiffness: &mut [f64], bounds: &[f64]) {
+    let largest = stiffness.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    for (value, bound) in stiffness.iter_mut().zip(bounds) {
+        if value.abs() <= bound.min(ROUNDING * largest) {
+            *value = 0.0;
+        }
+    }
+}
+
+/// Σ |z_ia a_ij z_jb|, row-major k x k.
+fn absolute(a: &[f64], z: &[f64], k: usize) -> Vec<f64> {
+    let n = z.len() / k.max(1);
+    let az: Vec<f64> = (0..n * k).map(|p| (0..n).map(|j| (a[(p / k) * n + j] * z[j * k + p % k]).abs()).sum()).collect();
+    (0..k * k).map(|p| (0..n).map(|i| z[i * k + p / k].abs() * az[i * k + p % k]).sum()).collect()
+}
+
 impl Matrices {
     /// The same in coordinates y with q = Z y: Zᵀ M Z and so on; `z` is row-major n x k. For constraints Z is an orthonormal basis of the
-    /// motions they allow.
+    /// motions they allow. Stiffness and resistance of which the sums leave only rounding are zero: a free motion along a condition stays one.
     pub fn reduced(&self, z: &[f64], k: usize) -> Matrices {
         let n = self.n;
         let square = |a: &[f64]| -> Vec<f64> {
             let az: Vec<f64> = (0..n * k).map(|p| (0..n).map(|j| a[(p / k) * n + j] * z[j * k + p % k]).sum()).collect();
             (0..k * k).map(|p| (0..n).map(|i| z[i * k + p / k] * az[i * k + p % k]).sum()).collect()
         };
+        let settled = |a: &[f64]| -> Vec<f64> {
+            let (sums, terms) = (square(a), absolute(a, z, k));
+            sums.iter().zip(terms).map(|(v, t)| if v.abs() <= CANCELLED * t { 0.0 } else { *v }).collect()
+        };
         let vector = |v: &[f64]| -> Vec<f64> { (0..k).map(|c| (0..n).map(|i| z[i * k + c] * v[i]).sum()).collect() };
         Matrices {
             n: k,
             mass: square(&self.mass),
-            damping: square(&self.damping),
-            stiffness: square(&self.stiffness),
+            damping: settled(&self.damping),
+            stiffness: settled(&self.stiffness),
             force: vector(&self.force),
             loads: self.loads.iter().map(|l| Harmonic { rate: l.rate, cos: vector(&l.cos), sin: vector(&l.sin) }).collect(),
             shaped: self.shaped.iter().map(|(form, factors)| (*form, vector(factors))).collect(),
@@ -338,7 +365,9 @@ impl LinearMachine {
         let n = self.names.len();
         let (m, k) = (self.linear.conditions.len(), self.linear.multipliers.len());
         let states = self.states(place);
-        let values = self.evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
+        let mut values =
+            self.evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec();
+        settle(&mut values[2 * n * n..3 * n * n], &self.evaluator.root_roundings()[2 * n * n..]);
         let (mass, rest) = values.split_at(n * n);
         let (damping, rest) = rest.split_at(n * n);
         let (stiffness, rest) = rest.split_at(n * n);

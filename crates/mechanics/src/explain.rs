@@ -256,8 +256,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "M024",
         ("wrong dimension", "неверная размерность"),
         (
-            "The value has another dimension than the key needs. Angles count as pure numbers, so stiffness of a torsion spring is N m.",
-            "Размерность значения не та, что нужна. Углы считаются безразмерными, поэтому жёсткость крутильной пружины — Н м.",
+            "The value has another dimension than the key needs. The radian is a pure number, so the stiffness of a torsion spring may stand in N m/rad or in N m.",
+            "Размерность значения не та, что нужна. Радиан безразмерен, поэтому жёсткость крутильной пружины можно задать и в Н·м/рад, и в Н·м.",
         ),
         "mass = \"5 m\"",
         "mass = \"5 kg\"",
@@ -326,8 +326,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "M033",
         ("unknown function", "неизвестная функция"),
         (
-            "Known are sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs sign min max if and the kinematic functions. A product needs its sign.",
-            "Известны sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs sign min max if и кинематические функции. Знак умножения обязателен.",
+            "Known are sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp log (= ln) lg (= log10) sqrt cbrt abs sign min max if and the kinematic functions. A product needs its sign.",
+            "Известны sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp log (= ln) lg (= log10) sqrt cbrt abs sign min max if и кинематические функции. Знак умножения обязателен.",
         ),
         "tg(phi)",
         "tan(phi)",
@@ -475,7 +475,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
     ),
     row(
         "M056",
-        ("zero or negative stiffness or damping", "нулевая или отрицательная жёсткость или вязкость"),
+        ("zero or negative stiffness or damping", "нулевая или отрицательная жёсткость либо коэффициент сопротивления"),
         (
             "A zero element does nothing; a negative one feeds energy into the motion. Both are allowed, but seldom meant.",
             "Нулевой элемент не действует, отрицательный раскачивает движение. То и другое допустимо, но редко имеется в виду.",

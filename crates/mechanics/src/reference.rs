@@ -62,8 +62,8 @@ fn section(out: &mut String, table: &TableSpec, language: Language) {
         let default =
             if f.required { language.pick(("**required**", "**обязателен**")) } else { default_in(f.default, language) };
         let example = if f.example.is_empty() { String::new() } else { format!("`{}`", f.example) };
-        let (kind, about) = (language.pick(f.ty.words()), language.pick(f.about));
-        let _ = writeln!(out, "| `{}` | {kind} | {} | {default} | {about} | {example} |", f.key, f.dimension);
+        let (kind, about, dimension) = (language.pick(f.ty.words()), language.pick(f.about), dimension(f.dimension, language));
+        let _ = writeln!(out, "| `{}` | {kind} | {dimension} | {default} | {about} | {example} |", f.key);
     }
     if table.name == "study" {
         kinds(out, language);
@@ -74,12 +74,21 @@ fn section(out: &mut String, table: &TableSpec, language: Language) {
     }
 }
 
+/// The SI unit of a value in the letters of the language.
+fn dimension(label: &'static str, language: Language) -> String {
+    match (language, label) {
+        (Language::English, _) => label.to_owned(),
+        (Language::Russian, "time") => "время".into(),
+        (Language::Russian, _) => crate::units::in_russian(label),
+    }
+}
+
 /// Defaults in words; what is written in the file as it stands is the same in both languages.
 const DEFAULTS: &[(&str, &str)] = &[
     ("the place at the start", "положение в начале движения"),
     ("line of the centres", "линия центров"),
-    ("value", "значение"),
-    ("the other", "другое"),
+    ("value", "`value`"),
+    ("the other", "текст на другом языке"),
     ("start", "начальное значение"),
     ("origin of the body", "начало координат тела"),
     (
@@ -160,7 +169,8 @@ fn units(out: &mut String, language: Language) {
     for unit in crate::units::listed() {
         let prefixes = if unit.prefixed { language.pick(("yes", "да")) } else { "" };
         let names: Vec<String> = unit.names.iter().map(|n| format!("`{n}`")).collect();
-        let _ = writeln!(out, "| {} | {} | {prefixes} |", names.join(", "), unit.value);
+        let value = if language == Language::English { unit.value } else { unit.value_ru };
+        let _ = writeln!(out, "| {} | {value} | {prefixes} |", names.join(", "));
     }
 }
 
@@ -177,6 +187,16 @@ mod tests {
             }
             assert!(text.contains("`rpm`") && text.contains("`кгс`") && text.contains("`vx(A)`"));
         }
+    }
+
+    #[test]
+    fn units_are_written_in_the_letters_of_the_language() {
+        let text = markdown(Language::Russian);
+        for piece in ["| м/с² |", "| кг·м² |", "| Н·с/м |", "| время |", "0,001 кг", "π/30 рад/с", "| 0,01 |"] {
+            assert!(text.contains(piece), "{piece}");
+        }
+        let tables: String = text.lines().filter(|l| l.starts_with("| `")).filter_map(|l| l.split('|').nth(3)).collect();
+        assert!(!tables.chars().any(|c| c.is_ascii_alphabetic()), "{tables}");
     }
 
     #[test]

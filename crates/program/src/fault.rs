@@ -88,8 +88,8 @@ const CAUSES: &[(&str, [Wording; 3])] = &[
     (
         "P001",
         [
-            ("division by zero in {}", "деление на ноль: {}"),
-            ("a denominator vanishes at this state", "знаменатель обращается в ноль в этом состоянии"),
+            ("division by zero in {}", "деление на нуль: {}"),
+            ("a denominator vanishes at this state", "знаменатель обращается в нуль в этом состоянии"),
             ("start elsewhere, or guard the formula with if(...)", "начните из другого состояния или защитите формулу условием if(...)"),
         ],
     ),
@@ -253,7 +253,7 @@ const CAUSES: &[(&str, [Wording; 3])] = &[
 pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
     (
         "P001",
-        ("Division by zero", "Деление на ноль"),
+        ("Division by zero", "Деление на нуль"),
         (
             "A denominator is zero at the state that was evaluated. Typical: the length of a spring whose ends meet, a rate used as a divisor at rest. Start elsewhere or write if(...) around the formula.",
             "Знаменатель равен нулю в вычисляемом состоянии. Обычно это длина пружины, концы которой совпали, или скорость в знаменателе в состоянии покоя. Начните из другого состояния или заключите формулу в if(...).",
@@ -356,18 +356,18 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
     ),
     (
         "P020",
-        ("Invalid tape", "Недопустимая лента"),
+        ("Invalid program of operations (internal)", "Недопустимая программа вычислений (внутренняя ошибка)"),
         (
-            "A tape must define every register before its use, keep parameter-only instructions in the prologue, and stay within its slots. The verifier names the first instruction that does not.",
-            "Лента должна определять каждый регистр до использования, держать инструкции, зависящие только от параметров, в прологе и не выходить за свои ячейки. Проверка называет первую нарушающую инструкцию.",
+            "The list of operations made from the equations contradicts itself: an operation uses a number before it is computed, or one that does not exist. This is a mistake of the program, not of the model; nothing was computed. Please report it with the model file.",
+            "Список операций, составленный по уравнениям, противоречив: операция берёт число до его вычисления или несуществующее число. Это ошибка программы, а не модели; ничего не вычислено. Сообщите о ней, приложив файл модели.",
         ),
     ),
     (
         "P021",
-        ("Unreadable tape text", "Нечитаемый текст ленты"),
+        ("Unreadable text of a program of operations (internal)", "Нечитаемая запись программы вычислений (внутренняя ошибка)"),
         (
-            "The text of a tape follows the grammar in crates/program/src/text.rs.",
-            "Текст ленты следует грамматике в crates/program/src/text.rs.",
+            "The text form of a list of operations, used in tests, has a line that is no operation. Model files never lead here.",
+            "В текстовой записи списка операций, применяемой в тестах, есть строка, которая не является операцией. Файлы моделей к этой ошибке не приводят.",
         ),
     ),
 ];

@@ -120,6 +120,12 @@ impl Evaluator {
         rounding::bounds(&self.tape, &self.registers, given)
     }
 
+    /// Bounds of the rounding in the roots after the last evaluation, in order: a root below its bound may be zero.
+    pub fn root_roundings(&self) -> Vec<f64> {
+        let bounds = rounding::bounds(&self.tape, &self.registers, &rounding::Given::default());
+        self.tape.roots.iter().map(|root| bounds[root.register.index()]).collect()
+    }
+
     /// Values of the roots at a point, in order.
     ///
     /// *Errors*: P008 for missing inputs, P005 or P009 for a mass matrix that is not positive, and for a root that is not finite the first operation that

@@ -1,5 +1,6 @@
 //! CSV tables of a [`Dataset`]: `t [s],phi [rad],...`, SI values with 17 significant digits.
 
+use crate::language::Language;
 use crate::number::push_exact;
 use analysis::Dataset;
 use analysis::dataset::Column;
@@ -50,8 +51,8 @@ pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
 }
 
 /// A table of what happened: `event,side,t [s],phi [rad],...`. A named event has one row, a switch two, `before` and `after` it; its first cell is what
-/// switched, in English.
-pub fn write_events(data: &Dataset, dialect: Dialect) -> Vec<u8> {
+/// switched, in words.
+pub fn write_events(data: &Dataset, dialect: Dialect, language: Language) -> Vec<u8> {
     let head = Dataset { columns: data.columns.iter().map(|c| Column { values: Vec::new(), ..c.clone() }).collect(), ..Dataset::default() };
     let titles = write(&head, dialect);
     let separator = if dialect == Dialect::Ru { b';' } else { b',' };
@@ -66,7 +67,7 @@ pub fn write_events(data: &Dataset, dialect: Dialect) -> Vec<u8> {
         let named = !event.name.is_empty();
         let sides: &[(&str, usize)] = if named { &[("at", 1)] } else { &[("before", 0), ("after", 1)] };
         for (word, side) in sides {
-            push_cell(&mut out, if named { &event.name } else { &event.what.en }, separator);
+            push_cell(&mut out, if named { &event.name } else { language.text(&event.what) }, separator);
             out.push(separator);
             out.extend_from_slice(word.as_bytes());
             let mut values = event.outputs[*side].iter();
@@ -150,11 +151,14 @@ mod tests {
         let both = [vec![1.0], vec![-1.0]];
         data.events.push(analysis::dataset::Event { t: 0.25, name: "top".into(), outputs: both.clone(), ..Default::default() });
         data.events.push(analysis::dataset::Event { t: 0.5, what: symbolic::Text::same("stop, hit"), outputs: both, ..Default::default() });
-        let text = String::from_utf8(write_events(&data, Dialect::Plain)).unwrap();
+        let text = String::from_utf8(write_events(&data, Dialect::Plain, Language::En)).unwrap();
         let rows: Vec<&str> = text.lines().collect();
         assert_eq!(rows[0], "event,side,t [s],phi' [rad/s]");
         assert!(rows[1].starts_with("top,at,2.5") && rows[2].starts_with("\"stop, hit\",before,5.0") && rows[3].contains(",after,5.0"));
         assert_eq!(rows.len(), 4);
+        data.events[1].what = symbolic::Text::new("stop, hit", "упор: удар");
+        let russian = String::from_utf8(write_events(&data, Dialect::Plain, Language::Ru)).unwrap();
+        assert!(russian.lines().nth(2).unwrap().starts_with("упор: удар,before,5.0"), "{russian}");
     }
 
     #[test]

@@ -123,8 +123,8 @@ words! {
     StateClosed: "closed, taut", "замкнут, натянут";
     StateOpen: "open, slack", "разомкнут, провисает";
     StateSticks: "sticks", "залипание";
-    StateForward: "slides forward", "скользит вперёд";
-    StateBackward: "slides back", "скользит назад";
+    StateForward: "slides forward", "скольжение вперёд";
+    StateBackward: "slides back", "скольжение назад";
     StateImpact: "impact", "удар";
     Omitted: "omitted", "опущено";
     Continued: "the table is cut to the width of the terminal; all columns are in the files",

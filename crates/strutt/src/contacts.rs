@@ -116,8 +116,8 @@ fn word(state: &str, language: Language) -> &'static str {
         "closed" => ("closed", "замкнут"),
         "slack" => ("slack", "провисает"),
         "taut" => ("taut", "натянут"),
-        "forward" => ("slides forward", "скользит вперёд"),
-        "backward" => ("slides back", "скользит назад"),
+        "forward" => ("slides forward", "скольжение вперёд"),
+        "backward" => ("slides back", "скольжение назад"),
         _ => ("sticks", "залипание"),
     };
     language.pick(en, ru)

@@ -10,7 +10,7 @@ use report::document::{Content, Formula, Inline, Rich};
 use report::formula::{Form, Printer};
 use report::table::Column;
 use report::{Block, Cell, Document, Download, Figure, Language, Table, Word};
-use symbolic::connections::Law;
+use symbolic::connections::{Law, Reaction};
 use symbolic::equations::Role;
 use symbolic::{Equations, Expr};
 
@@ -165,7 +165,7 @@ impl Writer<'_> {
         if coordinates.is_empty() {
             return vec![Block::Paragraph(Rich(pieces))];
         }
-        pieces.push(Inline::Words(format!("{}: ", self.word(Word::Coordinates))));
+        pieces.push(Inline::Words(format!("{}: ", self.coordinates_are())));
         let printer = self.printer();
         for (i, coordinate) in coordinates.iter().enumerate() {
             let symbol = self.symbol(&printer, coordinate.symbols[0]);
@@ -180,6 +180,19 @@ impl Writer<'_> {
         vec![Block::Paragraph(Rich(pieces))]
     }
 
+    /// Generalized coordinates are independent; those that connections tie are coordinates with equations.
+    fn coordinates_are(&self) -> String {
+        let n = self.equations.coordinates.len();
+        let tied = n - self.equations.degrees_of_freedom().min(n);
+        if tied == 0 {
+            return self.word(Word::Coordinates).to_owned();
+        }
+        self.language.pick(
+            format!("Coordinates ({n}, tied by connections; equations of these: {tied})"),
+            format!("Координаты ({n}, подчинены связям; уравнений связей: {tied})"),
+        )
+    }
+
     fn symbol(&self, printer: &Printer, symbol: symbolic::SymbolId) -> Formula {
         let graph = &self.equations.graph;
         Formula { mathml: printer.symbol(graph, symbol, Form::MathMl), text: printer.symbol(graph, symbol, Form::Text) }
@@ -192,7 +205,8 @@ impl Writer<'_> {
         if nothing_moves {
             return Vec::new();
         }
-        let mut blocks = vec![self.heading(Word::Equations)];
+        let none = self.equations.coordinates.is_empty();
+        let mut blocks = if none { Vec::new() } else { vec![self.heading(Word::Equations)] };
         match &self.equations.textbook {
             Err(reason) => blocks.push(Block::paragraph(self.language.text(reason))),
             Ok(equalities) => {
@@ -234,18 +248,55 @@ impl Writer<'_> {
         for (mathml, text) in mathml.into_iter().zip(text) {
             blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
         }
+        blocks.extend(self.reactions(printer));
+        blocks
+    }
+
+    /// What the letters of reactions mean: first those of the equations, then those that only the released bodies give.
+    fn reactions(&self, printer: &Printer) -> Vec<Block> {
+        let graph = &self.equations.graph;
+        let shown = self.equations.textbook.iter().flatten().flat_map(|e| [e.left, e.right]).collect::<Vec<_>>();
+        let occurring = graph.symbols_in(&shown);
+        let reactions = self.equations.reactions.iter().filter(|r| r.law.is_reaction());
+        let (inside, outside): (Vec<_>, Vec<_>) = reactions.partition(|r| occurring.binary_search(&r.symbol).is_ok());
+        let found = match (inside.is_empty(), self.equations.coordinates.is_empty()) {
+            (_, true) => Say::Reactions,
+            (true, _) => Say::ReactionsReleased,
+            (false, _) => Say::OtherReactions,
+        };
+        let lists = [(Say::Reactions, inside), (found, outside)];
+        lists.into_iter().filter(|(_, list)| !list.is_empty()).map(|(word, list)| self.named_reactions(printer, word, &list)).collect()
+    }
+
+    fn named_reactions(&self, printer: &Printer, word: Say, list: &[&Reaction]) -> Block {
         let mut pieces = Vec::new();
-        for (i, reaction) in self.equations.reactions.iter().filter(|r| r.law.is_reaction()).enumerate() {
-            let before = if i == 0 { format!("{}: ", say(self.language, Say::Reactions)) } else { "; ".into() };
+        for (i, reaction) in list.iter().enumerate() {
+            let before = if i == 0 { format!("{}: ", say(self.language, word)) } else { "; ".into() };
             pieces.push(Inline::Words(before));
             pieces.push(Inline::Formula(self.symbol(printer, reaction.symbol)));
-            pieces.push(Inline::Words(format!(" — {}", self.language.text(&reaction.label))));
+            pieces.push(Inline::Words(format!(" – {}", self.language.text(&reaction.label))));
+            if let Some(result) = self.result_of(printer, reaction) {
+                pieces.push(Inline::Words(self.language.pick(" (in results ", " (в результатах ").to_owned()));
+                pieces.push(Inline::Formula(result));
+                pieces.push(Inline::Words(")".into()));
+            }
         }
-        if !pieces.is_empty() {
-            pieces.push(Inline::Words(".".into()));
-            blocks.push(Block::Paragraph(Rich(pieces)));
-        }
-        blocks
+        pieces.push(Inline::Words(".".into()));
+        Block::Paragraph(Rich(pieces))
+    }
+
+    /// The output that is this reaction by itself, where it is printed with another letter.
+    fn result_of(&self, printer: &Printer, reaction: &Reaction) -> Option<Formula> {
+        let graph = &self.equations.graph;
+        let is = |o: &&symbolic::equations::Output| matches!(graph.node(o.formula), symbolic::Node::Symbol(s) if *s == reaction.symbol);
+        let output = self.equations.outputs.iter().find(is)?;
+        let written = |name: &str, form| {
+            let shown = self.equations.notation.iter().find(|(n, _)| n == name).map_or(name, |(_, symbol)| symbol.as_str());
+            printer.write(&report::formula::Layout::Symbol(printer.named(shown)), form, report::formula::Placement::Inline)
+        };
+        let text = written(&output.name, Form::Text);
+        let own = printer.symbol(graph, reaction.symbol, Form::Text);
+        (text != own).then(|| Formula { mathml: written(&output.name, Form::MathMl), text })
     }
 
     fn derivation(&self) -> Vec<Block> {
@@ -516,7 +567,7 @@ pub fn holding(equations: &Equations, language: Language) -> Vec<Option<String>>
         };
         let name = language.text(&reaction.label);
         match reaction.law {
-            Law::Contact { tie: true, .. } => Some(format!("{name}, {}", language.pick("while it is taut", "пока связь натянута"))),
+            Law::Contact { tie: true, .. } => Some(format!("{name}, {}", language.pick("while it is taut", "пока канат натянут"))),
             Law::Contact { .. } => Some(format!("{name}, {}", language.pick("while it is closed", "пока контакт замкнут"))),
             Law::Friction(_) => Some(format!("{name}, {}", language.pick("while it sticks", "пока нет скольжения"))),
             _ => None,
@@ -667,7 +718,8 @@ pub fn equilibria(data: &Dataset, language: Language) -> Table {
         let largest = column.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let scale = scale(&column.quantity, largest);
         let shown: Vec<f64> = column.values.iter().map(|v| v / scale.size).collect();
-        let mut row = vec![Cell::symbol(&column.quantity.symbol), Cell::words(scale.print(language))];
+        let symbol = if column.quantity.name == "growth" { Cell::words("Re λ") } else { Cell::symbol(&column.quantity.symbol) };
+        let mut row = vec![symbol, Cell::words(scale.print(language))];
         row.extend(Cell::column(&shown, DIGITS, language));
         row.push(Cell::words(language.text(&column.quantity.label)));
         table.row(row);
@@ -681,10 +733,18 @@ fn written(text: &str, language: Language) -> String {
     let (from, to) = language.pick((',', "."), ('.', ","));
     if number.parse::<f64>().is_ok() || number.replacen(',', ".", 1).parse::<f64>().is_ok() {
         let unit = text.trim_start()[number.len()..].trim();
-        let number = number.replacen(from, to, 1);
+        let number = with_power(&number.replacen(from, to, 1)).replacen('-', "−", 1);
         // the same unit in the letters of the language
         let unit = if unit.is_ascii() && language == Language::Ru { report::unit::print(unit, language) } else { unit.to_owned() };
         return format!("{number} {unit}").trim_end().to_owned();
     }
-    text.to_owned()
+    if text.is_empty() { "–".into() } else { text.to_owned() }
+}
+
+/// `2e11` as `2·10¹¹`.
+fn with_power(number: &str) -> String {
+    match number.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => format!("{mantissa}·10{}", report::number::superscript(exponent.trim_start_matches('+'))),
+        None => number.to_owned(),
+    }
 }

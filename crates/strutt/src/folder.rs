@@ -106,7 +106,7 @@ fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) 
     let data = finding.data();
     shelf.put(&format!("{stem}.csv"), Word::Table, &csv::write(data, csv::Dialect::Plain))?;
     if data.events.iter().any(|e| !e.name.is_empty()) {
-        shelf.put(&format!("{stem}-events.csv"), Word::EventTable, &csv::write_events(data, csv::Dialect::Plain))?;
+        shelf.put(&format!("{stem}-events.csv"), Word::EventTable, &csv::write_events(data, csv::Dialect::Plain, language))?;
     }
     if language == Language::Ru {
         shelf.put(&format!("{stem}-excel.csv"), Word::TableRu, &csv::write(data, csv::Dialect::Ru))?;

@@ -33,7 +33,7 @@ struct Named<'a> {
 }
 
 impl Named<'_> {
-    /// An output may repeat a parameter by name or value; letters that look alike have a warning of their own.
+    /// An output may repeat a parameter by value; letters that look alike have a warning of their own.
     fn is_confused_with(&self, other: &Named) -> bool {
         self.symbol != other.symbol && self.name != other.name && letters::skeleton(self.name) != letters::skeleton(other.name)
     }

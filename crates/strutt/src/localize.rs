@@ -58,10 +58,28 @@ fn russian(command: Command, path: &str) -> Command {
         };
         let heading = if arg.is_positional() { "Аргументы" } else { "Ключи" };
         let valued = arg.get_action().takes_values();
-        arg.help_heading(heading).hide_possible_values(valued)
+        in_russian(arg.help_heading(heading), valued)
     });
     let usage = usage(&command, path);
     command.override_usage(usage).mut_subcommands(|sub| russian(sub, "strutt"))
+}
+
+/// Possible values and defaults in Russian brackets; clap has them in English only.
+fn in_russian(arg: Arg, valued: bool) -> Arg {
+    let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
+    let possible: Vec<String> = arg.get_possible_values().iter().map(|v| v.get_name().to_owned()).collect();
+    let named =
+        arg.get_value_names().and_then(|names| names.first()).is_some_and(|name| possible.iter().all(|v| name.contains(v.as_str())));
+    let default = arg.get_default_values().first().and_then(|v| v.to_str()).map(str::to_owned);
+    let mut added = String::new();
+    if valued && !possible.is_empty() && !named {
+        added.push_str(&format!(" [значения: {}]", possible.join(", ")));
+    }
+    if let Some(value) = default.filter(|_| valued && !help.contains("[по умолчанию")) {
+        added.push_str(&format!(" [по умолчанию: {value}]"));
+    }
+    let arg = if added.is_empty() { arg } else { arg.help(format!("{help}{added}")) };
+    arg.hide_possible_values(valued).hide_default_value(valued)
 }
 
 fn flag(name: &'static str, short: char, action: ArgAction) -> Arg {
@@ -191,12 +209,12 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("equations.form", "Вид формул"),
     ("equations.steps", "Показать вывод по шагам"),
     ("simulate.until", "Конец движения: 30, 30с, \"2 мин\""),
-    ("simulate.tolerance", "Относительная точность шага, 1e-15 ... 1e-3 [по умолчанию: 1e-12]"),
+    ("simulate.tolerance", "Допустимая относительная погрешность шага, 1e-15 ... 1e-3 [по умолчанию: 1e-12]"),
     ("simulate.method", "Как интегрируется движение: ряды Тейлора, неявный метод или что выгоднее [по умолчанию: auto]"),
     ("simulate.at", "Результаты точно в эти моменты: 0,0.5,10 (или \"0;0,5;10\")"),
     ("simulate.every", "Результаты через равные промежутки времени"),
     ("simulate.outputs", "Столбцы по именам, в этом порядке: phi,phi',omega_p"),
-    (".halve_tolerance", "Повторить каждый расчёт с половинной точностью шага и показать расхождение"),
+    (".halve_tolerance", "Повторить каждый расчёт с вдвое меньшей допустимой погрешностью шага и показать расхождение"),
     (".check", "Повторить расчёт с другими шагами и показать, какие цифры верны"),
     (".events", "Строки в моменты именованных событий и переключений вместо моментов таблицы"),
     (".switches", "Также строки при каждом переключении, непосредственно до и после него"),
@@ -232,7 +250,7 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("periodic.settle", "Обычное движение перед поиском"),
     ("periodic.unknown", "Параметр, который меняется, пока период не станет нужным"),
     ("periodic.wanted_period", "Нужный период"),
-    (".tolerance", "Относительная точность шага, 1e-15 ... 1e-3"),
+    (".tolerance", "Допустимая относительная погрешность шага, 1e-15 ... 1e-3"),
     (".at", "Результаты точно в эти моменты: 0,0.5,10 (или \"0;0,5;10\")"),
     (".every", "Результаты через равные промежутки времени"),
     (".outputs", "Столбцы по именам, в этом порядке: phi,phi',omega_p"),
@@ -268,6 +286,21 @@ mod tests {
             for arg in sub.get_arguments() {
                 assert!(arg.get_help().is_none_or(|h| russian(h.to_string())), "{} {}", sub.get_name(), arg.get_id());
             }
+        }
+    }
+
+    #[test]
+    fn values_and_defaults_are_named_in_russian() {
+        let mut command = command(Language::Ru);
+        command.build();
+        let mut help = |name: &str| {
+            let text = command.find_subcommand_mut(name).map(|sub| sub.render_help().to_string()).unwrap_or_default();
+            text.split_whitespace().collect::<Vec<_>>().join(" ")
+        };
+        assert!(help("simulate").contains("auto, taylor, stiff"), "{}", help("simulate"));
+        assert!(help("completions").contains("bash, elvish, fish"), "{}", help("completions"));
+        for name in ["check", "equations", "response", "modes", "kinematics", "periodic"] {
+            assert!(!help(name).contains("[default") && !help(name).contains("[possible"), "{}", help(name));
         }
     }
 }

@@ -27,7 +27,7 @@ pub fn end(key: &str, text: &str) -> Result<f64, Failure> {
 /// A tolerance of the integrator.
 pub fn tolerance(key: &str, text: &str) -> Result<f64, Failure> {
     let value = number(key, text)?;
-    let words = Text::new("a tolerance lies between 1e-15 and 1e-3", "точность лежит между 1e-15 и 1e-3");
+    let words = Text::new("a tolerance lies between 1e-15 and 1e-3", "допустимая погрешность лежит между 1e-15 и 1e-3");
     if (1e-15..=1e-3).contains(&value) { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
 }
 
@@ -95,6 +95,11 @@ fn has_unit(key: &str, text: &str, (number, unit): (&str, Option<&String>)) -> R
 
 /// `phi=0.1` pairs for coordinates of a model.
 pub fn guess(list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec<(symbolic::SymbolId, f64)>, Failure> {
+    coordinates("--guess", list, machine)
+}
+
+/// Values of coordinates, given by this key of the command line.
+fn coordinates(key: &str, list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec<(symbolic::SymbolId, f64)>, Failure> {
     let mut found = Vec::new();
     for text in list {
         let (name, value) = text.split_once('=').unwrap_or((text, ""));
@@ -104,13 +109,13 @@ pub fn guess(list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec
             let list = names.join(", ");
             let help =
                 Text::new(format!("write name=value with one of: {list}"), format!("напишите имя=значение, где имя одно из: {list}"));
-            return Err(bad("--guess", text, &what, &help));
+            return Err(bad(key, text, &what, &help));
         };
         let dimension = mechanics::units::parse_unit(&coordinate.units[0]).map(|u| u.dimension).unwrap_or(Dimension::NONE);
-        has_unit("--guess", text, (value.trim(), machine.model.scaled.get(&coordinate.name)))?;
-        let value = parse_quantity(value.trim(), &dimension).map_err(|fault| bad("--guess", text, &fault.words.what, &fault.words.help))?;
+        has_unit(key, text, (value.trim(), machine.model.scaled.get(&coordinate.name)))?;
+        let value = parse_quantity(value.trim(), &dimension).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
         if !value.is_finite() {
-            return Err(bad("--guess", text, &not_finite(), &Text::default()));
+            return Err(bad(key, text, &not_finite(), &Text::default()));
         }
         found.push((coordinate.symbols[0], value));
     }
@@ -143,8 +148,14 @@ pub fn parameter_range(name: &str, text: &str, machine: &strutt::pipeline::Machi
 /// A coordinate and the ends of its range, `-180 deg,180 deg`.
 pub fn between(name: &str, text: &str, machine: &strutt::pipeline::Machine) -> Result<mechanics::model::Between, Failure> {
     let separator = if text.contains(';') { ';' } else { ',' };
+    if !machine.model.coordinates.iter().any(|c| c.name == name) {
+        let names: Vec<&str> = machine.model.coordinates.iter().map(|c| c.name.as_str()).collect();
+        let what = Text::new(format!("`{name}` is no coordinate"), format!("`{name}` — не координата"));
+        let help = Text::new(format!("one of: {}", names.join(", ")), format!("одна из: {}", names.join(", ")));
+        return Err(bad("--over", name, &what, &help));
+    }
     let ends: Vec<String> = text.split(separator).map(|end| format!("{}={}", name, end.trim())).collect();
-    let values = guess(&ends, machine)?;
+    let values = coordinates("--range", &ends, machine)?;
     match values[..] {
         [(coordinate, from), (_, to)] if from < to => Ok(mechanics::model::Between { coordinate, from, to }),
         _ => {

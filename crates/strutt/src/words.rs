@@ -41,6 +41,8 @@ report::words! {
     WhereText: "where", "где";
     Connections: "Equations of the connections", "Уравнения связей";
     Reactions: "Reactions", "Реакции";
+    OtherReactions: "Other reactions, from the balances of the released bodies", "Прочие реакции, из уравнений освобождённых тел";
+    ReactionsReleased: "Reactions, from the balances of the released bodies", "Реакции, из уравнений освобождённых тел";
     FrictionLaws: "Dry friction: the force while it slides, its limit while it sticks", "Сухое трение: сила при скольжении и предел при покое";
     Columns: "Quantities", "Величины";
     ClosedForm: "Motion in closed form", "Движение в замкнутой форме";

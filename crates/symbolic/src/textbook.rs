@@ -108,7 +108,7 @@ impl Textbook {
         let mut terms = Vec::with_capacity(groups.len());
         for (varying, constants) in &groups {
             let coefficient = self.coefficient(graph, constants);
-            let varying = graph.monomial(Rational::ONE, varying);
+            let varying = joined(graph, varying);
             terms.push(graph.mul(coefficient, varying));
         }
         graph.sum(&terms)
@@ -191,6 +191,45 @@ impl Textbook {
         }
         sum.terms().map(|(m, c)| (m.clone(), c.clone())).collect()
     }
+}
+
+/// Deepest chain of cases that is joined.
+const DEEPEST: usize = 8;
+
+/// The monomial, switches of the same cases multiplied case by case: {a, g > 0; b}·{c, g > 0; d} is {a c, g > 0; b d}.
+fn joined(graph: &mut Graph, monomial: &Monomial) -> Expr {
+    let is_switch = |(base, exponent): &&(Expr, Rational)| matches!(graph.node(*base), Node::Switch { .. }) && exponent == &Rational::ONE;
+    let (switches, mut rest): (Vec<(Expr, Rational)>, Vec<(Expr, Rational)>) = monomial.iter().cloned().partition(|f| is_switch(&f));
+    let mut kept: Vec<Expr> = Vec::new();
+    for (switch, _) in switches {
+        let fitting = kept.iter().enumerate().find_map(|(i, other)| Some((i, merged(graph, [*other, switch], DEEPEST)?)));
+        match fitting {
+            Some((i, product)) => kept[i] = product,
+            None => kept.push(switch),
+        }
+    }
+    rest.extend(kept.into_iter().map(|e| (e, Rational::ONE)));
+    graph.monomial(Rational::ONE, &rest)
+}
+
+/// The product of two switches of one guard.
+fn merged(graph: &mut Graph, [a, b]: [Expr; 2], depth: usize) -> Option<Expr> {
+    let cases = |e: Expr| match graph.node(e) {
+        Node::Switch { guard, strict, then, otherwise } => Some(((*guard, *strict), [*then, *otherwise])),
+        _ => None,
+    };
+    let (((guard, strict), [t, o]), (other, [u, p])) = (cases(a)?, cases(b)?);
+    if (guard, strict) != other || depth == 0 {
+        return None;
+    }
+    let mut multiplied = |x: Expr, y: Expr| {
+        merged(graph, [x, y], depth - 1).unwrap_or_else(|| {
+            let product = graph.mul(x, y);
+            graph.expanded(product, LARGEST_SHORTENED).unwrap_or(product)
+        })
+    };
+    let (then, otherwise) = (multiplied(t, u), multiplied(o, p));
+    Some(graph.switch(guard, strict, then, otherwise))
 }
 
 /// Σ terms = front·shape: front is the common monomial times the first coefficient.
@@ -342,6 +381,32 @@ mod tests {
             d.g.mul(m, ll)
         };
         assert_eq!(d.t.tidy(&mut d.g, e), expected);
+    }
+
+    /// The force of a spring with play: c g g' with g and g' of the same three cases.
+    #[test]
+    fn switches_of_the_same_cases_multiply_case_by_case() {
+        let mut d = Desk::new(&["c", "h"]);
+        let (c, h, x) = (d.g.var("c"), d.g.var("h"), d.g.var("x"));
+        let (zero, one) = (d.g.zero(), d.g.one());
+        let minus = d.g.neg(one);
+        let (above, below) = (d.g.sub(x, h), d.g.add(x, h));
+        let low = d.g.neg(below);
+        let chain = |d: &mut Desk, a: Expr, b: Expr| {
+            let inner = d.g.switch(low, true, b, zero);
+            d.g.switch(above, true, a, inner)
+        };
+        let (gap, slope) = (chain(&mut d, above, low), chain(&mut d, one, minus));
+        let force = d.g.product(&[c, gap, slope]);
+        let expected = {
+            let cases = chain(&mut d, above, below);
+            d.g.mul(c, cases)
+        };
+        assert_eq!(d.t.tidy(&mut d.g, force), expected);
+        // other cases stay a product
+        let other = d.g.switch(x, true, one, zero);
+        let mixed = d.g.product(&[gap, other]);
+        assert_eq!(d.t.tidy(&mut d.g, mixed), mixed);
     }
 
     #[test]

@@ -212,8 +212,8 @@ impl TouchLaws {
         }
         if self.frictions {
             let words = (
-                "dry friction: largest departure from |F| <= mu N, against the sliding, relative",
-                "сухое трение: наибольшее отступление от |F| <= mu N против скольжения, относительно",
+                "dry friction: largest departure from |F| ≤ μN, against the sliding, relative",
+                "сухое трение: наибольшее отступление от |F| ≤ μN против скольжения, относительно",
             );
             list.push(audit("friction_limit", words, &self.cone));
         }

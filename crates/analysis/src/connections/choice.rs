@@ -14,7 +14,7 @@ use super::closing::CLOSED;
 use super::rank::sort;
 use super::{Bench, listed};
 use crate::Fault;
-use crate::fault::{number, rounded};
+use crate::fault::{rounded, seven_digits};
 use crate::numerics::random::Random;
 use symbolic::Text;
 
@@ -168,7 +168,7 @@ impl Bench<'_> {
                 }
                 let unit = Text::unit(&unit_of(&coordinate.unit, level));
                 let prime = if k == 0 { "" } else { "'" };
-                let (old, new, name) = (rounded(old), number(new), self.coordinate(j));
+                let (old, new, name) = (rounded(old), seven_digits(new), self.coordinate(j));
                 names.push(Text::new(
                     format!("{name}{prime} = {}{} (from {})", new.en, unit.en, old.en),
                     format!("{name}{prime} = {}{} (вместо {})", new.ru, unit.ru, old.ru),

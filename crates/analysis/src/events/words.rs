@@ -95,8 +95,8 @@ pub fn standing(guards: &[Guard], modes: &[Mode]) -> Vec<Standing> {
 fn impact(switch: &Switch, rates: [f64; 2], tie: bool, told: impl Fn(String, String) -> Text) -> Text {
     let [before, after] = rates.map(short);
     let word = if tie { ("catches", "рывок") } else { ("impact", "удар") };
-    let mut en = format!("{}, rate {} -> {}", word.0, before.en, after.en);
-    let mut ru = format!("{}, скорость {} -> {}", word.1, before.ru, after.ru);
+    let mut en = format!("{}, rate {} → {}", word.0, before.en, after.en);
+    let mut ru = format!("{}, скорость {} → {}", word.1, before.ru, after.ru);
     if switch.after == Mode::Zero && tie {
         en += ", stays taut";
         ru += ", остаётся натянутой";
@@ -125,15 +125,34 @@ fn change_of_side(switch: &Switch, name: &Text) -> Text {
         Mode::Zero => ("zero", "нуля", "нуль"),
         Mode::Positive => ("plus", "плюса", "плюс"),
     };
-    let (before, after) = (word(switch.before), word(switch.after));
-    Text::new(
-        format!("{} changes from {} to {}", name.en, before.0, after.0),
-        format!("{} переходит с {} на {}", name.ru, before.1, after.2),
-    )
+    // of "-y" readers want to know what y does
+    let bare = name.en.strip_prefix(['-', '−']).zip(name.ru.strip_prefix(['-', '−'])).filter(|(en, _)| !en.contains(' '));
+    let turned = |mode: Mode| match mode {
+        Mode::Negative if bare.is_some() => Mode::Positive,
+        Mode::Positive if bare.is_some() => Mode::Negative,
+        other => other,
+    };
+    let (en, ru) = bare.unwrap_or((name.en.as_str(), name.ru.as_str()));
+    let (before, after) = (word(turned(switch.before)), word(turned(switch.after)));
+    Text::new(format!("{en} changes from {} to {}", before.0, after.0), format!("{ru} переходит с {} на {}", before.1, after.2))
 }
 
 /// Six digits: enough to recognise an impact; the full numbers stand beside the event.
 fn short(value: f64) -> Text {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     number(rounded)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_in_words_have_the_signs_of_print() {
+        for (value, en, ru) in
+            [(-4.42945, "−4.42945", "−4,42945"), (9.61e-5, "9.61·10⁻⁵", "9,61·10⁻⁵"), (-2e7, "−2·10⁷", "−2·10⁷"), (0.0, "0", "0")]
+        {
+            assert_eq!(short(value), Text::new(en, ru));
+        }
+    }
 }

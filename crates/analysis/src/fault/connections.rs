@@ -70,7 +70,7 @@ const CHANGE_EN: &str = "At a change point the conditions of a linkage depend on
     crank covers the frame. Several ways of assembly meet there. A machine that moves passes it along the smooth continuation of its motion. It is refused where its rates vanish there, where \
     a load, contact or friction switches in the position itself, or where the motion really ends (a massless linkage in its dead position). A second crank or linkage, set at \
     another angle, as locomotives have it, keeps the motion unique; so does starting or switching a little beside the position.";
-const CHANGE_RU: &str = "В положении ветвления условия связей на мгновение становятся зависимыми: параллелограмм, кривошипы и шатун которого вытянулись в линию, ромбоид, кривошип которого \
+const CHANGE_RU: &str = "В положении ветвления условия связей на мгновение становятся зависимыми: параллелограмм, кривошипы и шатун которого вытянулись в линию, дельтоид (четырёхзвенник с двумя парами равных смежных звеньев), кривошип которого \
     лёг на стойку. Здесь встречаются несколько вариантов сборки. Движущаяся машина проходит его по гладкому продолжению движения. Отказ следует, если скорости в нём обращаются в нуль, если \
     нагрузка, контакт или трение переключаются в самом положении или если движение действительно кончается (невесомый механизм в мёртвом положении). Второй кривошип или механизм, \
     поставленный под другим углом, как у паровоза, сохраняет определённость движения; помогает и начало или переключение чуть в стороне.";

@@ -10,6 +10,7 @@
 pub mod assembly;
 pub mod constraints;
 pub mod continuum;
+pub mod deflection;
 pub mod dense;
 pub mod elements;
 pub mod equilibrium;

@@ -279,7 +279,7 @@ fn point(frame: &Frame<f64>, place: &crate::structure::Place<f64>) -> [f64; 2] {
 fn sections_agree(sections: &[Section], state: &Statics<f64>, assembly: &Assembly<f64>) -> Option<Audit> {
     let largest = sections.iter().map(|s| s.value.abs()).fold(0.0, f64::max);
     let worst = sections.iter().map(|s| (s.value - state.normal(assembly, s.rod)).abs()).fold(0.0, f64::max);
-    let name = Text::new("method of sections against the others", "метод сечений против остальных");
+    let name = Text::new("method of sections against the others", "метод сечений в сравнении с методом вырезания узлов");
     (!sections.is_empty() && largest > 0.0).then(|| Audit::at_most("sections", name, worst / largest, 1e-9))
 }
 
@@ -287,7 +287,7 @@ fn products_agree(flexibility: &Flexibility<f64>) -> Audit {
     let largest = flexibility.matrix.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let pairs = flexibility.matrix.iter().zip(&flexibility.displacements);
     let worst = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    let name = Text::new("products of diagrams against displacements", "перемножение эпюр против перемещений");
+    let name = Text::new("products of diagrams against displacements", "перемножение эпюр в сравнении с перемещениями");
     Audit::at_most("flexibility", name, if largest > 0.0 { worst / largest } else { worst }, 1e-9)
 }
 

@@ -418,7 +418,7 @@ impl<'f, 'm> Run<'f, 'm> {
         self.add_direct(s, &mut values)?;
         let high = self.extreme(&values, 1.0);
         let low = self.extreme(&values, -1.0);
-        let largest = if high.0 >= -low.0 { high } else { (-low.0, low.1) };
+        let largest = farther(high, (-low.0, low.1));
         Ok(Range { mean, max: (mean + high.0, high.1), min: (mean + low.0, low.1), largest })
     }
 
@@ -528,6 +528,13 @@ impl<'f, 'm> Run<'f, 'm> {
         }
         Ok(if size > 0.0 { worst / size } else { 0.0 })
     }
+}
+
+/// The larger of two values with their instants; of equal ones, up to rounding, the earlier.
+fn farther(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    let equal = (a.0 - b.0).abs() <= 1e-13 * a.0.abs().max(b.0.abs());
+    let first = if equal { a.1 <= b.1 } else { a.0 >= b.0 };
+    if first { a } else { b }
 }
 
 /// A bound of the natural frequencies and of the rates of decay: Gershgorin's discs of M^-½ C M^-½ and M^-½ B M^-½ with the diagonal of M.

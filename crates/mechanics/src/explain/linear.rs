@@ -74,7 +74,7 @@ pub const LINEAR: &[Explanation] = &[
         ("no such friction", "нет такого трения"),
         (
             "[impending] lists dry frictions of [frictions] that are at their limit in the place of rest; a name there must be one of these.",
-            "В [impending] перечислены сухие трения из [frictions], достигшие предела в положении покоя; имя должно быть одним из них.",
+            "В [impending] перечислены силы сухого трения из [frictions], достигшие предельных значений в положении покоя; имя должно быть одним из них.",
         ),
         "[impending]\nflor = \"+\"",
         "[impending]\nfloor = \"+\"",
@@ -93,8 +93,8 @@ pub const LINEAR: &[Explanation] = &[
         "M111",
         ("friction at its limit without an unknown", "трение на пределе без неизвестного"),
         (
-            "A friction at its limit is an equation F = ± mu N for the place of rest; a load, an angle or a length in [unknowns] makes it come true.",
-            "Трение на пределе — уравнение F = ± mu N для положения покоя; оно выполняется за счёт нагрузки, угла или длины из [unknowns].",
+            "A friction at its limit is an equation F = ±μN for the place of rest; a load, an angle or a length in [unknowns] makes it come true.",
+            "Трение на пределе — уравнение F = ±μN для положения покоя; оно выполняется за счёт нагрузки, угла или длины из [unknowns].",
         ),
         "[impending]\nfloor = \"+\"",
         "[unknowns]\nP = \"100 N\"\n[impending]\nfloor = \"+\"",

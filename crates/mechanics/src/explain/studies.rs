@@ -52,8 +52,8 @@ pub const STUDIES: &[Explanation] = &[
         "M065",
         ("times, tolerance or method of a study", "времена, точность или метод расчёта"),
         (
-            "Durations are positive, times ascend up to the end of the motion, the tolerance lies between 1e-16 and 1e-2, and the method is auto, taylor or stiff.",
-            "Длительности положительны, моменты времени возрастают до конца движения, точность от 1e-16 до 1e-2, метод — auto, taylor или stiff.",
+            "Durations are positive, times ascend up to the end of the motion, the tolerance lies between 1e-15 and 1e-3, and the method is auto, taylor or stiff.",
+            "Длительности положительны, моменты времени возрастают до конца движения, допустимая погрешность – от 1e-15 до 1e-3, метод — auto, taylor или stiff.",
         ),
         "until = \"-1 s\"",
         "until = \"1 s\"",
@@ -195,7 +195,7 @@ pub const STUDIES: &[Explanation] = &[
         ("restitution outside 0 ... 1", "коэффициент восстановления вне 0 ... 1"),
         (
             "The restitution is the ratio of the rates after and before an impact: 0 sticks, 1 loses no energy.",
-            "Коэффициент восстановления — отношение скоростей после и до удара: 0 — прилипание, 1 — без потерь энергии.",
+            "Коэффициент восстановления — отношение скоростей после и до удара: 0 — абсолютно неупругий удар, 1 — абсолютно упругий (без потерь энергии).",
         ),
         "restitution = 1.2",
         "restitution = 0.8",

@@ -62,7 +62,7 @@ pub const CLAIM: TableSpec = TableSpec {
             "",
             (
                 "the value is the natural frequency of this number; Hz count periods",
-                "значение — собственная частота с этим номером; Гц считают периоды",
+                "значение — собственная частота с этим номером; в Гц – число периодов в секунду",
             ),
             "1",
         ),

@@ -85,7 +85,7 @@ const SIDE: Field = may(
     "\"right\"",
 );
 const WHEELS: Field = must("between", Type::TwoNames, "", ("two wheels", "два колеса"), "[\"flywheel\", \"pulley\"]");
-const RADII: Field = must("radii", Type::Vector, "m", ("their pitch radii", "их радиусы"), "[\"r1\", \"R4\"]");
+const RADII: Field = must("radii", Type::Vector, "m", ("their pitch radii", "радиусы их начальных окружностей"), "[\"r1\", \"R4\"]");
 const CARRIER: Field = may(
     "carrier",
     Type::Name,
@@ -97,7 +97,7 @@ const CARRIER: Field = may(
     ),
     "\"arm\"",
 );
-const RADIUS: Field = must("radius", Type::Formula, "m", ("radius of the rolling circle", "радиус катящейся окружности"), "\"R5\"");
+const RADIUS: Field = must("radius", Type::Formula, "m", ("radius of the rolling circle", "радиус окружности качения"), "\"R5\"");
 const CENTER: Field = may("center", Type::Name, "", "origin of the body", ("centre of the wheel, a point", "центр колеса, точка"), "\"C\"");
 
 /// `[pins.NAME]`.
@@ -478,7 +478,7 @@ pub const MOTOR: TableSpec = table(
     "motors",
     (
         "Motors: unknown forces or torques that realise the motions. Between two bodies the torque acts on the second and opposite on the first; positive increases the pathway.",
-        "Двигатели: неизвестные силы и моменты, создающие движения. Между двумя телами момент действует на второе, противоположный — на первое; положительный увеличивает координату.",
+        "Двигатели: неизвестные силы и моменты, реализующие заданные движения. Между двумя телами момент действует на второе, противоположный — на первое; положительный увеличивает координату.",
     ),
     &[ALONG, BETWEEN, ON_BODY],
     "[motors.B]\nbetween = [\"bar2\", \"bar1\"]\n",

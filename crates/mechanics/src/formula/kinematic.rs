@@ -156,9 +156,9 @@ pub const FUNCTIONS: [KinematicFunction; 26] = {
         row("force_x", Acting, FORCE, D::REACTION, Reactions, "component of a reaction along x", "компонента реакции вдоль x"),
         row("force_y", Acting, FORCE, D::REACTION, Reactions, "component of a reaction along y", "компонента реакции вдоль y"),
         row("force_z", Acting, FORCE, D::REACTION, Reactions, "component of a reaction along z", "компонента реакции вдоль z"),
-        row("moment", Acting, ENERGY, D::REACTION, Reactions, "moment of a reaction about z", "момент реакции вокруг z"),
-        row("moment_x", Acting, ENERGY, D::REACTION, Reactions, "moment of a reaction about x", "момент реакции вокруг x"),
-        row("moment_y", Acting, ENERGY, D::REACTION, Reactions, "moment of a reaction about y", "момент реакции вокруг y"),
+        row("moment", Acting, ENERGY, D::REACTION, Reactions, "moment of a reaction about z", "момент реакции относительно оси z"),
+        row("moment_x", Acting, ENERGY, D::REACTION, Reactions, "moment of a reaction about x", "момент реакции относительно оси x"),
+        row("moment_y", Acting, ENERGY, D::REACTION, Reactions, "moment of a reaction about y", "момент реакции относительно оси y"),
         row(
             "normal",
             Acting,
@@ -184,7 +184,7 @@ pub const FUNCTIONS: [KinematicFunction; 26] = {
             D::MOTION,
             Forces,
             "torque of a torsion spring, motor or friction; moment of a reaction about z",
-            "момент крутильной пружины, двигателя или трения; момент реакции вокруг z",
+            "момент крутильной пружины, двигателя или трения; момент реакции относительно оси z",
         ),
     ]
 };

@@ -161,6 +161,7 @@ const CYRILLIC_PREFIXES: &[(&str, i64)] = &[
 pub(crate) struct Listed {
     pub names: Vec<&'static str>,
     pub value: String,
+    pub value_ru: String,
     pub prefixed: bool,
 }
 
@@ -168,10 +169,31 @@ pub(crate) struct Listed {
 pub(crate) fn listed() -> Vec<Listed> {
     let row = |r: &Row| Listed {
         names: r.latin.iter().chain(r.cyrillic).copied().collect(),
-        value: format!("{}{} {}", r.factor, if r.pi == 1 { " π" } else { "" }, super::si_label(&r.dimension.without_periods())),
+        value: in_si(r, |label| label.to_owned()),
+        value_ru: in_si(r, in_russian).replace('.', ","),
         prefixed: r.prefixed,
     };
     ROWS.iter().map(row).collect()
+}
+
+/// `0.001 kg`, `π/30 rad/s`, `0.01`.
+fn in_si(r: &Row, print: impl Fn(&str) -> String) -> String {
+    let number = match (r.pi, r.factor.split_once('/')) {
+        (1, Some(("1", below))) => format!("π/{below}"),
+        (1, _) => format!("{} π", r.factor),
+        _ => r.factor.to_owned(),
+    };
+    match super::si_label(&r.dimension.without_periods()).as_str() {
+        "1" => number,
+        label if number == "1" && label.starts_with("1/") => print(label),
+        label => format!("{number} {}", print(label)),
+    }
+}
+
+/// A unit in Cyrillic letters as it is printed: `kg m^2` is `кг·м²`.
+pub(crate) fn in_russian(label: &str) -> String {
+    let powers = [("^2", "²"), ("^3", "³"), ("^4", "⁴"), (" ", "·")];
+    powers.into_iter().fold(symbolic::Text::unit(label).ru, |text, (from, to)| text.replace(from, to))
 }
 
 /// The unit of that name.

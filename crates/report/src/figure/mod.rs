@@ -141,7 +141,11 @@ impl Axis {
             return Axis { symbols, units, scale: Scale::plain(""), log: false };
         }
         let largest = columns.iter().flat_map(|c| &c.values).filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
-        Axis { symbols, units: Vec::new(), scale: Scale::of_column(unit, largest), log: false }
+        // the user's unit of display, where all have the same
+        let display = columns.first().and_then(|c| c.quantity.display.clone());
+        let common = display.filter(|d| columns.iter().all(|c| c.quantity.display.as_ref() == Some(d)));
+        let scale = common.map_or_else(|| Scale::of_column(unit, largest), |(label, size)| Scale { size, label });
+        Axis { symbols, units: Vec::new(), scale, log: false }
     }
 
     /// The axis as plain text: `φ′, рад/с`.

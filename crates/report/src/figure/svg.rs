@@ -165,6 +165,8 @@ impl Draw<'_> {
 
     fn marks(&mut self) {
         let a = self.layout.area;
+        // labels of near lines stand below one another: left edge, right edge, row
+        let mut taken: Vec<(f64, f64, f64)> = Vec::new();
         for mark in &self.figure.marks {
             let (x, y, label) = match mark {
                 Mark::Vertical { x, label } => (Some(*x), None, label),
@@ -187,11 +189,17 @@ impl Draw<'_> {
             let right_half = px > (a.left + a.right) / 2.0;
             let (anchor, dx) = if right_half { ("end", -6.0) } else { ("start", 6.0) };
             let dy = if py < a.top + 18.0 { 14.0 } else { -6.0 };
+            let wide = text_width(label, TEXT);
+            let from = if right_half { px + dx - wide } else { px + dx };
+            let mut row = py + dy;
+            while y.is_none() && taken.iter().any(|t| t.2 == row && from < t.1 && t.0 < from + wide) {
+                row += 14.0;
+            }
+            taken.push((from, from + wide, row));
             let _ = writeln!(
                 self.out,
-                "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" fill=\"{SOFT}\">{}</text>",
+                "<text x=\"{:.1}\" y=\"{row:.1}\" text-anchor=\"{anchor}\" fill=\"{SOFT}\">{}</text>",
                 px + dx,
-                py + dy,
                 markup(label)
             );
         }

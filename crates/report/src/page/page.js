@@ -100,6 +100,7 @@
       c.save();
       c.font = `${12 * ratio}px 'DejaVu Sans', Verdana, Arial, sans-serif`;
       c.fillStyle = theme.ink; c.strokeStyle = theme.soft; c.lineWidth = ratio;
+      const taken = [];
       for (const [x, y, label] of figure.marks) {
         const p = x == null ? b.left : u.valToPos(x, "x", true), q = y == null ? b.top + 18 * ratio : u.valToPos(y, "y", true);
         if (p < b.left || p > b.left + b.width || q < b.top || q > b.top + b.height) continue;
@@ -112,7 +113,12 @@
         }
         const end = p > b.left + b.width / 2;
         c.textAlign = end ? "right" : "left";
-        c.fillText(label, p + (end ? -6 : 6) * ratio, q - 5 * ratio);
+        // labels of near lines stand below one another
+        const wide = c.measureText(label).width, from = end ? p - 6 * ratio - wide : p + 6 * ratio;
+        let row = q - 5 * ratio;
+        while (y == null && taken.some((t) => t[2] === row && from < t[1] && t[0] < from + wide)) row += 14 * ratio;
+        taken.push([from, from + wide, row]);
+        c.fillText(label, p + (end ? -6 : 6) * ratio, row);
       }
       c.restore();
     }
@@ -266,8 +272,7 @@
     const stage = element("div"), tip = element("span", { class: "happening", hidden: "" });
     figure.series.forEach((s, i) => {
       const value = element("output");
-      const button = element("button", { type: "button", "aria-pressed": "true" }, swatch(s), element("span", { html: s.html }), value);
-      if (s.label) button.title = s.label;
+      const button = element("button", { type: "button", "aria-pressed": "true" }, swatch(s), element("span", { html: s.html }), element("span", {}, s.label ? (s.name ? "– " : "") + s.label : ""), value);
       button.onclick = () => {
         const on = button.getAttribute("aria-pressed") === "false";
         button.setAttribute("aria-pressed", on);

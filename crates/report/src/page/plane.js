@@ -91,14 +91,17 @@ function Plane(host, figure, look, format, shown) {
     });
     c.setLineDash([]);
     c.fillStyle = theme.ink;
-    c.textAlign = "left"; c.textBaseline = "bottom";
+    c.textBaseline = "bottom";
     for (const [x, y, words] of figure.marks) {
       if (x == null || y == null) {
         c.strokeStyle = theme.soft; c.setLineDash([3, 3]); c.beginPath();
         x == null ? (c.moveTo(left, py(y)), c.lineTo(right, py(y))) : (c.moveTo(px(x), top), c.lineTo(px(x), bottom));
         c.stroke(); c.setLineDash([]);
       } else { c.beginPath(); c.arc(px(x), py(y), 3.5, 0, 7); c.fill(); }
-      c.fillText(words, (x == null ? left : px(x)) + 6, (y == null ? top + 18 : py(y)) - 4);
+      // words stay inside: left of a point in the right half
+      const at = x == null ? left : px(x), end = at > (left + right) / 2;
+      c.textAlign = end ? "right" : "left";
+      c.fillText(words, at + (end ? -6 : 6), (y == null ? top + 18 : py(y)) - 4);
     }
     if (moments) moments.forEach((k, i) => {
       const s = figure.series[i];

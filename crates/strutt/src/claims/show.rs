@@ -10,8 +10,8 @@ const DIGITS: usize = 7;
 /// A row a claim: name and source, what is published, what strutt finds, the deviation, whether it holds.
 pub fn table(verdicts: &[Verdict], language: Language) -> Table {
     let heads = match language {
-        Language::En => ["Claim", "Published", "Found", "Unit", "Deviation", "Holds"],
-        Language::Ru => ["Результат", "Опубликовано", "Найдено", "Ед.", "Расхождение", "Верно"],
+        Language::En => ["Claim", "Published", "Found", "Unit", "Deviation", "Verdict"],
+        Language::Ru => ["Результат", "Опубликовано", "Найдено", "Ед.", "Расхождение", "Вывод"],
     };
     let mut table = Table::new(heads.map(Column::new).into());
     let number = |x: f64| if x.is_finite() { Cell::number(x, DIGITS, language) } else { Cell::Empty };
@@ -20,9 +20,17 @@ pub fn table(verdicts: &[Verdict], language: Language) -> Table {
         let name = if source.is_empty() { v.name.clone() } else { format!("{} ({source})", v.name) };
         let unit = Cell::words(report::unit::print(&v.unit, language));
         let deviation = if v.deviation.is_finite() { Cell::words(report::number::short(v.deviation, 2, language)) } else { Cell::Empty };
-        table.row(vec![Cell::words(name), number(v.published), number(v.value), unit, deviation, Cell::Verdict(v.ok)]);
+        table.row(vec![Cell::words(name), number(v.published), number(v.value), unit, deviation, Cell::words(holds(v.ok, language))]);
     }
     table
+}
+
+/// Whether the machine confirms what is published.
+fn holds(ok: bool, language: Language) -> &'static str {
+    match ok {
+        true => language.pick("✓ confirmed", "✓ подтверждено"),
+        false => language.pick("✗ not confirmed", "✗ не подтверждено"),
+    }
 }
 
 /// `[{name, value, published, deviation, ok}]`, with source, unit and the words on what differs.

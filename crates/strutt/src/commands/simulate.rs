@@ -54,7 +54,7 @@ pub(super) fn show(finding: &Finding, args: &args::Simulate, console: &Console) 
     }
     match console.shape {
         Shape::Json => console.out(report::json::write(data, &folder::own_fields(finding), console.language)),
-        _ if args.events => console.out(report::csv::write_events(data, report::csv::Dialect::Plain)),
+        _ if args.events => console.out(report::csv::write_events(data, report::csv::Dialect::Plain, console.language)),
         Shape::Text if args.out.is_some() => Ok(()),
         _ if args.switches => console.out(report::csv::write(&data.with_switches(), report::csv::Dialect::Plain)),
         Shape::Text if console.terminal => {

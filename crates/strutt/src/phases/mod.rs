@@ -1,5 +1,6 @@
 //! The phases of a closed-form motion: as JSON here, as a written solution in [`steps`].
 
+mod principal;
 mod setting;
 pub mod steps;
 mod tables;
@@ -7,12 +8,14 @@ mod tables;
 use crate::pipeline::Phases;
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Listed};
+use analysis::studies::transient::load::Term;
 use serde_json::{Map, Value, json};
 
 /// `[{start, end, phase, case, resonance, constants: {C1, C2, D, epsilon, k, n, h, ...}, state_at_start: {phi, phi'}, state_at_end}]`.
 ///
 /// `phase` says whether the loads keep their phase at the start of the phase or begin anew. With several degrees of freedom `modes` takes the
-/// place of `constants`; where modes do not uncouple, `case` is `coupled`.
+/// place of `constants`; where modes do not uncouple, `case` is `coupled`. The forced motion is `static`, plus D sin(pt + delta - epsilon) of
+/// each of the `harmonics`, plus factor τ^power e^(rate τ) cos(frequency τ + phase) of each of `further`.
 pub fn to_json(phases: &Phases) -> Value {
     phases.list.iter().map(|phase| one(phase, &phases.names, phases.restarts(phase))).collect()
 }
@@ -63,7 +66,19 @@ fn constants(listed: &Listed) -> Map<String, Value> {
         })
         .collect();
     out.insert("harmonics".into(), json!(harmonics));
+    out.insert("further".into(), further(listed));
     out
+}
+
+/// Ramps, growth and resonance; what they leave constant is part of `static`.
+fn further(listed: &Listed) -> Value {
+    let load = listed.further();
+    let terms = load.0.iter().filter(|t| t.rate.im >= 0.0 && (t.power > 0 || t.rate.re != 0.0 || t.rate.im != 0.0));
+    let one = |t: &Term| {
+        let (factor, phase) = if t.rate.im == 0.0 { (t.factor.re, 0.0) } else { (2.0 * t.factor.abs(), t.factor.arg()) };
+        json!({ "factor": factor, "power": t.power, "rate": t.rate.re, "frequency": t.rate.im, "phase": phase })
+    };
+    terms.map(one).collect()
 }
 
 /// Names of the coordinates, then of their rates.

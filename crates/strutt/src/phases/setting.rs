@@ -59,10 +59,11 @@ impl Setting {
         Layout::Call { name, power: None, argument: Box::new(argument), bare }
     }
 
-    /// Factor · rest with the sign of the factor in front, as a term of a sum.
+    /// Factor · rest with the sign of the factor in front, as a term of a sum; a factor that prints as 1 is not written.
     pub fn term(&self, factor: f64, rest: Vec<Layout>) -> (Sign, Layout) {
         let sign = if factor < 0.0 { Sign::Minus } else { Sign::Plus };
-        let mut factors = vec![self.size(factor)];
+        let unit = !rest.is_empty() && report::number::short(factor.abs(), DIGITS, Language::En) == "1";
+        let mut factors = if unit { Vec::new() } else { vec![self.size(factor)] };
         factors.extend(rest);
         (sign, if factors.len() == 1 { factors.remove(0) } else { Layout::Product(factors) })
     }

@@ -8,8 +8,9 @@
 //! The letters are those of the textbooks (A. A. Yablonskii, S. S. Noreiko, Course of the theory of vibrations); they belong to this section
 //! only and may differ from the user's.
 
+use super::principal;
 use super::setting::{Setting, exponential, fence, fraction, minus, negative, plus, power, product, root, square, whole};
-use super::tables::{mode_table, state_table};
+use super::tables::state_table;
 use crate::pipeline::Phases;
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Forcing, Listed};
@@ -33,7 +34,7 @@ pub fn blocks(equations: &Equations, found: &Phases, language: Language, width: 
         let (start, end) = (span(phase.start), span(phase.end));
         blocks.push(Block::heading(
             2,
-            language.pick(format!("Phase {}: {start} ... {end} s", i + 1), format!("Этап {}: {start} ... {end} с", i + 1)),
+            language.pick(format!("Phase {}: from {start} to {end} s", i + 1), format!("Этап {}: от {start} до {end} с", i + 1)),
         ));
         let listed = phase.listed();
         match listed.as_slice() {
@@ -46,13 +47,7 @@ pub fn blocks(equations: &Equations, found: &Phases, language: Language, width: 
                 let same = before.is_some_and(|b| b.form.mass == phase.form.mass && b.form.damping == phase.form.damping && b.form.stiffness == phase.form.stiffness);
                 blocks.extend(coordinate.solution(same));
             }
-            modes => {
-                blocks.push(Block::paragraph(language.pick(
-                    "Principal coordinates (modes of mass 1), each an oscillator of its own: x'' + 2 n x' + k² x = h(t).",
-                    "Главные координаты (формы с единичной массой), каждая колеблется независимо: x'' + 2 n x' + k² x = h(t).",
-                )));
-                blocks.push(Block::Table(mode_table(modes, names, language)));
-            }
+            modes => blocks.extend(principal::blocks(&setting, equations, modes, phase)),
         }
         before = Some(phase);
     }
@@ -85,8 +80,8 @@ fn reading(found: &Phases, language: Language) -> Option<Block> {
     }))
 }
 
-/// Writes the solution of one degree of freedom in one phase.
-struct Writer<'a> {
+/// Writes the solution of one oscillator in one phase: that of one degree of freedom, or a principal coordinate.
+pub(super) struct Writer<'a> {
     set: &'a Setting,
     listed: &'a Listed<'a>,
     /// q, q', q''.
@@ -95,7 +90,7 @@ struct Writer<'a> {
     /// Start of the phase.
     start: f64,
     state: [f64; 2],
-    /// Factor a times the load per unit of inertia that is neither constant nor harmonic.
+    /// The load per unit of inertia that is neither constant nor harmonic.
     rest: Load,
 }
 
@@ -105,10 +100,20 @@ impl<'a> Writer<'a> {
         let q = coordinate.symbols.map(|s| Layout::Symbol(set.printer.identifier(equations.graph.symbol_info(s))));
         let unit = coordinate.unit.clone();
         let rate = if unit == "1" { "1/s".to_owned() } else { format!("{unit}/s") };
-        let plain = |t: &&Term| t.power == 0 && t.rate.re == 0.0;
-        let rest = listed.mode.oscillator.load.0.iter().filter(|t| !plain(t)).copied().collect();
         let state = [phase.state_at_start[0], phase.state_at_start[1]];
-        Writer { set, listed, q, units: [unit, rate], start: phase.start, state, rest: Load(rest) }
+        Writer { set, listed, q, units: [unit, rate], start: phase.start, state, rest: rest(listed) }
+    }
+
+    /// Of a principal coordinate of this letter.
+    pub(super) fn of_mode(set: &'a Setting, letter: &str, listed: &'a Listed<'a>, phase: &Phase) -> Writer<'a> {
+        let q = ["", "'", "''"].map(|primes| set.letter(&format!("{letter}{primes}")));
+        let o = &listed.mode.oscillator;
+        Writer { set, listed, q, units: ["1".into(), "1/s".into()], start: phase.start, state: [o.x0, o.v0], rest: rest(listed) }
+    }
+
+    /// Its equation and its motion with their numbers.
+    pub(super) fn in_numbers(&self) -> [Block; 2] {
+        [self.equation(true), self.line(vec![self.q[0].clone(), self.numeric()])]
     }
 
     fn line(&self, parts: Vec<Layout>) -> Block {
@@ -131,6 +136,7 @@ impl<'a> Writer<'a> {
             blocks.extend(self.forced(forcing, self.index(i)));
         }
         blocks.extend(self.statics());
+        blocks.extend(self.particular());
         blocks.push(self.words("General solution:", "Общее решение:"));
         blocks.push(self.line(vec![self.q[0].clone(), self.general()]));
         if self.start > 0.0 {
@@ -181,26 +187,31 @@ impl<'a> Writer<'a> {
         self.line(vec![Layout::Sum(left.collect()), Layout::Sum(right)])
     }
 
+    /// Time from the start of the phase, which for the first one is the time of the motion.
+    fn clock(&self) -> Layout {
+        self.letter(if self.start > 0.0 { "τ" } else { "t" })
+    }
+
     fn function(&self, name: &str) -> Layout {
-        Layout::Row(vec![self.letter(name), fence(self.letter("τ"))])
+        Layout::Row(vec![self.letter(name), fence(self.clock())])
     }
 
     fn constant(&self) -> f64 {
-        let terms = self.listed.mode.oscillator.load.0.iter().filter(|t| t.power == 0 && t.rate.re == 0.0 && t.rate.im == 0.0);
-        terms.map(|t| t.factor.re).sum()
+        self.listed.constant()
     }
 
-    /// sin(p t + δ - lag).
+    /// sin(p t + δ - lag); in numbers the phases are one.
     fn wave(&self, f: &Forcing, index: &str, numbers: bool, lag: f64) -> Layout {
         let clock = self.letter(if f.clock == Clock::Phase { "τ" } else { "t" });
         let p = if numbers { self.set.size(f.harmonic.p) } else { self.letter(&format!("p{index}")) };
         let angle = product(vec![p, clock]);
         let mut terms = vec![(Sign::Plus, angle)];
-        if f.delta != 0.0 {
-            terms.push(if numbers { self.set.term(f.delta, vec![]) } else { (Sign::Plus, self.letter(&format!("delta{index}"))) });
-        }
-        if lag != 0.0 {
-            terms.push(if numbers { self.set.term(-lag, vec![]) } else { (Sign::Minus, self.letter(&format!("epsilon{index}"))) });
+        if numbers {
+            let phase = turned(f.delta - lag);
+            terms.extend((phase != 0.0).then(|| self.set.term(phase, vec![])));
+        } else {
+            let phases = [(f.delta, Sign::Plus, "delta"), (lag, Sign::Minus, "epsilon")];
+            terms.extend(phases.into_iter().filter(|p| p.0 != 0.0).map(|(_, sign, name)| (sign, self.letter(&format!("{name}{index}")))));
         }
         let argument = if terms.len() == 1 { terms.remove(0).1 } else { Layout::Sum(terms) };
         self.set.wave("sin", argument)
@@ -258,6 +269,10 @@ impl<'a> Writer<'a> {
                 blocks.push(self.line(vec![self.letter("T1"), fraction(two_pi, self.letter("k1")), set.result(period, "s")]));
                 let decrement = product(vec![self.letter("n"), self.letter("T1")]);
                 blocks.push(self.line(vec![self.letter("Λ"), decrement, set.result(o.n * period, "1")]));
+                blocks.push(self.words(
+                    "k₁ is the frequency of the decaying oscillations, T₁ their period, Λ their logarithmic decrement (δ in the table of modes).",
+                    "k₁ – частота затухающих колебаний, T₁ – их период, Λ – логарифмический декремент (в таблице форм – δ).",
+                ));
             }
             Case::Overdamped => {
                 let numbers = minus(square(set.factor(o.n)), square(set.size(k)));
@@ -344,17 +359,26 @@ impl<'a> Writer<'a> {
     }
 
     fn statics(&self) -> Vec<Block> {
-        let (set, o) = (self.set, &self.listed.mode.oscillator);
-        let (a, constant) = (self.listed.inertia, self.constant());
-        if constant == 0.0 || o.k2 == 0.0 {
-            return Vec::new();
-        }
+        let (set, k2, a) = (self.set, self.listed.mode.oscillator.k2, self.listed.inertia);
+        let Some(standing) = self.listed.standing() else { return Vec::new() };
         vec![self.line(vec![
             self.static_letter(),
             fraction(self.letter("F_0"), self.letter("c")),
-            fraction(set.number(a * constant), set.number(a * o.k2)),
-            set.result(constant / o.k2, &self.units[0]),
+            fraction(set.number(a * self.constant()), set.number(a * k2)),
+            set.result(standing, &self.units[0]),
         ])]
+    }
+
+    /// The forced motion that is neither harmonic nor constant.
+    fn particular(&self) -> Vec<Block> {
+        let further = self.listed.further();
+        if further.is_zero() {
+            return Vec::new();
+        }
+        vec![
+            self.words("A particular solution for the other parts of the load:", "Частное решение для остальных частей нагрузки:"),
+            self.line(vec![self.function("f_*"), Layout::Sum(self.load_terms(&further, 1.0))]),
+        ]
     }
 
     fn static_letter(&self) -> Layout {
@@ -371,24 +395,13 @@ impl<'a> Writer<'a> {
                 terms.push((Sign::Plus, product(vec![self.letter(&format!("D{index}")), wave])));
             }
         }
-        let static_part = self.constant() != 0.0 && self.listed.mode.oscillator.k2 != 0.0;
-        terms.extend(static_part.then(|| (Sign::Plus, self.static_letter())));
-        terms.extend((!self.other_forced().is_zero()).then(|| (Sign::Plus, self.function("f_*"))));
+        terms.extend(self.listed.standing().map(|_| (Sign::Plus, self.static_letter())));
+        terms.extend((!self.listed.further().is_zero()).then(|| (Sign::Plus, self.function("f_*"))));
         terms
     }
 
-    /// What the forced motion has besides D sin(pt - ε) and the static displacement.
-    fn other_forced(&self) -> Load {
-        let o = &self.listed.mode.oscillator;
-        let shown = |t: &Term| {
-            let harmonic = self.listed.forcing.iter().any(|f| f.harmonic.amplitude.is_some() && f.harmonic.p == t.rate.im.abs());
-            t.power == 0 && t.rate.re == 0.0 && (harmonic || t.rate.im == 0.0 && o.k2 != 0.0)
-        };
-        Load(self.listed.constants.forced.0.iter().filter(|t| !shown(t)).copied().collect())
-    }
-
     fn general(&self) -> Layout {
-        let tau = || self.letter(if self.start > 0.0 { "τ" } else { "t" });
+        let tau = || self.clock();
         let (c1, c2) = (self.letter("C1"), self.letter("C2"));
         let decay = || exponential(negative(product(vec![self.letter("n"), tau()])));
         let free = match self.listed.constants.case {
@@ -489,7 +502,7 @@ impl<'a> Writer<'a> {
     /// The solution with its numbers.
     fn numeric(&self) -> Layout {
         let (set, c, o) = (self.set, &self.listed.constants, &self.listed.mode.oscillator);
-        let tau = || self.letter(if self.start > 0.0 { "τ" } else { "t" });
+        let tau = || self.clock();
         let [c1, c2] = c.free;
         let decay = |rate: f64| exponential(Layout::Sum(vec![set.term(rate, vec![tau()])]));
         let mut terms = match c.case {
@@ -509,18 +522,15 @@ impl<'a> Writer<'a> {
                 terms.push(set.term(amplitude, vec![self.wave(f, "", true, f.harmonic.lag)]));
             }
         }
-        let constant = self.constant();
-        if constant != 0.0 && o.k2 != 0.0 {
-            terms.push(set.term(constant / o.k2, vec![]));
-        }
-        terms.extend(self.load_terms(&self.other_forced(), 1.0));
+        terms.extend(self.listed.standing().map(|x| set.term(x, vec![])));
+        terms.extend(self.load_terms(&self.listed.further(), 1.0));
         Layout::Sum(terms)
     }
 
     /// factor · Σ c τ^k e^(στ) cos(pτ + δ) with numbers.
     fn load_terms(&self, load: &Load, factor: f64) -> Vec<(Sign, Layout)> {
         let set = self.set;
-        let tau = || self.letter(if self.start > 0.0 { "τ" } else { "t" });
+        let tau = || self.clock();
         let mut terms = Vec::new();
         for t in load.0.iter().filter(|t| t.rate.im >= 0.0) {
             let mut parts = match t.power {
@@ -542,4 +552,17 @@ impl<'a> Writer<'a> {
         }
         terms
     }
+}
+
+/// The load per unit of inertia that is neither constant nor harmonic.
+fn rest(listed: &Listed) -> Load {
+    let plain = |t: &&Term| t.power == 0 && t.rate.re == 0.0;
+    Load(listed.mode.oscillator.load.0.iter().filter(|t| !plain(t)).copied().collect())
+}
+
+/// An angle within -π..π; a lag that meets its phase leaves nothing.
+fn turned(angle: f64) -> f64 {
+    use std::f64::consts::TAU;
+    let within = angle - TAU * (angle / TAU).round();
+    if within.abs() < 1e-13 { 0.0 } else { within }
 }

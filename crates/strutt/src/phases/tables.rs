@@ -30,26 +30,38 @@ pub fn state_table(equations: &Equations, phases: &[Phase], names: &[String], la
     table
 }
 
-/// One row a mode: frequency, constants, shape.
-pub fn mode_table(modes: &[Listed], names: &[String], language: Language) -> Table {
-    let single = modes.iter().all(|m| m.forcing.len() <= 1);
-    let mut heads = vec![("", ""), ("k", "rad/s"), ("n", "1/s"), ("C1", ""), ("C2", "")];
-    if single {
-        heads.extend([("h", ""), ("p", "rad/s"), ("D", ""), ("epsilon", "rad")]);
-    }
-    let mut columns: Vec<Column> =
-        heads.into_iter().map(|(name, unit)| Column::with_unit(report::document::Rich::symbol(name), unit, language)).collect();
-    columns.extend(names.iter().take(modes.len()).map(|n| Column::new(report::document::Rich::symbol(n.clone()))));
-    let mut table = Table::new(columns);
+/// One row a mode: frequency, damping, constants, displacement under the constant part of its load.
+pub fn mode_table(modes: &[Listed], letter: &str, language: Language) -> Table {
+    let standing = modes.iter().any(|m| m.standing().is_some());
+    let constant = language.pick("st", "ст");
+    let mut heads = vec![("i".to_owned(), ""), ("k".into(), "rad/s"), ("n".into(), "1/s"), ("C1".into(), ""), ("C2".into(), "")];
+    heads.extend(standing.then(|| (format!("{letter}_{constant}"), "")));
+    let mut table = Table::new(columns(heads, language));
     for (i, mode) in modes.iter().enumerate() {
-        let named = mode.named();
-        let value = |key: &str| named.iter().find(|(k, _)| *k == key).map(|(_, v)| *v);
-        let cell = |key: &str| value(key).map_or(Cell::Empty, |v| Cell::number(v, DIGITS, language));
+        let (o, c) = (&mode.mode.oscillator, &mode.constants);
         let mut cells = vec![Cell::words((i + 1).to_string())];
-        let keys = ["k", "n", "C1", "C2", "h", "p", "D", "epsilon"];
-        cells.extend(keys.iter().take(if single { 8 } else { 4 }).map(|k| cell(k)));
-        cells.extend(mode.mode.shape.iter().map(|s| Cell::number(*s, 4, language)));
+        cells.extend([o.k2.max(0.0).sqrt(), o.n, c.free[0], c.free[1]].map(|v| Cell::number(v, DIGITS, language)));
+        cells.extend(standing.then(|| Cell::number(mode.standing().unwrap_or(0.0), DIGITS, language)));
         table.row(cells);
     }
     table
+}
+
+/// One row a harmonic of a mode: h sin(pt + δ) forces D sin(pt + δ - ε). None without harmonic loads.
+pub fn harmonic_table(modes: &[Listed], language: Language) -> Option<Table> {
+    let heads = [("i", ""), ("p", "rad/s"), ("h", ""), ("D", ""), ("epsilon", "rad")];
+    let mut table = Table::new(columns(heads.map(|(name, unit)| (name.to_owned(), unit)).into(), language));
+    let number = |v: f64| Cell::number(v, DIGITS, language);
+    for (i, mode) in modes.iter().enumerate() {
+        for f in &mode.forcing {
+            let h = &f.harmonic;
+            let forced = h.amplitude.map_or([Cell::Empty, Cell::Empty], |d| [number(d), number(h.lag)]);
+            table.row([Cell::words((i + 1).to_string()), number(h.p), number(h.h)].into_iter().chain(forced).collect());
+        }
+    }
+    (!table.rows.is_empty()).then_some(table)
+}
+
+fn columns(heads: Vec<(String, &'static str)>, language: Language) -> Vec<Column> {
+    heads.into_iter().map(|(name, unit)| Column::with_unit(report::document::Rich::symbol(name), unit, language)).collect()
 }

@@ -174,7 +174,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     }
     let from_sine = forced.from_sine();
     out.data.notes.extend(found.notes.iter().cloned());
-    out.data.notes.push(reference(from_sine));
+    out.data.notes.push(reference(from_sine, !out.orders.is_empty()));
     out.data.notes.extend(doubtful(doubt));
     out.data.notes.extend(left_out(&forced.left_out));
     out.data.notes.extend(limit);
@@ -379,11 +379,20 @@ fn doubtful(doubt: f64) -> Option<Text> {
     })
 }
 
-fn reference(from_sine: bool) -> Text {
-    let wave = if from_sine { "sin ωt" } else { "cos ωt" };
+fn reference(from_sine: bool, orders: bool) -> Text {
+    let wave = match (from_sine, orders) {
+        (false, false) => "cos ωt",
+        (true, false) => "sin ωt",
+        (false, true) => "cos nωt",
+        (true, true) => "sin nωt",
+    };
     Text::new(
-        format!("the load is {wave}; a motion is amplitude times {wave} shifted by the phase, negative when it lags"),
-        format!("нагрузка меняется как {wave}; движение – амплитуда, умноженная на {wave} со сдвигом фазы, отрицательным при отставании"),
+        format!(
+            "a motion is amplitude times {wave} shifted by the phase; phases are counted from {wave}, whatever the phase of the load, and negative when the motion lags behind it"
+        ),
+        format!(
+            "движение – амплитуда, умноженная на {wave} со сдвигом фазы; фазы отсчитываются от {wave} независимо от начальной фазы нагрузки, при отставании от {wave} они отрицательны"
+        ),
     )
 }
 
@@ -466,12 +475,13 @@ fn parameters_of(small: &Small, rate: Expr) -> Vec<usize> {
 }
 
 fn load_name(study: &Study, small: &Small, source: &Source, parameter: Option<usize>) -> Text {
-    let frequency = parameter.map(|p| small.machine.parameters()[p].name.clone());
+    let frequency = parameter.map(|p| small.machine.parameters()[p].symbol.as_str());
     match (source, &study.load, frequency) {
         (Source::Unit(_), Some(name), _) => Text::new(format!("unit load on {name}"), format!("единичная нагрузка по {name}")),
         (_, Some(name), _) => Text::same(name.clone()),
         (_, None, Some(p)) => {
-            Text::new(format!("the loads whose frequency follows {p}"), format!("нагрузки, частота которых задана величиной {p}"))
+            let [en, ru] = [report::Language::En, report::Language::Ru].map(|language| report::symbol::plain(p, language));
+            Text::new(format!("the loads whose frequency follows {en}"), format!("нагрузки, частота которых задана величиной {ru}"))
         }
         (_, None, None) => Text::new("the periodic loads", "периодические нагрузки"),
     }

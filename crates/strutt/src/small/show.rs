@@ -101,6 +101,13 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
             };
             blocks.push(Block::paragraph(format!("{words}: {value} ({mode} {}{order})", c.mode + 1)));
         }
+        if f.modes.gyroscopic && !tracks.critical.is_empty() {
+            let words = language.pick(
+                "These are the crossings with the lines ω = nΩ. An unbalance of a rotor whose supports are alike in all directions excites the forward whirl only.",
+                "Это пересечения с линиями ω = nΩ. Дисбаланс ротора с опорами, одинаковыми по всем направлениям, возбуждает только прямую прецессию.",
+            );
+            blocks.push(Block::paragraph(words));
+        }
         if page {
             blocks.extend(campbell(&found.data, &tracks.orders, language).map(Block::Figure));
         }
@@ -112,13 +119,16 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
 }
 
 /// What the symbols of the table of modes mean.
-fn legend(columns: &[analysis::dataset::Column], language: Language) -> String {
+pub fn legend(columns: &[analysis::dataset::Column], language: Language) -> String {
     let words = [
-        ("omega", "ω = |λ| natural frequency", "ω = |λ| — собственная частота"),
-        ("omega_d", "ω_d = |Im λ| frequency with damping", "ω_d = |Im λ| — частота с учётом затухания"),
-        ("damping_ratio", "ζ damping ratio", "ζ — относительное затухание"),
-        ("decrement", "δ logarithmic decrement", "δ — логарифмический декремент"),
-        ("growth", "Re λ rate of growth", "Re λ — показатель роста"),
+        ("omega", "ω = |λ| natural frequency", "ω = |λ| – собственная частота"),
+        ("T", "T = 2π/ω period without regard to damping", "T = 2π/ω – период без учёта затухания"),
+        ("omega_d", "ω_d = |Im λ| frequency with damping", "ω_d = |Im λ| – частота с учётом затухания"),
+        ("damping_ratio", "ζ damping ratio", "ζ – относительное затухание"),
+        ("decrement", "δ logarithmic decrement", "δ – логарифмический декремент"),
+        ("growth", "Re λ rate of growth", "Re λ – показатель роста"),
+        ("omega_exact", "ω_e exact frequency of the distributed mass", "ω_e – точная частота (распределённая масса)"),
+        ("error", "Δ = (ω − ω_e)/ω_e", "Δ = (ω − ω_e)/ω_e"),
     ];
     let shown = words.iter().filter(|(name, ..)| columns.iter().any(|c| c.quantity.name == *name));
     shown.map(|(_, en, ru)| language.pick(*en, *ru)).collect::<Vec<_>>().join("; ")
@@ -210,17 +220,25 @@ fn number(x: f64, language: Language) -> Cell {
     }
 }
 
+/// Symbol and unit of a quantity, the first cells of its row.
+fn named(q: &analysis::Quantity, language: Language) -> [Cell; 2] {
+    [Cell::symbol(q.symbol.clone()), Cell::words(report::unit::print(&q.unit, language))]
+}
+
 /// Amplitude, phase, static displacement and dynamic coefficient at the frequency of the file.
 fn own_table(found: &ResponseFound, own: &analysis::studies::response::Point, language: Language) -> Table {
     use analysis::studies::response::{magnitude, phase};
     let omega = report::number::short(own.omega, DIGITS, language);
     let title = format!("ω = {}", report::number::with_unit(&omega, &report::unit::print("rad/s", language)));
-    let words = language.pick(["amplitude", "phase", "static", "coefficient"], ["амплитуда", "фаза", "статически", "коэффициент"]);
-    let mut table = Table::new(heads(&[(&title, ""), (words[0], ""), (words[1], "rad"), (words[2], ""), (words[3], "")], language));
+    let words =
+        language.pick(["amplitude", "phase", "static", "amplification"], ["амплитуда", "фаза", "статически", "коэффициент динамичности"]);
+    let unit = language.word(Word::Unit);
+    let columns = [(title.as_str(), ""), (unit, ""), (words[0], ""), (words[1], "rad"), (words[2], ""), (words[3], "")];
+    let mut table = Table::new(heads(&columns, language));
     for (k, q) in found.outputs.iter().enumerate() {
         let (z, still) = (own.outputs[k], magnitude(own.still[k]));
-        let mut row =
-            vec![Cell::symbol(q.symbol.clone()), number(magnitude(z), language), number(phase(z), language), number(still, language)];
+        let mut row = named(q, language).to_vec();
+        row.extend([magnitude(z), phase(z), still].map(|x| number(x, language)));
         row.push(number(if still > 0.0 { magnitude(z) / still } else { f64::NAN }, language));
         table.row(row);
     }
@@ -231,11 +249,13 @@ fn own_table(found: &ResponseFound, own: &analysis::studies::response::Point, la
 fn orders_table(found: &ResponseFound, language: Language) -> Table {
     use analysis::studies::response::{magnitude, phase};
     let words = language.pick(["harmonic of", "order", "amplitude", "phase"], ["гармоника", "порядок", "амплитуда", "фаза"]);
-    let mut table = Table::new(heads(&[(words[0], ""), (words[1], ""), ("ω", "rad/s"), (words[2], ""), (words[3], "rad")], language));
+    let unit = language.word(Word::Unit);
+    let columns = [(words[0], ""), (unit, ""), (words[1], ""), ("ω", "rad/s"), (words[2], ""), (words[3], "rad")];
+    let mut table = Table::new(heads(&columns, language));
     for (k, q) in found.outputs.iter().enumerate() {
         for (order, own) in found.orders.iter().take(ORDERS).filter_map(|o| Some((o.order, o.own.as_ref()?))) {
             let z = own.outputs[k];
-            let mut row = vec![Cell::symbol(q.symbol.clone())];
+            let mut row = named(q, language).to_vec();
             row.extend([order, own.omega, magnitude(z), phase(z)].map(|x| number(x, language)));
             table.row(row);
         }
@@ -249,10 +269,11 @@ fn superposed_table(found: &ResponseFound, s: &analysis::studies::superposition:
         ["over a period", "mean", "largest deviation", "at", "greatest", "least"],
         ["за период", "среднее", "наибольшее отклонение", "в момент", "наибольшее", "наименьшее"],
     );
-    let columns = [(words[0], ""), (words[1], ""), (words[2], ""), (words[3], "s"), (words[4], ""), (words[5], "")];
+    let unit = language.word(Word::Unit);
+    let columns = [(words[0], ""), (unit, ""), (words[1], ""), (words[2], ""), (words[3], "s"), (words[4], ""), (words[5], "")];
     let mut table = Table::new(heads(&columns, language));
     for (q, r) in found.outputs.iter().zip(&s.outputs) {
-        let mut row = vec![Cell::symbol(q.symbol.clone())];
+        let mut row = named(q, language).to_vec();
         row.extend([r.mean, r.largest.0, r.largest.1, r.max.0, r.min.0].map(|x| number(x, language)));
         table.row(row);
     }
@@ -268,26 +289,29 @@ fn shape_table(found: &ResponseFound, shape: &analysis::studies::response::Point
         report::number::with_unit(&omega, &report::unit::print("rad/s", language))
     );
     let words = language.pick(["amplitude", "phase"], ["амплитуда", "фаза"]);
-    let mut table = Table::new(heads(&[(&title, ""), (words[0], ""), (words[1], "rad")], language));
+    let unit = language.word(Word::Unit);
+    let mut table = Table::new(heads(&[(&title, ""), (unit, ""), (words[0], ""), (words[1], "rad")], language));
     for (q, z) in found.coordinates.iter().zip(&shape.coordinates) {
-        table.row(vec![Cell::symbol(q.symbol.clone()), number(magnitude(*z), language), number(phase(*z), language)]);
+        table.row(named(q, language).into_iter().chain([magnitude(*z), phase(*z)].map(|x| number(x, language))).collect());
     }
     table
 }
 
 fn resonances(found: &ResponseFound, language: Language) -> Table {
     let words = language.pick(
-        ["resonance of", "amplitude", "phase", "coefficient", "quality"],
-        ["резонанс", "амплитуда", "фаза", "коэффициент", "добротность"],
+        ["resonance of", "amplitude", "phase", "amplification", "quality"],
+        ["резонанс", "амплитуда", "фаза", "коэффициент динамичности", "добротность"],
     );
-    let mut columns = vec![(words[0], ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "rad"), (words[3], ""), (words[4], "")];
+    let unit = language.word(Word::Unit);
+    let mut columns =
+        vec![(words[0], ""), (unit, ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "rad"), (words[3], ""), (words[4], "")];
     if !found.orders.is_empty() {
-        columns.insert(1, (language.pick("order", "порядок"), ""));
+        columns.insert(2, (language.pick("order", "порядок"), ""));
     }
     let mut table = Table::new(heads(&columns, language));
     let several = !found.orders.is_empty();
     for (r, order) in found.resonances.iter().zip(&found.resonance_orders) {
-        let mut row = vec![Cell::symbol(found.outputs[r.output].symbol.clone())];
+        let mut row = named(&found.outputs[r.output], language).to_vec();
         if several {
             row.push(number(*order, language));
         }
@@ -300,14 +324,16 @@ fn resonances(found: &ResponseFound, language: Language) -> Table {
 
 fn antiresonances(found: &ResponseFound, language: Language) -> Table {
     let words = language.pick(["antiresonance of", "amplitude", "absorbed by"], ["антирезонанс", "амплитуда", "поглощает"]);
-    let mut table = Table::new(heads(&[(words[0], ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "")], language));
+    let unit = language.word(Word::Unit);
+    let columns = [(words[0], ""), (unit, ""), ("ω", "rad/s"), ("f", "Hz"), (words[1], ""), (words[2], "")];
+    let mut table = Table::new(heads(&columns, language));
     for (a, order) in found.antiresonances.iter().zip(&found.antiresonance_orders) {
         let name = |(i, share): &(usize, f64)| {
             let symbol = report::symbol::plain(&found.coordinates[*i].symbol, language);
             format!("{symbol} {} %", report::number::short(100.0 * share, 3, language))
         };
         let absorbs: Vec<String> = a.absorbs.iter().map(name).collect();
-        let mut row = vec![Cell::symbol(found.outputs[a.output].symbol.clone())];
+        let mut row = named(&found.outputs[a.output], language).to_vec();
         let omega = a.omega / order;
         row.extend([omega, omega / std::f64::consts::TAU, a.amplitude].map(|x| number(x, language)));
         row.push(Cell::words(absorbs.join(", ")));
@@ -318,29 +344,69 @@ fn antiresonances(found: &ResponseFound, language: Language) -> Table {
 
 /// Amplitudes, phases and Nyquist's curve.
 pub fn response_figures(found: &ResponseFound, language: Language) -> Vec<Figure> {
-    let data = &found.data;
     let mut figures = Vec::new();
-    for (tail, log) in [("amplitude", found.study.log), ("phase", false)] {
-        let names: Vec<String> = found.outputs.iter().map(|q| format!("{}_{tail}", q.name)).collect();
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let Some(mut figure) = Figure::over_axis(data, &names, language) else { continue };
-        figure.name = format!("response-{tail}");
-        figure.title = language
-            .pick(if log || tail == "amplitude" { "Amplitudes" } else { "Phases" }, if tail == "amplitude" { "Амплитуды" } else { "Фазы" })
-            .into();
-        (figure.x.log, figure.y.log) = (found.study.log, log);
-        for (r, order) in found.resonances.iter().zip(&found.resonance_orders).filter(|_| tail == "amplitude") {
-            let omega = r.omega / order;
-            let label = report::number::short(omega, 4, language);
-            let mark = Mark::Vertical { x: omega, label };
-            if !figure.marks.contains(&mark) {
-                figure.marks.push(mark);
-            }
-        }
+    for (i, group) in by_unit(&found.outputs).iter().enumerate() {
+        let Some(mut figure) = over_frequency(found, group, "amplitude", language) else { continue };
+        figure.name = if i == 0 { "response-amplitude".into() } else { format!("response-amplitude-{}", i + 1) };
+        figure.y.log = found.study.log;
+        figure.y.symbols = vec![language.pick("amplitude", "амплитуда").into()];
+        figure.marks = resonance_marks(found, group, language);
+        figures.push(figure);
+    }
+    let all: Vec<&analysis::Quantity> = found.outputs.iter().collect();
+    if let Some(mut figure) = over_frequency(found, &all, "phase", language) {
+        figure.name = "response-phase".into();
+        figure.y.log = false;
+        figure.y.symbols = vec![language.pick("phase", "фаза").into()];
         figures.push(figure);
     }
     figures.extend(nyquist(found, language));
     figures
+}
+
+/// Outputs of one unit together, in the order of the first: metres and newtons on one axis would hide each other.
+fn by_unit(outputs: &[analysis::Quantity]) -> Vec<Vec<&analysis::Quantity>> {
+    let mut groups: Vec<Vec<&analysis::Quantity>> = Vec::new();
+    for q in outputs {
+        match groups.iter_mut().find(|g| g[0].unit == q.unit) {
+            Some(group) => group.push(q),
+            None => groups.push(vec![q]),
+        }
+    }
+    groups
+}
+
+/// Columns of outputs over the frequency, called by the outputs; the axis says what is drawn of them.
+fn over_frequency(found: &ResponseFound, outputs: &[&analysis::Quantity], tail: &str, language: Language) -> Option<Figure> {
+    let names: Vec<String> = outputs.iter().map(|q| format!("{}_{tail}", q.name)).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let mut figure = Figure::over_axis(&found.data, &names, language)?;
+    figure.title = match tail {
+        "phase" => language.pick("Phases", "Фазы"),
+        _ => language.pick("Amplitudes", "Амплитуды"),
+    }
+    .into();
+    figure.x.log = found.study.log;
+    for (series, q) in figure.series.iter_mut().zip(outputs) {
+        (series.name, series.label) = (q.symbol.clone(), language.text(&q.label).into());
+    }
+    Some(figure)
+}
+
+/// Lines at the resonances of these outputs.
+fn resonance_marks(found: &ResponseFound, outputs: &[&analysis::Quantity], language: Language) -> Vec<Mark> {
+    let mut marks = Vec::new();
+    for (r, order) in found.resonances.iter().zip(&found.resonance_orders) {
+        if !outputs.iter().any(|q| q.name == found.outputs[r.output].name) {
+            continue;
+        }
+        let omega = r.omega / order;
+        let mark = Mark::Vertical { x: omega, label: report::number::short(omega, 4, language) };
+        if !marks.contains(&mark) {
+            marks.push(mark);
+        }
+    }
+    marks
 }
 
 fn nyquist(found: &ResponseFound, language: Language) -> Option<Figure> {

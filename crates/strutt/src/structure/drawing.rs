@@ -2,8 +2,9 @@
 
 use super::modes::Found as ModesFound;
 use super::statics::Found as StaticsFound;
+use analysis::structure::loads::Carried;
 use analysis::structure::statics::Station;
-use analysis::structure::{Assembly, Frame, elements};
+use analysis::structure::{Assembly, Frame, deflection, elements};
 use report::figure::{Axis, Kind, Mark, Series};
 use report::unit::Scale;
 use report::{Figure, Language};
@@ -20,7 +21,7 @@ pub fn modes(found: &ModesFound, language: Language) -> Vec<Figure> {
         let omega = report::number::short(mode.omega, 5, language);
         let title =
             language.pick(format!("Mode shape {}, ω = {omega} rad/s", i + 1), format!("Форма колебаний {}, ω = {omega} рад/с", i + 1));
-        let shape = deformed(&r.frame, &r.assembly, &mode.freedoms);
+        let shape = magnified(&r.frame, &displaced(&r.frame, &r.assembly, &mode.freedoms, &[])).0;
         figure(&format!("mode-{}", i + 1), title, vec![straight(&r.frame, language), curve("w", language.pick("shape", "форма"), shape)])
     };
     r.modes.iter().take(6).enumerate().map(draw).collect()
@@ -30,9 +31,11 @@ pub fn modes(found: &ModesFound, language: Language) -> Vec<Figure> {
 pub fn statics(found: &StaticsFound, language: Language) -> Vec<Figure> {
     let r = &found.result;
     let mut out = Vec::new();
-    if r.statics.freedoms.iter().any(|v| *v != 0.0) {
-        let title = language.pick("Deflection, magnified", "Перемещения, увеличено").to_owned();
-        let shape = deformed(&r.frame, &r.assembly, &r.statics.freedoms);
+    let places = displaced(&r.frame, &r.assembly, &r.statics.freedoms, &r.statics.carried);
+    if farthest(&places) > 0.0 {
+        let (shape, factor) = magnified(&r.frame, &places);
+        let times = report::number::short(factor, 2, language);
+        let title = language.pick(format!("Deflection, magnified ×{times}"), format!("Перемещения, увеличение ×{times}"));
         let series = vec![straight(&r.frame, language), curve("w", language.pick("deflected", "после нагружения"), shape)];
         let mut drawn = figure("deflection", title, series);
         drawn.marks = names(&r.frame);
@@ -227,32 +230,53 @@ fn size(frame: &Frame<f64>) -> f64 {
     span(0).max(span(1))
 }
 
-/// The deformed rods, magnified to be seen.
-fn deformed(frame: &Frame<f64>, assembly: &Assembly<f64>, freedoms: &[f64]) -> Line {
-    let mut places: Vec<[[f64; 2]; 2]> = Vec::new();
+/// A place on a rod and its displacement; NaN breaks between rods.
+type Displaced = [[f64; 2]; 2];
+
+/// The deformed rods: between their ends what the displacements of the ends bend them to, and what their own loads add.
+fn displaced(frame: &Frame<f64>, assembly: &Assembly<f64>, freedoms: &[f64], carried: &[Carried<f64>]) -> Vec<Displaced> {
+    let mut places = Vec::new();
+    let crowded = assembly.freedoms.parts.len() > WORDS;
     for (i, rod) in frame.rods.iter().enumerate() {
         let [c, s] = rod.direction;
         let start = frame.nodes[rod.ends[0]].at;
-        for part in assembly.freedoms.parts.iter().filter(|p| p.rod == i) {
+        for (i_part, part) in assembly.freedoms.parts.iter().enumerate().filter(|(_, p)| p.rod == i) {
             let local = assembly.local(frame, part, freedoms);
-            let parts = assembly.freedoms.parts.len();
-            let points = if parts > 40 { 2 } else { POINTS };
+            let loads = carried.get(i_part).filter(|c| !c.is_empty());
+            let points = if crowded && loads.is_none() { 2 } else { POINTS };
             for k in 0..=points {
                 let x = part.length * k as f64 / points as f64;
                 let shape = elements::shape(rod, &part.length, &x);
                 let value = |row: &[f64; 6]| row.iter().zip(&local).map(|(a, b)| a * b).sum::<f64>();
-                let (u, v) = (value(&shape[0]), value(&shape[1]));
+                let own = loads.map_or([0.0; 2], |c| deflection::own(rod, part.length, c, x));
+                let (u, v) = (value(&shape[0]) + own[0], value(&shape[1]) + own[1]);
                 let at = part.from + x;
                 places.push([[start[0] + c * at, start[1] + s * at], [c * u - s * v, s * u + c * v]]);
             }
         }
         places.push([[f64::NAN; 2]; 2]);
     }
-    let largest = places.iter().map(|p| p[1][0].hypot(p[1][1])).filter(|v| v.is_finite()).fold(0.0, f64::max);
-    let factor = if largest > 0.0 { SHARE * size(frame) / largest } else { 0.0 };
+    places
+}
+
+/// The largest displacement.
+fn farthest(places: &[Displaced]) -> f64 {
+    places.iter().map(|p| p[1][0].hypot(p[1][1])).filter(|v| v.is_finite()).fold(0.0, f64::max)
+}
+
+/// The displaced rods, magnified to be seen, and how many times.
+fn magnified(frame: &Frame<f64>, places: &[Displaced]) -> (Line, f64) {
+    let largest = farthest(places);
+    let factor = if largest > 0.0 { round_factor(SHARE * size(frame) / largest) } else { 0.0 };
     let mut line = Line::default();
     places.iter().for_each(|[at, w]| push(&mut line, [at[0] + factor * w[0], at[1] + factor * w[1]]));
-    line
+    (line, factor)
+}
+
+/// The factor with two digits, so that a length measured in the drawing can be divided by the number in its title.
+fn round_factor(x: f64) -> f64 {
+    let unit = 10_f64.powi(x.log10().floor() as i32 - 1);
+    (x / unit).floor() * unit
 }
 
 /// A diagram drawn across the rods; none when it vanishes.

@@ -6,7 +6,7 @@ use super::bind::{Bound, bind};
 use crate::failure::Trouble;
 use analysis::structure::equilibrium::{EXACT, stands_undivided};
 use analysis::structure::loads::loading;
-use analysis::structure::reduced::{Condensation, reduce};
+use analysis::structure::reduced::{Condensation, displacements, reduce};
 use analysis::structure::substructure::{Substructure, Wish, substructure};
 use analysis::structure::{Action, Assembly, Frame, Load, dense};
 use analysis::studies::structure_modes::{self, Modes};
@@ -176,7 +176,7 @@ fn amplitude(model: &mut Model, number: usize) {
 fn follower(model: &mut Model, bound: &Bound, found: &Substructure, first: usize, i: usize, coordinate: CoordinateDecl) {
     let assembly = Assembly::of(&bound.frame);
     let n = found.named.len() + found.amplitudes;
-    let row = analysis::structure::reduced::displacements(&bound.frame, &assembly).swap_remove(i);
+    let row = displacements(&bound.frame, &assembly).swap_remove(i);
     let shares = dense::product(&row, &found.basis, 1, found.n_q, n);
     let largest = shares.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let mut terms = Vec::new();
@@ -224,7 +224,7 @@ fn parameter(model: &mut Model, letter: &str, entry: &Entry, first: usize, label
         _ => "N m",
     };
     let number = exact.clone().or_else(|| Rational::from_f64(*value)).unwrap_or(Rational::ZERO);
-    let written = exact.as_ref().map_or_else(|| format!("{value}"), ToString::to_string);
+    let written = exact.as_ref().map_or_else(String::new, ToString::to_string);
     let si = model.graph.number(number);
     let symbol = model.graph.symbol_id(&name, 0);
     model.parameters.push(ParameterDecl {
@@ -310,9 +310,26 @@ fn components(load: &file::Load, numbers: &Load<f64>) -> Vec<(Expr, Action<f64>)
 fn shares(frame: &Frame<f64>, assembly: &Assembly<f64>, found: &Substructure, unit: Action<f64>, n: usize) -> Vec<Option<Rational>> {
     let load = Load { name: String::new(), action: unit };
     let forces = assembly.elimination.gather(&loading(assembly, frame, &[load]).forces);
+    if let Some((k, factor)) = along_named(&displacements(frame, assembly), found, &forces) {
+        return (0..n).map(|j| simple(factor, 1.0).filter(|_| j == k)).collect();
+    }
     let q = dense::product(&dense::transpose(&found.basis, found.n_q, n), &forces, n, found.n_q, 1);
     let largest = q.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     q.iter().map(|v| if v.abs() <= 1e-13 * largest { None } else { simple(*v, largest) }).collect()
+}
+
+/// The coordinate along which the whole force acts, with its share: the work of such a force is exactly share·displacement, and the other
+/// coordinates leave that displacement at rest by their definition.
+fn along_named(rows: &[Vec<f64>], found: &Substructure, forces: &[f64]) -> Option<(usize, f64)> {
+    let largest = |v: &[f64]| v.iter().copied().fold(0.0_f64, |m: f64, x| if x.abs() > m.abs() { x } else { m });
+    let along = |row: &[f64]| {
+        let size = largest(row);
+        let at = row.iter().position(|x| *x == size).filter(|_| size != 0.0)?;
+        let factor = forces.get(at)? / size;
+        let near = |(f, r): (&f64, &f64)| (f - factor * r).abs() <= 4.0 * f64::EPSILON * (factor * size).abs();
+        (factor != 0.0 && forces.iter().zip(row).all(near)).then_some(factor)
+    };
+    found.named.iter().enumerate().find_map(|(k, i)| Some((k, along(&rows[*i])?)))
 }
 
 /// A short decimal when the number is one within rounding; else the number itself.

@@ -26,6 +26,7 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
         blocks.extend(matrices(reduced, found.result.exact.as_ref(), language));
     }
     blocks.push(Block::Table(plain_table(&r.dataset.columns, language)));
+    blocks.push(Block::paragraph(crate::small::show::legend(&r.dataset.columns, language)));
     if let Some(equation) = &found.equation {
         let of = language.pick("Frequency equation", "Частотное уравнение");
         let meaning = if found.variable.is_none() { ", z = ω²" } else { "" };
@@ -94,7 +95,7 @@ fn matrices(reduced: &Reduced<f64>, exact: Option<&Reduced<symbolic::Rational>>,
         for i in 0..n {
             let mut row = vec![Cell::symbol(reduced.coordinates[i].symbol.clone())];
             row.extend((0..n).map(|j| match exact {
-                Some(list) => Cell::words(list[i * n + j].to_string()),
+                Some(list) => Cell::words(fraction(&list[i * n + j])),
                 None => Cell::Number(number(machine[i * n + j], language)),
             }));
             table.row(row);
@@ -102,10 +103,15 @@ fn matrices(reduced: &Reduced<f64>, exact: Option<&Reduced<symbolic::Rational>>,
         Block::Table(table)
     };
     vec![
-        rows("M", ("mass", "масса"), &reduced.mass, exact.map(|e| &e.mass[..])),
-        rows("K", ("stiffness", "жёсткость"), &reduced.stiffness, exact.map(|e| &e.stiffness[..])),
-        rows("D", ("flexibility", "податливость"), &reduced.flexibility, exact.map(|e| &e.flexibility[..])),
+        rows("M", ("masses", "матрица масс"), &reduced.mass, exact.map(|e| &e.mass[..])),
+        rows("K", ("stiffnesses", "матрица жёсткости"), &reduced.stiffness, exact.map(|e| &e.stiffness[..])),
+        rows("D", ("flexibilities", "матрица податливости"), &reduced.flexibility, exact.map(|e| &e.flexibility[..])),
     ]
+}
+
+/// An exact number with a true minus.
+fn fraction(v: &symbolic::Rational) -> String {
+    v.to_string().replace('-', "−")
 }
 
 /// Everything about statics.
@@ -140,7 +146,7 @@ pub fn statics(found: &StaticsFound, language: Language, page: bool) -> Vec<Bloc
     let names: Vec<String> = r.frame.displacements.iter().map(|d| d.symbol.clone()).collect();
     let rods: Vec<String> = r.frame.rods.iter().map(|rod| rod.name.clone()).collect();
     if let Some(f) = &r.exact_flexibility {
-        blocks.extend(flexibility(f, &names, [&rods, &springs(&r.frame, &f.springs, language)], &|v| v.to_string(), language));
+        blocks.extend(flexibility(f, &names, [&rods, &springs(&r.frame, &f.springs, language)], &fraction, language));
     } else if let Some(f) = &r.flexibility {
         blocks.extend(flexibility(f, &names, [&rods, &springs(&r.frame, &f.springs, language)], &|v| number(*v, language), language));
     }
@@ -339,7 +345,7 @@ fn sections(found: &StaticsFound, language: Language) -> Vec<Block> {
                 let place = node.map_or_else(|| format!("({}, {})", number(x, language), number(y, language)), |n| n.name.clone());
                 language.pick(format!("moments about {place}"), format!("моменты относительно {place}"))
             }
-            None => language.pick(format!("projection across {}", names[1]), format!("проекция поперёк {}", names[1])),
+            None => language.pick(format!("projection across {}", names[1]), format!("проекции на нормаль к {}", names[1])),
         };
         let cut = language.pick("Cut", "Сечение");
         let written = equation(&section.equation, language);

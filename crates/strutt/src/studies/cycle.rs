@@ -259,15 +259,15 @@ fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Resul
         "mean rate over time: angle of the cycle over its duration",
         "средняя по времени угловая скорость: угол цикла, делённый на его длительность",
     );
-    results.facts.push(Fact::new("omega_mean", "ω_mean", "rad/s", mean, label));
+    results.facts.push(Fact::new("omega_mean", "ω_m", "rad/s", mean, label));
     results.facts.push(Fact::new(
         "irregularity",
         "δ",
         "1",
         (high - low) / mean.abs(),
         text(
-            "irregularity (ω_max − ω_min)/ω_mean of the first cycle, by the mean over time",
-            "неравномерность хода (ω_max − ω_min)/ω_ср первого цикла, по среднему по времени",
+            "irregularity (ω_max − ω_min)/ω_m of the first cycle, by the mean over time",
+            "неравномерность хода (ω_max − ω_min)/ω_m первого цикла, по среднему по времени",
         ),
     ));
     results.facts.push(Fact::new(
@@ -275,7 +275,7 @@ fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Resul
         "δ_max",
         "1",
         by_max,
-        text("the same over the largest rate, (max − min)/max", "то же по наибольшей скорости, (max − min)/max"),
+        text("the same over the largest rate, (ω_max − ω_min)/ω_max", "то же по наибольшей скорости, (ω_max − ω_min)/ω_max"),
     ));
     Ok(())
 }

@@ -1,7 +1,8 @@
 //! The constants of the textbook formula by name, for tables and files.
 
+use super::load::{Load, Term};
 use super::motion::{Mode, Motion};
-use super::oscillator::{Case, Constants, Harmonic};
+use super::oscillator::{Case, Constants, Harmonic, Oscillator};
 use super::{Phase, form::Form};
 
 /// The time that a harmonic load is written over.
@@ -71,6 +72,30 @@ fn forcing(harmonic: Harmonic, start: f64) -> Forcing {
 }
 
 impl Listed<'_> {
+    /// The constant part of the load that has a displacement of its own, [`Listed::standing`].
+    pub fn constant(&self) -> f64 {
+        self.mode.oscillator.load.0.iter().filter(|t| t.power == 0 && t.rate.re == 0.0 && t.rate.im == 0.0).map(|t| t.factor.re).sum()
+    }
+
+    /// The displacement under the constant part of the load; none where nothing pulls back.
+    pub fn standing(&self) -> Option<f64> {
+        let k2 = self.mode.oscillator.k2;
+        (k2 != 0.0 && self.constant() != 0.0).then(|| self.constant() / k2)
+    }
+
+    /// What the forced motion has besides D sin(pτ + δ - ε) and the standing displacement, over τ: ramps, growth, resonance.
+    ///
+    /// Forced motions superpose, so this one is that of the load without the parts that are written otherwise.
+    pub fn further(&self) -> Load {
+        let o = &self.mode.oscillator;
+        let written = |t: &Term| {
+            let harmonic = || self.forcing.iter().any(|f| f.harmonic.amplitude.is_some() && f.harmonic.p == t.rate.im.abs());
+            t.power == 0 && t.rate.re == 0.0 && if t.rate.im == 0.0 { o.k2 != 0.0 } else { harmonic() }
+        };
+        let load = Load(o.load.0.iter().filter(|t| !written(t)).copied().collect());
+        Oscillator { load, ..o.clone() }.constants().forced
+    }
+
     /// Names as in a textbook, ASCII, and values; what does not exist (the lag of no load, roots that are complex) is left out.
     pub fn named(&self) -> Vec<(&'static str, f64)> {
         let (o, c) = (&self.mode.oscillator, &self.constants);
@@ -108,5 +133,45 @@ impl Forcing {
             }
         }
         list
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The solution as it is written: free motion, harmonics, standing displacement, the rest.
+    fn written(o: &Oscillator, tau: f64) -> f64 {
+        let mode = Mode { shape: vec![1.0], oscillator: o.clone() };
+        let constants = o.constants();
+        let forcing = constants.harmonics.iter().map(|h| forcing(*h, 0.0)).collect();
+        let listed = Listed { mode: &mode, constants, forcing, inertia: 1.0 };
+        let [c1, c2] = listed.constants.free;
+        let (k1, roots) = (listed.constants.k1, listed.constants.roots);
+        let free = match listed.constants.case {
+            Case::Undamped | Case::Underdamped => (-o.n * tau).exp() * (c1 * (k1 * tau).cos() + c2 * (k1 * tau).sin()),
+            _ if roots[0] == roots[1] => (-o.n * tau).exp() * (c1 + c2 * tau),
+            _ => c1 * (roots[0].re * tau).exp() + c2 * (roots[1].re * tau).exp(),
+        };
+        let wave = |f: &Forcing| f.harmonic.amplitude.map_or(0.0, |d| d * (f.harmonic.p * tau + f.delta - f.harmonic.lag).sin());
+        free + listed.forcing.iter().map(wave).sum::<f64>() + listed.standing().unwrap_or(0.0) + listed.further().at(tau)
+    }
+
+    #[test]
+    fn the_written_solution_is_the_motion() {
+        let mut load = Load::sine(7.0, 0.3);
+        load.add(&Load::cosine(10.0, 0.0), 2.0);
+        load.add(&Load::constant(3.0), 1.0);
+        load.add(&Load::time(), 0.8);
+        load.add(&Load::time().times(&Load::sine(7.0, 0.1)), 0.4);
+        load.add(&Load::growth(-0.7, 0.0), 1.5);
+        // damped, undamped in resonance with the second harmonic, overdamped, free, unstable
+        for (n, k2) in [(1.5, 100.0), (0.0, 100.0), (12.0, 100.0), (0.4, 0.0), (0.0, 0.0), (0.3, -4.0)] {
+            let o = Oscillator { n, k2, load: load.clone(), x0: 0.2, v0: -1.0 };
+            for tau in [0.0, 0.13, 0.9, 2.0] {
+                let (found, wanted) = (written(&o, tau), o.at(tau)[0]);
+                assert!((found - wanted).abs() < 1e-11 * (1.0 + wanted.abs()), "n = {n}, k² = {k2}, τ = {tau}: {found} {wanted}");
+            }
+        }
     }
 }

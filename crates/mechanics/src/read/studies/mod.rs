@@ -153,13 +153,13 @@ fn waiting<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) 
 fn tolerance<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> f64 {
     let Some(value) = fields.formula(reader, "tolerance", &Context::CONSTANT, Some(&Dimension::NONE)) else { return DEFAULT_TOLERANCE };
     let Some(number) = reader.number(&value) else { return DEFAULT_TOLERANCE };
-    if !(1e-16..=1e-2).contains(&number) {
+    if !(1e-15..=1e-3).contains(&number) {
         reader.fault(
             Fault::new(
                 "M065",
                 fields.span_of("tolerance"),
-                format!("the tolerance is {number:e}; it must lie between 1e-16 and 1e-2"),
-                format!("точность {number:e}; допустимо от 1e-16 до 1e-2"),
+                format!("the tolerance is {number:e}; it must lie between 1e-15 and 1e-3"),
+                format!("допустимая погрешность {number:e}; она должна лежать между 1e-15 и 1e-3"),
             )
             .why("machine numbers carry 16 digits", "машинные числа несут 16 знаков"),
         );
