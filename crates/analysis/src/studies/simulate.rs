@@ -286,6 +286,8 @@ struct Run {
     ledger: Ledger,
     /// Outputs whose integrals are works to be confirmed.
     works: Vec<usize>,
+    /// Work of the drives' impulses: change of the kinetic energy and what the impacts took.
+    struck: f64,
     friction: FrictionWork,
     touches: TouchLaws,
     blows: BlowLaws,
@@ -361,6 +363,7 @@ impl Run {
             impacts: ImpactEnergy::default(),
             ledger: Ledger::new(system, options.tolerance, &works),
             works,
+            struck: 0.0,
             friction: FrictionWork::default(),
             touches: TouchLaws::default(),
             blows: BlowLaws::default(),
@@ -575,6 +578,7 @@ impl Run {
             self.judge_blow(flow);
         }
         if flow.switches().is_empty() || self.events.len() >= EVENTS {
+            self.struck += if flow.switches().is_empty() { 0.0 } else { f64::NAN };
             return Ok(());
         }
         let switches = flow.switches().to_vec();
@@ -587,6 +591,11 @@ impl Run {
         };
         let outputs = [side(self, &states[0], &before)?, side(self, &states[1], &after)?];
         let mut lost = self.loss(flow, &switches, &states, [&before, &after]);
+        if !self.works.is_empty() && switches.iter().any(|s| matches!(s.change, Change::Impact { .. } | Change::Jolt)) {
+            let [a, b] = [(&states[0], &before), (&states[1], &after)].map(|(x, modes)| flow.system().energies(t, x, modes).map(|e| e[0]));
+            // what the contacts took was given by the drives, too
+            self.struck += a.zip(b).map_or(f64::NAN, |(a, b)| b - a) + lost.unwrap_or(0.0);
+        }
         for switch in &switches {
             let mut what = describe(switch, &flow.system().guards()[switch.guard]);
             if matches!(switch.change, Change::Impact { .. })
@@ -689,6 +698,7 @@ impl Run {
             contacts: self.contacts,
             extremes: self.extremes.found(),
             overall: self.extremes.overall(),
+            struck: self.struck,
             rounding: self.rounding.map(|r| std::iter::once(0.0).chain(r).collect()).unwrap_or_default(),
             counters,
             notes,

@@ -32,6 +32,13 @@ pub fn run(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Findin
     let Finding::Motion(_, mut data, trouble) = pipeline::simulate_with_works(machine, &asked, &powers, watch) else {
         return Finding::Study(Box::new(Results { kind: "inverse", heading: heading(), ..Results::default() }));
     };
+    if motors.len() > 1 && data.struck != 0.0 && trouble.is_none() {
+        let n = analysis::fault::rounded(data.struck);
+        data.notes.push(Text::new(
+            format!("impulses of the motors do {} J more, together", n.en),
+            format!("импульсы двигателей совершают ещё {} Дж, вместе", n.ru),
+        ));
+    }
     let (facts, work) = if trouble.is_none() && !data.partial { works(&motors, &data) } else { Default::default() };
     // only the columns that were asked for; the powers stand behind them
     let mut at = 0..;
@@ -58,13 +65,24 @@ fn motors(machine: &Machine) -> Vec<Motor> {
     powers.map(motor).collect()
 }
 
-/// Work of each motor.
+/// Work of each motor. In an impact or a jump of a prescribed rate a single motor does what the kinetic energy gains and the contacts take; several
+/// share it in a way that is not followed.
 fn works(motors: &[Motor], data: &Dataset) -> (Vec<Fact>, serde_json::Value) {
     let mut own = serde_json::Map::new();
     let mut facts = Vec::new();
     for Motor { power, name, label } in motors {
         let Some(work) = data.overall(power).map(|o| o.integral) else { continue };
-        let meaning = Text::new(format!("work; {}", label.en), format!("работа; {}", label.ru));
+        let (alone, struck) = (motors.len() == 1, data.struck);
+        let meaning = match (alone, struck != 0.0) {
+            (true, true) => {
+                Text::new(format!("work with that of impulses; {}", label.en), format!("работа вместе с работой импульсов; {}", label.ru))
+            }
+            (false, true) => {
+                Text::new(format!("work without that of impulses; {}", label.en), format!("работа без работы импульсов; {}", label.ru))
+            }
+            _ => Text::new(format!("work; {}", label.en), format!("работа; {}", label.ru)),
+        };
+        let work = if alone { work + struck } else { work };
         facts.push(Fact::new(&format!("work({name})"), &format!("A_{name}"), "J", work, meaning));
         own.insert(name.clone(), json!(work));
     }
