@@ -1,30 +1,52 @@
 //! Whole motions after loading: a machine with connections, reactions and switches, oscillators with dry friction, many contacts, many impacts.
 //!
-//! `cargo bench -p strutt --bench machines` prints medians. Targets: crank-hoist, one cycle with all reactions and outputs, 2 ms; belt oscillator, 100 s, 5 ms;
+//! `cargo bench -p strutt --bench machines` prints medians and what was counted in one run; `-- crank 1` takes the cases whose names hold `crank`, one run each (to
+//! count instructions by valgrind, for one). Targets: crank-hoist, one cycle with all reactions and outputs, 2 ms; belt oscillator, 100 s, 5 ms;
 //! ten blocks that stick and slip in one model at most ten times one; wheels that rattle in their play, 1e5 impacts in 2 s.
 
 use std::path::Path;
 use std::time::Instant;
-use strutt::pipeline::{self, Machine};
+use strutt::pipeline::{self, Finding, Machine};
 use strutt::{Source, Watch, plan};
 
 /// Medians over this many runs.
 const RUNS: usize = 101;
 
+/// Which cases, and how many runs of each.
+struct Wish {
+    part: String,
+    runs: usize,
+}
+
+impl Wish {
+    fn read() -> Wish {
+        let mut words = std::env::args().skip(1).filter(|word| !word.starts_with('-'));
+        let part = words.next().unwrap_or_default();
+        Wish { part, runs: words.next().and_then(|runs| runs.parse().ok()).unwrap_or(RUNS) }
+    }
+    fn holds(&self, name: &str) -> bool {
+        name.contains(&self.part)
+    }
+}
+
 fn main() {
+    let wish = Wish::read();
     // name, end, rows of the table: the 25 of the published one, or as many as a plot needs
     let gallery =
         [("crank-hoist", 0.2568, 24), ("crank-hoist", 0.2568, 1000), ("belt-oscillator", 100.0, 1000), ("stick-slip", 20.0, 1000)];
-    for (name, until, rows) in gallery {
-        println!("{name:>16}  {until:>7} s  {:>5} rows  {:>8.3} ms", rows + 1, 1e3 * motion(machine(name), (until, rows), RUNS));
+    for (name, until, rows) in gallery.into_iter().filter(|case| wish.holds(case.0)) {
+        let (time, work) = motion(machine(name), (until, rows), wish.runs);
+        println!("{name:>16}  {until:>7} s  {:>5} rows  {:>8.3} ms  {work}", rows + 1, 1e3 * time);
     }
-    for pressed in ["weight", "stop"] {
-        let [one, ten] = [1, 10].map(|n| motion(written(&blocks(n, pressed)), (20.0, 100), RUNS));
-        println!("blocks pressed by {pressed:>6}: one {:.3} ms, ten {:.3} ms, ratio {:.1}", 1e3 * one, 1e3 * ten, ten / one);
+    for pressed in ["weight", "stop"].into_iter().filter(|pressed| wish.holds(&format!("blocks-{pressed}"))) {
+        let [(one, _), (ten, work)] = [1, 10].map(|n| motion(written(&blocks(n, pressed)), (20.0, 100), wish.runs));
+        println!("blocks pressed by {pressed:>6}: one {:.3} ms, ten {:.3} ms, ratio {:.1}  {work}", 1e3 * one, 1e3 * ten, ten / one);
     }
-    let until = 360.0;
-    let (time, impacts) = (motion(written(GEARS), (until, 1), 3), impacts(until));
-    println!("rattling wheels: {impacts} impacts in {time:.2} s, {:.2} s for 1e5", 1e5 * time / impacts as f64);
+    if wish.holds("rattling") {
+        let until = 360.0;
+        let (time, work) = motion(written(GEARS), (until, 1), wish.runs.min(3));
+        println!("rattling wheels: {time:.2} s  {work}");
+    }
 }
 
 /// Blocks on springs and a belt, pressed by their weight or on a floor.
@@ -66,17 +88,6 @@ at_most = "1e-3 rad"
 restitution = 0.6
 "#;
 
-fn impacts(until: f64) -> usize {
-    let mut machine = written(GEARS);
-    let start = machine.system.start().unwrap_or_default();
-    let options = analysis::studies::simulate::Simulate {
-        grid: analysis::studies::simulate::Grid::At(vec![until]),
-        ..analysis::studies::simulate::Simulate::until(until)
-    };
-    let data = analysis::studies::simulate::simulate(&mut machine.system, &start, options).dataset;
-    data.counter("events").unwrap_or(0.0) as usize
-}
-
 fn written(text: &str) -> Machine {
     let source = Source::new("bench.toml", text);
     pipeline::build(&source, &[], &mut Watch::default()).unwrap_or_else(|_| panic!("{text}"))
@@ -88,17 +99,27 @@ fn machine(name: &str) -> Machine {
     pipeline::build(&source, &[], &mut Watch::default()).unwrap_or_else(|_| panic!("{name}"))
 }
 
-fn motion(mut machine: Machine, (until, rows): (f64, usize), runs: usize) -> f64 {
+/// Median time in seconds, and what was counted.
+fn motion(mut machine: Machine, (until, rows): (f64, usize), runs: usize) -> (f64, String) {
     let times = (0..=rows).map(|k| until * k as f64 / rows as f64).collect();
     let wishes = plan::Wishes { until: Some(until), times: Some(mechanics::model::Times::At(times)), ..plan::Wishes::default() };
     let study = plan::simulation(&machine.model, &machine.equations, wishes).unwrap_or_else(|_| panic!("no study"));
+    let mut work = String::new();
     let mut times: Vec<f64> = (0..runs)
         .map(|_| {
             let start = Instant::now();
-            std::hint::black_box(pipeline::simulate(&mut machine, &study, &mut Watch::default()));
-            start.elapsed().as_secs_f64()
+            let finding = std::hint::black_box(pipeline::simulate(&mut machine, &study, &mut Watch::default()));
+            let time = start.elapsed().as_secs_f64();
+            work = counted(&finding);
+            time
         })
         .collect();
     times.sort_by(f64::total_cmp);
-    times[runs / 2]
+    (times[runs / 2], work)
+}
+
+fn counted(finding: &Finding) -> String {
+    let data = finding.data();
+    let of = |key: &str| data.counter(key).unwrap_or(0.0);
+    format!("{} steps, {} back, {} expansions, {} switches", of("steps"), of("rejected"), of("evaluations"), of("events"))
 }

@@ -141,7 +141,7 @@ impl Machine {
             conditions: Conditions::new(equations, &bound)?,
             shown: (0..program.outputs.roots.len()).collect(),
             energy: bound.evaluator(&bound.program().energy)?,
-            flows: Flows::new(&bound)?,
+            flows: Flows::new(equations, &bound)?,
             touches: general.evaluator(&program.touches)?,
             touching: touches::places(equations, program),
             second: general.evaluator(&program.second)?,

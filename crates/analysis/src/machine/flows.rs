@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use program::{Bound, ENERGY, Evaluator, Operation, Point, passes};
+use symbolic::Equations;
+use symbolic::connections::Law;
 
 use super::{Machine, Switches};
 use crate::system::Supply;
@@ -15,15 +17,16 @@ pub(super) struct Flows {
     levels: Evaluator,
     /// Loads, drives, dissipated.
     supply: Evaluator,
-    /// Whether the supply reads reactions, which cost a solution of the equations.
-    reacts: bool,
+    /// For each reaction that the supply reads the guard of its contact; none for any other reaction. Reactions cost a solution of the equations, unless
+    /// they are those of open contacts, which are nothing.
+    reads: Vec<Option<usize>>,
     /// The power that each dry friction takes.
     rubbed: Evaluator,
 }
 
 impl Flows {
     /// *Errors*: P020 when a pass broke a tape.
-    pub(super) fn new(bound: &Bound) -> Result<Flows, Fault> {
+    pub(super) fn new(equations: &Equations, bound: &Bound) -> Result<Flows, Fault> {
         let energy = &bound.program().energy;
         let part = |roots: &[usize]| -> Result<Evaluator, Fault> {
             let tape = passes::specialise(&Arc::new(passes::select(energy, roots)), bound.parameters())?;
@@ -31,10 +34,17 @@ impl Flows {
         };
         let of = |names: &[&str]| -> Vec<usize> { names.iter().filter_map(|n| ENERGY.iter().position(|e| e == n)).collect() };
         let supply = part(&of(&["loads", "drives", "dissipated"]))?;
-        let n = bound.program().coordinates as u32;
-        let reacts = supply.tape().body.iter().any(|i| matches!(i.operation, Operation::Acceleration(slot) if slot >= n));
+        let contact = |r: usize| match equations.reactions[r].law {
+            Law::Contact { .. } => bound.program().switches[r],
+            _ => None,
+        };
+        let reaction = |operation: &Operation| match operation {
+            Operation::Acceleration(slot) => (*slot as usize).checked_sub(bound.program().coordinates),
+            _ => None,
+        };
+        let reads = supply.tape().body.iter().filter_map(|i| reaction(&i.operation)).map(contact).collect();
         let frictions: Vec<usize> = (ENERGY.len()..energy.roots.len()).collect();
-        Ok(Flows { levels: part(&of(&["kinetic", "potential"]))?, supply, reacts, rubbed: part(&frictions)? })
+        Ok(Flows { levels: part(&of(&["kinetic", "potential"]))?, supply, reads, rubbed: part(&frictions)? })
     }
 }
 
@@ -42,11 +52,13 @@ impl Machine {
     /// See [`crate::System::supply`].
     pub(super) fn supply_with(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Supply> {
         self.observing.set(modes, &self.bound);
-        if self.flows.reacts {
-            self.take_accelerations(t, x, accelerations).ok()?;
-        } else {
+        let open = |guard: &Option<usize>| guard.is_some_and(|g| modes.get(g) == Some(&Mode::Positive));
+        if self.flows.reads.iter().all(open) {
             let n = self.bound.program().coordinates;
             self.accelerations[..n].copy_from_slice(&accelerations[..n]);
+            self.accelerations[n..].fill(0.0);
+        } else {
+            self.take_accelerations(t, x, accelerations).ok()?;
         }
         let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };

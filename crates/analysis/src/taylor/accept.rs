@@ -151,3 +151,31 @@ impl<S: System + ?Sized> Flow<'_, S> {
         Fault::not_finite(&Text::same(&self.system.states()[i].name), self.now.high)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Defect, Off};
+
+    fn takes(defect: &mut Defect, share: f64, h: f64) -> bool {
+        defect.accept(Off { share, of_all: 0.0 }, h, 1e-12)
+    }
+
+    #[test]
+    fn a_defect_that_halving_does_not_lower_is_rounding_on_the_next_step_too() {
+        // off by 400 per length, whatever the length is
+        let mut first = Defect::default();
+        assert!(!takes(&mut first, 400.0, 1.0) && !takes(&mut first, 200.0, 0.5) && takes(&mut first, 100.0, 0.25));
+        let mut next = Defect::after(first.stayed);
+        assert!(takes(&mut next, 420.0, 1.0));
+        assert_eq!(next.stayed, first.stayed);
+        // truncation beside it
+        let mut truncated = Defect::after(first.stayed);
+        assert!(!takes(&mut truncated, 3200.0, 1.0) && truncated.stayed.is_none());
+        // a step without is the end of it
+        let mut clean = Defect::after(first.stayed);
+        assert!(takes(&mut clean, 10.0, 1.0) && clean.stayed.is_none());
+        // a root at its zero is judged by what it changes
+        let mut held = Defect::of_held_powers();
+        assert!(!takes(&mut held, 400.0, 1.0) && held.stayed.is_none());
+    }
+}
