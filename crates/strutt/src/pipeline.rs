@@ -137,12 +137,23 @@ pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail,
     reading.warnings.extend(crate::structure::mount::mount(&mut reading.model)?);
     watch.lap(Word::TimeRead);
     let mut equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
-    crate::small::solve_unknowns(&reading.model, &mut equations).map_err(Trouble::from)?;
+    number(&reading.model, &mut equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeDerive);
     let system = lower(&equations).map_err(Trouble::from)?;
     watch.lap(Word::TimeLower);
     let origin = Origin { source: source.clone(), overrides: overrides.to_vec() };
     Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides), origin })
+}
+
+/// Numbers that the file does not give: places at the start, unknown parameters.
+///
+/// # Errors
+/// Nothing closes, nothing rests.
+pub fn number(model: &Model, equations: &mut Equations) -> Result<(), analysis::Fault> {
+    analysis::connections::settle_starts(equations)?;
+    crate::small::solve_unknowns(model, equations)?;
+    // an unknown may be a length
+    analysis::connections::settle_starts(equations)
 }
 
 /// From equations to a program with numbers.

@@ -28,6 +28,8 @@ pub struct Equations {
     pub auxiliaries: Vec<Auxiliary>,
     /// Symbols with a number.
     pub parameters: Vec<Parameter>,
+    /// Places at the start that lengths and rests are measured from.
+    pub starts: Vec<Start>,
     /// Symbols that stand for a formula; each uses parameters, time, coordinates and earlier definitions only.
     pub definitions: Vec<Definition>,
     /// Mass matrix M, n x n, symmetric.
@@ -130,6 +132,17 @@ pub struct Parameter {
     pub unit: String,
     /// What it is.
     pub label: Text,
+}
+
+/// The place of a coordinate at the start of the motion, as formulas use it (`rest = "start"`) where the file does not give it.
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// Index of the coordinate.
+    pub coordinate: usize,
+    /// Index of the parameter that stands for a place that is sought; none where the place is its default of 0.
+    pub parameter: Option<usize>,
+    /// Name of an element whose formula uses it.
+    pub used_by: String,
 }
 
 /// A symbol that stands for a formula.

@@ -35,7 +35,12 @@ const PRINTED: f64 = 1e-9;
 
 impl Bench<'_> {
     pub(super) fn close_places(&mut self, notes: &mut Vec<Text>) -> Result<(), Fault> {
-        let rows: Vec<usize> = self.lasting().into_iter().filter(|c| self.equations.conditions[*c].place.is_some()).collect();
+        self.close_rows(&vec![true; self.equations.conditions.len()], notes)
+    }
+
+    /// The same for some of the conditions.
+    pub(super) fn close_rows(&mut self, wanted: &[bool], notes: &mut Vec<Text>) -> Result<(), Fault> {
+        let rows: Vec<usize> = self.lasting().into_iter().filter(|c| wanted[*c] && self.equations.conditions[*c].place.is_some()).collect();
         let given: Vec<bool> = self.equations.coordinates.iter().map(|c| c.given[0]).collect();
         let guess = self.x.clone();
         if let Some(x) = self.closed_by_fewest(&guess, &rows, Level::Place)? {

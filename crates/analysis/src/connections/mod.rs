@@ -8,6 +8,7 @@ mod apart;
 mod choice;
 mod closing;
 mod rank;
+mod starts;
 
 use std::sync::Arc;
 
@@ -17,6 +18,8 @@ use symbolic::connections::{Condition, Law};
 use symbolic::{Equations, Text};
 
 use crate::Fault;
+
+pub use starts::settle_starts;
 
 /// A machine put together.
 #[derive(Clone, Debug, Default)]
@@ -51,6 +54,7 @@ pub fn assemble(equations: &Equations, parameters: &[f64]) -> Result<Assembly, F
     if !equations.conditions.is_empty() {
         bench.close_places(&mut notes)?;
         bench.keep_apart()?;
+        bench.check_starts()?;
         bench.moved = (0..bench.n).map(|j| bench.x[j] != before[j]).collect();
         bench.close_rates(&mut notes)?;
     }

@@ -21,6 +21,8 @@ use crate::numerics::random::Random;
 const AROUND: usize = 9;
 /// How far away they are, in turn: radians, or lengths by the length of the machine. Formulas with switches may have other slopes far away.
 const FAR: [f64; 3] = [0.3, 1.0, 3.0];
+/// Places beside a start whose conditions depend on one another: one along its rates, the others along any motion.
+const TRIALS: usize = 6;
 /// How far away a singular position must have ended.
 const NEAR: f64 = 0.05;
 /// What is left of a row after the others have been taken away counts as nothing below this share of it.
@@ -286,9 +288,10 @@ impl Bench<'_> {
         let x = self.x.clone();
         let mut random = Random::new(3);
         let mut beside = Vec::new();
-        for _ in 0..3 {
+        for trial in 0..TRIALS {
             self.evaluate(&x)?;
-            let Some(mut near) = self.along_the_motion(&x, (rows, NEAR), &mut random) else { continue };
+            let near = if trial == 0 { self.along_the_rates(&x) } else { self.along_the_motion(&x, (rows, NEAR), &mut random) };
+            let Some(mut near) = near else { continue };
             let everything: Vec<usize> = (0..self.n).collect();
             let placed: Vec<usize> = rows.iter().copied().filter(|c| self.equations.conditions[*c].place.is_some()).collect();
             let closed = self.approach(&mut near, &placed, &everything).is_ok_and(|gap| gap <= 1e-10);
@@ -307,6 +310,15 @@ impl Bench<'_> {
             }
         }
         Ok(beside)
+    }
+
+    /// A state a little way along the rates of the start; none at rest.
+    fn along_the_rates(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let rates = &x[self.n..2 * self.n];
+        let longest = (0..self.n).fold(0.0_f64, |l, j| l.max(rates[j].abs() / if self.is_angle(j) { 1.0 } else { self.length() }));
+        let mut near = x.to_vec();
+        (0..self.n).for_each(|j| near[j] += NEAR * rates[j] / longest);
+        (longest > 0.0).then_some(near)
     }
 
     /// A state a little way along a motion that the conditions allow to first order.

@@ -50,6 +50,16 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ru: ("трение от неопределённой нормальной реакции", PRESSURE_RU),
     },
     Explanation {
+        code: "S121",
+        en: ("length measured at another start", MOVED_EN),
+        ru: ("длина, измеренная в другом начальном положении", MOVED_RU),
+    },
+    Explanation {
+        code: "S122",
+        en: ("periodic regime over a change point", VARIED_EN),
+        ru: ("периодический режим через положение ветвления", VARIED_RU),
+    },
+    Explanation {
         code: "S120",
         en: ("friction pressed by a reaction that is not unique", SHARED_EN),
         ru: ("трение от неединственной реакции", SHARED_RU),
@@ -142,6 +152,19 @@ const PRESSURE_EN: &str = "The normal force of this friction is a reaction that 
     and with it the motion, would be arbitrary. Give the load a place, or the friction another normal force.";
 const PRESSURE_RU: &str = "Нормальная сила этого трения – реакция, зависящая от места приложения нагрузки, а нагрузка задана формулой, из которой место не следует. Трение, а с ним \
     и движение, было бы произвольным. Задайте место приложения нагрузки или другую нормальную силу.";
+
+const MOVED_EN: &str = "`rest = \"start\"` of a spring and the default lengths of rods and ropes are those of the start. A coordinate with a `guess` has its place there after the \
+    connections have closed; one with neither `start` nor `guess` has 0. Here connections move it all the same, and the length would belong to another configuration. Give the coordinate \
+    a start or a guess, or the length a number.";
+const MOVED_RU: &str = "`rest = \"start\"` пружины и длины стержней и канатов по умолчанию относятся к началу движения. Координата с `guess` имеет там значение, найденное при замыкании связей; \
+    координата без `start` и `guess` – нуль. Здесь связи всё же сдвигают её, и длина относилась бы к другому положению. Задайте координате `start` или `guess` или длину числом.";
+
+const VARIED_EN: &str = "The search for a periodic regime follows small disturbances along the motion. In a change point (parallel cranks in line with their coupler) a disturbance across \
+    the way would lead to another way of assembly; the equations of disturbances have a pole there, and neither Newton's correction nor multipliers follow from them. Simulate the motion \
+    until it repeats itself, or let one coordinate move the links by formulas.";
+const VARIED_RU: &str = "Поиск периодического режима прослеживает малые возмущения вдоль движения. В положении ветвления (параллельные кривошипы на одной линии с шатуном) возмущение поперёк \
+    пути вело бы к другому варианту сборки; уравнения возмущений имеют там полюс, и ни поправка Ньютона, ни мультипликаторы из них не следуют. Моделируйте движение, пока оно не начнёт \
+    повторяться, либо задайте движение звеньев одной координатой с помощью формул.";
 
 const SHARED_EN: &str = "The normal force of this friction is one of several reactions that hold the same motion of rigid bodies (a second side rod, a bearing too many). How they \
     share the load is open, and with the normal force the friction and the motion would be arbitrary. Take the redundant connection away, make one of the parts elastic \
@@ -249,6 +272,32 @@ impl Fault {
             help: Text::new(
                 "remove the redundant connection, replace it by a spring, or give the friction by a law of its own (`damping`, a torque by formula)",
                 "уберите лишнюю связь, замените её пружиной или задайте трение собственным законом (`damping`, момент по формуле)",
+            ),
+        })
+    }
+
+    /// A length that is measured at the start, where a coordinate has moved since.
+    pub fn moved_start(user: &str, coordinate: &str, [measured, found]: [f64; 2], unit: &str) -> Fault {
+        let (old, new, unit) = (rounded(measured), rounded(found), Text::unit(unit));
+        Fault::new(Message {
+            code: "S121",
+            what: Text::new(
+                format!(
+                    "`{user}` is measured at the start with {coordinate} = {} {}, but the machine starts with {} {}",
+                    old.en, unit.en, new.en, unit.en
+                ),
+                format!(
+                    "`{user}` измеряется в начале движения при {coordinate} = {} {}, но машина начинает движение при {} {}",
+                    old.ru, unit.ru, new.ru, unit.ru
+                ),
+            ),
+            why: Text::new(
+                "other connections have moved this coordinate from its value, and the length would be that of another configuration",
+                "другие связи сдвинули эту координату с её значения, и длина относилась бы к другому положению",
+            ),
+            help: Text::new(
+                format!("give `{coordinate}` its `start`, a `guess` nearer to the closed configuration, or give the length as a number"),
+                format!("задайте для `{coordinate}` значение `start`, более близкое приближение `guess` или саму длину числом"),
             ),
         })
     }
@@ -469,6 +518,26 @@ impl Fault {
         })
     }
 
+    /// A periodic regime that passes a change point.
+    pub fn varied_over_change_point(places: &Text, t: f64) -> Fault {
+        let t = number(t);
+        Fault::new(Message {
+            code: "S122",
+            what: Text::new(
+                format!("the regime passes a change point at t = {} s, {}", t.en, places.en),
+                format!("режим проходит положение ветвления при t = {} с, {}", t.ru, places.ru),
+            ),
+            why: Text::new(
+                "the equations of small disturbances, from which the regime is corrected and its multipliers follow, have a pole where several ways of assembly meet",
+                "уравнения малых возмущений, по которым уточняется режим и находятся мультипликаторы, имеют полюс там, где встречаются несколько вариантов сборки",
+            ),
+            help: Text::new(
+                "simulate until the motion repeats itself, or join the links by one coordinate (`angle` and `origin` by formulas) instead of pins",
+                "моделируйте движение, пока оно не начнёт повторяться, либо свяжите звенья одной координатой (формулы в `angle` и `origin`) вместо шарниров",
+            ),
+        })
+    }
+
     /// An output that grows beyond bounds at a change point.
     pub fn blind(output: &str, t: f64) -> Fault {
         let t = number(t);
@@ -518,8 +587,8 @@ impl Fault {
                 "твёрдые тела удержаны здесь неоднократно: несколькими связями либо связью и соединениями, которые подразумевает выбор координат, но которые не заданы; доли неопределимы",
             ),
             help: Text::new(
-                "remove the redundant connection, replace it by a spring, declare the joints of the body ([pins], [supports]), or ask for other outputs",
-                "уберите лишнюю связь, замените её пружиной, задайте соединения тела ([pins], [supports]) или запросите другие величины",
+                "remove the redundant connection, replace it by a spring, declare the joints of the body ([pins], [supports]), or ask for other outputs; of a body whose `origin` is a formula of another body's angle or way: give the name of the point that carries it as `origin`, then its joint is known",
+                "уберите лишнюю связь, замените её пружиной, задайте соединения тела ([pins], [supports]) или запросите другие величины; если `origin` тела – формула от угла или перемещения другого тела, укажите в `origin` имя несущей его точки: тогда шарнир известен",
             ),
         })
     }

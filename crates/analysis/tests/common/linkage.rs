@@ -36,6 +36,7 @@ impl Build {
                 coordinates: vec![],
                 auxiliaries: vec![],
                 parameters: vec![],
+                starts: vec![],
                 definitions: vec![],
                 mass,
                 force: vec![],

@@ -18,6 +18,7 @@ fn blank(graph: Graph) -> Equations {
         coordinates: vec![],
         auxiliaries: vec![],
         parameters: vec![],
+        starts: vec![],
         definitions: vec![],
         mass,
         force: vec![],

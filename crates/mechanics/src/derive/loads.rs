@@ -107,7 +107,7 @@ fn spring(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
     let (stiffness, preload) = (stiffness?, preload?);
     let rest = match spring.rest {
         Rest::Value(e) => resolver.resolve(scene, kinematics, e)?,
-        Rest::Start => at_start(scene, path.value),
+        Rest::Start => at_start(scene, &spring.name, path.value),
     };
     let extension = scene.graph.sub(path.value, rest);
     let acting = match spring.backlash {
@@ -149,8 +149,22 @@ fn scaled(scene: &mut Scene, factor: Expr, gradient: &Columns<Expr>) -> Columns<
     gradient.iter().map(|(j, d)| (*j, scene.graph.mul(factor, *d))).collect()
 }
 
-/// The value of an expression at the start of the motion.
-pub fn at_start(scene: &mut Scene, e: Expr) -> Expr {
+/// The value of an expression of the element `user` at the start of the motion.
+pub fn at_start(scene: &mut Scene, user: &str, e: Expr) -> Expr {
+    let used = scene.graph.symbols_in(&[e]);
+    let coordinates = &scene.model.coordinates;
+    let used: Vec<usize> = (0..coordinates.len()).filter(|j| used.contains(&coordinates[*j].symbols[0])).collect();
+    let places = used.into_iter().map(|j| (coordinates[j].symbols[0], scene.place_at_start(j, user))).collect();
+    put_start(scene, places, e)
+}
+
+/// The same at the values of the file, guesses as they are: for choices that are the same around it.
+pub fn near_start(scene: &mut Scene, e: Expr) -> Expr {
+    let places = scene.model.coordinates.iter().map(|c| (c.symbols[0], c.start)).collect();
+    put_start(scene, places, e)
+}
+
+fn put_start(scene: &mut Scene, places: Vec<(SymbolId, Expr)>, e: Expr) -> Expr {
     let model = scene.model;
     let zero = scene.graph.zero();
     // formulas of time at t = 0, each over constants and earlier ones
@@ -160,7 +174,7 @@ pub fn at_start(scene: &mut Scene, e: Expr) -> Expr {
         map.push((parameter.symbol, value));
     }
     map.extend(scene.turns.iter().map(|t| (t.symbol, zero)));
-    map.extend(model.coordinates.iter().map(|c| (c.symbols[0], c.start)));
+    map.extend(places);
     Substitution::new(map).apply(&mut scene.graph, e)
 }
 

@@ -29,7 +29,7 @@ use lagrange::{Kinetic, Quadratic};
 use loads::Loads;
 use requests::{EnergyTerms, Resolver};
 use scene::Scene;
-use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role};
+use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role, Start};
 use symbolic::{Equations, Expr, Matrix, SymbolId, Text};
 
 /// Above this number of coordinates, formulas are not written out.
@@ -129,13 +129,15 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
     roots.extend(connected.free.expressions(zero));
     roots.extend(applied.iter().flat_map(|a| a.forces.iter().chain(&a.released).map(|f| f.1)));
     let definitions = definitions(&mut scene, &roots);
+    let (parameters, starts) = with_starts(&scene, parameters(model));
     let zero = scene.graph.zero();
     Ok(Equations {
         title: model.title.clone(),
         time: model.time,
         coordinates: coordinates(model),
         auxiliaries: scene.turns.iter().map(|t| auxiliary(model, t, zero)).collect(),
-        parameters: parameters(model),
+        parameters,
+        starts,
         definitions,
         mass,
         force,
@@ -397,6 +399,22 @@ fn parameters(model: &Model) -> Vec<Parameter> {
     numbers
         .map(|(p, value)| Parameter { symbol: p.symbol, value, written: p.written.clone(), unit: p.unit.clone(), label: p.label.clone() })
         .collect()
+}
+
+/// The same and the places at the start that are sought; assembly gives them their numbers.
+fn with_starts(scene: &Scene, mut parameters: Vec<Parameter>) -> (Vec<Parameter>, Vec<Start>) {
+    let mut starts = Vec::new();
+    for (coordinate, symbol, user) in &scene.starts {
+        let declared = &scene.model.coordinates[*coordinate];
+        let parameter = symbol.map(|symbol| {
+            let name = &declared.name;
+            let label = Text::new(format!("{name} at the start"), format!("{name} в начале движения"));
+            parameters.push(Parameter { symbol, value: 0.0, written: String::new(), unit: declared.units[0].clone(), label });
+            parameters.len() - 1
+        });
+        starts.push(Start { coordinate: *coordinate, parameter, used_by: user.clone() });
+    }
+    (parameters, starts)
 }
 
 /// Constants and functions of time given by formulas, and the time derivatives that occur.

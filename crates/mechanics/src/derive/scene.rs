@@ -46,6 +46,8 @@ pub struct Scene<'m> {
     pub turns: Vec<Turn>,
     /// Simplifier.
     pub textbook: Textbook,
+    /// Coordinates whose place at the start is used: index, symbol of a place that is sought, name of an element that uses it.
+    pub starts: Vec<(usize, Option<SymbolId>, String)>,
     /// Angles, origins and pathways with a limited domain.
     pub places: Vec<Expr>,
     total: Derivation,
@@ -89,6 +91,7 @@ impl<'m> Scene<'m> {
             q,
             turns,
             textbook,
+            starts: Vec::new(),
             places: Vec::new(),
             total: Derivation::new(total_seeds),
             explicit: Derivation::new(explicit_seeds),
@@ -250,6 +253,36 @@ impl<'m> Scene<'m> {
         found.sort_by_key(|(_, _, i, primes)| (*primes, *i));
         found
     }
+}
+
+impl Scene<'_> {
+    /// What stands for the place of a coordinate at the start in a formula of the element `user`: its given value, a parameter that assembly finds, or 0.
+    pub fn place_at_start(&mut self, coordinate: usize, user: &str) -> Expr {
+        let declared = &self.model.coordinates[coordinate];
+        if declared.given[0] || self.model.connections.is_empty() {
+            return declared.start;
+        }
+        let known = self.starts.iter().find(|(j, ..)| *j == coordinate).map(|(_, symbol, _)| *symbol);
+        let symbol = known.unwrap_or_else(|| {
+            let symbol = declared.guessed[0].then(|| self.graph.symbol_id(&free_name(self.model, &declared.name), 0));
+            self.starts.push((coordinate, symbol, user.to_owned()));
+            symbol
+        });
+        symbol.map_or(declared.start, |s| self.graph.symbol(s))
+    }
+}
+
+/// `x_0`, or longer where the file has that name.
+fn free_name(model: &Model, coordinate: &str) -> String {
+    let taken: FxHashSet<&str> = (model.parameters.iter().map(|p| p.name.as_str()))
+        .chain(model.coordinates.iter().map(|c| c.name.as_str()))
+        .chain(model.outputs.iter().map(|o| o.name.as_str()))
+        .collect();
+    let mut name = format!("{coordinate}_0");
+    while taken.contains(name.as_str()) {
+        name.push('0');
+    }
+    name
 }
 
 /// Names the turn angles: psi for a single one, else psi_frame.

@@ -75,6 +75,10 @@ impl Scene<'_> {
             point.insert(c.symbols[1], random.next());
             point.insert(c.symbols[2], random.next());
         }
+        for (j, symbol, _) in &self.starts {
+            let place = point.get(&model.coordinates[*j].symbols[0]).copied().unwrap_or(0.0);
+            point.extend(symbol.map(|s| (s, place + random.next())));
+        }
         for p in &model.parameters {
             let value = match (p.value, p.number) {
                 (ParameterValue::Formula(formula), _) => {

@@ -28,6 +28,7 @@ pub fn empty(mut graph: Graph) -> Equations {
         coordinates: vec![],
         auxiliaries: vec![],
         parameters: vec![],
+        starts: vec![],
         definitions: vec![],
         mass,
         force: vec![],

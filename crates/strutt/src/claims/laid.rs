@@ -65,7 +65,7 @@ pub fn lay(machine: &Machine) -> Result<Laid, Trouble> {
         }
     }
     let mut equations = derive_in(&model, Detail::Equations).map_err(|list| first(&list))?;
-    crate::small::solve_unknowns(&model, &mut equations).map_err(Trouble::from)?;
+    pipeline::number(&model, &mut equations).map_err(Trouble::from)?;
     let system = pipeline::lower(&equations).map_err(Trouble::from)?;
     let machine = Machine { model, equations, system, ..machine.clone() };
     Ok(Laid { machine, claims })

@@ -295,13 +295,25 @@ impl Tried {
     }
 }
 
+/// What neighbours a disturbance leads to depends on the way of assembly, and its equations have a pole.
+fn in_change_point<S: System + ?Sized>(system: &S, step: &Step) -> Fault {
+    let t = step.start.after(step.change.map_or(0.0, |[to, _]| to)).high;
+    let mut x = vec![0.0; system.states().len()];
+    step.state_at(t, &mut x);
+    let n = system.n_coordinates();
+    Fault::varied_over_change_point(&crate::machine::configuration(system.states().iter().zip(&x).take(n)), t)
+}
+
 /// Continues the chain over a stretch.
 ///
-/// *Errors*: S054 where f has no derivative, S055 when the steps become too small or too many, S042 after an interruption.
+/// *Errors*: S122 over a change point, S054 where f has no derivative, S055 when the steps become too small or too many, S042 after an interruption.
 pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, chain: &mut Chain) -> Result<Varied, Fault> {
     let n = stretch.scales.len();
     let mut out = Varied { divergence: 0.0, liouville: 0.0 };
     let (Some(first), Some(last)) = (stretch.steps.first(), stretch.steps.last()) else { return Ok(out) };
+    if let Some(step) = stretch.steps.iter().find(|step| step.change.is_some_and(|[to, _]| (0.0..step.length).contains(&to))) {
+        return Err(in_change_point(system, step));
+    }
     let radau = Radau::new();
     let mut along = Along { system, stretch, n, x: vec![0.0; n], rows: Vec::new() };
     let (mut t, end) = (first.start, last.end());

@@ -228,7 +228,7 @@ fn rod(
     (connection, [a, b], length): (&Connection, [PointRef; 2], Option<Expr>),
 ) -> Found<Component> {
     let path = path(scene, kinematics, resolver, connection, Pathway::Distance(a, b))?;
-    let length = length.unwrap_or_else(|| at_start(scene, path.value));
+    let length = length.unwrap_or_else(|| at_start(scene, &connection.name, path.value));
     let place = scene.graph.sub(path.value, length);
     let minus = scene.graph.int(-1);
     // tension pulls the ends together
@@ -273,7 +273,7 @@ fn rope(
         }
     }
     let total = scene.graph.sum(&parts);
-    let length = length.unwrap_or_else(|| at_start(scene, total));
+    let length = length.unwrap_or_else(|| at_start(scene, name, total));
     let (en, ru) = if connection.table == "threads" { ("thread", "нить") } else { ("rope", "канат") };
     let label = Text::new(format!("{en} {name}, tension"), format!("{ru} {name}, натяжение"));
     let of = (Part::Force, "S", "N");

@@ -48,7 +48,7 @@ pub fn rolling(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
         match leaves {
             Some(restitution) => {
                 let restitution = resolver.resolve(scene, kinematics, *restitution)?;
-                let start = if only_rate { at_start(scene, distance) } else { scene.graph.zero() };
+                let start = if only_rate { at_start(scene, name, distance) } else { scene.graph.zero() };
                 let gap = scene.graph.sub(distance, start);
                 let nature = Nature::Contact { gap, restitution: [restitution, scene.graph.zero()], tie: false, rebound: Rebound::Newton };
                 // what is rough follows its contact

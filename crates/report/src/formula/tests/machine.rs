@@ -62,6 +62,7 @@ fn machine() -> Equations {
         coordinates,
         auxiliaries,
         parameters,
+        starts: vec![],
         definitions,
         mass,
         force: vec![zero; 2],
