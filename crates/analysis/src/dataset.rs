@@ -217,6 +217,19 @@ pub struct Event {
     pub outputs: [Vec<f64>; 2],
     /// What became of a contact or a friction; none for other switches.
     pub contact: Option<ContactChange>,
+    /// Impulses of reactions where rates jump, once an instant.
+    pub impulses: Vec<Impulse>,
+}
+
+/// The impulse of a reaction.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Impulse {
+    /// The reaction as users write it: `force_x(O)`.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+    /// SI value.
+    pub value: f64,
 }
 
 /// A contact or a friction.

@@ -88,6 +88,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
     crate::studies::limits::PULSATING,
     crate::rest::faults::SLIPS,
     crate::rest::faults::OPEN,
+    crate::rest::faults::NO_LIMIT,
     crate::studies::explain::NO_RETURN,
     crate::studies::explain::NO_REGIME,
     crate::studies::explain::DRIVEN,

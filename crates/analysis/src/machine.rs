@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 mod conditions;
 mod flows;
+mod hidden;
 mod impact;
 mod jolt;
+pub(crate) mod open;
 mod phases;
 mod solved;
 mod ties;
@@ -57,9 +59,17 @@ pub struct Machine {
     touching: Vec<touches::Place>,
     second: Evaluator,
     released: Evaluator,
-    /// The roots of it that are bodies.
+    /// The placements of bodies among its roots.
     placements: Evaluator,
     layout: Layout,
+    /// Laws of friction and balances of released bodies, see [`program::LawRoots`].
+    laws: Evaluator,
+    /// Shares of all reactions in all balances.
+    balances: Evaluator,
+    /// What the entries of [`Blow::reactions`] are.
+    impulses: Vec<Quantity>,
+    /// What reactions can share a load.
+    sharing: open::Sharing,
     places: Evaluator,
     statics: Evaluator,
     /// Of the last expansion.
@@ -148,6 +158,10 @@ impl Machine {
             released: general.evaluator(&program.released)?,
             placements: placements(equations, &general)?,
             layout: layout(equations),
+            laws: bound.evaluator(&bound.program().laws)?,
+            balances: bound.evaluator(&bound.program().balances)?,
+            impulses: equations.reactions.iter().map(impulse).collect(),
+            sharing: open::Sharing::new(equations, program),
             places: general.evaluator(&program.places)?,
             statics: general.evaluator(&program.statics)?,
             expanded: Switches::default(),
@@ -321,10 +335,21 @@ fn placements(equations: &Equations, general: &Bound) -> Result<Evaluator, Fault
     Ok(general.evaluator(&Arc::new(tape))?)
 }
 
+/// The impulse of a reaction.
+fn impulse(reaction: &Reaction) -> Quantity {
+    Quantity { label: reaction.label.clone(), ..Quantity::new(&reaction.name, &format!("{} s", reaction.unit)) }
+}
+
 fn layout(equations: &Equations) -> Layout {
     let released = &equations.released;
     let frames = released.frames.iter().map(|f| (f.bodies.clone(), f.ways.len())).collect();
-    Layout { bodies: released.bodies.len(), frames, leaning: leaning(equations) }
+    Layout {
+        bodies: released.bodies.len(),
+        frames,
+        wrenches: released.wrenches.len(),
+        along: released.along.len(),
+        leaning: leaning(equations),
+    }
 }
 
 /// Hidden reactions with a contact or a friction in one of their balances.
@@ -480,15 +505,17 @@ impl System for Machine {
 
     fn observe(&mut self, t: f64, x: &[f64], modes: &[Mode], values: &mut [f64]) -> Result<(), Fault> {
         self.observing.set(modes, &self.bound);
-        if self.needs_accelerations {
-            self.solve_forces(t, x)?;
-        }
+        let open = if self.needs_accelerations { self.solve_shared(t, x)? } else { None };
         let Switches { modes, active, .. } = &self.observing;
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
         for (value, &i) in self.observed.evaluate(&point)?.iter().zip(&self.shown) {
             values[i] = *value;
         }
-        Ok(())
+        open.map_or(Ok(()), |open| self.leave_open((t, x), &open, values))
+    }
+
+    fn is_shared(&self, output: usize) -> Option<&[usize]> {
+        self.sharing.seen.get(&output).map(|guards| &guards[..])
     }
 
     fn show(&mut self, wanted: &[usize]) -> Result<(), Fault> {
@@ -694,7 +721,7 @@ impl System for Machine {
     }
 
     fn released(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
-        if self.layout.frames.is_empty() {
+        if self.layout.wrenches + self.layout.along == 0 {
             return None;
         }
         self.observing.set(modes, &self.bound);
@@ -704,9 +731,6 @@ impl System for Machine {
     }
 
     fn placements(&mut self, t: f64, x: &[f64]) -> Option<Vec<f64>> {
-        if self.layout.frames.is_empty() {
-            return None;
-        }
         let point = Point { time: t, states: x, accelerations: &self.accelerations, ..Point::default() };
         Some(self.placements.evaluate(&point).ok()?.to_vec())
     }
@@ -747,10 +771,17 @@ impl System for Machine {
     }
 
     fn impact(&mut self, t: f64, x: &mut [f64], modes: &[Mode], closing: &[usize]) -> Result<Blow, Fault> {
-        match &mut self.conditions {
-            Some(conditions) => conditions.impact(t, x, modes, closing),
-            None => Ok(Blow::default()),
-        }
+        let Some(conditions) = &mut self.conditions else { return Ok(Blow::default()) };
+        let n = self.bound.program().coordinates;
+        let rates = x[n..2 * n].to_vec();
+        let mut blow = conditions.impact(t, x, modes, closing)?;
+        let jump: Vec<f64> = rates.iter().zip(&x[n..2 * n]).map(|(before, after)| after - before).collect();
+        self.hold([t, t], x, &jump, &mut blow);
+        Ok(blow)
+    }
+
+    fn impulses(&self) -> &[Quantity] {
+        &self.impulses
     }
 
     fn jolt(&mut self, t: f64, x: &mut [f64], modes: [&[Mode]; 2], closing: &[usize]) -> Result<Option<Blow>, Fault> {

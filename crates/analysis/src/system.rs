@@ -158,7 +158,11 @@ pub struct Blow {
     pub impulses: Vec<(usize, f64)>,
     /// Frictions whose sliding it stopped, by guard.
     pub stuck: Vec<usize>,
-    /// Impulses of all reactions that act on the coordinates.
+    /// Whether phases were followed (Poisson's restitution): a sliding may turn within the impact, and the whole impulse then has either direction.
+    pub phased: bool,
+    /// Contacts and frictions to which nothing happened but rounding of the rates and impulses of the instant, by guard.
+    pub silent: Vec<usize>,
+    /// Impulses of all reactions, those of supports included; [`System::impulses`] names them. Empty where there are none.
     pub reactions: Vec<f64>,
 }
 
@@ -216,14 +220,19 @@ pub enum Jacobian {
     Absent,
 }
 
-/// Numbers of released bodies: 19 for each body (mass, centre, rotation by rows, moments xx, yy, zz, xy, yz, xz about the centre in body axes), then for each
-/// frame its origin, the force and moment on it (about the origin of the ground), and its ways (shift, turn).
+/// Numbers of bodies: 19 for each body (mass, centre, rotation by rows, moments xx, yy, zz, xy, yz, xz about the centre in body axes), then for each released
+/// frame its origin, the force and moment on it (about the origin of the ground), and its ways (shift, turn), then for each body what acts on it by itself (force, moment
+/// about the origin of the ground, the same sums of components without signs), then for each coordinate the loads given along it and their sum without signs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     /// Number of bodies.
     pub bodies: usize,
     /// Bodies on each frame, and its number of ways.
     pub frames: Vec<(Vec<usize>, usize)>,
+    /// Number of bodies whose own loads are listed.
+    pub wrenches: usize,
+    /// Number of coordinates along which loads are listed.
+    pub along: usize,
     /// Reactions that follow from balances in which contacts or frictions stand too, by name.
     pub leaning: Vec<String>,
 }
@@ -388,6 +397,13 @@ pub trait System {
         None
     }
 
+    /// Guards of the contacts and frictions that have shared a load at a state that was observed, so that this output had no value there (not a number); none
+    /// where it always had one.
+    fn is_shared(&self, output: usize) -> Option<&[usize]> {
+        let _ = output;
+        None
+    }
+
     /// Remarks on the system, to be shown beside every result.
     fn notes(&self) -> &[Text] {
         &[]
@@ -460,13 +476,18 @@ pub trait System {
         None
     }
 
-    /// Released bodies as numbers, with given accelerations and the reactions of this state, see [`Layout`]. None when no reaction is hidden.
+    /// Names of the entries of [`Blow::reactions`].
+    fn impulses(&self) -> &[Quantity] {
+        &[]
+    }
+
+    /// Bodies as numbers, with given accelerations and the reactions of this state, see [`Layout`]. None when the system knows no bodies.
     fn released(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
         let _ = (t, x, accelerations, modes);
         None
     }
 
-    /// The numbers of the bodies in [`System::released`] alone, which need no reactions; none as there.
+    /// The placements among them, at any place.
     fn placements(&mut self, t: f64, x: &[f64]) -> Option<Vec<f64>> {
         let _ = (t, x);
         None

@@ -282,7 +282,9 @@ fn a_jump_of_rates_without_impulse_fails() {
 }
 
 #[test]
-fn a_restitution_above_one_gains_energy() {
-    let data = run(&Scene { restitution: 1.2, ..LANDS }, Broken::Nothing);
-    assert!(data.audit("impact_energy").is_some_and(|audit| !audit.ok), "{:?}", data.audits);
+fn a_restitution_above_one_is_refused_where_it_gains_energy() {
+    let (machine, start) = machine(&Scene { restitution: 1.2, ..LANDS });
+    let mut system = Wrong { machine, broken: Broken::Nothing, bound: Vec::new() };
+    let outcome = simulate(&mut system, &start, Simulate::until(2.0));
+    assert_eq!(outcome.fault.map(|f| f.code), Some("S126"));
 }

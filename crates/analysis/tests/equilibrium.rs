@@ -54,7 +54,7 @@ fn pendulum_hangs_stably_and_stands_unstably() {
         h[0] = -3.0 * x[0].sin();
         k[0] = -3.0 * x[0].cos();
     });
-    let options = Equilibrium { guesses: vec![vec![3.0]], over: None };
+    let options = Equilibrium { guesses: vec![vec![3.0]], ..Equilibrium::default() };
     let outcome = equilibrium(&mut system, &[0.4, 0.0], &options);
     assert!(outcome.fault.is_none());
     let data = outcome.dataset;

@@ -251,8 +251,8 @@ pub const TOP: TableSpec = TableSpec {
             "",
             "",
             (
-                "dry frictions at their limit in the place of rest that [unknowns] are found for: name = \"+\" when about to slide forward along their path, \"-\" backward",
-                "силы сухого трения, достигшие предельных значений в том положении равновесия, для которого ищутся [unknowns]: имя = \"+\", если скольжение готово начаться в положительную сторону, \"-\" — в отрицательную",
+                "dry frictions at their limit in the place of rest that [unknowns] are found for, or that the study `equilibrium` seeks in a range of a coordinate: name = \"+\" when about to slide forward along their path, \"-\" backward",
+                "силы сухого трения, достигшие предельных значений в том положении равновесия, для которого ищутся [unknowns] или которое расчёт `equilibrium` ищет в диапазоне координаты: имя = \"+\", если готово начаться скольжение вперёд по их пути, \"-\" — назад",
             ),
             "",
         ),

@@ -32,6 +32,10 @@ pub struct Program {
     pub frictions: usize,
     /// Balances (by index) among the rows of the dynamics: a friction is pressed by the force of a support.
     pub joined: Vec<usize>,
+    /// All balances (by index) that take part.
+    pub balanced: Vec<usize>,
+    /// Reactions (by index) that follow from them, as many.
+    pub hidden: Vec<usize>,
     /// Number of reactions in the equations, absent ones included: what `accelerations` of a [`Point`] hold behind the n values of q''.
     pub reactions: usize,
     /// Reactions (by index) that the dynamics solve for: roots 2n + s, 2n + s + 1, ... of [`Program::dynamics`].
@@ -105,7 +109,7 @@ pub struct LawRoots {
     /// frictions x (2 + 2 reactions): kinetic friction at this sliding speed, static limit, then the factor of each reaction in the normal force, and in
     /// its second component.
     pub frictions: Range<usize>,
-    /// joined balances x (n + reactions): inertia coefficients of q'', then the share of each reaction.
+    /// balances that take part x (n + reactions + 1): inertia coefficients of q'', the share of each reaction, the momentum that prescribed motions give.
     pub balances: Range<usize>,
 }
 
@@ -171,7 +175,7 @@ impl Program {
     /// Where the roots of [`Program::laws`] are.
     pub fn law_roots(&self) -> LawRoots {
         let (n, r) = (self.coordinates, self.reactions);
-        let [frictions, balances] = consecutive([self.frictions * (2 + 2 * r), self.joined.len() * (n + r)]);
+        let [frictions, balances] = consecutive([self.frictions * (2 + 2 * r), self.balanced.len() * (n + r + 1)]);
         LawRoots { frictions, balances }
     }
     fn connected_coordinates(&self) -> usize {

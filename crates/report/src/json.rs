@@ -8,7 +8,7 @@
 //!  "extremes": [{"name": "phi", "min": -1.0, "t_min": 0.5, "max": 1.0, "t_max": 0.0}],
 //!  "means": {"phi": 0.1},
 //!  "digits": {"tolerance": 1e-13, "order": 29, "columns": {"phi": {"digits": 12}}},
-//!  "events": [{"t": 10.0, "what": "...", "contact": "floor", "from": "open", "to": "closed", "impulse": 1.4, "before": {"phi": 0.1, "phi'": -2.0}, "after": {"phi": 0.1, "phi'": 1.6}}],
+//!  "events": [{"t": 10.0, "what": "...", "contact": "floor", "from": "open", "to": "closed", "impulse": 1.4, "impulses": [{"name": "force(floor)", "unit": "N s", "value": 1.4}], "before": {"phi": 0.1, "phi'": -2.0}, "after": {"phi": 0.1, "phi'": 1.6}}],
 //!  "partial": false, "notes": [],
 //!  "columns": {"t": {"unit": "s", "values": [0.0, 0.1]}, "phi": {"unit": "rad", "values": [0.0, 1.5]}}}
 //! ```
@@ -18,7 +18,7 @@
 
 use crate::language::Language;
 use analysis::Dataset;
-use analysis::dataset::{Digits, Event, Extreme, Held, Stated};
+use analysis::dataset::{Digits, Event, Extreme, Held, Impulse, Stated};
 use serde_json::{Map, Value, json};
 
 /// The JSON of a dataset as bytes, closed by a line feed. `extra` are the study's own fields, written before the columns.
@@ -148,6 +148,10 @@ fn event(data: &Dataset, event: &Event, language: Language) -> Value {
         if let Some(impulse) = change.impulse {
             fields.insert("impulse".into(), json!(impulse));
         }
+    }
+    if !event.impulses.is_empty() {
+        let one = |p: &Impulse| json!({"name": p.name, "unit": p.unit, "value": p.value});
+        fields.insert("impulses".into(), event.impulses.iter().map(one).collect());
     }
     if !event.states[1].is_empty() {
         fields.insert("before".into(), Value::Object(side(0)));

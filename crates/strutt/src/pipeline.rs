@@ -263,6 +263,10 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
     let start = machine.system.start()?;
     let mut options = plan::guesses(&machine.equations, &start, guess);
     options.over = over.and_then(|between| plan::range(&machine.equations, between));
+    // with unknowns they have been used to find these
+    if machine.model.unknowns.is_empty() {
+        options.impending = crate::small::impending(&machine.model, &machine.equations);
+    }
     let (mut outcome, timing, equations) = if analysis::rest::report::is_free(&machine.equations) {
         use analysis::System;
         let n = machine.equations.coordinates.len();

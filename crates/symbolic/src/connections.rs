@@ -163,23 +163,40 @@ pub struct Balance {
     pub columns: Vec<(usize, Expr)>,
     /// Applied forces less inertia terms without q''.
     pub rest: Expr,
+    /// Momentum at rates of zero, of prescribed motions; none without.
+    pub carried: Option<Expr>,
 }
 
-/// Released bodies as placements and resultants, from which an audit makes their balances anew by differentiation in numbers.
+/// Bodies as placements and resultants, from which audits make their balances anew by differentiation in numbers.
 #[derive(Clone, Debug, Default)]
 pub struct Released {
-    /// All bodies with inertia.
+    /// All bodies, and frames without inertia on which something acts.
     pub bodies: Vec<FreeBody>,
     /// What was released.
     pub frames: Vec<FreeFrame>,
+    /// What acts on each body by itself.
+    pub wrenches: Vec<Wrench>,
+    /// Loads by formulas, in the direction of each coordinate: the sum, and the sum of the terms without their signs.
+    pub along: Vec<[Expr; 2]>,
+}
+
+/// All loads and reactions on a body.
+#[derive(Clone, Debug)]
+pub struct Wrench {
+    /// Sum of the forces over q, q', q'', t and reactions.
+    pub force: [Expr; 3],
+    /// Sum of the moments about the origin of the ground.
+    pub moment: [Expr; 3],
+    /// The same sums of the components without their signs.
+    pub sizes: [[Expr; 3]; 2],
 }
 
 /// A rigid body, ground axes.
 #[derive(Clone, Debug)]
 pub struct FreeBody {
-    /// Mass.
+    /// Mass, 0 of a frame without.
     pub mass: Expr,
-    /// Place of the centre.
+    /// Place of the centre, of a frame without mass that of its origin.
     pub center: [Expr; 3],
     /// Ground components from body components.
     pub rotation: [[Expr; 3]; 3],
@@ -206,7 +223,7 @@ pub struct FreeFrame {
 
 impl Released {
     /// Everything in it, in this order: bodies (mass, centre, rotation by rows, six components xx, yy, zz, xy, yz, xz), then frames
-    /// (origin, force, moment, ways).
+    /// (origin, force, moment, ways), wrenches (force, moment, sizes), loads along coordinates.
     pub fn expressions(&self, zero: Expr) -> Vec<Expr> {
         let mut list = Vec::new();
         for body in &self.bodies {
@@ -220,6 +237,11 @@ impl Released {
             list.extend([frame.origin, frame.force, frame.moment].iter().flatten());
             list.extend(frame.ways.iter().flatten().flatten());
         }
+        for wrench in &self.wrenches {
+            list.extend([wrench.force, wrench.moment].iter().flatten());
+            list.extend(wrench.sizes.iter().flatten());
+        }
+        list.extend(self.along.iter().flatten());
         list
     }
 }

@@ -3,7 +3,7 @@
 //! ```text
 //! M Δq' = Σ forces Λ                 by the second derivation, which knows nothing of the impact
 //! Λ_n >= 0,   |Λ_t| <= μ |Λ_n|       μ by the speed before, the static one where the sliding vanishes or turns
-//! Λ_t (u_t⁺ + ε u_t⁻) >= 0           against the sliding that is left beside the tangential restitution ε; asked where one contact strikes
+//! Λ_t (u_t⁺ + ε u_t⁻) >= 0           against the sliding that is left beside the tangential restitution ε; asked where one contact strikes, by Newton's law
 //! ```
 //!
 //! Impulses count against the largest of the instant, momenta against the terms that meet in them, at least a hundredth of the largest so far.
@@ -48,7 +48,7 @@ impl BlowLaws {
         let before = system.struck(t, states[0], &blow.reactions, modes);
         let after = system.struck(t, states[1], &blow.reactions, modes);
         let (Some(before), Some(after)) = (before, after) else { return };
-        self.judge(&before, &after);
+        self.judge(&before, &after, blow);
         let n = system.n_coordinates();
         let change: Vec<f64> = (n..2 * n).map(|i| states[1][i] - states[0][i]).collect();
         let rows = system.momenta(t, states[1], &change, &blow.reactions).unwrap_or_default();
@@ -64,10 +64,11 @@ impl BlowLaws {
         }
     }
 
-    fn judge(&mut self, before: &[Touch], after: &[Touch]) {
+    fn judge(&mut self, before: &[Touch], after: &[Touch], blow: &Blow) {
         let contact = |t: &&Touch| matches!(t.law, TouchLaw::Contact { .. }) && t.force != 0.0;
         let largest = before.iter().map(|t| t.force.abs()).filter(|f| f.is_finite()).fold(0.0, f64::max);
-        let single = before.iter().filter(contact).count() <= 1;
+        // in a sequence of blows, or within the phases of one, the sliding may turn before the end
+        let single = !blow.phased && before.iter().filter(contact).count() <= 1;
         for (before, after) in before.iter().zip(after) {
             let TouchLaw::Friction { limits, .. } = before.law else {
                 self.pushes.note(-before.force, largest);
@@ -78,7 +79,6 @@ impl BlowLaws {
                 continue;
             }
             self.pushes.note(before.force.abs() - limit, largest);
-            // in a sequence of blows another one may turn the sliding afterwards
             let left = after.rate[0] + before.restitution * before.rate[0];
             let drives = single && left.abs() > STILL * size(before).max(size(after)) && before.force * left < 0.0;
             self.pushes.note(if drives { before.force.abs() } else { 0.0 }, largest);

@@ -17,6 +17,9 @@ use crate::{Mode, System};
 /// What rounding may add to an impact, relative to the energy that takes part.
 const GAIN: f64 = 1e-9;
 
+/// Rounding of an energy, which is a difference of three (see [`relative`]).
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// Collects energies before and after impacts.
 #[derive(Clone, Debug, Default)]
 pub struct ImpactEnergy {
@@ -40,7 +43,8 @@ impl ImpactEnergy {
         if lost < 0.0 {
             self.worst = self.worst.max(-lost / before.max(DYING * self.largest));
         }
-        lost
+        // what is left of two energies that are equal
+        if lost.abs() <= ROUNDING * before.max(after) { 0.0 } else { lost }
     }
 
     /// Sum of all losses, J.

@@ -199,19 +199,27 @@ impl Bench<'_> {
         let supports: Vec<usize> = (0..reactions).filter(|r| self.equations.reactions[*r].law.is_hidden()).collect();
         let mut placed: Vec<(usize, usize)> = Vec::new();
         let mut best: Option<(Sorted, Vec<f64>)> = None;
+        // what is shared in some places only has values in the others: the motion tells
+        let needed = if crate::machine::open::is_piecewise(self.equations) { places.len() } else { 1 };
+        let (always, mut often) = (open.to_vec(), vec![0; reactions]);
         for x in places {
+            let mut here = always.clone();
             let released = self.released(x)?;
             let columns: Vec<Vec<f64>> = supports.iter().map(|r| (0..b).map(|i| released[i * reactions + r]).collect()).collect();
             let sorted = sort(&columns);
             for (i, shares) in &sorted.relations {
-                open[supports[*i]] = true;
-                shares.iter().for_each(|(k, _)| open[supports[*k]] = true);
+                here[supports[*i]] = true;
+                shares.iter().for_each(|(k, _)| here[supports[*k]] = true);
             }
             self.evaluate(x)?;
-            placed.extend(self.spread_open(&released, &supports, open));
+            placed.extend(self.spread_open(&released, &supports, &mut here));
+            often.iter_mut().zip(&here).for_each(|(count, open)| *count += usize::from(*open));
             if best.as_ref().is_none_or(|(before, _)| sorted.kept.len() > before.kept.len()) {
                 best = Some((sorted, released));
             }
+        }
+        for r in 0..reactions {
+            open[r] |= often[r] >= needed || placed.iter().any(|(p, _)| *p == r);
         }
         let Some((by_columns, released)) = best else { return Ok(placed) };
         by_columns.relations.iter().for_each(|(i, _)| selection.reactions[supports[*i]] = false);

@@ -35,6 +35,8 @@ pub(crate) struct Impact {
     /// Rates of the gap before and after.
     pub rates: [f64; 2],
     pub impulse: f64,
+    /// Whether it is rounding of the rates and impulses of the instant: the contact closes or stays closed, and nobody is told of an impact.
+    pub silent: bool,
 }
 
 /// The last impact at a contact.
@@ -85,7 +87,9 @@ impl<S: System + ?Sized> Flow<'_, S> {
         };
         self.jolted = true;
         self.system.expand(self.now.high, &self.x, &after, 1)?;
-        Ok(Some(self.struck((on, before), &blow)))
+        let impacts = self.struck((on, before), &blow);
+        self.blow = Some(blow);
+        Ok(Some(impacts))
     }
 
     /// Modes and impacts after a blow, by the last expansion.
@@ -110,7 +114,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
                 // a jump of the surface itself is not in the expansion before it
                 let jumped = blow.rates.iter().find(|(guard, _)| self.jolted && *guard == i);
                 let rate = jumped.map_or(rate, |(_, rate)| *rate);
-                impacts.push(Impact { guard: i, rates: [rate, after], impulse: impulse.unwrap_or(0.0) });
+                let silent = blow.silent.contains(&i);
+                impacts.push(Impact { guard: i, rates: [rate, after], impulse: impulse.unwrap_or(0.0), silent });
             }
         }
         self.slide_on(&blow.stuck);

@@ -313,7 +313,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
     /// Puts the changes into [`Flow::switches`]: impacts first, in the order of the guards.
     fn list(&mut self, impacts: &[super::Impact], rests: &[(usize, f64)], listed: Listed) {
         let t = self.now.high;
-        for impact in impacts {
+        let impacts: Vec<&super::Impact> = impacts.iter().filter(|impact| !impact.silent).collect();
+        for impact in &impacts {
             let guard = impact.guard;
             let after = if rests.iter().any(|r| r.0 == guard) { Mode::Positive } else { self.modes[guard] };
             let change = Change::Impact { rates: impact.rates, impulse: impact.impulse };

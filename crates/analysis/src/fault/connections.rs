@@ -19,6 +19,9 @@ pub const EXPLANATIONS: &[Explanation] = &[
         code: "S014", en: ("impact without a single solution", IMPACT_EN), ru: ("удар без однозначного решения", IMPACT_RU)
     },
     Explanation { code: "S081", en: ("an impact that jams", JAM_EN), ru: ("удар с заклиниванием", JAM_RU) },
+    Explanation {
+        code: "S126", en: ("an impact that gains energy", GAIN_EN), ru: ("удар, увеличивающий энергию", GAIN_RU)
+    },
     Explanation { code: "S110", en: ("impacts without an end", ENDLESS_EN), ru: ("удары без конца", ENDLESS_RU) },
     Explanation {
         code: "S015",
@@ -112,6 +115,14 @@ const JAM_EN: &str = "By Poisson's law an impact closes until the approach has e
 const JAM_RU: &str = "По закону Пуассона первая фаза удара длится до конца сближения. При большом трении и неблагоприятной геометрии касательный импульс может \
     замыкать контакт быстрее, чем размыкает нормальный, и тогда для твёрдых тел сближение не прекращается никаким импульсом. Уменьшите трение или сделайте контакт \
     податливым.";
+const GAIN_EN: &str = "Newton's restitution is a ratio of rates: u+ = -e u-, whatever the friction at the contact does. Where a blow passes the body off its centre, friction that stops \
+    or turns the sliding changes the closing rate too, and the ratio asked for may need more energy than there is (Kane's paradox). Contacts with different restitutions that \
+    strike together may ask for too much, too. No rigid bodies do that: the motion ends at the impact, with everything before it. Poisson's restitution, a ratio of impulses \
+    (`law = \"poisson\"` at the stop), follows the friction through both phases of the impact and never gains.";
+const GAIN_RU: &str = "Коэффициент восстановления Ньютона – отношение скоростей: u+ = -e u-, что бы ни делало трение в контакте. Если удар проходит мимо центра масс, трение, которое \
+    останавливает или обращает скольжение, меняет и скорость сближения, и требуемое отношение может потребовать больше энергии, чем есть (парадокс Кейна). Слишком многого \
+    могут требовать и контакты с разными коэффициентами, ударяющие одновременно. Твёрдые тела так не движутся: расчёт кончается на ударе, всё до него сохраняется. Коэффициент \
+    Пуассона, отношение импульсов (`law = \"poisson\"` у упора), прослеживает трение через обе фазы удара и энергии не прибавляет.";
 const ENDLESS_EN: &str = "Several contacts that touch at the time of an impact strike one after another, the fastest first, until none closes. For contacts whose bodies are \
     coupled unfavourably (a heavy body between two light ones, friction that feeds the next blow) the chain may converge too slowly to be followed. Give one of the contacts \
     a compliance (a spring with damping), or a small gap.";
@@ -371,6 +382,23 @@ impl Fault {
         })
     }
 
+    /// A blow at these contacts that gives energy, J.
+    pub(crate) fn energetic_impact(contacts: &[&Text], gain: f64, cause: Gaining) -> Fault {
+        let n = rounded(gain);
+        let [en, ru] =
+            [|n: &Text| n.en.clone(), |n: &Text| n.ru.clone()].map(|of| contacts.iter().map(|n| of(n)).collect::<Vec<_>>().join(", "));
+        let (why, help) = cause.words();
+        Fault::new(Message {
+            code: "S126",
+            what: Text::new(
+                format!("the impact of {en} gains {} J of energy", n.en),
+                format!("удар ({ru}) увеличивает энергию на {} Дж", n.ru),
+            ),
+            why,
+            help,
+        })
+    }
+
     /// Impacts in sequence that do not end.
     pub fn endless_impacts(t: f64) -> Fault {
         let n = number(t);
@@ -591,6 +619,54 @@ impl Fault {
                 "уберите лишнюю связь, замените её пружиной, задайте соединения тела ([pins], [supports]) или запросите другие величины; если `origin` тела – формула от угла или перемещения другого тела, укажите в `origin` имя несущей его точки: тогда шарнир известен",
             ),
         })
+    }
+}
+
+/// Why a blow gains energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Gaining {
+    /// Newton's ratio of rates with friction.
+    Friction,
+    /// Several ratios at once.
+    Several,
+    /// Neither.
+    Otherwise,
+}
+
+impl Gaining {
+    fn words(self) -> (Text, Text) {
+        match self {
+            Gaining::Friction => (
+                Text::new(
+                    "the friction changes the closing rate too, and Newton's ratio of rates asks for more than the bodies have (Kane's paradox)",
+                    "трение меняет и скорость сближения, и отношение скоростей по Ньютону требует больше энергии, чем есть у тел (парадокс Кейна)",
+                ),
+                Text::new(
+                    "give the stop law = \"poisson\": its restitution is a ratio of impulses and never gains",
+                    "задайте упору law = \"poisson\": это отношение импульсов, энергия при нём не растёт",
+                ),
+            ),
+            Gaining::Several => (
+                Text::new(
+                    "contacts that strike together with different restitutions ask for more than the bodies have",
+                    "контакты с разными коэффициентами восстановления, ударяющие одновременно, требуют больше энергии, чем есть у тел",
+                ),
+                Text::new(
+                    "let them strike one after another (impacts = \"in sequence\"), give them one restitution, or law = \"poisson\"",
+                    "пусть они ударяют по очереди (impacts = \"in sequence\"), имеют один коэффициент или law = \"poisson\"",
+                ),
+            ),
+            Gaining::Otherwise => (
+                Text::new(
+                    "the impulses that the law of impact asks for do more work than the bodies lose",
+                    "работа импульсов, которых требует закон удара, больше теряемой телами энергии",
+                ),
+                Text::new(
+                    "lower the restitution, or make the contact compliant (a spring with damping)",
+                    "уменьшите коэффициент восстановления или сделайте контакт податливым (пружина с демпфером)",
+                ),
+            ),
+        }
     }
 }
 

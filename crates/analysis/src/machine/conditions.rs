@@ -14,7 +14,7 @@
 use std::sync::Arc;
 
 use program::{Behind, Bound, ConnectionRoots, Evaluator, GuardKind, LawRoots, Point};
-use symbolic::connections::{Impacts, Law, Rebound};
+use symbolic::connections::{Impacts, Law, Reaction, Rebound};
 use symbolic::{Equations, Text};
 
 use crate::numerics::qr::Qr;
@@ -94,6 +94,15 @@ pub(super) struct Row {
     pub(super) holds: Holds,
     /// The guard that says whether its equation stands or others carry it; none where that is not asked.
     share: Option<usize>,
+    /// What it is, for messages.
+    pub(super) name: Text,
+}
+
+/// `rope T, tension` is the rope T.
+fn whole(reaction: &Reaction) -> Text {
+    let head = |words: &str| words.split(", ").next().unwrap_or_default().to_owned();
+    let Text { en, ru, .. } = &reaction.label;
+    if en.is_empty() { Text::same(&reaction.name) } else { Text::new(head(en), head(ru)) }
 }
 
 /// When a condition holds.
@@ -117,7 +126,6 @@ impl Conditions {
         };
         let contacts = of_kind(|law| matches!(law, Law::Contact { .. }));
         let frictions = of_kind(|law| matches!(law, Law::Friction(_)));
-        let supports = of_kind(|law| matches!(law, Law::Support | Law::Place));
         let place = |list: &[usize], r: usize| list.iter().position(|k| *k == r);
         let mut rows = Vec::new();
         for (condition, c) in equations.conditions.iter().enumerate() {
@@ -133,7 +141,8 @@ impl Conditions {
             };
             let shares = |kind: &GuardKind| matches!(kind, GuardKind::Share { reaction, .. } if Some(*reaction) == c.reaction);
             let share = program.guards.iter().position(|g| shares(&g.kind));
-            rows.push(Row { condition, has_place: c.place.is_some(), reaction: c.reaction, holds, share });
+            let name = c.reaction.map_or_else(|| c.name.clone(), |r| whole(&equations.reactions[r]));
+            rows.push(Row { condition, has_place: c.place.is_some(), reaction: c.reaction, holds, share, name });
         }
         if rows.is_empty() {
             return Ok(None);
@@ -150,11 +159,7 @@ impl Conditions {
             rebounds: contacts.iter().filter_map(|r| rebound(&equations.reactions[*r].law)).collect(),
             n: program.coordinates,
             reactions: program.reactions,
-            supports: if program.joined.is_empty() {
-                Vec::new()
-            } else {
-                supports.into_iter().filter(|s| program.solved.contains(s)).collect()
-            },
+            supports: if program.joined.is_empty() { Vec::new() } else { program.hidden.clone() },
             motors: program.solved.iter().copied().filter(motor).collect(),
             angles: equations.coordinates.iter().map(|c| c.unit == "rad").collect(),
             values: Vec::new(),

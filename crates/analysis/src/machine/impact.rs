@@ -18,14 +18,21 @@
 //!
 //! Poisson's restitution: `phases.rs`.
 //!
+//! **Energy.** A blow does the work Σ ± Λ (u- + u+)/2, + for contacts, - for frictions (λ > 0 resists). Impulses of rigid bodies cannot give energy, but a ratio of
+//! rates asked for at an eccentric contact with friction may (Kane's paradox), and so may ratios that differ among contacts that strike together. Such a blow
+//! is refused.
+//!
 //! **Several contacts** strike in sequence: the contact that closes fastest (those that close equally fast together), then again, until none closes. Or all
 //! that close or stand strike together.
 //! *Source*: B. Brogliato, Nonsmooth Mechanics, chapters 5 and 6; Glocker, Set-Valued Force Laws, chapters 7 to 9.
 
 use program::Point;
+use symbolic::Text;
 use symbolic::connections::{Impacts, Rebound};
 
 use super::conditions::{Conditions, Holds, backward, forward};
+use super::ties::RATE;
+use crate::fault::connections::Gaining;
 use crate::numerics::lu::Lu;
 use crate::numerics::qr::Qr;
 use crate::{Blow, Fault, Mode};
@@ -41,6 +48,9 @@ const COMBINED: usize = 20_000;
 /// Rounding of rates and impulses of a blow.
 const SLACK: f64 = 1e-10;
 
+/// Work of a blow on the bodies, relative to the terms that meet in it, that rounding makes.
+const GAIN: f64 = 1e-9;
+
 /// Most repetitions for the direction of a normal impulse, and where they end.
 const TURNS: usize = 200;
 const TURNED: f64 = 1e-15;
@@ -51,6 +61,9 @@ pub(super) struct Unit {
     row: usize,
     reaction: usize,
     pub(super) law: Law,
+    name: Text,
+    /// Rounding of its rate.
+    rounding: f64,
 }
 
 pub(super) enum Law {
@@ -97,6 +110,7 @@ pub(super) struct Strike {
     impulses: Vec<f64>,
     /// Rate of each unit at the start of the instant, with the largest change it has had.
     pub(super) sizes: Vec<f64>,
+    phased: bool,
 }
 
 impl Conditions {
@@ -110,7 +124,7 @@ impl Conditions {
     pub(super) fn struck(&mut self, (t, x): (f64, &mut [f64]), modes: &[Mode], closing: &[usize], kick: &[f64]) -> Result<Blow, Fault> {
         self.evaluate(t, x)?;
         let values = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
-        let units = self.units(modes, closing, &values);
+        let units = self.units((modes, closing), &x[self.n..2 * self.n], &values);
         let bilateral = Bilateral::new(self, t)?;
         let n = self.n;
         let (corrected, mut whole) = bilateral.response(self, kick, &bilateral.rates(self))?;
@@ -133,10 +147,11 @@ impl Conditions {
             rates: units.iter().map(|u| self.rate(u.row) + dot(u.row, &corrected)).collect(),
             impulses: vec![0.0; count],
             sizes: vec![0.0; count],
+            phased: false,
             units,
             responses,
         };
-        let before = strike.rates.clone();
+        let (before, rates) = (strike.rates.clone(), x[n..2 * n].to_vec());
         strike.follow(self.impacts, t)?;
         for i in 0..n {
             let change: f64 = strike.responses.iter().zip(&strike.impulses).map(|(r, p)| r[i] * p).sum();
@@ -145,22 +160,41 @@ impl Conditions {
         for (row, p) in reactions.iter().zip(&strike.impulses) {
             whole.iter_mut().zip(row).for_each(|(sum, r)| *sum += r * p);
         }
+        let jump: Vec<f64> = (0..n).map(|i| x[n + i] - rates[i]).collect();
+        self.drop_rounding(&rates, &jump, &mut whole);
         Ok(Blow { reactions: whole, ..strike.blow(&before) })
     }
 
+    /// Impulses that change every momentum by no more than its rounding are none.
+    fn drop_rounding(&self, rates: &[f64], jump: &[f64], impulses: &mut [f64]) {
+        let n = self.n;
+        let mass = &self.values[self.roots.mass.clone()];
+        let entry = |i: usize, j: usize| mass[i.max(j) * (i.max(j) + 1) / 2 + i.min(j)].abs();
+        let mut sizes: Vec<f64> = (0..n).map(|i| (0..n).map(|j| entry(i, j) * (rates[j].abs() + jump[j].abs())).sum()).collect();
+        for (r, p) in impulses.iter().enumerate().filter(|(_, p)| **p != 0.0) {
+            sizes.iter_mut().zip(self.push(r)).for_each(|(size, f)| *size += (f * p).abs());
+        }
+        for r in (0..impulses.len()).filter(|r| !self.supports.contains(r)) {
+            let felt = sizes.iter().zip(self.push(r)).any(|(size, f)| (f * impulses[r]).abs() > RATE * size);
+            impulses[r] = if felt { impulses[r] } else { 0.0 };
+        }
+    }
+
     /// Contacts that are handed over or closed, and every friction that follows a normal force.
-    fn units(&self, modes: &[Mode], closing: &[usize], laws: &[f64]) -> Vec<Unit> {
+    fn units(&self, (modes, closing): (&[Mode], &[usize]), rates: &[f64], laws: &[f64]) -> Vec<Unit> {
         let mut units = Vec::new();
         for (index, row) in self.rows.iter().enumerate() {
             let Some(reaction) = row.reaction else { continue };
+            let rounding = RATE * self.rate_size(index, rates);
+            let unit = |guard: usize, law: Law| Unit { guard, row: index, reaction, law, name: row.name.clone(), rounding };
             match row.holds {
                 Holds::Closed(guard, contact) if closing.contains(&guard) || modes[guard] == Mode::Zero => {
                     let restitution = self.values[self.roots.restitutions.start + 2 * contact];
                     let rebound = self.rebounds[contact];
-                    units.push(Unit { guard, row: index, reaction, law: Law::Contact { restitution, rebound } });
+                    units.push(unit(guard, Law::Contact { restitution, rebound }));
                 }
                 Holds::Rough(guard) if closing.contains(&guard) || modes[guard] == Mode::Zero => {
-                    units.push(Unit { guard, row: index, reaction, law: Law::Rough });
+                    units.push(unit(guard, Law::Rough));
                 }
                 Holds::Sticking(guard, friction) => {
                     let width = 2 + 2 * self.reactions;
@@ -172,8 +206,7 @@ impl Conditions {
                     let normal = [pressing(first), pressing(second)];
                     if !normal[0].is_empty() {
                         let restitution = self.tangential(&normal[0]);
-                        let law = Law::Friction { kinetic: own[0], fixed: own[1], normal, restitution };
-                        units.push(Unit { guard, row: index, reaction, law });
+                        units.push(unit(guard, Law::Friction { kinetic: own[0], fixed: own[1], normal, restitution }));
                     }
                 }
                 _ => {}
@@ -197,27 +230,33 @@ impl Conditions {
         &self.values[start..start + self.n]
     }
 
-    /// Impulses of supports that press frictions, from the balances of the released bodies.
+    /// Impulses of supports that press frictions.
     fn support_impulses(&self, change: &[f64], impulses: &mut [f64], laws: &[f64]) {
-        let (n, count) = (self.n, self.supports.len());
-        if count == 0 {
-            return;
+        let rows = &laws[self.law_roots.balances.clone()];
+        balances(rows, (&self.supports, &[]), change, impulses);
+    }
+}
+
+/// Impulses of supports from the balances of the released bodies, whose rows hold inertia by coordinate, shares of the reactions, and the momentum of prescribed
+/// motions, of which `carried` is the change.
+pub(super) fn balances(rows: &[f64], (supports, carried): (&[usize], &[f64]), change: &[f64], impulses: &mut [f64]) {
+    let (n, count) = (change.len(), supports.len());
+    let width = n + impulses.len() + 1;
+    let mut matrix = vec![0.0; count * count];
+    let mut right = vec![0.0; count];
+    for s in supports {
+        impulses[*s] = 0.0;
+    }
+    for (b, row) in rows.chunks(width).take(count).enumerate() {
+        let (inertia, released) = row.split_at(n);
+        right[b] = inertia.iter().zip(change).map(|(m, v)| m * v).sum::<f64>() + carried.get(b).copied().unwrap_or(0.0);
+        right[b] -= released.iter().zip(impulses.iter()).map(|(f, p)| f * p).sum::<f64>();
+        for (k, s) in supports.iter().enumerate() {
+            matrix[b * count + k] = released[*s];
         }
-        let width = n + self.reactions;
-        let row = |b: usize| &laws[self.law_roots.balances.start + b * width..][..width];
-        let mut matrix = vec![0.0; count * count];
-        let mut right = vec![0.0; count];
-        for b in 0..count {
-            let (inertia, released) = row(b).split_at(n);
-            right[b] = inertia.iter().zip(change).map(|(m, v)| m * v).sum::<f64>();
-            right[b] -= released.iter().zip(impulses.iter()).map(|(f, p)| f * p).sum::<f64>();
-            for (k, s) in self.supports.iter().enumerate() {
-                matrix[b * count + k] = released[*s];
-            }
-        }
-        if let Some(solution) = Lu::new(&matrix, count).solve(&right) {
-            self.supports.iter().zip(solution).for_each(|(s, p)| impulses[*s] = p);
-        }
+    }
+    if let Some(solution) = Lu::new(&matrix, count).solve(&right) {
+        supports.iter().zip(solution).for_each(|(s, p)| impulses[*s] = p);
     }
 }
 
@@ -372,14 +411,41 @@ impl Strike {
     /// One blow at these contacts, with what slides or is rough there.
     fn strike(&mut self, taking: &[usize], t: f64) -> Result<(), Fault> {
         let set = self.set(taking);
+        let before = [self.rates.clone(), self.impulses.clone()];
         let by_phases = taking.iter().any(|&i| matches!(self.units[i].law, Law::Contact { rebound: Rebound::Poisson, .. }));
+        self.phased |= by_phases;
         if by_phases {
-            return self.strike_by_phases(taking, &set, t);
+            self.strike_by_phases(taking, &set, t)?;
+        } else {
+            let goal: Vec<Goal> = set.iter().map(|&i| self.by_newton(i)).collect();
+            let Some(impulses) = self.solve(&set, &goal) else { return Err(Fault::undetermined_impact(t)) };
+            self.take(&set, &impulses);
         }
-        let goal: Vec<Goal> = set.iter().map(|&i| self.by_newton(i)).collect();
-        let Some(impulses) = self.solve(&set, &goal) else { return Err(Fault::undetermined_impact(t)) };
-        self.take(&set, &impulses);
-        Ok(())
+        self.refuse_gain(taking, &set, &before)
+    }
+
+    /// Refuses a blow that gives energy. What it is compared with are the terms of its work.
+    fn refuse_gain(&self, taking: &[usize], set: &[usize], [rates, impulses]: &[Vec<f64>; 2]) -> Result<(), Fault> {
+        let count = self.units.len();
+        let (mut gain, mut size) = (0.0, 0.0);
+        for &i in set {
+            let given = self.impulses[i] - impulses[i];
+            gain += 0.5 * self.coupling[i * count + i].signum() * given * (rates[i] + self.rates[i]);
+            size += 0.5 * given.abs() * (GAIN * (rates[i].abs() + self.rates[i].abs()) + 2.0 * self.units[i].rounding);
+        }
+        if gain <= size {
+            return Ok(());
+        }
+        let rubs = set.iter().any(|&i| matches!(self.units[i].law, Law::Friction { .. }) && self.impulses[i] != impulses[i]);
+        let phases = |i: usize| matches!(self.units[i].law, Law::Contact { rebound: Rebound::Poisson, .. });
+        let cause = match taking {
+            _ if taking.iter().all(|&i| phases(i)) => Gaining::Otherwise,
+            [_] if !rubs => Gaining::Otherwise,
+            _ if rubs => Gaining::Friction,
+            _ => Gaining::Several,
+        };
+        let names: Vec<&Text> = taking.iter().map(|&i| &self.units[i].name).collect();
+        Err(Fault::energetic_impact(&names, gain, cause))
     }
 
     /// What is rough at contacts that stay closed stops slipping, once no contact closes any more; whether something did slip.
@@ -569,8 +635,20 @@ impl Strike {
             rates: units().map(|(i, unit)| (unit.guard, before[i])).collect(),
             impulses: units().map(|(i, unit)| (unit.guard, self.impulses[i])).filter(|(_, p)| *p != 0.0).collect(),
             stuck: units().filter(|(i, _)| !self.is_contact(*i) && stops(*i)).map(|(_, unit)| unit.guard).collect(),
+            phased: self.phased,
+            silent: units().filter(|(i, _)| self.is_silent(*i, before[*i])).map(|(_, unit)| unit.guard).collect(),
             reactions: Vec::new(),
         }
+    }
+
+    /// Whether what happened to a unit is rounding: of the rates that meet in its own, and of the largest impulse of the instant. In the metric of the kinetic
+    /// energy an impulse has the size Λ √G, and what it changes at a unit with G_ii is at most √G_ii times that.
+    fn is_silent(&self, i: usize, before: f64) -> bool {
+        let count = self.units.len();
+        let own = |j: usize| self.coupling[j * count + j].abs();
+        let largest = (0..count).fold(0.0_f64, |m, j| m.max(self.impulses[j].abs() * own(j).sqrt()));
+        let rounding = self.units[i].rounding.max(RATE * own(i).sqrt() * largest);
+        before.abs().max(self.rates[i].abs()).max(self.impulses[i].abs() * own(i)) <= rounding
     }
 }
 

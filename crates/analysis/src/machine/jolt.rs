@@ -31,20 +31,32 @@ impl Machine {
         let kick: Vec<f64> = before.iter().zip(&after).map(|(b, a)| b - a).collect();
         let kicked = kick.iter().any(|k| k.abs() > ROUNDING * size);
         let [earlier, later] = beside(t);
-        if let Some(conditions) = &mut self.conditions {
-            if !kicked && !conditions.steps([earlier, later], x)? {
-                return Ok(None);
-            }
-            return conditions.struck((later, x), modes[0], closing, &kick).map(Some);
-        }
-        if !kicked {
+        let n = kick.len();
+        let rates = x[n..2 * n].to_vec();
+        let steps = match &mut self.conditions {
+            Some(conditions) if !kicked => conditions.steps([earlier, later], x)?,
+            _ => kicked,
+        };
+        if !steps {
             return Ok(None);
         }
-        let Some(mass) = self.mass(t, x, modes[1]) else { return Ok(None) };
+        let mut blow = match &mut self.conditions {
+            Some(conditions) => conditions.struck((later, x), modes[0], closing, &kick)?,
+            None => self.kicked(t, x, modes[1], &kick)?,
+        };
+        let jump: Vec<f64> = rates.iter().zip(&x[n..2 * n]).map(|(before, after)| after - before).collect();
+        self.hold([earlier, later], x, &jump, &mut blow);
+        Ok(Some(blow))
+    }
+
+    /// Rates after generalized impulses on a machine that nothing else acts on.
+    fn kicked(&mut self, t: f64, x: &mut [f64], modes: &[Mode], kick: &[f64]) -> Result<Blow, Fault> {
+        let undetermined = || Fault::undetermined_impact(t);
         let n = kick.len();
-        let change = crate::numerics::lu::Lu::new(&mass, n).solve(&kick).ok_or_else(|| Fault::undetermined_impact(t))?;
+        let mass = self.mass(t, x, modes).ok_or_else(undetermined)?;
+        let change = crate::numerics::lu::Lu::new(&mass, n).solve(kick).ok_or_else(undetermined)?;
         x[n..2 * n].iter_mut().zip(change).for_each(|(v, d)| *v += d);
-        Ok(Some(Blow::default()))
+        Ok(Blow::default())
     }
 
     /// The instant beside t at which formulas of time that switch by value are on the side of these modes; t itself away from their switches.

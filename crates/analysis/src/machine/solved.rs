@@ -37,7 +37,7 @@ impl Machine {
             self.accelerations.clone_from(&known.inputs);
             return Ok(());
         }
-        self.solve_forces(t, x)?;
+        self.solve_any(t, x)?;
         let Solved { list, next } = &mut self.solved;
         if list.len() < KEPT {
             list.push(Solution::default());

@@ -19,7 +19,7 @@ use crate::{Fault, Mode, Tie};
 /// Digits that the linear solve loses beyond the rounding of its terms.
 const SOLVED: f64 = 16.0;
 /// Rounding of a rate, in units of the last place of the terms that meet in it: chains of blows and the steps before them lose some digits.
-const RATE: f64 = 4096.0 * f64::EPSILON;
+pub(super) const RATE: f64 = 4096.0 * f64::EPSILON;
 
 impl Machine {
     /// See [`crate::System::ties`].

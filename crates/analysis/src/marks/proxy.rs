@@ -190,6 +190,7 @@ impl Proxies {
         while let Some(mut part) = open.pop() {
             let coarse = self.values(8, source, &part, &[]);
             self.remember(&coarse);
+            self.leave_out(&coarse, &mut part);
             self.take(&coarse, &behind, &[], &mut part, &mut out);
             if part.left.is_empty() {
                 continue;
@@ -264,6 +265,18 @@ impl Proxies {
                 out.push(Piece { of: w, from: part.from, to: part.to, row: points.row(&f) });
             }
             !seen
+        });
+    }
+
+    /// Quantities without a value anywhere on a part.
+    fn leave_out(&mut self, rows: &[Vec<f64>], part: &mut Part) {
+        let lost = &mut self.lost;
+        part.left.retain(|&w| {
+            let absent = rows.iter().all(|row| row[w].is_nan());
+            if absent {
+                lost.insert(w);
+            }
+            !absent
         });
     }
 

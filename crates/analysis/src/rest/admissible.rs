@@ -16,6 +16,8 @@ use crate::numerics::simplex::{Inequality, Optimum, largest};
 
 /// Slack of inequalities, relative to the largest force: at a limit that is reached exactly rounding decides nothing.
 const SLACK: f64 = 1e-9;
+/// Slacks within which an inequality counts as met at an end of a range.
+const ACTIVE: f64 = 4.0;
 /// Frictions whose normal force may have either sign; beyond, all are taken as they are in λ0.
 const SIGNS: usize = 6;
 /// Share of a direction that counts as none.
@@ -151,7 +153,10 @@ impl Hold {
         let end = |sign: f64| {
             let c: Vec<f64> = along.iter().map(|a| sign * a).collect();
             match largest(&c, set) {
-                Optimum::At(value, _) => self.some[k] + sign * value * unit,
+                Optimum::At(_, y) => {
+                    let y = at_corner(&y, set);
+                    self.some[k] + unit * along.iter().zip(&y).map(|(a, y)| a * y).sum::<f64>()
+                }
                 _ => sign * f64::INFINITY,
             }
         };
@@ -205,6 +210,19 @@ impl Hold {
     }
 }
 
+/// The corner nearby at which the inequalities that are met with their slack hold without it.
+fn at_corner(y: &[f64], set: &[Inequality]) -> Vec<f64> {
+    let left = |(row, g): &Inequality| row.iter().zip(y).map(|(a, y)| a * y).sum::<f64>() + g;
+    let active: Vec<&Inequality> = set.iter().filter(|i| left(i) <= ACTIVE * SLACK && i.0.iter().any(|a| *a != 0.0)).collect();
+    if active.is_empty() {
+        return y.to_vec();
+    }
+    let matrix: Vec<f64> = active.iter().flat_map(|i| i.0.iter().copied()).collect();
+    let missing: Vec<f64> = active.iter().map(|i| SLACK - left(i)).collect();
+    let (step, _) = rank::Qr::new(active.len(), y.len(), &matrix, TOLERANCE).least_squares(&missing);
+    y.iter().zip(&step).map(|(y, d)| y + d).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -239,7 +257,16 @@ mod tests {
         let mut hold = Hold::new(&[1.0, 1.0], &[6.0], 2);
         hold.limits = vec![Limit { column: 0, coefficient: 4.0, normal: None }, Limit { column: 1, coefficient: 5.0, normal: None }];
         let Holds::Between(ranges) = hold.judge() else { panic!() };
-        assert!((ranges[0].0 - 1.0).abs() < 1e-7 && (ranges[0].1 - 4.0).abs() < 1e-7, "{ranges:?}");
-        assert!((ranges[1].0 - 2.0).abs() < 1e-7 && (ranges[1].1 - 5.0).abs() < 1e-7, "{ranges:?}");
+        assert!((ranges[0].0 - 1.0).abs() < 1e-14 && (ranges[0].1 - 4.0).abs() < 1e-14, "{ranges:?}");
+        assert!((ranges[1].0 - 2.0).abs() < 1e-14 && (ranges[1].1 - 5.0).abs() < 1e-14, "{ranges:?}");
+    }
+
+    #[test]
+    fn what_is_held_at_both_limits_has_their_value() {
+        // F1 + F2 = 9 with |F1| <= 4, |F2| <= 5, beside a force of 10 000 whose rounding is that of no other
+        let mut hold = Hold::new(&[1.0, 1.0, 0.0, 0.0, 0.0, 1.0], &[9.0, 1e4], 3);
+        hold.limits = vec![Limit { column: 0, coefficient: 4.0, normal: None }, Limit { column: 1, coefficient: 5.0, normal: None }];
+        let Holds::Between(ranges) = hold.judge() else { panic!() };
+        assert!(ranges[0].0 == ranges[0].1 && (ranges[0].0 - 4.0).abs() < 1e-11, "{ranges:?}");
     }
 }

@@ -18,6 +18,19 @@ pub const OPEN: Explanation = Explanation {
     ru: ("трение оставляет неизвестное неопределённым", OPEN_RU),
 };
 
+/// S127.
+pub const NO_LIMIT: Explanation = Explanation {
+    code: "S127",
+    en: ("no limiting equilibrium in the range", NO_LIMIT_EN),
+    ru: ("в диапазоне нет предельного равновесия", NO_LIMIT_RU),
+};
+const NO_LIMIT_EN: &str = "With `over`, `range` and [impending] the study `equilibrium` looks for places of rest in which the named frictions are at their limits in the given \
+    directions: the ends of the ranges in which dry friction holds the machine. In this range there are none. Directions are those of the sliding that is about to begin, along the \
+    friction's own path; at the other end of a range of rest they are the opposite ones.";
+const NO_LIMIT_RU: &str = "С ключами `over`, `range` и таблицей [impending] расчёт `equilibrium` ищет положения покоя, в которых названные трения на пределе в указанных \
+    направлениях: границы областей, где машину удерживает сухое трение. В этом диапазоне их нет. Направление – сторона скольжения, готового начаться, по пути самого трения; на \
+    другой границе области покоя оно противоположное.";
+
 /// S082.
 pub const JOURNAL: Explanation =
     Explanation {
@@ -144,6 +157,32 @@ pub(crate) fn never_impending(unknowns: &str, frictions: &str) -> Fault {
         help: Text::new(
             "turn round a direction in [impending], or name other frictions there",
             "измените направление в [impending] или укажите там другие трения",
+        ),
+    })
+}
+
+/// No place in a range at which these frictions are about to slide; ends in SI.
+pub(crate) fn no_limit(frictions: &str, coordinate: &str, [from, to]: [f64; 2]) -> Fault {
+    let (a, b) = (rounded(from), rounded(to));
+    Fault::new(Message {
+        code: "S127",
+        what: Text::new(
+            format!(
+                "with `{coordinate}` between {} and {} there is no place of rest with {frictions} about to slide as [impending] says",
+                a.en, b.en
+            ),
+            format!(
+                "при `{coordinate}` от {} до {} нет положения покоя, в котором {frictions} на пределе, как указано в [impending]",
+                a.ru, b.ru
+            ),
+        ),
+        why: Text::new(
+            "friction holds the machine everywhere there, or nowhere, or slides the other way at the end of its range",
+            "там трение удерживает машину везде или нигде, либо на границе начинается скольжение в другую сторону",
+        ),
+        help: Text::new(
+            "widen the range, or turn round a direction in [impending]",
+            "расширьте диапазон или измените направление в [impending]",
         ),
     })
 }

@@ -5,6 +5,7 @@
 
 pub mod admissible;
 pub mod faults;
+mod limiting;
 pub mod mean;
 pub mod near;
 mod newton;

@@ -11,15 +11,17 @@ use symbolic::linear::About;
 use symbolic::{Equations, SymbolId, Text};
 
 use super::admissible::Holds;
+use super::limiting::limiting;
 use super::newton::{RESIDUAL, balance, worst};
 use super::places::{Place, places};
 use super::stability::{free_directions, verdict, with_closed};
 use super::system::{Parts, RestSystem};
+use super::unknowns::Impending;
 use super::{closed_contacts, fault_of, hold, observed, path};
 use crate::dataset::{Audit, Column, Dataset, Missing};
 use crate::fault::number;
 use crate::linear::{LinearMachine, Place as Linearised};
-use crate::studies::equilibrium::{Equilibrium, no_equilibrium, nothing_between};
+use crate::studies::equilibrium::{Equilibrium, Range, no_equilibrium, nothing_between};
 use crate::studies::modes::{Normalisation, modes};
 use crate::studies::simulate::Outcome;
 use crate::{Fault, Quantity};
@@ -52,6 +54,9 @@ pub fn study(equations: &Equations, parameters: &[f64], start: &[f64], options: 
 fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Result<Outcome, Fault> {
     if let Some(refused) = super::faults::journal(equations) {
         return Err(refused);
+    }
+    if let Some(range) = options.over.filter(|_| !options.impending.is_empty()) {
+        return at_limits(equations, parameters, start, (range, &options.impending));
     }
     let n = equations.coordinates.len();
     let q = &start[..n];
@@ -103,6 +108,39 @@ fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &E
         notes.push(crate::studies::equilibrium::nothing_moves());
     }
     Ok(Outcome { dataset: dataset(equations, &rows, notes), fault })
+}
+
+/// Limiting equilibria in a range.
+fn at_limits(
+    equations: &Equations,
+    parameters: &[f64],
+    start: &[f64],
+    (range, impending): (Range, &[Impending]),
+) -> Result<Outcome, Fault> {
+    let mut notes = vec![crate::studies::equilibrium::rates_are_zero()];
+    let mut rows = Vec::new();
+    for q in limiting(equations, parameters, start, (range, impending))? {
+        let (mut place, ranges) = held(equations, parameters, &q)??;
+        notes.extend(ranges);
+        observed::complete(equations, (parameters, &place.q), &mut place.reactions);
+        let second = second(equations, parameters, &place);
+        rows.push(Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second });
+    }
+    let said = |(r, direction): &Impending, forward: &'static str, backward: &'static str| {
+        format!("{} ({})", equations.reactions[*r].name, if *direction > 0.0 { forward } else { backward })
+    };
+    let list = |forward, backward| impending.iter().map(|i| said(i, forward, backward)).collect::<Vec<_>>().join(", ");
+    notes.push(Text::new(
+        format!(
+            "limiting equilibria, ends of ranges in which dry friction holds the machine; about to slide: {}; sought from places all over the range",
+            list("forward", "backward")
+        ),
+        format!(
+            "предельные равновесия – границы областей, где машину удерживает сухое трение; готово начаться скольжение: {}; поиск из точек по всему диапазону",
+            list("вперёд", "назад")
+        ),
+    ));
+    Ok(Outcome { dataset: dataset(equations, &rows, notes), fault: None })
 }
 
 /// No place of rest; ropes that are slack and contacts that stand open at the start are named, as a place with them closed may be meant.

@@ -107,8 +107,18 @@ fn kept(equations: &Equations, system: &mut RestSystem, z: &[f64]) -> Result<Vec
     Ok(kept)
 }
 
+/// F = ± μ |N| of a friction.
+pub(super) fn limit_row(rows: &Rows, z: &[f64], (friction, column, direction): (usize, usize, f64)) -> Row {
+    let (fixed, normal) = &rows.limits[friction];
+    let sign = direction * if normal.value < 0.0 { -1.0 } else { 1.0 };
+    let slope = |j: usize| -sign * (fixed.slopes[j] * normal.value + fixed.value * normal.slopes[j]);
+    let mut row = Row { value: z[column] - sign * fixed.value * normal.value, slopes: (0..z.len()).map(slope).collect(), is_force: true };
+    row.slopes[column] += 1.0;
+    row
+}
+
 /// (index among the frictions, column of the friction's force in z, direction).
-fn limit_rows(system: &RestSystem, impending: &[Impending]) -> Vec<(usize, usize, f64)> {
+pub(super) fn limit_rows(system: &RestSystem, impending: &[Impending]) -> Vec<(usize, usize, f64)> {
     let place = |(r, direction): &Impending| {
         let friction = system.frictions.iter().position(|f| f == r)?;
         let column = system.reactions.iter().position(|own| own == r)?;
@@ -130,15 +140,7 @@ fn chosen(rows: &Rows, z: &[f64], places: &[(usize, Option<f64>)], limits: &[(us
         row.slopes[*j] += 1.0;
         all.push(row);
     }
-    for (friction, column, direction) in limits {
-        let (fixed, normal) = &rows.limits[*friction];
-        let sign = direction * if normal.value < 0.0 { -1.0 } else { 1.0 };
-        let slope = |j: usize| -sign * (fixed.slopes[j] * normal.value + fixed.value * normal.slopes[j]);
-        let mut row =
-            Row { value: z[*column] - sign * fixed.value * normal.value, slopes: (0..z.len()).map(slope).collect(), is_force: true };
-        row.slopes[*column] += 1.0;
-        all.push(row);
-    }
+    all.extend(limits.iter().map(|limit| limit_row(rows, z, *limit)));
     all
 }
 

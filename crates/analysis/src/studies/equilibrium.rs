@@ -56,6 +56,8 @@ pub struct Equilibrium {
     pub guesses: Vec<Vec<f64>>,
     /// Find all equilibria with this coordinate between these values.
     pub over: Option<Range>,
+    /// Of these only those in which these dry frictions (by reaction) are about to slide, forward (1) or backward (-1).
+    pub impending: Vec<(usize, f64)>,
 }
 
 /// A coordinate and its ends.

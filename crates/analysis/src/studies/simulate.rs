@@ -13,12 +13,12 @@ use crate::audits::defect::InteriorDefect;
 use crate::audits::friction::FrictionWork;
 use crate::audits::impacts::{ImpactEnergy, drift};
 use crate::audits::ledger::Ledger;
-use crate::audits::shared::Shared;
+use crate::audits::shared::{Shared, not_unique};
 use crate::audits::touches::TouchLaws;
 use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, released::ReleasedBalance, second::two_derivations};
-use crate::dataset::{Audit, Column, ContactChange, Counter, Dataset, Event, Standing};
-use crate::events::Change;
+use crate::dataset::{Audit, Column, ContactChange, Counter, Dataset, Event, Missing, Standing};
 use crate::events::words::{change, describe, standing};
+use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
 use crate::marks::Along;
 use crate::marks::extremes::Extremes;
@@ -508,7 +508,7 @@ impl Run {
         let t = along.time(tau);
         let both = [outputs.clone(), outputs];
         let states = [state.clone(), state];
-        self.events.push(Event { t, name, what, guard: usize::MAX, sides, states, outputs: both, contact: None });
+        self.events.push(Event { t, name, what, guard: usize::MAX, sides, states, outputs: both, contact: None, impulses: Vec::new() });
     }
 
     /// The last row, at the instant of the event that ends the motion.
@@ -573,7 +573,7 @@ impl Run {
     }
 
     fn record<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Result<(), Fault> {
-        if flow.switches().iter().any(|s| matches!(s.change, Change::Impact { .. } | Change::Jolt)) {
+        if flow.switches().iter().any(jumps) {
             self.ledger.impact();
             self.judge_blow(flow);
         }
@@ -596,6 +596,7 @@ impl Run {
             // what the contacts took was given by the drives, too
             self.struck += a.zip(b).map_or(f64::NAN, |(a, b)| b - a) + lost.unwrap_or(0.0);
         }
+        let mut impulses = self.impulses(flow, &switches);
         for switch in &switches {
             let mut what = describe(switch, &flow.system().guards()[switch.guard]);
             if matches!(switch.change, Change::Impact { .. })
@@ -607,7 +608,21 @@ impl Run {
             let sides = [switch.before.sign(), switch.after.sign()];
             let (states, outputs) = (states.clone(), outputs.clone());
             let contact = change(switch, &flow.system().guards()[switch.guard]);
-            self.events.push(Event { t: switch.t, name: String::new(), what, guard: switch.guard, sides, states, outputs, contact });
+            let impulses = if jumps(switch) { std::mem::take(&mut impulses) } else { Vec::new() };
+            if switch.change == Change::Jolt && !impulses.is_empty() {
+                what = blows::with_impulses(&what, &impulses);
+            }
+            self.events.push(Event {
+                t: switch.t,
+                name: String::new(),
+                what,
+                guard: switch.guard,
+                sides,
+                states,
+                outputs,
+                contact,
+                impulses,
+            });
         }
         Ok(())
     }
@@ -621,7 +636,8 @@ impl Run {
 
     /// What is to be said of quantities that could not be followed between the rows.
     fn lost<S: System + ?Sized>(&self, system: &S) -> Option<Text> {
-        let outputs = self.extremes.lost().into_iter().map(|j| system.outputs()[self.chosen[j]].name.clone());
+        let lost = self.extremes.lost().into_iter().map(|j| self.chosen[j]).filter(|i| system.is_shared(*i).is_none());
+        let outputs = lost.map(|i| system.outputs()[i].name.clone());
         let events = self.named.lost().into_iter().map(|i| self.named.events()[i].name.clone());
         untraced(&outputs.chain(events).collect::<Vec<_>>())
     }
@@ -629,7 +645,7 @@ impl Run {
     fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {
         let mut done: Vec<(usize, f64)> = self.times[..self.next].iter().map(|&(t, row)| (row, t)).collect();
         done.sort_by_key(|&(row, _)| row);
-        let (lost, confirmed) = (self.lost(system), self.confirmed());
+        let (lost, confirmed, open) = (self.lost(system), self.confirmed(), self.open(system));
         let n = self.outputs.len();
         let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
         let mut columns = vec![Column { quantity: time, values: done.iter().map(|&(_, t)| t).collect() }];
@@ -679,7 +695,6 @@ impl Run {
             self.power.audit(tolerance),
             self.ledger.audit(),
             self.bodies.audit(tolerance),
-            self.released.audit(tolerance),
             self.defect.audit(tolerance),
             self.impacts.audit(),
             self.friction.audit(),
@@ -687,9 +702,9 @@ impl Run {
             confirmed,
         ];
         let laws = self.touches.audits(tolerance).into_iter().chain(self.blows.audits());
-        let audits = audits.into_iter().flatten().chain(laws).collect();
+        let audits = audits.into_iter().flatten().chain(self.released.audits(tolerance)).chain(laws).collect();
         let states = system.states().iter().map(|q| q.name.clone()).collect();
-        Dataset {
+        let mut dataset = Dataset {
             axis: Some(0),
             columns,
             audits,
@@ -704,8 +719,21 @@ impl Run {
             notes,
             partial: self.interrupted,
             ..Dataset::default()
-        }
+        };
+        open.into_iter().for_each(|(name, words)| dataset.state(&name, Missing::Absent, words));
+        dataset
     }
+
+    /// Outputs that had no value at times, as others share the load, and what to say of them.
+    fn open<S: System + ?Sized>(&self, system: &S) -> Vec<(String, Text)> {
+        let one = |&i: &usize| Some((system.outputs()[i].name.clone(), not_unique(system, system.is_shared(i)?)));
+        self.chosen.iter().filter_map(one).collect()
+    }
+}
+
+/// Whether rates jump at a switch.
+fn jumps(switch: &Switch) -> bool {
+    matches!(switch.change, Change::Impact { .. } | Change::Jolt)
 }
 
 /// Indices of the wanted outputs.

@@ -81,7 +81,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
     let mut connected = connected?;
     errors.extend(missing_inertia(&scene, &kinetic.total, &connected));
     let motion = Motion::new(&mut scene, &kinetic, &loads, &connected);
-    let inertial = if connected.releases() { newton_euler::inertial(&mut scene, &mut kinematics) } else { Vec::new() };
+    let inertial = newton_euler::inertial(&mut scene, &mut kinematics);
     connected.balance(&mut scene, &mut kinematics, &loads, &inertial);
     let mut second = newton_euler::project(&mut scene, &mut kinematics, &loads, &connected);
     second.residuals.extend(connected.balance_residuals(&mut scene));

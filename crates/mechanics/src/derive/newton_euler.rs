@@ -58,6 +58,25 @@ pub fn inertial(scene: &mut Scene, kinematics: &mut Kinematics) -> Vec<Act> {
     acts
 }
 
+/// Momenta and angular momenta that prescribed motions give bodies at rates of zero, as forces and moments on them; ground axes.
+pub fn carried(scene: &mut Scene, kinematics: &mut Kinematics) -> Vec<Act> {
+    let (model, time) = (scene.model, scene.n());
+    let mut acts = Vec::new();
+    for (i, frame) in model.frames.iter().enumerate() {
+        let Some(mass) = &frame.mass else { continue };
+        let point = PointRef::Center(FrameId(i));
+        if let Some(velocity) = kinematics.jacobian(scene, point).get(&time).copied() {
+            acts.push(Act::Point { point, force: velocity.map(|v| scene.graph.mul(mass.mass, v)) });
+        }
+        let parts = inertia_parts(scene, mass);
+        if let Some(w) = kinematics.frames[i].turning.get(&time).copied() {
+            let momentum = momentum(scene, &w, &parts);
+            acts.push(Act::Turn { on: FrameId(i), moment: kinematics.in_ground_axes(scene, FrameId(i), &momentum) });
+        }
+    }
+    acts
+}
+
 /// Projects the equations of all bodies.
 pub fn project(scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads, connected: &Connected) -> Projected {
     let n = scene.n();
@@ -129,6 +148,14 @@ fn sizes(scene: &mut Scene, pairs: &[(Vector, Vector)]) -> Vec<Expr> {
 /// I ω' + ω × I ω in body axes.
 fn moment(scene: &mut Scene, turning: &Columns<Vector>, parts: &[(usize, usize, Expr)]) -> Vector {
     let w = combine(scene, turning);
+    let momentum = momentum(scene, &w, parts);
+    let rate = scene.total_vector(momentum);
+    let carried = scene.cross(&w, &momentum);
+    scene.plus(&rate, &carried)
+}
+
+/// I ω in body axes.
+fn momentum(scene: &mut Scene, w: &Vector, parts: &[(usize, usize, Expr)]) -> Vector {
     let mut momentum: [Vec<Expr>; 3] = Default::default();
     for (k, l, component) in parts {
         momentum[*k].push(scene.graph.mul(*component, w[*l]));
@@ -136,10 +163,7 @@ fn moment(scene: &mut Scene, turning: &Columns<Vector>, parts: &[(usize, usize, 
             momentum[*l].push(scene.graph.mul(*component, w[*k]));
         }
     }
-    let momentum = momentum.map(|terms| scene.graph.sum(&terms));
-    let rate = scene.total_vector(momentum);
-    let carried = scene.cross(&w, &momentum);
-    scene.plus(&rate, &carried)
+    momentum.map(|terms| scene.graph.sum(&terms))
 }
 
 fn push_projection(scene: &mut Scene, force: &Vector, columns: &Columns<Vector>, out: &mut [Vec<Expr>]) {

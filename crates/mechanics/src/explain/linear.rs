@@ -93,8 +93,8 @@ pub const LINEAR: &[Explanation] = &[
         "M111",
         ("friction at its limit without an unknown", "трение на пределе без неизвестного"),
         (
-            "A friction at its limit is an equation F = ±μN for the place of rest; a load, an angle or a length in [unknowns] makes it come true.",
-            "Трение на пределе — уравнение F = ±μN для положения покоя; оно выполняется за счёт нагрузки, угла или длины из [unknowns].",
+            "A friction at its limit is an equation F = ±μN for the place of rest; a load, an angle or a length in [unknowns] makes it come true, or a coordinate that the study `equilibrium` seeks in a range (`over`, `range`).",
+            "Трение на пределе — уравнение F = ±μN для положения покоя; оно выполняется за счёт нагрузки, угла или длины из [unknowns] либо координаты, которую расчёт `equilibrium` ищет в диапазоне (`over`, `range`).",
         ),
         "[impending]\nfloor = \"+\"",
         "[unknowns]\nP = \"100 N\"\n[impending]\nfloor = \"+\"",

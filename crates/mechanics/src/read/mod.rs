@@ -31,7 +31,7 @@ pub(crate) use studies::kinds as kinds_of_studies;
 
 use crate::diagnostic::{self, Diagnostic, Severity};
 use crate::fields;
-use crate::model::Model;
+use crate::model::{Model, Study, StudyKind};
 use crate::{Reading, fault::Fault};
 use reader::{Fields, Reader};
 use symbolic::Text;
@@ -148,7 +148,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let impacts = connections::impacts(reader, &top);
 
     let mut unknowns = unknowns::check(reader, &top, &parameters);
-    let impending = unknowns::impending(reader, &top, &connections, !unknowns.is_empty());
+    let ranges = |s: &Study| matches!(s.kind, StudyKind::Equilibrium { over: Some(_), .. });
+    let impending = unknowns::impending(reader, &top, &connections, !unknowns.is_empty() || studies.iter().any(ranges));
     let rests = reader.take_rests();
     unknowns.extend(rests.iter().map(|p| p.symbol));
     parameters.extend(rests);

@@ -76,5 +76,8 @@ fn nothing_unknown(span: std::ops::Range<usize>) -> Fault {
             "every friction at its limit is one more equation, from which one more unknown follows",
             "каждое трение на пределе добавляет уравнение, из которого находится ещё одно неизвестное",
         )
-        .help("name a load, an angle or a length in [unknowns]", "назовите нагрузку, угол или длину в [unknowns]")
+        .help(
+            "name a load, an angle or a length in [unknowns], or give the study `equilibrium` a coordinate in `over` with its `range`",
+            "назовите нагрузку, угол или длину в [unknowns] либо задайте расчёту `equilibrium` координату `over` и диапазон `range`",
+        )
 }

@@ -158,6 +158,17 @@ impl Arrangement {
         Ok(Arrangement { conditions, solved, joined, supports, balances, spare })
     }
 
+    /// The balances that take part, wherever they stand.
+    pub(super) fn kept(&self) -> &[usize] {
+        if self.joined.is_empty() { &self.balances } else { &self.joined }
+    }
+
+    /// Their unknowns, in the order of the reactions.
+    pub(super) fn hidden(&self, equations: &Equations) -> Vec<usize> {
+        let all = if self.joined.is_empty() { &self.supports } else { &self.solved };
+        all.iter().copied().filter(|r| equations.reactions[*r].law.is_hidden()).collect()
+    }
+
     /// Whether the equations of motion stand alone.
     pub(super) fn is_free(&self) -> bool {
         self.solved.is_empty()

@@ -56,13 +56,15 @@ pub fn equations_with(equations: &Equations, selection: &Selection) -> Result<Pr
         statics: Arc::new(statics(equations, &names)?),
         rests: Arc::new(if connected { rests(equations, &names)? } else { nothing(equations, "rests")? }),
         connections: Arc::new(if connected { connections(equations, &names)? } else { nothing(equations, "connections")? }),
-        laws: Arc::new(laws(equations, &arrangement.joined)?),
+        laws: Arc::new(laws(equations, arrangement.kept())?),
         balances: Arc::new(balances(equations)?),
         start: Arc::new(start(equations, &names)?),
         switches: guards.numbers.iter().map(|n| n.map(|n| n.switch())).collect(),
         guards: guards.guards,
         frictions: frictions(equations).count(),
         joined: arrangement.joined.clone(),
+        balanced: arrangement.kept().to_vec(),
+        hidden: arrangement.hidden(equations),
         steps: steps(equations).is_some(),
         repeated: arrangement.spare.as_ref().map_or(0, |spare| spare.count as usize),
         solved: arrangement.solved,
@@ -267,7 +269,7 @@ fn connections(equations: &Equations, names: &Names) -> Result<Tape, Fault> {
 }
 
 /// Laws of friction in an impact: see [`crate::LawRoots`].
-fn laws(equations: &Equations, joined: &[usize]) -> Result<Tape, Fault> {
+fn laws(equations: &Equations, balances: &[usize]) -> Result<Tape, Fault> {
     let mut graph = equations.graph.clone();
     let (zero, n) = (graph.zero(), equations.coordinates.len());
     let mut roots: Vec<(String, Expr)> = Vec::new();
@@ -281,13 +283,14 @@ fn laws(equations: &Equations, joined: &[usize]) -> Result<Tape, Fault> {
             roots.extend(sparse(terms, count, zero).into_iter().map(|e| ("normal force".to_owned(), e)));
         }
     }
-    for &b in joined {
+    for &b in balances {
         let balance = &equations.balances[b];
         roots.extend(sparse(&balance.columns, n, zero).into_iter().map(|e| (format!("inertia in {}", balance.name.en), e)));
         for r in &equations.reactions {
             let entry = r.released.iter().find(|(k, _)| *k == b).map_or(zero, |(_, e)| *e);
             roots.push((format!("{} in {}", r.name, balance.name.en), entry));
         }
+        roots.push((format!("carried in {}", balance.name.en), balance.carried.unwrap_or(zero)));
     }
     Lowering::new(&graph, &over_states(equations), Switches::Value).tape("laws", &roots)
 }

@@ -94,7 +94,7 @@ pub fn contact(e: &mut Equations, name: &str, gap: Expr) -> usize {
 
 pub fn balance(e: &mut Equations, name: &str, columns: Vec<(usize, Expr)>, rest: Expr, released: &[(usize, Expr)]) {
     let index = e.balances.len();
-    e.balances.push(Balance { name: Text::same(name), columns, rest });
+    e.balances.push(Balance { name: Text::same(name), columns, rest, carried: None });
     for (reaction, factor) in released {
         e.reactions[*reaction].released.push((index, *factor));
     }

@@ -53,7 +53,7 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
     let equations = resting.equations();
     let values: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
     let guesses = candidates(machine, &start, guess);
-    let options = Equilibrium { guesses: guesses.clone(), over: None };
+    let options = Equilibrium { guesses: guesses.clone(), ..Equilibrium::default() };
     let mut found = analysis::rest::places::places(equations, &values, &start, &options)?.list;
     if !guess.is_empty() {
         let far = |q: &[f64]| q.iter().zip(&guesses[0]).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
@@ -185,8 +185,7 @@ pub fn solve_unknowns(model: &mechanics::Model, equations: &mut symbolic::Equati
 
 /// The same with connections, contacts and friction.
 fn solve_connected(model: &mechanics::Model, equations: &mut symbolic::Equations, wanted: &[usize]) -> Result<(), Fault> {
-    let friction = |(name, direction): &(String, f64)| Some((analysis::rest::unknowns::friction_named(equations, name)?, *direction));
-    let impending: Vec<_> = model.impending.iter().filter_map(friction).collect();
+    let impending = impending(model, equations);
     let resting = Resting::new(equations)?;
     let found = analysis::rest::unknowns::unknowns(resting.equations(), wanted, &impending)?;
     for (i, value) in wanted.iter().zip(found.values) {
@@ -194,6 +193,12 @@ fn solve_connected(model: &mechanics::Model, equations: &mut symbolic::Equations
         equations.parameters[*i].written = format!("{value}");
     }
     Ok(())
+}
+
+/// The frictions of [impending], by reaction.
+pub fn impending(model: &mechanics::Model, equations: &symbolic::Equations) -> Vec<(usize, f64)> {
+    let friction = |(name, direction): &(String, f64)| Some((analysis::rest::unknowns::friction_named(equations, name)?, *direction));
+    model.impending.iter().filter_map(friction).collect()
 }
 
 /// Remarks on the unknowns that were found.

@@ -60,6 +60,18 @@ pub enum Claim {
         tolerance: f64,
     },
     Events(usize),
+    /// The impulse of a reaction.
+    Impulse {
+        name: String,
+        event: usize,
+        expected: f64,
+        tolerance: Tolerance,
+    },
+    /// The column says why it is empty there.
+    NoValue {
+        name: String,
+        at: f64,
+    },
     /// Least or greatest value of the motion, or its instant.
     Extreme {
         name: String,
@@ -142,6 +154,11 @@ pub fn parse(line: &str) -> Result<Claim, String> {
             let at = left.split_whitespace().nth(3).ok_or_else(unknown)?;
             Ok(Claim::Event { number: integer(word(1))?, at: number(at)?, tolerance: number(right)? })
         }
+        "impulse" => impulse(line).ok_or_else(unknown)?,
+        "no" if word(1) == "value" => {
+            let (name, at) = line["no value".len()..].trim().strip_suffix(')').and_then(|n| n.rsplit_once('(')).ok_or_else(unknown)?;
+            Ok(Claim::NoValue { name: name.to_owned(), at: number(at)? })
+        }
         "help" => {
             let (code, text) = line["help".len()..].split_once(':').ok_or_else(unknown)?;
             Ok(Claim::Help { code: code.trim().to_owned(), text: text.trim().to_owned() })
@@ -218,6 +235,16 @@ fn value(line: &str) -> Option<Result<Claim, String>> {
         t => number(t).map(When::At),
     };
     Some(when.map(|when| Claim::Value { name: column.to_owned(), when, expected, tolerance }))
+}
+
+/// `impulse of NAME at event N = V ± TOL [rel]`.
+fn impulse(line: &str) -> Option<Result<Claim, String>> {
+    let (words, expected, tolerance) = match equality(line.strip_prefix("impulse of ")?)? {
+        Ok(parts) => parts,
+        Err(e) => return Some(Err(e)),
+    };
+    let (name, event) = words.split_once(" at event ")?;
+    Some(integer(event.trim()).map(|event| Claim::Impulse { name: name.trim().to_owned(), event, expected, tolerance }))
 }
 
 /// `least NAME = V ± TOL [rel]` or `least NAME at T ± TOL`; `greatest` likewise.

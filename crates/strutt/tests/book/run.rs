@@ -208,7 +208,7 @@ impl Command {
         let mut times: Vec<f64> = (0..=INSTANTS).map(|k| self.until * k as f64 / INSTANTS as f64).collect();
         for claim in claims {
             match claim {
-                Claim::Value { when: When::At(t), .. } => times.push(*t),
+                Claim::Value { when: When::At(t), .. } | Claim::NoValue { at: t, .. } => times.push(*t),
                 Claim::MeanRate { from, to, .. } => times.extend([*from, *to]),
                 _ => {}
             }
@@ -239,9 +239,11 @@ impl Command {
         // only what is claimed: another output may be undefined with the values that are set
         let wanted = claims.iter().filter_map(|claim| match claim {
             Claim::Extreme { name, .. } | Claim::Mean { name, .. } => Some(name.clone()),
-            Claim::Value { name, .. } | Claim::Bounded { name, .. } | Claim::Constant { name, .. } | Claim::MeanRate { name, .. } => {
-                Some(name.strip_prefix("shown ").unwrap_or(name).to_owned())
-            }
+            Claim::Value { name, .. }
+            | Claim::NoValue { name, .. }
+            | Claim::Bounded { name, .. }
+            | Claim::Constant { name, .. }
+            | Claim::MeanRate { name, .. } => Some(name.strip_prefix("shown ").unwrap_or(name).to_owned()),
             _ => None,
         });
         let fails = claims.iter().any(|claim| matches!(claim, Claim::Fails { .. }));
@@ -506,6 +508,21 @@ fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
         Claim::Event { number, at, tolerance } => {
             let event = data.events.get(number - 1).ok_or_else(|| format!("there are {} events", data.events.len()))?;
             Tolerance { size: *tolerance, relative: false }.check("t", event.t, *at)
+        }
+        Claim::Impulse { name, event, expected, tolerance } => {
+            let event = data.events.get(event - 1).ok_or_else(|| format!("there are {} events", data.events.len()))?;
+            let names = || event.impulses.iter().map(|p| p.name.as_str()).collect::<Vec<_>>().join(", ");
+            let found = event.impulses.iter().find(|p| p.name == *name).ok_or_else(|| format!("impulses: {}", names()))?;
+            tolerance.check(name, found.value, *expected)
+        }
+        Claim::NoValue { name, at } => {
+            let row = times.iter().rposition(|x| x == at).ok_or("the instant was not asked for")?;
+            let found = values(name)?.get(row).copied().ok_or("the motion ended before")?;
+            match (found.is_nan(), data.explains(name, found)) {
+                (true, true) => Ok(()),
+                (true, false) => Err("nothing says why it is empty".into()),
+                _ => Err(format!("{name} is {found:e}")),
+            }
         }
         Claim::Events(count) if data.events.len() == *count => Ok(()),
         Claim::Events(_) => {

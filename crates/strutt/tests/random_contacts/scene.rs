@@ -58,12 +58,20 @@ pub struct Contact {
     pub belt: f64,
 }
 
+/// How several contacts of an instant strike.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Impacts {
+    Together,
+    InSequence,
+}
+
 /// A scene.
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub bodies: Vec<Body>,
     pub contacts: Vec<Contact>,
     pub until: f64,
+    pub impacts: Impacts,
 }
 
 pub const GRAVITY: f64 = 9.81;
@@ -77,31 +85,36 @@ impl Contact {
 }
 
 /// The scene of a number.
-pub fn scene(seed: u64) -> Scene {
+pub fn scene(seed: u64, impacts: Impacts) -> Scene {
     let mut r = Random(seed.wrapping_mul(0x0005_deec_e66d).wrapping_add(17));
-    match seed % 5 {
-        0 => block(&mut r),
+    let scene = match seed % 5 {
+        0 => block(&mut r, impacts),
         1 => disc_and_wedge(&mut r),
-        2 => pendulum_and_block(&mut r),
+        2 => pendulum_and_block(&mut r, impacts),
         3 => discs(&mut r),
         _ => train(&mut r),
+    };
+    Scene { impacts, ..scene }
+}
+
+/// Restitution and friction of an eccentric contact: with both, Newton's rule may give energy, which the stepping notices in blows that follow one another only.
+fn eccentric(r: &mut Random, impacts: Impacts) -> (f64, f64) {
+    match (impacts, r.next() < 0.4) {
+        (Impacts::InSequence, _) => (r.within(0.0, 0.6), r.within(0.0, 0.5)),
+        (Impacts::Together, true) => (r.within(0.1, 0.6), 0.0),
+        (Impacts::Together, false) => (0.0, r.within(0.1, 0.5)),
     }
 }
 
-/// Restitution and friction of an eccentric contact: with both, Newton's rule may give energy.
-fn eccentric(r: &mut Random) -> (f64, f64) {
-    if r.next() < 0.4 { (r.within(0.1, 0.6), 0.0) } else { (0.0, r.within(0.1, 0.5)) }
-}
-
 /// A block thrown on a floor, perhaps a belt, beside a wall: four corners and two.
-fn block(r: &mut Random) -> Scene {
+fn block(r: &mut Random, impacts: Impacts) -> Scene {
     let (a, b, mass) = (r.within(0.1, 0.4), r.within(0.1, 0.4), r.within(0.5, 3.0));
     let angle = r.within(-0.6, 0.6);
     let height = a * f64::abs(angle.sin()) + b * angle.cos() + r.within(0.01, 0.2);
     let kind = Kind::Free { mass, inertia: mass * (a * a + b * b) / 3.0 };
     let body =
         Body { kind, q: vec![0.0, height, angle], v: vec![r.within(-1.0, 2.0), r.within(-1.0, 0.5), r.within(-2.0, 2.0)], spring: 0.0 };
-    let (restitution, friction) = eccentric(r);
+    let (restitution, friction) = eccentric(r, impacts);
     let belt = r.one_of(&[0.0, 0.0, 1.0, -0.7]);
     let corners = [[-a, -b], [a, -b], [a, b], [-a, b]];
     let mut contacts: Vec<Contact> =
@@ -111,7 +124,7 @@ fn block(r: &mut Random) -> Scene {
         let side = Contact { through: [wall, 0.0], normal: 2.0 * UP, restitution, ..Contact::ground(0, at, 0.0) };
         contacts.push(side);
     }
-    Scene { bodies: vec![body], contacts, until: 0.7 }
+    Scene { bodies: vec![body], contacts, until: 0.7, impacts: Impacts::Together }
 }
 
 /// A disc falls on the inclined side of a wedge that slides on the floor.
@@ -146,11 +159,11 @@ fn disc_and_wedge(r: &mut Random) -> Scene {
         through: [0.0, -0.3],
         ..Contact::ground(0, [0.0, 0.0], radius)
     };
-    Scene { bodies: vec![disc, wedge], contacts: vec![side, floor, landing], until: 0.6 }
+    Scene { bodies: vec![disc, wedge], contacts: vec![side, floor, landing], until: 0.6, impacts: Impacts::Together }
 }
 
 /// A pendulum swings against the side of a block on a rough floor or a belt.
-fn pendulum_and_block(r: &mut Random) -> Scene {
+fn pendulum_and_block(r: &mut Random, impacts: Impacts) -> Scene {
     let (length, mass) = (r.within(0.5, 1.0), r.within(0.5, 2.0));
     let swing = Body {
         kind: Kind::Swing { mass, inertia: mass * length * length / 3.0, pivot: [0.0, 1.3], center: 0.5 * length },
@@ -158,7 +171,7 @@ fn pendulum_and_block(r: &mut Random) -> Scene {
         v: vec![r.within(0.0, 3.0)],
         spring: r.one_of(&[0.0, 5.0]),
     };
-    let (restitution, friction) = eccentric(r);
+    let (restitution, friction) = eccentric(r, impacts);
     let block = Body {
         kind: Kind::Shift { mass: r.within(0.5, 3.0) },
         q: vec![r.within(0.1, 0.3), 0.0],
@@ -169,7 +182,7 @@ fn pendulum_and_block(r: &mut Random) -> Scene {
     let floor = Contact { friction: r.within(0.05, 0.5), belt: r.one_of(&[0.0, -0.8]), ..Contact::ground(1, [0.0, 0.0], 0.0) };
     let stop = Contact { through: [1.0, 0.0], normal: 2.0 * UP, restitution: r.within(0.0, 0.8), ..Contact::ground(1, [0.0, 0.0], 0.0) };
     let back = Contact { through: [-0.9, 0.0], normal: 0.0, restitution: r.within(0.0, 0.8), ..Contact::ground(0, [0.0, -length], 0.0) };
-    Scene { bodies: vec![swing, block], contacts: vec![touch, floor, stop, back], until: 0.9 }
+    Scene { bodies: vec![swing, block], contacts: vec![touch, floor, stop, back], until: 0.9, impacts: Impacts::Together }
 }
 
 /// Two discs on a rough floor or belt between rough walls, one of them on a spring.
@@ -193,7 +206,7 @@ fn discs(r: &mut Random) -> Scene {
             contacts.push(Contact { through, normal, restitution, friction, ..Contact::ground(k, [0.0, 0.0], radius) });
         }
     }
-    Scene { bodies, contacts, until: 0.8 }
+    Scene { bodies, contacts, until: 0.8, impacts: Impacts::Together }
 }
 
 /// Three sliders on a rough floor, each on a spring, that push each other and are dragged by a belt.
@@ -222,7 +235,7 @@ fn train(r: &mut Random) -> Scene {
     }
     let restitution = r.within(0.0, 0.9);
     contacts.push(Contact { through: [-0.4, 0.0], normal: 0.0, restitution, ..Contact::ground(0, [0.0, 0.0], 0.0) });
-    Scene { bodies, contacts, until: 1.2 }
+    Scene { bodies, contacts, until: 1.2, impacts: Impacts::Together }
 }
 
 /// Names of the coordinates of a body.
@@ -242,7 +255,12 @@ pub fn coordinates(scene: &Scene) -> Vec<String> {
 
 /// The model file.
 pub fn write(scene: &Scene) -> String {
-    let mut text = String::from("impacts = \"together\"\ngravity = [0, \"-9.81 m/s^2\"]\n[coordinates]\n");
+    let law = match scene.impacts {
+        Impacts::Together => "together",
+        Impacts::InSequence => "in sequence",
+    };
+    let mut text = format!("impacts = \"{law}\"\n");
+    text.push_str("gravity = [0, \"-9.81 m/s^2\"]\n[coordinates]\n");
     for (k, body) in scene.bodies.iter().enumerate() {
         for (i, name) in names(k, body).iter().enumerate() {
             let unit = if name.starts_with('f') { "rad" } else { "m" };

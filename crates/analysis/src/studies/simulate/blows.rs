@@ -1,8 +1,12 @@
 //! What the impacts of an instant took, and whether they kept their laws.
 
-use super::Run;
+use symbolic::Text;
+
+use super::{Run, jumps};
 use crate::audits::impacts::relative;
+use crate::dataset::Impulse;
 use crate::events::{Change, Switch};
+use crate::fault::rounded;
 use crate::taylor::Flow;
 use crate::{GuardKind, Mode, System};
 
@@ -50,4 +54,25 @@ impl Run {
         let [before, after] = relative(system, t, [&states[0], &states[1]], &surface, modes[1])?;
         Some(self.impacts.record(before, after))
     }
+
+    /// Impulses of this instant.
+    pub(super) fn impulses<S: System + ?Sized>(&self, flow: &mut Flow<'_, S>, switches: &[Switch]) -> Vec<Impulse> {
+        if !switches.iter().any(jumps) {
+            return Vec::new();
+        }
+        let Some(blow) = flow.blow().cloned() else { return Vec::new() };
+        let named = flow.system().impulses().iter().zip(blow.reactions);
+        let felt = named.filter(|(_, value)| *value != 0.0 && value.is_finite());
+        felt.map(|(q, value)| Impulse { name: q.name.clone(), unit: q.unit.clone(), value }).collect()
+    }
+}
+
+/// `..., impulses: force_x(O) = 3 N s`.
+pub(super) fn with_impulses(what: &Text, impulses: &[Impulse]) -> Text {
+    let one = |p: &Impulse, ru: bool| {
+        let (n, unit) = (rounded(p.value), Text::unit(&p.unit));
+        if ru { format!("{} = {} {}", p.name, n.ru, unit.ru) } else { format!("{} = {} {}", p.name, n.en, unit.en) }
+    };
+    let list = |ru: bool| impulses.iter().map(|p| one(p, ru)).collect::<Vec<_>>().join("; ");
+    Text::new(format!("{}, impulses: {}", what.en, list(false)), format!("{}, импульсы: {}", what.ru, list(true)))
 }

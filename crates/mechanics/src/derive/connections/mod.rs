@@ -22,6 +22,7 @@ mod wheels;
 
 use super::kinematics::Kinematics;
 use super::loads::Loads;
+use super::newton_euler;
 use super::pathways;
 use super::place::{Open, Opening, Placer};
 use super::requests::Resolver;
@@ -315,15 +316,18 @@ impl Connected {
 
     /// The balances of released bodies, and what each reaction gives there; what loads by formulas leave open joins the reactions.
     pub fn balance(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads, inertial: &[Act]) {
+        self.free = Released { bodies: free::bodies(scene, kinematics), ..Released::default() };
         if self.released.is_empty() {
+            free::act(scene, kinematics, &loads.acts, inertial, self);
             return;
         }
+        let (every, momenta) = (loads, newton_euler::carried(scene, kinematics));
         let mut placer = Placer::new(scene, kinematics, is_spatial(scene.model));
         let named: Vec<Vec<Act>> =
             loads.named.iter().map(|(_, _, acts)| placer.place(scene, kinematics, &loads.acts[acts.clone()])).collect();
         let loads = placer.place(scene, kinematics, &loads.acts);
         let coupled = placer.place(scene, kinematics, &free::without_bodies(inertial));
-        let inertial = placer.place(scene, kinematics, inertial);
+        let (raw, inertial) = (inertial, placer.place(scene, kinematics, inertial));
         self.acts = self.acts.iter().map(|acts| placer.place(scene, kinematics, acts)).collect();
         transmissions::leave_open(scene, kinematics, &mut placer, (&loads, &inertial), self);
         let frames: Vec<FrameId> = self.released.iter().copied().collect();
@@ -334,7 +338,7 @@ impl Connected {
         }
         self.applied = vec![Vec::new(); named.len()];
         let displacements = release::displacements(scene, kinematics, &placer, self);
-        self.free = free::bodies(scene, kinematics, &displacements, (&loads, &coupled, self));
+        self.free.frames = free::frames(scene, kinematics, &displacements, (&loads, &coupled, self));
         for (frame, displacement) in displacements {
             for (list, acts) in self.applied.iter_mut().zip(&named) {
                 let work = release::total_work(scene, kinematics, acts, (frame, &displacement));
@@ -342,8 +346,9 @@ impl Connected {
                     list.push((self.balances.len(), work));
                 }
             }
-            release::balance(scene, kinematics, (frame, &displacement), (&loads, &inertial), self);
+            release::balance(scene, kinematics, (frame, &displacement), (&loads, &inertial, &momenta), self);
         }
+        free::act(scene, kinematics, &every.acts, raw, self);
     }
 
     /// An unknown of the balances that is no reaction.
@@ -450,11 +455,6 @@ impl Connected {
     /// Number of conditions that take a degree of freedom.
     pub fn ideal(&self) -> usize {
         self.reactions.iter().filter(|r| r.law.holds()).count()
-    }
-
-    /// Whether some body is released.
-    pub fn releases(&self) -> bool {
-        !self.released.is_empty()
     }
 
     /// Σ columns q'' - rest - Σ released λ of every balance.

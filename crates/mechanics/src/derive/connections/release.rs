@@ -333,7 +333,7 @@ pub fn balance(
     scene: &mut Scene,
     kinematics: &Kinematics,
     (frame, displacement): (FrameId, &Displacement),
-    (loads, inertial): (&[Act], &[Act]),
+    (loads, inertial, momenta): (&[Act], &[Act], &[Act]),
     connected: &mut Connected,
 ) {
     let model = scene.model;
@@ -350,7 +350,8 @@ pub fn balance(
         let parts: Vec<Expr> = acts.iter().map(|act| work(scene, kinematics, act, (frame, displacement))).collect();
         scene.graph.sum(&parts)
     };
-    let (inertia, applied) = (sum(inertial), sum(loads));
+    let (inertia, applied, carried) = (sum(inertial), sum(loads), sum(momenta));
+    let moving = !scene.vanishes(carried);
     let mut columns = Vec::new();
     for (j, c) in model.coordinates.iter().enumerate() {
         let e = scene.graph.derivative(inertia, c.symbols[2]);
@@ -361,10 +362,10 @@ pub fn balance(
     }
     let zero = scene.graph.zero();
     let still: Vec<(SymbolId, Expr)> = model.coordinates.iter().map(|c| (c.symbols[2], zero)).collect();
-    let carried = Substitution::new(still).apply(&mut scene.graph, inertia);
-    let rest = scene.graph.sub(applied, carried);
+    let without = Substitution::new(still).apply(&mut scene.graph, inertia);
+    let rest = scene.graph.sub(applied, without);
     let name = label(&model.frames[frame.index()].name, displacement);
-    connected.balances.push(Balance { name, columns, rest });
+    connected.balances.push(Balance { name, columns, rest, carried: moving.then_some(carried) });
 }
 
 fn label(body: &str, displacement: &Displacement) -> Text {

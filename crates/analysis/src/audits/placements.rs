@@ -1,0 +1,215 @@
+//! Placements of bodies along a stretch, differentiated in numbers at Chebyshev's points.
+//!
+//! *Source*: L. N. Trefethen, Spectral Methods in MATLAB, ch. 6 (differentiation at Chebyshev's points).
+
+use crate::system::Layout;
+
+/// Points less one; even, so that the middle of the stretch is one of them.
+pub(super) const N: usize = 16;
+/// What a second derivative in the middle makes of an error of places, over the square of half the stretch.
+const MAGNIFIED: f64 = 4.0 * (N * N) as f64;
+/// Share of a placement's change that its last coefficients may have.
+const TAIL: f64 = 1e-12;
+/// How often the stretch that is looked at is halved.
+const HALVINGS: usize = 24;
+/// Numbers of a body.
+pub(super) const BODY: usize = 19;
+
+/// Numbers of what acts on a body.
+pub(super) const WRENCH: usize = 12;
+
+pub(super) type Vector = [f64; 3];
+
+/// What acts on a body by itself.
+pub(super) struct Wrench {
+    pub force: Vector,
+    /// About the origin of the ground.
+    pub moment: Vector,
+    /// Sums of the components without signs.
+    pub sizes: [Vector; 2],
+}
+
+impl Wrench {
+    /// From the numbers of a state.
+    pub(super) fn new(layout: &Layout, here: &[f64], body: usize) -> Wrench {
+        let first = here.len() - 2 * layout.along - WRENCH * (layout.wrenches - body);
+        let take = |k: usize| [here[first + 3 * k], here[first + 3 * k + 1], here[first + 3 * k + 2]];
+        Wrench { force: take(0), moment: take(1), sizes: [take(2), take(3)] }
+    }
+
+    /// The terms that meet in its work.
+    pub(super) fn size(&self, shift: Vector, turn: Vector) -> f64 {
+        let one = |sizes: Vector, way: Vector| (0..3).map(|i| sizes[i] * way[i].abs()).sum::<f64>();
+        one(self.sizes[0], shift) + one(self.sizes[1], turn)
+    }
+}
+
+/// Rows of placements at the points of a stretch.
+pub(super) struct Stretch {
+    pub nodes: Vec<Vec<f64>>,
+    /// Half its length.
+    pub half: f64,
+}
+
+/// Differentiation of placements of so many bodies.
+#[derive(Clone, Debug)]
+pub(super) struct Placements {
+    bodies: usize,
+    derivative: Vec<f64>,
+    /// cos(π i/N).
+    cosines: Vec<f64>,
+}
+
+impl Placements {
+    pub(super) fn new(bodies: usize) -> Placements {
+        Placements {
+            bodies,
+            derivative: chebyshev(),
+            cosines: (0..2 * N).map(|i| (std::f64::consts::PI * i as f64 / N as f64).cos()).collect(),
+        }
+    }
+
+    /// The stretch of at most this half length about 0 on which the placements are resolved; none where they are resolved nowhere.
+    pub(super) fn stretch(&self, longest: f64, mut node: impl FnMut(f64) -> Option<Vec<f64>>) -> Option<Stretch> {
+        let mut half = longest;
+        for _ in 0..HALVINGS {
+            let nodes: Option<Vec<Vec<f64>>> = (0..=N).map(|k| node(half * abscissa(k))).collect();
+            if let Some(nodes) = nodes.filter(|nodes| self.is_resolved(nodes)) {
+                return Some(Stretch { nodes, half });
+            }
+            half *= 0.5;
+        }
+        None
+    }
+
+    /// Whether the last coefficients of Chebyshev's series of every placement have died out: a step may hold many turns of a shaft.
+    fn is_resolved(&self, nodes: &[Vec<f64>]) -> bool {
+        let placements = (0..self.bodies).flat_map(|b| (1..13).map(move |i| BODY * b + i));
+        placements.into_iter().all(|i| {
+            let size = (1..N / 2).fold(0.0_f64, |m, k| m.max(self.coefficient(nodes, i, k).abs()));
+            let rounding = 8.0 * f64::EPSILON * nodes.iter().fold(0.0_f64, |m, n| m.max(n[i].abs()));
+            self.tail(nodes, i) <= (TAIL * size).max(rounding)
+        })
+    }
+
+    /// The k-th of Chebyshev's coefficients of a number along a stretch.
+    fn coefficient(&self, nodes: &[Vec<f64>], i: usize, k: usize) -> f64 {
+        let end = |j: usize| if j == 0 || j == N { 0.5 } else { 1.0 };
+        2.0 / N as f64 * (0..=N).map(|j| end(j) * nodes[j][i] * self.cosines[j * k % (2 * N)]).sum::<f64>()
+    }
+
+    /// The largest of the last ones.
+    fn tail(&self, nodes: &[Vec<f64>], i: usize) -> f64 {
+        (N - 2..=N).fold(0.0_f64, |m, k| m.max(self.coefficient(nodes, i, k).abs()))
+    }
+
+    /// How a body moves in the middle: the velocity of its particle at the origin of the ground, and its angular velocity.
+    pub(super) fn moves(&self, stretch: &Stretch, body: usize) -> [Vector; 2] {
+        let of = |k: usize, i: usize| stretch.nodes[k][BODY * body + i];
+        let derivative = |i: usize| -> f64 { (0..=N).map(|j| self.derivative[N / 2 * (N + 1) + j] * of(j, i)).sum::<f64>() / stretch.half };
+        let velocity = [1, 2, 3].map(derivative);
+        let own = [0, 1, 2].map(|i| [0, 1, 2].map(|j| of(N / 2, 4 + 3 * i + j)));
+        let rate = [0, 1, 2].map(|i| [0, 1, 2].map(|j| derivative(4 + 3 * i + j)));
+        let turn = turning(&own, &rate);
+        let center = [1, 2, 3].map(|i| of(N / 2, i));
+        [minus(velocity, cross(turn, center)), turn]
+    }
+
+    /// p' and L' in the middle, and the rounding of both.
+    ///
+    /// A place is rounded, it moves while the time is rounded, and the last coefficients are what the points do not resolve.
+    pub(super) fn rates(&self, Stretch { nodes, half }: &Stretch, (t, body): (f64, usize)) -> [Vector; 3] {
+        let of = |k: usize, i: usize| nodes[k][BODY * body + i];
+        let derivative = |i: usize, k: usize| -> f64 { (0..=N).map(|j| self.derivative[k * (N + 1) + j] * of(j, i)).sum::<f64>() / half };
+        let mass = of(N / 2, 0);
+        let momentum = |k: usize| -> (Vector, Vector) {
+            let p = [1, 2, 3].map(|i| mass * derivative(i, k));
+            let r = [of(k, 1), of(k, 2), of(k, 3)];
+            let own = [0, 1, 2].map(|i| [0, 1, 2].map(|j| of(k, 4 + 3 * i + j)));
+            let rate = [0, 1, 2].map(|i| [0, 1, 2].map(|j| derivative(4 + 3 * i + j, k)));
+            let w = turning(&own, &rate);
+            let local = [0, 1, 2].map(|j| (0..3).map(|i| own[i][j] * w[i]).sum::<f64>());
+            let [xx, yy, zz, xy, yz, xz] = [13, 14, 15, 16, 17, 18].map(|i| of(k, i));
+            let spin = [
+                xx * local[0] + xy * local[1] + xz * local[2],
+                xy * local[0] + yy * local[1] + yz * local[2],
+                xz * local[0] + yz * local[1] + zz * local[2],
+            ];
+            let spin = own.map(|row| dot(row, spin));
+            let orbital = cross(r, p);
+            (p, [0, 1, 2].map(|i| orbital[i] + spin[i]))
+        };
+        let (mut p, mut l) = ([0.0; 3], [0.0; 3]);
+        for k in 0..=N {
+            let weight = self.derivative[N / 2 * (N + 1) + k] / half;
+            let (linear, angular) = momentum(k);
+            p.iter_mut().zip(linear).for_each(|(sum, v)| *sum += weight * v);
+            l.iter_mut().zip(angular).for_each(|(sum, v)| *sum += weight * v);
+        }
+        let far = (0..=N).fold(0.0_f64, |m, k| m.max(length([of(k, 1), of(k, 2), of(k, 3)])));
+        let inertia = [13, 14, 15].iter().fold(0.0_f64, |m, i| m.max(of(N / 2, *i).abs()));
+        let speed = |from: usize, to: usize| (from..to).fold(0.0_f64, |m, i| m.max(derivative(i, N / 2).abs()));
+        let tail = |from: usize, to: usize| (from..to).fold(0.0_f64, |m, i| m.max(self.tail(nodes, BODY * body + i)));
+        let place = f64::EPSILON * (far + t.abs() * speed(1, 4)) + tail(1, 4);
+        let turn = f64::EPSILON * (1.0 + t.abs() * speed(4, 13)) + tail(4, 13);
+        let noise = MAGNIFIED / (half * half);
+        let heavy = mass.abs();
+        [p, l, [noise * heavy * place, noise * (heavy * far * place + inertia * turn), 0.0]]
+    }
+}
+
+/// ω from Ω = R' Rᵀ.
+fn turning(own: &[Vector; 3], rate: &[Vector; 3]) -> Vector {
+    let w = |i: usize, j: usize| dot(rate[i], own[j]);
+    [0.5 * (w(2, 1) - w(1, 2)), 0.5 * (w(0, 2) - w(2, 0)), 0.5 * (w(1, 0) - w(0, 1))]
+}
+
+pub(super) fn abscissa(k: usize) -> f64 {
+    // the middle is exact
+    if 2 * k == N { 0.0 } else { -(std::f64::consts::PI * k as f64 / N as f64).cos() }
+}
+
+/// Differentiation at Chebyshev's points from -1 to 1, row-major; the diagonal is minus the sum of the others.
+fn chebyshev() -> Vec<f64> {
+    let n = N + 1;
+    let end = |k: usize| if k == 0 || k == N { 2.0 } else { 1.0 };
+    let mut d = vec![0.0; n * n];
+    for i in 0..n {
+        for j in (0..n).filter(|j| *j != i) {
+            let sign = if (i + j).is_multiple_of(2) { 1.0 } else { -1.0 };
+            d[i * n + j] = sign * end(i) / end(j) / (abscissa(i) - abscissa(j));
+        }
+        d[i * n + i] = -(0..n).map(|j| d[i * n + j]).sum::<f64>();
+    }
+    d
+}
+
+pub(super) fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(super) fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(super) fn minus(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub(super) fn length(a: Vector) -> f64 {
+    dot(a, a).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_derivative_of_a_cube_is_three_squares() {
+        let d = chebyshev();
+        for i in 0..=N {
+            let sum: f64 = (0..=N).map(|j| d[i * (N + 1) + j] * abscissa(j).powi(3)).sum();
+            assert!((sum - 3.0 * abscissa(i).powi(2)).abs() < 1e-11);
+        }
+    }
+}
