@@ -310,6 +310,7 @@ impl Conditions {
         if place > ROUNDING {
             self.close(t, x, Level::Place, place)?;
         }
+        self.remember_spans();
         self.remember_rates(x);
         let rate = self.worst(x, Level::Rate);
         for k in 0..self.active.len() {
@@ -378,7 +379,7 @@ impl Conditions {
                 }
             }
             self.remember_arms(&x);
-            let _ = self.measured();
+            self.remember_spans();
         }
     }
 
@@ -446,6 +447,7 @@ impl Conditions {
 
     /// The least change where conditions repeat each other: by those that are independent here.
     fn least_of_repeated(&mut self, wanted: &[f64]) -> Vec<f64> {
+        self.remember_spans();
         let columns = self.measured();
         let spans = self.active.iter().map(|row| self.spans[*row]);
         let wanted: Vec<f64> = wanted.iter().zip(spans).map(|(w, span)| if span > 0.0 { w / span } else { *w }).collect();
@@ -459,15 +461,25 @@ impl Conditions {
     }
 
     /// Gradients of the active rows, each relative to its largest so far.
-    pub(super) fn measured(&mut self) -> Vec<f64> {
+    pub(super) fn measured(&self) -> Vec<f64> {
         let (n, m) = (self.n, self.active.len());
         let mut columns = self.gradients();
         for (k, &row) in self.active.iter().enumerate() {
             let span = (0..n).fold(0.0_f64, |span, i| span.hypot(columns[i * m + k]));
-            self.spans[row] = self.spans[row].max(span);
-            (0..n).filter(|_| span > 0.0).for_each(|i| columns[i * m + k] /= self.spans[row]);
+            let largest = self.spans[row].max(span);
+            (0..n).filter(|_| span > 0.0).for_each(|i| columns[i * m + k] /= largest);
         }
         columns
+    }
+
+    /// Keeps the sizes of the gradients of a state that the machine has: what a series says far ahead may be none.
+    fn remember_spans(&mut self) {
+        let (n, m) = (self.n, self.active.len());
+        let columns = self.gradients();
+        for (k, &row) in self.active.iter().enumerate() {
+            let span = (0..n).fold(0.0_f64, |span, i| span.hypot(columns[i * m + k]));
+            self.spans[row] = self.spans[row].max(span);
+        }
     }
 
     /// See [`crate::System::margin`].

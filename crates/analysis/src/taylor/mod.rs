@@ -33,7 +33,7 @@ use accept::Defect;
 use implicit::Implicit;
 use length::Rule;
 pub use length::{HIGHEST_ORDER, order_for};
-use passage::Passage;
+use passage::{AWAY, Passage};
 use switching::Crowd;
 
 /// Smallest and largest tolerance accepted.
@@ -302,6 +302,10 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             let (length, event) = self.shorten_to_event(h);
             self.refuse_switch_in_passage(event.then_some(length))?;
             self.evaluate(length);
+            if !full && !event && self.ends_near(length) {
+                h *= AWAY;
+                continue;
+            }
             let finite = self.next_x.iter().all(|x| x.is_finite());
             let lands = self.now.after(length);
             // what rounding leaves up to the target is no step

@@ -40,6 +40,8 @@ const ERRORS: [f64; 3] = [1e-11, 2e-10, 1e-9];
 const NEARNESS: [f64; 2] = [0.3, 0.012];
 /// Share of a step that is not left for another one.
 const REST: f64 = 1e-6;
+/// What is left of a step that would end near a change point.
+pub(super) const AWAY: f64 = 0.7;
 /// Share of its rates below which a machine stands still: a rate that should vanish where energy is used up has the root of rounding.
 const STILL: f64 = 1e-6;
 /// Rounding of the first terms.
@@ -103,7 +105,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let floor = (CLEAR * best).min(OWN * here);
         let end = self.margin(h).unwrap_or(0.0);
         self.passage.least = here.min(end);
-        let near = if end < floor { self.nearest(h) } else { self.dip(h, end) };
+        let near = if end < floor { self.nearest(h) } else { self.dip(h, end).or_else(|| self.beyond(h, end)) };
         let Some(Near { to, margin }) = near else { return Ok(h) };
         if margin > ZERO * best {
             // not met by the series from here, or none: nearer to it the series tells
@@ -112,18 +114,27 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if self.rests_at(to, h) {
             return Err(self.at_change_point(to));
         }
-        for out in [h, 2.0 * to, 1.5 * to, 1.25 * to] {
-            let floor = (CLEAR * best).min(LANDS * here);
-            let lands = out >= 1.2 * to && out <= limit.min(3.0 * to) && self.margin(out).is_some_and(|margin| margin >= floor);
-            if lands && self.prepare(to, out) {
-                return Ok(out);
-            }
+        if let Some(out) = self.over([h, 2.0 * to, 1.5 * to, 1.25 * to], to, limit) {
+            return Ok(out);
         }
         // the motion or its phase ends before it
         if limit < to && limit <= h {
             return Ok(h);
         }
-        self.before(to)
+        let before = self.before(to)?;
+        Ok(if to > AHEAD * h { before.min(h) } else { before })
+    }
+
+    /// The first of these lengths with which a step leads over the change point at `to` with the least error that one of them can have.
+    fn over(&mut self, lengths: [f64; 4], to: f64, limit: f64) -> Option<f64> {
+        let Passage { here, best, .. } = self.passage;
+        let floor = (CLEAR * best).min(LANDS * here);
+        let mut lands =
+            |out: &f64| *out >= 1.2 * to && *out <= limit.min(3.0 * to) && self.margin(*out).is_some_and(|margin| margin >= floor);
+        let lengths: Vec<f64> = lengths.into_iter().filter(&mut lands).collect();
+        let nearness = NEARNESS.iter().filter(|share| here < **share * best).count();
+        let tries = ERRORS[..=nearness].iter().flat_map(|wanted| lengths.iter().map(|out| (*wanted, *out)));
+        tries.collect::<Vec<_>>().into_iter().find(|(wanted, out)| self.prepare(to, *out, [*wanted, ERRORS[nearness]])).map(|(_, out)| out)
     }
 
     /// Distance of the last change point behind. At the start of a motion it is looked for.
@@ -185,6 +196,14 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let margins: Vec<f64> = (0..=LOOKS).map(|k| self.margin(k as f64 * step).unwrap_or(0.0)).collect();
         let lowest = (1..LOOKS).find(|&k| margins[k] <= margins[k - 1] && margins[k] <= margins[k + 1] && margins[k] < margins[0])?;
         Some([(lowest as f64 - 1.0) * step, (lowest as f64 + 1.0) * step])
+    }
+
+    /// A zero of the margin beyond a step that the rounding of forces has made short, where the margin falls towards it: there the places still lead over it.
+    fn beyond(&mut self, h: f64, end: f64) -> Option<Near> {
+        let Passage { here, best, .. } = self.passage;
+        let zero = h * here / (here - end);
+        let falls = here < FINE * best && end < here && zero.is_finite();
+        falls.then(|| self.nearest(zero)).flatten().filter(|near| near.margin <= ZERO * best)
     }
 
     /// The least margin inside a step that ends clear of it, where it falls to less than half of that at the ends.
@@ -270,13 +289,12 @@ impl<S: System + ?Sized> Flow<'_, S> {
         groups.iter().map(|group| largest[*group]).collect()
     }
 
-    /// Cuts the series for a step to `out` over the change point at `to`; false where they have too few digits.
-    fn prepare(&mut self, to: f64, out: f64) -> bool {
-        let nearness = NEARNESS.iter().filter(|share| self.passage.here < **share * self.passage.best).count();
-        let error = self.rule.tolerance.max(ERRORS[nearness]);
+    /// Cuts the series for a step to `out` over the change point at `to`; false where they have too few digits for this error.
+    fn prepare(&mut self, to: f64, out: f64, [wanted, error]: [f64; 2]) -> bool {
+        let [wanted, error] = [wanted, error].map(|e| self.rule.tolerance.max(e));
         let pole = to.min(self.behind(out));
         let Some((last, size)) = self.terms(out, pole) else { return false };
-        if size.is_nan() || size > error {
+        if size.is_nan() || size > wanted {
             return false;
         }
         let changes = self.changes(out);
@@ -298,6 +316,15 @@ impl<S: System + ?Sized> Flow<'_, S> {
             (Some(over), Some(length)) if length > (1.0 - CLEAR) * over.to => Err(self.at_change_point(over.to)),
             _ => Ok(()),
         }
+    }
+
+    /// Whether a step that leads over no change point ends near one all the same: it was shortened since its length was found, or its last terms say another
+    /// end than those that could be believed.
+    pub(super) fn ends_near(&mut self, length: f64) -> bool {
+        let Passage { here, best, .. } = self.passage;
+        let t = self.now.after(length).high;
+        let near = |margin: f64| margin < 0.5 * (CLEAR * best).min(OWN * here);
+        self.passage.over.is_none() && best > 0.0 && self.system.margin(t, &self.next_x).is_some_and(near)
     }
 
     /// Keeps the instant of a change point that has been passed.
