@@ -336,7 +336,13 @@ pub const COORDINATE: TableSpec = TableSpec {
     about: ("Generalized coordinates; `phi'` and `phi''` are the derivatives.", "Обобщённые координаты; `phi'` и `phi''` — производные."),
     short: Some(("name = \"unit\"", "имя = \"единица\"")),
     fields: &[
-        must("unit", Type::Unit, "", ("unit", "единица"), "\"rad\""),
+        must(
+            "unit",
+            Type::Unit,
+            "",
+            ("unit of the numbers in this file; results are shown in SI", "единица чисел в этом файле; результаты показываются в СИ"),
+            "\"rad\"",
+        ),
         may(
             "start",
             Type::Formula,

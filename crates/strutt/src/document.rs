@@ -300,7 +300,7 @@ impl Writer<'_> {
     }
 
     fn derivation(&self) -> Vec<Block> {
-        if self.equations.steps.is_empty() {
+        if self.equations.steps.is_empty() || self.equations.coordinates.is_empty() {
             return Vec::new();
         }
         vec![Block::Details { summary: self.word(Word::Derivation).into(), blocks: steps(self.equations, &self.printer(), self.language) }]

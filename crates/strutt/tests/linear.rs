@@ -102,3 +102,15 @@ fn linear_force_is_the_static_force() {
     close(&even, &m.stiffness, 1e-15);
     close(&odd, &[0.0; 4], 1e-15);
 }
+
+/// Only what cancels is rounding: a spring that is 1e-13 of another one keeps its oscillation, ω = sqrt(1e-4/1) = 0.01 rad/s.
+#[test]
+fn a_weak_spring_beside_a_strong_one_is_no_rounding() {
+    let text = "[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.b]\norigin = [\"x\", \"y\"]\nmass = \"1 kg\"\n\
+        [springs.s]\nalong = \"x\"\nstiffness = \"1e9 N/m\"\n[springs.w]\nalong = \"y\"\nstiffness = \"1e-4 N/m\"\n";
+    let machine = pipeline::build(&Source::new("model.toml", text), &[], &mut Watch::default()).expect("model");
+    let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest).expect("linear");
+    let m = linear.at(&Place::rest(&[0.0, 0.0])).unwrap();
+    close(&m.stiffness, &[1e9, 0.0, 0.0, 1e-4], 1e-15);
+    assert!((m.stiffness[3] - 1e-4).abs() < 1e-18);
+}

@@ -220,7 +220,7 @@ impl TouchLaws {
         if self.contacts || self.frictions {
             let words = (
                 "contacts and frictions: of force and motion one vanishes, largest residual, relative",
-                "контакты и трение: из силы и движения одно равно нулю, наибольшая невязка, относительно",
+                "контакты и трение: дополнительность (сила или движение равны нулю), наибольшая невязка, относительно",
             );
             list.push(audit("complementarity", words, &self.pairing));
         }

@@ -319,7 +319,7 @@ mod tests {
             assert!(svg.contains(&format!(">{word}<")), "{word}");
         }
         assert!(!svg.contains("slides back"));
-        assert!(write(&bands(), false, Language::Ru).contains("скользит вперёд"));
+        assert!(write(&bands(), false, Language::Ru).contains("скольжение вперёд"));
     }
 
     #[test]

@@ -22,13 +22,19 @@ pub fn run(args: &args::Explain, console: &mut Console) -> Result<Exit, Failure>
 }
 
 fn list(console: &Console) -> Result<(), Failure> {
-    let all = explain::all();
+    let mut all = explain::all();
+    all.sort_by_key(|e| (rooms(e.code), e.code));
     if console.shape == Shape::Json {
         let list: Vec<_> = all.iter().map(|e| to_json(e, console)).collect();
         return console.out(format!("{}\n", json!(list)));
     }
     let lines: String = all.iter().map(|e| format!("{}  {}\n", e.code, console.language.text(&e.title))).collect();
     console.out(lines)
+}
+
+/// Codes of the model first, then of its evaluation, of studies, of the command line.
+fn rooms(code: &str) -> usize {
+    "MPSC".find(&code[..1]).unwrap_or(4)
 }
 
 fn write(e: &Explanation, console: &Console) -> String {

@@ -50,7 +50,7 @@ pub fn statics(found: &StaticsFound, language: Language) -> Vec<Figure> {
             let title = language.pick(diagram.en, diagram.ru).to_owned();
             let scale = Scale::of_column(diagram.unit, largest(&r.diagrams, diagram.value));
             let label = language.pick(diagram.words.0, diagram.words.1);
-            let series = curve(diagram.symbol, &format!("{label}, {}", scale.print(language)), line);
+            let series = curve(letter(diagram.symbol, language), &format!("{label}, {}", scale.print(language)), line);
             let mut drawn = figure(&format!("diagram-{}", diagram.symbol), title, vec![straight(&r.frame, language), series]);
             drawn.marks = names(&r.frame);
             drawn.marks.extend(values(&r.frame, &r.diagrams, diagram, &scale, language));
@@ -101,6 +101,11 @@ const DIAGRAMS: [Diagram; 3] = [
         side: 1.0,
     },
 ];
+
+/// The shear force is V in English and Q in Russian textbooks.
+fn letter(symbol: &'static str, language: Language) -> &'static str {
+    if symbol == "V" { language.pick("V", "Q") } else { symbol }
+}
 
 /// Share of the largest value below which a value is zero in a drawing.
 const ZERO: f64 = 1e-9;
@@ -214,7 +219,7 @@ fn straight(frame: &Frame<f64>, language: Language) -> Series {
         rod.ends.iter().for_each(|i| push(&mut line, frame.nodes[*i].at));
         push(&mut line, [f64::NAN, f64::NAN]);
     }
-    curve("", language.pick("unloaded", "без нагрузки"), line)
+    curve("", language.pick("undeformed", "недеформированная схема"), line)
 }
 
 fn curve(name: &str, label: &str, line: Line) -> Series {

@@ -13,6 +13,8 @@ use report::{Block, Cell, Language, Table};
 
 /// Significant digits.
 const DIGITS: usize = 6;
+/// Longest fraction that a reader takes in; longer ones are shown as decimals.
+const READABLE: usize = 13;
 
 fn number(v: f64, language: Language) -> String {
     report::number::short(v, DIGITS, language)
@@ -95,8 +97,8 @@ fn matrices(reduced: &Reduced<f64>, exact: Option<&Reduced<symbolic::Rational>>,
         for i in 0..n {
             let mut row = vec![Cell::symbol(reduced.coordinates[i].symbol.clone())];
             row.extend((0..n).map(|j| match exact {
-                Some(list) => Cell::words(fraction(&list[i * n + j])),
-                None => Cell::Number(number(machine[i * n + j], language)),
+                Some(list) if fraction(&list[i * n + j]).chars().count() <= READABLE => Cell::words(fraction(&list[i * n + j])),
+                _ => Cell::Number(number(machine[i * n + j], language)),
             }));
             table.row(row);
         }
@@ -242,7 +244,8 @@ fn rods(found: &StaticsFound, language: Language) -> Table {
     let mut heads = vec![Column::new(language.pick("Rod", "Стержень")), Column::with_unit(Rich::symbol("N"), "N", language)];
     if !bars {
         heads.extend(
-            ["V_max", "M_start", "M_end", "M_max"]
+            language
+                .pick(["V_max", "M_start", "M_end", "M_max"], ["Q_max", "M_нач", "M_кон", "M_max"])
                 .iter()
                 .zip(["N", "N m", "N m", "N m"])
                 .map(|(s, u)| Column::with_unit(Rich::symbol(*s), u, language)),
