@@ -105,7 +105,9 @@ impl Tangent {
             }
             Operation::Power(a, p) => {
                 let p = self.values.coefficient(*p);
-                let slope = if p == 0.0 { 0.0 } else { p * at(self, a).powf(p - 1.0) };
+                // a radicand whose power has a value is negative by rounding only
+                let base = if own.is_finite() && p.fract() != 0.0 { at(self, a).max(0.0) } else { at(self, a) };
+                let slope = if p == 0.0 { 0.0 } else { p * base.powf(p - 1.0) };
                 self.add(slope, *a);
             }
             Operation::Unary(f, a) => self.add(slope(*f, at(self, a), own), *a),
