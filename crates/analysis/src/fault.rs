@@ -99,6 +99,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
     crate::studies::explain::SECTION_OF_FORCED,
     crate::studies::explain::ROWS_ONLY,
     crate::studies::explain::NO_NUMBER,
+    crate::studies::transient::phase_error::PHASE,
+    crate::studies::explain::LONG_WAY,
     crate::studies::explain::NOT_AT_REST,
     crate::studies::explain::NO_SUCH_PERIOD,
     crate::studies::explain::NOT_TURNING,

@@ -4,6 +4,7 @@ use crate::args::Global;
 use mechanics::Diagnostic;
 use report::Language;
 use serde_json::json;
+use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,6 +12,7 @@ use std::time::{Duration, Instant};
 use strutt::diagnostics::{self, Style};
 use strutt::words::{Word, say};
 use strutt::{Failure, Source, Trouble, Watch};
+use symbolic::Text;
 
 /// Set by Ctrl+C and by requests to end (SIGTERM, SIGHUP).
 pub static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -22,6 +24,8 @@ static CALCULATING: AtomicBool = AtomicBool::new(false);
 const GRACE: Duration = Duration::from_millis(1500);
 /// Between lines on the progress where no terminal shows it.
 const BETWEEN_LINES: Duration = Duration::from_secs(10);
+/// Between changes of what a terminal shows.
+const BETWEEN_SPINS: Duration = Duration::from_millis(100);
 /// A calculation shows its progress when it takes longer.
 const PATIENCE: Duration = Duration::from_secs(1);
 
@@ -151,18 +155,20 @@ impl Console {
 
     /// Runs a calculation under watch: Ctrl+C stops it, a bar shows its progress, its phases are timed.
     pub fn watched<T>(&mut self, calculate: impl FnOnce(&mut Watch) -> T) -> T {
-        let mut bar = Bar::new(self.quiet, self.language);
-        let mut tell = |share: f64| bar.tell(share);
+        let bar = RefCell::new(Bar::new(self.quiet, self.language));
+        let mut tell = |share: f64| bar.borrow_mut().tell(share);
+        let mut say = |words: Text| bar.borrow_mut().say(&words);
         let mut watch = Watch::default();
         watch.interrupt = Some(&INTERRUPTED);
         watch.progress = Some(&mut tell);
+        watch.doing = Some(&mut say);
         CALCULATING.store(true, Ordering::Relaxed);
         let result = calculate(&mut watch);
         CALCULATING.store(false, Ordering::Relaxed);
         if let Some(laps) = &mut self.laps {
             laps.extend(watch.laps());
         }
-        bar.end();
+        bar.into_inner().end();
         result
     }
 
@@ -218,6 +224,9 @@ struct Bar {
     shown: Option<indicatif::ProgressBar>,
     form: Form,
     language: Language,
+    /// The share told last, and how often the shares began anew: a motion is computed twice where its digits are asked for.
+    share: f64,
+    pass: usize,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -235,14 +244,45 @@ impl Bar {
             (false, false) => Form::Lines,
         };
         let now = Instant::now();
-        Bar { started: now, told: now, shown: None, form, language }
+        Bar { started: now, told: now, shown: None, form, language, share: 0.0, pass: 1 }
     }
 
     fn tell(&mut self, share: f64) {
+        if share < self.share {
+            (self.pass, self.started) = (self.pass + 1, Instant::now());
+        }
+        self.share = share;
         match self.form {
             Form::Bar if self.started.elapsed() >= PATIENCE => self.draw(share),
             Form::Lines if self.told.elapsed() >= BETWEEN_LINES => self.line(share),
             _ => {}
+        }
+    }
+
+    /// What a search of unknown length does, and for how long.
+    fn say(&mut self, words: &Text) {
+        let elapsed = self.started.elapsed();
+        match self.form {
+            Form::Lines if self.told.elapsed() >= BETWEEN_LINES => {
+                self.told = Instant::now();
+                let unit = self.language.pick("s", "с");
+                complain(&format!("{} ({:.0} {unit})\n", self.language.text(words), elapsed.as_secs_f64()));
+            }
+            Form::Bar if elapsed >= PATIENCE => self.spin(words),
+            _ => {}
+        }
+    }
+
+    /// The same on a terminal.
+    fn spin(&mut self, words: &Text) {
+        let bar = self.shown.get_or_insert_with(|| {
+            let style = indicatif::ProgressStyle::with_template("{elapsed}  {msg}").ok();
+            let bar = indicatif::ProgressBar::new_spinner();
+            if let Some(style) = style { bar.with_style(style) } else { bar }
+        });
+        if self.told.elapsed() >= BETWEEN_SPINS {
+            self.told = Instant::now();
+            bar.set_message(self.language.text(words).to_owned());
         }
     }
 
@@ -251,9 +291,13 @@ impl Bar {
         self.told = Instant::now();
         let elapsed = self.started.elapsed().as_secs_f64();
         let (done, left) = (100.0 * share, elapsed * (1.0 - share) / share.max(f64::MIN_POSITIVE));
+        let pass = match self.pass {
+            1 => String::new(),
+            pass => format!("{} {pass}: ", self.language.pick("pass", "проход")),
+        };
         complain(&match self.language {
-            Language::Ru => format!("выполнено {done:.1} % за {elapsed:.0} с, осталось около {left:.0} с\n").replace('.', ","),
-            _ => format!("{done:.1} % done in {elapsed:.0} s, about {left:.0} s left\n"),
+            Language::Ru => format!("{pass}выполнено {done:.1} % за {elapsed:.0} с, осталось около {left:.0} с\n").replace('.', ","),
+            _ => format!("{pass}{done:.1} % done in {elapsed:.0} s, about {left:.0} s left\n"),
         });
     }
 

@@ -206,7 +206,7 @@ fn confirm(machine: &mut Machine, finding: Finding, watch: &mut Watch) -> Findin
         let mut options = plan::options(&study, watch);
         options.events = plan::events(&machine.model, &machine.equations);
         options.pushes = plan::pushes(&machine.model, &machine.equations);
-        studies::simulate::confirm(&mut machine.system, &start, &options, &mut data);
+        studies::simulate::confirm(&mut machine.system, &start, &mut options, &mut data);
         watch.lap(Word::TimeRun);
     }
     Finding::Motion(study, data, trouble)

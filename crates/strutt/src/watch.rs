@@ -3,6 +3,7 @@
 use crate::words::Word;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+use symbolic::Text;
 
 /// Watches a calculation.
 pub struct Watch<'a> {
@@ -10,6 +11,8 @@ pub struct Watch<'a> {
     pub interrupt: Option<&'a AtomicBool>,
     /// Told the finished share of a study now and then.
     pub progress: Option<&'a mut dyn FnMut(f64)>,
+    /// Told what a search does whose length nobody knows beforehand.
+    pub doing: Option<&'a mut dyn FnMut(Text)>,
     /// Whether each motion is computed once more with half the tolerance, as a check.
     pub halve_tolerance: bool,
     /// Whether a motion is repeated with other steps to see which digits hold.
@@ -22,7 +25,16 @@ pub struct Watch<'a> {
 impl Default for Watch<'_> {
     fn default() -> Self {
         let now = Instant::now();
-        Watch { interrupt: None, progress: None, halve_tolerance: false, check: false, laps: Vec::new(), start: now, last: now }
+        Watch {
+            interrupt: None,
+            progress: None,
+            doing: None,
+            halve_tolerance: false,
+            check: false,
+            laps: Vec::new(),
+            start: now,
+            last: now,
+        }
     }
 }
 

@@ -260,3 +260,17 @@ pub(crate) const ROWS_ONLY: Explanation = Explanation {
          расчёта.",
     ),
 };
+
+pub(crate) const LONG_WAY: Explanation = Explanation {
+    code: "S079",
+    en: (
+        "a range too long for a linkage",
+        "`kinematics` closes the linkage place by place along its whole range. A range of more than 10⁵ radians (or as many arms of the linkage), or a rate whose \
+         square no number holds, is refused before anything is computed. Wrong: turns = 1e6. Right: turns = 1, for every turn of a cyclic machine is like the first.",
+    ),
+    ru: (
+        "слишком длинный промежуток для механизма",
+        "Расчёт `kinematics` замыкает механизм положение за положением на всём промежутке. Промежуток более 10⁵ радиан (или стольких же плеч механизма), а также \
+         скорость, квадрат которой не представить числом, отклоняются до начала счёта. Неверно: turns = 1e6. Верно: turns = 1, все обороты цикловой машины одинаковы.",
+    ),
+};

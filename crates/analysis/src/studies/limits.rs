@@ -11,8 +11,9 @@ use crate::linear::{LinearMachine, Matrices, Place, Seen, Values};
 use crate::studies::modes::Complex;
 use crate::studies::response::magnitude;
 
-/// Forces from oscillating coefficients that may be left out, relative to the terms.
+/// Forces from oscillating coefficients that may be left out, relative to the terms: without a word, and with one.
 const FED_BACK: f64 = 1e-6;
+const TOLD: f64 = 1e-2;
 /// Distance of the forces from a straight line that is worth a word.
 const BENT: f64 = 1e-2;
 
@@ -23,17 +24,18 @@ pub const PULSATING: Explanation = Explanation {
     ru: ("коэффициенты, колеблющиеся во времени", PULSATING_RU),
 };
 const PULSATING_EN: &str = "Inertia, damping or stiffness oscillate in time (a rotor with unequal moments of inertia in axes at rest, a pulsating spring), so that one \
-    frequency of the load is answered at many, and these act back on the first. The amplitudes of `response` are those of the means and would be wrong by more than \
-    rounding. Wrong: response of a rotor with xx and yy that differ, its angles counted at rest. Right: count its angles in the turning frame, where the coefficients are \
+    frequency of the load is answered at many, and these act back on the first. The amplitudes of `response` are those of the means. Where \
+    inertia and damping act back by more than a hundredth of the forces they are refused; below that a note says by how much the amplitudes are uncertain. Wrong: response of a rotor with xx and yy that differ, its angles counted at rest. Right: count its angles in the turning frame, where the coefficients are \
     constant, or find the regime with `periodic`.";
 const PULSATING_RU: &str = "Инерция, сопротивление или жёсткость колеблются во времени (ротор с неравными моментами инерции в неподвижных осях, пульсирующая жёсткость), \
-    поэтому на одну частоту нагрузки приходится много частот отклика, влияющих на первую. Амплитуды `response` получены по средним и были бы неверны больше, чем на \
-    погрешность округления. Неверно: response ротора с разными xx и yy, углы которого отсчитаны от неподвижных осей. Верно: отсчитывайте углы во вращающихся осях, где \
+    поэтому на одну частоту нагрузки приходится много частот отклика, влияющих на первую. Амплитуды `response` получены по средним. Если \
+    колебания инерции и сопротивления дают более сотой доли сил, в амплитудах отказано; ниже этого примечание сообщает их погрешность. Неверно: response ротора с разными xx и yy, углы которого отсчитаны от неподвижных осей. Верно: отсчитывайте углы во вращающихся осях, где \
     коэффициенты постоянны, или найдите режим с помощью `periodic`.";
 
-/// A remark where stiffnesses oscillate: of a spring that pulsates, or of a load that depends on the place, which is small of second order.
+/// A remark where coefficients oscillate: of a spring that pulsates, or of a load that depends on the place, which is small of second order; of the inertia of
+/// an unbalanced body on a support that turns.
 ///
-/// *Errors*: S108 where oscillating inertia or damping acts back on the amplitudes X at ω.
+/// *Errors*: S108 where oscillating inertia or damping acts back on the amplitudes X at ω by more than a hundredth.
 pub fn steady(machine: &LinearMachine, place: &Place, omega: f64, x: &[Complex]) -> Result<Option<Text>, Fault> {
     if !machine.timing().varying || x.iter().any(|z| !magnitude(*z).is_finite()) {
         return Ok(None);
@@ -47,8 +49,11 @@ pub fn steady(machine: &LinearMachine, place: &Place, omega: f64, x: &[Complex])
     };
     let own = share(Matrices { n, mass, damping, stiffness: none.clone(), ..Matrices::default() });
     let of_places = share(Matrices { n, mass: none.clone(), damping: none, stiffness, ..Matrices::default() });
-    if own > FED_BACK {
+    if own > TOLD {
         return Err(pulsating(own, omega));
+    }
+    if own > FED_BACK.max(of_places) {
+        return Ok(Some(little(own, omega)));
     }
     Ok((of_places > FED_BACK).then(|| {
         let (share, omega) = (rounded(of_places), rounded(omega));
@@ -65,6 +70,22 @@ pub fn steady(machine: &LinearMachine, place: &Place, omega: f64, x: &[Complex])
             ),
         )
     }))
+}
+
+fn little(share: f64, omega: f64) -> Text {
+    let (share, omega) = (rounded(share), rounded(omega));
+    Text::new(
+        format!(
+            "inertia or damping oscillates in time (an unbalanced body on a support that turns, say): at ω = {} rad/s the oscillating parts act with {} of the forces of \
+             the means, and the amplitudes are uncertain by as much; `periodic` gives them exactly",
+            omega.en, share.en
+        ),
+        format!(
+            "инерция или сопротивление колеблется во времени (например, неуравновешенное тело на поворачивающейся опоре): при ω = {} рад/с колеблющиеся части дают {} от \
+             сил, вычисленных по средним, и настолько же неточны амплитуды; точные даёт `periodic`",
+            omega.ru, share.ru
+        ),
+    )
 }
 
 fn pulsating(share: f64, omega: f64) -> Fault {

@@ -135,10 +135,10 @@ pub fn simulate<S: System + ?Sized>(system: &mut S, start: &[f64], mut options: 
     dataset.partial |= fault.is_some();
     dataset.audits.splice(0..0, two_derivations(system, start, options.until, options.seed));
     if options.check && !dataset.partial {
-        confirm(system, start, &options, &mut dataset);
+        confirm(system, start, &mut options, &mut dataset);
     }
     if options.tolerance_halving && !dataset.partial {
-        match halved(system, start, &options) {
+        match halved(system, start, &mut options) {
             Some(finer) if !finer.dataset.partial => {
                 dataset.audits.push(tolerance_halving(&dataset.columns, &finer.dataset.columns, options.tolerance));
             }
@@ -151,14 +151,15 @@ pub fn simulate<S: System + ?Sized>(system: &mut S, start: &[f64], mut options: 
 }
 
 /// The same run with half the tolerance (twice at the lower end).
-fn halved<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simulate<'_>) -> Option<Outcome> {
+fn halved<S: System + ?Sized>(system: &mut S, start: &[f64], options: &mut Simulate<'_>) -> Option<Outcome> {
     let half = 0.5 * options.tolerance;
-    repeated(system, start, options, (if half < TOLERANCES.0 { 2.0 * options.tolerance } else { half }, options.order))
+    let (tolerance, order) = (if half < TOLERANCES.0 { 2.0 * options.tolerance } else { half }, options.order);
+    repeated(system, start, options, (tolerance, order))
 }
 
 /// Computes a finished motion once more, by a tenth of the tolerance where there is room below it and by an order that a run does not take by itself, and
 /// notes which digits hold. Costs about as much as the motion.
-pub fn confirm<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simulate<'_>, dataset: &mut Dataset) {
+pub fn confirm<S: System + ?Sized>(system: &mut S, start: &[f64], options: &mut Simulate<'_>, dataset: &mut Dataset) {
     let tolerance = (0.1 * options.tolerance).max(TOLERANCES.0);
     // orders of runs are two apart
     let order = order_for(tolerance) + 3;
@@ -178,7 +179,7 @@ pub fn confirm<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Simu
 fn repeated<S: System + ?Sized>(
     system: &mut S,
     start: &[f64],
-    options: &Simulate<'_>,
+    options: &mut Simulate<'_>,
     (tolerance, order): (f64, Option<usize>),
 ) -> Option<Outcome> {
     let mut again = Simulate {
@@ -192,6 +193,7 @@ fn repeated<S: System + ?Sized>(
         memory: options.memory,
         method: options.method,
         most_steps: options.most_steps,
+        progress: options.progress.as_mut().map(|p| &mut **p as &mut dyn FnMut(f64)),
         ..Simulate::until(options.until)
     };
     let mut run = Run::prepare(system, &again).ok()?;

@@ -296,8 +296,12 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             self.rule.rescale(&self.step.states, h);
             defect = Defect::of_held_powers();
         }
+        // a switch may lie so near to the target that only rounding is left between them
+        let rounding = limit > 0.0 && limit <= 4.0 * f64::EPSILON * target.abs();
         loop {
-            self.check_length(h)?;
+            if !(rounding && h >= limit) {
+                self.check_length(h)?;
+            }
             let full = h >= limit;
             let (length, event) = self.shorten_to_event(h);
             self.refuse_switch_in_passage(event.then_some(length))?;
@@ -309,8 +313,10 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             let finite = self.next_x.iter().all(|x| x.is_finite());
             let lands = self.now.after(length);
             // what rounding leaves up to the target is no step
-            let full = full || lands.until(target).abs() <= 4.0 * f64::EPSILON * target.abs();
-            let lands = if full && !event { Instant::at(target) } else { lands };
+            let there = lands.until(target).abs() <= 4.0 * f64::EPSILON * target.abs();
+            let full = full || there;
+            // an event within rounding of the end is at the end: a step of one unit of the last place behind it would hold nothing but rounding
+            let lands = if full && !event || there && target == end { Instant::at(target) } else { lands };
             let probe = if !finite { Err(self.not_finite()) } else { self.correct(lands, length).and_then(|()| self.probe(lands, event)) };
             let passes = probe.is_ok() && (event || self.passes(length) != Some(false));
             if !passes && let Some(shorter) = self.give_up_passage() {

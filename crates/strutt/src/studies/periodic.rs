@@ -9,10 +9,11 @@ use crate::plan;
 use crate::watch::Watch;
 use crate::words::Word;
 use crate::{Failure, provenance};
-use analysis::studies::periodic::{Multiplier, Outcome, Periodic as Options, Regime, Return};
+use analysis::studies::periodic::{Listener, Multiplier, Outcome, Periodic as Options, Regime, Return, Stage};
 use analysis::studies::simulate::Grid;
 use mechanics::model::{Periodic, Section, StudyKind, Times};
 use serde_json::{Value, json};
+use std::cell::RefCell;
 use symbolic::Text;
 
 /// Steps of the search for a parameter.
@@ -53,6 +54,7 @@ pub fn regime(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Out
     if !lost || study.settle > 0.0 {
         return first;
     }
+    let mut rest = None;
     // a start far from the regime: let the motion come near it, and longer
     for settle in SETTLE {
         if watch.is_interrupted() {
@@ -62,8 +64,37 @@ pub fn regime(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Out
         if outcome.fault.is_none() {
             return outcome;
         }
+        if outcome.fault.as_ref().is_some_and(|f| f.code == "S041") {
+            rest.get_or_insert(outcome);
+        }
     }
-    first
+    // a motion that never comes back says more than one that has not settled yet
+    match rest {
+        Some(rest) if first.fault.as_ref().is_some_and(|f| f.code == "S042") => rest,
+        _ => first,
+    }
+}
+
+/// What a search does, in words.
+fn in_progress(stage: Stage) -> Text {
+    let short = |x: f64| {
+        let en = report::number::short(x, 3, report::Language::En);
+        (en.clone(), en.replace('.', ","))
+    };
+    let both = |x: f64, en: &str, ru: &str| {
+        let (x_en, x_ru) = short(x);
+        Text::new(en.replace("{}", &x_en), ru.replace("{}", &x_ru))
+    };
+    match stage {
+        Stage::Settling(t, of) => both(100.0 * t / of, "settling before the search: {} %", "установление перед поиском: {} %"),
+        Stage::Following(t) => both(t, "following the motion to its section: t = {} s", "движение до сечения: t = {} с"),
+        Stage::Varying(share) => both(100.0 * share, "variations of a turn: {} %", "вариации оборота: {} %"),
+        Stage::Turned(turn, miss) => both(
+            miss,
+            &format!("turn {turn}: the start is missed by {{}} of the range"),
+            &format!("оборот {turn}: до начала не хватает {{}} размаха"),
+        ),
+    }
 }
 
 /// The regime found from a state.
@@ -86,6 +117,12 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         Times::At(times) => Grid::At(times.clone()),
     };
     let plotted = plan::columns_with_plots(&study.outputs, &study.plots, &machine.equations);
+    let doing = RefCell::new(watch.doing.as_mut());
+    let told = |stage: Stage| {
+        if let Some(doing) = &mut *doing.borrow_mut() {
+            doing(in_progress(stage));
+        }
+    };
     let options = Options {
         by,
         returns,
@@ -94,7 +131,7 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         tolerance: study.tolerance.min(1e-13),
         grid,
         outputs: Some(plotted),
-        interrupt: watch.interrupt,
+        listener: Listener { interrupt: watch.interrupt, told: Some(&told) },
         ..Options::default()
     };
     let mut outcome = analysis::studies::periodic::periodic(&mut machine.system, start, &options);
@@ -323,6 +360,10 @@ fn verdict(regime: &Regime) -> Text {
             "The regime is stable: nothing but the shift along it can be disturbed.",
             "Режим устойчив: кроме сдвига вдоль него, возмущать нечего.",
         ),
+        Some(true) if regime.multipliers.iter().any(|m| m.trivial) => text(
+            "The regime is stable: every multiplier but the 1 of the shift along the motion lies inside the unit circle.",
+            "Режим устойчив: все мультипликаторы, кроме равного 1 (сдвиг вдоль движения), лежат внутри единичной окружности.",
+        ),
         Some(true) => text(
             "The regime is stable: every multiplier lies inside the unit circle.",
             "Режим устойчив: все мультипликаторы лежат внутри единичной окружности.",
@@ -353,19 +394,24 @@ fn verdict(regime: &Regime) -> Text {
     }
 }
 
+/// What the magnitude in the table leaves out: sign, argument, error, or why it is 1.
 fn multiplier_words(m: &Multiplier) -> Text {
-    let re = report::number::short(m.re, 6, report::Language::En);
-    let im = report::number::short(m.im.abs(), 6, report::Language::En);
-    let sign = if m.im < 0.0 { "−" } else { "+" };
-    let number = match m.log_abs {
-        Some(log) => format!("±10^({})", report::number::short(log / std::f64::consts::LN_10, 6, report::Language::En)),
-        None if m.re == 0.0 && m.im == 0.0 => format!("0 ± {}", report::number::short(m.error, 1, report::Language::En)),
-        None if m.im == 0.0 => re,
-        None => format!("{re} {sign} {im} i"),
-    };
-    let ru = number.replace('.', ",");
-    match m.trivial {
-        true => Text::new(format!("{number} (shift along the motion)"), format!("{ru} (сдвиг вдоль движения)")),
-        false => Text::new(number, ru),
+    let short = |x: f64, digits: usize| report::number::short(x, digits, report::Language::En);
+    let same = |words: String| Text::new(words.clone(), words.replace('.', ","));
+    match m.log_abs {
+        _ if m.trivial => Text::new("of the shift along the motion", "сдвиг вдоль движения"),
+        Some(log) => same(format!("±{}", power_of_ten(log / std::f64::consts::LN_10))),
+        None if m.re == 0.0 && m.im == 0.0 && m.error == 0.0 => Text::default(),
+        None if m.re == 0.0 && m.im == 0.0 => same(format!("0 ± {}", short(m.error, 1))),
+        None if m.im == 0.0 && m.re > 0.0 => Text::default(),
+        None if m.im == 0.0 => same(short(m.re, 6)),
+        None => same(format!("{} {} {} i", short(m.re, 6), if m.im < 0.0 { "−" } else { "+" }, short(m.im.abs(), 6))),
     }
+}
+
+/// A number by its common logarithm, however small: 3.2·10⁻¹²³⁵.
+fn power_of_ten(log: f64) -> String {
+    let whole = log.floor();
+    let mantissa = report::number::short(10_f64.powf(log - whole), 3, report::Language::En);
+    format!("{mantissa}·10{}", report::number::superscript(&format!("{whole:.0}")))
 }

@@ -20,7 +20,7 @@ use symbolic::{Equations, Graph, Text};
 
 use crate::Fault;
 use crate::dataset::{Audit, Extreme};
-use crate::fault::{Message, ten_digits};
+use crate::fault::{Message, rounded, ten_digits};
 use linkage::{Drives, Linkage, Spot, spot};
 use way::{Doubts, Stand};
 
@@ -89,6 +89,8 @@ const AGREES: f64 = 1e-9;
 const CONTRADICTS: f64 = 1e-8;
 /// Strides beside a singular first place at which the way begins.
 const BESIDE: f64 = 3.5;
+/// Longest range, rad or arms.
+const LONGEST: f64 = 1e5;
 /// A gap may fall below zero by this share of an arm: rounding of a contact that just touches.
 const PENETRATED: f64 = 1e-9;
 
@@ -98,6 +100,7 @@ pub fn follow(equations: &Equations, start: &[f64], way: Way) -> Followed {
     let from = way.at.first().copied().unwrap_or(0.0);
     let drives = Drives { over: way.over, with: way.with, graph: way.graph, from, rate: way.rate };
     let outcome = Linkage::new(equations, start, &drives).and_then(|mut linkage| {
+        passable(&linkage, start, way.at, way.rate)?;
         let mut walk = Walk { doubts: Doubts::default(), worst: [0.0; 3], rates: 0.0, largest: 0.0, linkage: &mut linkage };
         let mut stands = Vec::new();
         let result = walk.all(start, way.at, &mut found, &mut stands);
@@ -109,6 +112,32 @@ pub fn follow(equations: &Equations, start: &[f64], way: Way) -> Followed {
     });
     found.fault = outcome.err();
     found
+}
+
+/// Refuses a range that nobody waits for, and a rate whose square is no number.
+///
+/// *Errors*: S079.
+fn passable(linkage: &Linkage<'_>, start: &[f64], at: &[f64], rate: f64) -> Result<(), Fault> {
+    let unit = if linkage.angles[linkage.over] { 1.0 } else { linkage.arm };
+    let ends = [start[linkage.over]].into_iter().chain(at.first().copied()).chain(at.last().copied());
+    let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(s), h.max(s)));
+    let radians = (high - low) / unit;
+    if radians <= LONGEST && (rate * rate).is_normal() {
+        return Ok(());
+    }
+    let (radians, rate) = (rounded(radians), rounded(rate));
+    Err(Fault::new(Message {
+        code: "S079",
+        what: Text::new(
+            format!("the range cannot be followed: {} rad (arms of the linkage) at the rate {}", radians.en, rate.en),
+            format!("промежуток не пройти: {} рад (плеч механизма) при скорости {}", radians.ru, rate.ru),
+        ),
+        why: Text::new(
+            "the linkage is closed place by place along the whole range, at most 10⁵ radians; the square of the rate must be a number",
+            "механизм замыкается положение за положением на всём промежутке, не более 10⁵ радиан; квадрат скорости должен быть числом",
+        ),
+        help: Text::new("one turn tells all of a cyclic machine: --turns 1", "у цикловой машины достаточно одного оборота: --turns 1"),
+    }))
 }
 
 struct Walk<'w, 'e> {

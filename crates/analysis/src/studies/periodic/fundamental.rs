@@ -9,11 +9,11 @@
 //! *Source*: M. A. Aizerman, F. R. Gantmakher, Q. J. Mech. Appl. Math. 11 (1958); R. I. Leine, H. Nijmeijer, Dynamics and Bifurcations of
 //! Non-Smooth Mechanical Systems, 7.
 
+use super::listener::Listener;
 use super::orbit::{Jump, Orbit};
 use super::variation::{self, Chain, Stretch};
 use crate::events::{Change, Switch};
 use crate::{Fault, GuardKind, Mode, System};
-use std::sync::atomic::AtomicBool;
 
 /// Half width of differences, in scales of the state: (1e-3)^4 of truncation against 1e-16/1e-3 of rounding.
 const WIDTH: f64 = 1e-3;
@@ -160,6 +160,8 @@ pub(super) struct Fundamental {
     pub(super) matrix: Square,
     /// ln |det|: ∫ tr A dt and what the switches add; none when a switch takes a direction away.
     pub(super) log_determinant: Option<f64>,
+    /// Whether a switch takes a direction away: the matrix has a zero multiplier then, exactly.
+    pub(super) singular: bool,
     /// By how much Liouville's formula is missed.
     pub(super) liouville: f64,
     /// What the matrix may err by, as a share of its largest entry.
@@ -189,17 +191,17 @@ pub(super) fn of_orbit<S: System + ?Sized>(
     system: &mut S,
     orbit: &Orbit,
     scales: &[f64],
-    interrupt: Option<&AtomicBool>,
+    listener: Listener<'_>,
 ) -> Result<Fundamental, Fault> {
     let balanced = variation::balanced(system, orbit, scales);
     let mut chain = Chain::new(orbit.first.len());
     let (mut log_determinant, mut liouville, mut blur) = (Some(0.0), 0.0, Blur::None);
-    let mut from = 0;
+    let (mut from, mut singular) = (0, false);
     for jump in orbit.jumps.iter().map(Some).chain([None]) {
         let to = jump.map_or(orbit.steps.len(), |j| j.after + 1);
         // a change of modes without a switch parts the motion too
         for steps in orbit.steps[from..to].chunk_by(|a, b| a.modes == b.modes) {
-            let stretch = Stretch { steps, scales: &balanced, period: orbit.period, interrupt };
+            let stretch = Stretch { steps, scales: &balanced, period: orbit.period, listener };
             let varied = variation::vary(system, &stretch, &mut chain)?;
             log_determinant = log_determinant.map(|l| l + varied.divergence);
             liouville += varied.liouville;
@@ -207,10 +209,14 @@ pub(super) fn of_orbit<S: System + ?Sized>(
         from = to;
         let Some(jump) = jump else { break };
         match saltation(system, jump, scales)? {
-            Saltation::Matrix(mut scaled) => {
+            Saltation::Matrix(mut scaled, mut terms) => {
                 scaled.scale(&balanced);
+                terms.scale(&balanced);
                 let size = scaled.determinant().abs();
-                log_determinant = log_determinant.filter(|_| size > 1e-12 * scaled.hadamard()).map(|l| l + size.ln());
+                // a column in which everything cancels has a length of rounding: what met in it tells
+                let takes = size.is_nan() || size <= SINGULAR * terms.hadamard();
+                singular |= takes;
+                log_determinant = log_determinant.filter(|_| !takes).map(|l| l + size.ln());
                 chain.push(scaled, 0.0);
             }
             Saltation::Undefined(undefined) => blur = undefined,
@@ -218,7 +224,7 @@ pub(super) fn of_orbit<S: System + ?Sized>(
     }
     let (doubt, mut matrix) = (chain.doubt(), chain.whole);
     matrix.unscale(&balanced);
-    Ok(Fundamental { matrix, log_determinant, liouville, doubt, blur })
+    Ok(Fundamental { matrix, log_determinant, singular, liouville, doubt, blur })
 }
 
 /// Rates of the state in given modes.
@@ -229,10 +235,13 @@ pub(super) fn rates<S: System + ?Sized>(system: &mut S, t: f64, x: &[f64], modes
 
 /// Derivative of the state after a switch by the state before it.
 enum Saltation {
-    Matrix(Square),
+    /// The matrix, and the magnitudes of the terms that met in its entries.
+    Matrix(Square, Square),
     Undefined(Blur),
 }
 
+/// A determinant of a switch below this share of what its terms could make is zero.
+const SINGULAR: f64 = 1e-12;
 /// A guard is on its surface when it is below this share of its range.
 const CAUSE: f64 = 1e-7;
 /// Surfaces whose normals differ by more than this are two.
@@ -280,14 +289,20 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64]) ->
         }
         later.get_or_insert(own);
     }
-    let Some(later) = later else { return Ok(Saltation::Matrix(map)) };
+    let mut terms = map.clone();
+    terms.values.iter_mut().for_each(|v| *v = v.abs());
+    let Some(later) = later else { return Ok(Saltation::Matrix(map, terms)) };
     let carried = map.apply(&before);
     let mut matrix = map;
     for i in 0..n {
         let jump_of_rate = carried[i] + map_rate[i] - after[i];
-        matrix.values[i * n..(i + 1) * n].iter_mut().zip(&later).for_each(|(entry, dt)| *entry += jump_of_rate * dt);
+        let met = carried[i].abs() + map_rate[i].abs() + after[i].abs();
+        for (j, dt) in later.iter().enumerate() {
+            matrix.values[i * n + j] += jump_of_rate * dt;
+            terms.values[i * n + j] += met * dt.abs();
+        }
     }
-    Ok(Saltation::Matrix(matrix))
+    Ok(Saltation::Matrix(matrix, terms))
 }
 
 fn closes<S: System + ?Sized>(system: &S, switch: &Switch) -> bool {

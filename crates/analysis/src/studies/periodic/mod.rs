@@ -13,13 +13,15 @@
 //! *Source*: A. H. Nayfeh, B. Balachandran, Applied Nonlinear Dynamics, 5.2, 7.4.
 
 mod fundamental;
+mod listener;
 mod newton;
 mod orbit;
+mod rest;
 mod spectrum;
 mod symmetry;
 mod variation;
 
-use std::sync::atomic::{AtomicBool, Ordering};
+pub use listener::{Listener, Stage};
 
 use fundamental::Blur;
 use newton::Found;
@@ -65,8 +67,8 @@ pub struct Periodic<'a> {
     pub grid: Grid,
     /// Outputs by name; all when absent.
     pub outputs: Option<Vec<String>>,
-    /// Set from outside to stop early.
-    pub interrupt: Option<&'a AtomicBool>,
+    /// Told what the search does, and asked whether it is to end.
+    pub listener: Listener<'a>,
     /// Seed of the audits.
     pub seed: u64,
 }
@@ -82,7 +84,7 @@ impl Default for Periodic<'_> {
             tolerance: 1e-14,
             grid: Grid::Auto,
             outputs: None,
-            interrupt: None,
+            listener: Listener::default(),
             seed: 1,
         }
     }
@@ -147,7 +149,7 @@ const RETURNS: usize = 4;
 
 /// Searches the periodic regime from the state `start` at t = 0.
 ///
-/// *Errors*: S056 when there is nothing to move, S057 for a section of a forced machine, S041 when the motion does not come back, S042 when the search does not settle, S043 when a machine driven in time gets no
+/// *Errors*: S056 when there is nothing to move, S057 for a section of a forced machine, S041 when the motion does not come back or comes to rest, S042 when the search does not settle, S043 when a machine driven in time gets no
 /// period or a wrong one, and every fault of a motion.
 pub fn periodic<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>) -> Outcome {
     match search(system, start, options) {
@@ -171,7 +173,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
         grid: options.grid.clone(),
         outputs: options.outputs.clone(),
         tolerance: options.tolerance,
-        interrupt: options.interrupt,
+        interrupt: options.listener.interrupt,
         seed: options.seed,
         ..simulate::Simulate::until(found.orbit.period)
     };
@@ -188,6 +190,9 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
     }
     dataset.audits.insert(0, closure);
     let multipliers = if closes { multipliers(system, &found, options, &mut dataset)? } else { None };
+    if found.shrunk && multipliers.as_deref().is_some_and(rest::fades) {
+        return Err(rest::at_rest());
+    }
     let (parts, forces) = found.repeats(system)?;
     let gain = found.orbit.last.iter().zip(&found.orbit.first).map(|(b, a)| b - a).collect();
     let period = found.orbit.period;
@@ -335,12 +340,12 @@ fn closure(value: f64) -> Audit {
 
 impl<'a> Periodic<'a> {
     fn limit(&self) -> Limit<'a> {
-        Limit { time: self.longest, interrupt: self.interrupt }
+        Limit { time: self.longest, listener: self.listener }
     }
 }
 
 fn interrupted(options: &Periodic<'_>) -> bool {
-    options.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    options.listener.is_interrupted()
 }
 
 /// The motion does not come back to the section.

@@ -1,7 +1,9 @@
 //! The search: a trial run that shows scales, translations and the section; then turns, corrected by Newton's method.
 
 use super::fundamental::{self, Blur};
+use super::listener::{Listener, Stage};
 use super::orbit::{Limit, Orbit, Section, follow};
+use super::rest::{self, Left};
 use super::spectrum::Turn;
 use super::symmetry::{self, Reach, Symmetry};
 use super::{Periodic, Return, closure, driven, interrupted, no_return, unsettled};
@@ -10,7 +12,6 @@ use crate::numerics::rank::Qr;
 use crate::taylor::{Flow, Options};
 use crate::{Fault, Mode, System};
 use std::f64::consts::TAU;
-use std::sync::atomic::AtomicBool;
 use symbolic::Text;
 
 /// Steps of the trial run.
@@ -49,8 +50,10 @@ pub(super) struct Found<'o> {
     /// Change of all states per change of the free ones, column by column.
     basis: Vec<Vec<f64>>,
     angles: Vec<bool>,
-    /// Set from outside.
-    interrupt: Option<&'o AtomicBool>,
+    /// Whether the motion is far smaller than in the first turn.
+    pub(super) shrunk: bool,
+    /// Who listens.
+    listener: Listener<'o>,
 }
 
 /// How far a correction may lead.
@@ -74,6 +77,10 @@ struct Search<'s, 'o> {
     sections: Vec<Section>,
     /// State that defines the section; none for a given period.
     state: Option<usize>,
+    /// Scales of the first turn.
+    whole: Vec<f64>,
+    /// Whether the motion is far smaller than in the first turn.
+    shrunk: bool,
     name: Text,
 }
 
@@ -98,7 +105,11 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
         if interrupted(options) {
             break;
         }
-        let (orbit, which) = match (follow(system, &x, &search.sections, options.limit(), &search.flow), went.take()) {
+        tidy(&mut x, &search.scales);
+        search.aim(&x);
+        let outcome = follow(system, &x, &search.sections, options.limit(), &search.flow);
+        let by_proposal = went.take();
+        let (orbit, which) = match (outcome, by_proposal.clone()) {
             (Ok(Some(found)), _) => found,
             // the proposal stands inside a wall, outside of a domain or where nothing returns: it fails, not the file
             (_, Some(turn)) => {
@@ -113,10 +124,28 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
         search.sections = vec![search.sections[which]];
         if turn == 0 {
             search.scales = scales(system, &orbit, search.symmetry.frame.as_ref());
+            search.whole.clone_from(&search.scales);
+        }
+        let left = search.left(system, &orbit);
+        if left == Some(Left::Little) {
+            // the gaps before were measured in other scales
+            (best, last) = (None, f64::INFINITY);
         }
         let found = search.found(system, orbit)?;
+        if left == Some(Left::Rest) {
+            match by_proposal {
+                // a jump to a place that the motion itself leaves
+                Some(turn) if !rest::attracts(system, &found, options.seed) => {
+                    (x, follow_only) = (turn, 3);
+                    search.aim(&x);
+                    continue;
+                }
+                _ => return Err(rest::at_rest()),
+            }
+        }
         let gap = found.gap();
         let miss = found.miss(&gap, search.state);
+        options.listener.tell(Stage::Turned(turn + 1, miss));
         let better = best.as_ref().is_none_or(|(least, _)| miss < *least);
         let settled = miss <= EXACT || (best.as_ref().is_some_and(|(least, _)| *least <= ENOUGH) && miss > 0.5 * last);
         let next_turn = found.next_start(&gap);
@@ -154,6 +183,15 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
         None => Err(unsettled(1.0, 0)),
     }
 }
+
+/// What a turn or a correction has left of a zero. A start on a switch (a dead centre, where the sliding turns) is on it exactly: the motion then decides on
+/// which side it goes on, and not the sign of the rounding.
+fn tidy(x: &mut [f64], scales: &[f64]) {
+    x.iter_mut().zip(scales).filter(|(x, s)| x.abs() <= TIDY * **s).for_each(|(x, _)| *x = 0.0);
+}
+
+/// Share of its scale below which a state at the start of a turn is zero.
+const TIDY: f64 = 1e-13;
 
 /// The start of a turn after a correction.
 fn moved<S: System + ?Sized>(system: &mut S, found: &Found<'_>, step: &[f64]) -> Result<Vec<f64>, Fault> {
@@ -204,9 +242,7 @@ fn at_once<'o, S: System + ?Sized>(system: &mut S, search: &mut Search<'_, 'o>, 
 /// Some steps after the time to settle. Only the first half counts, for the run may have ended before a singular place.
 fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'_>, with: &Options) -> Result<Orbit, Fault> {
     let mut flow = Flow::start(system, 0.0, start, with)?;
-    while !flow.reached(options.settle) && !interrupted(options) {
-        flow.advance(options.settle)?;
-    }
+    settle(&mut flow, options.settle, options)?;
     let begin = flow.time();
     let mut orbit = Orbit { first: flow.state().to_vec(), modes: [flow.modes().to_vec(), Vec::new()], ..Orbit::default() };
     let end = begin + options.longest;
@@ -231,6 +267,26 @@ fn trial<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'
     }
     Ok(orbit)
 }
+
+/// Follows the motion to the end of the time to settle.
+///
+/// *Errors*: S010 where that would take more steps than anybody waits for.
+fn settle<S: System + ?Sized>(flow: &mut Flow<'_, S>, end: f64, options: &Periodic<'_>) -> Result<(), Fault> {
+    while !flow.reached(end) && !interrupted(options) {
+        flow.advance(end)?;
+        options.listener.tell(Stage::Settling(flow.time(), end));
+        let (steps, time) = (flow.work().steps as f64, flow.time());
+        let needed = steps * (end / time);
+        if steps > SAMPLE && needed > MOST {
+            return Err(Fault::too_many_steps(&flow.fastest(), time, time / steps, needed));
+        }
+    }
+    Ok(())
+}
+
+/// Steps after which the time to settle is judged, and the most that it may take.
+const SAMPLE: f64 = 1000.0;
+const MOST: f64 = 1e9;
 
 /// What the states vary by.
 fn scales<S: System + ?Sized>(system: &S, orbit: &Orbit, frame: Option<&Vec<f64>>) -> Vec<f64> {
@@ -283,6 +339,8 @@ fn prepare<'s, 'o, S: System + ?Sized>(
         angles,
         sections: Vec::new(),
         state: None,
+        whole: Vec::new(),
+        shrunk: false,
         name: Text::default(),
     };
     let mut x = trial.first.clone();
@@ -341,9 +399,7 @@ fn settled_phase<S: System + ?Sized>(
 ) -> Result<Vec<f64>, Fault> {
     let whole = (options.settle / period).ceil() * period;
     let mut flow = Flow::start(system, 0.0, start, with)?;
-    while !flow.reached(whole) && !interrupted(options) {
-        flow.advance(whole)?;
-    }
+    settle(&mut flow, whole, options)?;
     Ok(flow.state().to_vec())
 }
 
@@ -449,6 +505,21 @@ impl<'o> Search<'_, 'o> {
         turns.for_each(|(_, x)| *x -= TAU * (*x / TAU).round());
     }
 
+    /// What is left of the motion; where little is, it gets scales of its own. None in a given period: a place of rest is a regime of that period.
+    fn left<S: System + ?Sized>(&mut self, system: &S, orbit: &Orbit) -> Option<Left> {
+        self.state?;
+        if rest::left(orbit, &self.whole) == Left::Rest {
+            return Some(Left::Rest);
+        }
+        let left = rest::left(orbit, &self.scales);
+        if left != Left::Motion {
+            self.shrunk = true;
+            self.scales = scales(system, orbit, self.symmetry.frame.as_ref());
+            return Some(Left::Little);
+        }
+        Some(left)
+    }
+
     /// Moves the sections through the next start.
     fn aim(&mut self, x: &[f64]) {
         for section in &mut self.sections {
@@ -468,7 +539,8 @@ impl<'o> Search<'_, 'o> {
             free,
             basis,
             angles: self.angles.clone(),
-            interrupt: self.options.interrupt,
+            shrunk: self.shrunk,
+            listener: self.options.listener,
         })
     }
 }
@@ -580,7 +652,7 @@ impl Found<'_> {
         if returning.is_empty() {
             return Ok(None);
         }
-        let matrix = fundamental::of_orbit(system, &self.orbit, &self.scales, self.interrupt)?.matrix;
+        let matrix = fundamental::of_orbit(system, &self.orbit, &self.scales, self.listener)?.matrix;
         let rates = self.flow_at_end(system)?;
         let m = returning.len();
         let mut square = vec![0.0; m * m];
@@ -615,7 +687,7 @@ impl Found<'_> {
 
     /// What the turn does to small changes of the states that have to come back, in scales, and what leaves that undefined.
     pub(super) fn turn<S: System + ?Sized>(&self, system: &mut S) -> Result<(Turn, Blur), Fault> {
-        let whole = fundamental::of_orbit(system, &self.orbit, &self.scales, self.interrupt)?;
+        let whole = fundamental::of_orbit(system, &self.orbit, &self.scales, self.listener)?;
         let states = self.returning(None);
         let n = states.len();
         let mut matrix = vec![0.0; n * n];
@@ -629,7 +701,8 @@ impl Found<'_> {
         let flow = self.flow_at_start(system)?;
         // what connections or translations take out has no part in the matrix, but in the determinant
         let log_determinant = whole.log_determinant.filter(|_| n == self.orbit.first.len());
-        Ok((Turn { n, matrix, flow, log_determinant, liouville: whole.liouville, doubt: whole.doubt }, whole.blur))
+        let loses_one = whole.singular && n == self.orbit.first.len();
+        Ok((Turn { n, matrix, flow, log_determinant, loses_one, liouville: whole.liouville, doubt: whole.doubt }, whole.blur))
     }
 
     /// Rates at the start of the states that have to come back, in the moving frame and in scales; none when time is not free or nothing moves in it.
@@ -691,7 +764,7 @@ impl Found<'_> {
         // a start on a switch is behind it; so must the end be, which rounding may have put before it
         for late in BEHIND {
             let end = period * (1.0 + late);
-            let limit = Limit { time: end, interrupt: options.interrupt };
+            let limit = Limit { time: end, listener: options.listener };
             let Some((orbit, _)) = follow(system, x, &[Section::Time(end)], limit, &flow)? else { break };
             let same = orbit.modes[0] == orbit.modes[1];
             if same || ended.is_none() {

@@ -1,10 +1,10 @@
 //! One turn of the motion from a section back to it: its steps, the switches between them, the instant of return.
 
+use super::listener::{Listener, Stage};
 use crate::events::Switch;
 use crate::events::roots::RootFinder;
 use crate::taylor::{Flow, Options, Step};
 use crate::{Fault, Mode, System};
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Where a turn ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,8 +58,8 @@ const STEPS: usize = 200_000;
 pub(super) struct Limit<'a> {
     /// Longest time.
     pub(super) time: f64,
-    /// Set from outside.
-    pub(super) interrupt: Option<&'a AtomicBool>,
+    /// Who listens.
+    pub(super) listener: Listener<'a>,
 }
 
 /// Follows the motion from x at t = 0 to the first of the sections; none when it reaches none before `limit`. Returns which one it was.
@@ -79,9 +79,10 @@ pub(super) fn follow<S: System + ?Sized>(
         _ => limit.time,
     };
     while !flow.reached(end) && orbit.steps.len() < STEPS {
-        if limit.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+        if limit.listener.is_interrupted() {
             return Ok(None);
         }
+        limit.listener.tell(Stage::Following(orbit.period));
         flow.advance(end)?;
         let mut step = flow.step().clone();
         let back = first_return(&step, &mut watched);

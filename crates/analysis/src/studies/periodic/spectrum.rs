@@ -26,6 +26,8 @@ pub(super) struct Turn {
     pub(super) flow: Option<Vec<f64>>,
     /// ln |det| of the matrix, where it is known apart from it.
     pub(super) log_determinant: Option<f64>,
+    /// Whether a switch has taken a direction away, so that one multiplier at least is 0 exactly.
+    pub(super) loses_one: bool,
     /// By how much Liouville's formula was missed.
     pub(super) liouville: f64,
     /// What the entries may err by, as a share of the largest.
@@ -56,7 +58,7 @@ pub(super) fn spectrum(turn: &Turn, seed: u64) -> Result<Spectrum, Fault> {
     let off = shift.map_or(0.0, |(_, off)| off);
     let size = largest * ROUNDING.max(turn.liouville).max(turn.doubt).max(off);
     let mut multipliers = with_errors(r, &rest, size, seed)?;
-    name_smallest(&mut multipliers, turn.log_determinant);
+    name_smallest(&mut multipliers, turn);
     if let Some((value, _)) = shift {
         multipliers.push(Multiplier { re: value, trivial: true, error: 1e-12 * (1.0 + value.abs()), ..Multiplier::default() });
     }
@@ -108,13 +110,15 @@ fn with_errors(n: usize, matrix: &[f64], size: f64, seed: u64) -> Result<Vec<Mul
     Ok(values.iter().zip(&errors).map(multiplier).collect())
 }
 
-/// A multiplier below its error is no number: it is zero as far as the matrix tells. When it is the only one, the determinant gives it.
-fn name_smallest(multipliers: &mut [Multiplier], log_determinant: Option<f64>) {
+/// A multiplier below its error is no number: it is zero as far as the matrix tells. When it is the only one, the determinant gives it, or it is 0 exactly
+/// because a switch took its direction away.
+fn name_smallest(multipliers: &mut [Multiplier], turn: &Turn) {
     let lost = |m: &Multiplier| m.re.hypot(m.im) <= m.error;
     let known: f64 = multipliers.iter().filter(|m| !lost(m)).map(|m| m.abs().ln()).sum();
     let alone = multipliers.iter().filter(|m| lost(m)).count() == 1;
     for m in multipliers.iter_mut().filter(|m| lost(m)) {
         (m.re, m.im) = (0.0, 0.0);
-        m.log_abs = log_determinant.filter(|_| alone).map(|whole| whole - known);
+        m.error = if alone && turn.loses_one { 0.0 } else { m.error };
+        m.log_abs = turn.log_determinant.filter(|_| alone).map(|whole| whole - known);
     }
 }

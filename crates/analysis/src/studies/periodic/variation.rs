@@ -15,9 +15,8 @@
 //!
 //! *Source*: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.5.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use super::fundamental::{Square, slopes};
+use super::listener::{Listener, Stage};
 use super::orbit::Orbit;
 use crate::numerics::gauss::EIGHT;
 use crate::numerics::lu::Lu;
@@ -35,6 +34,8 @@ const LEAST: f64 = 32.0;
 const MOST: usize = 2_000_000;
 /// A difference below this that does not fall with the step is rounding of A.
 const ROUGH: f64 = 1e-9;
+/// By how much a step grows where rounding of A is all that the difference shows.
+const LONGER: f64 = 1.5;
 /// How much smaller than the difference the error of the two halves is, at least: 2^13 in theory.
 const BETTER: f64 = 64.0;
 /// Share of the turn below which there is no step.
@@ -53,8 +54,8 @@ pub(super) struct Stretch<'o> {
     pub(super) scales: &'o [f64],
     /// Duration of the whole turn.
     pub(super) period: f64,
-    /// Set from outside.
-    pub(super) interrupt: Option<&'o AtomicBool>,
+    /// Who listens.
+    pub(super) listener: Listener<'o>,
 }
 
 /// Time from one instant to another. Jumps of a microsecond after half an hour need more digits than one number has.
@@ -318,15 +319,16 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
     let mut along = Along { system, stretch, n, x: vec![0.0; n], rows: Vec::new() };
     let (mut t, end) = (first.start, last.end());
     let mut h = between(t, end).min(stretch.period / LEAST);
-    let mut refused: Option<f64> = None;
+    let (mut refused, mut rough): (Option<f64>, f64) = (None, 0.0);
     for _ in 0..MOST {
         let left = between(t, end);
         if left <= SHORTEST * stretch.period {
             return Ok(out);
         }
-        if stretch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+        if stretch.listener.is_interrupted() {
             return Err(super::unsettled(1.0, 0));
         }
+        stretch.listener.tell(Stage::Varying(t.high / stretch.period));
         h = h.min(left).min(stretch.seen_from(t));
         if h <= SHORTEST * stretch.period {
             break;
@@ -338,19 +340,22 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
         };
         let off = tried.off();
         let rounding = off <= ROUGH && refused.is_some_and(|before| off > 0.5 * before);
-        let factor = 0.9 * (TOLERANCE / off.max(1e-30)).powf(1.0 / (2 * STAGES) as f64);
-        if off > TOLERANCE && !rounding {
+        let allowed = TOLERANCE.max((2.0 * rough * h).min(ROUGH));
+        let factor = 0.9 * (allowed / off.max(1e-30)).powf(1.0 / (2 * STAGES) as f64);
+        if off > allowed && !rounding {
             refused = Some(off);
             h *= factor.clamp(0.2, 0.9);
             continue;
         }
+        rough = if rounding { rough.max(off / h) } else { rough };
         refused = None;
         let divergence = along.settled_divergence(t, h)?;
         out.liouville += tried.missed(divergence, &chain.whole);
         out.divergence += divergence;
-        chain.push(tried.matrix, tried.error / BETTER);
+        chain.push(tried.matrix, if off > TOLERANCE { tried.error } else { tried.error / BETTER });
         t = if h >= left { end } else { t.after(h) };
-        h *= factor.clamp(0.9, 3.0);
+        // rounding of A costs the same over a time, however many steps it has
+        h *= if off > TOLERANCE { LONGER } else { factor.clamp(0.9, 3.0) };
     }
     Err(super::too_quick(t.high))
 }

@@ -11,6 +11,7 @@ pub mod load;
 pub mod motion;
 mod obstacle;
 pub mod oscillator;
+pub(crate) mod phase_error;
 mod rest;
 mod value;
 mod walk;
@@ -97,7 +98,9 @@ fn solve<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64
         _ => None,
     };
     let phases = phases(equations, &start[..2 * system.n_coordinates()], &instants, &options.ends, rest.as_deref())?;
+    let blurred = phase_error::check(&phases, times.iter().copied().fold(0.0, f64::max))?;
     let mut dataset = table(system, &phases, &times, options)?;
+    dataset.notes.extend(blurred);
     if let Some(q) = &rest {
         dataset.notes.push(linearised(system, q));
     }

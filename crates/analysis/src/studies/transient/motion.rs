@@ -10,6 +10,7 @@ use super::oscillator::Oscillator;
 use crate::Fault;
 use crate::fault::Message;
 use crate::numerics::complex::Complex;
+use crate::numerics::eigen::general;
 use crate::numerics::expm;
 use crate::numerics::lu::Lu;
 use symbolic::Text;
@@ -53,6 +54,14 @@ impl Motion {
             return Ok(Motion::Modes(modes));
         }
         Joint::new(form, &loads, state).map(Motion::Exponential).ok_or_else(singular)
+    }
+
+    /// Rates λ of the parts e^(λ τ) of the motion, real and imaginary part, 1/s.
+    pub fn rates(&self) -> Vec<(f64, f64)> {
+        match self {
+            Motion::Modes(modes) => modes.iter().flat_map(|m| m.oscillator.rates()).collect(),
+            Motion::Exponential(joint) => general(joint.size, &joint.matrix).map(|found| found.values).unwrap_or_default(),
+        }
     }
 
     /// States (q, q') at each τ.

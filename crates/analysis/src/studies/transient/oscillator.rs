@@ -99,6 +99,14 @@ pub struct Constants {
 }
 
 impl Oscillator {
+    /// Roots of λ² + 2 n λ + k² = 0 and rates of the load, real and imaginary part.
+    pub fn rates(&self) -> Vec<(f64, f64)> {
+        let square = self.k2 - self.n * self.n;
+        let side = square.abs().sqrt();
+        let own = if square > 0.0 { [(-self.n, side), (-self.n, -side)] } else { [(-self.n + side, 0.0), (-self.n - side, 0.0)] };
+        own.into_iter().chain(self.load.0.iter().map(|term| (term.rate.re, term.rate.im))).collect()
+    }
+
     /// n² - k² without cancellation.
     fn discriminant(&self) -> f64 {
         if self.k2 < 0.0 {
