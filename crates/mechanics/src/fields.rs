@@ -47,6 +47,8 @@ pub enum Type {
     Gravity,
     /// A list of names.
     Names,
+    /// A name or a list of names.
+    NameOrNames,
     /// A list of quantities.
     Quantities,
     /// A list of plots.
@@ -84,6 +86,7 @@ impl Type {
             Type::Inertia => ("formula, or table { xx, yy, zz, xy, yz, xz }", "формула или таблица { xx, yy, zz, xy, yz, xz }"),
             Type::Gravity => ("false, formula, or array of 2 or 3 formulas", "false, формула или массив из 2 или 3 формул"),
             Type::Names => ("array of names", "массив имён"),
+            Type::NameOrNames => ("name, or array of names", "имя или массив имён"),
             Type::Quantities => ("array of quantities", "массив величин"),
             Type::Plots => ("array of names, arrays of names or { x, y, title }", "массив имён, массивов имён или { x, y, title }"),
             Type::Guess => ("table of quantities by coordinate", "таблица величин по координатам"),

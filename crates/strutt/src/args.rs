@@ -255,8 +255,8 @@ pub struct Modes {
     #[arg(long, value_name = "FROM,TO", requires = "over", allow_hyphen_values = true)]
     pub range: Option<String>,
     /// Number of its values
-    #[arg(long, value_name = "N", default_value_t = 101)]
-    pub points: usize,
+    #[arg(long, value_name = "N", requires = "over")]
+    pub points: Option<usize>,
     /// Scale of the shapes
     #[arg(long, value_enum, value_name = "SCALE")]
     pub normalise: Option<Normalise>,

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use strutt::diagnostics::{self, Style};
 use strutt::words::{Word, say};
-use strutt::{Failure, Source, Trouble, Watch};
+use strutt::{Failure, Source, Trouble, Watch, system};
 use symbolic::Text;
 
 /// Set by Ctrl+C and by requests to end (SIGTERM, SIGHUP).
@@ -79,9 +79,12 @@ impl Console {
             Ok(()) => Ok(()),
             Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Err(Failure::ClosedPipe),
             Err(error) => {
-                let (en, ru) =
-                    (format!("cannot write to standard output: {error}"), format!("не удаётся писать в стандартный вывод: {error}"));
-                Err(Trouble::new("C005", en, ru).into())
+                let cause = system::cause(&error);
+                let elsewhere = Text::new("send the output elsewhere", "направьте вывод в другое место");
+                let help = system::remedy(&error, &elsewhere);
+                let en = format!("cannot write to standard output: {}", cause.en);
+                let ru = format!("не удаётся писать в стандартный вывод: {}", cause.ru);
+                Err(Trouble::new("C005", en, ru).help(help.en, help.ru).into())
             }
         }
     }

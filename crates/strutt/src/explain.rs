@@ -76,6 +76,16 @@ const OWN: &[(&str, Wording, Wording)] = &[
         ),
     ),
     (
+        "S101",
+        ("Inverse dynamics without a motor", "Обратная задача без двигателя"),
+        (
+            "`inverse` finds the forces and torques of [motors] that realise the prescribed [motions]. A model without motors has none; its motion \
+             under given forces is found by `simulate`, its reactions at rest by `statics`.",
+            "`inverse` находит усилия и моменты двигателей [motors], осуществляющих заданные движения [motions]. В модели без двигателей искать \
+             нечего; движение под заданными силами находит `simulate`, реакции в покое – `statics`.",
+        ),
+    ),
+    (
         "S105",
         ("Not for structures", "Не для конструкций"),
         (
@@ -125,10 +135,28 @@ const OWN: &[(&str, Wording, Wording)] = &[
         "C005",
         ("Cannot write", "Не удаётся записать"),
         (
-            "A result could not be written: the disk is full, the folder is write-protected, or a file stands where a folder is needed. Files are \
-             written whole or not at all; earlier results of the same name are untouched.",
-            "Результат не записан: диск заполнен, папка защищена от записи или на месте папки стоит файл. Файлы записываются целиком или никак; прежние \
-             результаты с тем же именем не испорчены.",
+            "A result could not be written: the disk is full, the folder is write-protected, or a file stands where a folder is needed. The files \
+             of a calculation take their places together or not at all; earlier results are untouched then.",
+            "Результат не записан: диск заполнен, папка защищена от записи или на месте папки стоит файл. Файлы расчёта занимают свои места все \
+             вместе или никак; прежние результаты тогда не испорчены.",
+        ),
+    ),
+    (
+        "C052",
+        ("A result would replace an input", "Результат заменил бы исходный файл"),
+        (
+            "A file of results would get the name of the model file or of its table of variants, in the same folder. Nothing is written: what a \
+             calculation was made from stays. Choose another folder with --out, or rename the input.",
+            "Файл результатов получил бы имя файла модели или её таблицы вариантов в той же папке. Ничего не записывается: исходные данные \
+             остаются. Укажите другую папку ключом --out или переименуйте исходный файл.",
+        ),
+    ),
+    (
+        "C053",
+        ("Not a name for a file", "Негодное имя файла"),
+        (
+            "`strutt new` writes NAME.toml. The name is a path whose last part is not empty and is not `.` or `..`.",
+            "`strutt new` записывает файл ИМЯ.toml. Имя – это путь, последняя часть которого не пуста и не равна `.` или `..`.",
         ),
     ),
     ("C006", ("File exists", "Файл уже есть"), ("`strutt new` never overwrites a file.", "`strutt new` никогда не перезаписывает файл.")),
@@ -164,6 +192,16 @@ const OWN: &[(&str, Wording, Wording)] = &[
         (
             "Quantities on the command line are numbers with or without a unit: 30, 30s, \"1,5 min\". A number without unit is in SI.",
             "Величины в командной строке – это числа с единицей или без неё: 30, 30с, \"1,5 мин\". Число без единицы понимается в СИ.",
+        ),
+    ),
+    (
+        "C054",
+        ("An option that changes nothing", "Ключ, который ничего не меняет"),
+        (
+            "The option needs something that neither the command line nor the study of the file gives: --turns a section that is an angle, --flywheel \
+             a wanted irregularity. Passed over in silence it would look as if it had been taken.",
+            "Ключу нужно то, чего нет ни в командной строке, ни в расчёте файла: --turns – сечение-угол, --flywheel – заданная неравномерность \
+             хода. Если бы его молча пропускали, казалось бы, что он учтён.",
         ),
     ),
     (
@@ -258,8 +296,10 @@ const OWN: &[(&str, Wording, Wording)] = &[
         "C022",
         ("A table of variants that does not fit", "Таблица вариантов не подходит"),
         (
-            "The first line of the table names parameters, coordinates (starts) and phi' (rates) of the model, with a unit in brackets where numbers are not SI; each further line has as many cells. `columns` under [variants] picks the columns that count.",
-            "Первая строка таблицы называет параметры, координаты (начальные значения) и phi' (скорости) модели, с единицей в скобках, если числа не в СИ; в остальных строках столько же клеток. Ключ `columns` в [variants] выбирает нужные столбцы.",
+            "The first line of the table names parameters, coordinates (starts) and phi' (rates) of the model, with a unit in brackets where numbers are not SI; each further line has as many cells. `columns` under [variants] picks the columns that count. \
+             Neither a variant nor a column that counts may stand in the table twice: which of the two holds would depend on their order.",
+            "Первая строка таблицы называет параметры, координаты (начальные значения) и phi' (скорости) модели, с единицей в скобках, если числа не в СИ; в остальных строках столько же клеток. Ключ `columns` в [variants] выбирает нужные столбцы. \
+             Ни вариант, ни нужный столбец не может стоять в таблице дважды: какой из двух верен, решал бы их порядок.",
         ),
     ),
 ];

@@ -1,49 +1,39 @@
-//! Writing files: a file is there whole or not at all.
+//! Single files that must not exist yet, and refusals of the disk.
 
 use crate::failure::Trouble;
+use crate::system;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
+use symbolic::Text;
 
-/// Writes a file through a temporary one in the same folder; folders are made.
-///
-/// # Errors
-/// The disk refuses (C005).
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Box<Trouble>> {
-    if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
-        fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
-    }
-    let mut name = path.file_name().unwrap_or_default().to_os_string();
-    name.push(format!(".{}.part", std::process::id()));
-    let temporary = path.with_file_name(name);
-    let written = fs::File::create(&temporary).and_then(|mut file| file.write_all(bytes)).and_then(|()| fs::rename(&temporary, path));
-    written.map_err(|error| {
-        // the refusal is what the user must hear of, not a failure to tidy up after it
-        let _ = fs::remove_file(&temporary);
-        refused(path, &error)
-    })
-}
-
-/// Writes a file that must not exist yet.
+/// Writes a file that must not exist yet; it is there whole or not at all.
 ///
 /// # Errors
 /// It exists (C006), or the disk refuses (C005).
 pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Box<Trouble>> {
-    let file = fs::OpenOptions::new().write(true).create_new(true).open(path);
-    match file {
-        Ok(mut file) => file.write_all(bytes).map_err(|error| refused(path, &error)),
+    let elsewhere = Text::new("choose another place", "выберите другое место");
+    let refused = |error: &std::io::Error| cannot_write(path, error, &elsewhere);
+    match fs::OpenOptions::new().write(true).create_new(true).open(path) {
+        Ok(mut file) => file.write_all(bytes).map_err(|error| {
+            // an empty file would stand in the way of the next attempt
+            let _ = fs::remove_file(path);
+            refused(&error)
+        }),
         Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => Err(exists(path)),
-        Err(error) => Err(refused(path, &error)),
+        Err(error) => Err(refused(&error)),
     }
 }
 
-fn refused(path: &Path, error: &std::io::Error) -> Box<Trouble> {
-    let path = path.display();
-    let trouble = Trouble::new("C005", format!("cannot write `{path}`: {error}"), format!("не удаётся записать `{path}`: {error}")).help(
-        "choose another folder with --out, or make room on the disk",
-        "укажите другую папку ключом --out или освободите место на диске",
-    );
-    Box::new(trouble)
+/// C005 for a folder of results.
+pub fn refused(path: &Path, error: &std::io::Error) -> Box<Trouble> {
+    cannot_write(path, error, &Text::new("choose another folder with --out", "укажите другую папку ключом --out"))
+}
+
+fn cannot_write(path: &Path, error: &std::io::Error, elsewhere: &Text) -> Box<Trouble> {
+    let (path, cause, help) = (path.display(), system::cause(error), system::remedy(error, elsewhere));
+    let what = (format!("cannot write `{path}`: {}", cause.en), format!("не удаётся записать `{path}`: {}", cause.ru));
+    Box::new(Trouble::new("C005", what.0, what.1).help(help.en, help.ru))
 }
 
 fn exists(path: &Path) -> Box<Trouble> {
@@ -62,16 +52,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn files_are_replaced_whole_and_new_files_never() {
+    fn new_files_never_replace_others() {
         let folder = std::env::temp_dir().join(format!("strutt-files-{}", std::process::id()));
-        let path = folder.join("a/b.txt");
-        write(&path, b"one").unwrap();
-        write(&path, b"two").unwrap();
-        assert_eq!(fs::read(&path).unwrap(), b"two");
-        assert_eq!(fs::read_dir(folder.join("a")).unwrap().count(), 1);
+        fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("b.txt");
+        write_new(&path, b"two").unwrap();
         assert_eq!(write_new(&path, b"three").unwrap_err().code, "C006");
         assert_eq!(fs::read(&path).unwrap(), b"two");
-        assert_eq!(write(&path.join("c"), b"").unwrap_err().code, "C005");
+        assert_eq!(write_new(&path.join("c"), b"").unwrap_err().code, "C005");
         fs::remove_dir_all(folder).unwrap();
     }
 }

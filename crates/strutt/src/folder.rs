@@ -3,11 +3,14 @@
 use crate::diagnostics;
 use crate::document::{self, Extent};
 use crate::failure::Trouble;
-use crate::files;
 use crate::pipeline::{self, Calculation, Finding};
+use crate::shelf::Shelf;
+use crate::source::Source;
+use crate::variants;
 use crate::words::Word;
 use analysis::Dataset;
 use analysis::dataset::Column;
+use mechanics::Model;
 use mechanics::section::Section;
 use report::{Figure, Language, csv, json, page};
 use serde_json::{Map, Value, json};
@@ -16,9 +19,10 @@ use std::path::{Path, PathBuf};
 /// Writes everything about a calculation into a folder; returns the paths, the page last.
 ///
 /// # Errors
-/// The disk refuses (C005); files written before stay.
+/// A result would replace an input (C052), or the disk refuses (C005); then nothing is written.
 pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -> Result<Vec<PathBuf>, Box<Trouble>> {
-    let mut shelf = Shelf { folder, paths: Vec::new(), names: Vec::new() };
+    let inputs = inputs(&calculation.machine.origin.source, &calculation.machine.model);
+    let mut shelf = Shelf::open(folder, &inputs)?;
     let several = calculation.findings.len() > 1;
     for (i, finding) in calculation.findings.iter().enumerate() {
         let number = if several { format!("-{}", i + 1) } else { String::new() };
@@ -53,17 +57,23 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
         Word::Page,
         page::write(&document, page::Options { math_font: Some(report::formula::MATH_FONT) }).as_bytes(),
     )?;
-    Ok(shelf.paths)
+    shelf.close()
+}
+
+/// The files that a calculation reads: the model and its table of variants.
+pub fn inputs(source: &Source, model: &Model) -> Vec<PathBuf> {
+    let table = variants::file(model, source);
+    [PathBuf::from(&source.path)].into_iter().chain(table.map(PathBuf::from)).collect()
 }
 
 /// Writes a table and drawings of sections into a folder; returns the paths.
 ///
 /// # Errors
-/// The disk refuses (C005); files written before stay.
-pub fn sections(sections: &[Section], folder: &Path, language: Language) -> Result<Vec<PathBuf>, Box<Trouble>> {
-    let mut shelf = Shelf { folder, paths: Vec::new(), names: Vec::new() };
+/// A result would replace an input (C052), or the disk refuses (C005); then nothing is written.
+pub fn sections(sections: &[Section], (folder, inputs): (&Path, &[PathBuf]), language: Language) -> Result<Vec<PathBuf>, Box<Trouble>> {
+    let mut shelf = Shelf::open(folder, inputs)?;
     section_files(&mut shelf, sections, language)?;
-    Ok(shelf.paths)
+    shelf.close()
 }
 
 fn section_files(shelf: &mut Shelf, sections: &[Section], language: Language) -> Result<(), Box<Trouble>> {
@@ -75,31 +85,6 @@ fn section_files(shelf: &mut Shelf, sections: &[Section], language: Language) ->
         plot(shelf, &crate::sections::figure(section, language), "", language)?;
     }
     Ok(())
-}
-
-struct Shelf<'a> {
-    folder: &'a Path,
-    paths: Vec<PathBuf>,
-    names: Vec<(String, Word)>,
-}
-
-impl Shelf<'_> {
-    fn put(&mut self, name: &str, what: Word, bytes: &[u8]) -> Result<(), Box<Trouble>> {
-        let name = self.free(name);
-        let path = self.folder.join(&name);
-        files::write(&path, bytes)?;
-        self.paths.push(path);
-        self.names.push((name, what));
-        Ok(())
-    }
-
-    /// A name that no file of this folder has yet: some systems do not tell `X.svg` and `x.svg` apart.
-    fn free(&self, name: &str) -> String {
-        let taken = |wanted: &str| self.names.iter().any(|(n, _)| n.to_lowercase() == wanted.to_lowercase());
-        let (stem, end) = name.rsplit_once('.').unwrap_or((name, ""));
-        let numbered = |i: usize| format!("{stem}~{i}.{end}");
-        if taken(name) { (2..).map(numbered).find(|n| !taken(n)).unwrap_or_else(|| name.to_owned()) } else { name.to_owned() }
-    }
 }
 
 fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) -> Result<(), Box<Trouble>> {

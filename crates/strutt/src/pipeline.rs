@@ -223,7 +223,7 @@ pub fn simulate_with_works(machine: &mut Machine, study: &Simulate, works: &[Str
     options.works = works.to_vec();
     options.events = plan::events(&machine.model, &machine.equations);
     options.pushes = plan::pushes(&machine.model, &machine.equations);
-    let outcome = match machine.system.start() {
+    let outcome = match moving(&machine.equations).and_then(|()| machine.system.start()) {
         Ok(start) => studies::simulate::simulate(&mut machine.system, &start, options),
         Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
     };
@@ -232,10 +232,22 @@ pub fn simulate_with_works(machine: &mut Machine, study: &Simulate, works: &[Str
     checked(Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
 }
 
+/// S084 where no coordinate moves and no formula changes with time: every row would be the first.
+fn moving(equations: &Equations) -> Result<(), analysis::Fault> {
+    let rests = equations.balances.iter().map(|b| b.rest);
+    let outputs = equations.outputs.iter().map(|o| o.formula);
+    let defined = equations.definitions.iter().map(|d| d.formula);
+    let timed = |e| equations.graph.contains(e, |s| s == equations.time);
+    match equations.coordinates.is_empty() && equations.auxiliaries.is_empty() && !rests.chain(outputs).chain(defined).any(timed) {
+        true => Err(analysis::fault::nothing_moves()),
+        false => Ok(()),
+    }
+}
+
 /// A motion in closed form.
 pub fn transient(machine: &mut Machine, study: &model::Transient, watch: &mut Watch) -> Finding {
     let options = Transient { twin: plan::options(&study.motion, watch), ends: machine.model.phases.clone(), linearise: study.linearise };
-    let found = match machine.system.start() {
+    let found = match moving(&machine.equations).and_then(|()| machine.system.start()) {
         Ok(start) => studies::transient::transient(&mut machine.system, &machine.equations, &start, options),
         Err(fault) => Found { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },
     };

@@ -24,6 +24,26 @@ pub fn end(key: &str, text: &str) -> Result<f64, Failure> {
     if value >= 0.0 { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
 }
 
+/// How many points a range has.
+pub fn positions(key: &str, points: usize) -> Result<usize, Failure> {
+    let words = Text::new("a range has 2 ... 1000000 points", "в промежутке бывает 2 ... 1000000 точек");
+    if (2..=1_000_000).contains(&points) { Ok(points) } else { Err(bad(key, &points.to_string(), &words, &Text::default())) }
+}
+
+/// A duration that may be zero.
+pub fn duration(key: &str, text: &str) -> Result<f64, Failure> {
+    let value = seconds(key, text)?;
+    let words = Text::new("a duration is not negative", "длительность не бывает отрицательной");
+    if value >= 0.0 { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
+}
+
+/// C054: an option that would change nothing.
+pub fn idle(option: &str, needs: &Text) -> Failure {
+    strutt::Trouble::new("C054", format!("{option} would change nothing"), format!("ключ {option} ничего не изменил бы"))
+        .why(needs.en.clone(), needs.ru.clone())
+        .misuse()
+}
+
 /// A tolerance of the integrator.
 pub fn tolerance(key: &str, text: &str) -> Result<f64, Failure> {
     let value = number(key, text)?;

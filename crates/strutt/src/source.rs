@@ -125,7 +125,11 @@ fn neighbours(wanted: &Path) -> Vec<String> {
 }
 
 fn unreadable(path: &str, error: &std::io::Error) -> Trouble {
-    Trouble::new("C002", format!("cannot read `{path}`: {error}"), format!("не удаётся прочитать `{path}`: {error}"))
+    let cause = crate::system::cause(error);
+    Trouble::new("C002", format!("cannot read `{path}`: {}", cause.en), format!("не удаётся прочитать `{path}`: {}", cause.ru)).help(
+        "see that the path leads to a text file that you may read",
+        "проверьте, что путь ведёт к текстовому файлу, который разрешено читать",
+    )
 }
 
 fn too_large(path: &str) -> Trouble {

@@ -4,6 +4,7 @@ use crate::failure::{Failure, Trouble};
 use crate::near::nearest;
 use crate::source::Source;
 use mechanics::Model;
+use mechanics::diagnostic::{Severity, Source as Place};
 use mechanics::model::{VariantTable, Variants};
 use std::path::Path;
 
@@ -15,6 +16,8 @@ struct Sheet {
     header: Vec<(String, Option<String>)>,
     /// Rows, as many cells as columns.
     rows: Vec<Vec<String>>,
+    /// Line of each row, from 1.
+    lines: Vec<usize>,
     /// Column of the names of variants.
     key: usize,
 }
@@ -26,8 +29,10 @@ struct Sheet {
 pub fn overrides(model: &Model, source: &Source, name: &str) -> Result<Vec<(String, String)>, Failure> {
     let variants = model.variants.as_ref().ok_or_else(|| none(source))?;
     let sheet = sheet(variants, source)?;
-    let row = sheet.rows.iter().find(|row| same(&row[sheet.key], name)).ok_or_else(|| unknown(&sheet, name))?;
+    let at = only_row(&sheet, name)?;
+    let row = &sheet.rows[at];
     let used = used_columns(variants, &sheet, model)?;
+    named_once(&sheet, &used)?;
     let mut found = Vec::new();
     if let Some(parameter) = variants.number.as_ref().filter(|p| !used.iter().any(|i| sheet.header[*i].0 == **p)) {
         let number: f64 = row[sheet.key].parse().map_err(|_| {
@@ -47,10 +52,72 @@ pub fn overrides(model: &Model, source: &Source, name: &str) -> Result<Vec<(Stri
                 Some(unit) if bare => format!("{cell} {unit}"),
                 _ => cell.clone(),
             };
-            found.push((column.clone(), value));
+            let pair = (column.clone(), value);
+            cell_fits(&sheet, sheet.lines[at], &pair, source)?;
+            found.push(pair);
         }
     }
     Ok(found)
+}
+
+/// The table when it is a file of its own, as a path.
+pub fn file(model: &Model, source: &Source) -> Option<String> {
+    match &model.variants.as_ref()?.table {
+        VariantTable::Text(_) => None,
+        VariantTable::File(file) => Some(beside(source, file)),
+    }
+}
+
+fn beside(source: &Source, file: &str) -> String {
+    let folder = Path::new(&source.path).parent().unwrap_or(Path::new(""));
+    folder.join(file).to_string_lossy().into_owned()
+}
+
+/// The row of a variant: two rows of one name would let their order decide.
+fn only_row(sheet: &Sheet, name: &str) -> Result<usize, Failure> {
+    let mut found = (0..sheet.rows.len()).filter(|i| same(&sheet.rows[*i][sheet.key], name));
+    let first = found.next().ok_or_else(|| unknown(sheet, name))?;
+    match found.next() {
+        None => Ok(first),
+        Some(second) => {
+            let (a, b) = (sheet.lines[first], sheet.lines[second]);
+            Err(misfit(
+                sheet,
+                (format!("lines {a} and {b} are both variant `{name}`"), format!("строки {a} и {b} задают один вариант `{name}`")),
+            ))
+        }
+    }
+}
+
+/// Two columns of one quantity contradict each other.
+fn named_once(sheet: &Sheet, used: &[usize]) -> Result<(), Failure> {
+    for i in used.iter().chain([&sheet.key]) {
+        let name = &sheet.header[*i].0;
+        let mut twins = (0..sheet.header.len()).filter(|j| sheet.header[*j].0 == *name);
+        if let (Some(a), Some(b)) = (twins.next(), twins.next()) {
+            let (a, b) = (a + 1, b + 1);
+            return Err(misfit(
+                sheet,
+                (format!("columns {a} and {b} are both `{name}`"), format!("столбцы {a} и {b} называются одинаково: `{name}`")),
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// A cell is read as --set would read it; what is wrong with it is said of its place in the table.
+fn cell_fits(sheet: &Sheet, line: usize, pair: &(String, String), source: &Source) -> Result<(), Failure> {
+    let Err(found) = mechanics::read(&source.text, &source.path, std::slice::from_ref(pair)) else { return Ok(()) };
+    let own = found.into_iter().find(|d| d.severity == Severity::Error && matches!(d.source, Place::Override { .. }));
+    let Some(wrong) = own else { return Ok(()) };
+    let (place, column, what) = (&sheet.place, &pair.0, &wrong.what);
+    let mut trouble = Trouble::new(
+        "C022",
+        format!("{place}, line {line}, column `{column}`: {}", what.en),
+        format!("{place}, строка {line}, столбец `{column}`: {}", what.ru),
+    );
+    (trouble.why, trouble.help) = (wrong.why, wrong.help);
+    Err(trouble.into())
 }
 
 /// The names of all variants, in the order of the table; none when the file has no table.
@@ -73,8 +140,7 @@ fn sheet(variants: &Variants, source: &Source) -> Result<Sheet, Failure> {
     let (place, text) = match &variants.table {
         VariantTable::Text(text) => (source.path.clone(), text.clone()),
         VariantTable::File(file) => {
-            let folder = Path::new(&source.path).parent().unwrap_or(Path::new(""));
-            let path = folder.join(file).to_string_lossy().into_owned();
+            let path = beside(source, file);
             (path.clone(), Source::open(&path)?.text)
         }
     };
@@ -83,7 +149,7 @@ fn sheet(variants: &Variants, source: &Source) -> Result<Sheet, Failure> {
 
 fn parse(place: String, text: &str, key: Option<&str>) -> Result<Sheet, Failure> {
     let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
-    let mut sheet = Sheet { place, header: Vec::new(), rows: Vec::new(), key: 0 };
+    let mut sheet = Sheet { place, header: Vec::new(), rows: Vec::new(), lines: Vec::new(), key: 0 };
     let Some((_, first)) = lines.next() else {
         return Err(misfit(&sheet, ("the table of variants is empty".into(), "таблица вариантов пуста".into())));
     };
@@ -93,12 +159,10 @@ fn parse(place: String, text: &str, key: Option<&str>) -> Result<Sheet, Failure>
         let row = cells(line, separator);
         if row.len() != sheet.header.len() {
             let (line, n, m) = (number + 1, row.len(), sheet.header.len());
-            return Err(misfit(
-                &sheet,
-                (format!("line {line} has {n} cells, the header has {m}"), format!("в строке {line} клеток {n}, а столбцов {m}")),
-            ));
+            return Err(uneven(&sheet.place, line, (n, m)));
         }
         sheet.rows.push(row);
+        sheet.lines.push(number + 1);
     }
     if let Some(key) = key {
         let found = sheet.header.iter().position(|(name, _)| name == key);
@@ -162,7 +226,10 @@ fn unknown(sheet: &Sheet, name: &str) -> Failure {
     let place = &sheet.place;
     let list = names().take(60).collect::<Vec<_>>().join(", ");
     let trouble = Trouble::new("C021", format!("there is no variant `{name}` in {place}"), format!("нет варианта `{name}` в {place}"));
-    let trouble = trouble.why(format!("the table has: {list}"), format!("в таблице есть: {list}"));
+    let trouble = match sheet.rows.is_empty() {
+        true => trouble.why("the table has no rows", "в таблице нет строк"),
+        false => trouble.why(format!("the table has: {list}"), format!("в таблице есть: {list}")),
+    };
     match nearest(name, names()).filter(|_| name.trim().parse::<f64>().is_err()) {
         Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => trouble,
@@ -172,6 +239,19 @@ fn unknown(sheet: &Sheet, name: &str) -> Failure {
 
 fn misfit(sheet: &Sheet, (en, ru): (String, String)) -> Failure {
     Trouble::new("C022", format!("{}: {en}", sheet.place), format!("{}: {ru}", sheet.place)).into()
+}
+
+fn uneven(place: &str, line: usize, (cells, columns): (usize, usize)) -> Failure {
+    Trouble::new(
+        "C022",
+        format!("{place}: line {line} has {cells} cells, the header has {columns}"),
+        format!("{place}: в строке {line} клеток {cells}, а столбцов {columns}"),
+    )
+    .help(
+        "give each line one cell a column; a cell that holds a separator stands in quotes",
+        "задайте в каждой строке по клетке на столбец; клетку с разделителем внутри берут в кавычки",
+    )
+    .into()
 }
 
 fn no_column(sheet: &Sheet, name: &str) -> Failure {
@@ -233,5 +313,19 @@ mod tests {
         assert_eq!(of("variant,m\n1,2", "key = \"name\"", "1"), Err("C022"));
         assert_eq!(of("variant,m\na,2", "number = \"N\"", "a"), Err("C022"));
         assert_eq!(of("# nothing", "", "a"), Err("C022"));
+        assert_eq!(of("variant,m", "", "a"), Err("C021"));
+    }
+
+    #[test]
+    fn a_table_that_contradicts_itself_or_holds_no_number_is_refused() {
+        assert_eq!(of("variant,m\n1,2\n1.0,3", "", "1"), Err("C022"));
+        assert_eq!(of("variant,m,m\n1,2,3", "", "1"), Err("C022"));
+        assert_eq!(of("variant,variant,m\n1,2,3", "columns = [\"m\"]", "1"), Err("C022"));
+        // the other variants are not asked for, nor are columns that do not count
+        assert_eq!(of("variant,m\n1,2\n1,3\n2,5", "", "2").unwrap(), pairs(&[("m", "5")]));
+        assert_eq!(of("variant,m,note,note\n1,2,a,b", "columns = [\"m\"]", "1").unwrap(), pairs(&[("m", "2")]));
+        for cell in ["nan", "1e999", "2 s"] {
+            assert_eq!(of(&format!("variant,m\n1,{cell}"), "", "1"), Err("C022"), "{cell}");
+        }
     }
 }

@@ -147,6 +147,155 @@ fn completions_are_printed() {
 }
 
 #[test]
+fn results_never_replace_what_they_are_made_of() {
+    let here = folder("inputs");
+    let model = "gravity = false\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = { unit = \"m\", rate = \"1 m/s\" }\n[bodies.b]\norigin = [\"x\", 0]\n\
+                 mass = \"m\"\n[variants]\ntable = \"motion.csv\"\n[[study]]\nkind = \"simulate\"\nuntil = \"1 s\"\n";
+    let table = "variant,m\n1,2\n";
+    std::fs::write(here.join("index.html"), model).unwrap();
+    std::fs::write(here.join("motion.csv"), table).unwrap();
+    let before = std::fs::read_dir(&here).unwrap().count();
+    for out in [".", "../inputs"] {
+        let text = stderr(strutt().current_dir(&here).args(["run", "index.html", "--variant", "1", "--out", out]), 1);
+        assert!(text.contains("C052") && text.contains("motion.csv"), "{text}");
+    }
+    std::fs::rename(here.join("motion.csv"), here.join("masses.csv")).unwrap();
+    std::fs::write(here.join("index.html"), model.replace("motion.csv", "masses.csv")).unwrap();
+    let text = stderr(strutt().current_dir(&here).args(["simulate", "index.html", "--out", "."]), 1);
+    assert!(text.contains("C052") && text.contains("index.html"), "{text}");
+    assert_eq!(std::fs::read_to_string(here.join("masses.csv")).unwrap(), table);
+    assert!(std::fs::read_to_string(here.join("index.html")).unwrap().starts_with("gravity"));
+    assert_eq!(std::fs::read_dir(&here).unwrap().count(), before, "half of the results was written");
+    strutt().current_dir(&here).args(["run", "index.html", "--out", "results"]).assert().success();
+}
+
+#[test]
+fn runs_into_one_folder_leave_the_results_of_one() {
+    let here = folder("at-once");
+    std::fs::write(
+        here.join("a.toml"),
+        "gravity = false\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = { unit = \"m\", rate = \"1 m/s\" }\n[bodies.b]\norigin = [\"x\", 0]\nmass = \"m\"\n\
+         [springs.c]\nalong = \"x\"\nstiffness = \"1 N/m\"\n[[study]]\nkind = \"simulate\"\nuntil = \"1 s\"\nplot = [\"x\"]\n",
+    )
+    .unwrap();
+    let run = |m: usize| {
+        let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("strutt"));
+        command.current_dir(&here).args(["-q", "run", "a.toml", "--out", "two", "--set", &format!("m={m} kg")]);
+        command.stdout(std::process::Stdio::null()).spawn().unwrap()
+    };
+    let runs: Vec<_> = (1..=4).map(run).collect();
+    for mut child in runs {
+        assert!(child.wait().unwrap().success());
+    }
+    let last = |name: &str| std::fs::read_to_string(here.join("two").join(name)).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&last("motion.json")).unwrap();
+    let m = json["parameters"]["m"]["value"].as_f64().unwrap();
+    let (_, rows) = common::table(&last("motion.csv"));
+    let (t, x) = (rows.last().unwrap()[0], rows.last().unwrap()[1]);
+    // x = √m sin(t/√m)
+    assert!((x - m.sqrt() * (t / m.sqrt()).sin()).abs() < 1e-9, "the table is of another m than {m}");
+    let hash = json["model_hash"].as_str().unwrap();
+    assert!(last("index.html").contains(hash), "the page is of another m than {m}");
+    let names = std::fs::read_dir(here.join("two")).unwrap().map(|e| e.unwrap().file_name().to_string_lossy().into_owned());
+    assert!(names.into_iter().all(|n| !n.contains("strutt-")), "parts are left");
+}
+
+#[test]
+fn options_that_would_change_nothing_are_refused() {
+    let wheel = gallery("crank-hoist");
+    let slip = gallery("stick-slip");
+    for arguments in [&["cycle", &wheel, "--flywheel", "nosuchname"][..], &["periodic", &slip, "--turns", "2"]] {
+        let text = stderr(strutt().args(arguments), 2);
+        assert!(text.contains("C054"), "{arguments:?}: {text}");
+    }
+    let rotor = gallery("gyroscopic-rotor");
+    for arguments in [
+        &["periodic", &slip, "--settle=-1"][..],
+        &["modes", &rotor, "--over", "Omega", "--range", "0,600", "--points", "0"],
+        &["modes", &rotor, "--points", "5"],
+    ] {
+        strutt().args(arguments).assert().code(2);
+    }
+}
+
+#[test]
+fn what_cannot_move_or_is_not_driven_has_a_code() {
+    let beam = gallery("composite-beam");
+    for (verb, code) in [("simulate", "S084"), ("transient", "S084"), ("inverse", "S101")] {
+        let text = stderr(strutt().args([verb, &beam, "--until", "0.2s"]), 1);
+        assert!(text.contains(code) && !text.contains("check failed"), "{verb}: {text}");
+    }
+    let text = stderr(strutt().args(["response", &beam]), 1);
+    assert!(text.contains("S084"), "{text}");
+}
+
+#[test]
+fn russian_troubles_have_russian_causes() {
+    let here = folder("causes");
+    std::fs::write(here.join("file"), "").unwrap();
+    let top = gallery("top");
+    let text = stderr(strutt().current_dir(&here).args(["--lang", "ru", "run", &top, "--out", "file/x"]), 1);
+    assert!(text.contains("C005") && text.contains("стоит файл") && !text.contains("os error"), "{text}");
+    let text = stderr(strutt().current_dir(&here).args(["--lang", "ru", "check", "file/x.toml"]), 1);
+    assert!(text.contains("C002") && text.contains("стоит файл") && !text.contains("os error"), "{text}");
+    for name in ["", " ", ".", "a/"] {
+        let text = stderr(strutt().current_dir(&here).args(["new", name]), 2);
+        assert!(text.contains("C053"), "{name}: {text}");
+    }
+}
+
+#[test]
+fn values_of_unknowns_are_told_by_statics() {
+    let here = folder("unknowns");
+    let model = "[unknowns]\nm = \"1 kg\"\n[coordinates]\ny = \"m\"\n[bodies.b]\norigin = [0, \"y\"]\nmass = \"m\"\n[springs.c]\nalong = \"y\"\n\
+                 stiffness = \"98.1 N/m\"\nrest = \"0.5 m\"\n[supports.a]\nat = \"b\"\ndirections = [\"x\"]\n[[study]]\nkind = \"statics\"\n";
+    std::fs::write(here.join("m.toml"), model).unwrap();
+    // 98.1·0.5 = 9.81 m
+    let text = stdout(strutt().current_dir(&here).args(["statics", "m.toml"]));
+    assert!(text.contains("found from statics: m = "), "{text}");
+}
+
+#[test]
+fn reactions_that_the_coordinates_hide_are_not_called_open_at_rest() {
+    let here = folder("hidden-at-rest");
+    let model = "[coordinates]\ns = \"m\"\ny = { unit = \"m\", start = \"0.3 m\" }\np = \"rad\"\n[bodies.cart]\norigin = [\"s\", \"y\"]\nmass = \"900 kg\"\n[points]\nA = { on = \"cart\", at = [0, 0] }\n\
+                 [bodies.wheel]\norigin = \"A\"\nangle = \"p\"\nmass = \"60 kg\"\ninertia = \"1 kg m^2\"\n[rolling.K]\nbody = \"wheel\"\nradius = \"0.3 m\"\n\
+                 [supports.O]\nat = \"wheel\"\ndirections = [\"x\", \"y\"]\n[frictions.k]\nalong = \"s\"\nkinetic = \"20 N\"\n\
+                 [forces.f]\nalong = \"s\"\nvalue = \"5 N\"\n";
+    std::fs::write(here.join("m.toml"), model).unwrap();
+    let output = strutt().current_dir(&here).args(["equilibrium", "m.toml"]).output().unwrap();
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    // the axle carries 900·9.81 N
+    assert!(text.contains("8829") && !text.contains('∞') && !text.contains("not determine"), "{text}");
+}
+
+#[test]
+fn a_response_says_where_the_free_motion_grows() {
+    let here = folder("growing");
+    // internal damping d_i, external d_e = 2 d_i: a rotor of natural frequency 10 rad/s is unstable from 10 (1 + d_e/d_i) = 30 rad/s
+    let model = "gravity = false\n[parameters]\nW = \"20 rad/s\"\nde = \"1 N s/m\"\ndi = \"0.5 N s/m\"\nk = \"100 N/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+                 [bodies.b]\norigin = [\"x\", \"y\"]\nmass = \"1 kg\"\n[forces]\nfx = { along = \"x\", value = \"-k*x - (de + di)*x' - di*W*y + 1 [N]*cos(W*t)\" }\n\
+                 fy = { along = \"y\", value = \"-k*y - (de + di)*y' + di*W*x + 1 [N]*sin(W*t)\" }\n[[study]]\nkind = \"response\"\nover = \"W\"\n";
+    std::fs::write(here.join("m.toml"), model).unwrap();
+    let text = stdout(strutt().current_dir(&here).args(["response", "m.toml", "--range", "15,50", "--json"]));
+    assert!(text.contains("unstable for W = 30"), "{text}");
+    let text = stdout(strutt().current_dir(&here).args(["response", "m.toml", "--range", "15,29", "--json"]));
+    assert!(!text.contains("unstable for"), "{text}");
+}
+
+#[test]
+fn over_on_the_command_line_keeps_what_the_file_observes() {
+    let here = folder("sweep");
+    let model = "gravity = false\n[parameters]\nv = \"1 m/s\"\n[coordinates]\nx = { unit = \"m\", rate = \"v\" }\n[bodies.b]\norigin = [\"x\", 0]\nmass = \"1 kg\"\n\
+                 [[study]]\nkind = \"simulate\"\nuntil = \"3 s\"\n[[study]]\nkind = \"sweep\"\nover = \"v=linspace(1 m/s, 2 m/s, 3)\"\nobserve = [\"last(x)\"]\n";
+    std::fs::write(here.join("m.toml"), model).unwrap();
+    let text = stdout(strutt().current_dir(&here).args(["sweep", "m.toml", "--csv", "--over", "v=4 m/s, 5 m/s"]));
+    let (head, rows) = common::table(&text);
+    assert!(head[1].contains("last(x)"), "{head:?}");
+    assert!(rows.iter().zip([12.0, 15.0]).all(|(row, x)| (row[1] - x).abs() < 1e-12), "{rows:?}");
+}
+
+#[test]
 fn a_variant_replaces_values_and_set_counts_more() {
     let here = folder("variants");
     let model = "gravity = false\n[parameters]\nm = \"1 kg\"\nF = \"5 N\"\nN = 0\n[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", 0]\n\
@@ -167,6 +316,15 @@ fn a_variant_replaces_values_and_set_counts_more() {
         std::fs::write(here.join("top.toml"), std::fs::read_to_string(gallery("top")).unwrap()).unwrap();
         let text = stderr(strutt().current_dir(&here).arg("check").args(arguments), exit);
         assert!(text.contains(code), "{text}");
+    }
+    for (table, place) in [
+        ("variant,m\n1,5\n\n1,6\n", "lines 2 and 4"),
+        ("variant,m,m\n1,5,6\n", "columns 2 and 3"),
+        ("variant,m\n1,1e999\n", "line 2, column `m`"),
+    ] {
+        std::fs::write(here.join("table.csv"), table).unwrap();
+        let text = stderr(strutt().current_dir(&here).args(["check", "m.toml", "--variant", "1"]), 1);
+        assert!(text.contains("C022") && text.contains("table.csv") && text.contains(place), "{text}");
     }
     std::fs::write(here.join("table.csv"), "variant,mass\n1,5\n").unwrap();
     let text = stderr(strutt().current_dir(&here).args(["check", "m.toml", "--variant", "1", "--lang", "ru"]), 1);

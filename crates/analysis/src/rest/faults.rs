@@ -46,6 +46,23 @@ const JOURNAL_RU: &str = "Удерживает ли трение машину в
 
 /// The refusal of a machine with a journal; none without.
 pub(crate) fn journal(equations: &Equations) -> Option<Fault> {
+    let help = Text::new(
+        "follow the motion with `simulate`, or leave this friction out",
+        "рассчитайте движение в `simulate` или уберите это трение",
+    );
+    nonlinear(equations, help)
+}
+
+/// The same where unknowns were to be found with it.
+pub(crate) fn journal_with_unknowns(equations: &Equations) -> Option<Fault> {
+    let help = Text::new(
+        "give the [unknowns] values in [parameters] and see with `simulate` on which side of the limit they are",
+        "задайте неизвестным из [unknowns] значения в [parameters] и проверьте в `simulate`, по какую сторону от предела они лежат",
+    );
+    nonlinear(equations, help)
+}
+
+fn nonlinear(equations: &Equations, help: Text) -> Option<Fault> {
     let two = |law: &Law| matches!(law, Law::Friction(friction) if friction.across.is_some());
     let reaction = equations.reactions.iter().find(|r| two(&r.law))?;
     let (en, ru) = (&reaction.label.en, &reaction.label.ru);
@@ -59,10 +76,7 @@ pub(crate) fn journal(equations: &Equations) -> Option<Fault> {
             "the force of the pin has two components, and their magnitude presses",
             "реакция шарнира имеет две составляющие, и прижимает её модуль",
         ),
-        help: Text::new(
-            "follow the motion with `simulate`, or leave this friction out",
-            "рассчитайте движение в `simulate` или уберите это трение",
-        ),
+        help,
     }))
 }
 

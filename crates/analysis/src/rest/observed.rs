@@ -8,6 +8,7 @@
 //!
 //! and has a number only where that is the same in all solutions.
 
+use symbolic::connections::Reaction;
 use symbolic::equations::Role;
 use symbolic::{Equations, Expr, SymbolId, Text};
 
@@ -60,6 +61,15 @@ pub fn complete(equations: &Equations, (parameters, q): (&[f64], &[f64]), reacti
         let value = hold.some[k];
         reactions[unknown[k]] = Some(if value.abs() <= NOISE * largest(k) { 0.0 } else { value });
     }
+}
+
+/// Reactions that the coordinates hide and no balance determines.
+pub fn left_open(equations: &Equations, reactions: &[Option<f64>]) -> Option<Text> {
+    let open = |(r, value): &(&Reaction, &Option<f64>)| value.is_none() && r.law.is_hidden() && r.law.is_reaction();
+    let names: Vec<&str> = equations.reactions.iter().zip(reactions).filter(open).map(|(r, _)| r.name.as_str()).collect();
+    let list = names.join(", ");
+    (!names.is_empty())
+        .then(|| Text::new(format!("the equations of rest do not determine {list}"), format!("уравнениями покоя не определяются {list}")))
 }
 
 /// Whether a formula changes with time by itself, and not through coordinates and reactions.

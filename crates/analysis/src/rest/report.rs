@@ -64,6 +64,12 @@ fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &E
     let rough = equations.reactions.iter().any(|r| matches!(r.law, Law::Friction(_)));
     let held = if rough || n == 0 { Some(held(equations, parameters, q)?) } else { None };
     let mut found = if n == 0 { Default::default() } else { places(equations, parameters, start, options)? };
+    let stands = held.as_ref().is_some_and(Result::is_ok);
+    if n > 0 && !stands && found.list.is_empty() && options.over.is_none() && options.guesses.iter().all(|g| g == q) {
+        // nobody says where to look: as for small motions, at zero too
+        let zero = Equilibrium { guesses: vec![vec![0.0; n]], ..options.clone() };
+        found = places(equations, parameters, start, &zero)?;
+    }
     notes.append(&mut found.notes);
     let mut rows: Vec<Row> = Vec::new();
     for mut place in found.list {
@@ -76,6 +82,7 @@ fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &E
         Some(Ok((mut place, ranges))) if inside && !rows.iter().any(|r| close(&r.place.q, &place.q)) => {
             notes.extend(ranges);
             observed::complete(equations, (parameters, &place.q), &mut place.reactions);
+            notes.extend(observed::left_open(equations, &place.reactions));
             let second = second(equations, parameters, &place);
             rows.insert(0, Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second });
             if rough {
@@ -183,8 +190,9 @@ fn held(equations: &Equations, parameters: &[f64], q: &[f64]) -> Result<Held, Fa
     for (c, (least, most)) in ranges.iter().enumerate() {
         let r = system.reactions[c];
         reactions[r] = (least == most).then_some(*least);
-        // where a load acts that its formula does not place is no reaction
-        if least < most && equations.reactions[r].law.is_reaction() {
+        // what the coordinates hide follows from the balances of bodies, in which it has no range here
+        let law = &equations.reactions[r].law;
+        if least < most && law.is_reaction() && !law.is_hidden() {
             notes.push(between(&equations.reactions[r].name, [*least, *most], &equations.reactions[r].unit));
         }
     }

@@ -565,7 +565,7 @@ impl Run {
     }
 
     fn fill<S: System + ?Sized>(&mut self, system: &mut S, t: f64, row: usize, modes: &[Mode]) -> Result<(), Fault> {
-        system.observe(t, &self.x, modes, &mut self.all)?;
+        system.observe(t, &self.x, modes, &mut self.all).map_err(|fault| timed(fault, t))?;
         let n = self.chosen.len();
         for (cell, &i) in self.table[row * n..(row + 1) * n].iter_mut().zip(&self.chosen) {
             *cell = self.all[i];
@@ -588,7 +588,7 @@ impl Run {
         let (before, after) = (flow.modes_before().to_vec(), flow.modes().to_vec());
         let t = flow.time();
         let mut side = |run: &mut Run, state: &[f64], modes: &[Mode]| -> Result<Vec<f64>, Fault> {
-            flow.system().observe(t, state, modes, &mut run.all)?;
+            flow.system().observe(t, state, modes, &mut run.all).map_err(|fault| timed(fault, t))?;
             Ok(run.chosen.iter().map(|&i| run.all[i]).collect())
         };
         let outputs = [side(self, &states[0], &before)?, side(self, &states[1], &after)?];
@@ -736,6 +736,11 @@ impl Run {
 /// Whether rates jump at a switch.
 fn jumps(switch: &Switch) -> bool {
     matches!(switch.change, Change::Impact { .. } | Change::Jolt)
+}
+
+/// A fault of a formula, with the instant at which it happened; other faults say it themselves.
+fn timed(fault: Fault, t: f64) -> Fault {
+    if fault.code.starts_with('P') { fault.during(t) } else { fault }
 }
 
 /// Indices of the wanted outputs.

@@ -81,6 +81,20 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[coordinates]\nx = \"m\"\n[bodies.b]\norigin = [\"x\", \"0\"]\nmass = \"1 kg\"\n[motions.go]\nalong = \"x\"\nvalue = \"1[m/s]*t\"\n[motors.push]\nalong = \"x\"",
     ),
     row(
+        "M114",
+        ("gears that do not mesh", "колёса не входят в зацепление"),
+        (
+            "Two gears touch at the pitch point, so their axes are r1 + r2 apart, in an internal pair |r1 - r2|. Other distances leave it open where the \
+             tooth force acts. When only the ratio counts, draw both wheels at one origin: then no line of centres is asked.",
+            "Два зубчатых колеса касаются в полюсе зацепления, поэтому межосевое расстояние равно r1 + r2, а при внутреннем зацеплении |r1 - r2|. При \
+             ином расстоянии неизвестно, где приложено усилие в зубьях. Если важно только передаточное отношение, поместите колёса в одно начало.",
+        ),
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nangle = \"a\"\ninertia = \"1 kg m^2\"\n[bodies.B]\norigin = [\"0.5 m\", \"0\"]\n\
+         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[gears.g]\nbetween = [\"A\", \"B\"]\nradii = [\"0.1 m\", \"0.3 m\"]",
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nangle = \"a\"\ninertia = \"1 kg m^2\"\n[bodies.B]\norigin = [\"0.4 m\", \"0\"]\n\
+         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[gears.g]\nbetween = [\"A\", \"B\"]\nradii = [\"0.1 m\", \"0.3 m\"]",
+    ),
+    row(
         "M116",
         ("a wheel without the axis that its drive needs", "у колеса нет оси, которой требует передача"),
         (

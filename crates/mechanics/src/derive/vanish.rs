@@ -5,7 +5,7 @@
 //! that meet in it.
 
 use super::scene::{Scene, Vector};
-use crate::model::ParameterValue;
+use crate::model::{ParameterDecl, ParameterValue};
 use rustc_hash::FxHashMap;
 use symbolic::{Expr, Function, Graph, Node, SymbolId};
 
@@ -58,22 +58,36 @@ impl Scene<'_> {
         most
     }
 
+    /// Values of constant expressions with the numbers of the model; not a number where one is missing.
+    pub fn at_numbers<const N: usize>(&self, expressions: [Expr; N]) -> [f64; N] {
+        let point = self.point(&mut || 0.0);
+        let has_number = |p: &ParameterDecl| p.number.is_some() || matches!(p.value, ParameterValue::Formula(_));
+        let open = |s: SymbolId| self.model.unknowns.contains(&s) || self.model.parameters.iter().any(|p| p.symbol == s && !has_number(p));
+        let value = |s: SymbolId| point.get(&s).copied().filter(|_| !open(s)).unwrap_or(f64::NAN);
+        let values = self.graph.evaluate(&expressions, &value);
+        std::array::from_fn(|i| values[i])
+    }
+
     /// Values of all symbols: near the start of the model, parameters near their numbers.
     fn random_point(&self, trial: u64) -> FxHashMap<SymbolId, f64> {
         let mut random = Sequence(trial.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5bd1_e995);
+        self.point(&mut || random.next())
+    }
+
+    fn point(&self, random: &mut dyn FnMut() -> f64) -> FxHashMap<SymbolId, f64> {
         let model = self.model;
         let mut point: FxHashMap<SymbolId, f64> = FxHashMap::default();
-        point.insert(model.time, 0.5 + 0.4 * random.next());
+        point.insert(model.time, 0.5 + 0.4 * random());
         for turn in &self.turns {
-            point.insert(turn.symbol, 3.0 * random.next());
+            point.insert(turn.symbol, 3.0 * random());
         }
         for c in &model.coordinates {
             let start = self.graph.evaluate(&[c.start], &|s| near(model, s)).first().copied().unwrap_or(0.0);
             let size = if start.is_finite() && start != 0.0 && c.units[0] != "rad" { start.abs() } else { 1.0 };
             let start = if start.is_finite() { start } else { 0.0 };
-            point.insert(c.symbols[0], start + size * random.next());
-            point.insert(c.symbols[1], random.next());
-            point.insert(c.symbols[2], random.next());
+            point.insert(c.symbols[0], start + size * random());
+            point.insert(c.symbols[1], random());
+            point.insert(c.symbols[2], random());
         }
         for (j, symbol, _) in &self.starts {
             let place = point.get(&model.coordinates[*j].symbols[0]).copied().unwrap_or(0.0);
@@ -84,8 +98,8 @@ impl Scene<'_> {
                 (ParameterValue::Formula(formula), _) => {
                     self.graph.evaluate(&[formula], &|s| point.get(&s).copied().unwrap_or(f64::NAN))[0]
                 }
-                (_, Some(number)) if number != 0.0 => number * (1.0 + 0.2 * random.next()),
-                _ => random.next(),
+                (_, Some(number)) if number != 0.0 => number * (1.0 + 0.2 * random()),
+                _ => random(),
             };
             point.insert(p.symbol, value);
         }

@@ -545,8 +545,8 @@ pub const STOP: TableSpec = table(
 pub const FRICTION: TableSpec = table(
     "frictions",
     (
-        "Dry friction: a force (`kinetic`, `static`), or coefficients (`coefficient`, `static_coefficient`) of a `normal` force. `u` is the sliding speed, not negative. It acts on a pathway (`along`, `between`, `on`; torques when that is an angle), at a point between two bodies or at a named contact (`at`), in a pin (`pin`), between a rope and a drum that does not turn (`rope`). force is positive when it resists a growing pathway or positive sliding; at a point it acts so on the point's body, in a rope it is the tension before the drum less that behind it.",
-        "Сухое трение: сила (`kinetic`, `static`) или коэффициенты (`coefficient`, `static_coefficient`) при силе `normal`. `u` — скорость скольжения, не отрицательная. Действует на координате (`along`, `between`, `on`; для угла это моменты), в точке касания двух тел или в названном контакте (`at`), в шарнире (`pin`), между канатом и неподвижным барабаном (`rope`). force положительна, если сопротивляется росту координаты или положительному скольжению; в точке она так действует на тело этой точки, у каната это натяжение перед барабаном минус натяжение за ним.",
+        "Dry friction: a force (`kinetic`, `static`), or coefficients (`coefficient`, `static_coefficient`) of a `normal` force. `u` is the sliding speed, not negative. It acts on a pathway (`along`, `between`, `on`; torques when that is an angle), at a point between two bodies or at a named contact (`at`), in a pin (`pin`), between a rope and a drum that does not turn (`rope`). force is positive when it resists a growing pathway or positive sliding; at a point it acts so on the point's body. A rope slides positively along its `path`, from the first point to the last: force is the tension behind the drum less that before it.",
+        "Сухое трение: сила (`kinetic`, `static`) или коэффициенты (`coefficient`, `static_coefficient`) при силе `normal`. `u` — скорость скольжения, не отрицательная. Действует на координате (`along`, `between`, `on`; для угла это моменты), в точке касания двух тел или в названном контакте (`at`), в шарнире (`pin`), между канатом и неподвижным барабаном (`rope`). force положительна, если сопротивляется росту координаты или положительному скольжению; в точке она так действует на тело этой точки. Положительное скольжение каната — вдоль его `path`, от первой точки к последней: force — это натяжение за барабаном минус натяжение перед ним.",
     ),
     &[
         ALONG,
@@ -554,7 +554,7 @@ pub const FRICTION: TableSpec = table(
         ON_BODY,
         may(
             "at",
-            Type::Names,
+            Type::NameOrNames,
             "",
             "",
             (
@@ -600,7 +600,7 @@ pub const FRICTION: TableSpec = table(
         may("rope", Type::Name, "", "", ("a rope that slides over a drum or ring", "канат, скользящий по барабану или кольцу"), "\"R\""),
         may(
             "over",
-            Type::Names,
+            Type::NameOrNames,
             "",
             "",
             (

@@ -169,6 +169,21 @@ fn name_value(name: &str, primes: u8, scope: &Scope, builder: &mut Builder) -> R
     Ok(builder.request(name, primes, RequestKind::TimeDerivative { of, order: primes }, &dimension))
 }
 
+/// Whether a function of numbers alone is infinite or undefined.
+fn has_no_value(value: Expr, graph: &Graph) -> bool {
+    let number = |e: Expr| match graph.node(e) {
+        Node::Number(r) => Some(r.to_f64()),
+        _ => None,
+    };
+    let operands: Vec<Expr> = match graph.node(value) {
+        Node::Call { arguments, .. } => arguments.to_vec(),
+        Node::Power { base, exponent } => vec![*base, *exponent],
+        _ => return false,
+    };
+    let known = |e: Expr| number(e).unwrap_or(f64::NAN);
+    operands.iter().all(|e| number(*e).is_some()) && !graph.evaluate_node(value, &|_| f64::NAN, &known).is_finite()
+}
+
 /// Refuses numbers that outgrow all machine numbers, powers of zero, and formulas that outgrow memory.
 fn guard(value: Expr, span: &Range<usize>, builder: &mut Builder) -> Result<(), Fault> {
     let fits = |r: &Rational| r.bits() <= MAX_BITS;
@@ -185,6 +200,11 @@ fn guard(value: Expr, span: &Range<usize>, builder: &mut Builder) -> Result<(), 
                     .why("the divisor cancels to zero", "делитель тождественно равен нулю"));
             }
             fits(coefficient) && factors.iter().all(|f| fits(&f.1))
+        }
+        // a factor of zero in front would hide it
+        Node::Call { .. } | Node::Power { .. } if has_no_value(value, &builder.graph) => {
+            return Err(Fault::new("M042", span.clone(), "this has no finite value", "у этого выражения нет конечного значения")
+                .why("the root or logarithm of what has none", "корень или логарифм числа, у которого его нет"));
         }
         _ => true,
     };

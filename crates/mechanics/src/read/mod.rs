@@ -22,6 +22,7 @@ mod shapes;
 mod structures;
 mod studies;
 mod syntax;
+mod toml_words;
 mod unknowns;
 mod variants;
 

@@ -106,7 +106,7 @@ fn translate(text: &str, span: Range<usize>, message: &str) -> Diagnostic {
             .help(Text::new("remove or rename one of them", "удалите или переименуйте одно из двух"));
     }
     let span = if span.is_empty() { visible(text, span.start) } else { span };
-    let ru = russian(message);
+    let ru = super::toml_words::russian(message);
     let found = Diagnostic::error("M002", span, Text::new(format!("TOML: {message}"), format!("TOML: {ru}")));
     if message.contains("recursion") {
         return found;
@@ -118,27 +118,6 @@ fn translate(text: &str, span: Range<usize>, message: &str) -> Diagnostic {
         ));
     }
     found
-}
-
-/// The commonest messages of the parser; others stay English, with the technical term they carry.
-fn russian(message: &str) -> String {
-    const WORDS: [(&str, &str); 14] = [
-        ("string values must be quoted", "строки берут в кавычки"),
-        ("key with no value", "ключ без значения"),
-        ("missing value for key", "нет значения ключа"),
-        ("missing assignment between key-value pairs", "нет знака = или перевода строки между парами"),
-        ("missing comma between array elements", "нет запятой между элементами массива"),
-        ("missing comma between key-value pairs", "нет запятой между парами"),
-        ("unclosed table", "таблица не закрыта"),
-        ("unclosed array", "массив не закрыт"),
-        ("invalid basic string", "неверная строка"),
-        ("invalid unquoted key", "недопустимый ключ без кавычек"),
-        ("unquoted keys cannot be empty", "ключ пуст"),
-        ("unexpected content between key and value", "лишнее между ключом и значением"),
-        ("cannot extend value", "нельзя дополнить уже заданное значение"),
-        (", expected ", ", ожидается "),
-    ];
-    WORDS.iter().fold(message.to_owned(), |text, (en, ru)| text.replace(en, ru))
 }
 
 /// The range widened to whole characters and cut to the text.

@@ -6,6 +6,7 @@ use crate::console::{Console, listen_to_interrupts};
 use crate::quantities;
 use mechanics::model::StudyKind;
 use strutt::{Failure, Trouble, studies};
+use symbolic::Text;
 
 pub fn run(args: &args::Cycle, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts(console.language);
@@ -18,6 +19,11 @@ pub fn run(args: &args::Cycle, console: &mut Console) -> Result<Exit, Failure> {
     let mut study = study.ok_or_else(no_angle)?;
     study.unknown = args.unknown.clone().or(study.unknown);
     study.flywheel = args.flywheel.clone().or(study.flywheel);
+    if args.flywheel.is_some() && study.irregularity.is_none() {
+        let needs =
+            Text::new("no irregularity is wanted: add --irregularity 0.02", "не задана неравномерность хода: добавьте --irregularity 0,02");
+        return Err(quantities::idle("--flywheel", &needs));
+    }
     let finding = console.watched(|watch| studies::cycle::run(&mut machine, &study, watch));
     study::finish(machine, finding, out, console)
 }

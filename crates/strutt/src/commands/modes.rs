@@ -22,7 +22,8 @@ pub fn run(args: &args::Modes, console: &mut Console) -> Result<Exit, Failure> {
     study.about_start |= args.about_start;
     if let (Some(name), Some(range)) = (&args.over, &args.range) {
         let [from, to] = quantities::parameter_range(name, range, &machine)?;
-        study.over = Some(ParameterRange { name: name.clone(), from, to, points: args.points.clamp(2, 1_000_000) });
+        let points = args.points.map_or(Ok(101), |points| quantities::positions("--points", points))?;
+        study.over = Some(ParameterRange { name: name.clone(), from, to, points });
     }
     if let Some(scale) = args.normalise {
         study.scale = match scale {

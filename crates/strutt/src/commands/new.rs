@@ -11,7 +11,7 @@ use strutt::{Failure, Trouble, chain, files, gallery};
 const STARTER: &str = include_str!("starter.toml");
 
 pub fn run(args: &args::New, console: &mut Console) -> Result<Exit, Failure> {
-    let path = path_of(&args.name);
+    let path = path_of(&args.name)?;
     let text = text(args, &path)?;
     let tables = tables(args, &path);
     if let Some((table, text)) = tables.iter().find(|(table, _)| table.exists()) {
@@ -24,14 +24,30 @@ pub fn run(args: &args::New, console: &mut Console) -> Result<Exit, Failure> {
         files::write_new(table, text.as_bytes())?;
         console.talk(&format!("{} {}", console.say(Word::Written), table.display()));
     }
-    console.next(&format!("strutt run {}", quoted(&path.to_string_lossy())));
+    console.next(&format!("strutt run {}", quoted(&operand(&path))));
     Ok(Exit::Done)
 }
 
 /// With .toml behind it.
-fn path_of(name: &str) -> PathBuf {
+fn path_of(name: &str) -> Result<PathBuf, Failure> {
+    let last = name.rsplit(std::path::is_separator).next().unwrap_or_default().trim();
+    let stem = last.strip_suffix(".toml").unwrap_or(last);
+    if stem.chars().all(|c| c == '.') {
+        return Err(nameless(name).misuse());
+    }
     let path = PathBuf::from(name);
-    if path.extension().is_some_and(|e| e == "toml") { path } else { PathBuf::from(format!("{name}.toml")) }
+    Ok(if path.extension().is_some_and(|e| e == "toml") { path } else { PathBuf::from(format!("{name}.toml")) })
+}
+
+/// The path as a command takes it: what begins with a dash would be an option.
+fn operand(path: &Path) -> String {
+    let text = path.to_string_lossy();
+    if text.starts_with('-') { format!("./{text}") } else { text.into_owned() }
+}
+
+fn nameless(name: &str) -> Trouble {
+    Trouble::new("C053", format!("`{name}` is no name for a file"), format!("`{name}` не годится как имя файла"))
+        .help("strutt new crane", "strutt new crane")
 }
 
 fn text(args: &args::New, path: &Path) -> Result<String, Failure> {

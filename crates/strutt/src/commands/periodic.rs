@@ -6,6 +6,7 @@ use crate::console::{Console, listen_to_interrupts};
 use crate::quantities;
 use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, StudyKind, Times};
 use strutt::{Failure, plan, studies};
+use symbolic::Text;
 
 pub fn run(args: &args::Periodic, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts(console.language);
@@ -47,9 +48,10 @@ fn asked(args: &args::Periodic, of_file: Option<Periodic>) -> Result<Periodic, F
         plots: Vec::new(),
     });
     if let Some(settle) = &args.settle {
-        study.settle = quantities::seconds("--settle", settle)?;
+        study.settle = quantities::duration("--settle", settle)?;
     }
-    if let (Section::Turns { turns, .. }, Some(text)) = (&mut study.section, &args.turns) {
+    if let Some(text) = &args.turns {
+        let Section::Turns { turns, .. } = &mut study.section else { return Err(no_turns()) };
         *turns = quantities::number("--turns", text)?;
     }
     if let (Some(name), Some(wanted)) = (&args.unknown, &args.wanted_period) {
@@ -61,4 +63,9 @@ fn asked(args: &args::Periodic, of_file: Option<Periodic>) -> Result<Periodic, F
     study.times = study::times(&args.table)?.unwrap_or(study.times);
     study.outputs = study::columns(&args.table).unwrap_or(study.outputs);
     Ok(study)
+}
+
+fn no_turns() -> Failure {
+    let needs = Text::new("only a section that is an angle has turns: --section phi", "обороты есть только у сечения-угла: --section phi");
+    quantities::idle("--turns", &needs)
 }

@@ -57,11 +57,7 @@ fn changed(mut study: Response, args: &args::Response, machine: &pipeline::Machi
         study.range = Some([from, to]);
     }
     if let Some(points) = args.points {
-        if !(2..=1_000_000).contains(&points) {
-            let what = Trouble::new("C009", format!("--points {points}: 2 ... 1000000"), format!("--points {points}: 2 ... 1000000"));
-            return Err(what.misuse());
-        }
-        study.points = Some(points);
+        study.points = Some(quantities::positions("--points", points)?);
     }
     study.log |= args.log;
     if let Some(names) = &args.outputs {

@@ -42,7 +42,8 @@ pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure>
         }
     }
     if let Some(out) = &args.out {
-        let paths = folder::sections(&chosen, out, language)?;
+        let inputs = folder::inputs(&source, &reading.model);
+        let paths = folder::sections(&chosen, (out.as_path(), inputs.as_slice()), language)?;
         let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
         console.talk(&format!("{}{list}", console.say(Word::Written)));
     } else if console.shape == Shape::Text {

@@ -16,11 +16,10 @@ pub fn run(args: &args::Sweep, console: &mut Console) -> Result<Exit, Failure> {
     };
     let (mut machine, study) = study::open(&args.model, written(args), pick, out, console)?;
     let mut study = study.ok_or_else(nothing_to_sweep)?;
-    if args.over.is_empty() {
-        // the values of the file, other results
-        study.observe = args.observe.clone().unwrap_or(study.observe);
-        study.of = args.of.clone().or(study.of);
-    }
+    // the command line replaces what it names; the rest is that of the file's study
+    let of_file = machine.model.studies.iter().find_map(|s| pick(&s.kind)).unwrap_or_else(|| study.clone());
+    study.observe = args.observe.clone().unwrap_or(of_file.observe);
+    study.of = args.of.clone().or(of_file.of);
     let finding = console.watched(|watch| studies::sweep::run(&mut machine, &study, watch));
     study::finish(machine, finding, out, console)
 }

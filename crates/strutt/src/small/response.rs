@@ -12,6 +12,7 @@ use analysis::studies::extremes::{Antiresonance, Resonance, extremes};
 use analysis::studies::modes::{Complex, Kind, Modes, Normalisation, modes};
 use analysis::studies::response::{self as forced, Forced, Point, Source, magnitude, phase};
 use analysis::studies::superposition::{self, Care, Superposed};
+use analysis::studies::tracks::{Tracks, tracks};
 use analysis::{Dataset, Fault, Quantity};
 use mechanics::model::Response as Study;
 use serde_json::{Map, Value, json};
@@ -26,6 +27,8 @@ const NEAR: [f64; 12] = [0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.
 
 /// Orders of a waveform whose curves and resonances are shown.
 const SHOWN: usize = 9;
+/// Values along the frequencies at which stability is asked; its bounds are then located.
+const TRACKED: usize = 101;
 /// Largest residual of the superposed motion, relative to its terms.
 const RESIDUAL: f64 = 1e-8;
 
@@ -100,7 +103,11 @@ pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
         bodies: bodies(machine),
         load: Text::default(),
     };
-    if let Err(fault) = about_rest(machine, &study.guess).and_then(|small| sweep(machine, study, small, &mut out)) {
+    let small = match machine.equations.coordinates.is_empty() {
+        true => Err(analysis::fault::nothing_moves()),
+        false => about_rest(machine, &study.guess),
+    };
+    if let Err(fault) = small.and_then(|small| sweep(machine, study, small, &mut out)) {
         out.data.partial = true;
         out.trouble = Some(Trouble::from(fault));
     }
@@ -183,10 +190,49 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.data.notes.extend(curved.iter().map(|(k, share)| not_straight(&quantities[*k].name, *share)));
     out.data.notes.extend(not_shown(study, &machine.equations));
     quantities.iter().for_each(|q| state(&mut out.data, &q.name));
+    if let Some(parameter) = parameter {
+        out.data.notes.extend(growing(&mut small, parameter, &omegas)?);
+    }
     out.coordinates = names;
     out.outputs = quantities;
     out.modes = Some(found);
     Ok(())
+}
+
+/// Where a free motion grows along the frequencies: no amplitude is ever reached there.
+fn growing(small: &mut Small, parameter: usize, omegas: &[f64]) -> Result<Option<Text>, Fault> {
+    let ends = [omegas[0], omegas[omegas.len() - 1]];
+    let own = small.machine.value(parameter);
+    let mut at = |value: f64| -> Result<_, Fault> {
+        small.machine.set(parameter, value)?;
+        small.machine.at(&small.place).map(|m| [m.mass, m.damping, m.stiffness])
+    };
+    let first = at(ends[0])?;
+    let changes = at(ends[1])? != first || at(0.5 * (ends[0] + ends[1]))? != first;
+    let found = match changes && ends[1] > ends[0] {
+        true => tracks(&mut small.machine, parameter, ends, TRACKED, &small.place).ok(),
+        false => None,
+    };
+    small.machine.set(parameter, own)?;
+    Ok(found.filter(|t| !t.unstable.is_empty()).map(|t| unstable(&t)))
+}
+
+fn unstable(tracks: &Tracks) -> Text {
+    let list = |language| {
+        let number = |x| report::number::short(x, 6, language);
+        tracks.unstable.iter().map(|[a, b]| format!("{} … {}", number(*a), number(*b))).collect::<Vec<_>>().join("; ")
+    };
+    let name = &tracks.parameter;
+    Text::new(
+        format!(
+            "unstable for {name} = {} rad/s: a free motion grows there, and the amplitudes of the table are never reached",
+            list(report::Language::En)
+        ),
+        format!(
+            "неустойчиво при {name} = {} рад/с: свободное движение там нарастает, и амплитуды таблицы не устанавливаются",
+            list(report::Language::Ru)
+        ),
+    )
 }
 
 /// An output that is not linear in the motion.

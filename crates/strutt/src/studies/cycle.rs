@@ -111,9 +111,7 @@ fn held(machine: &Machine, study: &Cycle, rate: f64) -> Option<Machine> {
 
 /// The value of a parameter for which the work over the cycle vanishes, and the balance in words.
 fn driven(machine: &Machine, study: &Cycle, name: &str, others: &[(String, f64)]) -> Result<(f64, Text), Trouble> {
-    let first = value_of(machine, name).ok_or_else(|| {
-        Trouble::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"))
-    })?;
+    let first = value_of(machine, name).ok_or_else(|| super::periodic::no_parameter(machine, name))?;
     let work = |value: f64| -> Result<f64, Trouble> {
         let mut values = others.to_vec();
         values.retain(|(n, _)| n != name);
@@ -151,9 +149,7 @@ fn driven(machine: &Machine, study: &Cycle, name: &str, others: &[(String, f64)]
 
 /// The inertia for which the irregularity is the wanted one, with the drive that goes with it.
 fn flywheel(machine: &Machine, study: &Cycle, name: &str, wanted: f64) -> Result<(f64, Option<f64>), Trouble> {
-    let first = value_of(machine, name).ok_or_else(|| {
-        Trouble::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"))
-    })?;
+    let first = value_of(machine, name).ok_or_else(|| super::periodic::no_parameter(machine, name))?;
     let mut drive = None;
     let mut at = |value: f64| -> Result<f64, Trouble> {
         let mut values = vec![(name.to_owned(), value)];

@@ -4,6 +4,7 @@
 //! hides between their points. It is confirmed by the energy: all motors together do what the change of energy and the work of everything else leave.
 
 use super::{Fact, Results};
+use crate::failure::Trouble;
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine};
 use crate::plan;
@@ -25,6 +26,9 @@ struct Motor {
 pub fn run(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
     let study = plan::with_plots(study, &machine.equations);
     let motors = motors(machine);
+    if motors.is_empty() {
+        return Finding::Study(Box::new(Results { kind: "inverse", heading: heading(), trouble: Some(no_motor()), ..Results::default() }));
+    }
     let powers: Vec<String> = motors.iter().map(|m| m.power.clone()).collect();
     let shown = study.outputs.len();
     let mut asked = study.clone();
@@ -53,6 +57,18 @@ pub fn run(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Findin
 
 fn heading() -> Text {
     Text::new("Inverse dynamics", "Обратная задача динамики")
+}
+
+fn no_motor() -> Trouble {
+    Trouble::new("S101", "the model has no motor whose force could be found", "в модели нет двигателя, усилие которого можно найти")
+        .why(
+            "inverse dynamics gives the forces of [motors] that realise prescribed [motions]",
+            "обратная задача динамики даёт усилия двигателей [motors], осуществляющих заданные движения [motions]",
+        )
+        .help(
+            "add a motion and its motor; `strutt simulate` gives a motion under given forces, `strutt statics` reactions at rest",
+            "задайте движение и двигатель; `strutt simulate` даёт движение под заданными силами, `strutt statics` – реакции в покое",
+        )
 }
 
 fn motors(machine: &Machine) -> Vec<Motor> {

@@ -234,7 +234,7 @@ pub fn value_of(machine: &Machine, name: &str) -> Option<f64> {
     machine.model.parameters.iter().find(|p| p.name == name)?.number
 }
 
-fn no_parameter(machine: &Machine, name: &str) -> Trouble {
+pub(super) fn no_parameter(machine: &Machine, name: &str) -> Trouble {
     let trouble =
         Trouble::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"));
     match crate::nearest(name, machine.model.parameters.iter().map(|p| p.name.as_str())) {

@@ -38,7 +38,9 @@ fn results(machine: &Machine, found: &Statics) -> Results {
     };
     let name = Text::new("equations of equilibrium: largest relative remainder", "уравнения равновесия: наибольшая относительная невязка");
     let audits = vec![Audit::at_most("equilibrium", name, found.remainder, LIMIT)];
-    let data = Dataset { audits, notes: found.notes.clone(), ..Dataset::default() };
+    let mut notes = found.notes.clone();
+    notes.extend(crate::small::unknown_notes(machine));
+    let data = Dataset { audits, notes, ..Dataset::default() };
     let ends = found.reactions.iter().filter(|r| r.value.is_none()).flat_map(ends);
     let facts = found.reactions.iter().map(fact).chain(ends).collect();
     let mut results = Results { kind: "statics", heading: heading(), facts, words: words(machine, found), ..Results::default() };

@@ -86,6 +86,28 @@ pub fn axes_part(connection: &Connection) -> Box<Diagnostic> {
     Box::new(fault)
 }
 
+/// Pitch circles that do not touch: distance of the axes and what the radii give, m.
+pub fn no_mesh(connection: &Connection, opposite: bool, [axes, radii]: [f64; 2]) -> Box<Diagnostic> {
+    let name = &connection.name;
+    let number = |x: f64| Text::new(format!("{x}"), format!("{x}").replace('.', ","));
+    let (axes, radii) = (number(axes), number(radii));
+    let (sum, sum_ru) = if opposite { ("r1 + r2", "r1 + r2") } else { ("|r1 − r2|", "|r1 − r2|") };
+    let what = Text::new(
+        format!("the pitch circles of `gears.{name}` do not touch: the axes are {} m apart, the radii give {} m", axes.en, radii.en),
+        format!("начальные окружности пары `gears.{name}` не касаются: межосевое расстояние {} м, а радиусы дают {} м", axes.ru, radii.ru),
+    );
+    let fault = Diagnostic::error("M114", connection.span.clone(), what)
+        .why(Text::new(
+            format!("the teeth meet at one point of both circles, so the distance of the axes is {sum}"),
+            format!("зубья встречаются в общей точке обеих окружностей, поэтому межосевое расстояние равно {sum_ru}"),
+        ))
+        .help(Text::new(
+            "correct a radius or the place of a wheel; where only the ratio counts, put both wheels at one origin",
+            "исправьте радиус или положение колеса; если важно только передаточное отношение, поместите оба колеса в одно начало",
+        ));
+    Box::new(fault)
+}
+
 /// A carrier that does not carry the axes.
 pub fn not_the_carrier(model: &Model, connection: &Connection, frame: FrameId) -> Box<Diagnostic> {
     let name = &model.frames[frame.index()].name;

@@ -7,10 +7,10 @@
 //! | wheel on its track, body at a stop | the same at the contact point | that of the contact |
 //! | rolling resistance | angular velocity of one body against the other | that of the contact; the lever takes the coefficient's place |
 //! | journal of radius r | angular velocity of one body against the other | r \|R\|, R the force of the pin |
-//! | rope over a drum | rate of the length before it | T₁ + T₂, with tanh(μα/2) in place of μ |
+//! | rope over a drum | rate at which the length before it shrinks | T₁ + T₂, with tanh(μα/2) in place of μ |
 //!
-//! For the rope: T₁ = T₂ exp(μα) is T₁ − T₂ = tanh(μα/2)·(T₁ + T₂), the same for both ways of sliding. T₁ − T₂ is the friction itself, so
-//! that T₁ + T₂ = 2 T₂ + λ.
+//! For the rope, T₁ before the drum and T₂ behind it: T₂ = T₁ exp(μα) is T₂ − T₁ = tanh(μα/2)·(T₁ + T₂), the same for both ways of sliding. T₂ − T₁ is the
+//! friction itself, positive when it resists sliding along the path, so that T₁ + T₂ = 2 T₂ − λ.
 
 use super::axes::axes_of;
 use super::components::{Component, Nature, Rubbing};
@@ -63,7 +63,7 @@ pub fn friction(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut R
         }
         Slides::Belt { of, over, wrap } => {
             let (sliding, wrap) = belt(scene, kinematics, resolver, (connection, *of, *over, *wrap))?;
-            own = Some(scene.graph.one());
+            own = Some(scene.graph.int(-1));
             let half = scene.graph.number(Rational::HALF);
             let share = law.map(|e| {
                 e.map(|e| {
@@ -311,7 +311,7 @@ fn journal(
     Ok(Sliding { normal, ..sliding })
 }
 
-/// The rope slides towards its first end; with its angle of contact.
+/// The rope slides along its path, from the first end to the last; with its angle of contact.
 fn belt(
     scene: &mut Scene,
     kinematics: &mut Kinematics,
@@ -330,8 +330,9 @@ fn belt(
     for pair in path[..=ends[0]].windows(2) {
         let (size, unit) = run(scene, kinematics, [pair[0], pair[1]]);
         let opposite = unit.map(|e| scene.graph.neg(e));
-        acts.push(Act::Point { point: pair[0], force: unit });
-        acts.push(Act::Point { point: pair[1], force: opposite });
+        // friction that resists sliding along the path leaves less tension before the drum
+        acts.push(Act::Point { point: pair[0], force: opposite });
+        acts.push(Act::Point { point: pair[1], force: unit });
         before.push(size);
     }
     let before = scene.graph.sum(&before);
@@ -343,20 +344,22 @@ fn belt(
             turned(scene, kinematics, runs)
         }
     };
-    // behind the drum: the rope's own tension, and what later drums of the same rope add
+    // behind the drum: the rope's own tension, less what later drums of the same rope take
     let mut behind = vec![resolver.reactions.get(&(of, Part::Force)).copied().unwrap_or_else(|| scene.graph.zero())];
     for (i, other) in scene.model.connections.iter().enumerate() {
         if let ConnectionKind::Friction { slides: Slides::Belt { of: same, over, .. }, .. } = &other.kind
             && *same == of
             && index(over[0]).is_some_and(|k| k > ends[1])
         {
-            behind.extend(resolver.reactions.get(&(i, Part::Force)).copied());
+            let later = resolver.reactions.get(&(i, Part::Force)).copied();
+            behind.extend(later.map(|e| scene.graph.neg(e)));
         }
     }
     let behind = scene.graph.sum(&behind);
     let two = scene.graph.int(2);
     let normal = vec![scene.graph.mul(two, behind)];
-    let rate = scene.total(before);
+    let grows = scene.total(before);
+    let rate = scene.graph.neg(grows);
     Ok((Sliding { rate, acts, words: ("belt friction", "трение каната"), letter: "F", unit: "N", normal }, wrap))
 }
 

@@ -48,6 +48,9 @@ pub fn wheels(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Res
     let pair = Pair { a: *a, b: *b, radii: [ra?, rb?], opposite: *opposite, axis };
     let line = Line::new(scene, kinematics, &pair);
     let mut doubts = Vec::new();
+    if let Some(line) = line.as_ref().filter(|_| connection.table == "gears") {
+        line.meshes(scene, connection, &pair)?;
+    }
     let base = match &line {
         Some(line) => {
             doubts.extend(line.change(scene, connection));
@@ -90,6 +93,14 @@ impl Pair {
     }
 }
 
+/// Distance of pitch circles that counts as rounding of what the file gives, relative to the radii.
+const MESH: f64 = 1e-6;
+
+/// To seven digits, as far as a message needs them.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.6e}").parse().unwrap_or(x)
+}
+
 /// The line of centres.
 struct Line {
     /// The place on the first wheel's axis opposite the second wheel.
@@ -121,6 +132,22 @@ impl Line {
         let rate = scene.dot(&lever, &speed);
         let rate = scene.tidy(rate);
         Some(Line { foot, between, square, lever, rate })
+    }
+
+    /// Whether pitch circles at a constant distance touch, as the numbers of the model are.
+    fn meshes(&self, scene: &mut Scene, connection: &Connection, pair: &Pair) -> Found<()> {
+        let rate = scene.total(self.square);
+        let rate = scene.tidy(rate);
+        if !scene.vanishes(rate) {
+            return Ok(());
+        }
+        let [square, ra, rb] = scene.at_numbers([self.square, pair.radii[0], pair.radii[1]]);
+        let (axes, radii) = (square.sqrt(), if pair.opposite { ra + rb } else { (ra - rb).abs() });
+        // numbers that are not there, of unknowns for example, decide nothing
+        if (axes - radii).abs() > MESH * axes.max(ra + rb) {
+            return Err(faults::no_mesh(connection, pair.opposite, [rounded(axes), rounded(radii)]));
+        }
+        Ok(())
     }
 
     /// The doubt that the distance of the axes changes.

@@ -1,10 +1,11 @@
 //! What a friction acts between: a pathway, a point on another body, a named contact, a pin, a rope.
 
-use super::common::{pathway, point, point_named, size};
+use super::common::{pathway, point_named, size};
 use crate::fault::Fault;
 use crate::formula::{Context, Kind};
 use crate::model::{Aim, PointRef, Slides};
 use crate::read::frames::{frame_by_name, frame_named, two_names};
+use crate::read::parameters::names;
 use crate::read::reader::{Fields, Reader, components};
 use crate::units::Dimension;
 use symbolic::Function;
@@ -46,7 +47,7 @@ pub(super) fn presses(slides: &Slides) -> bool {
 
 fn at<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Slides, Kind)> {
     let length = Kind::Known(Dimension::LENGTH);
-    if !matches!(fields.get("at").map(|v| v.get_ref()), Some(DeValue::Array(_))) {
+    if is_single(fields, "at") {
         let of = connection(reader, fields, "at", &["rolling", "stops"])?;
         if fields.has("lever") {
             return Some((Slides::Rolls { of }, Kind::Known(Dimension::ANGLE)));
@@ -109,17 +110,33 @@ fn over<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<[PointRef; 2
             reader.fault(fault);
             None
         }
-        Some(DeValue::Array(_)) => {
+        Some(DeValue::Array(_)) if !is_single(fields, "over") => {
             let [first, last] = two_names(reader, fields, "over")?.map(|(name, span)| point_named(reader, &name, span));
             Some([first?, last?])
         }
-        Some(_) => point(reader, fields, "over").map(|p| [p, p]),
+        Some(_) => {
+            let (name, span) = single(reader, fields, "over")?;
+            point_named(reader, &name, span).map(|p| [p, p])
+        }
+    }
+}
+
+/// Whether a key holds one name, by itself or as a list of one.
+fn is_single(fields: &Fields<'_>, key: &'static str) -> bool {
+    fields.get(key).is_some_and(|v| v.get_ref().as_array().is_none_or(|list| list.len() == 1))
+}
+
+/// The name of such a key.
+fn single<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<(String, std::ops::Range<usize>)> {
+    match fields.get(key).filter(|v| v.get_ref().as_array().is_some()) {
+        Some(value) => names(reader, value).pop(),
+        None => fields.name(reader, key),
     }
 }
 
 /// The index of a named connection of one of these tables.
 fn connection<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, tables: &[&str]) -> Option<usize> {
-    let (name, span) = fields.name(reader, key)?;
+    let (name, span) = single(reader, fields, key)?;
     match reader.scope.connection(tables, &name) {
         Some(index) => index,
         None => {

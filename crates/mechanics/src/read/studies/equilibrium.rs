@@ -15,8 +15,8 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<S
 fn between<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Between> {
     let (name, span) = fields.name(reader, "over")?;
     let Some((EntryKind::Coordinate(symbols), kind)) = reader.scope.get(&name).map(|e| (e.kind, e.dimension)) else {
-        let name = crate::read::reader::short(&name);
-        reader.fault(Fault::new("M013", span, format!("`{name}` is not a coordinate"), format!("`{name}` — не координата")));
+        let fault = super::no_coordinate(reader, &name, span);
+        reader.fault(fault);
         return None;
     };
     let wanted = if let Kind::Known(d) = kind { Some(d) } else { None };
@@ -40,12 +40,7 @@ pub(super) fn guess<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<(Sy
     for (name, span, value) in fields.rows(reader, "guess") {
         let entry = reader.scope.get(name).map(|e| (e.kind, e.dimension));
         let Some((EntryKind::Coordinate(symbols), kind)) = entry else {
-            let fault = Fault::new(
-                "M013",
-                span,
-                format!("`{}` is not a coordinate", crate::read::reader::short(name)),
-                format!("`{}` — не координата", crate::read::reader::short(name)),
-            );
+            let fault = super::no_coordinate(reader, name, span);
             reader.fault(fault);
             continue;
         };

@@ -91,8 +91,8 @@ fn driven_too<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, over: Option<Sym
     for (name, span, value) in fields.rows(reader, "with") {
         let entry = reader.scope.get(name).map(|e| (e.kind, e.dimension));
         let Some((EntryKind::Coordinate(symbols), kind)) = entry else {
-            let shown = crate::read::reader::short(name);
-            reader.fault(Fault::new("M013", span, format!("`{shown}` is not a coordinate"), format!("`{shown}` — не координата")));
+            let fault = super::no_coordinate(reader, name, span);
+            reader.fault(fault);
             continue;
         };
         let wanted = match kind {

@@ -195,10 +195,24 @@ fn coordinate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static st
             Some(Named { name: name.trim().to_owned(), symbol: symbols[0], dimension })
         }
         _ => {
-            let shown = super::reader::short(&name);
-            reader.fault(Fault::new("M013", span, format!("`{shown}` is not a coordinate"), format!("`{shown}` — не координата")));
+            let fault = no_coordinate(reader, &name, span);
+            reader.fault(fault);
             None
         }
+    }
+}
+
+/// M013 for what must name a coordinate, with the one that may have been meant or those that there are.
+fn no_coordinate(reader: &Reader<'_>, name: &str, span: std::ops::Range<usize>) -> Fault {
+    let shown = super::reader::short(name);
+    let fault = Fault::new("M013", span, format!("`{shown}` is not a coordinate"), format!("`{shown}` — не координата"));
+    let is_coordinate = |name: &&str| matches!(reader.scope.get(name).map(|e| e.kind), Some(EntryKind::Coordinate(_)));
+    let all: Vec<&str> = reader.scope.names().filter(is_coordinate).collect();
+    let listed = |all: &[&str]| all.iter().take(20).copied().collect::<Vec<_>>().join(", ");
+    match nearest(name, all.iter().copied()) {
+        Some(near) => fault.meant(name, near),
+        None if all.is_empty() => fault.help("the model has no coordinates", "в модели нет координат"),
+        None => fault.help(format!("coordinates: {}", listed(&all)), format!("координаты: {}", listed(&all))),
     }
 }
 
