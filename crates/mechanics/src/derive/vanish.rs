@@ -91,7 +91,7 @@ impl Scene<'_> {
         }
         for (j, symbol, _) in &self.starts {
             let place = point.get(&model.coordinates[*j].symbols[0]).copied().unwrap_or(0.0);
-            point.extend(symbol.map(|s| (s, place + random.next())));
+            point.extend(symbol.map(|s| (s, place + random())));
         }
         for p in &model.parameters {
             let value = match (p.value, p.number) {
