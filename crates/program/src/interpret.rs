@@ -34,14 +34,17 @@ pub struct Evaluator {
     late: Vec<usize>,
 }
 
+/// A system by its first register, with the places of its matrix that are not empty.
+type Pattern = (Register, Box<[(u32, Register)]>);
+
 /// Memory of the systems.
 #[derive(Clone, Debug, Default)]
 struct Scratch {
     factor: solve::Factor,
     general: General,
     solution: Vec<f64>,
-    /// For each system, by its first register, the places of its matrix that are not empty.
-    patterns: Vec<(Register, Box<[(u32, Register)]>)>,
+    /// Of all systems.
+    patterns: Vec<Pattern>,
     /// Largest magnitude of each state so far, and how far the states may be off along a motion: where a mode ends, they stand beside the place where its guard
     /// vanishes, by rounding of what they have been and by the resolution of time.
     reach: Vec<f64>,
@@ -378,7 +381,7 @@ pub(crate) fn defective(tape: &Tape, into: Register, defect: Defect) -> Fault {
     }
 }
 
-fn patterns(tape: &Tape) -> Vec<(Register, Box<[(u32, Register)]>)> {
+fn patterns(tape: &Tape) -> Vec<Pattern> {
     let of = |i: &Instruction| match &i.operation {
         Operation::System { matrix, .. } => Some((i.into, places(matrix).collect())),
         _ => None,

@@ -199,7 +199,7 @@ const DEEPEST: usize = 8;
 /// The monomial, switches of the same cases multiplied case by case: {a, g > 0; b}·{c, g > 0; d} is {a c, g > 0; b d}.
 fn joined(graph: &mut Graph, monomial: &Monomial) -> Expr {
     let is_switch = |(base, exponent): &&(Expr, Rational)| matches!(graph.node(*base), Node::Switch { .. }) && exponent == &Rational::ONE;
-    let (switches, mut rest): (Vec<(Expr, Rational)>, Vec<(Expr, Rational)>) = monomial.iter().cloned().partition(|f| is_switch(&f));
+    let (switches, mut rest): (Vec<_>, Vec<_>) = monomial.iter().cloned().partition(|f| is_switch(&f));
     let mut kept: Vec<Expr> = Vec::new();
     for (switch, _) in switches {
         let fitting = kept.iter().enumerate().find_map(|(i, other)| Some((i, merged(graph, [*other, switch], DEEPEST)?)));
