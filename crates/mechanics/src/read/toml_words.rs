@@ -6,6 +6,10 @@ pub(super) fn russian(message: &str) -> String {
         Some((what, expected)) => (what, Some(expected)),
         None => (message, None),
     };
+    if is_date(what) {
+        // no file of a machine holds one: what is expected there helps nobody
+        return "неверная дата или время".to_owned();
+    }
     let what = word(WHAT, what).map_or_else(|| family(what).to_owned(), ToOwned::to_owned);
     let wanted = |item: &str| match item.starts_with(['`', '\'']) {
         true => item.to_owned(),
@@ -17,6 +21,13 @@ pub(super) fn russian(message: &str) -> String {
     }
 }
 
+/// `invalid month between 01 and 12` and so on.
+fn is_date(what: &str) -> bool {
+    const PARTS: [&str; 11] = ["date", "datetime", "date-time", "time", "year", "month", "day", "hour", "minute", "second", "offset"];
+    let first = what.strip_prefix("invalid ").and_then(|rest| rest.split_whitespace().next()).unwrap_or_default();
+    PARTS.contains(&first.trim_end_matches('s').trim_start_matches("nano"))
+}
+
 fn word(table: &[(&str, &'static str)], english: &str) -> Option<&'static str> {
     table.iter().find(|(en, _)| *en == english).map(|(_, ru)| *ru)
 }
@@ -25,7 +36,6 @@ fn word(table: &[(&str, &'static str)], english: &str) -> Option<&'static str> {
 fn family(what: &str) -> &'static str {
     match what {
         w if w.starts_with("cannot extend value") => "нельзя дополнить уже заданное значение ключом с точкой",
-        w if w.starts_with("invalid date") => "неверная дата или время",
         _ => "неверная запись",
     }
 }
@@ -56,6 +66,11 @@ const WHAT: &[(&str, &str)] = &[
     ("invalid hexadecimal number", "неверное шестнадцатеричное число"),
     ("invalid octal number", "неверное восьмеричное число"),
     ("invalid binary number", "неверное двоичное число"),
+    ("invalid mantissa", "неверная мантисса"),
+    ("invalid fraction", "неверная дробная часть"),
+    ("invalid exponent", "неверный порядок числа"),
+    ("invalid key", "неверный ключ"),
+    ("invalid table", "неверная таблица"),
     ("key with no value", "ключ без значения"),
     ("keys cannot be multi-line basic strings", "ключ не может быть многострочной строкой"),
     ("keys cannot be multi-line literal strings", "ключ не может быть многострочной строкой"),
