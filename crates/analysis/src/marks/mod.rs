@@ -153,6 +153,12 @@ pub(crate) fn bracketed(f: &mut dyn FnMut(f64) -> f64, (mut a, mut fa): (f64, f6
     if fa.abs() < fb.abs() { a } else { b }
 }
 
+/// Empty extremes of the columns with these indices.
+pub(crate) fn unknown(columns: usize) -> Vec<Extreme> {
+    let none = Extreme { min: f64::INFINITY, max: f64::NEG_INFINITY, ..Extreme::default() };
+    (0..columns).map(|j| Extreme { column: j + 1, ..none.clone() }).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::bracketed;
@@ -171,7 +177,8 @@ mod tests {
 
     #[test]
     fn a_root_is_met_to_rounding_in_few_values() {
-        let cases: [(fn(f64) -> f64, f64, f64, f64); 4] = [
+        type Case = (fn(f64) -> f64, f64, f64, f64);
+        let cases: [Case; 4] = [
             (|x| x.cos(), 0.0, 3.0, std::f64::consts::FRAC_PI_2),
             (|x| x.powi(3) - 2.0, 0.0, 8.0, 2.0_f64.cbrt()),
             (|x| (20.0 * (x - 0.7)).tanh(), 0.0, 1.0, 0.7),
@@ -192,10 +199,4 @@ mod tests {
         let (count, x) = root(|x| (x - 0.4).powi(5), 0.0, 1.0);
         assert!((x - 0.4).abs() < 1e-9 && count <= 120);
     }
-}
-
-/// Empty extremes of the columns with these indices.
-pub(crate) fn unknown(columns: usize) -> Vec<Extreme> {
-    let none = Extreme { min: f64::INFINITY, max: f64::NEG_INFINITY, ..Extreme::default() };
-    (0..columns).map(|j| Extreme { column: j + 1, ..none.clone() }).collect()
 }

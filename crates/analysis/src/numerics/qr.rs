@@ -51,9 +51,9 @@ impl Qr {
                 let length = lengths[qr.order[j]];
                 if length > 0.0 { left / length } else { 0.0 }
             };
-            let mut best = (k, share(&qr, k));
+            let mut best = (k, share(qr, k));
             for j in k + 1..columns {
-                let value = share(&qr, j);
+                let value = share(qr, j);
                 if value > best.1 {
                     best = (j, value);
                 }
