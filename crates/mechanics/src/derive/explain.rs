@@ -162,6 +162,24 @@ pub const EXPLANATIONS: &[Explanation] = &[
          [points]\nO = { at = [0, 0] }\n[sliders.s]\npoint = \"A\"\nthrough = \"O\"\nturns = false",
     ),
     row(
+        "M157",
+        ("the force of an axle is without the pull of a rope or belt", "сила в оси без натяжения каната или ремня"),
+        (
+            "A rope that winds on a drum pulls at the points of its path; the drum gets the couple of its tension. Where none of these points belongs to the drum, a \
+             support or pin of the drum alone has a force without the pull, and a journal in it too little friction. The pretension of a belt or chain is not \
+             known. Let one body carry the axle and the points of the path, so that its supports have the whole force, or add the pull by hand.",
+            "Канат, наматываемый на барабан, тянет за точки своего пути; барабан получает момент натяжения. Если ни одна из этих точек не принадлежит барабану, сила в \
+             опоре или шарнире самого барабана найдена без натяжения, а трение в цапфе занижено. Предварительное натяжение ремня или цепи неизвестно. Пусть ось и \
+             точки пути несёт одно тело, тогда его опоры имеют полную силу, либо прибавьте натяжение сами.",
+        ),
+        "[coordinates]\nc = \"rad\"\ny = { unit = \"m\", start = \"-1 m\" }\n[bodies.drum]\nangle = \"c\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n\
+         [bodies.load]\norigin = [\"0.2 m\", \"y\"]\nmass = \"1 kg\"\n[points]\nP = { at = [\"0.2 m\", \"0\"] }\n\
+         [ropes.r]\npath = [\"P\", \"load\"]\nwound = [{ on = \"drum\", radius = \"0.2 m\" }]\n[supports.O]\nat = \"drum\"\ndirections = [\"x\", \"y\"]",
+        "[coordinates]\nc = \"rad\"\ny = { unit = \"m\", start = \"-1 m\" }\n[bodies.frame]\n[bodies.drum]\non = \"frame\"\nangle = \"c\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n\
+         [bodies.load]\norigin = [\"0.2 m\", \"y\"]\nmass = \"1 kg\"\n[points]\nP = { on = \"frame\", at = [\"0.2 m\", \"0\"] }\n\
+         [ropes.r]\npath = [\"P\", \"load\"]\nwound = [{ on = \"drum\", radius = \"0.2 m\" }]\n[supports.O]\nat = \"frame\"\ndirections = [\"x\", \"y\"]",
+    ),
+    row(
         "M151",
         ("what holds a mounted body is not known", "неизвестно, что удерживает установленное тело"),
         (

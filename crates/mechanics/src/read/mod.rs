@@ -126,7 +126,9 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let dissipations = elements::dissipations(reader, &top);
     let space = connections::Space::new(reader, &frames, &points, &parameters);
     let connections = connections::read(reader, &top, &space);
-    connections::warn(reader, &connections, &connections::Places { frames: &frames, points: &points, coordinates: &coordinates });
+    let places_of = connections::Places { frames: &frames, points: &points, coordinates: &coordinates };
+    connections::warn(reader, &connections, &places_of);
+    connections::warn_of_axles(reader, &connections, &places_of);
     let (resultants, places) = connections::distributed(reader, &top, &space, points.len());
     forces.extend(resultants);
     points.extend(places);

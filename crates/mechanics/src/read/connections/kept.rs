@@ -60,7 +60,7 @@ fn apart([a, b]: [BTreeSet<SymbolId>; 2]) -> BTreeSet<SymbolId> {
 }
 
 impl Places<'_> {
-    fn frame_of(&self, point: PointRef) -> FrameId {
+    pub(super) fn frame_of(&self, point: PointRef) -> FrameId {
         match point {
             PointRef::Point(p) => self.points[p.index()].on,
             PointRef::Origin(f) | PointRef::Center(f) => f,

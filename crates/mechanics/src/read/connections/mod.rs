@@ -1,5 +1,6 @@
 //! Connections: everything with a reaction. One file for a few tables, one row in [`TABLES`] each.
 
+mod axles;
 mod common;
 mod conditions;
 mod contacts;
@@ -11,6 +12,7 @@ mod ties;
 mod tracks;
 mod wheels;
 
+pub(super) use axles::warn_of_axles;
 pub(super) use common::Space;
 pub(super) use contacts::impacts;
 pub(super) use distributed::distributed;
