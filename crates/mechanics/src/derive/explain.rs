@@ -163,21 +163,34 @@ pub const EXPLANATIONS: &[Explanation] = &[
     ),
     row(
         "M157",
-        ("the force of an axle is without the pull of a rope or belt", "сила в оси без натяжения каната или ремня"),
+        ("the force of an axle is without the pull of its belt", "сила в оси без натяжения ремня"),
         (
-            "A rope that winds on a drum pulls at the points of its path; the drum gets the couple of its tension. Where none of these points belongs to the drum, a \
-             support or pin of the drum alone has a force without the pull, and a journal in it too little friction. The pretension of a belt or chain is not \
-             known. Let one body carry the axle and the points of the path, so that its supports have the whole force, or add the pull by hand.",
-            "Канат, наматываемый на барабан, тянет за точки своего пути; барабан получает момент натяжения. Если ни одна из этих точек не принадлежит барабану, сила в \
-             опоре или шарнире самого барабана найдена без натяжения, а трение в цапфе занижено. Предварительное натяжение ремня или цепи неизвестно. Пусть ось и \
-             точки пути несёт одно тело, тогда его опоры имеют полную силу, либо прибавьте натяжение сами.",
+            "Wheels of belts and chains get the couples of the tensions. Of the tensions the difference is known and not the sum, so a support or pin of one wheel alone has \
+             a force without the pull, and a journal in it too little friction. Support the body that carries both axles, or add the pull by hand.",
+            "Колёса ремней и цепей получают моменты натяжений. Известна разность натяжений ветвей, но не сумма, поэтому сила в опоре или шарнире одного колеса найдена без \
+             натяжения, а трение в цапфе занижено. Опирайте тело, несущее обе оси, либо прибавьте натяжение сами.",
         ),
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[bodies.B]\norigin = [\"2 m\", \"0\"]\n\
+         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[belts.s]\nbetween = [\"A\", \"B\"]\nradii = [\"0.1 m\", \"0.2 m\"]\n\
+         [supports.O]\nat = \"A\"\ndirections = [\"x\", \"y\"]",
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[bodies.B]\norigin = [\"2 m\", \"0\"]\n\
+         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[belts.s]\nbetween = [\"A\", \"B\"]\nradii = [\"0.1 m\", \"0.2 m\"]",
+    ),
+    row(
+        "M158",
+        ("where a rope leaves its drum is not known", "неизвестно, где канат сходит с барабана"),
+        (
+            "A rope that winds gives its drum the couple of the tension; a support, pin or journal of the drum alone also feels the pull. Its line is known where the path \
+             begins on the drum's circle, across the rope, and then the pull acts there. Elsewhere the force of the axle does not follow.",
+            "Наматываемый канат передаёт барабану момент натяжения; опора, шарнир или цапфа самого барабана воспринимают и натяжение. Его линия известна, если путь \
+             начинается на окружности барабана, поперёк каната: тогда натяжение приложено там. В остальных случаях сила в оси не определяется.",
+        ),
+        "[coordinates]\nc = \"rad\"\ny = { unit = \"m\", start = \"-1 m\" }\n[bodies.drum]\nangle = \"c\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n\
+         [bodies.load]\norigin = [\"0.3 m\", \"y\"]\nmass = \"1 kg\"\n[points]\nP = { at = [\"0.3 m\", \"0\"] }\n\
+         [ropes.r]\npath = [\"P\", \"load\"]\nwound = [{ on = \"drum\", radius = \"0.2 m\" }]\n[supports.O]\nat = \"drum\"\ndirections = [\"x\", \"y\"]",
         "[coordinates]\nc = \"rad\"\ny = { unit = \"m\", start = \"-1 m\" }\n[bodies.drum]\nangle = \"c\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n\
          [bodies.load]\norigin = [\"0.2 m\", \"y\"]\nmass = \"1 kg\"\n[points]\nP = { at = [\"0.2 m\", \"0\"] }\n\
          [ropes.r]\npath = [\"P\", \"load\"]\nwound = [{ on = \"drum\", radius = \"0.2 m\" }]\n[supports.O]\nat = \"drum\"\ndirections = [\"x\", \"y\"]",
-        "[coordinates]\nc = \"rad\"\ny = { unit = \"m\", start = \"-1 m\" }\n[bodies.frame]\n[bodies.drum]\non = \"frame\"\nangle = \"c\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n\
-         [bodies.load]\norigin = [\"0.2 m\", \"y\"]\nmass = \"1 kg\"\n[points]\nP = { on = \"frame\", at = [\"0.2 m\", \"0\"] }\n\
-         [ropes.r]\npath = [\"P\", \"load\"]\nwound = [{ on = \"drum\", radius = \"0.2 m\" }]\n[supports.O]\nat = \"frame\"\ndirections = [\"x\", \"y\"]",
     ),
     row(
         "M151",

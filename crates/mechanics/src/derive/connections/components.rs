@@ -2,7 +2,7 @@
 
 use super::axes::axes_of;
 use super::sliders::slider;
-use super::{Doubt, drums, held, path, rubbing, tracks, wheels};
+use super::{Doubt, axles, drums, held, path, rubbing, tracks, wheels};
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::loads::at_start;
 use crate::derive::pathways::{Given, Path, located, unit_vector};
@@ -266,8 +266,11 @@ fn rope(
         parts.push(if drum.positive { arc } else { scene.graph.neg(arc) });
         // the wound length grows against the pull
         let pull = if drum.positive { scene.graph.neg(radius) } else { radius };
+        let held = !corners.is_empty() && axles::is_held(scene, drum.on);
+        let alone = held && axles::pull_on(scene, kinematics, (connection, drum.on, corners), (&turn.acts, pull), &mut acts)?;
         for act in &turn.acts {
-            if act.frame(scene) != Some(FrameId::GROUND) {
+            let on = act.frame(scene);
+            if on == Some(drum.on) || !alone && on != Some(FrameId::GROUND) {
                 acts.push(act.times(scene, pull));
             }
         }

@@ -154,6 +154,29 @@ pub fn no_carrier(model: &Model, connection: &Connection, arm: FrameId) -> Box<D
     Box::new(fault)
 }
 
+/// A drum held by a connection of its own, and a rope of which it is not known where it leaves the drum.
+pub fn pull_unknown(model: &Model, connection: &Connection, drum: FrameId) -> Box<Diagnostic> {
+    let drum = &model.frames[drum.index()].name;
+    let of = format!("{}.{}", connection.table, connection.name);
+    let fault = Diagnostic::error(
+        "M158",
+        connection.span.clone(),
+        Text::new(
+            format!("`{of}`: where the rope leaves the drum `{drum}` is not known, and a support or pin holds the drum alone"),
+            format!("`{of}`: неизвестно, где канат сходит с барабана `{drum}`, а опора или шарнир удерживает один барабан"),
+        ),
+    )
+    .why(Text::new(
+        "the drum's turning needs the couple of the tension only, the force of its axle also the line of the pull",
+        "для вращения барабана достаточно момента натяжения, для силы в его оси нужна и линия натяжения",
+    ))
+    .help(Text::new(
+        "begin the path where the rope leaves the drum, at the drum's radius from its centre and across the rope; or support what carries the axle and the path",
+        "начните путь там, где канат сходит с барабана: на расстоянии радиуса от его оси, поперёк каната; либо опирайте то, что несёт и ось, и точки пути",
+    ));
+    Box::new(fault)
+}
+
 /// A drum whose carrier is unknown.
 pub fn no_drum_carrier(model: &Model, connection: &Connection, drum: FrameId) -> Box<Diagnostic> {
     let drum = &model.frames[drum.index()].name;

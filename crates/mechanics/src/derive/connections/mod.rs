@@ -8,6 +8,7 @@
 //! released there (`release.rs`).
 
 mod axes;
+mod axles;
 mod components;
 mod drums;
 mod faults;

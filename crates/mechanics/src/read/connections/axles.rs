@@ -1,8 +1,7 @@
-//! Axles that feel a rope or a belt: drums and pulleys get the couple of the tension, not its pull.
+//! Axles that feel a belt or chain: its wheels get the couple of the tensions, not their pull.
 //!
-//! A rope pulls at the points of its path. Where none of them belongs to the drum, the drum turns as it should, and whatever holds its axle alone has a
-//! reaction without the pull. The sum of the tensions of a belt, its pretension, is not known at all. What carries the axle and the points together has the
-//! whole reaction.
+//! The sum of the tensions, the pretension of a belt, is not known: whatever holds one axle alone has a reaction without the pull. What carries both axles has
+//! the whole reaction.
 
 use super::Places;
 use crate::diagnostic::Diagnostic;
@@ -13,7 +12,7 @@ use symbolic::Text;
 /// Warns of supports and pins on such drums and wheels.
 pub(in crate::read) fn warn_of_axles(reader: &mut Reader, connections: &[Connection], places: &Places) {
     for pull in connections {
-        for wheel in wheels(pull, places) {
+        for wheel in wheels(pull) {
             let holds = |c: &&Connection| held(c, places).contains(&wheel);
             if let Some(holder) = connections.iter().find(holds) {
                 reader.report(warning(holder, pull, &places.frames[wheel.index()].name));
@@ -23,13 +22,9 @@ pub(in crate::read) fn warn_of_axles(reader: &mut Reader, connections: &[Connect
 }
 
 /// Bodies that get a couple of a connection and not its force.
-fn wheels(connection: &Connection, places: &Places) -> Vec<FrameId> {
+fn wheels(connection: &Connection) -> Vec<FrameId> {
     match &connection.kind {
         ConnectionKind::Wheels { between, .. } if connection.table != "gears" => between.to_vec(),
-        ConnectionKind::Rope { path, wound, .. } if !path.is_empty() => {
-            let ends = [path[0], path[path.len() - 1]].map(|p| places.frame_of(p));
-            wound.iter().map(|drum| drum.on).filter(|on| !ends.contains(on)).collect()
-        }
         _ => Vec::new(),
     }
 }
@@ -56,11 +51,11 @@ fn warning(holder: &Connection, pull: &Connection, wheel: &str) -> Diagnostic {
         ),
     )
     .why(Text::new(
-        "a rope pulls at the points of its path, none of which is a point of the drum; the pretension of a belt is not known",
-        "канат тянет за точки своего пути, ни одна из которых не принадлежит барабану; предварительное натяжение ремня неизвестно",
+        "of the tensions their difference is known, not their sum: the pretension belongs to no law of the machine",
+        "известна разность натяжений ветвей, но не их сумма: предварительное натяжение не следует из законов механизма",
     ))
     .help(Text::new(
-        "let one body carry the axle and the points of the path: its supports have the whole force; or add the pull by hand",
-        "пусть ось и точки пути несёт одно тело: его опоры имеют полную силу; либо прибавьте натяжение сами",
+        "support the body that carries both axles, which has the whole force, or add the pull by hand",
+        "опирайте тело, несущее обе оси: на него действует полная сила; либо прибавьте натяжение сами",
     ))
 }
