@@ -13,7 +13,7 @@ use super::faults;
 use crate::derive::kinematics::Kinematics;
 use crate::derive::scene::{Found, Scene};
 use crate::derive::wrench::{Act, frame_of};
-use crate::model::{Connection, ConnectionKind, FrameId, PointRef, SupportDirection};
+use crate::model::{Connection, ConnectionKind, FrameId, PointRef, SupportDirection, Wound};
 use symbolic::Expr;
 
 /// Whether a support or pin holds a body by forces.
@@ -39,6 +39,9 @@ pub fn pull_on(
         Act::Turn { on, moment } if *on == drum => Some(*moment),
         _ => None,
     });
+    if corners.is_empty() {
+        return Err(faults::pull_unknown(scene.model, connection, drum));
+    }
     let ends = [(corners[0], 0), (corners[corners.len() - 1], 2 * (corners.len() - 1) - 1)];
     for (corner, index) in ends {
         let (Some(moment), Act::Point { force, .. }) = (couple, acts[index].clone()) else { continue };
@@ -59,4 +62,19 @@ pub fn pull_on(
         }
     }
     Err(faults::pull_unknown(scene.model, connection, drum))
+}
+
+/// Drums with no path between them keep their distance: the run of the rope from one to the other is not counted.
+pub fn stay_apart(scene: &mut Scene, kinematics: &mut Kinematics, connection: &Connection, wound: &[Wound]) -> Found<()> {
+    for pair in wound.windows(2) {
+        let [a, b] = [pair[0].on, pair[1].on].map(|drum| kinematics.position(scene, PointRef::Origin(drum)));
+        let between = scene.minus(&b, &a);
+        let square = scene.dot(&between, &between);
+        let rate = scene.total(square);
+        let rate = scene.tidy(rate);
+        if !scene.vanishes(rate) {
+            return Err(faults::run_unknown(connection));
+        }
+    }
+    Ok(())
 }

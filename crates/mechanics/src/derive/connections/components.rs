@@ -259,6 +259,9 @@ fn rope(
         acts.push(Act::Point { point: pair[1], force: opposite });
         parts.push(distance);
     }
+    if corners.is_empty() {
+        axles::stay_apart(scene, kinematics, connection, wound)?;
+    }
     for drum in wound {
         let radius = resolver.resolve(scene, kinematics, drum.radius)?;
         let turn = drums::turn(scene, kinematics, connection, (drum, corners, wound))?;
@@ -266,7 +269,7 @@ fn rope(
         parts.push(if drum.positive { arc } else { scene.graph.neg(arc) });
         // the wound length grows against the pull
         let pull = if drum.positive { scene.graph.neg(radius) } else { radius };
-        let held = !corners.is_empty() && axles::is_held(scene, drum.on);
+        let held = axles::is_held(scene, drum.on);
         let alone = held && axles::pull_on(scene, kinematics, (connection, drum.on, corners), (&turn.acts, pull), &mut acts)?;
         for act in &turn.acts {
             let on = act.frame(scene);

@@ -177,6 +177,28 @@ pub fn pull_unknown(model: &Model, connection: &Connection, drum: FrameId) -> Bo
     Box::new(fault)
 }
 
+/// Drums that move apart with no path between them.
+pub fn run_unknown(connection: &Connection) -> Box<Diagnostic> {
+    let of = format!("{}.{}", connection.table, connection.name);
+    let fault = Diagnostic::error(
+        "M158",
+        connection.span.clone(),
+        Text::new(
+            format!("`{of}`: the distance of its drums changes, and the run of the rope between them is not drawn"),
+            format!("`{of}`: расстояние между барабанами меняется, а ветвь каната между ними не задана"),
+        ),
+    )
+    .why(Text::new(
+        "without `path` the rope is what is wound alone: the free run would not count",
+        "без `path` канат состоит только из намотанного: свободная ветвь не учитывалась бы",
+    ))
+    .help(Text::new(
+        "give `path` from where the rope leaves one drum to where it meets the other",
+        "задайте `path` от места схода каната с одного барабана до места набегания на другой",
+    ));
+    Box::new(fault)
+}
+
 /// A drum whose carrier is unknown.
 pub fn no_drum_carrier(model: &Model, connection: &Connection, drum: FrameId) -> Box<Diagnostic> {
     let drum = &model.frames[drum.index()].name;
