@@ -16,12 +16,17 @@ use crate::derive::wrench::{Act, frame_of};
 use crate::model::{Connection, ConnectionKind, FrameId, PointRef, SupportDirection, Wound};
 use symbolic::Expr;
 
-/// Whether a support or pin holds a body by forces.
+/// Whether a support or pin holds the axle of a body by forces; a pin elsewhere on it is that of a rod.
 pub fn is_held(scene: &Scene, body: FrameId) -> bool {
     let force = |d: &SupportDirection| matches!(d, SupportDirection::X | SupportDirection::Y | SupportDirection::Z);
+    let central = |p: &PointRef| match p {
+        PointRef::Point(p) => scene.model.points[p.index()].at.iter().all(|e| scene.graph.is_zero(*e)),
+        PointRef::Origin(_) | PointRef::Center(_) => true,
+    };
+    let axle = |p: &PointRef| frame_of(scene, *p) == body && central(p);
     scene.model.connections.iter().any(|c| match &c.kind {
-        ConnectionKind::Pin { between, .. } => between.iter().any(|p| frame_of(scene, *p) == body),
-        ConnectionKind::Support { at, directions, .. } => frame_of(scene, *at) == body && directions.iter().any(force),
+        ConnectionKind::Pin { between, .. } => between.iter().any(axle),
+        ConnectionKind::Support { at, directions, .. } => axle(at) && directions.iter().any(force),
         _ => false,
     })
 }

@@ -7,14 +7,14 @@ use super::Places;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Connection, ConnectionKind, FrameId, PointRef, SupportDirection};
 use crate::read::reader::Reader;
-use symbolic::Text;
+use symbolic::{Graph, Text};
 
 /// Warns of supports and pins on such drums and wheels.
 pub(in crate::read) fn warn_of_axles(reader: &mut Reader, connections: &[Connection], places: &Places) {
     for pull in connections {
         for wheel in wheels(pull) {
-            let holds = |c: &&Connection| held(c, places).contains(&wheel);
-            if let Some(holder) = connections.iter().find(holds) {
+            let holder = connections.iter().find(|c| held(&reader.builder.graph, c, places).contains(&wheel));
+            if let Some(holder) = holder {
                 reader.report(warning(holder, pull, &places.frames[wheel.index()].name));
             }
         }
@@ -29,10 +29,14 @@ fn wheels(connection: &Connection) -> Vec<FrameId> {
     }
 }
 
-/// Bodies whose places a connection holds by forces.
-fn held(connection: &Connection, places: &Places) -> Vec<FrameId> {
+/// Bodies whose axles a connection holds by forces: a pin elsewhere on a wheel is that of a rod.
+fn held(graph: &Graph, connection: &Connection, places: &Places) -> Vec<FrameId> {
     let force = |d: &SupportDirection| matches!(d, SupportDirection::X | SupportDirection::Y | SupportDirection::Z);
-    let of = |points: &[PointRef]| points.iter().map(|p| places.frame_of(*p)).collect();
+    let central = |p: &&PointRef| match p {
+        PointRef::Point(p) => places.points[p.index()].at.iter().all(|e| graph.is_zero(*e)),
+        PointRef::Origin(_) | PointRef::Center(_) => true,
+    };
+    let of = |points: &[PointRef]| points.iter().filter(central).map(|p| places.frame_of(*p)).collect();
     match &connection.kind {
         ConnectionKind::Pin { between, .. } => of(between),
         ConnectionKind::Support { at, directions, .. } if directions.iter().any(force) => of(&[*at]),
