@@ -104,7 +104,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let mut raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
     raw_coordinates.extend(parameters::collect_displacements(reader, &top, &mut notation));
     let raw_parameters = parameters::collect(reader, &top, &mut notation);
-    let raw_outputs = outputs::collect(reader, &top, &mut notation);
+    let parameter_names = raw_parameters.iter().map(|p| p.name.clone()).collect();
+    let raw_outputs = outputs::collect(reader, &top, &parameter_names, &mut notation);
     let mut schedule = phases::collect(reader, &top);
     schedule.check_names(reader, &raw_coordinates, &raw_parameters);
     overrides::check_names(reader, &raw_coordinates, &raw_parameters, &schedule);

@@ -19,13 +19,23 @@ pub(super) struct RawOutput<'a> {
     raw: Raw<'a>,
     unit: Option<(Unit, String, Range<usize>)>,
     label: Text,
+    /// a parameter has the name in formulas
+    shadowed: bool,
 }
 
-/// The outputs as written; their names are taken from here on. A name means one quantity, in formulas, results, claims and events alike.
-pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut Vec<(String, String)>) -> Vec<RawOutput<'a>> {
+/// The outputs as written; their names are taken from here on.
+///
+/// An output may bear the name of a parameter (`v`, the speed of a drive and a result): formulas mean the parameter, results the output.
+pub(super) fn collect<'a>(
+    reader: &mut Reader<'a>,
+    top: &Fields<'a>,
+    parameters: &HashSet<String>,
+    notation: &mut Vec<(String, String)>,
+) -> Vec<RawOutput<'a>> {
     let mut found = Vec::new();
     for (name, span, value) in top.rows(reader, "outputs") {
-        if !claim(reader, name, &span) {
+        let shadowed = parameters.contains(name) && !found.iter().any(|o: &RawOutput| o.name == name);
+        if !shadowed && !claim(reader, name, &span) {
             continue;
         }
         let (mut unit, mut label) = (None, Text::default());
@@ -40,9 +50,11 @@ pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &
             _ => reader.raw(value),
         };
         reader.results.insert(name.to_owned());
-        reader.scope.declare(name, Entry { kind: EntryKind::Output(None), dimension: Kind::Unknown, depends: Depends::NOTHING });
+        if !shadowed {
+            reader.scope.declare(name, Entry { kind: EntryKind::Output(None), dimension: Kind::Unknown, depends: Depends::NOTHING });
+        }
         if let Some(raw) = raw {
-            found.push(RawOutput { name: name.to_owned(), span, raw, unit, label });
+            found.push(RawOutput { name: name.to_owned(), span, raw, unit, label, shadowed });
         }
     }
     found
@@ -50,7 +62,7 @@ pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &
 
 /// Checks the outputs by dependence and gives them back in the user's order.
 pub(super) fn resolve<'a>(reader: &mut Reader<'a>, raw: Vec<RawOutput<'a>>) -> Vec<OutputDecl> {
-    let index: HashMap<&str, usize> = raw.iter().enumerate().map(|(i, o)| (o.name.as_str(), i)).collect();
+    let index: HashMap<&str, usize> = raw.iter().enumerate().filter(|(_, o)| !o.shadowed).map(|(i, o)| (o.name.as_str(), i)).collect();
     let dependencies: Vec<Vec<usize>> =
         raw.iter().map(|o| o.raw.formula.iter().flat_map(|f| f.names()).filter_map(|(n, _)| index.get(n).copied()).collect()).collect();
     let (order, cycles) = topological(&dependencies);
@@ -122,7 +134,9 @@ fn declare<'a>(reader: &mut Reader<'a>, o: RawOutput<'a>) -> OutputDecl {
     });
     let formula = value.good.then_some(value.expr);
     let dimension = if value.good { value.kind } else { Kind::Unknown };
-    reader.scope.declare(&o.name, Entry { kind: EntryKind::Output(formula), dimension, depends: value.depends });
+    if !o.shadowed {
+        reader.scope.declare(&o.name, Entry { kind: EntryKind::Output(formula), dimension, depends: value.depends });
+    }
     OutputDecl {
         symbol: reader.builder.graph.symbol_id(&o.name, 0),
         name: o.name,
