@@ -7,22 +7,27 @@ mod flows;
 mod hidden;
 mod impact;
 mod jolt;
+mod meaning;
 pub(crate) mod open;
 mod phases;
 mod solved;
 mod ties;
 mod touches;
 
-use program::{Acting, Behind, Bound, Evaluator, Jets, Operation, Point, Program, Tangent, Tape, passes};
-use symbolic::connections::{Law, Reaction};
+use program::{Acting, Behind, Bound, Evaluator, Jets, Point, Program, Tangent, passes};
+use symbolic::connections::Law;
 use symbolic::{Equations, Text};
 
-use crate::connections::{Undetermined, assemble};
+use crate::connections::assemble;
 use crate::fault::Message;
 use crate::system::Layout;
-use crate::{Blow, Fault, Guard, GuardKind, Mode, Powers, Quantity, Supply, System, Tie, Touch};
+use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Supply, System, Tie, Touch};
 use conditions::Conditions;
 use flows::Flows;
+use meaning::{
+    Refusal, impulse, is_tie, kind, layout, outputs, placements, reads_accelerations, refused, returned, rubbing, states, translated,
+};
+pub(crate) use meaning::{configuration, notation};
 use solved::Solved;
 
 /// Within which the instant of an event is known, relative to it.
@@ -261,180 +266,6 @@ impl Machine {
         let places = self.states.iter().zip(x).take(self.bound.program().coordinates);
         fault.in_configuration(&configuration(places))
     }
-}
-
-fn kind(equations: &Equations, program: &Program, guard: usize) -> GuardKind {
-    use program::GuardKind as Kind;
-    match program.guards[guard].kind {
-        Kind::Sliding { limits, .. } => GuardKind::Friction { limits, pressed: pressing(equations, program, guard) },
-        Kind::Normal { reaction } => GuardKind::Normal { of: program.switches.get(reaction).copied().flatten().unwrap_or(guard) },
-        Kind::Share { of, .. } => GuardKind::Share { of },
-        Kind::Side { of, .. } => GuardKind::Side { of },
-        Kind::Limit { of, exit, .. } => GuardKind::Bound { of, exit: returned(exit) },
-        Kind::Gap { force, .. } => GuardKind::Contact { force },
-        Kind::ContactForce { of, .. } => GuardKind::Bound { of, exit: Mode::Positive },
-        _ => GuardKind::Switch,
-    }
-}
-
-/// The contacts that alone press the frictions of a guard; none where something else presses one of them.
-fn pressing(equations: &Equations, program: &Program, guard: usize) -> Vec<usize> {
-    let mut contacts = Vec::new();
-    let own = (0..equations.reactions.len()).filter(|r| program.switches.get(*r) == Some(&Some(guard)));
-    for reaction in own {
-        let Law::Friction(friction) = &equations.reactions[reaction].law else { continue };
-        let Some(normal) = &friction.normal else { return Vec::new() };
-        if !equations.graph.is_zero(normal.constant) || friction.across.is_some() {
-            return Vec::new();
-        }
-        // a rope presses its friction on a drum, and so does the friction itself
-        for (k, _) in normal.terms.iter().filter(|(k, _)| *k != reaction) {
-            match (&equations.reactions[*k].law, program.switches.get(*k)) {
-                (Law::Contact { .. }, Some(Some(gap))) => contacts.push(*gap),
-                _ => return Vec::new(),
-            }
-        }
-    }
-    contacts
-}
-
-/// The guard of each reaction that is a dry friction.
-fn rubbing(equations: &Equations, program: &Program) -> Vec<Option<usize>> {
-    let frictions = equations.reactions.iter().enumerate().filter(|(_, r)| matches!(r.law, Law::Friction(_)));
-    frictions.map(|(i, _)| program.switches.get(i).copied().flatten()).collect()
-}
-
-fn is_tie(equations: &Equations, kind: &program::GuardKind) -> bool {
-    let program::GuardKind::Gap { reaction, .. } = kind else { return false };
-    matches!(equations.reactions[*reaction].law, Law::Contact { tie: true, .. })
-}
-
-fn returned(mode: program::Mode) -> Mode {
-    match mode {
-        program::Mode::Negative => Mode::Negative,
-        program::Mode::Zero => Mode::Zero,
-        program::Mode::Positive => Mode::Positive,
-    }
-}
-
-/// `phi1 = 1.5708 rad, x = 0.3 m`.
-pub(crate) fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q f64)>) -> Text {
-    let (mut en, mut ru) = (Vec::new(), Vec::new());
-    for (state, value) in places {
-        let (n, unit) = (crate::fault::rounded(*value), Text::unit(&state.unit));
-        en.push(format!("{} = {} {}", state.name, n.en, unit.en));
-        ru.push(format!("{} = {} {}", state.name, n.ru, unit.ru));
-    }
-    Text::new(en.join(", "), ru.join(", "))
-}
-
-/// The released bodies without what acts on them.
-fn placements(equations: &Equations, general: &Bound) -> Result<Evaluator, Fault> {
-    let bodies: Vec<usize> = (0..Layout::BODY * equations.released.bodies.len()).collect();
-    let tape = passes::specialise(&Arc::new(passes::select(&general.program().released, &bodies)), general.parameters())?;
-    Ok(general.evaluator(&Arc::new(tape))?)
-}
-
-/// The impulse of a reaction.
-fn impulse(reaction: &Reaction) -> Quantity {
-    Quantity { label: reaction.label.clone(), ..Quantity::new(&reaction.name, &format!("{} s", reaction.unit)) }
-}
-
-fn layout(equations: &Equations) -> Layout {
-    let released = &equations.released;
-    let frames = released.frames.iter().map(|f| (f.bodies.clone(), f.ways.len())).collect();
-    Layout {
-        bodies: released.bodies.len(),
-        frames,
-        wrenches: released.wrenches.len(),
-        along: released.along.len(),
-        leaning: leaning(equations),
-    }
-}
-
-/// Hidden reactions with a contact or a friction in one of their balances.
-fn leaning(equations: &Equations) -> Vec<String> {
-    let one_sided = |law: &Law| matches!(law, Law::Contact { .. } | Law::Friction(_));
-    let touches = |row: usize| equations.reactions.iter().any(|r| one_sided(&r.law) && r.released.iter().any(|(i, _)| *i == row));
-    let hidden = equations.reactions.iter().filter(|r| matches!(r.law, Law::Support));
-    hidden.filter(|r| r.released.iter().any(|(row, _)| touches(*row))).map(|r| r.name.clone()).collect()
-}
-
-/// Why an output has no value.
-#[derive(Clone, Debug)]
-struct Refusal {
-    reaction: String,
-    /// The load whose place is missing, or the coordinate whose transmission is; none where connections share a load.
-    open: Option<Reaction>,
-}
-
-/// For each output the first reaction in it that has no unique value.
-fn refused(equations: &Equations, program: &Program, undetermined: &Undetermined) -> Vec<Option<Refusal>> {
-    let unknown = |r: &usize| undetermined.open.contains(r) || !program.known.contains(r);
-    let unknown: Vec<usize> = (0..program.reactions).filter(unknown).collect();
-    let mut touched: Vec<Option<Refusal>> = vec![None; equations.outputs.len()];
-    for r in unknown {
-        let reaction = &equations.reactions[r];
-        let mut symbols = vec![reaction.symbol];
-        for definition in &equations.definitions {
-            if equations.graph.contains(definition.formula, |s| symbols.contains(&s)) {
-                symbols.push(definition.symbol);
-            }
-        }
-        for (slot, output) in touched.iter_mut().zip(&equations.outputs) {
-            if slot.is_none() && equations.graph.contains(output.formula, |s| symbols.contains(&s)) {
-                let open = undetermined.placed.iter().find(|(p, _)| *p == r);
-                let open = open.map(|(_, open)| equations.reactions[*open].clone());
-                *slot = Some(Refusal { reaction: reaction.name.clone(), open });
-            }
-        }
-    }
-    touched
-}
-
-fn reads_accelerations(tape: &Tape) -> bool {
-    tape.body.iter().any(|i| matches!(i.operation, Operation::Acceleration(_)))
-}
-
-fn translated(mode: Mode) -> program::Mode {
-    match mode {
-        Mode::Negative => program::Mode::Negative,
-        Mode::Zero => program::Mode::Zero,
-        Mode::Positive => program::Mode::Positive,
-    }
-}
-
-/// Names as the program has them; units and labels from the equations.
-fn states(equations: &Equations, program: &Program) -> Vec<Quantity> {
-    let rate = |unit: &str| if unit == "1" { "1/s".to_owned() } else { format!("{unit}/s") };
-    let coordinates = equations.coordinates.iter();
-    let described = coordinates
-        .clone()
-        .map(|c| (c.unit.clone(), c.label.clone()))
-        .chain(coordinates.map(|c| (rate(&c.unit), Text::default())))
-        .chain(equations.auxiliaries.iter().map(|a| (a.unit.clone(), a.label.clone())));
-    let quantity = |(name, (unit, label)): (&String, (String, Text))| Quantity {
-        label,
-        symbol: notation(equations, name),
-        ..Quantity::new(name, &unit)
-    };
-    program.states.iter().zip(described).map(quantity).collect()
-}
-
-fn outputs(equations: &Equations) -> Vec<Quantity> {
-    let quantity = |o: &symbolic::equations::Output| {
-        let info = equations.graph.symbol_info(o.symbol);
-        let symbol = notation(equations, &format!("{}{}", info.name, "'".repeat(usize::from(info.primes))));
-        Quantity { name: o.name.clone(), symbol, unit: o.unit.clone(), label: o.label.clone(), display: o.display.clone() }
-    };
-    equations.outputs.iter().map(quantity).collect()
-}
-
-/// The user's symbol of a name, primes kept: `phi1'` is `φ_в'` where the file says so.
-pub(crate) fn notation(equations: &Equations, name: &str) -> String {
-    let bare = name.trim_end_matches('\'');
-    let shown = equations.notation.iter().find(|(n, _)| n == bare).map_or(bare, |(_, symbol)| symbol);
-    format!("{shown}{}", &name[bare.len()..])
 }
 
 impl System for Machine {

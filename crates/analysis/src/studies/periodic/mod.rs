@@ -12,6 +12,7 @@
 //! Liouville's formula (`variation.rs`).
 //! *Source*: A. H. Nayfeh, B. Balachandran, Applied Nonlinear Dynamics, 5.2, 7.4.
 
+mod found;
 mod fundamental;
 mod listener;
 mod newton;
@@ -23,8 +24,8 @@ mod variation;
 
 pub use listener::{Listener, Stage};
 
+use found::Found;
 use fundamental::Blur;
-use newton::Found;
 use orbit::Limit;
 use symbolic::Text;
 

@@ -3,7 +3,7 @@
 //! A turn is measured against the first one of the search, state by state and without a moving frame: what turns uniformly moves. Newton's method may
 //! jump to a place of rest that the motion itself leaves; it is the answer only where every small motion about it dies away.
 
-use super::newton::Found;
+use super::found::Found;
 use super::orbit::Orbit;
 use super::{Multiplier, spectrum, stable};
 use crate::fault::Message;

@@ -1,0 +1,140 @@
+//! Formulas of a machine near a state: what they show of its small motions.
+
+use std::sync::Arc;
+
+use program::{Evaluator, Point, Tape, lower};
+use symbolic::Expr;
+
+use super::{LinearMachine, LoadParts, Place, Reactions, Values};
+use crate::Fault;
+
+/// Formulas near a state as a tape.
+#[derive(Clone, Debug)]
+pub struct Observer {
+    n: usize,
+    tape: Arc<Tape>,
+    /// Number of harmonics of each formula.
+    rows: Vec<usize>,
+    /// Waveforms of each formula.
+    forms: Vec<Vec<usize>>,
+    /// Whether a formula had to be taken at t = 0.
+    pub frozen: bool,
+    /// Rows for the reactions in them.
+    reactions: Option<Reactions>,
+    /// Waveforms known to the tape.
+    known: usize,
+}
+
+/// An output near a state: mean + by_place·δq + by_rate·δq' + by_acceleration·δq'' + Σ c cos ν t + s sin ν t.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Seen {
+    /// Value at the state.
+    pub mean: f64,
+    /// ∂y/∂q.
+    pub by_place: Vec<f64>,
+    /// ∂y/∂q'.
+    pub by_rate: Vec<f64>,
+    /// ∂y/∂q''.
+    pub by_acceleration: Vec<f64>,
+    /// (ν, c, s).
+    pub waves: Vec<(f64, f64, f64)>,
+    /// (index of the waveform, factor).
+    pub forms: Vec<(usize, f64)>,
+    /// What a load without a frequency of its own gives by its value alone.
+    pub constant: f64,
+}
+
+impl LinearMachine {
+    /// An observer of formulas of the equations near the state. Reactions in them are those under the loads of the equations, or under a load alone.
+    ///
+    /// *Errors*: a formula that cannot be lowered.
+    pub fn observer(&mut self, formulas: &[Expr], load: Option<&LoadParts>) -> Result<Observer, Fault> {
+        let reactions = self.rows_of_reactions(formulas, load)?;
+        let mut roots = Vec::new();
+        let (mut rows, mut forms, mut frozen) = (Vec::new(), Vec::new(), false);
+        for (k, formula) in formulas.iter().enumerate() {
+            let output = self.linear.output(&self.equations, *formula);
+            frozen |= output.frozen;
+            let mut push = |what: &str, e: Expr| roots.push((format!("output {} {what}", k + 1), e));
+            push("mean", output.mean);
+            output.by_place.iter().for_each(|e| push("by q", *e));
+            output.by_rate.iter().for_each(|e| push("by q'", *e));
+            output.by_acceleration.iter().for_each(|e| push("by q''", *e));
+            for wave in &output.waves {
+                push("rate", wave.rate);
+                push("cos", wave.cos);
+                push("sin", wave.sin);
+            }
+            output.forms.iter().for_each(|(_, factor)| push("factor", *factor));
+            rows.push(output.waves.len());
+            forms.push(output.forms.iter().map(|f| f.0).collect());
+        }
+        self.learn()?;
+        let inputs = if reactions.is_some() { self.with_reactions() } else { self.inputs.clone() };
+        let tape = Arc::new(lower::expressions(&self.linear.graph, "observer", &inputs, &roots)?);
+        Ok(Observer { n: self.names.len(), tape, rows, forms, frozen, reactions, known: self.shapes.len() })
+    }
+
+    /// Formulas of the equations without what time alone does to them, as functions of the whole state; zero for those over reactions.
+    ///
+    /// *Errors*: a formula that cannot be lowered.
+    pub fn whole(&mut self, formulas: &[Expr]) -> Result<Values, Fault> {
+        let zero = self.linear.graph.zero();
+        let equations = Arc::clone(&self.equations);
+        let over_reactions = |e: Expr| equations.graph.contains(e, |s| equations.reactions.iter().any(|r| r.symbol == s));
+        let one = |e: &Expr| if over_reactions(*e) { zero } else { self.linear.output(&equations, *e).whole };
+        let list: Vec<Expr> = formulas.iter().map(one).collect();
+        self.learn()?;
+        self.prepare(&list)
+    }
+
+    /// Amplitudes |M₁|, |B₁|, |C₁| (row-major n x n each) of what oscillates in the coefficients, at a place.
+    ///
+    /// *Errors*: an entry has no finite value there.
+    pub fn pulsation(&self, place: &Place) -> Result<[Vec<f64>; 3], Fault> {
+        let square = self.names.len() * self.names.len();
+        let list: Vec<Expr> = self.linear.pulsation.iter().map(|p| p.1).collect();
+        let mut out = [(); 3].map(|()| vec![0.0; square]);
+        for ((entry, _), value) in self.linear.pulsation.iter().zip(self.values_of(&list, place)?) {
+            out[entry / square][entry % square] += value.abs();
+        }
+        Ok(out)
+    }
+
+    /// What an observer sees at a place, with the parameters as they are now.
+    ///
+    /// *Errors*: an output has no finite value there.
+    pub fn observe(&self, observer: &Observer, place: &Place) -> Result<Vec<Seen>, Fault> {
+        let mut evaluator = Evaluator::new(&observer.tape, &self.values)?;
+        let reactions = match &observer.reactions {
+            Some(prepared) => self.reactions_at(prepared, place)?,
+            None => Vec::new(),
+        };
+        let states = match &observer.reactions {
+            Some(_) => self.states_with(place, observer.known, &reactions),
+            None => self.states(place),
+        };
+        let values = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
+        let n = observer.n;
+        let mut rest = values;
+        let mut take = |k: usize| {
+            let (head, tail) = rest.split_at(k);
+            rest = tail;
+            head.to_vec()
+        };
+        let seen = observer.rows.iter().zip(&observer.forms).map(|(waves, forms)| Seen {
+            mean: take(1)[0],
+            by_place: take(n),
+            by_rate: take(n),
+            by_acceleration: take(n),
+            waves: (0..*waves).map(|_| take(3)).map(|w| (w[0], w[1], w[2])).collect(),
+            forms: forms.iter().map(|form| (*form, take(1)[0])).collect(),
+            constant: 0.0,
+        });
+        let mut seen: Vec<Seen> = seen.collect();
+        if let Some(prepared) = &observer.reactions {
+            self.add_reactions(prepared, place, &reactions, &mut seen)?;
+        }
+        Ok(seen)
+    }
+}

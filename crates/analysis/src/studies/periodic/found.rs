@@ -1,0 +1,322 @@
+//! A turn that closes: its miss, the correction of its start, and what it does to small changes.
+
+use super::fundamental::{self, Blur};
+use super::listener::Listener;
+use super::orbit::{Limit, Orbit, Section, follow};
+use super::spectrum::Turn;
+use super::symmetry::{self, Symmetry};
+use super::{Periodic, closure, unsettled};
+use crate::dataset::Audit;
+use crate::numerics::rank::Qr;
+use crate::taylor::Options;
+use crate::{Fault, Mode, System};
+use std::f64::consts::TAU;
+
+/// Share of a column below which Newton's matrix counts as singular: a family of periodic motions.
+const SINGULAR: f64 = 1e-9;
+/// The same for a forced machine, which is singular only at resonance.
+const RESONANT: f64 = 1e-12;
+/// Shares of the period by which a turn may be followed further to end behind a switch.
+const BEHIND: [f64; 4] = [0.0, 1e-14, 1e-13, 1e-12];
+/// Units of the last place of its terms to which a force is known.
+const ROUNDED: f64 = 64.0;
+/// Parts of a period that are tried as the least one.
+const PARTS: usize = 12;
+
+/// A turn that closes.
+pub(super) struct Found<'o> {
+    pub(super) orbit: Orbit,
+    pub(super) scales: Vec<f64>,
+    pub(super) symmetry: Symmetry,
+    /// Translations of the laws alone, whether the conditions allow them or not.
+    pub(super) loose: Symmetry,
+    /// States that can be chosen freely; the others follow from the conditions.
+    pub(super) free: Vec<usize>,
+    /// Change of all states per change of the free ones, column by column.
+    pub(super) basis: Vec<Vec<f64>>,
+    pub(super) angles: Vec<bool>,
+    /// Whether the motion is far smaller than in the first turn.
+    pub(super) shrunk: bool,
+    /// Who listens.
+    pub(super) listener: Listener<'o>,
+}
+
+/// How far a correction may lead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stride {
+    /// Half of the scales at most.
+    Careful,
+    /// As far as the linear map says.
+    Full,
+}
+
+/// States that can be chosen freely under the conditions, and the change of all states with each of them.
+pub(super) fn tangent<S: System + ?Sized>(
+    system: &mut S,
+    x: &[f64],
+    modes: &[Mode],
+    scales: &[f64],
+    first: Option<usize>,
+    symmetry: &Symmetry,
+) -> Result<(Vec<usize>, Vec<Vec<f64>>), Fault> {
+    let n = x.len();
+    let rows = fundamental::derivative(x, scales, |place| {
+        let mut place = place.to_vec();
+        system.project(0.0, &mut place, modes)?;
+        Ok(place)
+    })?;
+    // scaled: entry (i, j) is the change of state i in its scale for a change of state j in its scale
+    let p: Vec<f64> = (0..n * n).map(|k| rows[k / n][k % n] * scales[k % n] / scales[k / n]).collect();
+    let weight = |i: usize| match first {
+        Some(state) if state == i => 1e3,
+        _ if symmetry.shifts.iter().any(|(pivot, _)| *pivot == i) => 1e2,
+        _ => 1.0,
+    };
+    let transposed: Vec<f64> = (0..n * n).map(|k| p[(k % n) * n + k / n] * weight(k % n)).collect();
+    let mut free = Qr::new(n, n, &transposed, 1e-9).independent().to_vec();
+    free.sort_unstable();
+    let columns = Qr::new(n, n, &p, 1e-7).independent().to_vec();
+    let r = free.len().min(columns.len());
+    free.truncate(r);
+    // B = P_columns (P_free,columns)^-1
+    let square: Vec<f64> = free.iter().flat_map(|&i| columns[..r].iter().map(move |&j| (i, j))).map(|(i, j)| p[i * n + j]).collect();
+    let qr = Qr::new(r, r, &square, 1e-12);
+    let mut basis = Vec::with_capacity(r);
+    for k in 0..r {
+        let unit: Vec<f64> = (0..r).map(|i| if i == k { 1.0 } else { 0.0 }).collect();
+        let c = qr.least_squares(&unit).0;
+        let size = scales[free[k]];
+        let column: Vec<f64> =
+            (0..n).map(|i| c.iter().zip(&columns).map(|(c, &j)| c * p[i * n + j]).sum::<f64>() * scales[i] / size).collect();
+        basis.push(column);
+    }
+    Ok((free, basis))
+}
+
+impl Found<'_> {
+    /// The state as it would be at t = 0, had the motion begun earlier.
+    pub(super) fn at_time_zero(&self, (t, mut x): (f64, Vec<f64>)) -> Vec<f64> {
+        if let Some(frame) = &self.symmetry.frame {
+            x.iter_mut().zip(frame).for_each(|(x, v)| *x -= v * t);
+        }
+        x
+    }
+
+    /// last - first less drift and whole turns, the shifts taken out.
+    pub(super) fn gap(&self) -> Vec<f64> {
+        let mut gap = self.raw_gap();
+        clear_shifts(&self.symmetry, &mut gap);
+        gap
+    }
+
+    fn raw_gap(&self) -> Vec<f64> {
+        let frame = self.symmetry.frame.as_deref();
+        let period = self.orbit.period;
+        (0..self.orbit.first.len())
+            .map(|i| {
+                let change = self.orbit.last[i] - self.orbit.first[i] - frame.map_or(0.0, |f| f[i] * period);
+                if self.angles[i] { change - TAU * (change / TAU).round() } else { change }
+            })
+            .collect()
+    }
+
+    /// States that have to come back: free, not the section's, not translations.
+    pub(super) fn returning(&self, section: Option<usize>) -> Vec<usize> {
+        let pivot = |i: usize| self.symmetry.shifts.iter().any(|(p, _)| *p == i);
+        self.free.iter().copied().filter(|&i| Some(i) != section && !pivot(i)).collect()
+    }
+
+    /// Largest gap in scales.
+    pub(super) fn miss(&self, gap: &[f64], section: Option<usize>) -> f64 {
+        self.returning(section).iter().map(|&i| gap[i].abs() / self.scales[i]).fold(0.0, f64::max)
+    }
+
+    /// The end of the turn, as the start of another one.
+    pub(super) fn next_start(&self, gap: &[f64]) -> Vec<f64> {
+        self.orbit.first.iter().zip(gap).map(|(x, g)| x + g).collect()
+    }
+
+    /// Rates at the end in the moving frame.
+    fn flow_at_end<S: System + ?Sized>(&self, system: &mut S) -> Result<Vec<f64>, Fault> {
+        let mut rates = fundamental::rates(system, self.orbit.period, &self.orbit.last, &self.orbit.modes[1])?;
+        if let Some(frame) = &self.symmetry.frame {
+            rates.iter_mut().zip(frame).for_each(|(r, v)| *r -= v);
+        }
+        Ok(rates)
+    }
+
+    /// Newton's step of the start; none when nothing has to return.
+    pub(super) fn correction<S: System + ?Sized>(
+        &self,
+        system: &mut S,
+        gap: &[f64],
+        section: Option<usize>,
+        reach: Stride,
+    ) -> Result<Option<Vec<f64>>, Fault> {
+        let returning = self.returning(section);
+        if returning.is_empty() {
+            return Ok(None);
+        }
+        let matrix = fundamental::of_orbit(system, &self.orbit, &self.scales, self.listener)?.matrix;
+        let rates = self.flow_at_end(system)?;
+        let m = returning.len();
+        let mut square = vec![0.0; m * m];
+        for (column, &j) in returning.iter().enumerate() {
+            let k = self.free.iter().position(|&i| i == j).unwrap_or(0);
+            let mut change = matrix.apply(&self.basis[k]);
+            if let Some(s) = section {
+                let later = -change[s] / rates[s];
+                change.iter_mut().zip(&rates).for_each(|(c, r)| *c += r * later);
+            }
+            clear_shifts(&self.symmetry, &mut change);
+            for (row, &i) in returning.iter().enumerate() {
+                let unit = if i == j { 1.0 } else { 0.0 };
+                square[row * m + column] = (change[i] - unit) * self.scales[j] / self.scales[i];
+            }
+        }
+        let right: Vec<f64> = returning.iter().map(|&i| -gap[i] / self.scales[i]).collect();
+        let singular = if self.symmetry.frame.is_some() { SINGULAR } else { RESONANT };
+        let (y, _) = Qr::new(m, m, &square, singular).least_squares(&right);
+        let largest = y.iter().fold(0.0_f64, |l, v| l.max(v.abs()));
+        if !largest.is_finite() {
+            return Ok(None);
+        }
+        let damping = if reach == Stride::Careful && largest > 0.5 { 0.5 / largest } else { 1.0 };
+        let mut step = vec![0.0; gap.len()];
+        for (y, &j) in y.iter().zip(&returning) {
+            let k = self.free.iter().position(|&i| i == j).unwrap_or(0);
+            step.iter_mut().zip(&self.basis[k]).for_each(|(s, b)| *s += damping * y * self.scales[j] * b);
+        }
+        Ok(Some(step))
+    }
+
+    /// What the turn does to small changes of the states that have to come back, in scales, and what leaves that undefined.
+    pub(super) fn turn<S: System + ?Sized>(&self, system: &mut S) -> Result<(Turn, Blur), Fault> {
+        let whole = fundamental::of_orbit(system, &self.orbit, &self.scales, self.listener)?;
+        let states = self.returning(None);
+        let n = states.len();
+        let mut matrix = vec![0.0; n * n];
+        for (column, &j) in states.iter().enumerate() {
+            let k = self.free.iter().position(|&i| i == j).unwrap_or(0);
+            let mut change = whole.matrix.apply(&self.basis[k]);
+            clear_shifts(&self.symmetry, &mut change);
+            // in scales: eigenvalues are the same, rounding is not
+            states.iter().enumerate().for_each(|(row, &i)| matrix[row * n + column] = change[i] * self.scales[j] / self.scales[i]);
+        }
+        let flow = self.flow_at_start(system)?;
+        // what connections or translations take out has no part in the matrix, but in the determinant
+        let log_determinant = whole.log_determinant.filter(|_| n == self.orbit.first.len());
+        let loses_one = whole.singular && n == self.orbit.first.len();
+        Ok((Turn { n, matrix, flow, log_determinant, loses_one, liouville: whole.liouville, doubt: whole.doubt }, whole.blur))
+    }
+
+    /// Rates at the start of the states that have to come back, in the moving frame and in scales; none when time is not free or nothing moves in it.
+    fn flow_at_start<S: System + ?Sized>(&self, system: &mut S) -> Result<Option<Vec<f64>>, Fault> {
+        let Some(frame) = &self.symmetry.frame else { return Ok(None) };
+        let mut rates = fundamental::rates(system, 0.0, &self.orbit.first, &self.orbit.modes[0])?;
+        rates.iter_mut().zip(frame).for_each(|(r, v)| *r -= v);
+        clear_shifts(&self.symmetry, &mut rates);
+        let flow: Vec<f64> = self.returning(None).iter().map(|&i| rates[i] * self.orbit.period / self.scales[i]).collect();
+        Ok(flow.iter().any(|f| f.abs() > 1e-9).then_some(flow))
+    }
+
+    /// How many times a period of this turn holds the least one, and how many times the forces repeat in it.
+    pub(super) fn repeats<S: System + ?Sized>(&self, system: &mut S) -> Result<(usize, usize), Fault> {
+        let (mut motion, mut forces) = (1, 1);
+        if self.symmetry.frame.is_some() && self.flow_at_start(system)?.is_none() {
+            return Ok((1, 1));
+        }
+        for k in 2..=PARTS {
+            let part = self.orbit.period / k as f64;
+            let laws = match &self.symmetry.frame {
+                Some(_) => false,
+                None => symmetry::repeats(system, &self.orbit, part, &self.scales)?,
+            };
+            if laws {
+                forces = k;
+            }
+            if (laws || self.symmetry.frame.is_some()) && self.comes_back_after(part) {
+                motion = k;
+            }
+        }
+        Ok((motion, forces))
+    }
+
+    /// Whether the state at that instant is the one at the start.
+    fn comes_back_after(&self, t: f64) -> bool {
+        let frame = self.symmetry.frame.as_deref();
+        let mut gap: Vec<f64> = self.orbit.state_at(t).iter().zip(&self.orbit.first).map(|(a, b)| a - b).collect();
+        for (i, gap) in gap.iter_mut().enumerate() {
+            *gap -= frame.map_or(0.0, |f| f[i] * t);
+            if self.angles[i] {
+                *gap -= TAU * (*gap / TAU).round();
+            }
+        }
+        clear_shifts(&self.symmetry, &mut gap);
+        self.miss(&gap, None) < 1e-8
+    }
+
+    /// Whether time occurs in the equations.
+    pub(super) fn is_driven(&self) -> bool {
+        self.symmetry.frame.is_none()
+    }
+
+    /// The same motion followed for one period from another of its states.
+    pub(super) fn shifted<S: System + ?Sized>(self, system: &mut S, x: &[f64], options: &Periodic<'_>) -> Result<Self, Fault> {
+        let flow = Options { tolerance: options.tolerance, ..Options::default() };
+        let period = self.orbit.period;
+        let mut ended: Option<Orbit> = None;
+        // a start on a switch is behind it; so must the end be, which rounding may have put before it
+        for late in BEHIND {
+            let end = period * (1.0 + late);
+            let limit = Limit { time: end, listener: options.listener };
+            let Some((orbit, _)) = follow(system, x, &[Section::Time(end)], limit, &flow)? else { break };
+            let same = orbit.modes[0] == orbit.modes[1];
+            if same || ended.is_none() {
+                ended = Some(orbit);
+            }
+            if same {
+                break;
+            }
+        }
+        let orbit = ended.ok_or_else(|| unsettled(1.0, 1))?;
+        let (free, basis) = tangent(system, &orbit.first, &orbit.modes[0], &self.scales, None, &self.symmetry)?;
+        Ok(Found { orbit, free, basis, ..self })
+    }
+
+    /// Largest difference of the start from another state, in scales.
+    pub(super) fn away_from(&self, x: &[f64]) -> f64 {
+        self.orbit.first.iter().zip(x).zip(&self.scales).map(|((a, b), s)| ((a - b) / s).abs()).fold(0.0, f64::max)
+    }
+
+    /// The check that all states and their rates come back.
+    pub(super) fn closure<S: System + ?Sized>(&self, system: &mut S) -> Result<Audit, Fault> {
+        let mut gap = self.raw_gap();
+        // what follows from the free states may have gone on, where the laws do not feel it
+        clear_shifts(&self.loose, &mut gap);
+        let n = system.n_coordinates();
+        let places = gap.iter().zip(&self.scales).map(|(g, s)| (g / s).abs()).fold(0.0, f64::max);
+        let first = fundamental::rates(system, 0.0, &self.orbit.first, &self.orbit.modes[0])?;
+        let last = fundamental::rates(system, self.orbit.period, &self.orbit.last, &self.orbit.modes[1])?;
+        let size = (n..2 * n).map(|i| self.scales[i] / self.orbit.period * TAU + first[i].abs());
+        // forces that cancel are known to the rounding of their terms
+        let mut slopes = Vec::new();
+        let known = fundamental::slopes(system, 0.0, &self.orbit.first, &self.orbit.modes[0], &self.scales, &mut slopes).is_ok();
+        let width = self.orbit.first.len() + 1;
+        let terms = |i: usize| -> f64 { slopes[i * width..].iter().zip(&self.orbit.first).map(|(a, x)| (a * x).abs()).sum() };
+        let rounding = |i: usize| if known && terms(i).is_finite() { ROUNDED * f64::EPSILON * terms(i) } else { 0.0 };
+        let off = |i: usize| ((last[i] - first[i]).abs() - rounding(i)).max(0.0);
+        let rates = (n..2 * n).zip(size).map(|(i, s)| off(i) / s).fold(0.0, f64::max);
+        // in modes that differ (a start on a switch) the accelerations need not agree
+        let same = self.orbit.modes[0] == self.orbit.modes[1];
+        Ok(closure(if same { places.max(rates) } else { places }))
+    }
+}
+
+/// Takes the translations out of a change.
+fn clear_shifts(symmetry: &Symmetry, change: &mut [f64]) {
+    for (pivot, shift) in &symmetry.shifts {
+        let amount = change[*pivot];
+        change.iter_mut().zip(shift).for_each(|(c, s)| *c -= amount * s);
+    }
+}
