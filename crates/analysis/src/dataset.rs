@@ -1,6 +1,6 @@
 //! The result of a study: named columns with units, audits, events, provenance. It knows no output format.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::Quantity;
 

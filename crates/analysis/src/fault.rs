@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use symbolic::{Expr, Text};
+use symbolic::Expr;
+use words::Text;
 
 pub mod connections;
 

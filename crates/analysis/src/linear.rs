@@ -11,7 +11,8 @@ use std::sync::Arc;
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
 use symbolic::linear::{About, Loads, Timing};
-use symbolic::{Derivation, Equations, Expr, Linear, SymbolId, Text};
+use symbolic::{Derivation, Equations, Expr, Linear, SymbolId};
+use words::Text;
 
 use crate::fault::Message;
 use crate::machine::notation;

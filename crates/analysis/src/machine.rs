@@ -15,8 +15,9 @@ mod ties;
 mod touches;
 
 use program::{Acting, Behind, Bound, Evaluator, Jets, Point, Program, Tangent, passes};
+use symbolic::Equations;
 use symbolic::connections::Law;
-use symbolic::{Equations, Text};
+use words::Text;
 
 use crate::connections::assemble;
 use crate::fault::Message;

@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use program::Behind;
-use symbolic::Text;
+use words::Text;
 
 use crate::Fault;
 

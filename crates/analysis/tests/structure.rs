@@ -5,7 +5,8 @@ use analysis::structure::{Action, Assembly, Component, Displacement, Frame, Load
 use analysis::structure::{continuum, reduced::Condensation};
 use analysis::studies::structure_modes::{Modes, modes};
 use analysis::studies::structure_statics::statics;
-use symbolic::{Rational, Text};
+use symbolic::Rational;
+use words::Text;
 
 fn node(name: &str, x: f64, y: f64) -> Node<f64> {
     Node { name: name.into(), at: [x, y], mass: 0.0, inertia: 0.0, springs: [0.0; 3] }

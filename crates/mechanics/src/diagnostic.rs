@@ -1,7 +1,7 @@
 //! Diagnostics: what is wrong, where, the likely physical cause, the cure.
 
 use std::ops::Range;
-use symbolic::Text;
+use words::Text;
 
 /// How bad it is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

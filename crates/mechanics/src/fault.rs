@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Severity, Source};
 use std::borrow::Cow;
 use std::ops::Range;
-use symbolic::{Text, letters};
+use words::{Text, letters};
 
 /// A finding inside a piece of text; the range counts bytes from its start.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -164,30 +164,7 @@ pub(crate) fn may_search() -> bool {
     })
 }
 
-/// The nearest of the candidates to a misspelt word, when it is near enough to be meant.
+/// The nearest of the candidates to a misspelt word, when it is near enough to be meant and this reading may still search.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let length = word.chars().count();
-    if length > 60 || !may_search() {
-        return None;
-    }
-    let candidates: Vec<&str> = candidates.into_iter().take(5000).collect();
-    if let Some(twin) = letters::twin(word, candidates.iter().copied()) {
-        return Some(twin);
-    }
-    let limit = 1 + length / 4;
-    let mut best: Option<(usize, &str)> = None;
-    // a bounded search: a file of a hundred thousand names must not cost their square
-    for candidate in candidates {
-        if candidate.chars().count().abs_diff(length) > limit {
-            continue;
-        }
-        let mut distance = strsim::damerau_levenshtein(word, candidate);
-        if word.to_lowercase() == candidate.to_lowercase() {
-            distance = 0;
-        }
-        if distance <= limit && distance < length && best.is_none_or(|(d, _)| distance < d) {
-            best = Some((distance, candidate));
-        }
-    }
-    best.map(|(_, c)| c)
+    may_search().then(|| words::nearest(word, candidates)).flatten()
 }

@@ -12,7 +12,8 @@ pub use connections::*;
 pub use studies::*;
 
 use std::ops::Range;
-use symbolic::{Expr, Graph, SymbolId, Text};
+use symbolic::{Expr, Graph, SymbolId};
+use words::Text;
 
 /// A machine.
 #[derive(Clone, Debug)]

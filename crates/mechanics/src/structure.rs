@@ -5,7 +5,8 @@
 
 use crate::explain::{Explanation, row};
 use std::ops::Range;
-use symbolic::{Expr, SymbolId, Text};
+use symbolic::{Expr, SymbolId};
+use words::Text;
 
 /// A plane structure.
 #[derive(Clone, Debug, Default)]

@@ -1,6 +1,7 @@
 //! What can go wrong between equations and numbers, said in both languages.
 
-use symbolic::{Expr, Text};
+use symbolic::Expr;
+use words::Text;
 
 /// A clear refusal; its fields are those of [`Details`], behind one pointer because results carry it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -5,7 +5,7 @@ use crate::rounding;
 use crate::solve::{self, Defect};
 use crate::{By, Coefficient, Fault, Instruction, Mode, Operation, Register, Singular, Tape, Unary};
 use std::sync::Arc;
-use symbolic::Text;
+use words::Text;
 
 /// A point at which a tape is evaluated. Inputs that the tape does not read may be empty.
 #[derive(Clone, Copy, Debug, Default)]

@@ -3,7 +3,7 @@
 use crate::{Evaluator, Fault, Guard, GuardKind, Jets, Mode, Point, Tape, passes};
 use std::ops::Range;
 use std::sync::Arc;
-use symbolic::Text;
+use words::Text;
 
 /// Everything the studies evaluate, lowered from one [`symbolic::Equations`].
 ///

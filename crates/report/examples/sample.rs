@@ -5,7 +5,8 @@ use analysis::Quantity;
 use analysis::dataset::{Column, Event};
 use report::document::{Content, Formula, Inline, Rich};
 use report::figure::{Happening, Mark, png, svg};
-use report::{Block, Cell, Document, Download, Figure, Language, Table, Text, Word, csv, json, page, table, terminal};
+use report::{Block, Cell, Document, Download, Figure, Table, Word, csv, json, page, table, terminal};
+use words::{Language, Text};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let dir = std::path::PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| "out/sample".into()));

@@ -2,8 +2,9 @@
 
 use analysis::dataset::Column;
 use analysis::{Dataset, Quantity};
-use report::{Figure, Language, csv, figure, json};
+use report::{Figure, csv, figure, json};
 use std::time::Instant;
+use words::Language;
 
 fn main() {
     for n_rows in [1000, 1_000_000] {

@@ -1,9 +1,9 @@
 //! CSV tables of a [`Dataset`]: `t [s],phi [rad],...`, SI values with 17 significant digits.
 
-use crate::language::Language;
 use crate::number::push_exact;
 use analysis::Dataset;
 use analysis::dataset::Column;
+use words::Language;
 
 /// Flavour of CSV.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -150,13 +150,13 @@ mod tests {
         let mut data = sample(vec![0.5]);
         let both = [vec![1.0], vec![-1.0]];
         data.events.push(analysis::dataset::Event { t: 0.25, name: "top".into(), outputs: both.clone(), ..Default::default() });
-        data.events.push(analysis::dataset::Event { t: 0.5, what: symbolic::Text::same("stop, hit"), outputs: both, ..Default::default() });
+        data.events.push(analysis::dataset::Event { t: 0.5, what: words::Text::same("stop, hit"), outputs: both, ..Default::default() });
         let text = String::from_utf8(write_events(&data, Dialect::Plain, Language::En)).unwrap();
         let rows: Vec<&str> = text.lines().collect();
         assert_eq!(rows[0], "event,side,t [s],phi' [rad/s]");
         assert!(rows[1].starts_with("top,at,2.5") && rows[2].starts_with("\"stop, hit\",before,5.0") && rows[3].contains(",after,5.0"));
         assert_eq!(rows.len(), 4);
-        data.events[1].what = symbolic::Text::new("stop, hit", "упор: удар");
+        data.events[1].what = words::Text::new("stop, hit", "упор: удар");
         let russian = String::from_utf8(write_events(&data, Dialect::Plain, Language::Ru)).unwrap();
         assert!(russian.lines().nth(2).unwrap().starts_with("упор: удар,before,5.0"), "{russian}");
     }

@@ -5,8 +5,8 @@
 
 use crate::figure::Figure;
 use crate::figure::bands::Bands;
-use crate::language::Language;
 use crate::table::Table;
+use words::Language;
 
 /// A document: title, blocks, and where it came from.
 #[derive(Clone, Debug)]

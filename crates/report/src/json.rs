@@ -16,10 +16,10 @@
 //! Numbers are SI, in the shortest form that reads back as the same `f64`. JSON has no form for infinities and not-a-number: they are
 //! `null`, and `stated` says what they mean: `[{"name": "x_phase", "missing": "absent", "words": "..."}]` ("unbounded" for infinities). Columns and parameters are objects in the order of the study; of two columns with one name a reader sees the later.
 
-use crate::language::Language;
 use analysis::Dataset;
 use analysis::dataset::{Digits, Event, Extreme, Held, Impulse, Stated};
 use serde_json::{Map, Value, json};
+use words::Language;
 
 /// The JSON of a dataset as bytes, closed by a line feed. `extra` are the study's own fields, written before the columns.
 pub fn write(data: &Dataset, extra: &Map<String, Value>, language: Language) -> Vec<u8> {
@@ -165,7 +165,7 @@ mod tests {
     use super::*;
     use analysis::Quantity;
     use analysis::dataset::{Audit, Column, Counter, ParameterValue};
-    use symbolic::Text;
+    use words::Text;
 
     fn sample() -> Dataset {
         let mut data = Dataset::default();

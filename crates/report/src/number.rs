@@ -4,8 +4,8 @@
 //! `1.2e-03`, thousands by a thin space from five digits on, `∞`, and a dash for what is not a number.
 //! Machines: 17 significant digits ([`push_exact`]), which name every `f64` exactly.
 
-use crate::language::Language;
 use std::fmt::Write;
+use words::Language;
 
 /// No-break space, between a number and its unit.
 pub const NO_BREAK_SPACE: char = '\u{a0}';

@@ -2,8 +2,8 @@
 //!
 //! Tables, plots, pages and formulas read names in one place ([`Printer::named`]); here are only the forms that are no formulas.
 
-use crate::Language;
 use crate::formula::{Form, Identifier, Layout, Placement, Printer, Shape};
+use words::Language;
 
 /// A piece of a symbol with one style.
 #[derive(Clone, Debug, PartialEq, Eq)]

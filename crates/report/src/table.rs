@@ -1,9 +1,9 @@
 //! Tables: columns with heads, cells, and the alignment on the decimal mark that both writers share.
 
 use crate::document::Rich;
-use crate::language::Language;
 use crate::number::Format;
 use crate::unit;
+use words::Language;
 
 /// A table. All rows have as many cells as there are columns; missing cells are empty.
 #[derive(Clone, Debug, Default)]

@@ -2,10 +2,11 @@
 
 use crate::document::{Block, Content, Document};
 use crate::figure::Figure;
-use crate::language::{Language, Word};
 use crate::number::short;
 use crate::symbol;
 use crate::table::{Cell, Table, split_number};
+use crate::wording::Word;
+use words::Language;
 
 /// Space between two columns of a table.
 const GAP: usize = 2;

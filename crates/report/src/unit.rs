@@ -1,8 +1,8 @@
 //! Units as they are printed: from the ASCII labels of data columns (`kg m^2`, `rad/s`, `1`) to `kg·m²` or `кг·м²`, and SI prefixes
 //! for a whole column or axis. A unit that the user typed is never changed here.
 
-use crate::language::Language;
 use crate::number::superscript;
+use words::Language;
 
 /// Unit names: ASCII label, English print, Russian print.
 pub const NAMES: &[(&str, &str, &str)] = &[

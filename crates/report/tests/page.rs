@@ -4,7 +4,8 @@ use analysis::dataset::{Column, Event};
 use analysis::{Dataset, Quantity};
 use report::document::{Content, Formula, Rich};
 use report::figure::{png, svg};
-use report::{Block, Cell, Document, Download, Figure, Language, Table, Text, page, table, terminal};
+use report::{Block, Cell, Document, Download, Figure, Table, page, table, terminal};
+use words::{Language, Text};
 
 const NASTY: &str = "<script>alert(1)</script>\"'&</style><!--";
 

@@ -2,7 +2,6 @@
 
 use crate::args::Global;
 use mechanics::Diagnostic;
-use report::Language;
 use serde_json::json;
 use std::cell::RefCell;
 use std::ffi::OsString;
@@ -10,9 +9,10 @@ use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use strutt::diagnostics::{self, Style};
-use strutt::words::{Word, say};
+use strutt::wording::{Word, say};
 use strutt::{Failure, Source, Trouble, Watch, system};
-use symbolic::Text;
+use words::Language;
+use words::Text;
 
 /// Set by Ctrl+C and by requests to end (SIGTERM, SIGHUP).
 pub static INTERRUPTED: AtomicBool = AtomicBool::new(false);

@@ -4,7 +4,8 @@ use analysis::Dataset;
 use analysis::dataset::{ContactChange, Event, Standing};
 use report::figure::bands::{Band, Bands, State, Stretch};
 use report::table::Column;
-use report::{Cell, Language, Table, Word};
+use report::{Cell, Table, Word};
+use words::Language;
 
 /// Contacts that a picture shows.
 const MOST: usize = 40;
@@ -126,7 +127,7 @@ fn word(state: &str, language: Language) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use symbolic::Text;
+    use words::Text;
 
     fn standing(guard: usize, at_start: &'static str, pressed: Vec<usize>) -> Standing {
         let friction = !pressed.is_empty();

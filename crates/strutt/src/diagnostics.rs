@@ -2,12 +2,12 @@
 
 use crate::failure::Trouble;
 use crate::source::Source;
-use crate::words::{Word, say};
+use crate::wording::{Word, say};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet, normalize_untrusted_str as clean};
 use mechanics::{Diagnostic, Severity, Source as Place};
-use report::Language;
 use serde_json::{Value, json};
 use std::ops::Range;
+use words::Language;
 
 /// How findings are shown.
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +78,7 @@ fn snippet<'a>(
     snippet
 }
 
-fn remarks<'a>(group: Group<'a>, why: &'a symbolic::Text, help: &'a symbolic::Text, language: Language) -> Group<'a> {
+fn remarks<'a>(group: Group<'a>, why: &'a words::Text, help: &'a words::Text, language: Language) -> Group<'a> {
     let mut group = group;
     for (text, level, word) in [(why, Level::NOTE, Word::Why), (help, Level::HELP, Word::Help)] {
         let text = language.text(text);
@@ -223,7 +223,7 @@ impl Lines {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use symbolic::Text;
+    use words::Text;
 
     fn plain(language: Language) -> Style {
         Style { language, colour: false }

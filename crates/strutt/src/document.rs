@@ -2,17 +2,18 @@
 //! nothing itself.
 
 use crate::pipeline::{Calculation, Finding, Phases};
-use crate::words::{Word as Say, say};
+use crate::wording::{Word as Say, say};
 use analysis::Dataset;
 use analysis::dataset::{Audit, Event, Extreme};
 use mechanics::model::{Plot, Simulate};
 use report::document::{Content, Formula, Inline, Rich};
 use report::formula::{Form, Printer};
 use report::table::Column;
-use report::{Block, Cell, Document, Download, Figure, Language, Table, Word};
+use report::{Block, Cell, Document, Download, Figure, Table, Word};
 use symbolic::connections::{Law, Reaction};
 use symbolic::equations::Role;
 use symbolic::{Equations, Expr};
+use words::Language;
 
 /// Significant digits of numbers in tables.
 const DIGITS: usize = 4;

@@ -1,7 +1,7 @@
 //! Explanations of every code that a message can carry, gathered from all rooms.
 
-use crate::near::nearest;
-use symbolic::Text;
+use words::Text;
+use words::nearest;
 
 /// What a code means.
 #[derive(Clone, Debug, PartialEq, Eq)]

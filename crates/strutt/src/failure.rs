@@ -2,7 +2,7 @@
 
 use crate::source::Source;
 use mechanics::{Diagnostic, Severity, Source as Place};
-use symbolic::Text;
+use words::Text;
 
 /// Why a command cannot go on.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use crate::system;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use symbolic::Text;
+use words::Text;
 
 /// Writes a file that must not exist yet; it is there whole or not at all.
 ///

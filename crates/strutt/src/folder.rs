@@ -7,14 +7,15 @@ use crate::pipeline::{self, Calculation, Finding};
 use crate::shelf::Shelf;
 use crate::source::Source;
 use crate::variants;
-use crate::words::Word;
+use crate::wording::Word;
 use analysis::Dataset;
 use analysis::dataset::Column;
 use mechanics::Model;
 use mechanics::section::Section;
-use report::{Figure, Language, csv, json, page};
+use report::{Figure, csv, json, page};
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
+use words::Language;
 
 /// Writes everything about a calculation into a folder; returns the paths, the page last.
 ///

@@ -2,9 +2,10 @@
 
 use crate::document::printer;
 use program::Program;
-use report::Language;
 use report::formula::Form;
-use symbolic::{Equations, Text};
+use symbolic::Equations;
+use words::Language;
+use words::Text;
 
 /// Longer formulas are cut: the name stands in a line of the list of events.
 const LONGEST: usize = 48;

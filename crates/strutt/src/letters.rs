@@ -1,11 +1,12 @@
 //! Quantities of a model that print alike: m1 and m_1, phi and φ, two equal `symbol`.
 
 use mechanics::{Diagnostic, Model};
-use report::Language;
 use report::formula::Printer;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::{Node, SymbolId, Text, letters};
+use symbolic::{Node, SymbolId};
+use words::Language;
+use words::{Text, letters};
 
 /// A warning for each quantity that is printed as an earlier one with another name.
 pub fn printed_alike(model: &Model) -> Vec<Diagnostic> {

@@ -23,7 +23,6 @@ pub mod frictions;
 pub mod gallery;
 pub mod guards;
 mod letters;
-mod near;
 pub mod phases;
 pub mod pipeline;
 pub mod plan;
@@ -37,10 +36,9 @@ pub mod studies;
 pub mod system;
 pub mod variants;
 pub mod watch;
-pub mod words;
+pub mod wording;
 
 pub use failure::{Failure, Trouble};
-pub use near::nearest;
 pub use source::Source;
 pub use watch::Watch;
 

@@ -3,7 +3,7 @@
 use crate::args::Cli;
 use clap::error::{ContextKind, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Command, CommandFactory};
-use report::Language;
+use words::Language;
 
 const FIRST_EN: &str = "Three commands to begin with:
   strutt examples                             see the ready models

@@ -9,9 +9,9 @@ mod quantities;
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
 use console::Console;
-use report::Language;
 use std::io::Write;
 use std::process::ExitCode;
+use words::Language;
 
 fn main() -> ExitCode {
     let language = console::language_of(std::env::args_os().skip(1));

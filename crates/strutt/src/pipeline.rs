@@ -8,7 +8,7 @@ use crate::small::response::ResponseFound;
 use crate::source::Source;
 use crate::studies::{Origin, Results};
 use crate::watch::Watch;
-use crate::words::Word;
+use crate::wording::Word;
 use crate::{guards, phases, plan, provenance};
 use analysis::Dataset;
 use analysis::dataset::Audit;
@@ -19,11 +19,12 @@ use analysis::studies::{self, simulate::Outcome};
 use mechanics::derive::Detail;
 use mechanics::model::{self, Between, Simulate, StudyKind};
 use mechanics::{Diagnostic, Model};
+use report::Document;
 use report::formula::{Form, Printer};
-use report::{Document, Language};
 use std::sync::Arc;
 use symbolic::linear::About;
 use symbolic::{Equations, SymbolId};
+use words::Language;
 
 /// A machine ready for studies.
 #[derive(Clone, Debug)]

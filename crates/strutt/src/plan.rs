@@ -1,7 +1,6 @@
 //! What to simulate: the study of the file, changed by what the command line asks.
 
 use crate::failure::{Failure, Trouble};
-use crate::near::nearest;
 use crate::watch::Watch;
 use analysis::Dataset;
 use analysis::marks::named::{Direction, Named};
@@ -11,6 +10,7 @@ use mechanics::derive::{event_output, push_output};
 use mechanics::model::{DEFAULT_TOLERANCE, EventDecl, EventDirection, Method, Plot, Simulate, StudyKind, Times, Transient};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
+use words::nearest;
 
 /// A step of the integrator spans about a radian of the quickest oscillation.
 const POINTS_A_STEP: f64 = 4.0;

@@ -2,7 +2,7 @@
 
 use mechanics::units::{Dimension, parse_angular_rate, parse_quantity};
 use strutt::{Failure, Trouble};
-use symbolic::Text;
+use words::Text;
 
 /// `30`, `30s`, `2 min`: seconds.
 pub fn seconds(key: &str, text: &str) -> Result<f64, Failure> {

@@ -5,9 +5,10 @@ use report::document::Rich;
 use report::figure::{Axis, Kind, Mark, Series};
 use report::table::Column;
 use report::unit::Scale;
-use report::{Block, Cell, Figure, Language, Table, Word};
+use report::{Block, Cell, Figure, Table, Word};
 use serde_json::{Map, Value, json};
-use symbolic::Text;
+use words::Language;
+use words::Text;
 
 /// Significant digits in tables.
 const DIGITS: usize = 6;

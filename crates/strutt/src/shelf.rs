@@ -2,10 +2,10 @@
 
 use crate::failure::Trouble;
 use crate::files;
-use crate::words::Word;
+use crate::wording::Word;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use symbolic::Text;
+use words::Text;
 
 /// End of the names of files that are not complete yet.
 const PART: &str = ".strutt-part";

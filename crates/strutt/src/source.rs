@@ -2,10 +2,10 @@
 
 use crate::failure::Trouble;
 use crate::gallery;
-use crate::near::nearest;
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
+use words::nearest;
 
 /// Largest model file, bytes; the reader of the model has the same limit.
 const LARGEST: u64 = mechanics::MAX_FILE as u64;

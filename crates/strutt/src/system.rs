@@ -1,7 +1,7 @@
 //! What the operating system says, in both languages, and what helps.
 
 use std::io::{Error, ErrorKind};
-use symbolic::Text;
+use words::Text;
 
 /// The cause of a refusal: the words of the system in English, ours in Russian.
 pub fn cause(error: &Error) -> Text {

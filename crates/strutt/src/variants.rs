@@ -1,12 +1,12 @@
 //! `--variant NAME`: a row of the table that the model file names, as values that replace those of the file.
 
 use crate::failure::{Failure, Trouble};
-use crate::near::nearest;
 use crate::source::Source;
 use mechanics::Model;
 use mechanics::diagnostic::{Severity, Source as Place};
 use mechanics::model::{VariantTable, Variants};
 use std::path::Path;
+use words::nearest;
 
 /// A table of variants.
 struct Sheet {

@@ -1,9 +1,9 @@
 //! What watches a long calculation: a flag to stop it, a listener to its progress, a clock for its phases.
 
-use crate::words::Word;
+use crate::wording::Word;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use symbolic::Text;
+use words::Text;
 
 /// Watches a calculation.
 pub struct Watch<'a> {

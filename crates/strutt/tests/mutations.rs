@@ -60,7 +60,7 @@ fn spoil(text: &str, changes: &[(usize, usize, usize)]) -> String {
 
 fn survives(text: &str) {
     let source = Source::new("model.toml", text);
-    for language in [report::Language::En, report::Language::Ru] {
+    for language in [words::Language::En, words::Language::Ru] {
         match pipeline::build(&source, &[], &mut Watch::default()) {
             Ok(_) | Err(Failure::Trouble(_) | Failure::Misuse(_) | Failure::ClosedPipe) => {}
             Err(Failure::Findings { diagnostics, .. }) => {

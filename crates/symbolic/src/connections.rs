@@ -18,7 +18,8 @@
 //! | `Friction` | slides with sign s of `sliding` | λ = s · kinetic, with |N| as a factor where the normal force is a reaction |
 //! | `Friction` | sticks | the condition (sliding = 0); |λ| <= static limit must hold |
 
-use crate::{Expr, SymbolId, Text};
+use crate::{Expr, SymbolId};
+use words::Text;
 
 /// An unknown scalar force or moment.
 #[derive(Clone, Debug)]

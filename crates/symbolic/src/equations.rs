@@ -11,7 +11,8 @@
 //! (a formula over the others, listed so that each uses earlier ones only).
 
 use crate::connections::{Balance, Condition, Impacts, Reaction, Released};
-use crate::{Expr, Graph, Matrix, SymbolId, Text};
+use crate::{Expr, Graph, Matrix, SymbolId};
+use words::Text;
 
 /// Equations of motion and everything that is asked of them.
 #[derive(Clone, Debug)]

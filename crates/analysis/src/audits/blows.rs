@@ -8,7 +8,7 @@
 //!
 //! Impulses count against the largest of the instant, momenta against the terms that meet in them, at least a hundredth of the largest so far.
 
-use symbolic::Text;
+use words::Text;
 
 use super::frontier::Frontier;
 use crate::dataset::Audit;

@@ -5,7 +5,7 @@
 //! is that of the power balance, for the same reason. In uniform motion a balance may hold nothing but rounding: the least size is 1e-4 of the terms
 //! with the accelerations that change the rates by themselves within a step.
 
-use symbolic::Text;
+use words::Text;
 
 use super::frontier::Frontier;
 use crate::System;

@@ -5,7 +5,7 @@
 //! integrator keeps at the end of a step; x' multiplies the truncation of a polynomial by at most its order. In an implicit step a fast mode multiplies an
 //! error of the state by its own rate; there the defect d counts as the error of the state that it means, (1/h - J)^-1 d.
 
-use symbolic::Text;
+use words::Text;
 
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;

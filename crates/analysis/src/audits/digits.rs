@@ -4,7 +4,7 @@
 //! parted is no digit of either. A row beside a jump is left out when the instants of the jump differ by more than the row's distance from it: there
 //! the time holds and the value does not mean anything. It is no audit: a chaotic motion is not wrong, its late digits are.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::dataset::{Column, Dataset, Digits, Extreme, Held};
 use crate::fault::number;

@@ -4,7 +4,7 @@
 //! out, where v vanishes). A friction that drives what it should brake (a branch taken with the wrong sign, a normal force that went negative) shows as
 //! its full power. Relative to the largest power of that friction so far, and to the rounding of the largest of the machine.
 
-use symbolic::Text;
+use words::Text;
 
 use super::frontier::Frontier;
 use crate::System;

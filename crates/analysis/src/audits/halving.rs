@@ -1,7 +1,7 @@
 //! Tolerance halving: how far the result moves when the tolerance is halved. For motions that do not amplify errors it bounds the error of the result;
 //! where it is large the motion itself is sensitive (chaos, a separatrix), and only short spans or averages are meaningful.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::dataset::{Audit, Column};
 

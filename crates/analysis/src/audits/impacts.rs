@@ -9,7 +9,7 @@
 //!
 //! so the energies are those relative to the surfaces, and a table at rest is the case w = 0.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::dataset::Audit;
 use crate::{Mode, System};

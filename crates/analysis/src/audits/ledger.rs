@@ -14,7 +14,7 @@
 //! **Limit.** A step errs by at most about tol of its own change, and the changes of N steps add up to at most N times the scale: N tol, not below
 //! 1e-9 where rounding rules, never above `MOST`, whatever tolerance was asked for.
 
-use symbolic::Text;
+use words::Text;
 
 use super::damping::damping_alone;
 use super::frontier::Frontier;

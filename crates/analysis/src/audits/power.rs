@@ -14,7 +14,7 @@
 //! places, Σ_ij |∂x''_i/∂q_j q_j| as a power. No scale is so small that 64 units in the last place of these two would meet the limit: a machine that rests to 1e-16, or
 //! moves by 1e-9 about its rest, is not blamed, and an error of the equations there is still seen, as it is far above rounding.
 
-use symbolic::Text;
+use words::Text;
 
 use super::damping::{damping_alone, places_alone};
 use super::frontier::{FLOOR, Frontier};

@@ -16,7 +16,7 @@
 //! F and M are all loads and reactions with their moment about the origin of the ground, another point than that of the balances. A reaction from which a load or an
 //! inertia force was left out breaks it.
 
-use symbolic::Text;
+use words::Text;
 
 use super::frontier::Frontier;
 use super::placements::{BODY, N, Placements, Vector, Wrench, cross, dot, length, minus};

@@ -11,7 +11,7 @@
 //! with w_j the largest of q'_j/s and of the accelerations of the same unit. These serve machines whose reactions vanish: with the inertial cranks of a linkage
 //! turning uniformly and its bars without mass, q'' = 0 stands before each moment of inertia and all forces are rounding of the bars' accelerations.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::dataset::Audit;
 use crate::numerics::random::Random;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use symbolic::Text;
+use words::Text;
 
 use crate::{GuardKind, Mode, System};
 

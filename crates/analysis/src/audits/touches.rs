@@ -13,7 +13,7 @@
 //! Scales: a force counts against the largest of its own contact or friction so far, at least `WEAK` of the largest of the machine; a gap, a rate and an acceleration
 //! against the terms that meet in them, the last also against the one that the contact would have without its force.
 
-use symbolic::Text;
+use words::Text;
 
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;

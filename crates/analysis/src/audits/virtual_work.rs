@@ -12,7 +12,7 @@
 //! the motion. Nothing of the derivation of the equations goes in here, neither gradients nor accelerations. Displacements in which a body cannot move by its coordinates are those of
 //! [`super::released`].
 
-use symbolic::Text;
+use words::Text;
 
 use super::frontier::Frontier;
 use super::placements::{BODY, N, Placements, Vector, Wrench, dot, length};

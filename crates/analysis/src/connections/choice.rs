@@ -16,7 +16,7 @@ use super::{Bench, listed};
 use crate::Fault;
 use crate::fault::{rounded, seven_digits};
 use crate::numerics::random::Random;
-use symbolic::Text;
+use words::Text;
 
 /// Sets of defaults of one size that are tried one after another.
 const SETS: usize = 300;

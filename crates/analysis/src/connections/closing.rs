@@ -10,7 +10,7 @@
 //! From a guess at which all levers lie in line no step leads away; then guesses around it are tried in a fixed order, and of the closed
 //! configurations the one nearest to the user's guess is taken. Rates: one linear problem of least change.
 
-use symbolic::Text;
+use words::Text;
 
 use super::choice::Level;
 use super::{Bench, listed};

@@ -14,8 +14,9 @@ use std::sync::Arc;
 
 use program::lower::Selection;
 use program::{Bound, ConnectionRoots, Evaluator, Point};
+use symbolic::Equations;
 use symbolic::connections::{Condition, Law};
-use symbolic::{Equations, Text};
+use words::Text;
 
 use crate::Fault;
 

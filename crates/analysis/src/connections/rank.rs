@@ -9,8 +9,8 @@
 //! in the position of the start: positions around it are asked too, and balances are chosen where most are independent.
 
 use program::lower::{Repeated, Selection};
-use symbolic::Text;
 use symbolic::connections::{Law, Reaction};
+use words::Text;
 
 use super::{Bench, Undetermined, listed};
 use crate::Fault;

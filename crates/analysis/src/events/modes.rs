@@ -205,8 +205,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
     }
 
     pub(super) fn no_modes(&self, guard: usize) -> Fault {
-        let Some(of) = self.system.guards().get(guard) else { return Fault::chattering(&symbolic::Text::default(), self.now.high) };
-        let contacts: Vec<&symbolic::Text> =
+        let Some(of) = self.system.guards().get(guard) else { return Fault::chattering(&words::Text::default(), self.now.high) };
+        let contacts: Vec<&words::Text> =
             (0..self.modes.len()).filter(|&i| self.takes_part(i)).map(|i| &self.system.guards()[i].name).collect();
         match of.kind {
             GuardKind::Switch => Fault::chattering(&of.name, self.now.high),

@@ -1,6 +1,6 @@
 //! What happened at a switch, in words.
 
-use symbolic::Text;
+use words::Text;
 
 use super::{Change, Switch};
 use crate::dataset::{ContactChange, Standing};

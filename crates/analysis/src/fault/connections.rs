@@ -1,6 +1,6 @@
 //! Faults of friction, contacts and connections.
 
-use symbolic::Text;
+use words::Text;
 
 use super::{Explanation, Fault, Message, number, rounded, ten_digits};
 

@@ -20,7 +20,8 @@ use std::sync::Arc;
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
 use symbolic::connections::Law;
-use symbolic::{Expr, SymbolId, Text};
+use symbolic::{Expr, SymbolId};
+use words::Text;
 
 use super::{LinearMachine, Place, Seen};
 use crate::Fault;

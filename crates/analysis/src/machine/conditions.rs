@@ -14,8 +14,9 @@
 use std::sync::Arc;
 
 use program::{Behind, Bound, ConnectionRoots, Evaluator, GuardKind, LawRoots, Point};
+use symbolic::Equations;
 use symbolic::connections::{Impacts, Law, Reaction, Rebound};
-use symbolic::{Equations, Text};
+use words::Text;
 
 use crate::numerics::qr::Qr;
 use crate::numerics::random::Random;

@@ -27,8 +27,8 @@
 //! *Source*: B. Brogliato, Nonsmooth Mechanics, chapters 5 and 6; Glocker, Set-Valued Force Laws, chapters 7 to 9.
 
 use program::Point;
-use symbolic::Text;
 use symbolic::connections::{Impacts, Rebound};
+use words::Text;
 
 use super::conditions::{Conditions, Holds, backward, forward};
 use super::ties::RATE;

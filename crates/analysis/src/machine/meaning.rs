@@ -2,8 +2,9 @@
 
 use program::{Bound, Evaluator, Operation, Program, Tape, passes};
 use std::sync::Arc;
+use symbolic::Equations;
 use symbolic::connections::{Law, Reaction};
-use symbolic::{Equations, Text};
+use words::Text;
 
 use crate::connections::Undetermined;
 use crate::system::Layout;

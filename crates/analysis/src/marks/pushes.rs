@@ -3,7 +3,7 @@
 //! A wheel that its track keeps at a distance has a normal force of either sign. Where it becomes negative the wheel would have left: an event, and a note
 //! with the first instant. What is not larger than the rounding of the forces that meet in it is no pull.
 
-use symbolic::Text;
+use words::Text;
 
 use super::Along;
 use super::named::{Direction, Named, Watcher};

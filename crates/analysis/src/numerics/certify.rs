@@ -18,7 +18,7 @@ use crate::numerics::factor::Factored;
 use crate::numerics::kernels::dot;
 use crate::numerics::lanczos::positive;
 use crate::numerics::sparse::Sparse;
-use symbolic::Text;
+use words::Text;
 
 /// What the check found.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,7 +1,7 @@
 //! What can be wrong with the matrices of a linear problem. A [`Pivot`] keeps the row, so that a caller who knows what the rows mean can
 //! name the node and the free motion; by `?` it becomes a [`Fault`] that names the row alone.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::Fault;
 use crate::fault::Message;

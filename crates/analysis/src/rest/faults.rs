@@ -1,7 +1,8 @@
 //! Faults of rest: friction that is too weak, loads that friction leaves open.
 
+use symbolic::Equations;
 use symbolic::connections::Law;
-use symbolic::{Equations, Text};
+use words::Text;
 
 use crate::Fault;
 use crate::fault::{Explanation, Message, rounded};

@@ -3,7 +3,8 @@
 use program::lower::Inputs;
 use symbolic::equations::Parameter;
 use symbolic::linear::{Timing, at_rest};
-use symbolic::{Equations, SymbolId, Text};
+use symbolic::{Equations, SymbolId};
+use words::Text;
 
 use crate::Fault;
 use crate::waveform::Shape;

@@ -10,7 +10,8 @@
 
 use symbolic::connections::Reaction;
 use symbolic::equations::Role;
-use symbolic::{Equations, Expr, SymbolId, Text};
+use symbolic::{Equations, Expr, SymbolId};
+use words::Text;
 
 use super::admissible::Hold;
 use super::numbers::Numbers;

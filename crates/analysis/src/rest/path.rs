@@ -122,7 +122,7 @@ impl Paths {
                 return Ok(value);
             }
             if panels >= PANELS {
-                return Err(Fault::not_finite(&symbolic::Text::new("way of a connection", "путь связи"), 0.0));
+                return Err(Fault::not_finite(&words::Text::new("way of a connection", "путь связи"), 0.0));
             }
             (before, panels) = (value, 2 * panels);
         }

@@ -10,7 +10,8 @@
 //! Contacts are closed as at the start; while they are few every choice of closed ones is tried, and a place counts only where open gaps are not
 //! negative and closed contacts do not pull.
 
-use symbolic::{Equations, Text};
+use symbolic::Equations;
+use words::Text;
 
 use super::newton::{self, RESIDUAL, balance, worst};
 use super::system::{Parts, RestSystem, Row, Rows};

@@ -8,7 +8,8 @@ use std::sync::Arc;
 
 use symbolic::connections::Law;
 use symbolic::linear::About;
-use symbolic::{Equations, SymbolId, Text};
+use symbolic::{Equations, SymbolId};
+use words::Text;
 
 use super::admissible::Holds;
 use super::limiting::limiting;

@@ -264,7 +264,7 @@ impl RestSystem {
         if finite {
             Ok(Rows { forces, places, balances, starts, gaps, limits })
         } else {
-            Err(Fault::not_finite(&symbolic::Text::new("force of rest", "сила в покое"), 0.0))
+            Err(Fault::not_finite(&words::Text::new("force of rest", "сила в покое"), 0.0))
         }
     }
 }

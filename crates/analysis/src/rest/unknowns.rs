@@ -6,8 +6,9 @@
 //! F_k = ± μ_k |N_k|                   frictions about to slide: λ > 0 resists sliding forward
 //! ```
 
+use symbolic::Equations;
 use symbolic::connections::Law;
-use symbolic::{Equations, Text};
+use words::Text;
 
 use super::admissible::Holds;
 use super::newton::{self, worst};

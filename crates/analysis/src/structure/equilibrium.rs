@@ -102,7 +102,7 @@ fn connected<S: Scalar>(frame: &Frame<S>) -> Result<(), Fault> {
 }
 
 /// A free motion in words: the node that moves most, how, and who moves with it.
-pub fn describe<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, motion: &[f64]) -> (String, symbolic::Text) {
+pub fn describe<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, motion: &[f64]) -> (String, words::Text) {
     let nodes = frame.nodes.len();
     let size = |i: usize| (motion[3 * i].powi(2) + motion[3 * i + 1].powi(2)).sqrt();
     let largest = (0..nodes).fold(0.0_f64, |m, i| m.max(size(i)));
@@ -112,7 +112,7 @@ pub fn describe<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, motion: &[f
         let i = turns.max_by(|i, j| motion[*i].abs().total_cmp(&motion[*j].abs())).unwrap_or(0);
         let name = name_of(frame, assembly.freedoms.meaning[i]);
         let node = node_of(frame, assembly, i);
-        return (node, symbolic::Text::new(format!("{name} is free"), format!("свободен поворот {name}")));
+        return (node, words::Text::new(format!("{name} is free"), format!("свободен поворот {name}")));
     }
     let first = (0..nodes).find(|i| size(*i) >= (1.0 - 1e-9) * largest).unwrap_or(0);
     let list = |words: [&str; 3], and: &str| {
@@ -130,7 +130,7 @@ pub fn describe<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, motion: &[f
         let more = if moving.len() > 8 { format!("; {and} {}", moving.len() - 8) } else { String::new() };
         format!("{}{more}", shown.join("; "))
     };
-    let text = symbolic::Text::new(
+    let text = words::Text::new(
         list(["moves along x", "moves along y", "moves along"], "more nodes:"),
         list(["движется вдоль x", "движется вдоль y", "движется вдоль"], "и ещё узлов:"),
     );

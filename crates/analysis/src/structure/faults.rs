@@ -2,7 +2,7 @@
 
 use crate::Fault;
 use crate::fault::{Explanation, Message};
-use symbolic::Text;
+use words::Text;
 
 /// Long texts of the codes of this folder.
 pub const EXPLANATIONS: &[Explanation] = &[

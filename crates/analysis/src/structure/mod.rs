@@ -26,7 +26,7 @@ pub mod truss;
 pub use assembly::Assembly;
 pub use scalar::Scalar;
 
-use symbolic::Text;
+use words::Text;
 
 /// A frame or truss, SI.
 #[derive(Clone, Debug, Default)]

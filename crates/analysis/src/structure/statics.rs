@@ -141,7 +141,7 @@ pub fn dense_solver<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> impl
     let n = assembly.n();
     let k = assembly.stiffness(frame).dense();
     move |f: &[S]| {
-        let motion = symbolic::Text::new("the stiffness matrix is singular", "матрица жёсткости вырождена");
+        let motion = words::Text::new("the stiffness matrix is singular", "матрица жёсткости вырождена");
         dense::solve(&k, n, f, 1).ok_or_else(|| faults::mechanism("?", &motion, 1))
     }
 }

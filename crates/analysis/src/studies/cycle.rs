@@ -21,7 +21,7 @@
 //! output, mean over time = cycle/duration.
 //! *Source*: I. I. Artobolevskii, Theory of Mechanisms and Machines, 16-19.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::dataset::{Audit, Column, Dataset, Extreme};
 use crate::fault::Message;

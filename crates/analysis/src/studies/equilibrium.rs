@@ -4,7 +4,7 @@
 //! t = 0). An equilibrium of a conservative system is stable when its stiffness K = -dh/dq is positive definite (Lagrange, Dirichlet) and unstable when K has a negative direction; when K is not symmetric the loads do
 //! work over closed ways (follower forces), and definiteness of the symmetric part is only a hint.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
 use crate::fault::{Message, rounded};

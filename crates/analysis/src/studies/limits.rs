@@ -3,7 +3,7 @@
 //! Two things are left out: what oscillates in the coefficients (M₁ cos νt beside M, which turns a motion at ω into forces at ω ± ν), and what the
 //! forces of places do beyond their straight line. Both are measured on the amplitudes X, relative to the terms of the equations.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::Fault;
 use crate::fault::{Explanation, Message, rounded};

@@ -10,7 +10,7 @@
 //!
 //! *Source*: P. C. Müller, W. Schiehlen, Linear Vibrations, ch. 4; L. Meirovitch, Methods of Analytical Dynamics, ch. 9.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::dataset::Audit;
 use crate::fault::Message;

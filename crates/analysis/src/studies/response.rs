@@ -10,8 +10,9 @@
 
 use std::f64::consts::PI;
 
+use symbolic::Expr;
 use symbolic::linear::HarmonicLoad;
-use symbolic::{Expr, Text};
+use words::Text;
 
 use crate::Fault;
 use crate::fault::{Message, rounded};

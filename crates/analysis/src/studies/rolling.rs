@@ -13,7 +13,7 @@
 //!
 //! *Source*: Ju. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, ch. V and VI.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::dataset::Audit;
 use crate::fault::{Explanation, Message};

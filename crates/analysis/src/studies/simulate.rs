@@ -5,7 +5,7 @@ mod bridge;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use symbolic::Text;
+use words::Text;
 
 use crate::audits::blows::BlowLaws;
 use crate::audits::bodies::BodyBalance;

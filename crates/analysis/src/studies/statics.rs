@@ -14,7 +14,8 @@
 //! relation among rows) makes it a mechanism, and then it rests only if the loads do no work in that displacement.
 
 use symbolic::connections::Law;
-use symbolic::{Equations, Expr, Text};
+use symbolic::{Equations, Expr};
+use words::Text;
 
 use crate::connections::assemble;
 use crate::fault::rounded;

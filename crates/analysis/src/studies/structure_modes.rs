@@ -11,7 +11,8 @@ use crate::structure::equilibrium::{EXACT, SEARCHED, describe, standing, stands_
 use crate::structure::reduced::{Condensation, Reduced, quantity, reduce};
 use crate::structure::{Assembly, Frame, RodKind, continuum, dense, faults};
 use crate::{Fault, Quantity};
-use symbolic::{Rational, Text};
+use symbolic::Rational;
+use words::Text;
 
 /// Largest number of degrees of freedom whose frequency equation is written out.
 const EQUATION: usize = 8;

@@ -7,7 +7,8 @@ use crate::structure::statics::{Solver, Statics, Station, dense_solver, product,
 use crate::structure::truss::{Joint, Section, is_truss, joints, sections};
 use crate::structure::{Action, Assembly, Component, Displacement, Frame, Load, Scalar};
 use crate::{Fault, Quantity};
-use symbolic::{Rational, Text};
+use symbolic::Rational;
+use words::Text;
 
 /// Places between the ends of a part where a curved diagram is shown.
 const BETWEEN: usize = 15;

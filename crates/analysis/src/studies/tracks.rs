@@ -4,7 +4,7 @@
 //! that is most like it. Over a speed this is Campbell's diagram, whose crossings with the lines ω = k Ω are critical speeds; k is 1 and the
 //! multiples of the speed at which the loads act. A frequency is |λ|, a frequency with damping |Im λ|; the lines are those of the latter.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::dataset::{Column, Dataset, Missing};
 use crate::linear::{LinearMachine, Place};

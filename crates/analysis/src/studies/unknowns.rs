@@ -7,7 +7,7 @@
 //! Gauss-Newton: ∂F/∂u is exact, the equations are scaled by rows and columns, dependent unknowns and forces that nothing balances are
 //! faults, never a least-squares compromise.
 
-use symbolic::Text;
+use words::Text;
 
 use crate::Fault;
 use crate::fault::{Message, number, rounded};

@@ -1,6 +1,6 @@
 //! Whether a step is accepted: it must be finite, longer than the resolution of time, and its end must satisfy the equations.
 
-use symbolic::Text;
+use words::Text;
 
 use super::{Flow, step};
 use crate::numerics::sum::Instant;

@@ -18,7 +18,7 @@ mod step;
 mod switching;
 mod turns;
 
-use symbolic::Text;
+use words::Text;
 
 pub use step::Step;
 pub(crate) use step::{Series, increment_and_slope};

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use analysis::Machine;
 use symbolic::connections::{Condition, Friction, Law, Reaction};
 use symbolic::equations::{Coordinate, Energy, Output, Role};
-use symbolic::{Derivation, Equations, Expr, Function, Graph, Matrix, Rational, Text};
+use symbolic::{Derivation, Equations, Expr, Function, Graph, Matrix, Rational};
+use words::Text;
 
 /// A machine under construction.
 pub struct Build {

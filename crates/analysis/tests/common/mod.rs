@@ -2,7 +2,7 @@
 #![allow(dead_code)]
 
 use analysis::{Blow, Fault, Guard, GuardKind, Mode, Quantity, System};
-use symbolic::Text;
+use words::Text;
 
 /// Series during an expansion: `x[i][0..=k]` are known, the recurrence gives `x[i][k + 1]`.
 pub struct Work {

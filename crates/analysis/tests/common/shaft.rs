@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use analysis::Machine;
 use symbolic::equations::{Coordinate, Energy, Output, Parameter, Role};
-use symbolic::{Equations, Expr, Function, Graph, Matrix, Rational, Text};
+use symbolic::{Equations, Expr, Function, Graph, Matrix, Rational};
+use words::Text;
 
 fn blank(graph: Graph) -> Equations {
     let mut graph = graph;

@@ -30,7 +30,8 @@ use loads::Loads;
 use requests::{EnergyTerms, Resolver};
 use scene::Scene;
 use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role, Start};
-use symbolic::{Equations, Expr, Matrix, SymbolId, Text};
+use symbolic::{Equations, Expr, Matrix, SymbolId};
+use words::Text;
 
 /// Above this number of coordinates, formulas are not written out.
 const LARGEST_SHOWN: usize = 12;

@@ -10,7 +10,8 @@ use super::wrench::{Act, Along, Formula, generalized};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Axis, FrameId, Measure, Pathway, PointRef, RequestKind};
 use std::ops::Range;
-use symbolic::{Expr, Text};
+use symbolic::Expr;
+use words::Text;
 
 /// A pathway ready for use.
 #[derive(Clone, Debug)]

@@ -8,7 +8,8 @@ use super::scene::{Found, Scene};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Axis, Element, FrameId, Part, Request, RequestKind};
 use rustc_hash::FxHashMap;
-use symbolic::{Expr, Substitution, SymbolId, Text};
+use symbolic::{Expr, Substitution, SymbolId};
+use words::Text;
 
 /// How deep placeholders may refer to each other.
 const DEEPEST: usize = 200;

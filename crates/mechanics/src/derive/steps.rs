@@ -8,7 +8,8 @@ use super::loads::{Loads, Term};
 use super::scene::Scene;
 use crate::model::{FrameId, Inertia, Mass, PointRef};
 use symbolic::equations::{Step, StepFormula, StepName};
-use symbolic::{Expr, Rational, Text};
+use symbolic::{Expr, Rational};
+use words::Text;
 
 /// Writes the steps.
 pub fn write(

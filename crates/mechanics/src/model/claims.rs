@@ -1,7 +1,8 @@
 //! Published results that are laid against the machine.
 
 use std::ops::Range;
-use symbolic::{Expr, Text};
+use symbolic::Expr;
+use words::Text;
 
 /// A published result.
 #[derive(Clone, Debug)]

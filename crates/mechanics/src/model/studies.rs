@@ -1,7 +1,8 @@
 //! Studies that a file asks for.
 
 use std::ops::Range;
-use symbolic::{Expr, SymbolId, Text};
+use symbolic::{Expr, SymbolId};
+use words::Text;
 
 /// A study.
 #[derive(Clone, Debug)]

@@ -8,8 +8,8 @@ use crate::formula::{Context, Kind, check};
 use crate::model::{ClaimDecl, ClaimInstant, ClaimKind};
 use crate::units::{Dimension, si_label, si_label_ru};
 use std::f64::consts::TAU;
-use symbolic::Text;
 use toml::de::DeValue;
+use words::Text;
 
 /// Relative deviation of an equation or formula that is the same: published coefficients are rarely rounded beyond six digits.
 const USUAL: f64 = 1e-6;

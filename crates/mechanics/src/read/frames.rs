@@ -12,8 +12,9 @@ use crate::model::{Axis, Frame, FrameId, Inertia, Mass, Origin, Point, PointId};
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::{Expr, Text};
+use symbolic::Expr;
 use toml::de::DeValue;
+use words::Text;
 
 struct RawFrame<'a> {
     name: String,

@@ -35,7 +35,7 @@ use crate::fields;
 use crate::model::{Model, Study, StudyKind};
 use crate::{Reading, fault::Fault};
 use reader::{Fields, Reader};
-use symbolic::Text;
+use words::Text;
 
 /// Largest model file, bytes.
 pub const MAX_FILE: usize = 4 << 20;

@@ -9,8 +9,8 @@ use crate::model::{DisplayUnit, OutputDecl, Request, RequestKind};
 use crate::units::{Dimension, Unit, si_label};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
-use symbolic::Text;
 use toml::de::DeValue;
+use words::Text;
 
 /// An output before its formula is checked.
 pub(super) struct RawOutput<'a> {

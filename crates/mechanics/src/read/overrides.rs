@@ -9,7 +9,7 @@ use super::reader::Reader;
 use crate::diagnostic::{Diagnostic, Severity, Source};
 use crate::fault::{Fault, nearest};
 use std::collections::HashSet;
-use symbolic::Text;
+use words::Text;
 
 /// Splits `name=quantity`; `index` is its number on the command line.
 ///

@@ -12,8 +12,8 @@ use crate::units::{Dimension, Unit, si_label, written_unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::Text;
 use toml::de::DeValue;
+use words::Text;
 
 const RESERVED: [&str; 3] = ["pi", "π", "t"];
 

@@ -14,8 +14,9 @@ use crate::structure;
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::{Expr, Substitution, SymbolId, Text};
+use symbolic::{Expr, Substitution, SymbolId};
 use toml::de::DeValue;
+use words::Text;
 
 /// The name that an override uses to choose the reading of all phases: `--set phases=restarts`.
 pub(super) const READING: &str = "phases";

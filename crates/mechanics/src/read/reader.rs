@@ -11,8 +11,9 @@ use crate::units::{self, Dimension, Quantity, Unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::{Expr, Rational, SymbolId, Text, letters};
+use symbolic::{Expr, Rational, SymbolId};
 use toml::de::DeValue;
+use words::{Text, letters};
 
 /// The state of reading.
 pub(super) struct Reader<'a> {

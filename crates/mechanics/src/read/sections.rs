@@ -360,7 +360,7 @@ fn empty(reader: &mut Reader, path: &str, span: Range<usize>) {
 }
 
 /// Checks what covers what and sums up.
-fn together(reader: &mut Reader, name: String, label: symbolic::Text, fields: &Fields, drafts: Vec<Draft>) -> Option<Section> {
+fn together(reader: &mut Reader, name: String, label: words::Text, fields: &Fields, drafts: Vec<Draft>) -> Option<Section> {
     let moments: Vec<(Moments, bool)> = drafts.iter().map(|d| (d.moments, d.part.removed)).collect();
     let parts: Vec<Part> = drafts.into_iter().map(|d| d.part).collect();
     let coverage = section::cover(&parts);

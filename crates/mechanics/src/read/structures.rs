@@ -14,8 +14,9 @@ use crate::structure::{Action, AssumedShape, Direction, Displacement, Load, Node
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::{Expr, Rational, SymbolId, Text};
+use symbolic::{Expr, Rational, SymbolId};
 use toml::de::DeValue;
+use words::Text;
 
 const BENDING: Dimension = Dimension::of(3, 1, -2);
 const PRESSURE: Dimension = Dimension::of(-1, 1, -2);

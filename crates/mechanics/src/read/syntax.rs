@@ -2,9 +2,9 @@
 
 use crate::diagnostic::Diagnostic;
 use std::ops::Range;
-use symbolic::Text;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+use words::Text;
 
 pub(super) type Table<'a> = DeTable<'a>;
 pub(super) type Value<'a> = Spanned<DeValue<'a>>;

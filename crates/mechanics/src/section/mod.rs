@@ -16,7 +16,8 @@ pub use outline::{Contours, Outline};
 pub use profiles::{Kind, Profile, find as find_profile, names as profile_names};
 
 use std::ops::Range;
-use symbolic::{Expr, Text};
+use symbolic::Expr;
+use words::Text;
 
 /// A section of the file.
 #[derive(Clone, Debug)]

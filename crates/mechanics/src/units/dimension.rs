@@ -250,7 +250,7 @@ pub fn si_label(dimension: &Dimension) -> String {
 
 /// The same in Russian: `м`, `рад/с`, `Н м`, `кг м^2`.
 pub fn si_label_ru(dimension: &Dimension) -> String {
-    symbolic::Text::unit(&si_label(dimension)).ru
+    words::Text::unit(&si_label(dimension)).ru
 }
 
 fn invert(e: Exponent) -> Exponent {

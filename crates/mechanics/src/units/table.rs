@@ -193,7 +193,7 @@ fn in_si(r: &Row, print: impl Fn(&str) -> String) -> String {
 /// A unit in Cyrillic letters as it is printed: `kg m^2` is `кг·м²`.
 pub(crate) fn in_russian(label: &str) -> String {
     let powers = [("^2", "²"), ("^3", "³"), ("^4", "⁴"), (" ", "·")];
-    powers.into_iter().fold(symbolic::Text::unit(label).ru, |text, (from, to)| text.replace(from, to))
+    powers.into_iter().fold(words::Text::unit(label).ru, |text, (from, to)| text.replace(from, to))
 }
 
 /// The unit of that name.
@@ -237,12 +237,9 @@ pub(super) fn nearest(name: &str) -> Option<String> {
     if name == "grad" {
         return Some("deg".to_owned());
     }
-    let lower = name.to_lowercase();
     let mut best: Option<(usize, String)> = None;
     let mut offer = |candidate: String| {
-        // a wrong case is half a slip
-        let distance =
-            (2 * strsim::damerau_levenshtein(name, &candidate)).min(1 + 2 * strsim::damerau_levenshtein(&lower, &candidate.to_lowercase()));
+        let distance = words::half_slips(name, &candidate);
         if best.as_ref().is_none_or(|(d, _)| distance < *d) {
             best = Some((distance, candidate));
         }

@@ -20,7 +20,7 @@ use crate::{Bound, Evaluator, Fault, Mode, Operation, Point, Register, Unary};
 use faithful::{Watch, Watched};
 use plan::Plan;
 use recurrences::{Memory, Step};
-use symbolic::Text;
+use words::Text;
 
 /// What is nearer in time than this share of it is now.
 const RESOLUTION: f64 = 32.0 * f64::EPSILON;

@@ -26,7 +26,8 @@ use super::journals::Journal;
 use crate::{Bounded, By, Fault, Guard, GuardKind, Mode, Real, Register, Spare};
 use std::sync::Arc;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal};
-use symbolic::{Equations, Expr, Text};
+use symbolic::{Equations, Expr};
+use words::Text;
 
 /// What takes part of the connections of some equations. A condition that repeats others is dropped together with the reaction that owns it.
 #[derive(Clone, PartialEq, Debug, Default)]

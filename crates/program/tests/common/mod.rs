@@ -4,7 +4,8 @@
 pub mod mechanisms;
 
 use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Output, Parameter, Role};
-use symbolic::{Equations, Expr, Function, Graph, Matrix, Rational, SymbolId, Text};
+use symbolic::{Equations, Expr, Function, Graph, Matrix, Rational, SymbolId};
+use words::Text;
 
 /// Equations without coordinates, over `graph`, with time `t`.
 pub fn empty(mut graph: Graph) -> Equations {

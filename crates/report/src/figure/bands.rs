@@ -4,9 +4,10 @@ use super::layout::{LEGEND_ROW, TEXT, text_width};
 use super::ticks;
 use crate::document::Rich;
 use crate::escape::markup;
-use crate::language::{Language, Word};
 use crate::unit::Scale;
+use crate::wording::Word;
 use std::fmt::Write;
+use words::Language;
 
 /// A picture of bands over a common axis.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use super::ticks::{self, Tick};
 use super::{Axis, Figure, Kind, Mark};
-use crate::language::Language;
+use words::Language;
 
 /// Height of text.
 pub const TEXT: f64 = 12.0;

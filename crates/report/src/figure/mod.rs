@@ -13,11 +13,12 @@ pub mod svg;
 pub mod ticks;
 
 use crate::document::{Inline, Rich};
-use crate::language::{Language, Word};
 use crate::symbol;
 use crate::unit::Scale;
+use crate::wording::Word;
 use analysis::Dataset;
 use analysis::dataset::Column;
+use words::Language;
 
 /// A figure.
 #[derive(Clone, Debug)]

@@ -1,9 +1,9 @@
 //! A figure as PNG: the SVG drawn at two pixels per unit, with fonts of its own, so that the picture is the same on every machine.
 
 use super::{Figure, svg};
-use crate::language::Language;
 use resvg::{tiny_skia, usvg};
 use std::sync::{Arc, LazyLock};
+use words::Language;
 
 /// Pixels per unit of the SVG.
 pub const PIXELS: f32 = 2.0;

@@ -7,9 +7,10 @@ use super::layout::{LEGEND_ROW, Layout, STRIP, TEXT, lay, text_width};
 use super::{Axis, Figure, Kind, Mark, decimate, style};
 use crate::document::Inline;
 use crate::escape::markup;
-use crate::language::{Language, Word};
 use crate::symbol;
+use crate::wording::Word;
 use std::fmt::Write;
+use words::Language;
 
 /// Fonts by preference; the first is the one that PNG files carry.
 const FONTS: &str = "DejaVu Sans, Verdana, Segoe UI, Arial, sans-serif";

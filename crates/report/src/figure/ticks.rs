@@ -1,7 +1,7 @@
 //! Where the ticks of an axis stand and what is written at them.
 
-use crate::language::Language;
 use crate::number::{fixed, scientific, superscript};
+use words::Language;
 
 /// A tick: value in shown units, and its label (empty for a tick without words).
 #[derive(Clone, Debug, PartialEq)]

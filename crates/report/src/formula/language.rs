@@ -1,7 +1,7 @@
 //! What depends on the language inside a formula: function names, marks, the last case.
 
-use crate::Language;
 use symbolic::Function;
+use words::Language;
 
 /// Between arguments; not a comma where the comma is decimal.
 pub(super) fn list_mark(language: Language) -> &'static str {

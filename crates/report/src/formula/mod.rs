@@ -27,10 +27,10 @@ mod switch;
 mod tests;
 mod text;
 
-pub use crate::Language;
 pub use classes::SymbolClass;
 pub use layout::{Bare, Bracket, Identifier, Index, Layout, Relation, Row, Shape, Sign};
 pub use printer::{Form, Placement, Printer};
+pub use words::Language;
 
 /// A math font for pages (WOFF2, 32 kB): without one, browsers lose the dots over letters and the growing brackets of MathML.
 /// Name it `Strutt Math` in `@font-face` and use it as `math { font-family: "Strutt Math", math }`. Licence: SIL OFL 1.1, text in

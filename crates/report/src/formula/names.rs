@@ -1,8 +1,8 @@
 //! Names of the model file to symbols: `omega_p` is ω with the subscript p, `phi1` is φ₁, `vx(A)` is v with the subscript x, A.
 
 use super::{Identifier, Index, Shape};
-use crate::Language;
-use symbolic::letters::greek;
+use words::Language;
+use words::letters::greek;
 
 /// Kinematic requests whose letter is not their name: function, letter, leading subscript.
 const REQUESTS: [(&str, &str, &str); 13] = [

@@ -1,8 +1,8 @@
 //! Exact numbers as a reader expects them: `1/2`, `9.81`, `2·10¹¹`.
 
 use super::Layout;
-use crate::Language;
 use symbolic::Rational;
+use words::Language;
 
 /// How a positive number is written.
 pub(super) enum Numeral {

@@ -6,9 +6,9 @@ use super::layout::{Identifier, Layout, Relation, Shape};
 use super::lines::Room;
 use super::order::Side;
 use super::{SymbolClass, latex, lines, mathml, measure, names, text};
-use crate::Language;
 use symbolic::equations::{Equality, StepFormula};
 use symbolic::{Equations, Expr, Graph, Symbol, SymbolId};
+use words::Language;
 
 /// A written form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,11 +4,12 @@ use crate::document::{Block, Content, Download, Formula, Inline, Rich};
 use crate::escape::markup;
 use crate::figure::bands::{self, Bands};
 use crate::figure::{Figure, svg};
-use crate::language::{Language, Word};
 use crate::symbol;
 use crate::table::{Cell, Table, split_number};
 use crate::terminal::figure_summary;
+use crate::wording::Word;
 use base64::Engine;
+use words::Language;
 
 /// Longest words of a cell that stay on one line.
 const UNBROKEN: usize = 16;

@@ -1,9 +1,10 @@
 //! The data of the interactive figures as compact JSON: shown units, about seven digits, at most [`MOST_POINTS`] points a curve.
 
 use crate::figure::{Axis, Figure, Kind, Mark, decimate, style};
-use crate::language::{Language, Word};
 use crate::symbol;
+use crate::wording::Word;
 use serde_json::{Value, json};
+use words::Language;
 
 /// Points of a curve that a page keeps.
 const MOST_POINTS: usize = 4000;

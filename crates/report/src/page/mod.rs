@@ -10,8 +10,9 @@ mod data;
 use crate::document::{Block, Document};
 use crate::escape::{markup, script_json};
 use crate::figure::Figure;
-use crate::language::{Language, Word};
+use crate::wording::Word;
 use base64::Engine;
+use words::Language;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");

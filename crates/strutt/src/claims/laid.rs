@@ -4,7 +4,8 @@ use crate::failure::Trouble;
 use crate::pipeline::{self, Machine};
 use mechanics::derive::{Detail, derive_in};
 use mechanics::model::{ClaimKind, Model, OutputDecl};
-use symbolic::{Expr, Graph, Node, Rational, Text};
+use symbolic::{Expr, Graph, Node, Rational};
+use words::Text;
 
 /// A formula of more terms is compared as a whole.
 const MOST_TERMS: usize = 120;

@@ -19,7 +19,7 @@ use crate::studies::{Results, Rows};
 use crate::watch::Watch;
 use analysis::{Dataset, Quantity, dataset::Column};
 use mechanics::model::ClaimKind;
-use symbolic::Text;
+use words::Text;
 
 /// What came of a claim.
 #[derive(Clone, Debug, Default)]

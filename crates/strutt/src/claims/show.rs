@@ -2,8 +2,9 @@
 
 use super::Verdict;
 use report::table::Column;
-use report::{Cell, Language, Table};
+use report::{Cell, Table};
 use serde_json::{Value, json};
+use words::Language;
 
 const DIGITS: usize = 7;
 

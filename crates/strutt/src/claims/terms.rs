@@ -6,9 +6,10 @@ use crate::pipeline::Machine;
 use analysis::System;
 use analysis::studies::claims::{Draw, Fit, Places, Sum, fit, samples};
 use mechanics::model::ClaimDecl;
-use report::Language;
 use report::formula::{Form, Printer};
-use symbolic::{Expr, Rational, Text};
+use symbolic::{Expr, Rational};
+use words::Language;
+use words::Text;
 
 /// Times at which a machine is tried lie within this many seconds: loads that depend on time take part.
 const SPAN: f64 = 10.0;

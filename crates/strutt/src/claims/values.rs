@@ -7,7 +7,7 @@ use crate::watch::Watch;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use analysis::{Dataset, System};
 use mechanics::model::{ClaimDecl, ClaimInstant, ClaimKind, StudyKind};
-use symbolic::Text;
+use words::Text;
 
 /// Judges every claim of a value.
 pub fn judge(machine: &mut Machine, laid: &mut Laid, (claims, verdicts): (&[ClaimDecl], &mut [Verdict]), watch: &mut Watch) {

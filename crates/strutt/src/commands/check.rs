@@ -5,7 +5,7 @@ use crate::args::{self, Format};
 use crate::console::{Console, Shape, quoted};
 use serde_json::json;
 use strutt::pipeline::{self, Machine};
-use strutt::words::Word;
+use strutt::wording::Word;
 use strutt::{Failure, diagnostics};
 
 pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {

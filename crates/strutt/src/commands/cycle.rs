@@ -6,7 +6,7 @@ use crate::console::{Console, listen_to_interrupts};
 use crate::quantities;
 use mechanics::model::StudyKind;
 use strutt::{Failure, Trouble, studies};
-use symbolic::Text;
+use words::Text;
 
 pub fn run(args: &args::Cycle, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts(console.language);

@@ -3,15 +3,16 @@
 use super::{Exit, open};
 use crate::args::{self, Form};
 use crate::console::{Console, Shape, quoted};
+use report::Word as Title;
 use report::formula::{self, Printer};
-use report::{Language, Word as Title};
 use serde_json::{Value, json};
 use strutt::Failure;
 use strutt::document;
 use strutt::frictions;
 use strutt::pipeline::Machine;
-use strutt::words::{Word, say};
+use strutt::wording::{Word, say};
 use symbolic::Equations;
+use words::Language;
 
 pub fn run(args: &args::Equations, console: &mut Console) -> Result<Exit, Failure> {
     let (_, machine) = open(&args.model, mechanics::derive::Detail::Steps, console)?;

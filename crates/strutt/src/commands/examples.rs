@@ -4,7 +4,8 @@ use super::Exit;
 use crate::args;
 use crate::console::{Console, Shape};
 use serde_json::json;
-use strutt::{Failure, Source, Trouble, gallery, nearest};
+use strutt::{Failure, Source, Trouble, gallery};
+use words::nearest;
 
 pub fn run(args: &args::Examples, console: &mut Console) -> Result<Exit, Failure> {
     match &args.name {

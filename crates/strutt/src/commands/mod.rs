@@ -29,7 +29,7 @@ use mechanics::derive::Detail;
 use mechanics::model::StudyKind;
 use std::sync::atomic::Ordering;
 use strutt::pipeline::{self, Finding, Machine};
-use strutt::words::Word;
+use strutt::wording::Word;
 use strutt::{Failure, Source};
 
 /// How a command ended that did not fail outright.

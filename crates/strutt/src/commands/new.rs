@@ -4,7 +4,7 @@ use super::{Exit, examples};
 use crate::args;
 use crate::console::{Console, quoted};
 use std::path::{Path, PathBuf};
-use strutt::words::Word;
+use strutt::wording::Word;
 use strutt::{Failure, Trouble, chain, files, gallery};
 
 /// What a name that is no example begins with.

@@ -6,7 +6,7 @@ use crate::console::{Console, listen_to_interrupts};
 use crate::quantities;
 use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, StudyKind, Times};
 use strutt::{Failure, plan, studies};
-use symbolic::Text;
+use words::Text;
 
 pub fn run(args: &args::Periodic, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts(console.language);

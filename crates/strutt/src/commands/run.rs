@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use strutt::document::Extent;
 use strutt::pipeline::{self, Calculation};
-use strutt::words::Word;
+use strutt::wording::Word;
 use strutt::{Failure, folder};
 
 pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {

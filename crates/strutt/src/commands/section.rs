@@ -7,7 +7,7 @@ use crate::quantities;
 use mechanics::section::Section;
 use serde_json::json;
 use strutt::Trouble;
-use strutt::words::Word;
+use strutt::wording::Word;
 use strutt::{Failure, Source, folder, sections};
 
 pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure> {
@@ -58,13 +58,13 @@ fn absent(name: Option<&str>, all: &[Section]) -> Trouble {
         Some(name) if !all.is_empty() => Trouble::new("C040", format!("there is no section `{name}`"), format!("нет сечения `{name}`")),
         _ => Trouble::new("C040", "the file has no sections", "в файле нет сечений"),
     };
-    trouble.help = match name.and_then(|n| strutt::nearest(n, names.iter().copied())) {
-        Some(near) => symbolic::Text::new(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
-        None if all.is_empty() => symbolic::Text::new(
+    trouble.help = match name.and_then(|n| words::nearest(n, names.iter().copied())) {
+        Some(near) => words::Text::new(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
+        None if all.is_empty() => words::Text::new(
             "add for example [sections.beam] with rectangle = [\"10 cm\", \"20 cm\"]",
             "добавьте, например, [sections.beam] и rectangle = [\"10 см\", \"20 см\"]",
         ),
-        None => symbolic::Text::new(format!("sections: {}", names.join(", ")), format!("сечения: {}", names.join(", "))),
+        None => words::Text::new(format!("sections: {}", names.join(", ")), format!("сечения: {}", names.join(", "))),
     };
     trouble
 }

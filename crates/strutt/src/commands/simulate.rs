@@ -8,7 +8,7 @@ use mechanics::derive::Detail;
 use mechanics::model::Times;
 use strutt::pipeline::{self, Calculation, Finding, Machine};
 use strutt::plan::{self, Wishes};
-use strutt::words::Word;
+use strutt::wording::Word;
 use strutt::{Failure, document, folder};
 
 pub fn run(args: &args::Simulate, console: &mut Console) -> Result<Exit, Failure> {

@@ -10,7 +10,7 @@ use mechanics::model::{StudyKind, Times};
 use mechanics::units::Dimension;
 use std::path::Path;
 use strutt::pipeline::{self, Calculation, Finding, Machine};
-use strutt::words::Word;
+use strutt::wording::Word;
 use strutt::{Failure, Source, document, folder};
 
 /// The machine of a file, with a study that the command line writes behind the file when it asks for one: so its formulas are read and checked as

@@ -7,7 +7,7 @@ use crate::console::{Console, Shape, listen_to_interrupts};
 use mechanics::derive::Detail;
 use strutt::document::Extent;
 use strutt::pipeline::Calculation;
-use strutt::words::Word;
+use strutt::wording::Word;
 use strutt::{Failure, pipeline, plan};
 
 pub fn run(asked: &args::Transient, console: &mut Console) -> Result<Exit, Failure> {

@@ -1,8 +1,8 @@
 //! Small pieces of formulas with numbers in them: what [`steps`](super::steps) sets its lines from.
 
-use report::Language;
 use report::document::Formula;
 use report::formula::{Bracket, Form, Layout, Placement, Printer, Relation, Sign};
+use words::Language;
 
 /// Significant digits of substituted numbers and results.
 const DIGITS: usize = 6;

@@ -16,9 +16,10 @@ use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Forcing, Listed};
 use analysis::studies::transient::load::{Load, Term};
 use analysis::studies::transient::oscillator::Case;
+use report::Block;
 use report::formula::{Layout, Printer, Sign};
-use report::{Block, Language};
 use symbolic::Equations;
+use words::Language;
 
 /// Digits of instants in headings.
 const DIGITS: usize = 6;

@@ -3,8 +3,9 @@
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::Listed;
 use report::table::Column;
-use report::{Cell, Language, Table};
+use report::{Cell, Table};
 use symbolic::Equations;
+use words::Language;
 
 /// Digits of states and constants.
 const DIGITS: usize = 6;

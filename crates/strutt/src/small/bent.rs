@@ -2,7 +2,8 @@
 
 use mechanics::Model;
 use mechanics::model::{Action, Class, ConnectionKind, ParameterValue, RequestKind};
-use symbolic::{Expr, Function, Graph, Node, Substitution, SymbolId, Text};
+use symbolic::{Expr, Function, Graph, Node, Substitution, SymbolId};
+use words::Text;
 
 /// The elements, in the order of the tables: springs with backlash, loads by formulas with |v| v or x³, frictions, stops.
 pub fn elements(model: &Model) -> Vec<String> {

@@ -18,8 +18,9 @@ use analysis::studies::modes::{self as natural, Normalisation};
 use analysis::{Dataset, Fault, Quantity, System};
 use mechanics::model::StudyKind;
 use std::sync::Arc;
+use symbolic::SymbolId;
 use symbolic::linear::{About, Timing};
-use symbolic::{SymbolId, Text};
+use words::Text;
 
 /// A machine linearised about a place.
 #[derive(Clone, Debug)]

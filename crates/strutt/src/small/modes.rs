@@ -12,11 +12,11 @@ use analysis::studies::modes::{self, Damping, Kind, Modes, Normalisation};
 use analysis::studies::tracks::{self, Tracks};
 use analysis::{Dataset, Fault, Quantity};
 use mechanics::model::{Modes as Study, Scale};
-use report::Language;
 use report::formula::{Form, Printer};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
-use symbolic::Text;
+use words::Language;
+use words::Text;
 
 /// What the study found.
 #[derive(Clone, Debug)]

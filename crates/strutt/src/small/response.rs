@@ -18,7 +18,8 @@ use mechanics::model::Response as Study;
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 use symbolic::equations::{Applied, Role};
-use symbolic::{Equations, Expr, SymbolId, Text};
+use symbolic::{Equations, Expr, SymbolId};
+use words::Text;
 
 /// Frequencies of an automatic grid.
 const POINTS: usize = 401;
@@ -226,11 +227,11 @@ fn unstable(tracks: &Tracks) -> Text {
     Text::new(
         format!(
             "unstable for {name} = {} rad/s: a free motion grows there, and the amplitudes of the table are never reached",
-            list(report::Language::En)
+            list(words::Language::En)
         ),
         format!(
             "неустойчиво при {name} = {} рад/с: свободное движение там нарастает, и амплитуды таблицы не устанавливаются",
-            list(report::Language::Ru)
+            list(words::Language::Ru)
         ),
     )
 }
@@ -240,8 +241,8 @@ fn not_straight(name: &str, share: f64) -> Text {
     let percent = |language| report::number::short(100.0 * share, 3, language);
     let far = match share.is_finite() {
         true => Text::new(
-            format!("leaves its straight line by {} % within the amplitudes found", percent(report::Language::En)),
-            format!("отклоняется в пределах найденных амплитуд от линейной зависимости на {} %", percent(report::Language::Ru)),
+            format!("leaves its straight line by {} % within the amplitudes found", percent(words::Language::En)),
+            format!("отклоняется в пределах найденных амплитуд от линейной зависимости на {} %", percent(words::Language::Ru)),
         ),
         false => Text::new("has no linear part there", "не имеет там линейной части"),
     };
@@ -374,7 +375,7 @@ fn left_out(rates: &[f64]) -> Option<Text> {
         return None;
     }
     let list = |decimal: &str| {
-        let one = |w: &f64| report::number::short(*w, 6, report::Language::En).replace('.', decimal);
+        let one = |w: &f64| report::number::short(*w, 6, words::Language::En).replace('.', decimal);
         rates.iter().map(one).collect::<Vec<_>>().join("; ")
     };
     Some(Text::new(
@@ -418,9 +419,9 @@ fn doubtful(doubt: f64) -> Option<Text> {
         Text::new(
             format!(
                 "stiffnesses lie so far apart that the rounding of their sums may change the amplitudes by {} %",
-                share(report::Language::En)
+                share(words::Language::En)
             ),
-            format!("жёсткости настолько различны, что округление их сумм может изменить амплитуды на {} %", share(report::Language::Ru)),
+            format!("жёсткости настолько различны, что округление их сумм может изменить амплитуды на {} %", share(words::Language::Ru)),
         )
     })
 }
@@ -526,7 +527,7 @@ fn load_name(study: &Study, small: &Small, source: &Source, parameter: Option<us
         (Source::Unit(_), Some(name), _) => Text::new(format!("unit load on {name}"), format!("единичная нагрузка по {name}")),
         (_, Some(name), _) => Text::same(name.clone()),
         (_, None, Some(p)) => {
-            let [en, ru] = [report::Language::En, report::Language::Ru].map(|language| report::symbol::plain(p, language));
+            let [en, ru] = [words::Language::En, words::Language::Ru].map(|language| report::symbol::plain(p, language));
             Text::new(format!("the loads whose frequency follows {en}"), format!("нагрузки, частота которых задана величиной {ru}"))
         }
         (_, None, None) => Text::new("the periodic loads", "периодические нагрузки"),

@@ -8,7 +8,8 @@ use report::figure::{Axis, Kind, Mark, Series};
 use report::formula::Form;
 use report::table::Column;
 use report::unit::Scale;
-use report::{Block, Cell, Figure, Language, Table, Word};
+use report::{Block, Cell, Figure, Table, Word};
+use words::Language;
 
 /// Significant digits.
 const DIGITS: usize = 6;

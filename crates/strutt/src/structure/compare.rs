@@ -6,7 +6,7 @@ use analysis::structure::reduced::Condensation;
 use analysis::studies::structure_modes::{self, Modes};
 use mechanics::Model;
 use mechanics::structure::Structure;
-use symbolic::Text;
+use words::Text;
 
 /// Parts of each elastic rod at the refined levels.
 const PARTS: usize = 16;

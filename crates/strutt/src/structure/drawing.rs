@@ -5,9 +5,10 @@ use super::statics::Found as StaticsFound;
 use analysis::structure::loads::Carried;
 use analysis::structure::statics::Station;
 use analysis::structure::{Assembly, Frame, deflection, elements};
+use report::Figure;
 use report::figure::{Axis, Kind, Mark, Series};
 use report::unit::Scale;
-use report::{Figure, Language};
+use words::Language;
 
 /// Points on a part of a rod.
 const POINTS: usize = 16;

@@ -17,8 +17,9 @@ use crate::provenance;
 use analysis::Dataset;
 use mechanics::Model;
 use mechanics::structure::Structure;
-use report::{Block, Figure, Language};
+use report::{Block, Figure};
 use serde_json::{Map, Value, json};
+use words::Language;
 
 /// What a study of a structure found.
 #[derive(Clone, Debug)]

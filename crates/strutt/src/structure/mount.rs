@@ -16,7 +16,8 @@ use mechanics::model::{
     self, Class, ConstantInertia, CoordinateDecl, Force, OutputDecl, ParameterDecl, ParameterValue, Pathway, Potential,
 };
 use mechanics::structure as file;
-use symbolic::{Expr, Rational, Text};
+use symbolic::{Expr, Rational};
+use words::Text;
 
 /// Entries of M and K as (i, j, number, exact).
 type Entry = (usize, usize, f64, Option<Rational>);

@@ -9,7 +9,7 @@
 use super::bind::Numbers;
 use mechanics::Model;
 use mechanics::structure::{AssumedShape, Structure};
-use symbolic::Text;
+use words::Text;
 
 /// The rod as one degree of freedom.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,7 +9,8 @@ use analysis::structure::{Frame, Scalar};
 use analysis::studies::structure_statics::Flexibility;
 use report::document::Rich;
 use report::table::Column;
-use report::{Block, Cell, Language, Table};
+use report::{Block, Cell, Table};
+use words::Language;
 
 /// Significant digits.
 const DIGITS: usize = 6;

@@ -10,7 +10,7 @@ use mechanics::model::Class;
 use mechanics::structure::{Action, Load, Structure};
 use report::number::significant;
 use serde_json::{Map, Value, json};
-use symbolic::Text;
+use words::Text;
 
 /// What was found, with the numbers it was found from.
 #[derive(Clone, Debug)]
@@ -38,7 +38,7 @@ pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Troub
                 let one = |(l, v): &(analysis::structure::Load<f64>, f64)| format!("{} {}", l.name, significant(*v, 6, language));
                 forces.iter().map(one).collect::<Vec<_>>().join("; ")
             };
-            let (en, ru) = (list(report::Language::En), list(report::Language::Ru));
+            let (en, ru) = (list(words::Language::En), list(words::Language::Ru));
             bound.frame.loads.extend(forces.into_iter().map(|(load, value)| scaled(load, value)));
             result = structure_statics::statics(&bound.frame, None).map_err(trouble)?;
             result.dataset.notes.push(Text::new(
@@ -149,12 +149,12 @@ pub fn fields(found: &Found) -> Map<String, Value> {
     if !r.joints.is_empty() {
         let joint = |j: &analysis::structure::truss::Joint| {
             let found: Map<String, Value> = j.found.iter().map(|(i, v)| (r.frame.rods[*i].name.clone(), json!(v))).collect();
-            json!({"node": r.frame.nodes[j.node].name, "equations": j.equations.iter().map(|e| super::show::equation(e, report::Language::En)).collect::<Vec<_>>(), "found": found})
+            json!({"node": r.frame.nodes[j.node].name, "equations": j.equations.iter().map(|e| super::show::equation(e, words::Language::En)).collect::<Vec<_>>(), "found": found})
         };
         own.insert("joints".into(), r.joints.iter().map(joint).collect());
         let section = |s: &analysis::structure::truss::Section| {
             let names: Vec<&str> = s.cut.iter().map(|i| r.frame.rods[*i].name.as_str()).collect();
-            json!({"rod": names[0], "cut": names, "about": s.about, "equation": super::show::equation(&s.equation, report::Language::En), "force": s.value})
+            json!({"rod": names[0], "cut": names, "about": s.about, "equation": super::show::equation(&s.equation, words::Language::En), "force": s.value})
         };
         own.insert("sections".into(), r.sections.iter().map(section).collect());
     }

@@ -7,12 +7,12 @@ use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine, explained};
 use crate::provenance;
 use crate::watch::Watch;
-use crate::words::Word;
+use crate::wording::Word;
 use analysis::studies::cycle::{Balance, Cycle as Options, Running, cycle};
 use mechanics::model::Cycle;
 use serde_json::json;
 use std::f64::consts::TAU;
-use symbolic::Text;
+use words::Text;
 
 /// Steps of the searches.
 const STEPS: usize = 40;
@@ -139,9 +139,9 @@ fn driven(machine: &Machine, study: &Cycle, name: &str, others: &[(String, f64)]
         return Err(Trouble::new("S048", format!("`{name}` does no work over the cycle"), format!("`{name}` не совершает работы за цикл"))
             .help("choose a drive force or torque as the unknown", "выберите неизвестной движущую силу или момент"));
     }
-    let print = |x: f64| report::number::short(x, 8, report::Language::En);
+    let print = |x: f64| report::number::short(x, 8, words::Language::En);
     let sign = |x: f64| if x < 0.0 { "−" } else { "+" };
-    let name = report::symbol::plain(name, report::Language::En);
+    let name = report::symbol::plain(name, words::Language::En);
     let line = format!("∮ M dφ = {} {} {}·{name} = 0,   {name} = {}", print(rest), sign(slope), print(slope.abs()), print(b));
     let ru = line.replace('.', ",");
     Ok((b, Text::new(format!("Energy balance of the cycle (J): {line}"), format!("Баланс энергии за цикл (Дж): {ru}"))))

@@ -12,8 +12,8 @@ use crate::watch::Watch;
 use analysis::Dataset;
 use mechanics::model::Simulate;
 use serde_json::json;
-use symbolic::Text;
 use symbolic::equations::Role;
+use words::Text;
 
 /// A motor: the output that is its power, its name, what the output is.
 struct Motor {

@@ -6,7 +6,7 @@ use crate::pipeline::{self, Finding, Machine, explained};
 use crate::provenance;
 use crate::source::Source;
 use crate::watch::Watch;
-use crate::words::Word;
+use crate::wording::Word;
 use analysis::dataset::{Column, Extreme, Missing};
 use analysis::studies::kinematics::{Observer, Place, Way, follow};
 use analysis::{Dataset, Quantity, System};
@@ -16,7 +16,8 @@ use program::{Behind, Evaluator, Point};
 use serde_json::json;
 use std::f64::consts::TAU;
 use std::sync::Arc;
-use symbolic::{Equations, Expr, Graph, SymbolId, Text};
+use symbolic::{Equations, Expr, Graph, SymbolId};
+use words::Text;
 
 /// Runs the study.
 pub fn run(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) -> Finding {
@@ -381,7 +382,7 @@ impl Table<'_> {
             let per = |unit: &str, by: &str| if unit == by { "1".to_owned() } else { format!("{unit}/{by}") };
             let first = per(&coordinate.unit, &over.unit);
             let second = if first == "1" { format!("1/{}", over.unit) } else { format!("{first}^2") };
-            let [q, s] = [&own, &lead].map(|name| report::symbol::plain(name, report::Language::En));
+            let [q, s] = [&own, &lead].map(|name| report::symbol::plain(name, words::Language::En));
             let label = Text::new("transfer function, first order", "передаточная функция первого порядка");
             let quantity = Quantity { label, symbol: format!("d{q}/d{s}"), ..Quantity::new(&format!("d{own}/d{lead}"), &first) };
             columns.push(Column { quantity, values: places.iter().map(|p| p.first[i]).collect() });

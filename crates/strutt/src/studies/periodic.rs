@@ -7,14 +7,14 @@ use crate::finite::checked;
 use crate::pipeline::{Finding, Machine, explained};
 use crate::plan;
 use crate::watch::Watch;
-use crate::words::Word;
+use crate::wording::Word;
 use crate::{Failure, provenance};
 use analysis::studies::periodic::{Listener, Multiplier, Outcome, Periodic as Options, Regime, Return, Stage};
 use analysis::studies::simulate::Grid;
 use mechanics::model::{Periodic, Section, StudyKind, Times};
 use serde_json::{Value, json};
 use std::cell::RefCell;
-use symbolic::Text;
+use words::Text;
 
 /// Steps of the search for a parameter.
 const STEPS: usize = 60;
@@ -78,7 +78,7 @@ pub fn regime(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Out
 /// What a search does, in words.
 fn in_progress(stage: Stage) -> Text {
     let short = |x: f64| {
-        let en = report::number::short(x, 3, report::Language::En);
+        let en = report::number::short(x, 3, words::Language::En);
         (en.clone(), en.replace('.', ","))
     };
     let both = |x: f64, en: &str, ru: &str| {
@@ -237,7 +237,7 @@ pub fn value_of(machine: &Machine, name: &str) -> Option<f64> {
 pub(super) fn no_parameter(machine: &Machine, name: &str) -> Trouble {
     let trouble =
         Trouble::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"));
-    match crate::nearest(name, machine.model.parameters.iter().map(|p| p.name.as_str())) {
+    match words::nearest(name, machine.model.parameters.iter().map(|p| p.name.as_str())) {
         Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => trouble,
     }
@@ -320,7 +320,7 @@ fn json_of(m: &Multiplier) -> Value {
 fn least(regime: &Regime) -> Option<Text> {
     let (parts, forces) = (regime.parts.max(1), regime.forces.max(1));
     let print = |k: usize| {
-        let en = report::number::short(regime.period / k as f64, 10, report::Language::En);
+        let en = report::number::short(regime.period / k as f64, 10, words::Language::En);
         (en.clone(), en.replace('.', ","))
     };
     if parts > 1 {
@@ -378,7 +378,7 @@ fn verdict(regime: &Regime) -> Text {
         None => {
             let nearest = own().min_by(|a, b| (a.abs() - 1.0).abs().total_cmp(&(b.abs() - 1.0).abs()));
             let (off, error) = nearest.map_or((0.0, 0.0), |m| ((m.abs() - 1.0).abs(), m.error));
-            let short = |x: f64| report::number::short(x, 2, report::Language::En);
+            let short = |x: f64| report::number::short(x, 2, words::Language::En);
             let (off, error) = (short(off), short(error));
             text(
                 &format!(
@@ -396,7 +396,7 @@ fn verdict(regime: &Regime) -> Text {
 
 /// What the magnitude in the table leaves out: sign, argument, error, or why it is 1.
 fn multiplier_words(m: &Multiplier) -> Text {
-    let short = |x: f64, digits: usize| report::number::short(x, digits, report::Language::En);
+    let short = |x: f64, digits: usize| report::number::short(x, digits, words::Language::En);
     let same = |words: String| Text::new(words.clone(), words.replace('.', ","));
     match m.log_abs {
         _ if m.trivial => Text::new("of the shift along the motion", "сдвиг вдоль движения"),
@@ -412,6 +412,6 @@ fn multiplier_words(m: &Multiplier) -> Text {
 /// A number by its common logarithm, however small: 3.2·10⁻¹²³⁵.
 fn power_of_ten(log: f64) -> String {
     let whole = log.floor();
-    let mantissa = report::number::short(10_f64.powf(log - whole), 3, report::Language::En);
+    let mantissa = report::number::short(10_f64.powf(log - whole), 3, words::Language::En);
     format!("{mantissa}·10{}", report::number::superscript(&format!("{whole:.0}")))
 }

@@ -5,9 +5,10 @@ use crate::failure::Trouble;
 use analysis::{Dataset, Quantity};
 use mechanics::model::Plot;
 use report::table::Column;
-use report::{Block, Cell, Figure, Language, Table, Word};
+use report::{Block, Cell, Figure, Table, Word};
 use serde_json::{Map, Value, json};
-use symbolic::Text;
+use words::Language;
+use words::Text;
 
 /// Significant digits of a fact: it stands alone and is compared.
 const DIGITS: usize = 8;

@@ -8,10 +8,11 @@ use crate::provenance;
 use analysis::Dataset;
 use analysis::dataset::Audit;
 use analysis::studies::statics::{Statics, statics};
-use report::Language;
 use report::formula::{Form, Printer};
 use serde_json::{Value, json};
-use symbolic::{Equations, Text};
+use symbolic::Equations;
+use words::Language;
+use words::Text;
 
 /// Largest relative remainder of an equation of equilibrium.
 const LIMIT: f64 = 1e-10;

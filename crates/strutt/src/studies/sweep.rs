@@ -6,7 +6,7 @@ use crate::failure::Trouble;
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine};
 use crate::watch::Watch;
-use crate::words::Word;
+use crate::wording::Word;
 use crate::{folder, provenance};
 use analysis::dataset::{Audit, Column, Missing};
 use analysis::reduce::{NAMES, Reduction, reduce};
@@ -14,7 +14,7 @@ use analysis::{Dataset, Quantity};
 use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, Simulate, StudyKind, Sweep, SweepRange, Times};
 use serde_json::{Value, json};
 use std::sync::atomic::Ordering;
-use symbolic::Text;
+use words::Text;
 
 /// Results of the study `periodic` that no other study has.
 const OF_PERIODIC: [&str; 5] = ["period", "frequency", "multiplier", "stable", "gain"];
@@ -218,7 +218,7 @@ fn wanted(machine: &Machine, observe: &[String]) -> Result<Vec<(Quantity, Wanted
 
 fn unknown(name: &str, machine: &Machine) -> Trouble {
     let trouble = Trouble::new("C008", format!("there is no output `{name}`"), format!("нет выходной величины `{name}`"));
-    match crate::nearest(name, machine.equations.outputs.iter().map(|o| o.name.as_str())) {
+    match words::nearest(name, machine.equations.outputs.iter().map(|o| o.name.as_str())) {
         Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => trouble,
     }

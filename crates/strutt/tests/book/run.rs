@@ -6,12 +6,12 @@ use analysis::Dataset;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use mechanics::Diagnostic;
 use mechanics::model::{Modes, Response, StudyKind, Times};
-use report::Language;
 use report::formula::{Form, Printer};
 use strutt::pipeline::{self, Finding, Machine, Phases};
 use strutt::studies::Results;
 use strutt::{Failure, Source, Watch};
 use symbolic::SymbolId;
+use words::Language;
 
 /// Instants of claims about a whole motion.
 const INSTANTS: usize = 200;

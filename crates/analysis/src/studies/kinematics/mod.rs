@@ -16,7 +16,8 @@ use std::sync::Arc;
 
 use program::Behind;
 use program::lower::Drive;
-use symbolic::{Equations, Graph, Text};
+use symbolic::{Equations, Graph};
+use words::Text;
 
 use crate::Fault;
 use crate::dataset::{Audit, Extreme};

@@ -3,7 +3,7 @@
 //! z = (q, s) moves along the direction v with [J; E] v_q + (r/w; -d') v_s = 0, |v| = 1 (angles times their arm). At a dead point v_s passes zero: it is
 //! located there by bisection of the length.
 
-use symbolic::Text;
+use words::Text;
 
 use super::extrapolation;
 use super::linkage::{Linkage, Spot};

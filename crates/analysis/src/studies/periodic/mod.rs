@@ -27,7 +27,7 @@ pub use listener::{Listener, Stage};
 use found::Found;
 use fundamental::Blur;
 use orbit::Limit;
-use symbolic::Text;
+use words::Text;
 
 use super::simulate::{self, Grid};
 use crate::dataset::{Audit, Dataset};

@@ -10,7 +10,7 @@ use super::{Periodic, Return, driven, interrupted, no_return, unsettled};
 use crate::taylor::{Flow, Options};
 use crate::{Fault, System};
 use std::f64::consts::TAU;
-use symbolic::Text;
+use words::Text;
 
 /// Steps of the trial run.
 const TRIAL: usize = 150;

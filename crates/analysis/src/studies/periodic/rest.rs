@@ -8,7 +8,7 @@ use super::orbit::Orbit;
 use super::{Multiplier, spectrum, stable};
 use crate::fault::Message;
 use crate::{Fault, System};
-use symbolic::Text;
+use words::Text;
 
 /// Share of the first turn's scales within which a whole turn is rest.
 const REST: f64 = 1e-9;

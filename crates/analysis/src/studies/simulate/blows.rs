@@ -1,6 +1,6 @@
 //! What the impacts of an instant took, and whether they kept their laws.
 
-use symbolic::Text;
+use words::Text;
 
 use super::{Run, jumps};
 use crate::audits::impacts::relative;

@@ -22,7 +22,8 @@ use crate::fault::rounded;
 use crate::{Fault, Mode, Quantity, System};
 use form::Form;
 use motion::Motion;
-use symbolic::{Equations, Text};
+use symbolic::Equations;
+use words::Text;
 
 /// Options of the study.
 pub struct Transient<'a> {

@@ -13,7 +13,7 @@ use crate::numerics::complex::Complex;
 use crate::numerics::eigen::general;
 use crate::numerics::expm;
 use crate::numerics::lu::Lu;
-use symbolic::Text;
+use words::Text;
 
 /// The motion within a phase, τ from its start.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,8 @@
 
 use crate::Fault;
 use crate::fault::Message;
-use symbolic::{Expr, Text};
+use symbolic::Expr;
+use words::Text;
 
 /// Why an expression has no place in a linear system, and the expression.
 #[derive(Clone, Copy, Debug)]

@@ -10,7 +10,7 @@
 use super::Phase;
 use crate::Fault;
 use crate::fault::{Explanation, Message, rounded};
-use symbolic::Text;
+use words::Text;
 
 /// Below this nothing is said: the closed form is compared with integration to the same share.
 const SILENT: f64 = 1e-9;

@@ -11,7 +11,8 @@ use crate::derive::scene::{Columns, Found, Scene, Vector};
 use crate::derive::wrench::{Act, frame_of, particle};
 use crate::model::{Axis, Connection, ConnectionKind, FrameId, Measure, Part, Pathway, PointRef, Rest, SupportDirection, Wound};
 use symbolic::connections::Rebound;
-use symbolic::{Expr, SymbolId, Text};
+use symbolic::{Expr, SymbolId};
+use words::Text;
 
 /// A scalar condition with a scalar reaction.
 pub struct Component {

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::model::{Connection, FrameId, Model};
-use symbolic::Text;
+use words::Text;
 
 /// Two wheels without parallel axes.
 pub fn no_common_axis(model: &Model, connection: &Connection, wheels: [FrameId; 2]) -> Box<Diagnostic> {

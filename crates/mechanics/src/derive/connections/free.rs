@@ -11,7 +11,8 @@ use crate::derive::scene::{Scene, Vector};
 use crate::derive::wrench::{Act, Along};
 use crate::model::{FrameId, PointRef};
 use symbolic::connections::{FreeBody, FreeFrame, Wrench};
-use symbolic::{Expr, Function, Text};
+use symbolic::{Expr, Function};
+use words::Text;
 
 /// All bodies, and frames without inertia that something may act on: those with an origin or axes of their own.
 pub fn bodies(scene: &mut Scene, kinematics: &Kinematics) -> Vec<FreeBody> {

@@ -36,7 +36,8 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction, Released};
 use symbolic::equations::{Output, Role};
-use symbolic::{Expr, Substitution, SymbolId, Text};
+use symbolic::{Expr, Substitution, SymbolId};
+use words::Text;
 
 pub use release::is_spatial;
 

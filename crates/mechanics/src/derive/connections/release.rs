@@ -18,7 +18,8 @@ use crate::derive::wrench::{Act, carrier};
 use crate::model::{Axis, FrameId, Inertia, Model, Origin};
 use std::collections::BTreeSet;
 use symbolic::connections::{Balance, Law};
-use symbolic::{Expr, Substitution, SymbolId, Text};
+use symbolic::{Expr, Substitution, SymbolId};
+use words::Text;
 
 /// A virtual displacement of a released body.
 #[derive(Clone, PartialEq)]

@@ -23,7 +23,8 @@ use crate::derive::requests::Resolver;
 use crate::derive::scene::{Found, Scene, Vector};
 use crate::derive::wrench::{Act, carrier, frame_of, particle};
 use crate::model::{Aim, Axis, Connection, ConnectionKind, FrameId, Part, Pathway, PointRef, Pressing, Slides};
-use symbolic::{Expr, Function, Rational, Text};
+use symbolic::{Expr, Function, Rational};
+use words::Text;
 
 /// How two bodies slide, and what presses them.
 struct Sliding {

@@ -9,7 +9,8 @@ use crate::derive::kinematics::Kinematics;
 use crate::derive::scene::{Scene, Vector};
 use crate::derive::wrench::{Act, frame_of};
 use crate::model::{FrameId, Part, PointRef};
-use symbolic::{Expr, Text};
+use symbolic::Expr;
+use words::Text;
 
 /// The point, the frame of the line, a point of the line, its direction, whether the point's body may turn.
 pub type Guide = (PointRef, FrameId, Option<PointRef>, Expr, bool);

@@ -10,7 +10,8 @@ use crate::derive::scene::{Columns, Found, Scene, Vector};
 use crate::derive::wrench::{Act, particle};
 use crate::model::{Connection, ConnectionKind, FrameId, Model, Part, PointRef, Slides, Track};
 use symbolic::connections::Rebound;
-use symbolic::{Expr, Rational, Text};
+use symbolic::{Expr, Rational};
+use words::Text;
 
 /// The contact of a wheel with its track.
 struct Contact {

@@ -18,7 +18,8 @@ use crate::derive::requests::Resolver;
 use crate::derive::scene::{Found, Scene, Vector};
 use crate::derive::wrench::{Act, carrier};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef};
-use symbolic::{Expr, Text};
+use symbolic::Expr;
+use words::Text;
 
 /// Two wheels.
 struct Pair {

@@ -7,7 +7,8 @@ use super::Places;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Connection, ConnectionKind, FrameId, PointRef, SupportDirection};
 use crate::read::reader::Reader;
-use symbolic::{Graph, Text};
+use symbolic::Graph;
+use words::Text;
 
 /// Warns of supports and pins on such drums and wheels.
 pub(in crate::read) fn warn_of_axles(reader: &mut Reader, connections: &[Connection], places: &Places) {

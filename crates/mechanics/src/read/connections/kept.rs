@@ -6,7 +6,8 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Connection, ConnectionKind, CoordinateDecl, Frame, FrameId, Origin, Point, PointRef};
 use crate::read::reader::Reader;
 use std::collections::BTreeSet;
-use symbolic::{Expr, Graph, SymbolId, Text};
+use symbolic::{Expr, Graph, SymbolId};
+use words::Text;
 
 /// Frames and points of a machine.
 pub(in crate::read) struct Places<'m> {

@@ -7,8 +7,8 @@ use crate::read::parameters::names;
 use crate::read::reader::{Fields, Reader, string, wrong_type};
 use crate::read::syntax::Value;
 use std::ops::Range;
-use symbolic::Text;
 use toml::de::DeValue;
+use words::Text;
 
 /// What the horizontal axis is when nothing is said, and which names may be drawn.
 #[derive(Clone, Copy, PartialEq, Eq)]

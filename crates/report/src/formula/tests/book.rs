@@ -1,10 +1,10 @@
 //! Formulas as the cards and textbooks print them.
 
 use super::reading::read;
-use crate::Language;
 use crate::formula::{Form, Printer, SymbolClass};
 use symbolic::Graph;
 use symbolic::equations::Equality;
+use words::Language;
 
 /// A graph whose symbols are created in the given order, and a printer that knows them.
 pub fn machine(parameters: &str, times: &str, coordinates: &str) -> (Graph, Printer) {

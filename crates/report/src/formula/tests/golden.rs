@@ -2,8 +2,8 @@
 
 use super::book::shaft;
 use super::reading::read;
-use crate::Language;
 use crate::formula::Form;
+use words::Language;
 
 /// Formula, text, LaTeX, both English.
 const FORMULAS: [(&str, &str, &str); 27] = [

@@ -2,10 +2,11 @@
 
 use super::random::{arity_holds, well_formed};
 use super::reading::read;
-use crate::Language;
 use crate::formula::{Form, Printer};
 use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Parameter, StepFormula, StepName};
-use symbolic::{Equations, Expr, Graph, Matrix, Text};
+use symbolic::{Equations, Expr, Graph, Matrix};
+use words::Language;
+use words::Text;
 
 /// A pendulum on a cart with a driven unbalance: every kind of symbol occurs.
 fn machine() -> Equations {

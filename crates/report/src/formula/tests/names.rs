@@ -1,8 +1,8 @@
 //! Names to symbols.
 
-use crate::Language;
 use crate::formula::{Form, Printer};
 use symbolic::Graph;
+use words::Language;
 
 #[test]
 fn names_become_symbols() {

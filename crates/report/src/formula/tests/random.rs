@@ -1,9 +1,9 @@
 //! Random expressions: no panic, balanced brackets and tags, same input same bytes.
 
 use super::book::shaft;
-use crate::Language;
 use crate::formula::{Form, Printer};
 use symbolic::{Expr, Function, Graph, Rational};
+use words::Language;
 
 /// xorshift64*: the seed is fixed, so a failure repeats.
 pub struct Dice(pub u64);

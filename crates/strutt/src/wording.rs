@@ -1,8 +1,8 @@
-//! The words of the command line in both languages; what results are called stands in `report::language`.
+//! The words of the command line in both languages; what results are called stands in `report::wording`.
 
-use report::Language;
+use words::Language;
 
-report::words! {
+words::table! {
     Error: "error", "ошибка";
     Warning: "warning", "предупреждение";
     Why: "why", "причина";
@@ -61,8 +61,7 @@ report::words! {
 
 /// A word in a language.
 pub fn say(language: Language, word: Word) -> &'static str {
-    let (_, en, ru) = WORDS[word as usize];
-    language.pick(en, ru)
+    language.word(word)
 }
 
 #[cfg(test)]

@@ -1,70 +1,6 @@
-//! The two languages of everything printed here, and the table of all words.
+//! The words of pages, tables and figures in both languages.
 
-use symbolic::Text;
-
-/// Language of the output. Reading it from the environment or the command line is the caller's job.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Language {
-    /// English: decimal point, Latin unit names.
-    #[default]
-    En,
-    /// Russian: decimal comma, Cyrillic unit names.
-    Ru,
-}
-
-impl Language {
-    /// The code for `lang` attributes: `en` or `ru`.
-    pub fn code(self) -> &'static str {
-        self.pick("en", "ru")
-    }
-
-    /// The language of a locale name such as `ru_RU.UTF-8`, `ru`, `en_GB`, `C`; everything that is not Russian is English.
-    pub fn of_locale(locale: &str) -> Language {
-        let lower = locale.to_ascii_lowercase();
-        let name = lower.split(['_', '.', '-', '@']).next().unwrap_or("");
-        if matches!(name, "ru" | "rus" | "russian") { Language::Ru } else { Language::En }
-    }
-
-    /// The wording of a [`Text`]; an empty wording falls back to the other language.
-    pub fn text(self, text: &Text) -> &str {
-        let (first, second) = self.pick((&text.en, &text.ru), (&text.ru, &text.en));
-        if first.is_empty() { second } else { first }
-    }
-
-    /// One of two values.
-    pub fn pick<T>(self, en: T, ru: T) -> T {
-        match self {
-            Language::En => en,
-            Language::Ru => ru,
-        }
-    }
-
-    /// The decimal mark.
-    pub fn decimal_mark(self) -> char {
-        self.pick('.', ',')
-    }
-
-    /// A word of the table [`WORDS`].
-    pub fn word(self, word: Word) -> &'static str {
-        let (_, en, ru) = WORDS[word as usize];
-        self.pick(en, ru)
-    }
-}
-
-/// A table of printed words: `Key: "English", "Russian";` rows become the enum `Word` and the table `WORDS` where it stands.
-#[macro_export]
-macro_rules! words {
-    ($($name:ident: $en:literal, $ru:literal;)*) => {
-        /// Key of a printed word.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[allow(missing_docs)]
-        pub enum Word { $($name),* }
-        /// Every printed word: key, English, Russian.
-        pub const WORDS: &[(Word, &str, &str)] = &[$((Word::$name, $en, $ru)),*];
-    };
-}
-
-words! {
+words::table! {
     Figure: "Figure", "Рисунок";
     Table: "Table", "Таблица";
     Contents: "Contents", "Содержание";
@@ -141,19 +77,5 @@ mod tests {
             assert_eq!(*word as usize, i);
             assert!(!en.is_empty() && !ru.is_empty());
         }
-    }
-
-    #[test]
-    fn locales_choose_the_language() {
-        assert_eq!(Language::of_locale("ru_RU.UTF-8"), Language::Ru);
-        assert_eq!(Language::of_locale("ru"), Language::Ru);
-        assert_eq!(Language::of_locale("rw_RW"), Language::En);
-        assert_eq!(Language::of_locale("C"), Language::En);
-        assert_eq!(Language::of_locale(""), Language::En);
-    }
-
-    #[test]
-    fn a_missing_wording_falls_back() {
-        assert_eq!(Language::Ru.text(&Text::new("only", "")), "only");
     }
 }
