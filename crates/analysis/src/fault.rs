@@ -4,6 +4,7 @@ use std::fmt;
 
 use symbolic::Expr;
 use words::Text;
+use words::explain::{Explanation, plain};
 
 pub mod connections;
 
@@ -41,47 +42,23 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-/// Code, title and explanation of every fault of this crate, for `strutt explain`.
-pub const EXPLANATIONS: &[Explanation] = &[
-    Explanation {
-        code: "S001",
-        en: ("switch without a direction (chattering)", CHATTERING_EN),
-        ru: ("переключение без направления (дребезг)", CHATTERING_RU),
-    },
-    Explanation {
-        code: "S002", en: ("switches accumulate", ACCUMULATION_EN), ru: ("переключения сгущаются", ACCUMULATION_RU)
-    },
-    Explanation { code: "S003", en: ("step underflow", UNDERFLOW_EN), ru: ("шаг стал исчезающе малым", UNDERFLOW_RU) },
-    Explanation { code: "S004", en: ("not a finite number", FINITE_EN), ru: ("не конечное число", FINITE_RU) },
-    Explanation {
-        code: "S005", en: ("result larger than memory", MEMORY_EN), ru: ("результат не помещается в память", MEMORY_RU)
-    },
-    Explanation {
-        code: "S006", en: ("unusable option of a study", OPTION_EN), ru: ("недопустимый параметр расчёта", OPTION_RU)
-    },
-    Explanation {
-        code: "S007", en: ("Newton's method found no equilibrium", NEWTON_EN), ru: ("равновесие не найдено", NEWTON_RU)
-    },
-    Explanation {
-        code: "S008",
-        en: ("neutral equilibrium or free motion", NEUTRAL_EN),
-        ru: ("безразличное равновесие или свободное движение", NEUTRAL_RU),
-    },
-    Explanation {
-        code: "S009", en: ("unknown output", OUTPUT_EN), ru: ("неизвестная выходная величина", OUTPUT_RU)
-    },
-    Explanation {
-        code: "S010", en: ("more steps than anybody waits for", STEPS_EN), ru: ("слишком много шагов", STEPS_RU)
-    },
-    Explanation { code: "S060", en: ("no reactions", NO_REACTIONS_EN), ru: ("нет реакций", NO_REACTIONS_RU) },
-    Explanation {
-        code: "S062",
-        en: ("a rope that would have to push", WRONG_SIDE_EN),
-        ru: ("нить, которая должна была бы толкать", WRONG_SIDE_RU),
-    },
-    Explanation {
-        code: "S061", en: ("a mechanism that does not rest", UNREST_EN), ru: ("механизм не находится в равновесии", UNREST_RU)
-    },
+/// Every table of explanations of this crate.
+pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, connections::EXPLANATIONS, crate::structure::faults::EXPLANATIONS];
+
+const EXPLANATIONS: &[Explanation] = &[
+    plain("S001", ("switch without a direction (chattering)", "переключение без направления (дребезг)"), (CHATTERING_EN, CHATTERING_RU)),
+    plain("S002", ("switches accumulate", "переключения сгущаются"), (ACCUMULATION_EN, ACCUMULATION_RU)),
+    plain("S003", ("step underflow", "шаг стал исчезающе малым"), (UNDERFLOW_EN, UNDERFLOW_RU)),
+    plain("S004", ("not a finite number", "не конечное число"), (FINITE_EN, FINITE_RU)),
+    plain("S005", ("result larger than memory", "результат не помещается в память"), (MEMORY_EN, MEMORY_RU)),
+    plain("S006", ("unusable option of a study", "недопустимый параметр расчёта"), (OPTION_EN, OPTION_RU)),
+    plain("S007", ("Newton's method found no equilibrium", "равновесие не найдено"), (NEWTON_EN, NEWTON_RU)),
+    plain("S008", ("neutral equilibrium or free motion", "безразличное равновесие или свободное движение"), (NEUTRAL_EN, NEUTRAL_RU)),
+    plain("S009", ("unknown output", "неизвестная выходная величина"), (OUTPUT_EN, OUTPUT_RU)),
+    plain("S010", ("more steps than anybody waits for", "слишком много шагов"), (STEPS_EN, STEPS_RU)),
+    plain("S060", ("no reactions", "нет реакций"), (NO_REACTIONS_EN, NO_REACTIONS_RU)),
+    plain("S062", ("a rope that would have to push", "нить, которая должна была бы толкать"), (WRONG_SIDE_EN, WRONG_SIDE_RU)),
+    plain("S061", ("a mechanism that does not rest", "механизм не находится в равновесии"), (UNREST_EN, UNREST_RU)),
     crate::rest::faults::WANDERING,
     crate::rest::faults::JOURNAL,
     crate::studies::response::ROUNDED,
@@ -112,86 +89,37 @@ pub const EXPLANATIONS: &[Explanation] = &[
     crate::studies::explain::UNDETERMINED,
     crate::studies::explain::OVERDRIVEN,
     crate::studies::explain::BRANCHES,
-    Explanation {
-        code: "S021",
-        en: ("mass matrix not positive definite", trouble::MASS_EN),
-        ru: ("матрица масс не положительно определена", trouble::MASS_RU),
-    },
-    Explanation {
-        code: "S022",
-        en: ("stiffness matrix not positive definite", trouble::SINGULAR_EN),
-        ru: ("матрица жёсткости не положительно определена", trouble::SINGULAR_RU),
-    },
-    Explanation {
-        code: "S023",
-        en: ("eigenvalues did not converge", trouble::CONVERGENCE_EN),
-        ru: ("собственные значения не сошлись", trouble::CONVERGENCE_RU),
-    },
-    Explanation {
-        code: "S024",
-        en: ("matrix with an undefined entry", trouble::MALFORMED_EN),
-        ru: ("матрица с неопределённым элементом", trouble::MALFORMED_RU),
-    },
-    Explanation {
-        code: "S070",
-        en: ("no closed form: not linear", NOT_LINEAR_EN),
-        ru: ("нет замкнутого решения: нелинейность", NOT_LINEAR_RU),
-    },
-    Explanation {
-        code: "S071",
-        en: ("no closed form: coefficients change with time", VARYING_EN),
-        ru: ("нет замкнутого решения: переменные коэффициенты", VARYING_RU),
-    },
-    Explanation {
-        code: "S072", en: ("no closed form: the load", LOAD_EN), ru: ("нет замкнутого решения: вид нагрузки", LOAD_RU)
-    },
-    Explanation {
-        code: "S073", en: ("singular mass matrix", MASSLESS_EN), ru: ("вырожденная матрица масс", MASSLESS_RU)
-    },
-    Explanation {
-        code: "S074", en: ("no closed form: connections", CONNECTED_EN), ru: ("нет замкнутого решения: связи", CONNECTED_RU)
-    },
-    Explanation {
-        code: "S075",
-        en: ("no equilibrium to linearise about", NOWHERE_EN),
-        ru: ("нет равновесия для линеаризации", NOWHERE_RU),
-    },
-    Explanation { code: "S084", en: ("nothing can move", NOTHING_EN), ru: ("двигаться нечему", NOTHING_RU) },
-    Explanation {
-        code: "S083", en: ("extremes leave out a row", OUTSIDE_EN), ru: ("крайние значения не охватывают строк", OUTSIDE_RU)
-    },
-    Explanation { code: "S077", en: ("a number without a value", OVERFLOW_EN), ru: ("число без значения", OVERFLOW_RU) },
-    Explanation { code: "S089", en: ("amplitude of a reaction", REACTION_EN), ru: ("амплитуда реакции", REACTION_RU) },
-    Explanation {
-        code: "S076", en: ("the load is not periodic", PERIODIC_EN), ru: ("нагрузка непериодична", PERIODIC_RU)
-    },
-    Explanation {
-        code: "S030", en: ("unknown load or parameter", NAME_EN), ru: ("неизвестная нагрузка или параметр", NAME_RU)
-    },
-    Explanation { code: "S031", en: ("no inertia here", INERTIA_EN), ru: ("нет инерции", INERTIA_RU) },
-    Explanation { code: "S032", en: ("nothing excites", EXCITES_EN), ru: ("нет возбуждения", EXCITES_RU) },
-    Explanation { code: "S033", en: ("which frequency?", FREQUENCY_EN), ru: ("какая частота?", FREQUENCY_RU) },
-    Explanation { code: "S034", en: ("range of frequencies", RANGE_EN), ru: ("диапазон частот", RANGE_RU) },
-    Explanation {
-        code: "S035", en: ("a drive and small motions", DRIVEN_EN), ru: ("привод и малые движения", DRIVEN_RU)
-    },
-    Explanation {
-        code: "S036",
-        en: ("statics do not give the unknown", UNKNOWN_EN),
-        ru: ("неизвестное не определяется статикой", UNKNOWN_RU),
-    },
+    plain("S021", ("mass matrix not positive definite", "матрица масс не положительно определена"), (trouble::MASS_EN, trouble::MASS_RU)),
+    plain(
+        "S022",
+        ("stiffness matrix not positive definite", "матрица жёсткости не положительно определена"),
+        (trouble::SINGULAR_EN, trouble::SINGULAR_RU),
+    ),
+    plain("S023", ("eigenvalues did not converge", "собственные значения не сошлись"), (trouble::CONVERGENCE_EN, trouble::CONVERGENCE_RU)),
+    plain("S024", ("matrix with an undefined entry", "матрица с неопределённым элементом"), (trouble::MALFORMED_EN, trouble::MALFORMED_RU)),
+    plain("S070", ("no closed form: not linear", "нет замкнутого решения: нелинейность"), (NOT_LINEAR_EN, NOT_LINEAR_RU)),
+    plain(
+        "S071",
+        ("no closed form: coefficients change with time", "нет замкнутого решения: переменные коэффициенты"),
+        (VARYING_EN, VARYING_RU),
+    ),
+    plain("S072", ("no closed form: the load", "нет замкнутого решения: вид нагрузки"), (LOAD_EN, LOAD_RU)),
+    plain("S073", ("singular mass matrix", "вырожденная матрица масс"), (MASSLESS_EN, MASSLESS_RU)),
+    plain("S074", ("no closed form: connections", "нет замкнутого решения: связи"), (CONNECTED_EN, CONNECTED_RU)),
+    plain("S075", ("no equilibrium to linearise about", "нет равновесия для линеаризации"), (NOWHERE_EN, NOWHERE_RU)),
+    plain("S084", ("nothing can move", "двигаться нечему"), (NOTHING_EN, NOTHING_RU)),
+    plain("S083", ("extremes leave out a row", "крайние значения не охватывают строк"), (OUTSIDE_EN, OUTSIDE_RU)),
+    plain("S077", ("a number without a value", "число без значения"), (OVERFLOW_EN, OVERFLOW_RU)),
+    plain("S089", ("amplitude of a reaction", "амплитуда реакции"), (REACTION_EN, REACTION_RU)),
+    plain("S076", ("the load is not periodic", "нагрузка непериодична"), (PERIODIC_EN, PERIODIC_RU)),
+    plain("S030", ("unknown load or parameter", "неизвестная нагрузка или параметр"), (NAME_EN, NAME_RU)),
+    plain("S031", ("no inertia here", "нет инерции"), (INERTIA_EN, INERTIA_RU)),
+    plain("S032", ("nothing excites", "нет возбуждения"), (EXCITES_EN, EXCITES_RU)),
+    plain("S033", ("which frequency?", "какая частота?"), (FREQUENCY_EN, FREQUENCY_RU)),
+    plain("S034", ("range of frequencies", "диапазон частот"), (RANGE_EN, RANGE_RU)),
+    plain("S035", ("a drive and small motions", "привод и малые движения"), (DRIVEN_EN, DRIVEN_RU)),
+    plain("S036", ("statics do not give the unknown", "неизвестное не определяется статикой"), (UNKNOWN_EN, UNKNOWN_RU)),
 ];
-
-/// One row of [`EXPLANATIONS`]: (title, body) in both languages.
-#[derive(Clone, Copy, Debug)]
-pub struct Explanation {
-    /// Code, `S001`.
-    pub code: &'static str,
-    /// English title and body.
-    pub en: (&'static str, &'static str),
-    /// Russian title and body.
-    pub ru: (&'static str, &'static str),
-}
 
 const CHATTERING_EN: &str = "A formula with sign, if, abs, min or max reached its switching surface, and on both sides of it the motion is driven back: the \
     machine would switch infinitely often. Physically this is sticking (a body held by dry friction) or an ideal relay without hysteresis; sign(v) alone \

@@ -5,32 +5,19 @@
 
 mod events;
 mod linear;
+mod names;
 mod rubbing;
 mod studies;
 mod texts;
-mod words;
 
 pub use events::EVENTS;
 pub use linear::LINEAR;
+pub use names::NAMES;
 pub use rubbing::RUBBING;
 pub use studies::STUDIES;
 pub use texts::TEXTS;
-pub use words::WORDS;
 
-/// The explanation of a code.
-#[derive(Clone, Copy, Debug)]
-pub struct Explanation {
-    /// Code.
-    pub code: &'static str,
-    /// Title, English and Russian.
-    pub title: (&'static str, &'static str),
-    /// What is behind it, English and Russian.
-    pub text: (&'static str, &'static str),
-    /// How it looks wrong; may be empty.
-    pub wrong: &'static str,
-    /// How it looks right; may be empty.
-    pub right: &'static str,
-}
+use words::explain::{Explanation, row};
 
 /// Every table of explanations.
 pub const TABLES: &[&[Explanation]] = &[
@@ -40,26 +27,11 @@ pub const TABLES: &[&[Explanation]] = &[
     EVENTS,
     RUBBING,
     TEXTS,
-    WORDS,
+    NAMES,
     crate::derive::EXPLANATIONS,
     crate::structure::EXPLANATIONS,
     crate::section::EXPLANATIONS,
 ];
-
-/// The explanation of a code; small letters will do.
-pub fn find(code: &str) -> Option<&'static Explanation> {
-    TABLES.iter().flat_map(|t| t.iter()).find(|e| e.code.eq_ignore_ascii_case(code))
-}
-
-pub(crate) const fn row(
-    code: &'static str,
-    title: (&'static str, &'static str),
-    text: (&'static str, &'static str),
-    wrong: &'static str,
-    right: &'static str,
-) -> Explanation {
-    Explanation { code, title, text, wrong, right }
-}
 
 /// The codes of the reader.
 pub const EXPLANATIONS: &[Explanation] = &[

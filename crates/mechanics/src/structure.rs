@@ -3,10 +3,10 @@
 //! Nothing is assembled here: degrees of freedom and matrices are the business of `analysis::structure`, which takes numbers, exact ones where
 //! these expressions have them.
 
-use crate::explain::{Explanation, row};
 use std::ops::Range;
 use symbolic::{Expr, SymbolId};
 use words::Text;
+use words::explain::{Explanation, row};
 
 /// A plane structure.
 #[derive(Clone, Debug, Default)]

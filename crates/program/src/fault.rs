@@ -2,6 +2,7 @@
 
 use symbolic::Expr;
 use words::Text;
+use words::explain::{Explanation, plain};
 
 /// A clear refusal; its fields are those of [`Details`], behind one pointer because results carry it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -251,8 +252,8 @@ const CAUSES: &[(&str, [Wording; 3])] = &[
 ];
 
 /// Code, title and body of every fault, for `strutt explain`.
-pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
-    (
+pub const EXPLANATIONS: &[Explanation] = &[
+    plain(
         "P001",
         ("Division by zero", "Деление на нуль"),
         (
@@ -260,7 +261,7 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "Знаменатель равен нулю в вычисляемом состоянии. Обычно это длина пружины, концы которой совпали, или скорость в знаменателе в состоянии покоя. Начните из другого состояния или заключите формулу в if(...).",
         ),
     ),
-    (
+    plain(
         "P002",
         ("Root of a negative number", "Корень из отрицательного числа"),
         (
@@ -268,12 +269,12 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "Квадратный корень или дробная степень взяты от отрицательного числа.",
         ),
     ),
-    (
+    plain(
         "P003",
         ("Logarithm of a number that is not positive", "Логарифм неположительного числа"),
         ("log(x) needs x > 0.", "log(x) требует x > 0."),
     ),
-    (
+    plain(
         "P004",
         ("Inverse function out of range", "Обратная функция вне области определения"),
         (
@@ -281,7 +282,7 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "asin и acos требуют аргумента от -1 до 1, acosh — не меньше 1, atanh — строго между -1 и 1. Для механизма это значит, что звенья слишком коротки.",
         ),
     ),
-    (
+    plain(
         "P005",
         ("Singular mass matrix", "Вырожденная матрица масс"),
         (
@@ -289,7 +290,7 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "M q'' = h не имеет единственного решения: некоторое движение не обладает инерцией в этом состоянии. Координата двигает только невесомые тела или механизм находится в мёртвом положении.",
         ),
     ),
-    (
+    plain(
         "P006",
         ("Value that is not finite", "Бесконечное значение"),
         (
@@ -297,7 +298,7 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "Результат переполнился или не является числом, хотя ни одна операция не вышла из области определения.",
         ),
     ),
-    (
+    plain(
         "P007",
         ("No Taylor series", "Нет ряда Тейлора"),
         (
@@ -305,7 +306,7 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "Значение существует, а производные нет: asin(1), угол точки в начале координат. Интегратору нужна гладкая правая часть между переключениями; корни и дробные степени, проходящие через нуль, интегрируются.",
         ),
     ),
-    (
+    plain(
         "P008",
         ("Wrong number of values", "Неверное количество значений"),
         (
@@ -313,7 +314,7 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "Программа вызвана с неверным количеством параметров, состояний, ускорений или режимов.",
         ),
     ),
-    (
+    plain(
         "P009",
         ("Mass matrix that is not positive", "Матрица масс не положительно определена"),
         (
@@ -321,7 +322,7 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "T = q'ᵀ M q'/2 не бывает отрицательной. Так получается, когда формула положения тела выходит из области определения, а квадрат остаётся вещественным: производная asin(u) равна u'/sqrt(1 - u^2), и её квадрат меняет знак при u > 1. То же дают отрицательные массы.",
         ),
     ),
-    (
+    plain(
         "P010",
         ("Undefined symbol", "Неопределённый символ"),
         (
@@ -329,17 +330,17 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "Вычисляемая формула содержит символ без значения. Ускорения имеют значения только в выходных величинах.",
         ),
     ),
-    (
+    plain(
         "P011",
         ("Cyclic definition", "Циклическое определение"),
         ("A definition uses itself, directly or through others.", "Определение использует само себя, прямо или через другие."),
     ),
-    (
+    plain(
         "P012",
         ("Inconsistent equations", "Несогласованные уравнения"),
         ("The mass matrix, the forces and the coordinates differ in number.", "Матрица масс, силы и координаты различаются по количеству."),
     ),
-    (
+    plain(
         "P013",
         ("Motion not determined", "Движение не определяется"),
         (
@@ -347,7 +348,7 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "Ускорения и реакции находятся из системы M q'' = h + Jᵀ λ, J q'' = γ. В этом положении её уравнения зависимы: механизм вытянут или в мёртвой точке, связь повторяет другую либо у координаты нет ни инерции, ни условия.",
         ),
     ),
-    (
+    plain(
         "P014",
         ("Reaction not unique", "Реакция не единственна"),
         (
@@ -355,7 +356,7 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "Движение определено, но эта реакция - одна из нескольких, удерживающих одно и то же (вал на трёх опорах, балка между двумя неподвижными шарнирами): для твёрдых тел их доли неопределимы. Движение и остальные реакции верны.",
         ),
     ),
-    (
+    plain(
         "P020",
         ("Invalid program of operations (internal)", "Недопустимая программа вычислений (внутренняя ошибка)"),
         (
@@ -363,7 +364,7 @@ pub const EXPLANATIONS: &[(&str, Wording, Wording)] = &[
             "Список операций, составленный по уравнениям, противоречив: операция берёт число до его вычисления или несуществующее число. Это ошибка программы, а не модели; ничего не вычислено. Сообщите о ней, приложив файл модели.",
         ),
     ),
-    (
+    plain(
         "P021",
         ("Unreadable text of a program of operations (internal)", "Нечитаемая запись программы вычислений (внутренняя ошибка)"),
         (

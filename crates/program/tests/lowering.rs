@@ -329,7 +329,7 @@ fn faults_name_the_rule_and_the_result() {
         let fault = evaluator.evaluate(&Point { states: &[value, 0.0], ..Point::default() }).unwrap_err();
         assert_eq!(fault.code, code);
         assert!(fault.what.en.contains("answer") && fault.what.ru.contains("answer") && fault.expression.is_some());
-        assert!(program::EXPLANATIONS.iter().any(|row| row.0 == code));
+        assert!(program::EXPLANATIONS.iter().any(|row| row.code == code));
     }
 }
 

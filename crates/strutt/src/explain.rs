@@ -1,69 +1,32 @@
 //! Explanations of every code that a message can carry, gathered from all rooms.
 
-use words::Text;
+use words::explain::{Explanation, plain};
 use words::nearest;
 
-/// What a code means.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Explanation {
-    /// The code.
-    pub code: &'static str,
-    /// Title.
-    pub title: Text,
-    /// The explanation.
-    pub body: Text,
-    /// How it looks wrong; may be empty.
-    pub wrong: &'static str,
-    /// How it looks right; may be empty.
-    pub right: &'static str,
+/// The tables of all rooms, from below.
+fn tables() -> impl Iterator<Item = &'static [Explanation]> {
+    let rooms = [mechanics::explain::TABLES, &[program::EXPLANATIONS], analysis::fault::TABLES, &[OWN]];
+    rooms.into_iter().flatten().copied()
 }
 
 /// Every code, in the order of the rooms.
-pub fn all() -> Vec<Explanation> {
-    let pair = |(en, ru): (&str, &str)| Text::new(en, ru);
-    let mut out = Vec::new();
-    out.extend(mechanics::explain::TABLES.iter().flat_map(|table| table.iter()).map(|e| Explanation {
-        code: e.code,
-        title: pair(e.title),
-        body: pair(e.text),
-        wrong: e.wrong,
-        right: e.right,
-    }));
-    out.extend(program::EXPLANATIONS.iter().map(|(code, title, body)| Explanation {
-        code,
-        title: pair(*title),
-        body: pair(*body),
-        wrong: "",
-        right: "",
-    }));
-    out.extend(
-        analysis::fault::EXPLANATIONS
-            .iter()
-            .chain(analysis::fault::connections::EXPLANATIONS)
-            .chain(analysis::structure::faults::EXPLANATIONS)
-            .map(|e| Explanation { code: e.code, title: Text::new(e.en.0, e.ru.0), body: Text::new(e.en.1, e.ru.1), wrong: "", right: "" }),
-    );
-    out.extend(OWN.iter().map(|(code, title, body)| Explanation { code, title: pair(*title), body: pair(*body), wrong: "", right: "" }));
-    out
+pub fn all() -> impl Iterator<Item = &'static Explanation> {
+    tables().flatten()
 }
 
 /// The explanation of a code; small letters do too.
-pub fn find(code: &str) -> Option<Explanation> {
-    all().into_iter().find(|e| e.code.eq_ignore_ascii_case(code))
+pub fn find(code: &str) -> Option<&'static Explanation> {
+    all().find(|e| e.code.eq_ignore_ascii_case(code))
 }
 
 /// A code that may have been meant.
 pub fn near(code: &str) -> Option<&'static str> {
-    let all = all();
-    let codes: Vec<&'static str> = all.iter().map(|e| e.code).collect();
-    nearest(code, codes)
+    nearest(code, all().map(|e| e.code))
 }
 
-type Wording = (&'static str, &'static str);
-
-/// Code, title, body of what the command line itself can say.
-const OWN: &[(&str, Wording, Wording)] = &[
-    (
+/// What the command line itself can say.
+const OWN: &[Explanation] = &[
+    plain(
         "S104",
         ("Statics without the machine", "Статика без механизма"),
         (
@@ -75,7 +38,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
              перемещений и 400 степеней свободы). Иначе конструкция считалась бы пустой, поэтому расчёт не выполняется.",
         ),
     ),
-    (
+    plain(
         "S101",
         ("Inverse dynamics without a motor", "Обратная задача без двигателя"),
         (
@@ -85,7 +48,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
              нечего; движение под заданными силами находит `simulate`, реакции в покое – `statics`.",
         ),
     ),
-    (
+    plain(
         "S105",
         ("Not for structures", "Не для конструкций"),
         (
@@ -95,7 +58,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
              значения задают ключом --set.",
         ),
     ),
-    (
+    plain(
         "C001",
         ("No such file", "Нет такого файла"),
         (
@@ -105,7 +68,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
              показывает готовые модели; `strutt new ИМЯ` записывает модель, с которой можно начать.",
         ),
     ),
-    (
+    plain(
         "C002",
         ("Unreadable file", "Файл не читается"),
         (
@@ -113,7 +76,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Файл есть, но система не даёт его прочитать: нет прав доступа, неисправен диск, это устройство.",
         ),
     ),
-    (
+    plain(
         "C003",
         ("File too large", "Слишком большой файл"),
         (
@@ -121,7 +84,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Файл модели – это текст не более 4 МиБ. Если он гораздо больше, вероятно, это данные или рисунок.",
         ),
     ),
-    (
+    plain(
         "C004",
         ("Not UTF-8", "Кодировка не UTF-8"),
         (
@@ -131,7 +94,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
              при сохранении выберите UTF-8.",
         ),
     ),
-    (
+    plain(
         "C005",
         ("Cannot write", "Не удаётся записать"),
         (
@@ -141,7 +104,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
              вместе или никак; прежние результаты тогда не испорчены.",
         ),
     ),
-    (
+    plain(
         "C052",
         ("A result would replace an input", "Результат заменил бы исходный файл"),
         (
@@ -151,7 +114,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
              остаются. Укажите другую папку ключом --out или переименуйте исходный файл.",
         ),
     ),
-    (
+    plain(
         "C053",
         ("Not a name for a file", "Негодное имя файла"),
         (
@@ -159,8 +122,12 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "`strutt new` записывает файл ИМЯ.toml. Имя – это путь, последняя часть которого не пуста и не равна `.` или `..`.",
         ),
     ),
-    ("C006", ("File exists", "Файл уже есть"), ("`strutt new` never overwrites a file.", "`strutt new` никогда не перезаписывает файл.")),
-    (
+    plain(
+        "C006",
+        ("File exists", "Файл уже есть"),
+        ("`strutt new` never overwrites a file.", "`strutt new` никогда не перезаписывает файл."),
+    ),
+    plain(
         "C040",
         ("No such section", "Нет такого сечения"),
         (
@@ -168,7 +135,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Команда `section` показывает таблицы [sections.ИМЯ] файла; в файле их нет или нет сечения с именем из --name.",
         ),
     ),
-    (
+    plain(
         "C007",
         ("No end of the motion", "Не задан конец движения"),
         (
@@ -176,7 +143,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Команде `simulate` нужен конец движения: ключ --until, моменты в --at или расчёт `simulate` в файле.",
         ),
     ),
-    (
+    plain(
         "C008",
         ("No such output", "Нет такой выходной величины"),
         (
@@ -186,7 +153,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
              запятую. В командной оболочке имя со штрихом заключают в двойные кавычки.",
         ),
     ),
-    (
+    plain(
         "C009",
         ("Bad value on the command line", "Негодное значение в командной строке"),
         (
@@ -194,7 +161,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Величины в командной строке – это числа с единицей или без неё: 30, 30с, \"1,5 мин\". Число без единицы понимается в СИ.",
         ),
     ),
-    (
+    plain(
         "C054",
         ("An option that changes nothing", "Ключ, который ничего не меняет"),
         (
@@ -204,7 +171,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
              хода. Если бы его молча пропускали, казалось бы, что он учтён.",
         ),
     ),
-    (
+    plain(
         "C010",
         ("No such name", "Нет такого имени"),
         (
@@ -212,7 +179,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "`strutt examples` показывает примеры; коды стоят в скобках в каждом сообщении.",
         ),
     ),
-    (
+    plain(
         "C050",
         ("No published results", "Нет опубликованных результатов"),
         (
@@ -220,7 +187,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Команда `strutt claims` сопоставляет с машиной таблицы [[claims]] файла; в файле их нет.",
         ),
     ),
-    (
+    plain(
         "C051",
         ("A claim that cannot be compared", "Результат не с чем сопоставить"),
         (
@@ -228,7 +195,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Формула результата не имеет смысла для этой машины: она требует того, чего вывод не даёт.",
         ),
     ),
-    (
+    plain(
         "C031",
         ("Not a parameter with a number", "Не параметр с числом"),
         (
@@ -236,7 +203,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Неизвестная, которую ищет расчёт, – параметр модели с числовым значением.",
         ),
     ),
-    (
+    plain(
         "C032",
         ("No study to repeat", "Нет расчёта для серии"),
         (
@@ -244,7 +211,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Серия повторяет расчёт из файла: simulate, periodic, equilibrium, cycle, statics, inverse. Добавьте его или наблюдайте `period`.",
         ),
     ),
-    (
+    plain(
         "C033",
         ("Over which values?", "По каким значениям?"),
         (
@@ -252,7 +219,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Серии нужен ключ --over \"v=linspace(1 м/с, 3 м/с, 21)\" или расчёт `sweep` в файле.",
         ),
     ),
-    (
+    plain(
         "C034",
         ("Which angle?", "Какой угол?"),
         (
@@ -260,7 +227,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Расчёту цикла нужен ключ --angle phi1 или расчёт `cycle` в файле.",
         ),
     ),
-    (
+    plain(
         "C035",
         ("Which coordinate is driven?", "Какая координата ведущая?"),
         (
@@ -268,7 +235,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Кинематике нужен ключ --over phi1 или расчёт `kinematics` в файле.",
         ),
     ),
-    (
+    plain(
         "C036",
         ("No positions", "Нет положений"),
         (
@@ -276,7 +243,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Промежутку положений нужны разные концы (или ненулевое число оборотов), ненулевая скорость и не менее двух положений.",
         ),
     ),
-    (
+    plain(
         "C020",
         ("No variants", "Нет вариантов"),
         (
@@ -284,7 +251,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Ключ --variant берёт строку таблицы, которую называет файл модели: [variants] и table = \"variants.csv\" или сами строки в rows.",
         ),
     ),
-    (
+    plain(
         "C021",
         ("No such variant", "Нет такого варианта"),
         (
@@ -292,7 +259,7 @@ const OWN: &[(&str, Wording, Wording)] = &[
             "Имя после --variant стоит в первом столбце таблицы или в столбце, указанном в `key`.",
         ),
     ),
-    (
+    plain(
         "C022",
         ("A table of variants that does not fit", "Таблица вариантов не подходит"),
         (
@@ -310,10 +277,10 @@ mod tests {
 
     #[test]
     fn codes_are_unique_and_explained_in_both_languages() {
-        let all = all();
+        let all: Vec<_> = all().collect();
         for (i, e) in all.iter().enumerate() {
             assert!(all[..i].iter().all(|f| f.code != e.code), "{} twice", e.code);
-            for words in [&e.title.en, &e.title.ru, &e.body.en, &e.body.ru] {
+            for words in [e.title.0, e.title.1, e.text.0, e.text.1] {
                 assert!(!words.trim().is_empty(), "{}", e.code);
             }
         }

@@ -77,7 +77,7 @@ fn codes(text: &str) -> Vec<&'static str> {
 #[test]
 fn wrong_examples_raise_their_code() {
     let mut silent = Vec::new();
-    for e in explain::all().into_iter().filter(|e| !e.wrong.is_empty() && !ABRIDGED.contains(&e.code)) {
+    for e in explain::all().filter(|e| !e.wrong.is_empty() && !ABRIDGED.contains(&e.code)) {
         let texts = PLACES.iter().flat_map(|place| {
             let fragment = place.replace('@', e.wrong);
             [format!("{fragment}\n{MACHINE}"), format!("{MACHINE}{fragment}\n"), format!("{fragment}\n")]

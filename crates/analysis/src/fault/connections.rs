@@ -2,81 +2,55 @@
 
 use words::Text;
 
-use super::{Explanation, Fault, Message, number, rounded, ten_digits};
+use super::{Fault, Message, number, rounded, ten_digits};
+use words::explain::{Explanation, plain};
 
-/// For `strutt explain`, beside [`super::EXPLANATIONS`].
+/// Rows of friction, contacts and connections.
 pub const EXPLANATIONS: &[Explanation] = &[
-    Explanation {
-        code: "S011",
-        en: ("contact or friction without an admissible state", NO_STATE_EN),
-        ru: ("контакт или трение без допустимого состояния", NO_STATE_RU),
-    },
-    Explanation {
-        code: "S012", en: ("a contact starts penetrated", PENETRATES_EN), ru: ("контакт начинается с внедрения", PENETRATES_RU)
-    },
-    Explanation { code: "S013", en: ("connections come apart", APART_EN), ru: ("связи расходятся", APART_RU) },
-    Explanation {
-        code: "S014", en: ("impact without a single solution", IMPACT_EN), ru: ("удар без однозначного решения", IMPACT_RU)
-    },
-    Explanation { code: "S081", en: ("an impact that jams", JAM_EN), ru: ("удар с заклиниванием", JAM_RU) },
-    Explanation {
-        code: "S126", en: ("an impact that gains energy", GAIN_EN), ru: ("удар, увеличивающий энергию", GAIN_RU)
-    },
-    Explanation { code: "S110", en: ("impacts without an end", ENDLESS_EN), ru: ("удары без конца", ENDLESS_RU) },
-    Explanation {
-        code: "S015",
-        en: ("start values that do not fit the connections", START_EN),
-        ru: ("начальные значения не согласуются со связями", START_RU),
-    },
-    Explanation { code: "S016", en: ("loop that cannot close", LOOP_EN), ru: ("незамыкаемый контур", LOOP_RU) },
-    Explanation {
-        code: "S017", en: ("contradictory conditions", CONTRADICTION_EN), ru: ("противоречивые условия", CONTRADICTION_RU)
-    },
-    Explanation { code: "S018", en: ("singular configuration", SINGULAR_EN), ru: ("особое положение", SINGULAR_RU) },
-    Explanation {
-        code: "S019", en: ("reaction that is not unique", OPEN_EN), ru: ("неединственная реакция", OPEN_RU)
-    },
-    Explanation {
-        code: "S058", en: ("change point that is not passed", CHANGE_EN), ru: ("непройденное положение ветвления", CHANGE_RU)
-    },
-    Explanation {
-        code: "S059", en: ("no value at a change point", BLIND_EN), ru: ("нет значения в положении ветвления", BLIND_RU)
-    },
-    Explanation {
-        code: "S087",
-        en: ("reaction that depends on the place of a load", PLACE_EN),
-        ru: ("реакция, зависящая от места приложения нагрузки", PLACE_RU),
-    },
-    Explanation {
-        code: "S088",
-        en: ("friction pressed by a reaction without a value", PRESSURE_EN),
-        ru: ("трение от неопределённой нормальной реакции", PRESSURE_RU),
-    },
-    Explanation {
-        code: "S121",
-        en: ("length measured at another start", MOVED_EN),
-        ru: ("длина, измеренная в другом начальном положении", MOVED_RU),
-    },
-    Explanation {
-        code: "S122",
-        en: ("periodic regime over a change point", VARIED_EN),
-        ru: ("периодический режим через положение ветвления", VARIED_RU),
-    },
-    Explanation {
-        code: "S120",
-        en: ("friction pressed by a reaction that is not unique", SHARED_EN),
-        ru: ("трение от неединственной реакции", SHARED_RU),
-    },
-    Explanation {
-        code: "S090",
-        en: ("reaction that depends on an undeclared transmission", TRANSMISSION_EN),
-        ru: ("реакция, зависящая от незаданной передачи", TRANSMISSION_RU),
-    },
-    Explanation {
-        code: "S091",
-        en: ("friction pressed by a reaction that depends on an undeclared transmission", DRIVEN_EN),
-        ru: ("трение от реакции, зависящей от незаданной передачи", DRIVEN_RU),
-    },
+    plain(
+        "S011",
+        ("contact or friction without an admissible state", "контакт или трение без допустимого состояния"),
+        (NO_STATE_EN, NO_STATE_RU),
+    ),
+    plain("S012", ("a contact starts penetrated", "контакт начинается с внедрения"), (PENETRATES_EN, PENETRATES_RU)),
+    plain("S013", ("connections come apart", "связи расходятся"), (APART_EN, APART_RU)),
+    plain("S014", ("impact without a single solution", "удар без однозначного решения"), (IMPACT_EN, IMPACT_RU)),
+    plain("S081", ("an impact that jams", "удар с заклиниванием"), (JAM_EN, JAM_RU)),
+    plain("S126", ("an impact that gains energy", "удар, увеличивающий энергию"), (GAIN_EN, GAIN_RU)),
+    plain("S110", ("impacts without an end", "удары без конца"), (ENDLESS_EN, ENDLESS_RU)),
+    plain("S015", ("start values that do not fit the connections", "начальные значения не согласуются со связями"), (START_EN, START_RU)),
+    plain("S016", ("loop that cannot close", "незамыкаемый контур"), (LOOP_EN, LOOP_RU)),
+    plain("S017", ("contradictory conditions", "противоречивые условия"), (CONTRADICTION_EN, CONTRADICTION_RU)),
+    plain("S018", ("singular configuration", "особое положение"), (SINGULAR_EN, SINGULAR_RU)),
+    plain("S019", ("reaction that is not unique", "неединственная реакция"), (OPEN_EN, OPEN_RU)),
+    plain("S058", ("change point that is not passed", "непройденное положение ветвления"), (CHANGE_EN, CHANGE_RU)),
+    plain("S059", ("no value at a change point", "нет значения в положении ветвления"), (BLIND_EN, BLIND_RU)),
+    plain(
+        "S087",
+        ("reaction that depends on the place of a load", "реакция, зависящая от места приложения нагрузки"),
+        (PLACE_EN, PLACE_RU),
+    ),
+    plain(
+        "S088",
+        ("friction pressed by a reaction without a value", "трение от неопределённой нормальной реакции"),
+        (PRESSURE_EN, PRESSURE_RU),
+    ),
+    plain("S121", ("length measured at another start", "длина, измеренная в другом начальном положении"), (MOVED_EN, MOVED_RU)),
+    plain("S122", ("periodic regime over a change point", "периодический режим через положение ветвления"), (VARIED_EN, VARIED_RU)),
+    plain("S120", ("friction pressed by a reaction that is not unique", "трение от неединственной реакции"), (SHARED_EN, SHARED_RU)),
+    plain(
+        "S090",
+        ("reaction that depends on an undeclared transmission", "реакция, зависящая от незаданной передачи"),
+        (TRANSMISSION_EN, TRANSMISSION_RU),
+    ),
+    plain(
+        "S091",
+        (
+            "friction pressed by a reaction that depends on an undeclared transmission",
+            "трение от реакции, зависящей от незаданной передачи",
+        ),
+        (DRIVEN_EN, DRIVEN_RU),
+    ),
 ];
 
 const CHANGE_EN: &str = "At a change point the conditions of a linkage depend on each other for an instant: a parallelogram whose cranks and coupler lie in line, a deltoid whose \

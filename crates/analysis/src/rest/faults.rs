@@ -5,26 +5,18 @@ use symbolic::connections::Law;
 use words::Text;
 
 use crate::Fault;
-use crate::fault::{Explanation, Message, rounded};
+use crate::fault::{Message, rounded};
+use words::explain::{Explanation, plain};
 
 /// S093.
-pub const SLIPS: Explanation =
-    Explanation {
-        code: "S093", en: ("friction is too weak to hold", SLIPS_EN), ru: ("трения недостаточно для покоя", SLIPS_RU)
-    };
+pub const SLIPS: Explanation = plain("S093", ("friction is too weak to hold", "трения недостаточно для покоя"), (SLIPS_EN, SLIPS_RU));
 /// S094.
-pub const OPEN: Explanation = Explanation {
-    code: "S094",
-    en: ("friction leaves an unknown open", OPEN_EN),
-    ru: ("трение оставляет неизвестное неопределённым", OPEN_RU),
-};
+pub const OPEN: Explanation =
+    plain("S094", ("friction leaves an unknown open", "трение оставляет неизвестное неопределённым"), (OPEN_EN, OPEN_RU));
 
 /// S127.
-pub const NO_LIMIT: Explanation = Explanation {
-    code: "S127",
-    en: ("no limiting equilibrium in the range", NO_LIMIT_EN),
-    ru: ("в диапазоне нет предельного равновесия", NO_LIMIT_RU),
-};
+pub const NO_LIMIT: Explanation =
+    plain("S127", ("no limiting equilibrium in the range", "в диапазоне нет предельного равновесия"), (NO_LIMIT_EN, NO_LIMIT_RU));
 const NO_LIMIT_EN: &str = "With `over`, `range` and [impending] the study `equilibrium` looks for places of rest in which the named frictions are at their limits in the given \
     directions: the ends of the ranges in which dry friction holds the machine. In this range there are none. Directions are those of the sliding that is about to begin, along the \
     friction's own path; at the other end of a range of rest they are the opposite ones.";
@@ -33,10 +25,7 @@ const NO_LIMIT_RU: &str = "С ключами `over`, `range` и таблицей
     другой границе области покоя оно противоположное.";
 
 /// S082.
-pub const JOURNAL: Explanation =
-    Explanation {
-        code: "S082", en: ("statics with a journal", JOURNAL_EN), ru: ("статика с трением в цапфе", JOURNAL_RU)
-    };
+pub const JOURNAL: Explanation = plain("S082", ("statics with a journal", "статика с трением в цапфе"), (JOURNAL_EN, JOURNAL_RU));
 
 const JOURNAL_EN: &str = "Whether friction holds a machine at rest is decided by linear inequalities in the reactions. The limit of a journal, mu r times the whole force of its \
     pin, is not linear: `equilibrium` and `statics` refuse it. Follow the motion with `simulate`, which takes it exactly and shows whether the machine stays; or leave the \
@@ -82,11 +71,11 @@ fn nonlinear(equations: &Equations, help: Text) -> Option<Fault> {
 }
 
 /// S065.
-pub const WANDERING: Explanation = Explanation {
-    code: "S065",
-    en: ("a connection of rates that leads to no place", WANDERING_EN),
-    ru: ("связь скоростей, не определяющая положения", WANDERING_RU),
-};
+pub const WANDERING: Explanation = plain(
+    "S065",
+    ("a connection of rates that leads to no place", "связь скоростей, не определяющая положения"),
+    (WANDERING_EN, WANDERING_RU),
+);
 
 const WANDERING_EN: &str = "A connection that is given in rates only and is not integrable (a skate, rolling in space, a `zero_rate` whose factors are no gradient) restrains \
     how the machine moves and not where it can be: from one start it reaches different places on different ways, and places of rest form a continuum. Only the start, or \

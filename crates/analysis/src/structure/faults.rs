@@ -1,94 +1,77 @@
 //! What can be wrong with a structure that was read without errors: codes S050 to S059.
 
 use crate::Fault;
-use crate::fault::{Explanation, Message};
+use crate::fault::Message;
 use words::Text;
+use words::explain::{Explanation, plain};
 
 /// Long texts of the codes of this folder.
 pub const EXPLANATIONS: &[Explanation] = &[
-    Explanation {
-        code: "S050",
-        en: (
-            "mechanism",
+    plain(
+        "S050",
+        ("mechanism", "механизм"),
+        (
             "Some displacements of the structure deform no rod and are held by no support or spring: it moves freely, and neither static \
              displacements nor natural frequencies above zero exist for that motion. The message names the node that moves most and the motion. \
              Add the support, the rod or the rigid connection that is missing.",
-        ),
-        ru: (
-            "механизм",
             "Некоторые перемещения не деформируют ни одного стержня и не удерживаются ни опорами, ни пружинами: конструкция геометрически \
              изменяема. В сообщении назван узел с наибольшим перемещением и само движение. Добавьте недостающую опору, стержень или жёсткое \
              соединение.",
         ),
-    },
-    Explanation {
-        code: "S051",
-        en: (
-            "loose node or piece",
+    ),
+    plain(
+        "S051",
+        ("loose node or piece", "незакреплённый узел или часть"),
+        (
             "A node that no rod touches, or a group of rods that no support and no spring holds. Usually a name was mistyped in `between` or a \
              support is missing. Free frames (free-free beams) are not solved: their stiffness matrix is singular. Hold them by soft springs at a node.",
-        ),
-        ru: (
-            "незакреплённый узел или часть",
             "К узлу не подходит ни один стержень, либо группа стержней не имеет ни опор, ни пружин. Обычно опечатка в `between` или забыта опора. \
              Свободные рамы (незакреплённые балки) не рассчитываются: их матрица жёсткости вырождена. Закрепите их мягкими пружинами в узле.",
         ),
-    },
-    Explanation {
-        code: "S052",
-        en: (
-            "no inertia",
+    ),
+    plain(
+        "S052",
+        ("no inertia", "нет инерции"),
+        (
             "A structure without any mass has no oscillations. Give nodes a `mass` or `inertia`, or rods a `mass`, `density` or \
              `mass_per_length`.",
-        ),
-        ru: (
-            "нет инерции",
             "У конструкции без масс нет колебаний. Задайте узлам `mass` или `inertia` либо стержням `mass`, `density` или `mass_per_length`.",
         ),
-    },
-    Explanation {
-        code: "S053",
-        en: (
-            "force not determined by statics",
+    ),
+    plain(
+        "S053",
+        ("force not determined by statics", "усилие не определяется статикой"),
+        (
             "Rods that neither stretch nor bend share a load in infinitely many ways when there are more of them (or of supports) than equations \
              of equilibrium. Give the rods named in the message a stiffness: EA (or E and A) against stretching, EI against bending.",
-        ),
-        ru: (
-            "усилие не определяется статикой",
             "Нерастяжимые и жёсткие стержни делят нагрузку бесконечным числом способов, если их (или опор) больше, чем уравнений равновесия. \
              Задайте названным стержням жёсткость: EA (или E и A) на растяжение, EI на изгиб.",
         ),
-    },
-    Explanation {
-        code: "S063",
-        en: (
-            "frame of extreme proportions",
+    ),
+    plain(
+        "S063",
+        ("frame of extreme proportions", "рама с крайними соотношениями"),
+        (
             "Supports that are 10^-16 of a span apart, or stiffnesses of rods that differ by more than some 10^12, leave a motion of the structure \
              to rounding: its frequencies and displacements would be no numbers. Nodes that were meant as one, a rod of nearly no length, a unit \
              that was mistyped, or a rod that is meant as rigid is the usual cause. The message names the softest and the stiffest rod.",
-        ),
-        ru: (
-            "рама с крайними соотношениями",
             "Если опоры отстоят друг от друга на 10^-16 пролёта или жёсткости стержней различаются более чем в 10^12 раз, движение конструкции \
              определяется погрешностью округления, и её частоты и перемещения не имеют смысла. Обычная причина — узлы, которые должны совпадать, \
              стержень почти нулевой длины, ошибка в единице или стержень, который следовало задать жёстким. В сообщении названы самый податливый \
              и самый жёсткий стержни.",
         ),
-    },
-    Explanation {
-        code: "S064",
-        en: (
-            "modes of a frame that are not confirmed",
+    ),
+    plain(
+        "S064",
+        ("modes of a frame that are not confirmed", "неподтверждённые формы рамы"),
+        (
             "A frame that is part of a machine moves by its lowest shapes. Each shape is checked by its residual, and their number by Sturm's count; \
              with `accuracy` the frequencies are compared with those of a finer division. One of these checks failed, and no motion is computed \
              from such shapes.",
-        ),
-        ru: (
-            "неподтверждённые формы рамы",
             "Рама в составе машины движется по своим низшим формам. Каждая форма проверяется невязкой, их число — счётом Штурма; при заданном \
              `accuracy` частоты сравниваются с более подробной сеткой. Одна из проверок не пройдена, и движение по таким формам не рассчитывается.",
         ),
-    },
+    ),
 ];
 
 fn fault(code: &'static str, what: Text, why: Text, help: Text) -> Fault {

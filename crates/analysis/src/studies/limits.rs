@@ -6,10 +6,11 @@
 use words::Text;
 
 use crate::Fault;
-use crate::fault::{Explanation, Message, rounded};
+use crate::fault::{Message, rounded};
 use crate::linear::{LinearMachine, Matrices, Place, Seen, Values};
 use crate::studies::modes::Complex;
 use crate::studies::response::magnitude;
+use words::explain::{Explanation, plain};
 
 /// Forces from oscillating coefficients that may be left out, relative to the terms: without a word, and with one.
 const FED_BACK: f64 = 1e-6;
@@ -18,11 +19,8 @@ const TOLD: f64 = 1e-2;
 const BENT: f64 = 1e-2;
 
 /// S108.
-pub const PULSATING: Explanation = Explanation {
-    code: "S108",
-    en: ("coefficients that oscillate in time", PULSATING_EN),
-    ru: ("коэффициенты, колеблющиеся во времени", PULSATING_RU),
-};
+pub const PULSATING: Explanation =
+    plain("S108", ("coefficients that oscillate in time", "коэффициенты, колеблющиеся во времени"), (PULSATING_EN, PULSATING_RU));
 const PULSATING_EN: &str = "Inertia, damping or stiffness oscillate in time (a rotor with unequal moments of inertia in axes at rest, a pulsating spring), so that one \
     frequency of the load is answered at many, and these act back on the first. The amplitudes of `response` are those of the means. Where \
     inertia and damping act back by more than a hundredth of the forces they are refused; below that a note says by how much the amplitudes are uncertain. Wrong: response of a rotor with xx and yy that differ, its angles counted at rest. Right: count its angles in the turning frame, where the coefficients are \

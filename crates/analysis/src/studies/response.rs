@@ -13,6 +13,7 @@ use std::f64::consts::PI;
 use symbolic::Expr;
 use symbolic::linear::HarmonicLoad;
 use words::Text;
+use words::explain::{Explanation, plain};
 
 use crate::Fault;
 use crate::fault::{Message, rounded};
@@ -537,11 +538,8 @@ pub(super) fn rounded_away(what: Text) -> Fault {
 }
 
 /// S066.
-pub const ROUNDED: crate::fault::Explanation = crate::fault::Explanation {
-    code: "S066",
-    en: ("a result that hangs on rounding", ROUNDED_EN),
-    ru: ("результат, определяемый округлением", ROUNDED_RU),
-};
+pub const ROUNDED: Explanation =
+    plain("S066", ("a result that hangs on rounding", "результат, определяемый округлением"), (ROUNDED_EN, ROUNDED_RU));
 
 const ROUNDED_EN: &str = "Where one spring or damper is more than some 10^13 times as strong as another, their sum in the stiffness matrix keeps few or no digits of the weak \
     one, and slow roots and amplitudes follow from rounding. Refinement puts right what elimination loses, but not what the sums have lost. Wrong: two masses joined by 1e17 N/m on a \

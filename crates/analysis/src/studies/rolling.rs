@@ -16,7 +16,7 @@
 use words::Text;
 
 use crate::dataset::Audit;
-use crate::fault::{Explanation, Message};
+use crate::fault::Message;
 use crate::linear::{Matrices, largest, parts};
 use crate::numerics::lu::Lu;
 use crate::numerics::rank::{Qr, TOLERANCE};
@@ -24,6 +24,7 @@ use crate::numerics::{eigen, rank};
 use crate::studies::impedance::Amplitudes;
 use crate::studies::modes::{Complex, Damping, Kind, Mode, Modes, Normalisation, check_mass, normalise, remarks};
 use crate::{Fault, Quantity};
+use words::explain::{Explanation, plain};
 
 /// Largest residual of a root in the equations and conditions as they stand, relative to its terms.
 const RESIDUAL: f64 = 1e-8;
@@ -33,11 +34,8 @@ const ON_AXIS: f64 = 1e-10;
 const SINGULAR: f64 = 2e-14;
 
 /// S092.
-pub const REFUSED: Explanation = Explanation {
-    code: "S092",
-    en: ("conditions that leave no linear equations", REFUSED_EN),
-    ru: ("связи, не допускающие линейных уравнений", REFUSED_RU),
-};
+pub const REFUSED: Explanation =
+    plain("S092", ("conditions that leave no linear equations", "связи, не допускающие линейных уравнений"), (REFUSED_EN, REFUSED_RU));
 const REFUSED_EN: &str = "Small motions need equations whose coefficients are constant and which give every acceleration and reaction. Here conditions on rates \
     contradict each other beside the place (a combination of them restrains no rate but the place itself), or the equations give no acceleration at the start. Wrong: \
     zero_rate of two wheels of one car that cannot turn on one circle. Right: leave out the condition that repeats another one, or follow the motion with `simulate` or \

@@ -1,6 +1,6 @@
 //! Long explanations of the findings of the derivation.
 
-use crate::explain::{Explanation, row};
+use words::explain::{Explanation, row};
 
 /// The codes M100 to M199.
 pub const EXPLANATIONS: &[Explanation] = &[

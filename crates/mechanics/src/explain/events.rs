@@ -1,6 +1,6 @@
 //! Long explanations of the findings about named events.
 
-use super::{Explanation, row};
+use words::explain::{Explanation, row};
 
 /// The codes of `[events.NAME]`.
 pub const EVENTS: &[Explanation] = &[

@@ -1,6 +1,6 @@
 //! Long explanations of findings about small motions.
 
-use super::{Explanation, row};
+use words::explain::{Explanation, row};
 
 /// The codes of the studies of small motions.
 pub const LINEAR: &[Explanation] = &[

@@ -1,6 +1,6 @@
 //! Long explanations of the findings about frictions at contacts, pins and ropes, and about the law of a stop.
 
-use super::{Explanation, row};
+use words::explain::{Explanation, row};
 
 /// The codes of `[frictions]` at places, and of `law`.
 pub const RUBBING: &[Explanation] = &[

@@ -1,6 +1,6 @@
 //! Long explanations of the codes from M060 on: studies, plots, values set by hand, connections and their loads.
 
-use super::{Explanation, row};
+use words::explain::{Explanation, row};
 
 /// The codes M060 to M099 of the reader.
 pub const STUDIES: &[Explanation] = &[

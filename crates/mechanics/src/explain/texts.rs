@@ -1,6 +1,6 @@
 //! Long explanations of the findings about titles, labels and descriptions.
 
-use super::{Explanation, row};
+use words::explain::{Explanation, row};
 
 /// The codes of texts.
 pub const TEXTS: &[Explanation] = &[row(

@@ -1,6 +1,6 @@
 //! Long explanations of the findings about sections.
 
-use crate::explain::{Explanation, row};
+use words::explain::{Explanation, row};
 
 /// The codes M300 to M399.
 pub const EXPLANATIONS: &[Explanation] = &[

@@ -4,8 +4,8 @@ use super::Exit;
 use crate::args;
 use crate::console::{Console, Shape};
 use serde_json::json;
-use strutt::explain::{self, Explanation};
-use strutt::{Failure, Trouble};
+use strutt::{Failure, Trouble, explain};
+use words::explain::Explanation;
 
 pub fn run(args: &args::Explain, console: &mut Console) -> Result<Exit, Failure> {
     let Some(code) = &args.code else {
@@ -14,21 +14,21 @@ pub fn run(args: &args::Explain, console: &mut Console) -> Result<Exit, Failure>
     };
     let explanation = explain::find(code).ok_or_else(|| unknown(code))?;
     let text = match console.shape {
-        Shape::Json => format!("{}\n", to_json(&explanation, console)),
-        _ => write(&explanation, console),
+        Shape::Json => format!("{}\n", to_json(explanation, console)),
+        _ => write(explanation, console),
     };
     console.out(text)?;
     Ok(Exit::Done)
 }
 
 fn list(console: &Console) -> Result<(), Failure> {
-    let mut all = explain::all();
+    let mut all: Vec<_> = explain::all().collect();
     all.sort_by_key(|e| (rooms(e.code), e.code));
     if console.shape == Shape::Json {
         let list: Vec<_> = all.iter().map(|e| to_json(e, console)).collect();
         return console.out(format!("{}\n", json!(list)));
     }
-    let lines: String = all.iter().map(|e| format!("{}  {}\n", e.code, console.language.text(&e.title))).collect();
+    let lines: String = all.iter().map(|e| format!("{}  {}\n", e.code, e.title(console.language))).collect();
     console.out(lines)
 }
 
@@ -39,8 +39,8 @@ fn rooms(code: &str) -> usize {
 
 fn write(e: &Explanation, console: &Console) -> String {
     let language = console.language;
-    let title = format!("{}: {}", e.code, language.text(&e.title));
-    let body = wrap(language.text(&e.body), console.width().min(100));
+    let title = format!("{}: {}", e.code, e.title(language));
+    let body = wrap(e.text(language), console.width().min(100));
     let mut out = format!("{title}\n{}\n{body}", "-".repeat(title.chars().count()));
     for (heading, example) in [(console.pick("Wrong:", "Неверно:"), e.wrong), (console.pick("Right:", "Верно:"), e.right)] {
         if !example.is_empty() {
@@ -72,7 +72,7 @@ fn wrap(text: &str, width: usize) -> String {
 
 fn to_json(e: &Explanation, console: &Console) -> serde_json::Value {
     let language = console.language;
-    json!({"code": e.code, "title": language.text(&e.title), "body": language.text(&e.body), "wrong": e.wrong, "right": e.right})
+    json!({"code": e.code, "title": e.title(language), "body": e.text(language), "wrong": e.wrong, "right": e.right})
 }
 
 fn unknown(code: &str) -> Failure {

@@ -9,8 +9,9 @@
 
 use super::Phase;
 use crate::Fault;
-use crate::fault::{Explanation, Message, rounded};
+use crate::fault::{Message, rounded};
 use words::Text;
+use words::explain::{Explanation, plain};
 
 /// Below this nothing is said: the closed form is compared with integration to the same share.
 const SILENT: f64 = 1e-9;
@@ -19,9 +20,7 @@ const LOST: f64 = 1e-6;
 
 /// S078.
 pub(crate) const PHASE: Explanation =
-    Explanation {
-        code: "S078", en: ("the phase of a closed form is lost", PHASE_EN), ru: ("фаза замкнутого решения потеряна", PHASE_RU)
-    };
+    plain("S078", ("the phase of a closed form is lost", "фаза замкнутого решения потеряна"), (PHASE_EN, PHASE_RU));
 const PHASE_EN: &str = "A closed form can be asked at any instant, but its sines know their angle ω t to 2.2·10⁻¹⁶ of itself only: after so many radians that fewer than six \
     digits are left, `transient` gives no table. Below that a note says how many hold. What dies away (damping) is no obstacle. Wrong: --at 1e12 of a free undamped \
     oscillation. Right: an instant within the first 10⁹ radians.";

@@ -1,9 +1,9 @@
 //! Long explanations of the findings about names and letters.
 
-use super::{Explanation, row};
+use words::explain::{Explanation, row};
 
 /// The codes of names that cannot be told apart.
-pub const WORDS: &[Explanation] = &[
+pub const NAMES: &[Explanation] = &[
     row(
         "M140",
         ("names that look alike", "имена, неотличимые на вид"),
