@@ -14,12 +14,13 @@ mod solved;
 mod ties;
 mod touches;
 
+use program::lower::Selection;
 use program::{Acting, Behind, Bound, Evaluator, Jets, Point, Program, Tangent, passes};
 use symbolic::Equations;
 use symbolic::connections::Law;
 use words::Text;
 
-use crate::connections::assemble;
+use crate::connections::{self, Assembly, assemble_with};
 use crate::fault::Message;
 use crate::system::Layout;
 use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Supply, System, Tie, Touch};
@@ -94,6 +95,20 @@ pub struct Machine {
     /// For each output a reaction in it that is not unique.
     refused: Vec<Option<Refusal>>,
     notes: Vec<Text>,
+    /// What other numbers share; none where the program came from outside.
+    lowered: Option<Lowered>,
+}
+
+/// What lowering made, whatever the numbers are.
+#[derive(Clone, Debug)]
+struct Lowered {
+    /// Of assembly.
+    conditions: Arc<Program>,
+    /// What takes part in `program`.
+    selection: Selection,
+    program: Arc<Program>,
+    /// Of its guards.
+    names: Vec<Text>,
 }
 
 /// Modes as the program has them.
@@ -180,6 +195,7 @@ impl Machine {
             start: None,
             refused: vec![None; program.outputs.roots.len()],
             notes: Vec::new(),
+            lowered: None,
             bound,
         })
     }
@@ -188,10 +204,33 @@ impl Machine {
     ///
     /// *Errors*: those of [`assemble`] and of [`Machine::new`], and a number of motors that does not match.
     pub fn assembled(equations: &Equations, parameters: &[f64], guard_names: &dyn Fn(&Program) -> Vec<Text>) -> Result<Machine, Fault> {
-        let assembly = assemble(equations, parameters)?;
+        let conditions = connections::conditions(equations)?;
+        let assembly = assemble_with(&conditions, equations, parameters)?;
         let program = Arc::new(program::lower::equations_with(equations, &assembly.selection)?);
-        let mut machine = Machine::new(equations, &program, parameters, &guard_names(&program))?;
-        machine.refused = refused(equations, &program, &assembly.undetermined);
+        let lowered = Lowered { conditions, selection: assembly.selection.clone(), names: guard_names(&program), program };
+        Machine::from_parts(lowered, equations, parameters, assembly)
+    }
+
+    /// The machine of the same equations with other numbers; `equations` hold them, too. What takes part in the equations may change with them, and only
+    /// then they are lowered again.
+    ///
+    /// *Errors*: those of [`Machine::assembled`].
+    pub fn bound(&self, equations: &Equations, parameters: &[f64], guard_names: &dyn Fn(&Program) -> Vec<Text>) -> Result<Machine, Fault> {
+        let Some(lowered) = &self.lowered else { return Machine::assembled(equations, parameters, guard_names) };
+        let assembly = assemble_with(&lowered.conditions, equations, parameters)?;
+        let mut lowered = Lowered::clone(lowered);
+        if assembly.selection != lowered.selection {
+            lowered.program = Arc::new(program::lower::equations_with(equations, &assembly.selection)?);
+            lowered.names = guard_names(&lowered.program);
+            lowered.selection = assembly.selection.clone();
+        }
+        Machine::from_parts(lowered, equations, parameters, assembly)
+    }
+
+    fn from_parts(lowered: Lowered, equations: &Equations, parameters: &[f64], assembly: Assembly) -> Result<Machine, Fault> {
+        let program = &lowered.program;
+        let mut machine = Machine::new(equations, program, parameters, &lowered.names)?;
+        machine.refused = refused(equations, program, &assembly.undetermined);
         machine.notes = assembly.notes;
         let n = equations.coordinates.len();
         machine.balanced.retain(|&i| i < n || assembly.selection.balances.get(i - n) == Some(&true));
@@ -199,6 +238,7 @@ impl Machine {
             conditions.look_around(&assembly.start);
         }
         machine.start = Some(assembly.start);
+        machine.lowered = Some(lowered);
         Ok(machine)
     }
 

@@ -5,10 +5,12 @@
 
 mod claims;
 mod connections;
+mod premises;
 mod studies;
 
 pub use claims::*;
 pub use connections::*;
+pub use premises::{Change, Premise, Reliance, Values, unmoved};
 pub use studies::*;
 
 use std::ops::Range;
@@ -84,6 +86,8 @@ pub struct Model {
     pub variants: Option<Variants>,
     /// What the file gives in another unit than the SI one (coordinates, their rates with a prime, parameters), with that unit: a bare number would be misread.
     pub scaled: std::collections::BTreeMap<String, String>,
+    /// What the reader read off numbers, each once.
+    pub premises: Vec<Premise>,
 }
 
 /// A term M_ij q_i' q_j' of the kinetic energy (half of it for i = j).

@@ -65,6 +65,8 @@ pub struct Equations {
     pub outputs: Vec<Output>,
     /// Printed symbols the user asked for: name as in formulas, symbol.
     pub notation: Vec<(String, String)>,
+    /// Formulas over constants whose numbers decided something in the derivation: with other numbers of these it is to be made anew.
+    pub premises: Vec<Expr>,
 }
 
 impl Equations {

@@ -13,7 +13,7 @@ mod starts;
 use std::sync::Arc;
 
 use program::lower::Selection;
-use program::{Bound, ConnectionRoots, Evaluator, Point};
+use program::{Bound, ConnectionRoots, Evaluator, Point, Program};
 use symbolic::Equations;
 use symbolic::connections::{Condition, Law};
 use words::Text;
@@ -49,7 +49,27 @@ pub struct Undetermined {
 /// *Errors*: S015 given values that do not fit together, with the values that do; S016 loops that cannot close; S017 conditions that
 /// contradict each other; S018 a start in a singular configuration.
 pub fn assemble(equations: &Equations, parameters: &[f64]) -> Result<Assembly, Fault> {
-    let mut bench = Bench::new(equations, parameters)?;
+    assemble_with(&conditions(equations)?, equations, parameters)
+}
+
+/// The program that assembly evaluates: nothing takes part in the equations yet.
+///
+/// *Errors*: a formula that cannot be lowered.
+pub fn conditions(equations: &Equations) -> Result<Arc<Program>, Fault> {
+    let none = Selection {
+        conditions: vec![false; equations.conditions.len()],
+        reactions: vec![false; equations.reactions.len()],
+        balances: vec![false; equations.balances.len()],
+        repeated: None,
+    };
+    Ok(Arc::new(program::lower::equations_with(equations, &none)?))
+}
+
+/// [`assemble`] with the program of [`conditions`] at hand.
+///
+/// *Errors*: those of [`assemble`].
+pub fn assemble_with(program: &Arc<Program>, equations: &Equations, parameters: &[f64]) -> Result<Assembly, Fault> {
+    let mut bench = Bench::new(program, equations, parameters)?;
     let mut notes = Vec::new();
     let before = bench.x.clone();
     if !equations.conditions.is_empty() {
@@ -115,15 +135,8 @@ struct Bench<'e> {
 }
 
 impl<'e> Bench<'e> {
-    fn new(equations: &'e Equations, parameters: &[f64]) -> Result<Bench<'e>, Fault> {
-        let none = Selection {
-            conditions: vec![false; equations.conditions.len()],
-            reactions: vec![false; equations.reactions.len()],
-            balances: vec![false; equations.balances.len()],
-            repeated: None,
-        };
-        let program = Arc::new(program::lower::equations_with(equations, &none)?);
-        let bound = Bound::new(&program, parameters)?;
+    fn new(program: &Arc<Program>, equations: &'e Equations, parameters: &[f64]) -> Result<Bench<'e>, Fault> {
+        let bound = Bound::new(program, parameters)?;
         let x = bound.start()?;
         let n = program.coordinates;
         let mut bench = Bench {

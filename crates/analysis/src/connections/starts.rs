@@ -24,9 +24,10 @@ pub fn settle_starts(equations: &mut Equations) -> Result<(), Fault> {
     let own: Vec<_> = sought.iter().map(|(_, p)| equations.parameters[*p].symbol).collect();
     let hangs = |e: symbolic::Expr| equations.graph.symbols_in(&[e]).iter().any(|s| own.contains(s));
     let apart: Vec<bool> = equations.conditions.iter().map(|c| !c.place.is_some_and(hangs)).collect();
+    let program = super::conditions(equations)?;
     for round in 0..ROUNDS {
         let numbers: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
-        let mut bench = Bench::new(equations, &numbers)?;
+        let mut bench = Bench::new(&program, equations, &numbers)?;
         let before = bench.x.clone();
         if round == 0 {
             bench.close_rows(&apart, &mut Vec::new())?;

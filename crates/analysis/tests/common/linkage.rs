@@ -54,6 +54,7 @@ impl Build {
                 energy,
                 outputs: vec![],
                 notation: vec![],
+                premises: vec![],
             },
         }
     }

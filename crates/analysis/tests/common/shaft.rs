@@ -45,6 +45,7 @@ fn blank(graph: Graph) -> Equations {
         },
         outputs: vec![],
         notation: vec![],
+        premises: vec![],
     }
 }
 

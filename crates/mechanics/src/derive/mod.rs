@@ -155,6 +155,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnos
         energy,
         outputs,
         notation: model.notation.clone(),
+        premises: scene.premises,
         graph: scene.graph,
     })
 }

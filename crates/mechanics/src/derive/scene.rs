@@ -50,6 +50,8 @@ pub struct Scene<'m> {
     pub starts: Vec<(usize, Option<SymbolId>, String)>,
     /// Angles, origins and pathways with a limited domain.
     pub places: Vec<Expr>,
+    /// Formulas whose numbers decided something.
+    pub premises: Vec<Expr>,
     total: Derivation,
     explicit: Derivation,
     partial: Vec<Derivation>,
@@ -93,6 +95,7 @@ impl<'m> Scene<'m> {
             textbook,
             starts: Vec::new(),
             places: Vec::new(),
+            premises: Vec::new(),
             total: Derivation::new(total_seeds),
             explicit: Derivation::new(explicit_seeds),
             partial,

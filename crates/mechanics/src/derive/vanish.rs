@@ -58,8 +58,9 @@ impl Scene<'_> {
         most
     }
 
-    /// Values of constant expressions with the numbers of the model; not a number where one is missing.
-    pub fn at_numbers<const N: usize>(&self, expressions: [Expr; N]) -> [f64; N] {
+    /// Values of constant expressions with the numbers of the model; not a number where one is missing. The derivation rests on them.
+    pub fn at_numbers<const N: usize>(&mut self, expressions: [Expr; N]) -> [f64; N] {
+        self.premises.extend(expressions);
         let point = self.point(&mut || 0.0);
         let has_number = |p: &ParameterDecl| p.number.is_some() || matches!(p.value, ParameterValue::Formula(_));
         let open = |s: SymbolId| self.model.unknowns.contains(&s) || self.model.parameters.iter().any(|p| p.symbol == s && !has_number(p));

@@ -5,7 +5,9 @@ use super::reader::{Checked, Fields, Reader, components};
 use crate::fault::Fault;
 use crate::fields;
 use crate::formula::{Context, Kind, Place};
-use crate::model::{Action, Damper, Dissipation, Element, Force, FrameId, Measure, Pathway, PointRef, Potential, Rest, Spring, Torque};
+use crate::model::{
+    Action, Damper, Dissipation, Element, Force, FrameId, Measure, Pathway, PointRef, Potential, Reliance, Rest, Spring, Torque,
+};
 use crate::units::Dimension;
 use symbolic::{Expr, Rational};
 use toml::de::DeValue;
@@ -71,7 +73,7 @@ fn rest<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, path: Option<Pathway>,
 fn backlash<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind) -> Option<Expr> {
     let wanted = if let Kind::Known(d) = length { Some(d) } else { None };
     let value = fields.formula(reader, "backlash", &Context::TIME, wanted.as_ref())?;
-    if let Some(number) = reader.number(&value).filter(|v| *v < 0.0) {
+    if let Some(number) = reader.number_for(&value, Reliance::Sign).filter(|v| *v < 0.0) {
         let (en, ru) = (format!("the backlash is {number}; it is not negative"), format!("зазор равен {number}; он не отрицателен"));
         reader.fault(Fault::new("M088", fields.span_of("backlash"), en, ru));
     } else if fields.has("preload") {
@@ -91,7 +93,7 @@ fn backlash<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind) -> O
 
 /// Warns of a stiffness or damping that is zero or negative.
 fn useful(reader: &mut Reader, fields: &Fields, key: &'static str, value: &Checked, kind: (&str, &str)) {
-    let Some(v) = reader.number(value).filter(|v| *v <= 0.0) else { return };
+    let Some(v) = reader.number_for(value, Reliance::Sign).filter(|v| *v <= 0.0) else { return };
     // an element that the command line, a variant or a sweep switches off is meant
     if !fields.has(key) || v == 0.0 && reader.is_set_by_hand(value) {
         return;

@@ -1,5 +1,6 @@
 //! Machine numbers of constant expressions, to refuse what is not finite or not physical before anything is derived.
 
+use crate::model::{Premise, Reliance};
 use std::collections::BTreeSet;
 use symbolic::{Expr, Graph, Node, SymbolId};
 
@@ -7,6 +8,8 @@ use symbolic::{Expr, Graph, Node, SymbolId};
 #[derive(Default)]
 pub(super) struct Values {
     known: Vec<Option<f64>>,
+    /// What was read off numbers.
+    premises: BTreeSet<Premise>,
 }
 
 impl Values {
@@ -27,17 +30,17 @@ impl Values {
 
     /// Whether an expression is zero, or has lost digits, only because a product or power in it is smaller than the least machine number.
     pub(super) fn underflows(&mut self, graph: &Graph, root: Expr) -> bool {
-        if self.of(graph, root).abs() >= f64::MIN_POSITIVE {
+        if self.compute(graph, root).abs() >= f64::MIN_POSITIVE {
             return false;
         }
         let (mut stack, mut seen) = (vec![root], BTreeSet::new());
         while let Some(e) = stack.pop() {
             // a part that is large enough has lost nothing; terms that cancel are no loss either
             let small = |value: f64| value.abs() < f64::MIN_POSITIVE;
-            if !seen.insert(e.index()) || !small(self.of(graph, e)) && e != root {
+            if !seen.insert(e.index()) || !small(self.compute(graph, e)) && e != root {
                 continue;
             }
-            let value = |c: Expr, known: &mut Values| known.of(graph, c);
+            let value = |c: Expr, known: &mut Values| known.compute(graph, c);
             let lost = match graph.node(e) {
                 Node::Number(r) => !r.is_zero(),
                 Node::Product { coefficient, factors } => {
@@ -46,7 +49,7 @@ impl Values {
                 Node::Power { base, .. } => value(*base, self) != 0.0,
                 _ => false,
             };
-            if lost && small(self.of(graph, e)) {
+            if lost && small(self.compute(graph, e)) {
                 return true;
             }
             stack.extend(graph.children(e));
@@ -54,8 +57,23 @@ impl Values {
         false
     }
 
-    /// The value of an expression.
+    /// The value of an expression; the model rests on it.
     pub(super) fn of(&mut self, graph: &Graph, root: Expr) -> f64 {
+        self.relied(graph, root, Reliance::Value)
+    }
+
+    /// The value of an expression, of which the model takes no more than `reliance` says.
+    pub(super) fn relied(&mut self, graph: &Graph, formula: Expr, reliance: Reliance) -> f64 {
+        self.premises.insert(Premise { formula, reliance });
+        self.compute(graph, formula)
+    }
+
+    /// What was read off numbers that parameters decide.
+    pub(super) fn premises(&self, graph: &Graph) -> Vec<Premise> {
+        self.premises.iter().copied().filter(|p| graph.as_number(p.formula).is_none()).collect()
+    }
+
+    fn compute(&mut self, graph: &Graph, root: Expr) -> f64 {
         let mut stack = vec![root];
         while let Some(&e) = stack.last() {
             if self.get(e).is_some() {

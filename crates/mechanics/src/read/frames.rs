@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::fault::Fault;
 use crate::fields;
 use crate::formula::{Context, Place};
-use crate::model::{Axis, Frame, FrameId, Inertia, Mass, Origin, Point, PointId};
+use crate::model::{Axis, Frame, FrameId, Inertia, Mass, Origin, Point, PointId, Reliance};
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -260,7 +260,7 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Mass> {
     let mass = fields.formula_or_zero(reader, "mass", &Context::CONSTANT, Some(&Dimension::MASS));
     let center = fields.vector(reader, "center", &Context::CONSTANT, &Dimension::LENGTH);
     let literal_zero = reader.builder.graph.is_zero(mass.expr);
-    match reader.number(&mass) {
+    match reader.number_for(&mass, Reliance::Sign) {
         Some(m) if m < 0.0 => reader.fault(negative_mass(fields, m)),
         Some(0.0) if !literal_zero && !reader.is_set_by_hand(&mass) => reader.fault(no_mass(fields)),
         _ => {}

@@ -157,6 +157,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let rests = reader.take_rests();
     unknowns.extend(rests.iter().map(|p| p.symbol));
     parameters.extend(rests);
+    let premises = reader.premises();
     let builder = reader.take_builder();
     parameters.retain(|p| p.span.is_some() || p.name != "g" || builder.used.contains(&p.symbol));
     Model {
@@ -192,6 +193,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
         inertias: Vec::new(),
         variants,
         scaled: std::mem::take(&mut reader.scaled),
+        premises,
     }
 }
 

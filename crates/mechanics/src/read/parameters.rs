@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::fault::{Fault, Site, Snippet};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind, in_field, mismatch};
-use crate::model::{Class, CoordinateDecl, ParameterDecl, ParameterValue};
+use crate::model::{Class, CoordinateDecl, ParameterDecl, ParameterValue, Reliance};
 use crate::units::{Dimension, Unit, si_label, written_unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -394,7 +394,7 @@ fn apply_unit(reader: &mut Reader, p: &mut RawParameter) {
 
 fn finish(reader: &mut Reader, p: RawParameter, value: Checked, written: String, symbol_free: bool) -> ParameterDecl {
     let symbol = reader.builder.graph.symbol_id(&p.name, 0);
-    let number = reader.number(&value);
+    let number = reader.number_for(&value, Reliance::Finite);
     if let Some(n) = number {
         reader.values.set(&mut reader.builder.graph, symbol, n);
     }

@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::fault::{Fault, Site, Snippet, nearest};
 use crate::fields::{self, TableSpec};
 use crate::formula::{self, Builder, Context, Depends, Formula, Kind, Scope, check, lower, mismatch};
-use crate::model::ParameterDecl;
+use crate::model::{ParameterDecl, Premise, Reliance};
 use crate::units::{self, Dimension, Quantity, Unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -263,7 +263,7 @@ impl<'a> Reader<'a> {
     }
 
     fn finite(&mut self, raw: &Raw<'a>, expr: Expr) -> bool {
-        let value = self.values.of(&self.builder.graph, expr);
+        let value = self.values.relied(&self.builder.graph, expr, Reliance::Finite);
         if value.is_finite() && self.values.underflows(&self.builder.graph, expr) {
             self.report(raw.snippet.diagnose(too_small(raw.snippet.all())));
             return false;
@@ -290,9 +290,20 @@ impl<'a> Reader<'a> {
         false
     }
 
-    /// The machine number of a good constant.
+    /// The machine number of a good constant; the model rests on it.
     pub(super) fn number(&mut self, value: &Checked) -> Option<f64> {
-        (value.good && value.depends.is_constant()).then(|| self.values.of(&self.builder.graph, value.expr)).filter(|v| v.is_finite())
+        self.number_for(value, Reliance::Value)
+    }
+
+    /// The machine number of a good constant, of which the model takes no more than `reliance` says.
+    pub(super) fn number_for(&mut self, value: &Checked, reliance: Reliance) -> Option<f64> {
+        let good = value.good && value.depends.is_constant();
+        good.then(|| self.values.relied(&self.builder.graph, value.expr, reliance)).filter(|v| v.is_finite())
+    }
+
+    /// What the model takes from numbers.
+    pub(super) fn premises(&self) -> Vec<Premise> {
+        self.values.premises(&self.builder.graph)
     }
 
     /// A unit; `None` with a finding when it is none.
@@ -313,6 +324,11 @@ impl<'a> Reader<'a> {
     /// The machine number of an expression over constants; `None` for anything else.
     pub(super) fn number_of(&mut self, e: Expr) -> Option<f64> {
         Some(self.values.of(&self.builder.graph, e)).filter(|v| v.is_finite())
+    }
+
+    /// The same, of which the model takes no more than `reliance` says.
+    pub(super) fn number_of_for(&mut self, e: Expr, reliance: Reliance) -> Option<f64> {
+        Some(self.values.relied(&self.builder.graph, e, reliance)).filter(|v| v.is_finite())
     }
 
     /// The coordinates, their rates and accelerations that stand in an expression.

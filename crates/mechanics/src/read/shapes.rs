@@ -6,7 +6,7 @@ use super::reader::{Fields, Reader};
 use crate::fault::{Fault, Snippet, nearest};
 use crate::fields;
 use crate::formula::Context;
-use crate::model::Inertia;
+use crate::model::{Inertia, Reliance};
 use crate::units::Dimension;
 use symbolic::{Expr, Rational};
 use toml::de::DeValue;
@@ -100,7 +100,7 @@ fn possible(reader: &mut Reader, tensor: &Fields, [xx, yy, zz]: [f64; 3], [xy, y
 }
 
 fn negative(reader: &mut Reader, fields: &Fields, key: &'static str, value: &super::reader::Checked) {
-    if let Some(v) = reader.number(value)
+    if let Some(v) = reader.number_for(value, Reliance::Sign)
         && v < 0.0
     {
         reader.fault(
@@ -117,7 +117,7 @@ fn negative(reader: &mut Reader, fields: &Fields, key: &'static str, value: &sup
 
 /// Reports a length that is not positive.
 fn positive(reader: &mut Reader, fields: &Fields, key: &'static str, value: &super::reader::Checked) {
-    if let Some(v) = reader.number(value)
+    if let Some(v) = reader.number_for(value, Reliance::Sign)
         && v <= 0.0
     {
         reader.fault(

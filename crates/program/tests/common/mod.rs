@@ -46,6 +46,7 @@ pub fn empty(mut graph: Graph) -> Equations {
         energy,
         outputs: vec![],
         notation: vec![],
+        premises: vec![],
     }
 }
 

@@ -16,6 +16,8 @@ use words::Text;
 
 /// Steps of the searches.
 const STEPS: usize = 40;
+/// Changes of a drive below this share of it are rounding.
+const SETTLED: f64 = 1e-13;
 
 /// Runs the study.
 pub fn run(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Finding {
@@ -36,19 +38,23 @@ pub fn run(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Finding {
 
 fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(), Trouble> {
     let (mut values, mut formula): (Vec<(String, f64)>, Option<Text>) = (Vec::new(), None);
+    let mut drive = None;
+    let mut tried = Tried { machine: machine.clone(), held: None };
     if let Some(name) = &study.unknown {
-        let (value, words) = driven(machine, study, name, &values)?;
-        values.push((name.clone(), value));
-        formula = Some(words);
+        let found = driven(machine, &mut tried, study, (name, &values), None)?;
+        values.push((name.clone(), found.value));
+        formula = Some(found.words(name));
+        drive = Some(found);
     }
     if let (Some(inertia), Some(wanted)) = (&study.flywheel, study.irregularity) {
-        let (found, drive) = flywheel(machine, study, inertia, wanted)?;
+        let (found, drive) = flywheel(machine, &mut tried, study, (inertia, wanted), drive)?;
         values.retain(|(name, _)| Some(name) != study.unknown.as_ref());
         values.push((inertia.clone(), found));
         values.extend(study.unknown.clone().zip(drive));
     }
-    let mut changed = with(machine, &values)?;
-    let (balance, speed) = balance(&mut changed, study)?;
+    tried.set(&values)?;
+    let (balance, speed) = tried.balance(study)?;
+    let mut changed = tried.machine;
     results.data = provenance::stamp(balance.dataset.clone(), &changed.equations, &machine.model_hash);
     results.words.extend(formula);
     if study.unknown.is_some() {
@@ -68,31 +74,56 @@ fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(
     Ok(())
 }
 
-fn with(machine: &Machine, values: &[(String, f64)]) -> Result<Machine, Trouble> {
-    let values: Vec<(&str, f64)> = values.iter().map(|(n, v)| (n.as_str(), *v)).collect();
-    machine.with_values(&values).map_err(in_words)
+/// A machine whose values are tried, and the same with its shaft held to the uniform rate (with that rate; none where it cannot be held).
+struct Tried {
+    machine: Machine,
+    held: Option<(f64, Option<Box<Machine>>)>,
 }
 
-/// The balance of a machine, and the uniform rate.
-fn balance(machine: &mut Machine, study: &Cycle) -> Result<(Balance, f64), Trouble> {
-    let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
-    let n = machine.equations.coordinates.len();
-    let angle = machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0);
-    let rate = study.speed.unwrap_or(start[n + angle]);
-    if rate == 0.0 {
-        return Err(Trouble::new("S046", format!("`{}` stands still", study.name), format!("`{}` неподвижна", study.name))
-            .help("give `speed`, `period` or a starting rate", "задайте `speed`, `period` или начальную скорость"));
+impl Tried {
+    fn set(&mut self, values: &[(String, f64)]) -> Result<(), Trouble> {
+        let values: Vec<(&str, f64)> = values.iter().map(|(n, v)| (n.as_str(), *v)).collect();
+        self.machine.bind(&values).map_err(in_words)?;
+        let held = self.held.take().filter(|(_, held)| held.is_some());
+        self.held = held.and_then(|(rate, held)| {
+            let mut held = held?;
+            held.bind(&values).is_ok().then_some((rate, Some(held)))
+        });
+        Ok(())
     }
-    let range = TAU * study.turns.abs() * rate.signum();
-    let options = Options { angle, range, rate, points: study.points, tolerance: 1e-14 };
-    let mut held = held(machine, study, rate);
-    let start = match held.as_ref().map(|held| held.system.start()) {
-        Some(Ok(uniform)) => uniform,
-        _ => start,
-    };
-    let lead = held.as_mut().map(|held| &mut held.system);
-    let found = cycle(&mut machine.system, lead, &start, &options).map_err(|fault| explained(fault, &machine.equations))?;
-    Ok((found, rate))
+
+    /// The machine held to the uniform rate.
+    fn held(&mut self, study: &Cycle, rate: f64) -> Option<&mut Machine> {
+        if self.held.as_ref().is_none_or(|(known, _)| *known != rate) {
+            self.held = Some((rate, held(&self.machine, study, rate).map(Box::new)));
+        }
+        self.held.as_mut()?.1.as_deref_mut()
+    }
+
+    /// The balance, and the uniform rate.
+    fn balance(&mut self, study: &Cycle) -> Result<(Balance, f64), Trouble> {
+        let machine = &self.machine;
+        let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
+        let n = machine.equations.coordinates.len();
+        let angle = machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0);
+        let rate = study.speed.unwrap_or(start[n + angle]);
+        if rate == 0.0 {
+            return Err(Trouble::new("S046", format!("`{}` stands still", study.name), format!("`{}` неподвижна", study.name))
+                .help("give `speed`, `period` or a starting rate", "задайте `speed`, `period` или начальную скорость"));
+        }
+        let range = TAU * study.turns.abs() * rate.signum();
+        let options = Options { angle, range, rate, points: study.points, tolerance: 1e-14 };
+        self.held(study, rate);
+        let Tried { machine, held } = self;
+        let mut held = held.as_mut().and_then(|(_, held)| held.as_deref_mut());
+        let start = match held.as_ref().map(|held| held.system.start()) {
+            Some(Ok(uniform)) => uniform,
+            _ => start,
+        };
+        let lead = held.as_mut().map(|held| &mut held.system);
+        let found = cycle(&mut machine.system, lead, &start, &options).map_err(|fault| explained(fault, &machine.equations))?;
+        Ok((found, rate))
+    }
 }
 
 /// The machine with its shaft held to the uniform rate by one more condition, so that ropes are taut and contacts closed as they are in uniform
@@ -109,17 +140,48 @@ fn held(machine: &Machine, study: &Cycle, rate: f64) -> Option<Machine> {
     pipeline::build(&source, &overrides, &mut Watch::default()).ok()
 }
 
-/// The value of a parameter for which the work over the cycle vanishes, and the balance in words.
-fn driven(machine: &Machine, study: &Cycle, name: &str, others: &[(String, f64)]) -> Result<(f64, Text), Trouble> {
+/// The balance of work over the cycle, rest + slope·drive = 0, J, and the drive that solves it.
+#[derive(Clone, Copy)]
+struct Drive {
+    rest: f64,
+    slope: f64,
+    value: f64,
+}
+
+impl Drive {
+    fn words(self, name: &str) -> Text {
+        let print = |x: f64| report::number::short(x, 8, words::Language::En);
+        let sign = |x: f64| if x < 0.0 { "−" } else { "+" };
+        let name = report::symbol::plain(name, words::Language::En);
+        let (rest, value) = (print(self.rest), print(self.value));
+        let line = format!("∮ M dφ = {rest} {} {}·{name} = 0,   {name} = {value}", sign(self.slope), print(self.slope.abs()));
+        let ru = line.replace('.', ",");
+        Text::new(format!("Energy balance of the cycle (J): {line}"), format!("Баланс энергии за цикл (Дж): {ru}"))
+    }
+}
+
+/// The value of a parameter for which the work over the cycle vanishes. `near` solved the balance with other numbers.
+fn driven(
+    machine: &Machine,
+    tried: &mut Tried,
+    study: &Cycle,
+    (name, others): (&str, &[(String, f64)]),
+    near: Option<Drive>,
+) -> Result<Drive, Trouble> {
     let first = value_of(machine, name).ok_or_else(|| super::periodic::no_parameter(machine, name))?;
-    let work = |value: f64| -> Result<f64, Trouble> {
+    let mut work = |value: f64| -> Result<f64, Trouble> {
         let mut values = others.to_vec();
         values.retain(|(n, _)| n != name);
         values.push((name.to_owned(), value));
-        Ok(balance(&mut with(machine, &values)?, study)?.0.work)
+        tried.set(&values)?;
+        Ok(tried.balance(study)?.0.work)
     };
-    let (mut a, mut b) = (first, if first == 0.0 { 1.0 } else { 0.9 * first });
+    let mut a = near.map_or(first, |near| near.value);
     let mut work_a = work(a)?;
+    let mut b = near.map_or(if first == 0.0 { 1.0 } else { 0.9 * first }, |near| a - work_a / near.slope);
+    if let Some(near) = near.filter(|near| (b - near.value).abs() <= SETTLED * b.abs()) {
+        return Ok(near);
+    }
     let (mut slope, mut rest) = (0.0, 0.0);
     for _ in 0..STEPS {
         let work_b = work(b)?;
@@ -129,7 +191,7 @@ fn driven(machine: &Machine, study: &Cycle, name: &str, others: &[(String, f64)]
         }
         (slope, rest) = (now, work_b - now * b);
         let next = -rest / slope;
-        let settled = (next - b).abs() <= 1e-13 * next.abs();
+        let settled = (next - b).abs() <= SETTLED * next.abs();
         (a, work_a, b) = (b, work_b, next);
         if settled {
             break;
@@ -139,41 +201,43 @@ fn driven(machine: &Machine, study: &Cycle, name: &str, others: &[(String, f64)]
         return Err(Trouble::new("S048", format!("`{name}` does no work over the cycle"), format!("`{name}` не совершает работы за цикл"))
             .help("choose a drive force or torque as the unknown", "выберите неизвестной движущую силу или момент"));
     }
-    let print = |x: f64| report::number::short(x, 8, words::Language::En);
-    let sign = |x: f64| if x < 0.0 { "−" } else { "+" };
-    let name = report::symbol::plain(name, words::Language::En);
-    let line = format!("∮ M dφ = {} {} {}·{name} = 0,   {name} = {}", print(rest), sign(slope), print(slope.abs()), print(b));
-    let ru = line.replace('.', ",");
-    Ok((b, Text::new(format!("Energy balance of the cycle (J): {line}"), format!("Баланс энергии за цикл (Дж): {ru}"))))
+    Ok(Drive { rest, slope, value: b })
 }
 
 /// The inertia for which the irregularity is the wanted one, with the drive that goes with it.
-fn flywheel(machine: &Machine, study: &Cycle, name: &str, wanted: f64) -> Result<(f64, Option<f64>), Trouble> {
+fn flywheel(
+    machine: &Machine,
+    tried: &mut Tried,
+    study: &Cycle,
+    (name, wanted): (&str, f64),
+    mut drive: Option<Drive>,
+) -> Result<(f64, Option<f64>), Trouble> {
     let first = value_of(machine, name).ok_or_else(|| super::periodic::no_parameter(machine, name))?;
-    let mut drive = None;
     let mut at = |value: f64| -> Result<f64, Trouble> {
         let mut values = vec![(name.to_owned(), value)];
         if let Some(unknown) = &study.unknown {
-            let found = driven(machine, study, unknown, &values)?.0;
+            let found = driven(machine, tried, study, (unknown, &values), drive)?;
             drive = Some(found);
-            values.push((unknown.clone(), found));
+            values.push((unknown.clone(), found.value));
         }
-        let found = turned(&mut with(machine, &values)?, study)?;
+        tried.set(&values)?;
+        let found = turned(&mut tried.machine, study)?;
         Ok((found.greatest - found.least) / found.mean.abs())
     };
     // the irregularity is nearly inverse to the inertia: secant in 1/irregularity
     let (mut a, mut b) = (first, 1.5 * first);
     let mut f_a = 1.0 / at(a)? - 1.0 / wanted;
+    let mut reached = at(b)?;
     for _ in 0..STEPS {
-        let f_b = 1.0 / at(b)? - 1.0 / wanted;
+        let f_b = 1.0 / reached - 1.0 / wanted;
         let slope = (f_b - f_a) / (b - a);
         if f_b.abs() <= 1e-12 / wanted || slope == 0.0 || !slope.is_finite() {
             break;
         }
         let next = (b - f_b / slope).max(0.1 * b);
         (a, f_a, b) = (b, f_b, next);
+        reached = at(b)?;
     }
-    let reached = at(b)?;
     if (reached - wanted).abs() > 1e-8 * wanted {
         return Err(Trouble::new(
             "S048",
@@ -181,7 +245,7 @@ fn flywheel(machine: &Machine, study: &Cycle, name: &str, wanted: f64) -> Result
             format!("ни при каком значении `{name}` неравномерность хода не равна {wanted}"),
         ));
     }
-    Ok((b, drive))
+    Ok((b, drive.map(|drive| drive.value)))
 }
 
 /// The running of the motion over one cycle of the angle from the start.

@@ -14,5 +14,5 @@ mod section;
 pub mod statics;
 pub mod sweep;
 
-pub use origin::Origin;
+pub use origin::{Binding, Origin};
 pub use results::{Fact, Results, Rows};

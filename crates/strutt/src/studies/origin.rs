@@ -1,9 +1,11 @@
-//! What a machine was made from, so that it can be made again with other values.
+//! What a machine was made from, and the same machine with other values: bound to them where only numbers change, read again where more does.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Trouble};
+use crate::guards;
 use crate::pipeline::{self, Machine};
 use crate::source::Source;
 use crate::watch::Watch;
+use mechanics::model::{Change, unmoved};
 
 /// File and overrides of a machine.
 #[derive(Clone, Debug)]
@@ -12,6 +14,15 @@ pub struct Origin {
     pub source: Source,
     /// Values set from outside.
     pub overrides: Vec<(String, String)>,
+}
+
+/// How a machine got its values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Binding {
+    /// Numbers changed, nothing else.
+    Numbers,
+    /// The file was read again.
+    Anew,
 }
 
 impl Machine {
@@ -32,10 +43,64 @@ impl Machine {
     /// # Errors
     /// Findings about the model with these values.
     pub fn with_values(&self, values: &[(&str, f64)]) -> Result<Machine, Failure> {
+        pipeline::build(&self.origin.source, &self.overridden(values), &mut Watch::default())
+    }
+
+    /// Gives this machine other values, SI; names as with `--set`. The result is that of [`Machine::with_values`] to the last bit; where the values are set
+    /// already and nothing but numbers changes, nothing is read, derived or lowered again.
+    ///
+    /// # Errors
+    /// Findings about the model with these values; the machine is as it was then.
+    pub fn bind(&mut self, values: &[(&str, f64)]) -> Result<Binding, Failure> {
+        match self.bound(values) {
+            Some(done) => done.map(|()| Binding::Numbers),
+            None => {
+                *self = self.with_values(values)?;
+                Ok(Binding::Anew)
+            }
+        }
+    }
+
+    /// None where the file has to be read again.
+    fn bound(&mut self, values: &[(&str, f64)]) -> Option<Result<(), Failure>> {
+        let is_set = |name: &str| self.origin.overrides.iter().any(|(n, _)| n == name);
+        // the matrices of a structure are numbers
+        if self.model.structure.is_some() || !values.iter().all(|(name, _)| is_set(name)) {
+            return None;
+        }
+        let change = self.model.change(values)?;
+        let equations = &self.equations;
+        let same = self.model.allows(&change) && unmoved(&equations.graph, &equations.premises, &change.before, &change.after);
+        same.then(|| self.put(values, &change).map_err(|fault| Trouble::from(fault).into()))
+    }
+
+    fn put(&mut self, values: &[(&str, f64)], change: &Change) -> Result<(), analysis::Fault> {
+        let mut equations = self.equations.clone();
+        for p in &mut equations.parameters {
+            // what was sought is sought again from the same guess
+            let declared = self.model.parameters.iter().find(|d| d.symbol == p.symbol);
+            p.value = change.after.get(&p.symbol).copied().unwrap_or(0.0);
+            p.written = declared.map(|d| d.written.clone()).unwrap_or_default();
+            if values.iter().any(|(name, _)| declared.is_some_and(|d| d.name == *name)) {
+                p.written = declared.map(|d| self.written(&d.name, p.value)).unwrap_or_default();
+            }
+        }
+        pipeline::number(&self.model, &mut equations)?;
+        let numbers: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
+        self.system = self.system.bound(&equations, &numbers, &|program| guards::names(&equations, program))?;
+        self.equations = equations;
+        self.origin.overrides = self.overridden(values);
+        self.model_hash = self.origin.source.hash(&self.origin.overrides);
+        let texts: Vec<(String, String)> = values.iter().map(|(name, value)| ((*name).to_owned(), self.written(name, *value))).collect();
+        self.model.put(change, &|name, _| texts.iter().find(|(n, _)| n == name).map(|(_, text)| text.clone()).unwrap_or_default());
+        Ok(())
+    }
+
+    /// The values set from outside, with these among them.
+    fn overridden(&self, values: &[(&str, f64)]) -> Vec<(String, String)> {
         let changed = |name: &str| values.iter().any(|(n, _)| *n == name);
         let kept = self.origin.overrides.iter().filter(|(name, _)| !changed(name)).cloned();
         let set = values.iter().map(|(name, value)| ((*name).to_owned(), self.written(name, *value)));
-        let overrides: Vec<(String, String)> = kept.chain(set).collect();
-        pipeline::build(&self.origin.source, &overrides, &mut Watch::default())
+        kept.chain(set).collect()
     }
 }

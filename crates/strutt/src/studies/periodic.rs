@@ -159,8 +159,10 @@ fn tuned(
 ) -> Result<(Outcome, Option<Tuning>), Trouble> {
     let first = value_of(machine, name).ok_or_else(|| no_parameter(machine, name))?;
     let mut start: Option<Vec<f64>> = None;
+    let mut tried = machine.clone();
     let mut at = |value: f64, watch: &mut Watch| -> Result<(Machine, Outcome), Trouble> {
-        let mut other = machine.with_values(&[(name, value)]).map_err(in_words)?;
+        tried.bind(&[(name, value)]).map_err(in_words)?;
+        let mut other = tried.clone();
         let outcome = match &start {
             // the regime found before is the better guess
             Some(x) => {

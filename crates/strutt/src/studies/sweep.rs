@@ -1,5 +1,6 @@
 //! The study `sweep`: another study repeated over values of parameters, starts or starting rates. The solution found before is the next guess.
 
+use super::origin::Binding;
 use super::periodic::{self, in_words};
 use super::{Results, Rows};
 use crate::failure::Trouble;
@@ -60,6 +61,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     let (mut guess, mut failed, mut first): (Option<Vec<f64>>, usize, Option<Trouble>) = (None, 0, None);
     let own = study.over.len();
     let mut without: Vec<(String, Text)> = Vec::new();
+    let (mut changed, mut anew) = (machine.clone(), 0);
     let (mut checked_runs, mut doubtful) = (0, Vec::new());
     for row in 0..count {
         if watch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
@@ -68,7 +70,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
             break;
         }
         let values = place(&study.over, row);
-        let outcome = one(machine, &Repeated { base: &base, of }, &values, &mut guess, watch);
+        let outcome = one((&mut changed, &mut anew), &Repeated { base: &base, of }, &values, &mut guess, watch);
         if let Ok(finding) = &outcome {
             let audits = &finding.data().audits;
             checked_runs += usize::from(!audits.is_empty());
@@ -115,6 +117,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         }
     }
     results.own.insert("of".into(), json!(name_of(&base)));
+    results.own.insert("read_anew".into(), json!(anew));
     if study.of.is_none() && machine.model.studies.iter().filter(|s| moves(&s.kind) || rests(&s.kind)).count() > 1 {
         let name = name_of(&base);
         data.notes.push(Text::new(format!("repeated: the study `{name}`"), format!("повторялся расчёт `{name}`")));
@@ -334,34 +337,37 @@ fn name_of(kind: &StudyKind) -> &'static str {
 
 /// The study at one place.
 fn one(
-    machine: &Machine,
+    (machine, anew): (&mut Machine, &mut usize),
     repeated: &Repeated<'_>,
     values: &[(String, f64)],
     guess: &mut Option<Vec<f64>>,
     watch: &mut Watch,
 ) -> Result<Finding, Trouble> {
     let values: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-    let mut changed = machine.with_values(&values).map_err(in_words)?;
-    let base = &repeated.at(&changed);
+    *anew += usize::from(machine.bind(&values).map_err(in_words)? == Binding::Anew);
+    let base = &repeated.at(machine);
+    // what is tuned is not the machine of the next place
+    let mut own = matches!(base, StudyKind::Periodic(Periodic { tuned: Some(_), .. })).then(|| machine.clone());
+    let machine = own.as_mut().unwrap_or(machine);
     let mut inner = Watch::default();
     inner.interrupt = watch.interrupt;
     if let (StudyKind::Periodic(study), Some(x)) = (base, guess.as_ref())
         && study.tuned.is_none()
     {
         // the regime before is the better guess; when it leads nowhere, the file's start is tried
-        let outcome = periodic::from(&mut changed, &Periodic { settle: 0.0, ..study.clone() }, x, &mut inner);
+        let outcome = periodic::from(machine, &Periodic { settle: 0.0, ..study.clone() }, x, &mut inner);
         if outcome.fault.is_none() {
             *guess = Some(outcome.regime.start.clone());
-            return Ok(Finding::Study(Box::new(periodic::results(&changed, study, outcome, None))));
+            return Ok(Finding::Study(Box::new(periodic::results(machine, study, outcome, None))));
         }
     }
     let finding = match base {
         StudyKind::Periodic(study) if study.tuned.is_none() => {
-            let outcome = periodic::regime(&mut changed, study, &mut inner);
+            let outcome = periodic::regime(machine, study, &mut inner);
             *guess = outcome.fault.is_none().then(|| outcome.regime.start.clone());
-            Finding::Study(Box::new(periodic::results(&changed, study, outcome, None)))
+            Finding::Study(Box::new(periodic::results(machine, study, outcome, None)))
         }
-        other => match pipeline::study(&mut changed, other, &mut inner) {
+        other => match pipeline::study(machine, other, &mut inner) {
             Some(finding) => finding,
             None => return Err(Trouble::new("C032", "this study cannot be repeated", "этот расчёт повторять нельзя")),
         },

@@ -2,7 +2,7 @@
 
 use crate::fault::{Fault, nearest};
 use crate::formula::{Context, Kind, Place};
-use crate::model::{Class, Frame, FrameId, Origin, ParameterDecl, Pathway, Point, PointRef, Rest};
+use crate::model::{Class, Frame, FrameId, Origin, ParameterDecl, Pathway, Point, PointRef, Reliance, Rest};
 use crate::read::elements::pathway_of;
 use crate::read::frames::frame_by_name;
 use crate::read::reader::{Checked, Fields, Reader, short, string, wrong_type};
@@ -140,7 +140,7 @@ pub(super) fn size<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'stat
 
 /// Whether a size is good; reports one that is zero or negative.
 pub(super) fn positive(reader: &mut Reader, value: &Checked, key: &str, span: Range<usize>) -> bool {
-    let Some(number) = reader.number(value).filter(|v| *v <= 0.0) else { return value.good };
+    let Some(number) = reader.number_for(value, Reliance::Sign).filter(|v| *v <= 0.0) else { return value.good };
     reader.fault(
         Fault::new(
             "M074",
@@ -235,7 +235,7 @@ pub(super) fn restitution<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> E
 /// The same by another key.
 pub(super) fn restitution_by<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Expr {
     let value = fields.formula_or_zero(reader, key, &Context::CONSTANT, Some(&Dimension::NONE));
-    if let Some(number) = reader.number(&value).filter(|v| !(0.0..=1.0).contains(v)) {
+    if let Some(number) = reader.number_for(&value, Reliance::Share).filter(|v| !(0.0..=1.0).contains(v)) {
         reader.fault(
             Fault::new(
                 "M079",

@@ -4,7 +4,7 @@ use super::common::{Space, choose, one_of, pathway, restitution, restitution_by,
 use super::{Found, rubbing};
 use crate::fault::Fault;
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
-use crate::model::{ConnectionKind, Part, Pressing, RequestKind, Slides};
+use crate::model::{ConnectionKind, Part, Pressing, Reliance, RequestKind, Slides};
 use crate::read::reader::{Checked, Fields, Reader};
 use crate::units::si_label;
 use symbolic::connections::{Impacts, Rebound};
@@ -224,8 +224,16 @@ fn limits<'a>(
     speed: SymbolId,
 ) -> bool {
     let slow = at_rest(reader, kinetic.expr, speed);
-    let slow = reader.number_of(slow);
-    let fixed = fixed.map(|(key, value)| (key, reader.number(value)));
+    if let Some((_, fixed)) = fixed {
+        let excess = reader.builder.graph.sub(fixed.expr, slow);
+        let below = reader.number_of_for(excess, Reliance::Sign).is_some_and(|v| v < 0.0);
+        // by how much decides
+        if below {
+            reader.number_of(excess);
+        }
+    }
+    let slow = reader.number_of_for(slow, Reliance::Sign);
+    let fixed = fixed.map(|(key, value)| (key, reader.number_for(value, Reliance::Sign)));
     let unit = if let Kind::Known(d) = kinetic.kind { si_label(&d) } else { String::new() };
     let negative = |key: &'static str, value: f64| {
         Fault::new(

@@ -80,6 +80,7 @@ fn machine() -> Equations {
         energy,
         outputs: vec![],
         notation: vec![("mass".into(), "m".into())],
+        premises: vec![],
     }
 }
 
