@@ -2,8 +2,10 @@
 //!
 //! `cargo bench -p strutt --bench machines` prints medians and what was counted in one run; `-- crank 1` takes the cases whose names hold `crank`, one run each (to
 //! count instructions by valgrind, for one). Targets: crank-hoist, one cycle with all reactions and outputs, 2 ms; belt oscillator, 100 s, 5 ms;
-//! ten blocks that stick and slip in one model at most ten times one; wheels that rattle in their play, 1e5 impacts in 2 s.
+//! ten blocks that stick and slip in one model at most ten times one; wheels that rattle in their play, 1e5 impacts in 2 s; a sweep of short motions at most
+//! 1.15 times the motions; a drive and a flywheel found for crank-hoist in 50 ms.
 
+use mechanics::model::{Simulate, StudyKind};
 use std::path::Path;
 use std::time::Instant;
 use strutt::pipeline::{self, Finding, Machine};
@@ -47,6 +49,58 @@ fn main() {
         let (time, work) = motion(written(GEARS), (until, 1), wish.runs.min(3));
         println!("rattling wheels: {time:.2} s  {work}");
     }
+    if wish.holds("sweep") {
+        let (motions, sweep) = swept(1000.min(10 * wish.runs));
+        println!("sweep of motions: {:.3} ms each, motions alone {:.3} ms, ratio {:.2}", 1e3 * sweep, 1e3 * motions, sweep / motions);
+    }
+    if wish.holds("flywheel") {
+        println!("drive and flywheel of crank-hoist: {:.1} ms", 1e3 * flywheel(wish.runs.min(21)));
+    }
+}
+
+/// Seconds for a motion of 0.1 s of the pendulum on a shaft: alone, and in a sweep over the pendulum's mass.
+fn swept(count: usize) -> (f64, f64) {
+    let text =
+        strutt::gallery::find("pendulum-on-shaft").map(|e| e.text.replace("until = \"30 s\"", "until = \"0.1 s\"")).unwrap_or_default();
+    let asked = format!("\n[[study]]\nkind = \"sweep\"\nover = [\"m = linspace(2 g, 60 g, {count})\"]\nobserve = [\"max(phi)\"]\n");
+    let mut machine = written(&(text + &asked));
+    let kinds: Vec<StudyKind> = machine.model.studies.iter().map(|s| s.kind.clone()).collect();
+    let timed = |machine: &mut Machine, kind: &StudyKind| {
+        let start = Instant::now();
+        std::hint::black_box(pipeline::study(machine, kind, &mut Watch::default()));
+        start.elapsed().as_secs_f64()
+    };
+    let (mut alone, mut sweep) = (0.0, 0.0);
+    for kind in &kinds {
+        match kind {
+            StudyKind::Simulate(study) => {
+                let study = Simulate { outputs: vec!["phi".into()], plots: Vec::new(), ..study.clone() };
+                alone = (0..count).map(|_| timed(&mut machine, &StudyKind::Simulate(study.clone()))).sum::<f64>() / count as f64;
+            }
+            StudyKind::Sweep(_) => sweep = timed(&mut machine, kind) / count as f64,
+            _ => {}
+        }
+    }
+    (alone, sweep)
+}
+
+/// Median seconds of the search for the drive and the flywheel of crank-hoist.
+fn flywheel(runs: usize) -> f64 {
+    let text = strutt::gallery::find("crank-hoist").map(|e| e.text).unwrap_or_default();
+    let asked = "\n[[study]]\nkind = \"cycle\"\nangle = \"phi1\"\nunknown = \"F0\"\nflywheel = \"I1\"\nirregularity = 0.02\n";
+    let machine = written(&(text.to_owned() + asked));
+    let cycles: Vec<StudyKind> = machine.model.studies.iter().map(|s| s.kind.clone()).collect();
+    let Some(cycle) = cycles.iter().rfind(|k| matches!(k, StudyKind::Cycle(_))) else { panic!("no cycle") };
+    let mut times: Vec<f64> = (0..runs)
+        .map(|_| {
+            let mut machine = machine.clone();
+            let start = Instant::now();
+            std::hint::black_box(pipeline::study(&mut machine, cycle, &mut Watch::default()));
+            start.elapsed().as_secs_f64()
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    times[runs / 2]
 }
 
 /// Blocks on springs and a belt, pressed by their weight or on a floor.
