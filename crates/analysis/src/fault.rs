@@ -3,40 +3,40 @@
 use std::fmt;
 
 use symbolic::Expr;
-use words::Text;
 use words::explain::{Explanation, plain};
+use words::{Message, Notice, Text};
 
 pub mod connections;
 
 use crate::numerics::trouble;
 
-/// A study cannot go on. Results found before the fault are kept beside it. Boxed, so that results stay small.
+/// A study cannot go on: its notice, and the expression that failed. Results found before the fault are kept beside it. Boxed, so that
+/// results stay small.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fault(Box<Message>, Option<Expr>);
+pub struct Fault(Box<Notice>, Option<Expr>);
 
 impl std::ops::Deref for Fault {
-    type Target = Message;
-    fn deref(&self) -> &Message {
+    type Target = Notice;
+    fn deref(&self) -> &Notice {
         &self.0
     }
 }
 
-/// The words of a fault.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Message {
-    /// Code for `strutt explain`, `S001`.
-    pub code: &'static str,
-    /// What is wrong and where.
-    pub what: Text,
-    /// The likely physical cause.
-    pub why: Text,
-    /// The cure.
-    pub help: Text,
+impl From<Notice> for Fault {
+    fn from(notice: Notice) -> Fault {
+        Fault(Box::new(notice), None)
+    }
+}
+
+impl From<Fault> for Notice {
+    fn from(fault: Fault) -> Notice {
+        *fault.0
+    }
 }
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "error[{}]: {}\n  why: {}\n  help: {}", self.code, self.what.en, self.why.en, self.help.en)
+        self.0.fmt(f)
     }
 }
 
@@ -262,7 +262,7 @@ pub(crate) fn ten_digits(value: f64) -> Text {
 impl Fault {
     /// From its words.
     pub fn new(message: Message) -> Fault {
-        Fault(Box::new(message), None)
+        Fault::from(Notice::from(message))
     }
 
     /// The same, about an expression of the equations.

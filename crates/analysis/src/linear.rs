@@ -7,6 +7,7 @@ mod observer;
 mod reactions;
 
 use std::sync::Arc;
+use words::Message;
 
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
@@ -14,7 +15,6 @@ use symbolic::linear::{About, Loads, Timing};
 use symbolic::{Derivation, Equations, Expr, Linear, SymbolId};
 use words::Text;
 
-use crate::fault::Message;
 use crate::machine::notation;
 use crate::numerics::lu::Lu;
 use crate::numerics::rank;

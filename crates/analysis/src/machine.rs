@@ -21,7 +21,6 @@ use symbolic::connections::Law;
 use words::Text;
 
 use crate::connections::{self, Assembly, assemble_with};
-use crate::fault::Message;
 use crate::system::Layout;
 use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Supply, System, Tie, Touch};
 use conditions::Conditions;
@@ -134,8 +133,7 @@ impl Switches {
 
 impl From<program::Fault> for Fault {
     fn from(fault: program::Fault) -> Fault {
-        let message = Message { code: fault.code, what: fault.what.clone(), why: fault.why.clone(), help: fault.help.clone() };
-        Fault::new(message).about(fault.expression)
+        Fault::from(fault.notice.clone()).about(fault.expression)
     }
 }
 

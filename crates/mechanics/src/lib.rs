@@ -2,21 +2,20 @@
 //! nothing.
 
 pub mod derive;
-pub mod diagnostic;
 pub mod explain;
-mod fault;
 pub mod fields;
 pub mod formula;
 pub mod model;
 mod read;
 pub mod reference;
 pub mod section;
+mod snippet;
 pub mod structure;
 pub mod units;
 
-pub use diagnostic::{Diagnostic, Severity, Source};
-pub use fault::{Fault, Words};
 pub use model::Model;
+use words::Notice;
+
 pub use read::{MAX_FILE, MAX_FINDINGS, read, split_override, sweep_range};
 
 /// What reading a model file gives.
@@ -25,5 +24,5 @@ pub struct Reading {
     /// The model.
     pub model: Model,
     /// Findings that do not prevent its use.
-    pub warnings: Vec<Diagnostic>,
+    pub warnings: Vec<Notice>,
 }

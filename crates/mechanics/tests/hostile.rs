@@ -1,14 +1,15 @@
 //! Whatever the file, reading returns, and every finding points into the file.
 
-use mechanics::{Diagnostic, read};
+use mechanics::read;
 use proptest::prelude::*;
+use words::Notice;
 
 const FULL: &str = include_str!("full.toml");
 const CONNECTIONS: &str = include_str!("connections.toml");
 const STUDIES: &str = include_str!("studies.toml");
 
 fn check(text: &str) -> Result<(), TestCaseError> {
-    let findings: Vec<Diagnostic> = match read(text, "model.toml", &[]) {
+    let findings: Vec<Notice> = match read(text, "model.toml", &[]) {
         Ok(reading) => reading.warnings,
         Err(findings) => {
             prop_assert!(!findings.is_empty());

@@ -1,29 +1,30 @@
 //! What can go wrong between equations and numbers, said in both languages.
 
 use symbolic::Expr;
-use words::Text;
 use words::explain::{Explanation, plain};
+use words::{Message, Notice, Text};
 
-/// A clear refusal; its fields are those of [`Details`], behind one pointer because results carry it.
+/// A clear refusal: its notice, and what the program knows beside it; behind one pointer because results carry it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("error[{}]: {}\nwhy: {}\nhelp: {}", .0.code, .0.what.en, .0.why.en, .0.help.en)]
+#[error("{}", .0.notice)]
 pub struct Fault(Box<Details>);
 
-/// What happened, the likely cause, the cure.
+/// A notice with the place in the equations.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Details {
-    /// Entry of [`EXPLANATIONS`].
-    pub code: &'static str,
-    /// What happened and where.
-    pub what: Text,
-    /// The likely physical cause.
-    pub why: Text,
-    /// The cure.
-    pub help: Text,
+    /// What happened, the likely cause, the cure.
+    pub notice: Notice,
     /// The expression that failed, for printing in the user's symbols, when it is known.
     pub expression: Option<Expr>,
     /// Where equations with connections have no single solution (P013).
     pub singular: Option<Singular>,
+}
+
+impl std::ops::Deref for Details {
+    type Target = Notice;
+    fn deref(&self) -> &Notice {
+        &self.notice
+    }
 }
 
 /// The place at which the equations of motion and conditions cannot be solved.
@@ -47,14 +48,9 @@ impl Fault {
     pub(crate) fn new(code: &'static str, subject: &Text) -> Fault {
         let row = CAUSES.iter().find(|row| row.0 == code).unwrap_or(&CAUSES[0]);
         let fill = |en: &str, ru: &str| Text::new(en.replace("{}", &subject.en), ru.replace("{}", &subject.ru));
-        Fault(Box::new(Details {
-            code: row.0,
-            what: fill(row.1[0].0, row.1[0].1),
-            why: fill(row.1[1].0, row.1[1].1),
-            help: fill(row.1[2].0, row.1[2].1),
-            expression: None,
-            singular: None,
-        }))
+        let [what, why, help] = row.1.map(|(en, ru)| fill(en, ru));
+        let notice = Notice::from(Message { code: row.0, what, why, help });
+        Fault(Box::new(Details { notice, expression: None, singular: None }))
     }
 
     pub(crate) fn about(code: &'static str, subject: impl Into<String>) -> Fault {

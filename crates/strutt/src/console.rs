@@ -1,7 +1,6 @@
 //! Where words go: data to stdout in one piece, talk to stderr; colours only on terminals.
 
 use crate::args::Global;
-use mechanics::Diagnostic;
 use serde_json::json;
 use std::cell::RefCell;
 use std::ffi::OsString;
@@ -10,9 +9,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use strutt::diagnostics::{self, Style};
 use strutt::wording::{Word, say};
-use strutt::{Failure, Source, Trouble, Watch, system};
-use words::Language;
-use words::Text;
+use strutt::{Failure, Source, Watch, system};
+use words::{Language, Notice, Text};
 
 /// Set by Ctrl+C and by requests to end (SIGTERM, SIGHUP).
 pub static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -84,7 +82,7 @@ impl Console {
                 let help = system::remedy(&error, &elsewhere);
                 let en = format!("cannot write to standard output: {}", cause.en);
                 let ru = format!("не удаётся писать в стандартный вывод: {}", cause.ru);
-                Err(Trouble::new("C005", en, ru).help(help.en, help.ru).into())
+                Err(Notice::new("C005", en, ru).help(help.en, help.ru).into())
             }
         }
     }
@@ -119,14 +117,14 @@ impl Console {
     }
 
     /// Warnings of the reader.
-    pub fn warn(&self, warnings: &[Diagnostic], source: &Source) {
+    pub fn warn(&self, warnings: &[Notice], source: &Source) {
         if !warnings.is_empty() && !self.quiet && self.shape != Shape::Json {
             complain(&diagnostics::render(warnings, source, self.style()));
         }
     }
 
     /// A trouble that does not end the command at once.
-    pub fn trouble(&self, trouble: &Trouble) {
+    pub fn trouble(&self, trouble: &Notice) {
         complain(&diagnostics::render_trouble(trouble, self.style()));
     }
 

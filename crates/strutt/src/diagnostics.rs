@@ -1,13 +1,11 @@
 //! Findings as text: the user's line with a caret for people, one line for editors, JSON for machines.
 
-use crate::failure::Trouble;
 use crate::source::Source;
 use crate::wording::{Word, say};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet, normalize_untrusted_str as clean};
-use mechanics::{Diagnostic, Severity, Source as Place};
 use serde_json::{Value, json};
 use std::ops::Range;
-use words::Language;
+use words::{Language, Notice, Place, Severity};
 
 /// How findings are shown.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +17,7 @@ pub struct Style {
 }
 
 /// All findings with the user's lines, then how many there are and where to read more.
-pub fn render(diagnostics: &[Diagnostic], source: &Source, style: Style) -> String {
+pub fn render(diagnostics: &[Notice], source: &Source, style: Style) -> String {
     let lines = Lines::of(&source.text);
     let mut out = String::new();
     for diagnostic in diagnostics {
@@ -30,35 +28,39 @@ pub fn render(diagnostics: &[Diagnostic], source: &Source, style: Style) -> Stri
     out
 }
 
-fn picture(diagnostic: &Diagnostic, source: &Source, lines: &Lines, style: Style) -> String {
+fn picture(diagnostic: &Notice, source: &Source, lines: &Lines, style: Style) -> String {
     let language = style.language;
     let (level, word) = match diagnostic.severity {
         Severity::Error => (Level::ERROR, Word::Error),
         Severity::Warning => (Level::WARNING, Word::Warning),
     };
     let title = level.with_name(say(language, word)).primary_title(language.text(&diagnostic.what)).id(diagnostic.code);
-    let group = title.element(snippet(diagnostic, source, lines, language));
+    let group = match snippet(diagnostic, source, lines, language) {
+        Some(snippet) => title.element(snippet),
+        None => Group::with_title(title),
+    };
     renderer(style).render(&[remarks(group, &diagnostic.why, &diagnostic.help, language)])
 }
 
 /// The lines from the first to the last place that belongs to the finding.
 fn snippet<'a>(
-    diagnostic: &'a Diagnostic,
+    diagnostic: &'a Notice,
     source: &'a Source,
     lines: &Lines,
     language: Language,
-) -> Snippet<'a, annotate_snippets::Annotation<'a>> {
-    let span = match &diagnostic.source {
+) -> Option<Snippet<'a, annotate_snippets::Annotation<'a>>> {
+    let span = match &diagnostic.place {
         Place::Override { text, span, .. } => {
             let span = within(text, span);
-            return Snippet::source(text.as_str()).path("--set").annotation(AnnotationKind::Primary.span(span));
+            return Some(Snippet::source(text.as_str()).path("--set").annotation(AnnotationKind::Primary.span(span)));
         }
         Place::CommandLine { text, span } => {
             let span = within(text, span);
             let path = language.pick("command line", "командная строка");
-            return Snippet::source(text.as_str()).path(path).annotation(AnnotationKind::Primary.span(span));
+            return Some(Snippet::source(text.as_str()).path(path).annotation(AnnotationKind::Primary.span(span)));
         }
         Place::File(span) => within(&source.text, span),
+        Place::Nowhere | Place::Piece(_) => return None,
     };
     let related: Vec<(Range<usize>, &str)> =
         diagnostic.related.iter().map(|(span, text)| (within(&source.text, span), language.text(text))).collect();
@@ -75,7 +77,7 @@ fn snippet<'a>(
     for (span, text) in &related {
         snippet = snippet.annotation(AnnotationKind::Context.span(shown(span)).label(*text));
     }
-    snippet
+    Some(snippet)
 }
 
 fn remarks<'a>(group: Group<'a>, why: &'a words::Text, help: &'a words::Text, language: Language) -> Group<'a> {
@@ -94,7 +96,7 @@ fn renderer(style: Style) -> Renderer {
 }
 
 /// How many findings there are, and how to read about the first.
-fn closing(diagnostics: &[Diagnostic], language: Language) -> String {
+fn closing(diagnostics: &[Notice], language: Language) -> String {
     let count = |severity| diagnostics.iter().filter(|d| d.severity == severity).count();
     let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
     let mut parts = Vec::new();
@@ -114,7 +116,7 @@ fn plural(n: usize, word: &str) -> String {
 }
 
 /// A trouble in the same manner, without a snippet.
-pub fn render_trouble(trouble: &Trouble, style: Style) -> String {
+pub fn render_trouble(trouble: &Notice, style: Style) -> String {
     let language = style.language;
     let title = Level::ERROR.with_name(say(language, Word::Error)).primary_title(language.text(&trouble.what));
     let title = if trouble.code.is_empty() { title } else { title.id(trouble.code) };
@@ -128,11 +130,11 @@ pub fn render_trouble(trouble: &Trouble, style: Style) -> String {
 }
 
 /// One line per finding: `file:line:column: error[M021]: what`.
-pub fn short(diagnostics: &[Diagnostic], source: &Source, language: Language) -> String {
+pub fn short(diagnostics: &[Notice], source: &Source, language: Language) -> String {
     let lines = Lines::of(&source.text);
     let mut out = String::new();
     for d in diagnostics {
-        let place = match &d.source {
+        let place = match &d.place {
             Place::File(span) => {
                 let (line, column) = lines.position(&source.text, span.start);
                 format!("{}:{line}:{column}", source.path)
@@ -145,6 +147,7 @@ pub fn short(diagnostics: &[Diagnostic], source: &Source, language: Language) ->
                 let before = &text[..within(text, span).start];
                 format!("{text}:1:{}", before.chars().count() + 1)
             }
+            Place::Nowhere | Place::Piece(_) => source.path.clone(),
         };
         let word = say(language, if d.severity == Severity::Error { Word::Error } else { Word::Warning });
         let what = language.text(&d.what).replace('\n', " ");
@@ -154,24 +157,25 @@ pub fn short(diagnostics: &[Diagnostic], source: &Source, language: Language) ->
 }
 
 /// Findings as JSON. Lines and columns count from 1, columns in characters.
-pub fn to_json(diagnostics: &[Diagnostic], source: &Source, language: Language) -> Value {
+pub fn to_json(diagnostics: &[Notice], source: &Source, language: Language) -> Value {
     let lines = Lines::of(&source.text);
     let place = |span: &Range<usize>| {
         let (line, column) = lines.position(&source.text, span.start);
         let (end_line, end_column) = lines.position(&source.text, span.end);
         json!({"line": line, "column": column, "end_line": end_line, "end_column": end_column})
     };
-    let one = |d: &Diagnostic| {
+    let one = |d: &Notice| {
         let mut value = json!({
             "code": d.code,
             "severity": if d.severity == Severity::Error { "error" } else { "warning" },
             "what": language.text(&d.what), "why": language.text(&d.why), "help": language.text(&d.help),
             "related": d.related.iter().map(|(span, text)| json!({"place": place(span), "what": language.text(text)})).collect::<Vec<_>>(),
         });
-        match &d.source {
+        match &d.place {
             Place::File(span) => value["place"] = place(span),
             Place::Override { text, .. } => value["set"] = json!(text),
             Place::CommandLine { text, .. } => value["option"] = json!(text),
+            Place::Nowhere | Place::Piece(_) => {}
         }
         value
     };
@@ -179,7 +183,7 @@ pub fn to_json(diagnostics: &[Diagnostic], source: &Source, language: Language) 
 }
 
 /// A trouble as JSON.
-pub fn trouble_to_json(trouble: &Trouble, language: Language) -> Value {
+pub fn trouble_to_json(trouble: &Notice, language: Language) -> Value {
     json!({"code": trouble.code, "severity": "error", "what": language.text(&trouble.what), "why": language.text(&trouble.why),
         "help": language.text(&trouble.help)})
 }
@@ -229,11 +233,11 @@ mod tests {
         Style { language, colour: false }
     }
 
-    fn finding(text: &str, word: &str) -> Diagnostic {
+    fn finding(text: &str, word: &str) -> Notice {
         let start = text.find(word).unwrap();
-        Diagnostic::error("M021", start..start + word.len(), Text::new("unknown name", "неизвестное имя"))
-            .why(Text::new("a cause", "причина"))
-            .help(Text::new("a cure", "средство"))
+        Notice::file("M021", start..start + word.len(), Text::new("unknown name", "неизвестное имя"))
+            .why("a cause", "причина")
+            .help("a cure", "средство")
     }
 
     #[test]
@@ -253,7 +257,7 @@ mod tests {
     fn places_outside_the_text_do_no_harm() {
         let source = Source::new("a.toml", "я");
         for span in [0..0, 1..1, 5..9, 1..2, 2..2, 0..usize::MAX] {
-            let d = Diagnostic::error("M001", span.clone(), Text::same("x")).related(span, Text::same("y"));
+            let d = Notice::file("M001", span.clone(), Text::same("x")).related(span, Text::same("y"));
             assert!(!render(std::slice::from_ref(&d), &source, plain(Language::En)).is_empty());
             assert!(short(std::slice::from_ref(&d), &source, Language::En).starts_with("a.toml:1:"));
             assert!(to_json(&[d], &source, Language::En).is_array());

@@ -4,10 +4,10 @@
 //! its words. Whatever else is not finite overflowed on the way, and the study fails with S077. Least and greatest values that leave out a row belong to
 //! another quantity: S083.
 
-use crate::failure::Trouble;
 use crate::pipeline::Finding;
 use crate::studies::Results;
 use analysis::Dataset;
+use words::Notice;
 
 /// The finding as it may leave: with a trouble where a number has no value and nobody says why.
 pub fn checked(mut finding: Finding) -> Finding {
@@ -15,12 +15,12 @@ pub fn checked(mut finding: Finding) -> Finding {
         return finding;
     }
     if let Some(name) = finding.data().outside_extremes() {
-        let trouble = Trouble::from(analysis::fault::outside_extremes(name));
+        let trouble = Notice::from(analysis::fault::outside_extremes(name));
         finding.fail(trouble);
         return finding;
     }
     if let Some(name) = unexplained(&finding) {
-        let trouble = Trouble::from(analysis::fault::no_value(&name));
+        let trouble = Notice::from(analysis::fault::no_value(&name));
         finding.fail(trouble);
     }
     finding

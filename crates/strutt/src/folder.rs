@@ -2,7 +2,6 @@
 
 use crate::diagnostics;
 use crate::document::{self, Extent};
-use crate::failure::Trouble;
 use crate::pipeline::{self, Calculation, Finding};
 use crate::shelf::Shelf;
 use crate::source::Source;
@@ -15,13 +14,13 @@ use mechanics::section::Section;
 use report::{Figure, csv, json, page};
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
-use words::Language;
+use words::{Language, Notice};
 
 /// Writes everything about a calculation into a folder; returns the paths, the page last.
 ///
 /// # Errors
 /// A result would replace an input (C052), or the disk refuses (C005); then nothing is written.
-pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -> Result<Vec<PathBuf>, Box<Trouble>> {
+pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -> Result<Vec<PathBuf>, Box<Notice>> {
     let inputs = inputs(&calculation.machine.origin.source, &calculation.machine.model);
     let mut shelf = Shelf::open(folder, &inputs)?;
     let several = calculation.findings.len() > 1;
@@ -71,13 +70,13 @@ pub fn inputs(source: &Source, model: &Model) -> Vec<PathBuf> {
 ///
 /// # Errors
 /// A result would replace an input (C052), or the disk refuses (C005); then nothing is written.
-pub fn sections(sections: &[Section], (folder, inputs): (&Path, &[PathBuf]), language: Language) -> Result<Vec<PathBuf>, Box<Trouble>> {
+pub fn sections(sections: &[Section], (folder, inputs): (&Path, &[PathBuf]), language: Language) -> Result<Vec<PathBuf>, Box<Notice>> {
     let mut shelf = Shelf::open(folder, inputs)?;
     section_files(&mut shelf, sections, language)?;
     shelf.close()
 }
 
-fn section_files(shelf: &mut Shelf, sections: &[Section], language: Language) -> Result<(), Box<Trouble>> {
+fn section_files(shelf: &mut Shelf, sections: &[Section], language: Language) -> Result<(), Box<Notice>> {
     if sections.is_empty() {
         return Ok(());
     }
@@ -88,7 +87,7 @@ fn section_files(shelf: &mut Shelf, sections: &[Section], language: Language) ->
     Ok(())
 }
 
-fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) -> Result<(), Box<Trouble>> {
+fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) -> Result<(), Box<Notice>> {
     let data = finding.data();
     shelf.put(&format!("{stem}.csv"), Word::Table, &csv::write(data, csv::Dialect::Plain))?;
     if data.events.iter().any(|e| !e.name.is_empty()) {
@@ -100,11 +99,11 @@ fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) 
     shelf.put(&format!("{stem}.json"), Word::AllData, &json::write(data, &own_fields(finding), language))
 }
 
-fn plot(shelf: &mut Shelf, figure: &Figure, number: &str, language: Language) -> Result<(), Box<Trouble>> {
+fn plot(shelf: &mut Shelf, figure: &Figure, number: &str, language: Language) -> Result<(), Box<Notice>> {
     let stem = format!("{}{number}", figure.name);
     shelf.put(&format!("{stem}.svg"), Word::Vector, report::figure::svg::write(figure, true, language).as_bytes())?;
     let png = report::figure::png::write(figure, true, language).map_err(|error| {
-        Box::new(Trouble::new("C005", format!("cannot draw {stem}.png: {error}"), format!("не удаётся нарисовать {stem}.png: {error}")))
+        Box::new(Notice::new("C005", format!("cannot draw {stem}.png: {error}"), format!("не удаётся нарисовать {stem}.png: {error}")))
     })?;
     shelf.put(&format!("{stem}.png"), Word::Picture, &png)
 }

@@ -4,8 +4,7 @@ use crate::document::printer;
 use program::Program;
 use report::formula::Form;
 use symbolic::Equations;
-use words::Language;
-use words::Text;
+use words::{Language, Text};
 
 /// Longer formulas are cut: the name stands in a line of the list of events.
 const LONGEST: usize = 48;

@@ -1,15 +1,14 @@
 //! Quantities of a model that print alike: m1 and m_1, phi and φ, two equal `symbol`.
 
-use mechanics::{Diagnostic, Model};
+use mechanics::Model;
 use report::formula::Printer;
 use std::collections::HashMap;
 use std::ops::Range;
 use symbolic::{Node, SymbolId};
-use words::Language;
-use words::{Text, letters};
+use words::{Language, Notice, Text, letters};
 
 /// A warning for each quantity that is printed as an earlier one with another name.
-pub fn printed_alike(model: &Model) -> Vec<Diagnostic> {
+pub fn printed_alike(model: &Model) -> Vec<Notice> {
     let printer = Printer::new(Language::En).with_notation(model.notation.clone());
     let mut first: HashMap<String, Named> = HashMap::new();
     let mut found = Vec::new();
@@ -54,14 +53,15 @@ fn all(model: &Model) -> impl Iterator<Item = Named<'_>> {
     coordinates.chain(parameters).chain(outputs)
 }
 
-fn warning(other: &Named, named: &Named, shown: &str) -> Diagnostic {
+fn warning(other: &Named, named: &Named, shown: &str) -> Notice {
     let (other, name, place, span) = (other.name, named.name, other.span.clone(), named.span.clone());
     let what = Text::new(
         format!("`{other}` and `{name}` are printed alike: {shown}"),
         format!("`{other}` и `{name}` печатаются одинаково: {shown}"),
     );
-    Diagnostic::warning("M141", span, what)
-        .why(Text::new("the printed equations do not tell them apart", "по печатным уравнениям их не различить"))
-        .help(Text::new("rename one, or give it another symbol = \"...\"", "переименуйте одну или задайте ей другое symbol = \"...\""))
+    Notice::file("M141", span, what)
+        .warning()
+        .why("the printed equations do not tell them apart", "по печатным уравнениям их не различить")
+        .help("rename one, or give it another symbol = \"...\"", "переименуйте одну или задайте ей другое symbol = \"...\"")
         .related(place, Text::new("the other one", "другая величина"))
 }

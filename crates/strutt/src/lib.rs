@@ -38,7 +38,7 @@ pub mod variants;
 pub mod watch;
 pub mod wording;
 
-pub use failure::{Failure, Trouble};
+pub use failure::Failure;
 pub use source::Source;
 pub use watch::Watch;
 

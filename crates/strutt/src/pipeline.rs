@@ -1,7 +1,7 @@
 //! strutt from top to bottom: read -> derive -> lower -> study -> dataset -> document. Each verb is one call into one room.
 
 use crate::document::{self, Extent};
-use crate::failure::{Failure, Trouble};
+use crate::failure::Failure;
 use crate::finite::checked;
 use crate::small::modes::ModesFound;
 use crate::small::response::ResponseFound;
@@ -16,15 +16,15 @@ use analysis::linear::LinearMachine;
 use analysis::rest::mean::Resting;
 use analysis::studies::transient::{Found, Phase, Transient};
 use analysis::studies::{self, simulate::Outcome};
+use mechanics::Model;
 use mechanics::derive::Detail;
 use mechanics::model::{self, Between, Simulate, StudyKind};
-use mechanics::{Diagnostic, Model};
 use report::Document;
 use report::formula::{Form, Printer};
 use std::sync::Arc;
 use symbolic::linear::About;
 use symbolic::{Equations, SymbolId};
-use words::Language;
+use words::{Language, Notice};
 
 /// A machine ready for studies.
 #[derive(Clone, Debug)]
@@ -32,7 +32,7 @@ pub struct Machine {
     /// What the file says.
     pub model: Model,
     /// Findings that do not prevent its use.
-    pub warnings: Vec<Diagnostic>,
+    pub warnings: Vec<Notice>,
     /// Equations of motion.
     pub equations: Equations,
     /// The same as a program with numbers.
@@ -55,11 +55,11 @@ impl Machine {
 #[derive(Clone, Debug)]
 pub enum Finding {
     /// Positions of equilibrium: a column per coordinate, a row per equilibrium.
-    Equilibrium(Dataset, Option<Trouble>),
+    Equilibrium(Dataset, Option<Notice>),
     /// A motion, and the study that asked for it.
-    Motion(Simulate, Dataset, Option<Trouble>),
+    Motion(Simulate, Dataset, Option<Notice>),
     /// A motion in closed form, its phases, and the study that asked for it.
-    Transient(Simulate, Dataset, Phases, Option<Trouble>),
+    Transient(Simulate, Dataset, Phases, Option<Notice>),
     /// Any other study.
     Study(Box<Results>),
     /// Natural frequencies and shapes.
@@ -138,9 +138,9 @@ pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail,
     reading.warnings.extend(crate::structure::mount::mount(&mut reading.model)?);
     watch.lap(Word::TimeRead);
     let mut equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
-    number(&reading.model, &mut equations).map_err(Trouble::from)?;
+    number(&reading.model, &mut equations).map_err(Notice::from)?;
     watch.lap(Word::TimeDerive);
-    let system = lower(&equations).map_err(Trouble::from)?;
+    let system = lower(&equations).map_err(Notice::from)?;
     watch.lap(Word::TimeLower);
     let origin = Origin { source: source.clone(), overrides: overrides.to_vec() };
     Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides), origin })
@@ -254,7 +254,7 @@ pub fn transient(machine: &mut Machine, study: &model::Transient, watch: &mut Wa
     };
     watch.lap(Word::TimeRun);
     let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
-    let trouble = found.outcome.fault.map(Trouble::from);
+    let trouble = found.outcome.fault.map(Notice::from);
     let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations), restarts: machine.model.restarts.clone() };
     checked(Finding::Transient(study.motion.clone(), data, phases, trouble))
 }
@@ -321,12 +321,13 @@ pub fn response(machine: &mut Machine, study: &mechanics::model::Response, watch
 }
 
 /// A fault with the expression that failed in the user's symbols.
-pub(crate) fn explained(fault: analysis::Fault, equations: &Equations) -> Trouble {
+pub(crate) fn explained(fault: analysis::Fault, equations: &Equations) -> Notice {
     let expression = fault.expression();
-    let mut trouble = Trouble::from(fault);
+    let mut trouble = Notice::from(fault);
     // small motions have a graph of their own: an expression of theirs is not one of these
     if let Some(e) = expression.filter(|e| e.index() < equations.graph.len()) {
-        for (words, language) in [(&mut trouble.what.en, Language::En), (&mut trouble.what.ru, Language::Ru)] {
+        let what = &mut trouble.what;
+        for (words, language) in [(&mut what.en, Language::En), (&mut what.ru, Language::Ru)] {
             let printer = Printer::of(equations, language);
             words.push_str(": ");
             words.push_str(&printer.inline(&equations.graph, e, Form::Text));
@@ -352,7 +353,7 @@ impl Finding {
         }
     }
     /// Ends the study with a trouble.
-    pub fn fail(&mut self, why: Trouble) {
+    pub fn fail(&mut self, why: Notice) {
         let (data, trouble) = match self {
             Finding::Equilibrium(data, trouble) | Finding::Motion(_, data, trouble) | Finding::Transient(_, data, _, trouble) => {
                 (data, trouble)
@@ -366,7 +367,7 @@ impl Finding {
         *trouble = Some(why);
     }
     /// What ended the study early.
-    pub fn trouble(&self) -> Option<&Trouble> {
+    pub fn trouble(&self) -> Option<&Notice> {
         match self {
             Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) | Finding::Transient(_, _, _, trouble) => trouble.as_ref(),
             Finding::Study(results) => results.trouble.as_ref(),

@@ -1,6 +1,7 @@
 //! What to simulate: the study of the file, changed by what the command line asks.
 
-use crate::failure::{Failure, Trouble};
+use crate::failure::Failure;
+use crate::failure::Misuse;
 use crate::watch::Watch;
 use analysis::Dataset;
 use analysis::marks::named::{Direction, Named};
@@ -10,7 +11,7 @@ use mechanics::derive::{event_output, push_output};
 use mechanics::model::{DEFAULT_TOLERANCE, EventDecl, EventDirection, Method, Plot, Simulate, StudyKind, Times, Transient};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
-use words::nearest;
+use words::{Notice, nearest};
 
 /// A step of the integrator spans about a radian of the quickest oscillation.
 const POINTS_A_STEP: f64 = 4.0;
@@ -155,7 +156,7 @@ pub fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
     if names().any(|n| n == name) {
         return Ok(());
     }
-    let trouble = Trouble::new("C008", format!("there is no output `{name}`"), format!("нет выходной величины `{name}`"));
+    let trouble = Notice::new("C008", format!("there is no output `{name}`"), format!("нет выходной величины `{name}`"));
     let list = names().take(60).collect::<Vec<_>>().join(", ");
     let trouble = trouble.why(format!("the model offers: {list}"), format!("в модели есть: {list}"));
     Err(match nearest(name, names()) {
@@ -169,7 +170,7 @@ pub fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
 }
 
 fn no_end(name: &str) -> Failure {
-    Trouble::new("C007", "how long shall the motion be?", "до какого момента считать движение?")
+    Notice::new("C007", "how long shall the motion be?", "до какого момента считать движение?")
         .why(
             format!("the file has no study `{name}`, and no --until was given"),
             format!("в файле нет расчёта `{name}`, а ключ --until не задан"),

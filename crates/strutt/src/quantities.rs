@@ -1,12 +1,13 @@
 //! Values of command-line keys: quantities, lists of times, `name=quantity`.
 
 use mechanics::units::{Dimension, parse_angular_rate, parse_quantity};
-use strutt::{Failure, Trouble};
-use words::Text;
+use strutt::Failure;
+use strutt::failure::Misuse;
+use words::{Notice, Text};
 
 /// `30`, `30s`, `2 min`: seconds.
 pub fn seconds(key: &str, text: &str) -> Result<f64, Failure> {
-    let value = parse_quantity(text, &Dimension::TIME).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
+    let value = parse_quantity(text, &Dimension::TIME).map_err(|fault| bad(key, text, &fault.what, &fault.help))?;
     if value.is_finite() { Ok(value) } else { Err(bad(key, text, &not_finite(), &Text::default())) }
 }
 
@@ -39,7 +40,7 @@ pub fn duration(key: &str, text: &str) -> Result<f64, Failure> {
 
 /// C054: an option that would change nothing.
 pub fn idle(option: &str, needs: &Text) -> Failure {
-    strutt::Trouble::new("C054", format!("{option} would change nothing"), format!("ключ {option} ничего не изменил бы"))
+    words::Notice::new("C054", format!("{option} would change nothing"), format!("ключ {option} ничего не изменил бы"))
         .why(needs.en.clone(), needs.ru.clone())
         .misuse()
 }
@@ -69,7 +70,7 @@ pub fn times(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
 pub fn frequencies(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
     let separator = if text.contains(';') { ';' } else { ',' };
     let one = |item: &str| {
-        let value = parse_angular_rate(item.trim()).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
+        let value = parse_angular_rate(item.trim()).map_err(|fault| bad(key, text, &fault.what, &fault.help))?;
         let negative = Text::new("a frequency is not negative", "частота не бывает отрицательной");
         if value.is_finite() && value >= 0.0 { Ok(value) } else { Err(bad(key, text, &negative, &Text::default())) }
     };
@@ -78,13 +79,13 @@ pub fn frequencies(key: &str, text: &str) -> Result<Vec<f64>, Failure> {
 
 /// A quantity of this dimension, SI.
 pub fn quantity(key: &str, text: &str, dimension: &Dimension) -> Result<f64, Failure> {
-    let value = parse_quantity(text, dimension).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
+    let value = parse_quantity(text, dimension).map_err(|fault| bad(key, text, &fault.what, &fault.help))?;
     if value.is_finite() { Ok(value) } else { Err(bad(key, text, &not_finite(), &Text::default())) }
 }
 
 /// A pure number.
 pub fn number(key: &str, text: &str) -> Result<f64, Failure> {
-    let value = parse_quantity(text, &Dimension::NONE).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
+    let value = parse_quantity(text, &Dimension::NONE).map_err(|fault| bad(key, text, &fault.what, &fault.help))?;
     if value.is_finite() { Ok(value) } else { Err(bad(key, text, &not_finite(), &Text::default())) }
 }
 
@@ -133,7 +134,7 @@ fn coordinates(key: &str, list: &[String], machine: &strutt::pipeline::Machine) 
         };
         let dimension = mechanics::units::parse_unit(&coordinate.units[0]).map(|u| u.dimension).unwrap_or(Dimension::NONE);
         has_unit(key, text, (value.trim(), machine.model.scaled.get(&coordinate.name)))?;
-        let value = parse_quantity(value.trim(), &dimension).map_err(|fault| bad(key, text, &fault.words.what, &fault.words.help))?;
+        let value = parse_quantity(value.trim(), &dimension).map_err(|fault| bad(key, text, &fault.what, &fault.help))?;
         if !value.is_finite() {
             return Err(bad(key, text, &not_finite(), &Text::default()));
         }
@@ -150,8 +151,7 @@ pub fn parameter_range(name: &str, text: &str, machine: &strutt::pipeline::Machi
     };
     let dimension = mechanics::units::parse_unit(&parameter.unit).map(|u| u.dimension).unwrap_or(Dimension::NONE);
     let separator = if text.contains(';') { ';' } else { ',' };
-    let read =
-        |end: &str| parse_quantity(end.trim(), &dimension).map_err(|fault| bad("--range", text, &fault.words.what, &fault.words.help));
+    let read = |end: &str| parse_quantity(end.trim(), &dimension).map_err(|fault| bad("--range", text, &fault.what, &fault.help));
     for end in text.split(separator) {
         has_unit("--range", text, (end.trim(), machine.model.scaled.get(name)))?;
     }
@@ -190,6 +190,6 @@ fn not_finite() -> Text {
 }
 
 fn bad(key: &str, text: &str, what: &Text, help: &Text) -> Failure {
-    let trouble = Trouble::new("C009", format!("{key} {text}: {}", what.en), format!("{key} {text}: {}", what.ru));
+    let trouble = Notice::new("C009", format!("{key} {text}: {}", what.en), format!("{key} {text}: {}", what.ru));
     trouble.help(help.en.clone(), help.ru.clone()).misuse()
 }

@@ -7,8 +7,7 @@ use report::table::Column;
 use report::unit::Scale;
 use report::{Block, Cell, Figure, Table, Word};
 use serde_json::{Map, Value, json};
-use words::Language;
-use words::Text;
+use words::{Language, Text};
 
 /// Significant digits in tables.
 const DIGITS: usize = 6;

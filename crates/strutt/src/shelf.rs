@@ -1,11 +1,10 @@
 //! Files of one calculation: all of them take their places together, or none does.
 
-use crate::failure::Trouble;
 use crate::files;
 use crate::wording::Word;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use words::Text;
+use words::{Notice, Text};
 
 /// End of the names of files that are not complete yet.
 const PART: &str = ".strutt-part";
@@ -29,7 +28,7 @@ impl<'a> Shelf<'a> {
     ///
     /// # Errors
     /// The disk refuses (C005).
-    pub fn open(folder: &'a Path, inputs: &'a [PathBuf]) -> Result<Shelf<'a>, Box<Trouble>> {
+    pub fn open(folder: &'a Path, inputs: &'a [PathBuf]) -> Result<Shelf<'a>, Box<Notice>> {
         let there = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
         fs::create_dir_all(there).map_err(|error| files::refused(folder, &error))?;
         let lock = locked(there);
@@ -43,7 +42,7 @@ impl<'a> Shelf<'a> {
     ///
     /// # Errors
     /// It would replace an input (C052), or the disk refuses (C005).
-    pub fn put(&mut self, name: &str, what: Word, bytes: &[u8]) -> Result<(), Box<Trouble>> {
+    pub fn put(&mut self, name: &str, what: Word, bytes: &[u8]) -> Result<(), Box<Notice>> {
         let name = self.free(name);
         let path = self.folder.join(&name);
         if let Some(input) = self.inputs.iter().find(|input| same_file(&path, input)) {
@@ -59,7 +58,7 @@ impl<'a> Shelf<'a> {
     ///
     /// # Errors
     /// The disk refuses (C005).
-    pub fn close(mut self) -> Result<Vec<PathBuf>, Box<Trouble>> {
+    pub fn close(mut self) -> Result<Vec<PathBuf>, Box<Notice>> {
         let paths: Vec<PathBuf> = self.names.iter().map(|(name, _)| self.folder.join(name)).collect();
         // a folder in the place of a file is the one refusal that a rename meets when the parts could be written
         if let Some(taken) = paths.iter().find(|path| path.is_dir()) {
@@ -125,10 +124,10 @@ fn same_file(output: &Path, input: &Path) -> bool {
     place(output).is_some_and(|o| place(input) == Some(o)) || aimed()
 }
 
-fn input_kept(output: &Path, input: &Path) -> Trouble {
+fn input_kept(output: &Path, input: &Path) -> Notice {
     let (output, input) = (output.display(), input.display());
     let elsewhere = Text::new("choose another folder with --out", "укажите другую папку ключом --out");
-    Trouble::new(
+    Notice::new(
         "C052",
         format!("`{output}` would replace `{input}`, which this calculation has read; nothing was written"),
         format!("файл `{output}` заменил бы `{input}`, из которого взяты данные; ничего не записано"),

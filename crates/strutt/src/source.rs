@@ -1,11 +1,10 @@
 //! The model file as text: from a path, a folder with model.toml, or standard input.
 
-use crate::failure::Trouble;
 use crate::gallery;
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
-use words::nearest;
+use words::{Notice, nearest};
 
 /// Largest model file, bytes; the reader of the model has the same limit.
 const LARGEST: u64 = mechanics::MAX_FILE as u64;
@@ -24,7 +23,7 @@ impl Source {
     ///
     /// # Errors
     /// A file that is missing, unreadable, too large or not UTF-8 (C001 ... C004).
-    pub fn open(path: &str) -> Result<Source, Box<Trouble>> {
+    pub fn open(path: &str) -> Result<Source, Box<Notice>> {
         if path == "-" {
             return Source::from_reader(std::io::stdin().lock(), "stdin");
         }
@@ -41,7 +40,7 @@ impl Source {
         Source { path: path.into(), text: text.into() }
     }
 
-    fn from_reader(reader: impl Read, path: &str) -> Result<Source, Box<Trouble>> {
+    fn from_reader(reader: impl Read, path: &str) -> Result<Source, Box<Notice>> {
         let mut bytes = Vec::new();
         // one byte more than allowed tells a file at the limit from an endless device
         reader.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| Box::new(unreadable(path, &error)))?;
@@ -84,11 +83,11 @@ impl Source {
     }
 }
 
-fn cannot_open(path: &str, error: &std::io::Error) -> Trouble {
+fn cannot_open(path: &str, error: &std::io::Error) -> Notice {
     if error.kind() != ErrorKind::NotFound {
         return unreadable(path, error);
     }
-    let trouble = Trouble::new("C001", format!("there is no file `{path}`"), format!("нет файла `{path}`"));
+    let trouble = Notice::new("C001", format!("there is no file `{path}`"), format!("нет файла `{path}`"));
     let wanted = Path::new(path);
     let name = wanted.file_name().map_or_else(|| path.into(), |n| n.to_string_lossy().into_owned());
     if let Some(near) = nearest(&name, neighbours(wanted).iter().map(String::as_str)) {
@@ -124,27 +123,27 @@ fn neighbours(wanted: &Path) -> Vec<String> {
     names
 }
 
-fn unreadable(path: &str, error: &std::io::Error) -> Trouble {
+fn unreadable(path: &str, error: &std::io::Error) -> Notice {
     let cause = crate::system::cause(error);
-    Trouble::new("C002", format!("cannot read `{path}`: {}", cause.en), format!("не удаётся прочитать `{path}`: {}", cause.ru)).help(
+    Notice::new("C002", format!("cannot read `{path}`: {}", cause.en), format!("не удаётся прочитать `{path}`: {}", cause.ru)).help(
         "see that the path leads to a text file that you may read",
         "проверьте, что путь ведёт к текстовому файлу, который разрешено читать",
     )
 }
 
-fn too_large(path: &str) -> Trouble {
+fn too_large(path: &str) -> Notice {
     let limit = LARGEST >> 20;
-    Trouble::new("C003", format!("`{path}` is larger than {limit} MiB"), format!("`{path}` больше {limit} МиБ"))
+    Notice::new("C003", format!("`{path}` is larger than {limit} MiB"), format!("`{path}` больше {limit} МиБ"))
         .why("a model file is text written by hand or by a script", "файл модели – это текст, написанный вручную или программой")
         .help("give the model file, not data or a picture", "укажите файл модели, а не данные или рисунок")
 }
 
-fn not_utf8(path: &str, bytes: &[u8], valid: usize) -> Trouble {
+fn not_utf8(path: &str, bytes: &[u8], valid: usize) -> Notice {
     let line = 1 + bytes[..valid].iter().filter(|b| **b == b'\n').count();
     let wide = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
     let cyrillic = bytes[valid..].iter().take(64).filter(|b| **b >= 0xc0).count() > 3;
     let trouble =
-        Trouble::new("C004", format!("`{path}`, line {line}: not UTF-8 text"), format!("`{path}`, строка {line}: текст не в UTF-8"));
+        Notice::new("C004", format!("`{path}`, line {line}: not UTF-8 text"), format!("`{path}`, строка {line}: текст не в UTF-8"));
     let trouble = match (wide, cyrillic) {
         (true, _) => trouble.why("the file is saved as UTF-16", "файл сохранён в UTF-16"),
         (_, true) => trouble.why("probably saved in the encoding Windows-1251", "вероятно, файл сохранён в кодировке Windows-1251"),

@@ -1,12 +1,12 @@
 //! `--variant NAME`: a row of the table that the model file names, as values that replace those of the file.
 
-use crate::failure::{Failure, Trouble};
+use crate::failure::Failure;
+use crate::failure::Misuse;
 use crate::source::Source;
 use mechanics::Model;
-use mechanics::diagnostic::{Severity, Source as Place};
 use mechanics::model::{VariantTable, Variants};
 use std::path::Path;
-use words::nearest;
+use words::{Notice, Place, Severity, nearest};
 
 /// A table of variants.
 struct Sheet {
@@ -108,15 +108,15 @@ fn named_once(sheet: &Sheet, used: &[usize]) -> Result<(), Failure> {
 /// A cell is read as --set would read it; what is wrong with it is said of its place in the table.
 fn cell_fits(sheet: &Sheet, line: usize, pair: &(String, String), source: &Source) -> Result<(), Failure> {
     let Err(found) = mechanics::read(&source.text, &source.path, std::slice::from_ref(pair)) else { return Ok(()) };
-    let own = found.into_iter().find(|d| d.severity == Severity::Error && matches!(d.source, Place::Override { .. }));
+    let own = found.into_iter().find(|d| d.severity == Severity::Error && matches!(d.place, Place::Override { .. }));
     let Some(wrong) = own else { return Ok(()) };
     let (place, column, what) = (&sheet.place, &pair.0, &wrong.what);
-    let mut trouble = Trouble::new(
+    let mut trouble = Notice::new(
         "C022",
         format!("{place}, line {line}, column `{column}`: {}", what.en),
         format!("{place}, строка {line}, столбец `{column}`: {}", what.ru),
     );
-    (trouble.why, trouble.help) = (wrong.why, wrong.help);
+    (trouble.why, trouble.help) = (wrong.why.clone(), wrong.help.clone());
     Err(trouble.into())
 }
 
@@ -213,7 +213,7 @@ fn used_columns(variants: &Variants, sheet: &Sheet, model: &Model) -> Result<Vec
 
 fn none(source: &Source) -> Failure {
     let path = &source.path;
-    Trouble::new("C020", format!("`{path}` has no variants"), format!("в `{path}` нет вариантов"))
+    Notice::new("C020", format!("`{path}` has no variants"), format!("в `{path}` нет вариантов"))
         .help(
             "add [variants] and table = \"variants.csv\", or leave --variant out",
             "добавьте [variants] и table = \"variants.csv\" или не задавайте --variant",
@@ -225,7 +225,7 @@ fn unknown(sheet: &Sheet, name: &str) -> Failure {
     let names = || sheet.rows.iter().map(|row| row[sheet.key].as_str());
     let place = &sheet.place;
     let list = names().take(60).collect::<Vec<_>>().join(", ");
-    let trouble = Trouble::new("C021", format!("there is no variant `{name}` in {place}"), format!("нет варианта `{name}` в {place}"));
+    let trouble = Notice::new("C021", format!("there is no variant `{name}` in {place}"), format!("нет варианта `{name}` в {place}"));
     let trouble = match sheet.rows.is_empty() {
         true => trouble.why("the table has no rows", "в таблице нет строк"),
         false => trouble.why(format!("the table has: {list}"), format!("в таблице есть: {list}")),
@@ -238,11 +238,11 @@ fn unknown(sheet: &Sheet, name: &str) -> Failure {
 }
 
 fn misfit(sheet: &Sheet, (en, ru): (String, String)) -> Failure {
-    Trouble::new("C022", format!("{}: {en}", sheet.place), format!("{}: {ru}", sheet.place)).into()
+    Notice::new("C022", format!("{}: {en}", sheet.place), format!("{}: {ru}", sheet.place)).into()
 }
 
 fn uneven(place: &str, line: usize, (cells, columns): (usize, usize)) -> Failure {
-    Trouble::new(
+    Notice::new(
         "C022",
         format!("{place}: line {line} has {cells} cells, the header has {columns}"),
         format!("{place}: в строке {line} клеток {cells}, а столбцов {columns}"),
@@ -266,7 +266,7 @@ fn foreign_column(sheet: &Sheet, name: &str, model: &Model) -> Failure {
         (format!("the column `{name}` is no parameter or coordinate"), format!("столбец `{name}` — не параметр и не координата")),
         &sheet.place,
     );
-    let trouble = Trouble::new("C022", format!("{place}: {}", what.0), format!("{place}: {}", what.1));
+    let trouble = Notice::new("C022", format!("{place}: {}", what.0), format!("{place}: {}", what.1));
     match near {
         Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => trouble.help(

@@ -63,7 +63,8 @@ pub struct Notice {
     pub place: Place,
     /// Other places in the file that belong to it.
     pub related: Vec<(Range<usize>, Text)>,
-    message: Box<Message>,
+    /// The words.
+    pub message: Box<Message>,
 }
 
 impl From<Message> for Notice {
@@ -121,6 +122,13 @@ impl Notice {
         match &self.place {
             Place::File(span) => Some(span.clone()),
             _ => None,
+        }
+    }
+    /// The range in its text, whatever text that is; empty where there is none.
+    pub fn range(&self) -> Range<usize> {
+        match &self.place {
+            Place::Nowhere => 0..0,
+            Place::Piece(span) | Place::File(span) | Place::Override { span, .. } | Place::CommandLine { span, .. } => span.clone(),
         }
     }
     /// The same notice in a text in which its piece begins at byte `by`.

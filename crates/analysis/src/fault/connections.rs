@@ -1,8 +1,8 @@
 //! Faults of friction, contacts and connections.
 
-use words::Text;
+use words::{Message, Text};
 
-use super::{Fault, Message, number, rounded, ten_digits};
+use super::{Fault, number, rounded, ten_digits};
 use words::explain::{Explanation, plain};
 
 /// Rows of friction, contacts and connections.

@@ -16,6 +16,7 @@
 //! with ∂y/∂λ, the same form as one without reactions. Dry friction and one-sided contacts are left out, as in all small motions.
 
 use std::sync::Arc;
+use words::Message;
 
 use program::lower::{self, Inputs};
 use program::{Evaluator, Point, Tape};
@@ -25,7 +26,6 @@ use words::Text;
 
 use super::{LinearMachine, Place, Seen};
 use crate::Fault;
-use crate::fault::Message;
 use crate::numerics::rank::{Qr, TOLERANCE};
 
 /// What excites, where it is not everything in the equations.

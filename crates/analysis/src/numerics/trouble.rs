@@ -1,10 +1,9 @@
 //! What can be wrong with the matrices of a linear problem. A [`Pivot`] keeps the row, so that a caller who knows what the rows mean can
 //! name the node and the free motion; by `?` it becomes a [`Fault`] that names the row alone.
 
-use words::Text;
+use words::{Message, Text};
 
 use crate::Fault;
-use crate::fault::Message;
 
 /// What the elimination met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,10 +2,10 @@
 
 use symbolic::Equations;
 use symbolic::connections::Law;
-use words::Text;
+use words::{Message, Text};
 
 use crate::Fault;
-use crate::fault::{Message, rounded};
+use crate::fault::rounded;
 use words::explain::{Explanation, plain};
 
 /// S093.

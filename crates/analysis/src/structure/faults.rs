@@ -1,9 +1,8 @@
 //! What can be wrong with a structure that was read without errors: codes S050 to S059.
 
 use crate::Fault;
-use crate::fault::Message;
-use words::Text;
 use words::explain::{Explanation, plain};
+use words::{Message, Text};
 
 /// Long texts of the codes of this folder.
 pub const EXPLANATIONS: &[Explanation] = &[

@@ -21,10 +21,9 @@
 //! output, mean over time = cycle/duration.
 //! *Source*: I. I. Artobolevskii, Theory of Mechanisms and Machines, 16-19.
 
-use words::Text;
+use words::{Message, Text};
 
 use crate::dataset::{Audit, Column, Dataset, Extreme};
-use crate::fault::Message;
 use crate::marks::crossings::{self, Bracket};
 use crate::marks::extremes::Extremes;
 use crate::marks::proxy::{Piece, Proxies, Values};

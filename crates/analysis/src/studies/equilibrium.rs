@@ -4,10 +4,10 @@
 //! t = 0). An equilibrium of a conservative system is stable when its stiffness K = -dh/dq is positive definite (Lagrange, Dirichlet) and unstable when K has a negative direction; when K is not symmetric the loads do
 //! work over closed ways (follower forces), and definiteness of the symmetric part is only a hint.
 
-use words::Text;
+use words::{Message, Text};
 
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
-use crate::fault::{Message, rounded};
+use crate::fault::rounded;
 use crate::numerics::lu::{Lu, positive_definite};
 use crate::numerics::rank::{Qr, TOLERANCE};
 use crate::{Fault, Quantity, System};

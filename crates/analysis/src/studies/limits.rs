@@ -3,10 +3,10 @@
 //! Two things are left out: what oscillates in the coefficients (M₁ cos νt beside M, which turns a motion at ω into forces at ω ± ν), and what the
 //! forces of places do beyond their straight line. Both are measured on the amplitudes X, relative to the terms of the equations.
 
-use words::Text;
+use words::{Message, Text};
 
 use crate::Fault;
-use crate::fault::{Message, rounded};
+use crate::fault::rounded;
 use crate::linear::{LinearMachine, Matrices, Place, Seen, Values};
 use crate::studies::modes::Complex;
 use crate::studies::response::magnitude;

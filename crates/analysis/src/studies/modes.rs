@@ -10,10 +10,9 @@
 //!
 //! *Source*: P. C. Müller, W. Schiehlen, Linear Vibrations, ch. 4; L. Meirovitch, Methods of Analytical Dynamics, ch. 9.
 
-use words::Text;
+use words::{Message, Text};
 
 use crate::dataset::Audit;
-use crate::fault::Message;
 use crate::linear::{Matrices, largest, parts};
 use crate::numerics::certify::certify;
 use crate::numerics::eigen;

@@ -9,6 +9,7 @@
 //! *Source*: C. W. de Silva, Vibration: Fundamentals and Practice, ch. 3; L. Meirovitch, Fundamentals of Vibrations, ch. 3.
 
 use std::f64::consts::PI;
+use words::Message;
 
 use symbolic::Expr;
 use symbolic::linear::HarmonicLoad;
@@ -16,7 +17,7 @@ use words::Text;
 use words::explain::{Explanation, plain};
 
 use crate::Fault;
-use crate::fault::{Message, rounded};
+use crate::fault::rounded;
 use crate::linear::{LinearMachine, LoadParts, Matrices, Observer, Place, Seen, Values};
 use crate::studies::impedance::{Amplitudes, Gain, solve};
 use crate::studies::modes::Complex;

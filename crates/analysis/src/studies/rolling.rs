@@ -13,10 +13,9 @@
 //!
 //! *Source*: Ju. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, ch. V and VI.
 
-use words::Text;
+use words::{Message, Text};
 
 use crate::dataset::Audit;
-use crate::fault::Message;
 use crate::linear::{Matrices, largest, parts};
 use crate::numerics::lu::Lu;
 use crate::numerics::rank::{Qr, TOLERANCE};

@@ -7,10 +7,10 @@
 //! Gauss-Newton: ∂F/∂u is exact, the equations are scaled by rows and columns, dependent unknowns and forces that nothing balances are
 //! faults, never a least-squares compromise.
 
-use words::Text;
+use words::{Message, Text};
 
 use crate::Fault;
-use crate::fault::{Message, number, rounded};
+use crate::fault::{number, rounded};
 use crate::linear::{LinearMachine, Place};
 use crate::numerics::rank::Qr;
 

@@ -8,11 +8,11 @@ use super::pathways::{Given, located, resolve};
 use super::requests::Resolver;
 use super::scene::{Columns, Found, Scene, Vector};
 use super::wrench::Act;
-use crate::diagnostic::Diagnostic;
 use crate::model::{Action, PointRef, Rest};
 use std::ops::Range;
 use symbolic::equations::Applied;
 use symbolic::{Expr, Rational, Substitution, SymbolId};
+use words::Notice;
 
 /// A named term of an energy.
 #[derive(Clone, Debug)]
@@ -51,7 +51,7 @@ pub struct Loads {
 }
 
 /// Collects everything that acts.
-pub fn collect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Loads, Vec<Diagnostic>> {
+pub fn collect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Loads, Vec<Notice>> {
     let mut loads = Loads::default();
     let mut errors = Vec::new();
     gravity(scene, kinematics, &mut loads);

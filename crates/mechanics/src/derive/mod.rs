@@ -21,7 +21,6 @@ mod wrench;
 
 pub use explain::EXPLANATIONS;
 
-use crate::diagnostic::{Diagnostic, sort};
 use crate::model::{Class, ConnectionKind, CoordinateDecl, Inertia, Model, Part};
 use connections::Connected;
 use kinematics::Kinematics;
@@ -31,7 +30,8 @@ use requests::{EnergyTerms, Resolver};
 use scene::Scene;
 use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role, Start};
 use symbolic::{Equations, Expr, Matrix, SymbolId};
-use words::Text;
+use words::notice::sort;
+use words::{Notice, Text};
 
 /// Above this number of coordinates, formulas are not written out.
 const LARGEST_SHOWN: usize = 12;
@@ -50,7 +50,7 @@ pub enum Detail {
 /// Derives the equations of motion of a machine, with the written steps.
 ///
 /// *Errors*: see [`derive_in`].
-pub fn derive(model: &Model) -> Result<Equations, Vec<Diagnostic>> {
+pub fn derive(model: &Model) -> Result<Equations, Vec<Notice>> {
     derive_in(model, Detail::Steps)
 }
 
@@ -58,7 +58,7 @@ pub fn derive(model: &Model) -> Result<Equations, Vec<Diagnostic>> {
 ///
 /// *Errors*: a coordinate without inertia (M100), a plane inertia on a body that tumbles in space (M101), an undefined relative angle
 /// (M102), a kinematic function that is not available (M103).
-pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Diagnostic>> {
+pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Notice>> {
     let mut scene = Scene::new(model);
     let mut kinematics = Kinematics::new(&mut scene);
     let mut errors = plane_inertia_in_space(&mut scene, &kinematics);
@@ -238,7 +238,7 @@ fn asks_for_bodies(model: &Model) -> bool {
 }
 
 /// A plane inertia says nothing about turning about other axes.
-fn plane_inertia_in_space(scene: &mut Scene, kinematics: &Kinematics) -> Vec<Diagnostic> {
+fn plane_inertia_in_space(scene: &mut Scene, kinematics: &Kinematics) -> Vec<Notice> {
     let model = scene.model;
     let mut found = Vec::new();
     for (frame, motion) in model.frames.iter().zip(&kinematics.frames) {
@@ -247,7 +247,7 @@ fn plane_inertia_in_space(scene: &mut Scene, kinematics: &Kinematics) -> Vec<Dia
         if plane && tumbles {
             let name = &frame.name;
             found.push(
-                Diagnostic::error(
+                Notice::file(
                     "M101",
                     frame.span.clone(),
                     Text::new(
@@ -255,14 +255,14 @@ fn plane_inertia_in_space(scene: &mut Scene, kinematics: &Kinematics) -> Vec<Dia
                         format!("тело `{name}` вращается в пространстве, а момент инерции задан один"),
                     ),
                 )
-                .why(Text::new(
+                .why(
                     "it also turns about its x or y axis, where its inertia is not given",
                     "оно поворачивается и вокруг своей оси x или y, для которой момент инерции не задан",
-                ))
-                .help(Text::new(
+                )
+                .help(
                     "give inertia = { xx = \"...\", yy = \"...\", zz = \"...\" } or a shape",
                     "задайте inertia = { xx = \"...\", yy = \"...\", zz = \"...\" } или форму shape",
-                )),
+                ),
             );
         }
     }
@@ -270,7 +270,7 @@ fn plane_inertia_in_space(scene: &mut Scene, kinematics: &Kinematics) -> Vec<Dia
 }
 
 /// Every coordinate needs inertia; a zero row of M makes its acceleration undefined.
-fn missing_inertia(scene: &Scene, mass: &Quadratic, connected: &Connected) -> Vec<Diagnostic> {
+fn missing_inertia(scene: &Scene, mass: &Quadratic, connected: &Connected) -> Vec<Notice> {
     let mut found = Vec::new();
     for (i, coordinate) in scene.model.coordinates.iter().enumerate() {
         let own = mass.get(&(i, i)).copied();
@@ -283,7 +283,7 @@ fn missing_inertia(scene: &Scene, mass: &Quadratic, connected: &Connected) -> Ve
             continue;
         }
         found.push(
-            Diagnostic::error(
+            Notice::file(
                 "M100",
                 coordinate.span.clone(),
                 Text::new(
@@ -291,14 +291,14 @@ fn missing_inertia(scene: &Scene, mass: &Quadratic, connected: &Connected) -> Ve
                     format!("обобщённой координате `{name}` ничто не придаёт инерции"),
                 ),
             )
-            .why(Text::new(
+            .why(
                 format!("no body with mass or inertia moves when `{name}` changes"),
                 format!("при изменении `{name}` не движется ни одно тело с массой или моментом инерции"),
-            ))
-            .help(Text::new(
+            )
+            .help(
                 format!("place a body with `mass` or `inertia` so that its origin or angle uses `{name}`, or remove the coordinate"),
                 format!("поставьте тело с `mass` или `inertia`, положение которого зависит от `{name}`, или уберите координату"),
-            )),
+            ),
         );
     }
     found
@@ -311,12 +311,12 @@ fn is_switched_off(scene: &Scene, inertia: Expr) -> bool {
     at(0.3) == 0.0 && at(1.7) == 0.0
 }
 
-fn switched_off(scene: &Scene, coordinate: &CoordinateDecl, inertia: Expr) -> Diagnostic {
+fn switched_off(scene: &Scene, coordinate: &CoordinateDecl, inertia: Expr) -> Notice {
     let symbols = scene.graph.symbols_in(&[inertia]);
     let zero = scene.model.parameters.iter().filter(|p| p.number == Some(0.0) && symbols.binary_search(&p.symbol).is_ok());
     let list = zero.map(|p| p.name.as_str()).collect::<Vec<_>>().join(", ");
     let name = &coordinate.name;
-    Diagnostic::error(
+    Notice::file(
         "M100",
         coordinate.span.clone(),
         Text::new(
@@ -324,11 +324,11 @@ fn switched_off(scene: &Scene, coordinate: &CoordinateDecl, inertia: Expr) -> Di
             format!("при этих значениях обобщённой координате `{name}` ничто не придаёт инерции"),
         ),
     )
-    .why(Text::new(format!("its inertia vanishes with {list}"), format!("её инерция обращается в нуль вместе с {list}")))
-    .help(Text::new(
+    .why(format!("its inertia vanishes with {list}"), format!("её инерция обращается в нуль вместе с {list}"))
+    .help(
         format!("give what moves with `{name}` a mass, hold `{name}` by a motion, or remove the coordinate"),
         format!("задайте массу тому, что движется вместе с `{name}`, закрепите `{name}` заданным движением или уберите координату"),
-    ))
+    )
 }
 
 fn energy(scene: &mut Scene, mass: &Quadratic, (loads, connected): (&Loads, &Connected), second: &newton_euler::Projected) -> Energy {
@@ -435,7 +435,7 @@ fn definitions(scene: &mut Scene, roots: &[Expr]) -> Vec<Definition> {
 }
 
 /// Coordinates with rates and accelerations, auxiliary states, then the user's outputs.
-fn outputs(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Vec<Output>, Vec<Diagnostic>> {
+fn outputs(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Vec<Output>, Vec<Notice>> {
     let model = scene.model;
     let mut list = Vec::new();
     let roles = [Role::Coordinate, Role::Rate, Role::Acceleration];
@@ -467,7 +467,7 @@ fn outputs(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
                 formula,
             }),
             Err(mut diagnostic) => {
-                diagnostic.source = crate::diagnostic::Source::File(output.span.clone());
+                diagnostic.place = words::Place::File(output.span.clone());
                 errors.push(*diagnostic);
             }
         }
@@ -484,7 +484,7 @@ fn outputs(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
                 formula,
             }),
             Err(mut diagnostic) => {
-                diagnostic.source = crate::diagnostic::Source::File(event.span.clone());
+                diagnostic.place = words::Place::File(event.span.clone());
                 errors.push(*diagnostic);
             }
         }

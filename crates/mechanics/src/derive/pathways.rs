@@ -7,11 +7,10 @@ use super::kinematics::Kinematics;
 use super::requests::Resolver;
 use super::scene::{Columns, Found, Scene};
 use super::wrench::{Act, Along, Formula, generalized};
-use crate::diagnostic::Diagnostic;
 use crate::model::{Axis, FrameId, Measure, Pathway, PointRef, RequestKind};
 use std::ops::Range;
 use symbolic::Expr;
-use words::Text;
+use words::{Notice, Text};
 
 /// A pathway ready for use.
 #[derive(Clone, Debug)]
@@ -207,18 +206,18 @@ pub fn unit_vector(scene: &mut Scene, axis: Axis) -> [Expr; 3] {
     v
 }
 
-fn no_common_axis(a: &str, b: &str, span: &Range<usize>) -> Diagnostic {
-    Diagnostic::error(
+fn no_common_axis(a: &str, b: &str, span: &Range<usize>) -> Notice {
+    Notice::file(
         "M102",
         span.clone(),
         Text::new(format!("no single angle between `{a}` and `{b}`"), format!("между `{a}` и `{b}` нет единственного угла")),
     )
-    .why(Text::new(
+    .why(
         "in space two bodies have a relative angle only when one stands on the other and turns about one axis",
         "в пространстве относительный угол определён, только если одно тело стоит на другом и поворачивается вокруг одной оси",
-    ))
-    .help(Text::new(
+    )
+    .help(
         "write the pathway as a formula, along = \"...\", or put the element between parent and child",
         "задайте координату элемента формулой, along = \"...\", или поставьте элемент между несущим телом и телом на нём",
-    ))
+    )
 }

@@ -5,11 +5,10 @@
 use super::kinematics::Kinematics;
 use super::loads::Loads;
 use super::scene::{Found, Scene};
-use crate::diagnostic::Diagnostic;
 use crate::model::{Axis, Element, FrameId, Part, Request, RequestKind};
 use rustc_hash::FxHashMap;
 use symbolic::{Expr, Substitution, SymbolId};
-use words::Text;
+use words::{Notice, Text};
 
 /// How deep placeholders may refer to each other.
 const DEEPEST: usize = 200;
@@ -152,7 +151,7 @@ impl Resolver {
     }
 
     /// A component that the connection does not have; before the reactions are known, any.
-    fn no_component(&self, scene: &Scene, request: &Request, connection: usize) -> Box<Diagnostic> {
+    fn no_component(&self, scene: &Scene, request: &Request, connection: usize) -> Box<Notice> {
         let of = &scene.model.connections[connection].name;
         let own = self.reactions.keys().filter(|(c, _)| *c == connection).map(|(_, part)| part);
         let mut names: Vec<String> = own.map(|part| format!("{}({of})", part.name())).collect();
@@ -167,7 +166,7 @@ impl Resolver {
             format!("у связи `{of}` в этой машине нет такой компоненты"),
         );
         let help = Text::new(format!("it has: {list}"), format!("у неё есть: {list}"));
-        Box::new(Diagnostic::error("M103", 0..0, what).why(why).help(help))
+        Box::new(Notice::file("M103", 0..0, what).because(why).cure(help))
     }
 
     fn element(&self, element: Element) -> Option<(Expr, Expr)> {
@@ -190,17 +189,14 @@ fn turning_about_z(scene: &mut Scene, kinematics: &Kinematics, f: FrameId) -> Ex
     scene.tidy(z)
 }
 
-fn not_available(scene: &Scene, request: &Request) -> Box<Diagnostic> {
+fn not_available(scene: &Scene, request: &Request) -> Box<Notice> {
     let name = &scene.graph.symbol_info(request.symbol).name;
-    let found = Diagnostic::error(
-        "M103",
-        0..0,
-        Text::new(format!("`{name}` is not available here"), format!("величина `{name}` здесь недоступна")),
-    )
-    .why(Text::new(
-        "energies and element forces are known only after the equations are derived; `angle` exists only for plane rotation",
-        "энергии и силы в элементах известны только после вывода уравнений; `angle` определён только для плоского вращения",
-    ))
-    .help(Text::new("use it in [outputs], or write the formula out", "используйте её в [outputs] или запишите формулу полностью"));
+    let found =
+        Notice::file("M103", 0..0, Text::new(format!("`{name}` is not available here"), format!("величина `{name}` здесь недоступна")))
+            .why(
+                "energies and element forces are known only after the equations are derived; `angle` exists only for plane rotation",
+                "энергии и силы в элементах известны только после вывода уравнений; `angle` определён только для плоского вращения",
+            )
+            .help("use it in [outputs], or write the formula out", "используйте её в [outputs] или запишите формулу полностью");
     Box::new(found)
 }

@@ -4,14 +4,14 @@
 //! frames with a prescribed rate. All three are one extra direction of motion, number n after the coordinates 0..n, with rate 1: a
 //! velocity is Σ J_j q'_j + J_n. Lagrange's and Newton-Euler's formulas then need no terms of their own for moving constraints.
 
-use crate::diagnostic::Diagnostic;
 use crate::model::{Class, Model};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 use symbolic::{Derivation, Expr, Function, Graph, Node, Occurrence, Substitution, SymbolId, Textbook};
+use words::Notice;
 
 /// A result, or a finding about the model.
-pub type Found<T> = Result<T, Box<Diagnostic>>;
+pub type Found<T> = Result<T, Box<Notice>>;
 
 /// A vector in some axes.
 pub type Vector = [Expr; 3];

@@ -7,11 +7,12 @@ use super::kinematic::{FUNCTIONS, Where};
 use super::parse::{Ast, Formula, NodeId};
 use super::scope::{Entry, EntryKind, Scope};
 use super::turns;
-use crate::fault::{Fault, nearest};
 use crate::model::RequestKind;
+use crate::snippet::nearest;
 use crate::units::{Dimension, si_label, si_label_ru};
 use std::ops::{BitOr, Range};
 use symbolic::{Function, Rational};
+use words::Notice;
 
 /// What is known of a dimension.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -161,7 +162,7 @@ impl Context {
 pub(crate) struct Checked {
     pub kind: Kind,
     pub depends: Depends,
-    pub faults: Vec<Fault>,
+    pub faults: Vec<Notice>,
 }
 
 /// Checks a formula.
@@ -173,7 +174,7 @@ pub(crate) fn check(formula: &Formula, scope: &Scope, context: &Context) -> Chec
         let rational = pass.rational(node);
         pass.rationals.push(rational);
     }
-    let kind = if pass.faults.iter().any(|f| f.severity == crate::Severity::Error) { Kind::Unknown } else { pass.kinds[formula.root()] };
+    let kind = if pass.faults.iter().any(|f| f.severity == words::Severity::Error) { Kind::Unknown } else { pass.kinds[formula.root()] };
     Checked { kind, depends: pass.depends, faults: pass.faults }
 }
 
@@ -181,7 +182,7 @@ struct Pass<'a> {
     formula: &'a Formula,
     scope: &'a Scope,
     context: &'a Context,
-    faults: Vec<Fault>,
+    faults: Vec<Notice>,
     kinds: Vec<Kind>,
     /// exact values of nodes that are small numbers, for exponents
     rationals: Vec<Option<Rational>>,
@@ -192,7 +193,7 @@ impl Pass<'_> {
     fn span(&self, id: NodeId) -> Range<usize> {
         self.formula.nodes[id].1.clone()
     }
-    fn fail(&mut self, fault: Fault) -> Kind {
+    fn fail(&mut self, fault: Notice) -> Kind {
         self.faults.push(fault);
         Kind::Unknown
     }
@@ -225,7 +226,7 @@ impl Pass<'_> {
             }
             ("pi" | "π" | "t", _) => {
                 let what = (format!("`{name}` has no derivative to speak of"), format!("у `{name}` нет смысла брать производную"));
-                return self.fail(Fault::new("M038", span.clone(), what.0, what.1));
+                return self.fail(Notice::piece("M038", span.clone(), what.0, what.1));
             }
             _ => {}
         }
@@ -236,7 +237,7 @@ impl Pass<'_> {
         let entry = entry.clone();
         if primes > 2 {
             return self.fail(
-                Fault::new(
+                Notice::piece(
                     "M038",
                     span.clone(),
                     format!("`{name}` has {primes} primes; two derivatives are the most"),
@@ -247,7 +248,7 @@ impl Pass<'_> {
         }
         if matches!(entry.kind, EntryKind::Output(_)) && !self.context.outputs {
             return self.fail(
-                Fault::new(
+                Notice::piece(
                     "M037",
                     span.clone(),
                     format!("`{name}` is an output; outputs can be used in outputs only"),
@@ -265,7 +266,7 @@ impl Pass<'_> {
             match depends.derivative() {
                 Some(d) => depends = d,
                 None => {
-                    return self.fail(Fault::new(
+                    return self.fail(Notice::piece(
                         "M038",
                         span.clone(),
                         format!("the derivative of `{name}` contains third derivatives of coordinates"),
@@ -278,7 +279,7 @@ impl Pass<'_> {
             depends = Depends::coordinate(primes);
         } else if primes > 0 && depends.is_constant() && entry.dimension != Kind::Unknown {
             self.faults.push(
-                Fault::new(
+                Notice::piece(
                     "M039",
                     span.clone(),
                     format!("`{name}` is constant: its time derivative is zero"),
@@ -310,7 +311,7 @@ impl Pass<'_> {
         };
         let written = &self.formula.nodes.iter().find(|n| n.1 == *span).map_or(name, |_| name);
         self.faults.push(
-            Fault::new("M036", span.clone(), format!("`{written}` depends on {en}"), format!("`{written}` зависит от {ru}"))
+            Notice::piece("M036", span.clone(), format!("`{written}` depends on {en}"), format!("`{written}` зависит от {ru}"))
                 .why(self.context.en, self.context.ru),
         );
     }
@@ -353,7 +354,7 @@ impl Pass<'_> {
             if *inverse && self.rationals[*id].as_ref().is_some_and(Rational::is_zero) {
                 let at = self.span(*id);
                 return self.fail(
-                    Fault::new("M042", at, "division by zero", "деление на нуль")
+                    Notice::piece("M042", at, "division by zero", "деление на нуль")
                         .why("no number comes out of it", "результат не является числом"),
                 );
             }
@@ -389,7 +390,7 @@ impl Pass<'_> {
         if let Kind::Known(d) = self.kinds[exponent]
             && !d.is_none()
         {
-            let fault = Fault::new(
+            let fault = Notice::piece(
                 "M026",
                 self.span(exponent),
                 format!("an exponent must be a pure number, this is {}", si_label(&d)),
@@ -400,12 +401,12 @@ impl Pass<'_> {
         let value = self.rationals[exponent].clone();
         match (value, self.kinds[base]) {
             (Some(e), Kind::Any) if e.is_negative() => {
-                self.fail(Fault::new("M042", span.clone(), "a negative power of zero", "отрицательная степень нуля"))
+                self.fail(Notice::piece("M042", span.clone(), "a negative power of zero", "отрицательная степень нуля"))
             }
             (Some(e), Kind::Any) if e.is_zero() => Kind::Known(Dimension::NONE),
             (Some(e), base) => self.raise(base, &e, span),
             (None, Kind::Known(d)) if !d.is_none() => {
-                let fault = Fault::new(
+                let fault = Notice::piece(
                     "M026",
                     self.span(exponent),
                     format!("the base is {}: its exponent must be a plain number, not a formula", si_label(&d)),
@@ -438,7 +439,7 @@ impl Pass<'_> {
                     && !d.is_none()
                 {
                     let (name, got, got_ru) = (function.name(), si_label(&d), si_label_ru(&d));
-                    let fault = Fault::new(
+                    let fault = Notice::piece(
                         "M026",
                         self.span(arguments[0]),
                         format!("{name} takes an angle or a pure number, this is {got}"),
@@ -494,8 +495,8 @@ impl Pass<'_> {
     }
 }
 
-fn misplaced(name: &str, span: &Range<usize>) -> Fault {
-    Fault::new(
+fn misplaced(name: &str, span: &Range<usize>) -> Notice {
+    Notice::piece(
         "M037",
         span.clone(),
         format!("{name}(...) cannot be used here"),
@@ -508,8 +509,8 @@ fn misplaced(name: &str, span: &Range<usize>) -> Fault {
 }
 
 /// A reaction follows from the motion; what decides the motion may not depend on it, except dry friction, which knows how.
-fn misplaced_reaction(name: &str, span: &Range<usize>) -> Fault {
-    Fault::new(
+fn misplaced_reaction(name: &str, span: &Range<usize>) -> Notice {
+    Notice::piece(
         "M076",
         span.clone(),
         format!("the reaction {name}(...) cannot be used here"),
@@ -521,11 +522,11 @@ fn misplaced_reaction(name: &str, span: &Range<usize>) -> Fault {
     )
 }
 
-fn mismatch_inside(pass: &Pass, from: NodeId, first: &Dimension, id: NodeId, second: &Dimension, en: &str, ru: &str) -> Fault {
+fn mismatch_inside(pass: &Pass, from: NodeId, first: &Dimension, id: NodeId, second: &Dimension, en: &str, ru: &str) -> Notice {
     let (left, right) = (si_label(first), si_label(second));
     let (left_ru, right_ru) = (si_label_ru(first), si_label_ru(second));
     let (a, b) = (pass.span(from), pass.span(id));
-    Fault::new(
+    Notice::piece(
         "M025",
         a.start.min(b.start)..b.end.max(a.end),
         format!("{en} differ in dimension: left is {left}, right is {right}"),
@@ -534,21 +535,21 @@ fn mismatch_inside(pass: &Pass, from: NodeId, first: &Dimension, id: NodeId, sec
     .why("a factor (a length, a time, a mass) is missing or one too many", "пропущен или лишний множитель (длина, время, масса)")
 }
 
-fn wild_exponent(span: Range<usize>) -> Fault {
-    Fault::new("M026", span, "the dimension of this power is out of bounds", "размерность этой степени недопустима")
+fn wild_exponent(span: Range<usize>) -> Notice {
+    Notice::piece("M026", span, "the dimension of this power is out of bounds", "размерность этой степени недопустима")
 }
 
 /// The fault of a formula whose dimension is not the wanted one.
-pub(crate) fn mismatch(span: Range<usize>, got: &Dimension, wanted: &Dimension, number: bool) -> Fault {
+pub(crate) fn mismatch(span: Range<usize>, got: &Dimension, wanted: &Dimension, number: bool) -> Notice {
     let (g, w) = (si_label(got), si_label(wanted));
     let (g_ru, w_ru) = (si_label_ru(got), si_label_ru(wanted));
     if number && got.is_none() {
-        return Fault::new("M023", span, format!("the unit is missing: {w} is needed"), format!("нет единицы: нужна {w_ru}")).help(
+        return Notice::piece("M023", span, format!("the unit is missing: {w} is needed"), format!("нет единицы: нужна {w_ru}")).help(
             format!("write the number with its unit, for example \"5 {w}\""),
             format!("напишите число с единицей, например \"5 {w_ru}\""),
         );
     }
-    let fault = Fault::new("M024", span, format!("this is {g}, but {w} is needed"), format!("размерность {g_ru}, а нужна {w_ru}"));
+    let fault = Notice::piece("M024", span, format!("this is {g}, but {w} is needed"), format!("размерность {g_ru}, а нужна {w_ru}"));
     if number {
         return fault
             .help(format!("give it in {w} or a unit of the same kind"), format!("задайте величину в {w_ru} или в единицах того же рода"));
@@ -562,8 +563,8 @@ pub(crate) fn mismatch(span: Range<usize>, got: &Dimension, wanted: &Dimension, 
     }
 }
 
-fn unknown_name(name: &str, span: Range<usize>, scope: &Scope) -> Fault {
-    let fault = Fault::new("M013", span, format!("unknown name `{name}`"), format!("неизвестное имя `{name}`"));
+fn unknown_name(name: &str, span: Range<usize>, scope: &Scope) -> Notice {
+    let fault = Notice::piece("M013", span, format!("unknown name `{name}`"), format!("неизвестное имя `{name}`"));
     if scope.place(name).is_some() {
         return fault.help(
             format!("`{name}` is a point or a body; its coordinates are x({name}), y({name})"),

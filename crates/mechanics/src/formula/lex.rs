@@ -1,9 +1,9 @@
 //! Formula text to tokens.
 
-use crate::fault::Fault;
 use crate::units::{Unit, parse_unit};
 use std::ops::Range;
 use symbolic::Rational;
+use words::Notice;
 
 /// Longest formula, bytes.
 pub(super) const MAX_LENGTH: usize = 100_000;
@@ -51,9 +51,9 @@ fn continues_name(c: char) -> bool {
 }
 
 /// Splits a formula into tokens; the last one is `End`.
-pub(super) fn tokens(text: &str) -> Result<Vec<Spanned>, Fault> {
+pub(super) fn tokens(text: &str) -> Result<Vec<Spanned>, Notice> {
     if text.len() > MAX_LENGTH {
-        return Err(Fault::new(
+        return Err(Notice::piece(
             "M032",
             0..text.len(),
             format!("the formula is {} bytes long; the limit is {MAX_LENGTH}", text.len()),
@@ -91,7 +91,7 @@ struct Lexer<'a> {
 }
 
 impl Lexer<'_> {
-    fn next(&mut self) -> Result<Token, Fault> {
+    fn next(&mut self) -> Result<Token, Notice> {
         let rest = &self.text[self.at..];
         let Some(c) = rest.chars().next() else { return Ok(Token::End) };
         if starts_name(c) {
@@ -152,7 +152,7 @@ impl Lexer<'_> {
         Token::Name(name, primes)
     }
 
-    fn number(&mut self) -> Result<Token, Fault> {
+    fn number(&mut self) -> Result<Token, Notice> {
         let bytes = self.text.as_bytes();
         let from = self.at;
         let digits = |at: usize| at + bytes[at..].iter().take_while(|b| b.is_ascii_digit()).count();
@@ -174,10 +174,10 @@ impl Lexer<'_> {
         }
     }
 
-    fn unit(&mut self) -> Result<Token, Fault> {
+    fn unit(&mut self) -> Result<Token, Notice> {
         let from = self.at;
         let Some(length) = self.text[from..].find(']') else {
-            return Err(Fault::new("M030", from..from + 1, "`[` is never closed", "скобка `[` не закрыта")
+            return Err(Notice::piece("M030", from..from + 1, "`[` is never closed", "скобка `[` не закрыта")
                 .help("square brackets hold a unit: `30 [rad/s^2]`", "в квадратных скобках стоит единица: `30 [рад/с^2]`"));
         };
         self.at = from + length + 1;
@@ -186,9 +186,9 @@ impl Lexer<'_> {
     }
 }
 
-fn stray(c: char, at: usize) -> Fault {
+fn stray(c: char, at: usize) -> Notice {
     let shown: String = if c.is_control() { c.escape_default().collect() } else { c.to_string() };
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M030",
         at..at + c.len_utf8(),
         format!("`{shown}` cannot stand in a formula"),

@@ -3,12 +3,12 @@
 use super::kinematic::FUNCTIONS;
 use super::parse::{Ast, Comparison, Formula, NodeId};
 use super::scope::{EntryKind, Scope};
-use crate::fault::Fault;
 use crate::model::{Request, RequestKind};
 use crate::units::{Dimension, si_label};
 use std::collections::HashSet;
 use std::ops::Range;
 use symbolic::{Expr, Graph, Node, Rational, SymbolId};
+use words::Notice;
 
 /// Exact numbers of formulas may not need more bits than machine numbers span.
 const MAX_BITS: u64 = 2200;
@@ -43,7 +43,7 @@ impl Builder {
 }
 
 /// Builds the expression of a formula that passed its check.
-pub(crate) fn lower(formula: &Formula, scope: &Scope, builder: &mut Builder) -> Result<Expr, Fault> {
+pub(crate) fn lower(formula: &Formula, scope: &Scope, builder: &mut Builder) -> Result<Expr, Notice> {
     let mut values: Vec<Expr> = Vec::with_capacity(formula.nodes.len());
     for (node, span) in &formula.nodes {
         let value = build(node, span, &values, scope, builder)?;
@@ -53,7 +53,7 @@ pub(crate) fn lower(formula: &Formula, scope: &Scope, builder: &mut Builder) -> 
     Ok(values[formula.root()])
 }
 
-fn build(node: &Ast, span: &Range<usize>, values: &[Expr], scope: &Scope, builder: &mut Builder) -> Result<Expr, Fault> {
+fn build(node: &Ast, span: &Range<usize>, values: &[Expr], scope: &Scope, builder: &mut Builder) -> Result<Expr, Notice> {
     let graph = &mut builder.graph;
     Ok(match node {
         Ast::Number(n) => graph.number(n.clone()),
@@ -126,7 +126,7 @@ fn switching(comparison: Comparison, values: &[Expr], left: NodeId, right: NodeI
 type Join = dyn Fn(&mut Graph, &[(Expr, Rational)]) -> Expr;
 
 /// Joins many operands in halves, looking at each part: the numbers in it must not grow without bound.
-fn tree(items: &[(Expr, Rational)], span: &Range<usize>, builder: &mut Builder, join: &Join) -> Result<Expr, Fault> {
+fn tree(items: &[(Expr, Rational)], span: &Range<usize>, builder: &mut Builder, join: &Join) -> Result<Expr, Notice> {
     if items.len() <= 64 {
         let value = join(&mut builder.graph, items);
         guard(value, span, builder)?;
@@ -137,7 +137,7 @@ fn tree(items: &[(Expr, Rational)], span: &Range<usize>, builder: &mut Builder, 
     Ok(join(&mut builder.graph, &halves))
 }
 
-fn name_value(name: &str, primes: u8, scope: &Scope, builder: &mut Builder) -> Result<Expr, Fault> {
+fn name_value(name: &str, primes: u8, scope: &Scope, builder: &mut Builder) -> Result<Expr, Notice> {
     let fallback = |builder: &mut Builder| builder.graph.zero();
     if name == "pi" || name == "π" {
         return Ok(builder.graph.pi());
@@ -185,7 +185,7 @@ fn has_no_value(value: Expr, graph: &Graph) -> bool {
 }
 
 /// Refuses numbers that outgrow all machine numbers, powers of zero, and formulas that outgrow memory.
-fn guard(value: Expr, span: &Range<usize>, builder: &mut Builder) -> Result<(), Fault> {
+fn guard(value: Expr, span: &Range<usize>, builder: &mut Builder) -> Result<(), Notice> {
     let fits = |r: &Rational| r.bits() <= MAX_BITS;
     let fine = match builder.graph.node(value) {
         Node::Number(r) => fits(r) && r.to_f64().is_finite(),
@@ -196,14 +196,14 @@ fn guard(value: Expr, span: &Range<usize>, builder: &mut Builder) -> Result<(), 
         Node::Product { coefficient, factors } => {
             builder.work += factors.len();
             if factors.iter().any(|(base, e)| e.is_negative() && builder.graph.is_zero(*base)) {
-                return Err(Fault::new("M042", span.clone(), "division by zero", "деление на нуль")
+                return Err(Notice::piece("M042", span.clone(), "division by zero", "деление на нуль")
                     .why("the divisor cancels to zero", "делитель тождественно равен нулю"));
             }
             fits(coefficient) && factors.iter().all(|f| fits(&f.1))
         }
         // a factor of zero in front would hide it
         Node::Call { .. } | Node::Power { .. } if has_no_value(value, &builder.graph) => {
-            return Err(Fault::new("M042", span.clone(), "this has no finite value", "у этого выражения нет конечного значения")
+            return Err(Notice::piece("M042", span.clone(), "this has no finite value", "у этого выражения нет конечного значения")
                 .why("the root or logarithm of what has none", "корень или логарифм числа, у которого его нет"));
         }
         _ => true,
@@ -212,7 +212,7 @@ fn guard(value: Expr, span: &Range<usize>, builder: &mut Builder) -> Result<(), 
         return Err(crate::units::out_of_range(span.clone()));
     }
     if builder.work > MAX_WORK {
-        return Err(Fault::new(
+        return Err(Notice::piece(
             "M069",
             span.clone(),
             format!("the formulas of the model expand to more than {MAX_WORK} terms"),

@@ -8,10 +8,11 @@
 
 use super::kinematic;
 use super::lex::{Spanned, Token, tokens};
-use crate::fault::{Fault, nearest};
+use crate::snippet::nearest;
 use crate::units::{Quantity, Unit};
 use std::ops::Range;
 use symbolic::{Function, Rational};
+use words::Notice;
 
 /// Deepest nesting of brackets, calls, signs and powers.
 pub(super) const MAX_DEPTH: usize = 100;
@@ -138,7 +139,7 @@ impl Formula {
 }
 
 /// Parses a formula.
-pub(crate) fn parse(text: &str) -> Result<Formula, Fault> {
+pub(crate) fn parse(text: &str) -> Result<Formula, Notice> {
     let tokens = tokens(text)?;
     let mut parser = Parser { text, tokens, at: 0, nodes: Vec::new(), depth: 0, calls: 0 };
     parser.sum()?;
@@ -210,10 +211,10 @@ impl Parser<'_> {
         self.nodes.push((node, from..to.max(from)));
         self.nodes.len() - 1
     }
-    fn deeper<T>(&mut self, inner: impl FnOnce(&mut Self) -> Result<T, Fault>) -> Result<T, Fault> {
+    fn deeper<T>(&mut self, inner: impl FnOnce(&mut Self) -> Result<T, Notice>) -> Result<T, Notice> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
-            return Err(Fault::new(
+            return Err(Notice::piece(
                 "M032",
                 self.span(),
                 format!("the formula is nested deeper than {MAX_DEPTH} levels"),
@@ -226,7 +227,7 @@ impl Parser<'_> {
         result
     }
 
-    fn sum(&mut self) -> Result<NodeId, Fault> {
+    fn sum(&mut self) -> Result<NodeId, Notice> {
         let from = self.span().start;
         let first = self.product()?;
         let mut terms = vec![(false, first)];
@@ -242,7 +243,7 @@ impl Parser<'_> {
         Ok(if terms.len() == 1 { first } else { self.push(Ast::Sum(terms), from) })
     }
 
-    fn product(&mut self) -> Result<NodeId, Fault> {
+    fn product(&mut self) -> Result<NodeId, Notice> {
         let from = self.span().start;
         let first = self.signed()?;
         let mut factors = vec![(false, first)];
@@ -258,7 +259,7 @@ impl Parser<'_> {
         Ok(if factors.len() == 1 { first } else { self.push(Ast::Product(factors), from) })
     }
 
-    fn signed(&mut self) -> Result<NodeId, Fault> {
+    fn signed(&mut self) -> Result<NodeId, Notice> {
         let from = self.span().start;
         match self.peek() {
             Token::Plus => {
@@ -274,7 +275,7 @@ impl Parser<'_> {
         }
     }
 
-    fn power(&mut self) -> Result<NodeId, Fault> {
+    fn power(&mut self) -> Result<NodeId, Notice> {
         let from = self.span().start;
         let base = self.primary()?;
         if !self.take(&Token::Caret) {
@@ -284,7 +285,7 @@ impl Parser<'_> {
         Ok(self.push(Ast::Power(base, exponent), from))
     }
 
-    fn primary(&mut self) -> Result<NodeId, Fault> {
+    fn primary(&mut self) -> Result<NodeId, Notice> {
         let span = self.span();
         match self.peek().clone() {
             Token::Number(value) => {
@@ -307,13 +308,13 @@ impl Parser<'_> {
                 self.close(&span)?;
                 Ok(inner)
             }
-            Token::Unit(_) => Err(Fault::new("M030", span, "a unit stands without a number", "единица стоит без числа")
+            Token::Unit(_) => Err(Notice::piece("M030", span, "a unit stands without a number", "единица стоит без числа")
                 .help("write `1 [m]`", "напишите `1 [м]`")),
             _ => Err(self.unexpected("a number, a name or `(`", "число, имя или `(`")),
         }
     }
 
-    fn number(&mut self, number: Rational, span: Range<usize>) -> Result<NodeId, Fault> {
+    fn number(&mut self, number: Rational, span: Range<usize>) -> Result<NodeId, Notice> {
         let Token::Unit(unit) = self.peek().clone() else {
             self.no_juxtaposition(&span)?;
             return Ok(self.push(Ast::Number(number), span.start));
@@ -321,7 +322,7 @@ impl Parser<'_> {
         let unit: Unit = *unit;
         self.advance();
         if *self.peek() == Token::Caret {
-            return Err(Fault::new(
+            return Err(Notice::piece(
                 "M030",
                 self.span(),
                 "it is not clear what this power applies to",
@@ -338,14 +339,14 @@ impl Parser<'_> {
     }
 
     /// `20 g` and `2 x` are neither products nor quantities inside a formula.
-    fn no_juxtaposition(&self, before: &Range<usize>) -> Result<(), Fault> {
+    fn no_juxtaposition(&self, before: &Range<usize>) -> Result<(), Notice> {
         let next = self.span();
         let written = &self.text[before.start..next.end.max(before.start)];
         let left = &self.text[before.clone()];
         let right = &self.text[next.clone()];
         match self.peek() {
             Token::Name(word, 0) if matches!(word.as_str(), "and" | "or") => Ok(()),
-            Token::Name(..) if self.is_exponent() => Err(Fault::new(
+            Token::Name(..) if self.is_exponent() => Err(Notice::piece(
                 "M035",
                 before.start..next.end,
                 format!("`{written}`: a unit follows a power"),
@@ -356,7 +357,7 @@ impl Parser<'_> {
                 format!("запишите 10^3 как 1e3: `1e{left} {right}`; в формуле `10^{left}*1 [{right}]`"),
             )),
             Token::Name(..) | Token::Number(_) if left.starts_with(|c: char| c.is_ascii_digit() || c == '.') => {
-                let fault = Fault::new(
+                let fault = Notice::piece(
                     "M035",
                     before.start..next.end,
                     format!("`{written}`: nothing joins the number and what follows"),
@@ -372,14 +373,14 @@ impl Parser<'_> {
                     }
                 })
             }
-            Token::Name(..) | Token::Number(_) => Err(Fault::new(
+            Token::Name(..) | Token::Number(_) => Err(Notice::piece(
                 "M030",
                 next,
                 format!("nothing joins `{left}` and `{right}`"),
                 format!("между `{left}` и `{right}` нет знака действия"),
             )
             .help(format!("write a product as `{left}*{right}`"), format!("запишите произведение: `{left}*{right}`"))),
-            Token::Unit(_) => Err(Fault::new("M030", next, "a unit stands after a name", "единица стоит после имени").help(
+            Token::Unit(_) => Err(Notice::piece("M030", next, "a unit stands after a name", "единица стоит после имени").help(
                 "names already carry their units; brackets follow numbers only",
                 "имена уже несут свои единицы; скобки ставят только после чисел",
             )),
@@ -395,17 +396,17 @@ impl Parser<'_> {
         matches!(caret, Some(Token::Caret)) && matches!(base, Some(Token::Number(n)) if n.to_i64() == Some(10))
     }
 
-    fn close(&mut self, open: &Range<usize>) -> Result<(), Fault> {
+    fn close(&mut self, open: &Range<usize>) -> Result<(), Notice> {
         if self.take(&Token::Close) {
             return Ok(());
         }
         if *self.peek() == Token::End {
-            return Err(Fault::new("M030", open.clone(), "`(` is never closed", "скобка `(` не закрыта"));
+            return Err(Notice::piece("M030", open.clone(), "`(` is never closed", "скобка `(` не закрыта"));
         }
         Err(self.unexpected("`)`", "`)`"))
     }
 
-    fn unexpected(&self, en: &str, ru: &str) -> Fault {
+    fn unexpected(&self, en: &str, ru: &str) -> Notice {
         let span = self.span();
         if *self.peek() == Token::Comma
             && let Some(fault) = self.decimal_comma()
@@ -417,7 +418,7 @@ impl Parser<'_> {
             _ => (format!("found `{}`", &self.text[span.clone()]), format!("стоит `{}`", &self.text[span.clone()])),
         };
         let span = if span.is_empty() { self.last_char() } else { span };
-        let fault = Fault::new("M030", span, format!("expected {en}, {found_en}"), format!("ожидается {ru}, {found_ru}"));
+        let fault = Notice::piece("M030", span, format!("expected {en}, {found_en}"), format!("ожидается {ru}, {found_ru}"));
         match self.peek() {
             Token::Less | Token::LessEqual | Token::Greater | Token::GreaterEqual => fault.help(
                 "a comparison stands only first in if(a < b, value, other value)",
@@ -439,7 +440,7 @@ impl Parser<'_> {
     }
 
     /// The fault of `2,5` outside of function brackets.
-    fn decimal_comma(&self) -> Option<Fault> {
+    fn decimal_comma(&self) -> Option<Notice> {
         let before = self.at.checked_sub(1).map(|i| &self.tokens[i])?;
         let after = self.tokens.get(self.at + 1)?;
         let comma = self.span();
@@ -453,7 +454,7 @@ impl Parser<'_> {
         }
         let (left, right) = (&self.text[before.1.clone()], &self.text[after.1.clone()]);
         Some(
-            Fault::new(
+            Notice::piece(
                 "M031",
                 span,
                 format!("decimal comma in a formula: `{left},{right}`"),
@@ -468,7 +469,7 @@ impl Parser<'_> {
     }
 
     /// Functions made of others: lg x = log x/log 10, cbrt x = sign(x) |x|^(1/3).
-    fn composed(&mut self, name: &str, span: Range<usize>) -> Result<NodeId, Fault> {
+    fn composed(&mut self, name: &str, span: Range<usize>) -> Result<NodeId, Notice> {
         let open = self.span();
         self.advance();
         let arguments = self.arguments(&open)?;
@@ -493,7 +494,7 @@ impl Parser<'_> {
     }
 
     /// The fault of `1,450,000 N`: commas that group digits.
-    fn grouped(&self, from: usize) -> Option<Fault> {
+    fn grouped(&self, from: usize) -> Option<Notice> {
         let text = &self.text[from..];
         let end = text.find(|c: char| !c.is_ascii_digit() && c != ',').unwrap_or(text.len());
         let mut groups = text[..end].split(',');
@@ -502,7 +503,7 @@ impl Parser<'_> {
         let grouped = rest.len() >= 2 && (1..=3).contains(&first.len()) && rest.iter().all(|g| g.len() == 3);
         grouped.then(|| {
             let (written, plain) = (&text[..end], text[..end].replace(',', ""));
-            Fault::new(
+            Notice::piece(
                 "M031",
                 from..from + end,
                 format!("commas between groups of digits: `{written}`"),
@@ -513,7 +514,7 @@ impl Parser<'_> {
         })
     }
 
-    fn call(&mut self, name: &str, span: Range<usize>) -> Result<NodeId, Fault> {
+    fn call(&mut self, name: &str, span: Range<usize>) -> Result<NodeId, Notice> {
         if name == "if" {
             return self.conditional(span);
         }
@@ -543,10 +544,10 @@ impl Parser<'_> {
         })
     }
 
-    fn arity(&self, name: &str, wanted: Arity, got: usize, span: Range<usize>) -> Fault {
+    fn arity(&self, name: &str, wanted: Arity, got: usize, span: Range<usize>) -> Notice {
         let whole = span.start..self.tokens[self.at.saturating_sub(1)].1.end;
         let (en, ru) = wanted.words();
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M034",
             whole,
             format!("{name}(...) takes {en}, {got} given"),
@@ -561,7 +562,7 @@ impl Parser<'_> {
         fault
     }
 
-    fn arguments(&mut self, open: &Range<usize>) -> Result<Vec<NodeId>, Fault> {
+    fn arguments(&mut self, open: &Range<usize>) -> Result<Vec<NodeId>, Notice> {
         let mut arguments = Vec::new();
         if self.take(&Token::Close) {
             return Ok(arguments);
@@ -578,7 +579,7 @@ impl Parser<'_> {
         Ok(arguments)
     }
 
-    fn conditional(&mut self, span: Range<usize>) -> Result<NodeId, Fault> {
+    fn conditional(&mut self, span: Range<usize>) -> Result<NodeId, Notice> {
         let open = self.span();
         self.advance();
         let condition = self.either()?;
@@ -594,7 +595,7 @@ impl Parser<'_> {
     }
 
     /// Conditions joined by `or`.
-    fn either(&mut self) -> Result<Condition, Fault> {
+    fn either(&mut self) -> Result<Condition, Notice> {
         let mut condition = self.both()?;
         while self.take(&Token::Name("or".into(), 0)) {
             condition = Condition::Or(Box::new((condition, self.both()?)));
@@ -603,7 +604,7 @@ impl Parser<'_> {
     }
 
     /// Conditions joined by `and`, which binds closer.
-    fn both(&mut self) -> Result<Condition, Fault> {
+    fn both(&mut self) -> Result<Condition, Notice> {
         let mut condition = self.single()?;
         while self.take(&Token::Name("and".into(), 0)) {
             condition = Condition::And(Box::new((condition, self.single()?)));
@@ -612,7 +613,7 @@ impl Parser<'_> {
     }
 
     /// A comparison, `not` before a condition, or conditions in brackets.
-    fn single(&mut self) -> Result<Condition, Fault> {
+    fn single(&mut self) -> Result<Condition, Notice> {
         if self.take(&Token::Name("not".into(), 0)) {
             return Ok(Condition::Not(Box::new(self.deeper(Self::single)?)));
         }
@@ -672,7 +673,7 @@ impl Parser<'_> {
     }
 
     /// The arguments of kinematic functions are names: `x(A)`, `force(springs.front)`.
-    fn kinematic(&mut self, row: usize, span: Range<usize>) -> Result<NodeId, Fault> {
+    fn kinematic(&mut self, row: usize, span: Range<usize>) -> Result<NodeId, Notice> {
         let open = self.span();
         self.advance();
         let mut arguments = Vec::new();
@@ -722,9 +723,9 @@ fn instead(name: &str) -> Option<(&'static str, &'static str)> {
     })
 }
 
-fn unknown_function(name: &str, span: Range<usize>) -> Fault {
+fn unknown_function(name: &str, span: Range<usize>) -> Notice {
     let known = Function::ALL.iter().map(|(_, n)| *n).chain(["sqrt", "if"]).chain(kinematic::FUNCTIONS.iter().map(|f| f.name));
-    let fault = Fault::new("M033", span, format!("unknown function `{name}`"), format!("неизвестная функция `{name}`"));
+    let fault = Notice::piece("M033", span, format!("unknown function `{name}`"), format!("неизвестная функция `{name}`"));
     if let Some((en, ru)) = instead(name) {
         return fault.help(en, ru);
     }

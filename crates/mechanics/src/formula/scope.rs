@@ -2,12 +2,13 @@
 
 use super::check::{Depends, Kind};
 use super::kinematic::{FUNCTIONS, Takes};
-use crate::fault::{Fault, nearest};
 use crate::model::{Axis, Element, FrameId, Part, PointId, PointRef, RequestKind};
+use crate::snippet::nearest;
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
 use symbolic::{Expr, SymbolId};
+use words::Notice;
 
 /// A name of formulas.
 #[derive(Clone, Debug)]
@@ -162,7 +163,7 @@ impl Scope {
         row: usize,
         arguments: &[(Option<String>, String, Range<usize>)],
         whole: &Range<usize>,
-    ) -> Result<(RequestKind, Kind), Fault> {
+    ) -> Result<(RequestKind, Kind), Notice> {
         let function = &FUNCTIONS[row];
         let dimension = function.dimension.map_or(Kind::Unknown, Kind::Known);
         let kind = match (function.takes, arguments.first()) {
@@ -186,12 +187,12 @@ impl Scope {
             (Takes::BodyOrNothing, None) => RequestKind::KineticEnergy(None),
             (Takes::Nothing, _) if function.name == "dissipation" => RequestKind::Dissipation,
             (Takes::Nothing, _) => RequestKind::PotentialEnergy,
-            (_, None) => return Err(Fault::new("M034", whole.clone(), "a name is missing", "не указано имя")),
+            (_, None) => return Err(Notice::piece("M034", whole.clone(), "a name is missing", "не указано имя")),
         };
         Ok((kind, dimension))
     }
 
-    fn located(&self, table: Option<&str>, name: &str, span: &Range<usize>) -> Result<Place, Fault> {
+    fn located(&self, table: Option<&str>, name: &str, span: &Range<usize>) -> Result<Place, Notice> {
         let fits = |place: &Place| match table {
             None => true,
             Some("points") => matches!(place, Place::Point(_)),
@@ -201,10 +202,10 @@ impl Scope {
         self.place(name).filter(fits).ok_or_else(|| self.unknown_place(name, span.clone()))
     }
 
-    fn frame(&self, table: Option<&str>, name: &str, span: &Range<usize>) -> Result<FrameId, Fault> {
+    fn frame(&self, table: Option<&str>, name: &str, span: &Range<usize>) -> Result<FrameId, Notice> {
         match self.located(table, name, span)? {
             Place::Frame(f) => Ok(f),
-            Place::Point(_) => Err(Fault::new(
+            Place::Point(_) => Err(Notice::piece(
                 "M014",
                 span.clone(),
                 format!("`{name}` is a point; a frame or body is needed here"),
@@ -215,8 +216,8 @@ impl Scope {
     }
 
     /// The fault of a name that is no frame, body or point.
-    pub(crate) fn unknown_place(&self, name: &str, span: Range<usize>) -> Fault {
-        let fault = Fault::new(
+    pub(crate) fn unknown_place(&self, name: &str, span: Range<usize>) -> Notice {
+        let fault = Notice::piece(
             "M014",
             span,
             format!("there is no frame, body or point `{name}`"),
@@ -231,7 +232,7 @@ impl Scope {
         }
     }
 
-    fn element(&self, function: &str, table: Option<&str>, name: &str, span: &Range<usize>) -> Result<(RequestKind, Kind), Fault> {
+    fn element(&self, function: &str, table: Option<&str>, name: &str, span: &Range<usize>) -> Result<(RequestKind, Kind), Notice> {
         let all = self.acting.get(name).map_or(&[][..], Vec::as_slice);
         let fits: Vec<&Acting> = all.iter().filter(|a| table.is_none_or(|t| t == a.table)).collect();
         if function == "extension" {
@@ -246,8 +247,8 @@ impl Scope {
         }
     }
 
-    fn unknown_element(&self, name: &str, span: Range<usize>) -> Fault {
-        let fault = Fault::new(
+    fn unknown_element(&self, name: &str, span: Range<usize>) -> Notice {
+        let fault = Notice::piece(
             "M014",
             span,
             format!("there is no spring, damper or connection `{name}`"),
@@ -261,7 +262,7 @@ impl Scope {
 }
 
 /// The force of an element, or a component of a connection's reaction.
-fn component(function: &str, acting: &Acting, name: &str, span: &Range<usize>) -> Result<(RequestKind, Kind), Fault> {
+fn component(function: &str, acting: &Acting, name: &str, span: &Range<usize>) -> Result<(RequestKind, Kind), Notice> {
     let moment = |kind: Kind| !matches!(kind, Kind::Known(d) if !d.same(&Dimension::ENERGY));
     match &acting.what {
         What::Element(element, pathway) => {
@@ -309,9 +310,9 @@ fn part_name(part: Part) -> &'static str {
     }
 }
 
-fn no_such_part(function: &str, acting: &Acting, name: &str, span: &Range<usize>, parts: &[&str]) -> Fault {
+fn no_such_part(function: &str, acting: &Acting, name: &str, span: &Range<usize>, parts: &[&str]) -> Notice {
     let table = acting.table;
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M077",
         span.clone(),
         format!("`{name}` of [{table}] has no {function}"),
@@ -330,11 +331,11 @@ fn no_such_part(function: &str, acting: &Acting, name: &str, span: &Range<usize>
     fault.help(format!("there is {list}"), format!("есть {list}"))
 }
 
-fn ambiguous(function: &str, several: &[&Acting], name: &str, span: &Range<usize>) -> Fault {
+fn ambiguous(function: &str, several: &[&Acting], name: &str, span: &Range<usize>) -> Notice {
     let tables: Vec<&str> = several.iter().map(|a| a.table).collect();
     let (tables, list) = (tables.join(", "), several.iter().map(|a| format!("{function}({}.{name})", a.table)).collect::<Vec<_>>());
     let (first, last) = (list[..list.len() - 1].join(", "), list.last().cloned().unwrap_or_default());
-    Fault::new(
+    Notice::piece(
         "M014",
         span.clone(),
         format!("several tables have a `{name}`: {tables}"),

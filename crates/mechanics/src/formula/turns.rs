@@ -8,11 +8,11 @@
 
 use super::check::Kind;
 use super::parse::{Ast, Formula, NodeId};
-use crate::fault::Fault;
 use crate::units::{Dimension, Unit};
 use std::f64::consts::PI;
 use std::ops::Range;
 use symbolic::{Function, Rational};
+use words::Notice;
 
 /// How far a decimal such as 6.28 may be from 2π and still be meant as it.
 const CLOSE: f64 = 2e-3;
@@ -36,7 +36,7 @@ pub(super) fn settled(d: Dimension) -> Dimension {
 }
 
 /// The complaint about an argument of a sine that counts periods.
-pub(super) fn in_argument(function: Function, got: &Dimension, span: Range<usize>) -> Option<Fault> {
+pub(super) fn in_argument(function: Function, got: &Dimension, span: Range<usize>) -> Option<Notice> {
     let of_angle = matches!(function, Function::Sin | Function::Cos | Function::Tan);
     (of_angle && got.lacks_radians()).then(|| {
         let name = function.name();
@@ -51,7 +51,7 @@ pub(super) fn in_argument(function: Function, got: &Dimension, span: Range<usize
 }
 
 /// The complaint about a sum or comparison where periods meet radians: `phi' - n`.
-pub(super) fn in_sum(items: &[(NodeId, Dimension)], spans: &dyn Fn(NodeId) -> Range<usize>) -> Option<Fault> {
+pub(super) fn in_sum(items: &[(NodeId, Dimension)], spans: &dyn Fn(NodeId) -> Range<usize>) -> Option<Notice> {
     let counts = items.iter().find(|(_, d)| d.lacks_radians())?;
     items.iter().find(|(_, d)| d.has_radians())?;
     let words = (
@@ -62,7 +62,7 @@ pub(super) fn in_sum(items: &[(NodeId, Dimension)], spans: &dyn Fn(NodeId) -> Ra
 }
 
 /// The complaint about `pi*n/30` and `pi*d*n/60`, where the unit of n has the minute in it already.
-pub(super) fn over_sixty(formula: &Formula, factors: &[(bool, NodeId)], kinds: &[Kind], span: &Range<usize>) -> Option<Fault> {
+pub(super) fn over_sixty(formula: &Formula, factors: &[(bool, NodeId)], kinds: &[Kind], span: &Range<usize>) -> Option<Notice> {
     let of = |id: NodeId| if let Kind::Known(d) = kinds[id] { Some(d) } else { None };
     let number = |id: NodeId| match &formula.nodes[id].0 {
         Ast::Number(n) => n.to_i64(),
@@ -75,7 +75,7 @@ pub(super) fn over_sixty(formula: &Formula, factors: &[(bool, NodeId)], kinds: &
     let turned = |f: &&(bool, NodeId)| !f.0 && of(f.1).is_some_and(|d| d.pi() > 0);
     let meant = (by(30) || by(60)) && factors.iter().any(|f| counted(&f)) && factors.iter().any(|f| turned(&f));
     meant.then(|| {
-        Fault::new(
+        Notice::piece(
             "M027",
             span.clone(),
             "the minute is divided out twice: the value carries its unit, 1450 1/min is 24.17 Hz here",
@@ -87,13 +87,13 @@ pub(super) fn over_sixty(formula: &Formula, factors: &[(bool, NodeId)], kinds: &
 }
 
 /// The complaint about a value that stands where `wanted` is wanted.
-pub(crate) fn in_field(got: &Dimension, wanted: &Dimension, span: Range<usize>) -> Option<Fault> {
+pub(crate) fn in_field(got: &Dimension, wanted: &Dimension, span: Range<usize>) -> Option<Notice> {
     if wanted.counts_periods() {
         let words = (
             "this is in rad/s, but the quantity counts periods (Hz, 1/min)".to_owned(),
             "это рад/с, а величина считает периоды (Гц, 1/мин)".to_owned(),
         );
-        let fault = Fault::new("M027", span, words.0, words.1);
+        let fault = Notice::piece("M027", span, words.0, words.1);
         return got.has_radians().then(|| {
             fault
                 .why("the number is taken as periods per second", "число принято за периоды в секунду")
@@ -112,7 +112,7 @@ pub(crate) fn in_field(got: &Dimension, wanted: &Dimension, span: Range<usize>) 
         return got.lacks_radians().then(|| complaint(span, words));
     }
     (!wanted.is_of_time()).then(|| {
-        Fault::new(
+        Notice::piece(
             "M027",
             span,
             "a frequency in Hz or 1/min enters this value without 2 pi",
@@ -130,8 +130,8 @@ pub(crate) fn in_field(got: &Dimension, wanted: &Dimension, span: Range<usize>) 
     })
 }
 
-fn complaint(span: Range<usize>, (en, ru): (String, String)) -> Fault {
-    Fault::new("M027", span, en, ru)
+fn complaint(span: Range<usize>, (en, ru): (String, String)) -> Notice {
+    Notice::piece("M027", span, en, ru)
         .why(
             "one period is 2 pi radians; without this factor the number is taken as rad/s: 25 Hz as 25 rad/s, 1450 1/min as 24.17 rad/s",
             "один период — это 2 пи радиан; без множителя число принимается за рад/с: 25 Гц за 25 рад/с, 1450 1/мин за 24,17 рад/с",
@@ -148,7 +148,7 @@ fn complaint(span: Range<usize>, (en, ru): (String, String)) -> Fault {
 ///
 /// # Errors
 /// A warning where it cannot be told whether the value counts periods.
-pub(crate) fn display(value: &Dimension, unit: &Unit, formula: Option<&Formula>, plain: Plain) -> (f64, Option<Fault>) {
+pub(crate) fn display(value: &Dimension, unit: &Unit, formula: Option<&Formula>, plain: Plain) -> (f64, Option<Notice>) {
     let factor = unit.factor.to_f64();
     let turn = 2.0 * PI;
     let divided = value.pi() < 0;
@@ -180,8 +180,8 @@ fn whole(formula: Option<&Formula>) -> Range<usize> {
     formula.map_or(0..0, |f| f.nodes[f.root()].1.clone())
 }
 
-fn undecided(formula: Option<&Formula>) -> Fault {
-    Fault::new(
+fn undecided(formula: Option<&Formula>) -> Notice {
+    Notice::piece(
         "M027",
         whole(formula),
         "a value in 1/s is shown in periods per second, and nothing says that it counts them",
@@ -195,8 +195,8 @@ fn undecided(formula: Option<&Formula>) -> Fault {
     .warning()
 }
 
-fn converted_twice(formula: Option<&Formula>) -> Fault {
-    Fault::new(
+fn converted_twice(formula: Option<&Formula>) -> Notice {
+    Notice::piece(
         "M027",
         whole(formula),
         "the rate is divided by pi, and its unit converts it once more",

@@ -1,15 +1,14 @@
 //! `[[claims]]`: published results. They may be wrong, also in their dimensions: that is a result and no error of the file.
 
 use super::reader::{Checked, Fields, Raw, Reader, string, wrong_type};
-use crate::diagnostic::Severity;
-use crate::fault::{Fault, Snippet};
 use crate::fields;
 use crate::formula::{Context, Kind, check};
 use crate::model::{ClaimDecl, ClaimInstant, ClaimKind};
+use crate::snippet::Snippet;
 use crate::units::{Dimension, si_label, si_label_ru};
 use std::f64::consts::TAU;
 use toml::de::DeValue;
-use words::Text;
+use words::{Notice, Severity, Text};
 
 /// Relative deviation of an equation or formula that is the same: published coefficients are rarely rounded beyond six digits.
 const USUAL: f64 = 1e-6;
@@ -74,8 +73,8 @@ fn claim<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, number: usize) -> Opt
     })
 }
 
-fn incomplete(fields: &Fields) -> Fault {
-    Fault::new(
+fn incomplete(fields: &Fields) -> Notice {
+    Notice::piece(
         "M143",
         fields.span.clone(),
         "this claim compares nothing, or too much",
@@ -95,7 +94,7 @@ fn equation<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Compared
     let snippet = reader.snippet(fields.get("equation")?)?;
     let sides: Vec<&str> = snippet.text.split('=').collect();
     let [left, right] = sides[..] else {
-        let fault = Fault::new("M144", snippet.all(), "an equation has two sides and one `=`", "у уравнения две части и один знак `=`")
+        let fault = Notice::piece("M144", snippet.all(), "an equation has two sides and one `=`", "у уравнения две части и один знак `=`")
             .help("write for example equation = \"m*x'' + c*x = 0\"", "напишите, например, equation = \"m*x'' + c*x = 0\"");
         reader.report(snippet.diagnose(fault));
         return None;
@@ -141,7 +140,7 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Compared> {
 fn frequency<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Compared> {
     let mode = fields.formula(reader, "mode", &Context::CONSTANT, Some(&Dimension::NONE)).and_then(|v| reader.number(&v))?;
     if !(mode >= 1.0 && mode.fract() == 0.0 && mode <= 1e6) {
-        let fault = Fault::new("M143", fields.span_of("mode"), "modes are counted from 1", "номера форм считаются с 1");
+        let fault = Notice::piece("M143", fields.span_of("mode"), "modes are counted from 1", "номера форм считаются с 1");
         reader.fault(fault);
         return None;
     }
@@ -184,7 +183,7 @@ fn instant<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<ClaimInst
     }
     let time = fields.formula(reader, "at", &Context::CONSTANT, Some(&Dimension::TIME)).and_then(|v| reader.number(&v))?;
     if time < 0.0 {
-        reader.fault(Fault::new("M143", fields.span_of("at"), "the motion begins at t = 0", "движение начинается при t = 0"));
+        reader.fault(Notice::piece("M143", fields.span_of("at"), "the motion begins at t = 0", "движение начинается при t = 0"));
         return None;
     }
     Some(ClaimInstant::At(time))
@@ -202,7 +201,7 @@ fn lenient<'a>(reader: &mut Reader<'a>, raw: &Raw<'a>, dimensions: &mut Text) ->
     if let Some(first) = errors().next()
         && dimensions.en.is_empty()
     {
-        *dimensions = first.words.what.clone();
+        *dimensions = first.what.clone();
     }
     match crate::formula::lower(formula, &reader.scope, &mut reader.builder) {
         Ok(expr) => Checked { expr, kind: Kind::Unknown, depends: checked.depends, good: true },

@@ -2,7 +2,6 @@
 
 use super::frames::{frame_by_name, frame_named, two_names};
 use super::reader::{Checked, Fields, Reader, components};
-use crate::fault::Fault;
 use crate::fields;
 use crate::formula::{Context, Kind, Place};
 use crate::model::{
@@ -11,6 +10,7 @@ use crate::model::{
 use crate::units::Dimension;
 use symbolic::{Expr, Rational};
 use toml::de::DeValue;
+use words::Notice;
 
 /// `[springs]`.
 pub(super) fn springs<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Spring> {
@@ -49,7 +49,7 @@ fn rest<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, path: Option<Pathway>,
         None => {
             if let Some(Pathway::Distance(..)) = path {
                 reader.fault(
-                    Fault::new(
+                    Notice::piece(
                         "M059",
                         fields.span.clone(),
                         format!("{} lacks `rest`, its length without force", fields.path),
@@ -75,10 +75,10 @@ fn backlash<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind) -> O
     let value = fields.formula(reader, "backlash", &Context::TIME, wanted.as_ref())?;
     if let Some(number) = reader.number_for(&value, Reliance::Sign).filter(|v| *v < 0.0) {
         let (en, ru) = (format!("the backlash is {number}; it is not negative"), format!("зазор равен {number}; он не отрицателен"));
-        reader.fault(Fault::new("M088", fields.span_of("backlash"), en, ru));
+        reader.fault(Notice::piece("M088", fields.span_of("backlash"), en, ru));
     } else if fields.has("preload") {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M088",
                 fields.span_of("backlash"),
                 "a spring with backlash has no preload",
@@ -99,14 +99,14 @@ fn useful(reader: &mut Reader, fields: &Fields, key: &'static str, value: &Check
         return;
     }
     let fault = if v == 0.0 {
-        Fault::new(
+        Notice::piece(
             "M056",
             fields.span_of(key),
             format!("the {key} of {} is zero: this {} does nothing", fields.path, kind.0),
             format!("{key} в {} равно нулю: {} не действует", fields.path, kind.1),
         )
     } else {
-        Fault::new(
+        Notice::piece(
             "M056",
             fields.span_of(key),
             format!("the {key} of {} is negative ({v})", fields.path),
@@ -161,7 +161,7 @@ pub(super) fn pathway_of<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Op
                 ("neither `along` nor `between`", "ни `along`, ни `between`")
             };
             reader.fault(
-                Fault::new("M057", fields.span.clone(), format!("{} has {en}", fields.path), format!("в {} есть {ru}", fields.path))
+                Notice::piece("M057", fields.span.clone(), format!("{} has {en}", fields.path), format!("в {} есть {ru}", fields.path))
                     .why("an element acts through one scalar: its pathway", "элемент действует через одну скалярную координату")
                     .help(
                         "write along = \"x\", or between = [\"A\", \"B\"] with two points (distance) or two bodies (angle)",
@@ -196,7 +196,7 @@ fn between<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Pathway,
     let (a, b) = (a?, b?);
     if a == b {
         reader.fault(
-            Fault::new("M063", fields.span_of("between"), format!("both ends are `{}`", first.0), format!("оба конца — `{}`", first.0))
+            Notice::piece("M063", fields.span_of("between"), format!("both ends are `{}`", first.0), format!("оба конца — `{}`", first.0))
                 .why("an element between a thing and itself does nothing", "элемент между телом и им самим не действует"),
         );
         return None;
@@ -208,7 +208,7 @@ fn between<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Pathway,
         (Place::Frame(a), Place::Frame(b)) => Some((Pathway::RelativeAngle(a, b), Kind::Known(Dimension::ANGLE))),
         _ => {
             reader.fault(
-                Fault::new(
+                Notice::piece(
                     "M058",
                     fields.span_of("between"),
                     format!("`{}` and `{}` are a point and a body", first.0, second.0),
@@ -243,7 +243,7 @@ fn action<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Action> {
     let on_path = fields.has("along") || fields.has("between");
     if fields.has("at") == on_path {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M062",
                 fields.span.clone(),
                 format!("{} needs either `at` or a pathway", fields.path),
@@ -291,7 +291,7 @@ pub(super) fn torques<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Torq
         let reaction = fields.name(reader, "reaction").and_then(|(name, span)| frame_by_name(reader, &name, span));
         let value = torque_value(reader, &fields);
         if reaction == Some(on) && on != FrameId::GROUND {
-            reader.fault(Fault::new(
+            reader.fault(Notice::piece(
                 "M063",
                 fields.span_of("reaction"),
                 "the torque and its reaction act on the same body",
@@ -307,7 +307,7 @@ fn torque_value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> [Expr; 3] {
     let zero = reader.builder.graph.zero();
     match fields.get("value").map(|v| (v, v.get_ref())) {
         Some((value, DeValue::Array(items))) if items.len() != 3 => {
-            reader.fault(Fault::new(
+            reader.fault(Notice::piece(
                 "M008",
                 value.span(),
                 format!("a torque has 3 components or is one formula about z, {} given", items.len()),

@@ -1,11 +1,11 @@
 //! `[events.NAME]`: formulas whose zeros are instants to be found.
 
 use super::reader::{Fields, Reader, string, wrong_type};
-use crate::fault::Fault;
 use crate::fields;
 use crate::formula::{Context, Kind};
 use crate::model::{EventDecl, EventDirection};
 use crate::units::si_label;
+use words::Notice;
 
 /// All events, in the user's order; formulas may use what outputs may.
 pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<EventDecl> {
@@ -26,7 +26,7 @@ fn event<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>) -> Opti
     let zero = fields.formula(reader, "zero", &Context::OUTPUT, None)?;
     let span = fields.span_of("zero");
     if zero.good && zero.depends.is_constant() {
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M113",
             span.clone(),
             format!("the event `{name}` waits for a zero of a constant"),
@@ -62,7 +62,7 @@ fn direction<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> EventDirection
         "falling" => EventDirection::Falling,
         "both" => EventDirection::Both,
         other => {
-            let fault = Fault::new(
+            let fault = Notice::piece(
                 "M112",
                 span,
                 format!("an event has no direction \"{other}\""),

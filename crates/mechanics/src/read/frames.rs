@@ -4,8 +4,6 @@ use super::order::topological;
 use super::parameters::names;
 use super::reader::{Fields, Raw, Reader, components, string, wrong_type};
 use super::shapes;
-use crate::diagnostic::Diagnostic;
-use crate::fault::Fault;
 use crate::fields;
 use crate::formula::{Context, Place};
 use crate::model::{Axis, Frame, FrameId, Inertia, Mass, Origin, Point, PointId, Reliance};
@@ -14,7 +12,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 use symbolic::Expr;
 use toml::de::DeValue;
-use words::Text;
+use words::{Notice, Text};
 
 struct RawFrame<'a> {
     name: String,
@@ -77,12 +75,12 @@ fn claim(reader: &mut Reader, space: &mut HashMap<String, (Named, Range<usize>)>
         return false;
     }
     if let Some((_, first)) = space.get(name) {
-        let d = Diagnostic::error(
+        let d = Notice::file(
             "M011",
             span.clone(),
             Text::new(format!("the name `{name}` is used twice"), format!("имя `{name}` использовано дважды")),
         )
-        .why(Text::new("frames, bodies and points share one set of names", "у систем отсчёта, тел и точек общий список имён"))
+        .why("frames, bodies and points share one set of names", "у систем отсчёта, тел и точек общий список имён")
         .related(first.clone(), Text::new("first here", "впервые здесь"));
         reader.report(d);
         return false;
@@ -109,7 +107,7 @@ fn report_cycle(reader: &mut Reader, cycle: &[usize], raw: &[RawFrame]) {
     let names: Vec<&str> = cycle.iter().chain(cycle.first()).take(12).map(|i| raw[*i].name.as_str()).collect();
     let chain = names.join(" -> ");
     reader.fault(
-        Fault::new(
+        Notice::piece(
             "M041",
             raw[cycle[0]].fields.span.clone(),
             format!("frames stand on each other in a circle: {chain}"),
@@ -143,7 +141,7 @@ pub(super) fn frame_by_name(reader: &mut Reader, name: &str, span: Range<usize>)
     match reader.scope.place(name) {
         Some(Place::Frame(f)) => Some(f),
         Some(Place::Point(_)) => {
-            reader.fault(Fault::new(
+            reader.fault(Notice::piece(
                 "M014",
                 span,
                 format!("`{name}` is a point; a frame or body is needed here"),
@@ -177,7 +175,7 @@ fn origin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Origin {
     match reader.scope.place(name) {
         Some(Place::Point(p)) => return Origin::Point(p),
         Some(Place::Frame(_)) => reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M014",
                 value.span(),
                 format!("`{name}` is a frame; an origin is a vector or a point"),
@@ -196,7 +194,7 @@ fn origin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Origin {
 fn rotations<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<(Axis, Expr)> {
     if fields.has("angle") && fields.has("rotate") {
         reader.fault(
-            Fault::new("M061", fields.span_of("rotate"), "both `angle` and `rotate` are given", "заданы и `angle`, и `rotate`").help(
+            Notice::piece("M061", fields.span_of("rotate"), "both `angle` and `rotate` are given", "заданы и `angle`, и `rotate`").help(
                 "angle = \"phi\" is short for rotate = [\"z: phi\"]; keep one",
                 "angle = \"phi\" — то же, что rotate = [\"z: phi\"]; оставьте одно",
             ),
@@ -223,7 +221,7 @@ fn turn<'a>(reader: &mut Reader<'a>, item: &'a super::syntax::Value<'a>) -> Opti
     let (axis, raw) = axis_prefix(reader, item)?;
     let Some(axis) = axis else {
         reader.fault(
-            Fault::new("M060", item.span(), "a rotation needs its axis", "у поворота должна быть ось")
+            Notice::piece("M060", item.span(), "a rotation needs its axis", "у поворота должна быть ось")
                 .help("write \"z: psi\": the axis x, y or z, a colon, the angle", "напишите \"z: psi\": ось x, y или z, двоеточие, угол"),
         );
         return None;
@@ -240,7 +238,7 @@ fn axis_prefix<'a>(reader: &mut Reader<'a>, value: &'a super::syntax::Value<'a>)
         "y" => Axis::Y,
         "z" => Axis::Z,
         _ => {
-            let fault = Fault::new("M060", 0..colon, "an axis is x, y or z", "ось — это x, y или z");
+            let fault = Notice::piece("M060", 0..colon, "an axis is x, y or z", "ось — это x, y или z");
             reader.report(snippet.diagnose(fault));
             return None;
         }
@@ -278,8 +276,8 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Mass> {
     (!massless).then_some(Mass { mass: mass.expr, center, inertia, gravity })
 }
 
-fn negative_mass(fields: &Fields, m: f64) -> Fault {
-    Fault::new(
+fn negative_mass(fields: &Fields, m: f64) -> Notice {
+    Notice::piece(
         "M050",
         fields.span_of("mass"),
         format!("the mass of {} is {m} kg", fields.path),
@@ -291,17 +289,22 @@ fn negative_mass(fields: &Fields, m: f64) -> Fault {
     )
 }
 
-fn no_mass(fields: &Fields) -> Fault {
-    Fault::new("M050", fields.span_of("mass"), format!("the mass of {} is zero", fields.path), format!("масса {} равна нулю", fields.path))
-        .why(
-            "a parameter makes it so; the body has no weight and no inertia of its own",
-            "так следует из значения параметра; у тела нет ни веса, ни инерции",
-        )
-        .help(
-            "for a massless body leave `mass` out; a part is switched off without this remark by --set, a variant or a sweep",
-            "для невесомого тела не задавайте `mass`; без этого замечания часть отключают через --set, вариант или sweep",
-        )
-        .warning()
+fn no_mass(fields: &Fields) -> Notice {
+    Notice::piece(
+        "M050",
+        fields.span_of("mass"),
+        format!("the mass of {} is zero", fields.path),
+        format!("масса {} равна нулю", fields.path),
+    )
+    .why(
+        "a parameter makes it so; the body has no weight and no inertia of its own",
+        "так следует из значения параметра; у тела нет ни веса, ни инерции",
+    )
+    .help(
+        "for a massless body leave `mass` out; a part is switched off without this remark by --set, a variant or a sweep",
+        "для невесомого тела не задавайте `mass`; без этого замечания часть отключают через --set, вариант или sweep",
+    )
+    .warning()
 }
 
 fn point<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>) -> Point {
@@ -357,13 +360,13 @@ fn default_gravity<'a>(reader: &mut Reader<'a>) -> Expr {
     let is_parameter = reader.scope.get("g").is_some_and(|e| matches!(e.kind, EntryKind::Parameter(_)));
     let text = if is_parameter { "g" } else { "9.81 m/s^2" };
     let span = reader.claimed.get("g").cloned().unwrap_or(0..0);
-    let snippet = crate::fault::Snippet { text: text.into(), site: crate::fault::Site::Inside(span.clone()) };
+    let snippet = crate::snippet::Snippet { text: text.into(), site: crate::snippet::Site::Inside(span.clone()) };
     if let Some(Kind::Known(d)) = reader.scope.get("g").filter(|_| is_parameter).map(|e| e.dimension)
         && !d.same(&Dimension::ACCELERATION)
     {
         let got = crate::units::si_label(&d);
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M024",
                 span,
                 format!("`g` is {got}, but gravity needs an acceleration"),
@@ -389,7 +392,7 @@ pub(super) fn two_names<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &
         Ok(pair) => Some(pair),
         Err(_) => {
             if value.get_ref().as_array().is_some_and(|a| a.len() == count) {
-                reader.fault(Fault::new(
+                reader.fault(Notice::piece(
                     "M008",
                     value.span(),
                     format!("two names are needed, {count} given"),

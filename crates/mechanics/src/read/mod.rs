@@ -30,12 +30,11 @@ pub use overrides::split as split_override;
 pub use ranges::sweep_range;
 pub(crate) use studies::kinds as kinds_of_studies;
 
-use crate::diagnostic::{self, Diagnostic, Severity};
+use crate::Reading;
 use crate::fields;
 use crate::model::{Model, Study, StudyKind};
-use crate::{Reading, fault::Fault};
 use reader::{Fields, Reader};
-use words::Text;
+use words::{Notice, Severity, Text, notice};
 
 /// Largest model file, bytes.
 pub const MAX_FILE: usize = 4 << 20;
@@ -47,17 +46,17 @@ pub const MAX_FINDINGS: usize = 200;
 ///
 /// # Errors
 /// All findings, sorted by place in the file; at least one of them is an error.
-pub fn read(text: &str, file: &str, overrides: &[(String, String)]) -> Result<Reading, Vec<Diagnostic>> {
-    crate::fault::renew_searches();
+pub fn read(text: &str, file: &str, overrides: &[(String, String)]) -> Result<Reading, Vec<Notice>> {
+    crate::snippet::renew_searches();
     if text.len() > MAX_FILE {
         let size = text.len() / 1024;
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M001",
             0..0,
             format!("the file has {size} KiB; the limit is {} KiB", MAX_FILE / 1024),
             format!("размер файла {size} КиБ; предел {} КиБ", MAX_FILE / 1024),
         );
-        return Err(vec![crate::fault::Site::Literal(0).diagnose(fault)]);
+        return Err(vec![crate::snippet::Site::Literal(0).diagnose(fault)]);
     }
     let (root, syntax) = syntax::parse(text);
     let Some(root) = root else { return Err(finish(syntax)) };
@@ -75,18 +74,19 @@ pub fn read(text: &str, file: &str, overrides: &[(String, String)]) -> Result<Re
     Ok(Reading { model, warnings: finish(findings) })
 }
 
-fn finish(mut findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
-    diagnostic::sort(&mut findings);
+fn finish(mut findings: Vec<Notice>) -> Vec<Notice> {
+    notice::sort(&mut findings);
     if findings.len() > MAX_FINDINGS {
         let more = findings.len() - MAX_FINDINGS;
         let errors = findings[MAX_FINDINGS..].iter().any(|d| d.severity == Severity::Error);
         findings.truncate(MAX_FINDINGS);
-        let place = findings.last().and_then(Diagnostic::span).unwrap_or(0..0);
-        let mut last = Diagnostic::warning(
+        let place = findings.last().and_then(Notice::span).unwrap_or(0..0);
+        let mut last = Notice::file(
             "M016",
             place,
             Text::new(format!("{more} more findings are not listed"), format!("ещё замечаний, не вошедших в список: {more}")),
-        );
+        )
+        .warning();
         if errors {
             last.severity = Severity::Error;
         }

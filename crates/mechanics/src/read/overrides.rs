@@ -6,26 +6,21 @@
 use super::parameters::{RawCoordinate, RawParameter};
 use super::phases::{self, Schedule};
 use super::reader::Reader;
-use crate::diagnostic::{Diagnostic, Severity, Source};
-use crate::fault::{Fault, nearest};
+use crate::snippet::nearest;
 use std::collections::HashSet;
-use words::Text;
+use words::{Notice, Place};
 
 /// Splits `name=quantity`; `index` is its number on the command line.
 ///
 /// # Errors
 /// When there is no `=` or no name.
-pub fn split(text: &str, index: usize) -> Result<(String, String), Box<Diagnostic>> {
+pub fn split(text: &str, index: usize) -> Result<(String, String), Box<Notice>> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() => Ok((name.trim().to_owned(), value.to_owned())),
-        _ => Err(Box::new(Diagnostic {
-            code: "M068",
-            severity: Severity::Error,
-            source: Source::Override { index, text: text.to_owned(), span: 0..text.len() },
-            what: Text::new("expected name=quantity", "ожидается имя=величина"),
-            why: Text::default(),
-            help: Text::new("for example --set m=30g", "например --set m=30г"),
-            related: Vec::new(),
+        _ => Err(Box::new(Notice {
+            place: Place::Override { index, text: text.to_owned(), span: 0..text.len() },
+            ..Notice::new("M068", "expected name=quantity", "ожидается имя=величина")
+                .help("for example --set m=30g", "например --set m=30г")
         })),
     }
 }
@@ -45,7 +40,7 @@ pub(super) fn check_names(reader: &mut Reader, coordinates: &[RawCoordinate], pa
             continue;
         }
         let span = 0..name.len();
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M068",
             span.clone(),
             format!("the model has no parameter or coordinate `{}`", name.trim()),
@@ -59,7 +54,7 @@ pub(super) fn check_names(reader: &mut Reader, coordinates: &[RawCoordinate], pa
             ),
         };
         let mut diagnostic = snippet.diagnose(fault);
-        if let Source::Override { span: place, .. } = &mut diagnostic.source {
+        if let Place::Override { span: place, .. } = &mut diagnostic.place {
             *place = span;
         }
         findings.push(diagnostic);

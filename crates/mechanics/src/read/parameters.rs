@@ -3,16 +3,16 @@
 use super::order::topological;
 use super::phases::Schedule;
 use super::reader::{Checked, Fields, Raw, Reader, short, string};
-use crate::diagnostic::Diagnostic;
-use crate::fault::{Fault, Site, Snippet};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind, in_field, mismatch};
 use crate::model::{Class, CoordinateDecl, ParameterDecl, ParameterValue, Reliance};
+use crate::snippet::{Site, Snippet};
 use crate::units::{Dimension, Unit, si_label, written_unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
 use toml::de::DeValue;
+use words::Notice;
 use words::Text;
 
 const RESERVED: [&str; 3] = ["pi", "π", "t"];
@@ -49,15 +49,12 @@ pub(super) fn claim(reader: &mut Reader, name: &str, span: &Range<usize>) -> boo
         return false;
     }
     if let Some(first) = reader.claimed.get(name).cloned() {
-        let d = Diagnostic::error(
+        let d = Notice::file(
             "M011",
             span.clone(),
             Text::new(format!("the name `{name}` is used twice"), format!("имя `{name}` использовано дважды")),
         )
-        .why(Text::new(
-            "parameters, coordinates and outputs share one set of names",
-            "у параметров, координат и выходных величин общий список имён",
-        ))
+        .why("parameters, coordinates and outputs share one set of names", "у параметров, координат и выходных величин общий список имён")
         .related(first, Text::new("first here", "впервые здесь"));
         reader.report(d);
         return false;
@@ -77,7 +74,7 @@ pub(super) fn collect_coordinates<'a>(
     let rests =
         ["supports", "pins", "welds", "sliders", "rods", "ropes", "threads", "sections", "nodes"].into_iter().any(|table| top.has(table));
     if rows.is_empty() && !rests {
-        let fault = Fault::new("M015", top.span_of("coordinates"), "the model has no coordinates", "в модели нет координат")
+        let fault = Notice::piece("M015", top.span_of("coordinates"), "the model has no coordinates", "в модели нет координат")
             .why("a machine without a degree of freedom does not move", "у машины без степеней свободы нет движения")
             .help(
                 "add [coordinates] with for example phi = { unit = \"rad\" }",
@@ -222,11 +219,11 @@ fn other_unit(p: &RawParameter, kind: Kind) -> Option<String> {
 }
 
 /// The fault of a number without a unit for something that the file gives in another unit than the SI one.
-pub(super) fn without_unit(span: Range<usize>, (name, unit): (&str, &str), number: &str) -> Fault {
+pub(super) fn without_unit(span: Range<usize>, (name, unit): (&str, &str), number: &str) -> Notice {
     let si = crate::units::parse_unit(unit).map(|u| si_label(&u.dimension)).ok().filter(|si| si != unit && si != "1");
     let (or, or_ru) =
         si.map_or_else(Default::default, |si| (format!(", or in SI \"{number} {si}\""), format!(" или, в СИ, \"{number} {si}\"")));
-    Fault::new(
+    Notice::piece(
         "M023",
         span,
         format!("a number without a unit, while `{name}` is in {unit}"),
@@ -318,9 +315,9 @@ pub(super) fn names_of<'r>(raw: &'r Raw) -> impl Iterator<Item = &'r str> {
 }
 
 /// The fault of definitions that need each other.
-pub(super) fn cycle_fault(span: Range<usize>, names: &[&str]) -> Fault {
+pub(super) fn cycle_fault(span: Range<usize>, names: &[&str]) -> Notice {
     let chain = if names.len() > 12 { format!("{} -> ...", names[..12].join(" -> ")) } else { names.join(" -> ") };
-    Fault::new("M040", span, format!("cyclic definition: {chain}"), format!("циклическое определение: {chain}"))
+    Notice::piece("M040", span, format!("cyclic definition: {chain}"), format!("циклическое определение: {chain}"))
         .why("each of these values needs the next one first", "каждая из этих величин требует сначала следующую")
         .help("give one of them as a number, or solve the relation by hand", "задайте одну из них числом или разрешите зависимость вручную")
 }

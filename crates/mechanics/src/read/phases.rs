@@ -6,17 +6,17 @@
 
 use super::parameters::{RawCoordinate, RawParameter, names_of};
 use super::reader::{Checked, Fields, Raw, Reader, string, wrong_type};
-use crate::fault::{Fault, nearest};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry as ScopeEntry, EntryKind, Kind};
 use crate::model::{Action, Class, Force, ParameterDecl, ParameterValue, Torque};
+use crate::snippet::nearest;
 use crate::structure;
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
 use symbolic::{Expr, Substitution, SymbolId};
 use toml::de::DeValue;
-use words::Text;
+use words::{Notice, Text};
 
 /// The name that an override uses to choose the reading of all phases: `--set phases=restarts`.
 pub(super) const READING: &str = "phases";
@@ -60,7 +60,7 @@ pub(super) fn collect<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Schedule
     let last = phases.len().saturating_sub(1);
     for phase in phases.iter().take(last).filter(|p| p.until.is_none()) {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M006",
                 phase.span.clone(),
                 "a phase that is not the last lacks `until`",
@@ -100,9 +100,9 @@ fn reading(word: &str) -> Option<bool> {
     }
 }
 
-fn unknown_reading(word: &str, span: Range<usize>) -> Fault {
+fn unknown_reading(word: &str, span: Range<usize>) -> Notice {
     let word = super::reader::short(word);
-    Fault::new("M098", span, format!("unknown reading `{word}` of the forcing's phase"), format!("неизвестное толкование фазы возбуждения `{word}`"))
+    Notice::piece("M098", span, format!("unknown reading `{word}` of the forcing's phase"), format!("неизвестное толкование фазы возбуждения `{word}`"))
         .why(
             "at a switch the forcing either keeps its phase (a motor turns on) or restarts it (time counts from the switch)",
             "при переключении возбуждение либо сохраняет фазу (двигатель вращается дальше), либо начинает её заново (время отсчитывается от переключения)",
@@ -124,7 +124,7 @@ impl<'a> Schedule<'a> {
                 continue;
             }
             let short = super::reader::short(name);
-            let fault = Fault::new(
+            let fault = Notice::piece(
                 "M097",
                 span.clone(),
                 format!("a phase sets `{short}`, which is no parameter"),
@@ -225,7 +225,7 @@ impl<'a> Schedule<'a> {
             let Some(end) = reader.number(checked) else { continue };
             if end <= before {
                 reader.fault(
-                    Fault::new(
+                    Notice::piece(
                         "M096",
                         span.clone(),
                         format!("the phase ends at {end} s, but it begins at {before} s"),

@@ -2,9 +2,9 @@
 
 use super::reader::{Fields, Reader};
 use super::syntax::Value;
-use crate::fault::Fault;
 use crate::structure::{Action, Load, Site};
 use symbolic::Expr;
+use words::Notice;
 
 /// The components along x and y of a vector of a plane structure.
 ///
@@ -30,7 +30,7 @@ fn flat<'a>(reader: &mut Reader<'a>, value: &Value<'a>, component: Expr) {
     if !moves && reader.values.of(graph, component) == 0.0 {
         return;
     }
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M305",
         value.span(),
         "frames and trusses are plane: this component out of the plane x, y is not zero",

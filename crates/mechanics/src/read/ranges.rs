@@ -2,10 +2,10 @@
 //!
 //! Commas separate; where a semicolon is found, semicolons do, and commas are decimal marks.
 
-use crate::fault::Fault;
 use crate::model::{Model, SweepRange};
 use crate::units::{Dimension, parse_number_or_quantity, parse_unit, si_label, si_label_ru};
 use std::ops::Range as Span;
+use words::{Notice, Place};
 
 /// More values than this are a slip.
 const MAX_VALUES: usize = 1_000_000;
@@ -26,7 +26,7 @@ pub(super) struct Range {
 
 impl Range {
     /// Whether the values have the dimension of what they are given to, and units where the file uses another unit than the SI one.
-    pub(super) fn fits(&self, wanted: &Dimension, scaled: Option<&String>) -> Result<(), Fault> {
+    pub(super) fn fits(&self, wanted: &Dimension, scaled: Option<&String>) -> Result<(), Notice> {
         if let (Some(unit), Some(number)) = (scaled, &self.bare) {
             return Err(super::parameters::without_unit(self.whole.clone(), (&self.name, unit), number));
         }
@@ -36,10 +36,10 @@ impl Range {
                     format!("the values are {}, but {} is {}", si_label(&d), self.name, si_label(wanted)),
                     format!("значения в {}, а {} — в {}", si_label_ru(&d), self.name, si_label_ru(wanted)),
                 );
-                Err(Fault::new("M024", self.whole.clone(), en, ru))
+                Err(Notice::piece("M024", self.whole.clone(), en, ru))
             }
             Some(d) => match crate::formula::in_field(&d, wanted, self.whole.clone()) {
-                Some(fault) => Err(Fault { severity: crate::Severity::Error, ..fault }),
+                Some(fault) => Err(Notice { severity: words::Severity::Error, ..fault }),
                 None => Ok(()),
             },
             None => Ok(()),
@@ -51,7 +51,7 @@ impl Range {
 ///
 /// # Errors
 /// The text is no range (M070), the model has no such name (M068), or the dimension is another (M024).
-pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Fault> {
+pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Notice> {
     let range = parse(text)?;
     let parameter = model.parameters.iter().find(|p| p.name == range.name).map(|p| p.unit.as_str());
     let coordinate = || {
@@ -62,7 +62,7 @@ pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Fault> {
     };
     let Some(unit) = parameter.or_else(coordinate) else {
         let names = model.parameters.iter().map(|p| p.name.as_str()).chain(model.coordinates.iter().map(|c| c.name.as_str()));
-        return Err(unknown_name(&range, crate::fault::nearest(&range.name, names)));
+        return Err(unknown_name(&range, crate::snippet::nearest(&range.name, names)));
     };
     if let Ok(unit) = parse_unit(unit) {
         range.fits(&unit.dimension, model.scaled.get(&range.name))?;
@@ -71,10 +71,10 @@ pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Fault> {
 }
 
 /// The fault of a name that cannot be swept.
-pub(super) fn unknown_name(range: &Range, near: Option<&str>) -> Fault {
+pub(super) fn unknown_name(range: &Range, near: Option<&str>) -> Notice {
     let name = range.name.as_str();
     let shown = super::reader::short(name);
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M068",
         range.named.clone(),
         format!("the model has no parameter or coordinate `{shown}`"),
@@ -87,7 +87,7 @@ pub(super) fn unknown_name(range: &Range, near: Option<&str>) -> Fault {
 }
 
 /// Reads a range.
-pub(super) fn parse(text: &str) -> Result<Range, Fault> {
+pub(super) fn parse(text: &str) -> Result<Range, Notice> {
     let whole = 0..text.len();
     let Some((name, list)) = text.split_once('=').filter(|(name, _)| !name.trim().is_empty()) else {
         return Err(no_range(whole));
@@ -115,7 +115,7 @@ pub(super) fn parse(text: &str) -> Result<Range, Fault> {
                 return Err(comma(whole));
             }
             let mut dimension = None;
-            let values = items.iter().map(|item| quantity(item, &mut dimension, &whole)).collect::<Result<Vec<f64>, Fault>>()?;
+            let values = items.iter().map(|item| quantity(item, &mut dimension, &whole)).collect::<Result<Vec<f64>, Notice>>()?;
             (values, dimension)
         }
         _ => return Err(no_range(whole)),
@@ -135,8 +135,8 @@ fn decimal_comma(list: &str, items: &[&str]) -> bool {
     tight && found().any(|u| u == Ok(true)) && found().any(|u| u == Ok(false))
 }
 
-fn comma(whole: Span<usize>) -> Fault {
-    Fault::new(
+fn comma(whole: Span<usize>) -> Notice {
+    Notice::piece(
         "M070",
         whole,
         "a comma between digits: is it a decimal mark, or does it separate values?",
@@ -148,7 +148,7 @@ fn comma(whole: Span<usize>) -> Fault {
     )
 }
 
-fn two(from: &str, to: &str, whole: &Span<usize>) -> Result<([f64; 2], Option<Dimension>), Fault> {
+fn two(from: &str, to: &str, whole: &Span<usize>) -> Result<([f64; 2], Option<Dimension>), Notice> {
     let mut dimension = None;
     let from = quantity(from, &mut dimension, whole)?;
     let to = quantity(to, &mut dimension, whole)?;
@@ -156,11 +156,8 @@ fn two(from: &str, to: &str, whole: &Span<usize>) -> Result<([f64; 2], Option<Di
 }
 
 /// A quantity of the same dimension as the ones before it.
-fn quantity(text: &str, dimension: &mut Option<Dimension>, whole: &Span<usize>) -> Result<f64, Fault> {
-    let quantity = parse_number_or_quantity(text).map_err(|mut fault| {
-        fault.span = whole.clone();
-        fault
-    })?;
+fn quantity(text: &str, dimension: &mut Option<Dimension>, whole: &Span<usize>) -> Result<f64, Notice> {
+    let quantity = parse_number_or_quantity(text).map_err(|fault| Notice { place: Place::Piece(whole.clone()), ..fault })?;
     let own = quantity.unit.dimension;
     match dimension {
         _ if !quantity.has_unit => {}
@@ -168,7 +165,7 @@ fn quantity(text: &str, dimension: &mut Option<Dimension>, whole: &Span<usize>) 
         Some(first) if !first.same(&own) => {
             let (a, b) = (si_label(first), si_label(&own));
             let (a_ru, b_ru) = (si_label_ru(first), si_label_ru(&own));
-            return Err(Fault::new(
+            return Err(Notice::piece(
                 "M025",
                 whole.clone(),
                 format!("the values differ in dimension: {a} and {b}"),
@@ -181,9 +178,9 @@ fn quantity(text: &str, dimension: &mut Option<Dimension>, whole: &Span<usize>) 
     if value.is_finite() { Ok(value) } else { Err(crate::units::out_of_range(whole.clone())) }
 }
 
-fn number_of(text: &str, whole: &Span<usize>) -> Result<usize, Fault> {
+fn number_of(text: &str, whole: &Span<usize>) -> Result<usize, Notice> {
     text.parse().ok().filter(|n| (2..=MAX_VALUES).contains(n)).ok_or_else(|| {
-        Fault::new(
+        Notice::piece(
             "M070",
             whole.clone(),
             format!("`{}` is no number of values: 2 ... {MAX_VALUES}", super::reader::short(text)),
@@ -193,9 +190,9 @@ fn number_of(text: &str, whole: &Span<usize>) -> Result<usize, Fault> {
 }
 
 /// Both ends exactly as written.
-fn spaced(logarithmic: bool, from: f64, to: f64, count: usize, whole: &Span<usize>) -> Result<Vec<f64>, Fault> {
+fn spaced(logarithmic: bool, from: f64, to: f64, count: usize, whole: &Span<usize>) -> Result<Vec<f64>, Notice> {
     if logarithmic && !(from > 0.0 && to > 0.0) {
-        return Err(Fault::new("M070", whole.clone(), "logspace needs positive ends", "у logspace концы положительны"));
+        return Err(Notice::piece("M070", whole.clone(), "logspace needs positive ends", "у logspace концы положительны"));
     }
     let last = count - 1;
     #[allow(clippy::cast_precision_loss)]
@@ -211,8 +208,8 @@ fn spaced(logarithmic: bool, from: f64, to: f64, count: usize, whole: &Span<usiz
     Ok((0..count).map(at).collect())
 }
 
-fn no_range(span: Span<usize>) -> Fault {
-    Fault::new("M070", span, "this is no range of values", "это не набор значений").help(
+fn no_range(span: Span<usize>) -> Notice {
+    Notice::piece("M070", span, "this is no range of values", "это не набор значений").help(
         "write \"v=linspace(1 m/s, 3 m/s, 21)\", \"v=logspace(1 N/m, 1 kN/m, 4)\" or \"m=1 kg, 2 kg\"",
         "напишите \"v=linspace(1 м/с, 3 м/с, 21)\", \"c=logspace(1 Н/м, 1 кН/м, 4)\" или \"m=1 кг, 2 кг\"",
     )

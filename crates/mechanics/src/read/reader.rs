@@ -2,17 +2,17 @@
 
 use super::evaluate::Values;
 use super::syntax::{Table, Value};
-use crate::diagnostic::{Diagnostic, Severity};
-use crate::fault::{Fault, Site, Snippet, nearest};
 use crate::fields::{self, TableSpec};
 use crate::formula::{self, Builder, Context, Depends, Formula, Kind, Scope, check, lower, mismatch};
 use crate::model::{ParameterDecl, Premise, Reliance};
+use crate::snippet::{Site, Snippet, nearest};
 use crate::units::{self, Dimension, Quantity, Unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
 use symbolic::{Expr, Rational, SymbolId};
 use toml::de::DeValue;
+use words::{Notice, Severity};
 use words::{Text, letters};
 
 /// The state of reading.
@@ -30,7 +30,7 @@ pub(super) struct Reader<'a> {
     pub by_hand: std::collections::BTreeSet<SymbolId>,
     /// names of outputs
     pub results: std::collections::HashSet<String>,
-    diagnostics: Vec<Diagnostic>,
+    diagnostics: Vec<Notice>,
     pub builder: Builder,
     pub scope: Scope,
     pub values: Values,
@@ -87,7 +87,7 @@ impl<'a> Reader<'a> {
     pub(super) fn rest_from_statics(&mut self, spring: &str, kind: Kind, span: Range<usize>) -> Expr {
         let name = format!("{spring}_rest");
         if self.scope.get(&name).is_some() {
-            let fault = Fault::new(
+            let fault = Notice::piece(
                 "M011",
                 span,
                 format!("the free length of `{spring}` would be called `{name}`, which is taken"),
@@ -118,17 +118,17 @@ impl<'a> Reader<'a> {
     pub(super) fn take_rests(&mut self) -> Vec<ParameterDecl> {
         std::mem::take(&mut self.rests)
     }
-    pub(super) fn into_diagnostics(self) -> Vec<Diagnostic> {
+    pub(super) fn into_diagnostics(self) -> Vec<Notice> {
         self.diagnostics
     }
     pub(super) fn take_builder(&mut self) -> Builder {
         std::mem::replace(&mut self.builder, Builder::new())
     }
-    pub(super) fn report(&mut self, diagnostic: Diagnostic) {
+    pub(super) fn report(&mut self, diagnostic: Notice) {
         self.diagnostics.push(diagnostic);
     }
     /// Reports a fault whose range counts from the start of the file.
-    pub(super) fn fault(&mut self, fault: Fault) {
+    pub(super) fn fault(&mut self, fault: Notice) {
         self.diagnostics.push(Site::Literal(0).diagnose(fault));
     }
     /// Whether a value depends on one that was set by hand, through formulas of parameters too.
@@ -189,7 +189,7 @@ impl<'a> Reader<'a> {
     /// A piece of text as a quantity or formula.
     pub(super) fn raw_text(&mut self, snippet: Snippet<'a>) -> Raw<'a> {
         let parsed = if snippet.text.trim().is_empty() {
-            Err(Fault::new("M030", snippet.all(), "the formula is empty", "пустая формула"))
+            Err(Notice::piece("M030", snippet.all(), "the formula is empty", "пустая формула"))
         } else if units::is_quantity(&snippet.text) {
             let quantity = units::parse_number_or_quantity(&snippet.text).map(|q| Formula::quantity(q, snippet.all()));
             quantity.map_err(|fault| self.product_meant(&snippet.text, fault))
@@ -211,8 +211,8 @@ impl<'a> Reader<'a> {
     }
 
     /// `2 phi`, where phi is a name of the model, is a product without its sign rather than an unknown unit.
-    fn product_meant(&self, text: &str, fault: Fault) -> Fault {
-        let is_name = text.get(fault.span.clone()).is_some_and(|word| self.claimed.contains_key(word));
+    fn product_meant(&self, text: &str, fault: Notice) -> Notice {
+        let is_name = text.get(fault.range()).is_some_and(|word| self.claimed.contains_key(word));
         match formula::parse(text) {
             Err(product) if is_name => product,
             _ => fault,
@@ -276,7 +276,7 @@ impl<'a> Reader<'a> {
         } else {
             ("it is infinite", "результат бесконечен")
         };
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M042",
             raw.snippet.all(),
             format!("this constant has no finite value: {en}"),
@@ -349,9 +349,13 @@ impl<'a> Reader<'a> {
                     "имя состоит из букв (латинских, греческих, русских), цифр и _ и начинается с буквы",
                 )
             };
-            let fault =
-                Fault::new("M010", span, format!("`{}` cannot be a name", short(name)), format!("`{}` не может быть именем", short(name)))
-                    .why(reason_en, reason_ru);
+            let fault = Notice::piece(
+                "M010",
+                span,
+                format!("`{}` cannot be a name", short(name)),
+                format!("`{}` не может быть именем", short(name)),
+            )
+            .why(reason_en, reason_ru);
             let fault = if name.contains('\'') {
                 fault.help("derivatives exist by themselves: phi' needs no declaration", "производные есть и так: phi' объявлять не нужно")
             } else {
@@ -363,7 +367,7 @@ impl<'a> Reader<'a> {
         let function = symbolic::Function::from_name(name).is_some() || ["sqrt", "if", "and", "or", "not"].contains(&name);
         if reserved.contains(&name) || function && !reserved.contains(&"ground") {
             self.fault(
-                Fault::new(
+                Notice::piece(
                     "M010",
                     span,
                     format!("the name `{name}` is taken by the language"),
@@ -395,7 +399,7 @@ impl<'a> Reader<'a> {
         );
         let words = Text::new("they are two different names, and print alike", "это два разных имени, а печатаются они одинаково");
         let help = Text::new("write both in one alphabet, or rename one", "пишите оба в одном алфавите или переименуйте одно");
-        let finding = Diagnostic::warning("M140", span, what).why(words).help(help);
+        let finding = Notice::file("M140", span, what).warning().because(words).cure(help);
         self.report(finding.related(place, Text::new("the other one", "другое имя")));
     }
 }
@@ -409,8 +413,8 @@ pub(super) fn short(text: &str) -> String {
 }
 
 /// The fault of a constant that only the range of machine numbers makes zero.
-fn too_small(span: Range<usize>) -> Fault {
-    Fault::new(
+fn too_small(span: Range<usize>) -> Notice {
+    Notice::piece(
         "M022",
         span,
         "this constant is not zero, but smaller than 1e-307: it would count as zero",
@@ -420,7 +424,7 @@ fn too_small(span: Range<usize>) -> Fault {
     .help("check the exponents and the units", "проверьте показатели степеней и единицы")
 }
 
-pub(super) fn wrong_type(span: Range<usize>, en: &str, ru: &str, got: &str) -> Fault {
+pub(super) fn wrong_type(span: Range<usize>, en: &str, ru: &str, got: &str) -> Notice {
     let got_ru = match got {
         "string" => "строка",
         "integer" => "целое число",
@@ -431,7 +435,7 @@ pub(super) fn wrong_type(span: Range<usize>, en: &str, ru: &str, got: &str) -> F
         "table" => "таблица",
         other => other,
     };
-    Fault::new("M007", span, format!("expected {en}, found {got}"), format!("ожидается {ru}, а стоит {got_ru}"))
+    Notice::piece("M007", span, format!("expected {en}, found {got}"), format!("ожидается {ru}, а стоит {got_ru}"))
 }
 
 /// A table of the file with its description.
@@ -634,7 +638,7 @@ pub(super) fn string<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, en: &str
 fn printable(reader: &mut Reader, words: &str, span: Range<usize>) -> bool {
     let Some(bad) = words.chars().find(|c| steers(*c)) else { return true };
     let code = u32::from(bad);
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M150",
         span,
         format!("the text holds the control character U+{code:04X}"),
@@ -660,7 +664,7 @@ pub(super) fn components<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, cont
         return result;
     };
     if !(2..=3).contains(&items.len()) {
-        reader.fault(Fault::new(
+        reader.fault(Notice::piece(
             "M008",
             value.span(),
             format!("a vector has 2 components in the plane or 3 in space, {} given", items.len()),
@@ -676,13 +680,13 @@ pub(super) fn components<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, cont
     result
 }
 
-fn unknown_key(spec: &'static TableSpec, key: &str, span: Range<usize>, path: &str) -> Fault {
+fn unknown_key(spec: &'static TableSpec, key: &str, span: Range<usize>, path: &str) -> Notice {
     let place = if path.is_empty() {
         ("at top level".to_owned(), "на верхнем уровне".to_owned())
     } else {
         (format!("in {path}"), format!("в {path}"))
     };
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M005",
         span,
         format!("unknown key `{}` {}", short(key), place.0),
@@ -697,9 +701,9 @@ fn unknown_key(spec: &'static TableSpec, key: &str, span: Range<usize>, path: &s
     }
 }
 
-fn missing_keys(spec: &'static TableSpec, missing: &[&str], span: Range<usize>, path: &str) -> Fault {
+fn missing_keys(spec: &'static TableSpec, missing: &[&str], span: Range<usize>, path: &str) -> Notice {
     let examples: Vec<String> = missing.iter().filter_map(|k| spec.field(k)).map(|f| format!("{} = {}", f.key, f.example)).collect();
-    Fault::new("M006", span, format!("{path} lacks {}", missing.join(", ")), format!("в {path} не хватает: {}", missing.join(", ")))
+    Notice::piece("M006", span, format!("{path} lacks {}", missing.join(", ")), format!("в {path} не хватает: {}", missing.join(", ")))
         .help(format!("add for example {}", examples.join(", ")), format!("добавьте, например: {}", examples.join(", ")))
 }
 

@@ -1,7 +1,6 @@
 //! `[sections.NAME]`: parts of a section, their checks, and what they make together.
 
 use super::reader::{Fields, Reader, components, short, wrong_type};
-use crate::fault::Fault;
 use crate::fields::{self, TableSpec};
 use crate::formula::Context;
 use crate::section::{self, Form, Moments, Outline, Part, Properties, Section};
@@ -9,6 +8,7 @@ use crate::units::Dimension;
 use std::ops::Range;
 use symbolic::Expr;
 use toml::de::DeValue;
+use words::Notice;
 
 /// Keys that say what a part is.
 const SHAPES: [&str; 7] = ["rectangle", "triangle", "circle", "half_disc", "ring", "polygon", "profile"];
@@ -42,7 +42,7 @@ fn drafts<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Vec<Draft>
     let Some(value) = fields.get("parts") else { return Some(vec![draft(reader, fields, &fields::SECTION, &fields.path)?]) };
     if let Some(key) = SHAPES.into_iter().find(|k| fields.has(k)) {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M300",
                 fields.span_of(key),
                 format!("{} has both `parts` and `{key}`", fields.path),
@@ -57,7 +57,7 @@ fn drafts<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Vec<Draft>
         return None;
     };
     if items.is_empty() || items.len() > LIMIT {
-        reader.fault(Fault::new(
+        reader.fault(Notice::piece(
             "M300",
             value.span(),
             format!("a section has 1 to {LIMIT} parts, {} given", items.len()),
@@ -96,7 +96,7 @@ fn draft<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, spec: &'static TableS
             (format!("is several things: {}", given.join(", ")), format!("заданы сразу: {}", given.join(", ")))
         };
         reader.fault(
-            Fault::new("M300", fields.span.clone(), format!("{path} {en}"), format!("{path}: {ru}"))
+            Notice::piece("M300", fields.span.clone(), format!("{path} {en}"), format!("{path}: {ru}"))
                 .help(format!("give one of {}", SHAPES.join(", ")), format!("задайте одно из: {}", SHAPES.join(", "))),
         );
         return None;
@@ -159,12 +159,17 @@ fn measurable(reader: &mut Reader, fields: &Fields, number: f64, span: Range<usi
         return true;
     }
     reader.fault(
-        Fault::new("M022", span, format!("a length of {number:e} m in {}", fields.path), format!("длина {number:e} м в {}", fields.path))
-            .why(
-                "second moments take fourth powers: lengths of a section lie between 1e-30 m and 1e30 m",
-                "в моменты инерции входят четвёртые степени: длины сечения — от 1e-30 м до 1e30 м",
-            )
-            .help("check the exponent and the unit", "проверьте показатель степени и единицу"),
+        Notice::piece(
+            "M022",
+            span,
+            format!("a length of {number:e} m in {}", fields.path),
+            format!("длина {number:e} м в {}", fields.path),
+        )
+        .why(
+            "second moments take fourth powers: lengths of a section lie between 1e-30 m and 1e30 m",
+            "в моменты инерции входят четвёртые степени: длины сечения — от 1e-30 м до 1e30 м",
+        )
+        .help("check the exponent and the unit", "проверьте показатель степени и единицу"),
     );
     false
 }
@@ -174,7 +179,7 @@ fn positive(reader: &mut Reader, fields: &Fields, kind: &str, number: f64, span:
         return true;
     }
     reader.fault(
-        Fault::new(
+        Notice::piece(
             "M051",
             span,
             format!("a length of {kind} in {} is {number} m", fields.path),
@@ -216,7 +221,7 @@ fn ring<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Form> {
     let [a, b] = [outer, inner].map(|e| reader.values.of(&reader.builder.graph, e));
     if a <= b {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M300",
                 fields.span_of("ring"),
                 format!("the ring in {} has the outer radius {a} m and the inner one {b} m", fields.path),
@@ -246,7 +251,7 @@ fn corners<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &'static str)
     let items = value.get_ref().as_array().filter(|items| allowed.contains(&items.len()));
     let Some(items) = items else {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M300",
                 value.span(),
                 format!("{kind} in {} needs corners: 3 or more arrays of 2 lengths", fields.path),
@@ -309,7 +314,7 @@ fn crossing(places: &[[f64; 2]]) -> Option<(usize, usize)> {
 
 fn crossed(reader: &mut Reader, fields: &Fields, kind: &str, a: usize, b: usize) {
     reader.fault(
-        Fault::new(
+        Notice::piece(
             "M300",
             fields.span_of("polygon"),
             format!("sides {a} and {b} of the {kind} in {} cross", fields.path),
@@ -324,7 +329,7 @@ fn profile<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Form> {
     if let Some(found) = section::find_profile(&name) {
         return Some(Form::Profile(found));
     }
-    let fault = Fault::new("M301", span, format!("there is no profile `{}`", short(&name)), format!("нет профиля `{}`", short(&name)));
+    let fault = Notice::piece("M301", span, format!("there is no profile `{}`", short(&name)), format!("нет профиля `{}`", short(&name)));
     let first = name.trim().chars().next().map(|c| c.to_ascii_uppercase());
     let family: Vec<&str> = section::profile_names().filter(|n| n.chars().next() == first).collect();
     let fault = match &family[..] {
@@ -354,7 +359,7 @@ fn outline(form: &Form, number: &mut dyn FnMut(Expr) -> f64) -> Outline {
 
 fn empty(reader: &mut Reader, path: &str, span: Range<usize>) {
     reader.fault(
-        Fault::new("M304", span, format!("{path} has no area"), format!("площадь {path} равна нулю"))
+        Notice::piece("M304", span, format!("{path} has no area"), format!("площадь {path} равна нулю"))
             .why("corners lie on one line, or all material is taken out", "вершины лежат на одной прямой, или весь материал вычтен"),
     );
 }
@@ -441,7 +446,7 @@ fn fits(reader: &mut Reader, fields: &Fields, parts: &[Part], coverage: &section
         let (en, ru) = title(i);
         good = false;
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M302",
                 parts[i].span.clone(),
                 format!("{en} takes out material that is not there: {percent} % of it"),
@@ -463,7 +468,7 @@ fn fits(reader: &mut Reader, fields: &Fields, parts: &[Part], coverage: &section
         let (en, ru) = title(i);
         good = false;
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M303",
                 parts[i].span.clone(),
                 format!("{en} overlaps part {} ({}): {percent} % of the smaller one", j + 1, parts[j].kind),

@@ -3,13 +3,14 @@
 //! Moments about the mass centre (Beer and Johnston, Vector Mechanics for Engineers: Dynamics, table of mass moments of inertia).
 
 use super::reader::{Fields, Reader};
-use crate::fault::{Fault, Snippet, nearest};
 use crate::fields;
 use crate::formula::Context;
 use crate::model::{Inertia, Reliance};
+use crate::snippet::{Snippet, nearest};
 use crate::units::Dimension;
 use symbolic::{Expr, Rational};
 use toml::de::DeValue;
+use words::Notice;
 
 /// Name, least and greatest number of lengths.
 const SHAPES: [(&str, usize, usize); 7] =
@@ -20,7 +21,7 @@ pub(super) fn inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Ex
     let given: Vec<&str> = ["inertia", "shape", "gyration"].into_iter().filter(|k| fields.has(k)).collect();
     if given.len() > 1 {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M053",
                 fields.span_of(given[1]),
                 format!("{} are given together", given.join(" and ")),
@@ -33,7 +34,7 @@ pub(super) fn inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Ex
     if massless && (fields.has("shape") || fields.has("gyration")) {
         let key = if fields.has("shape") { "shape" } else { "gyration" };
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M052",
                 fields.span_of(key),
                 format!("{} has a {key} but no mass", fields.path),
@@ -86,7 +87,7 @@ fn possible(reader: &mut Reader, tensor: &Fields, [xx, yy, zz]: [f64; 3], [xy, y
     let real = [a, b, c].iter().all(|v| *v >= -slack) && minors.iter().all(|m| *m >= -slack * size) && determinant >= -slack * size * size;
     if !real {
         reader.fault(
-            Fault::new("M055", tensor.span.clone(), "no body has this inertia tensor", "такого тензора инерции не бывает")
+            Notice::piece("M055", tensor.span.clone(), "no body has this inertia tensor", "такого тензора инерции не бывает")
                 .why(
                     "no moment may be negative or larger than the sum of the other two, and the products are bounded by the moments",
                     "момент инерции не бывает отрицательным или больше суммы двух других, а центробежные моменты ограничены осевыми",
@@ -104,7 +105,7 @@ fn negative(reader: &mut Reader, fields: &Fields, key: &'static str, value: &sup
         && v < 0.0
     {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M055",
                 fields.span_of(key),
                 format!("the moment of inertia is {v} kg m^2"),
@@ -121,7 +122,7 @@ fn positive(reader: &mut Reader, fields: &Fields, key: &'static str, value: &sup
         && v <= 0.0
     {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M051",
                 fields.span_of(key),
                 format!("a length of {key} in {} is {v} m", fields.path),
@@ -160,7 +161,7 @@ fn shape<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr) -> Option
                 "y" => 1,
                 "z" => 2,
                 _ => {
-                    let fault = Fault::new("M060", argument.all(), "an axis is x, y or z", "ось — это x, y или z");
+                    let fault = Notice::piece("M060", argument.all(), "an axis is x, y or z", "ось — это x, y или z");
                     reader.report(argument.diagnose(fault));
                     0
                 }
@@ -176,13 +177,13 @@ fn shape<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr) -> Option
 }
 
 /// The name of a shape and its arguments.
-fn split<'a>(snippet: &Snippet<'a>) -> Result<(&'static str, Vec<Snippet<'a>>), Fault> {
+fn split<'a>(snippet: &Snippet<'a>) -> Result<(&'static str, Vec<Snippet<'a>>), Notice> {
     let text = &*snippet.text;
     let open = text.find('(').unwrap_or(text.len());
     let name = text[..open].trim();
     let Some((name, least, most)) = SHAPES.iter().find(|s| s.0 == name) else {
         let known = SHAPES.map(|s| s.0);
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M054",
             0..open,
             format!("unknown shape `{}`", super::reader::short(name)),
@@ -195,7 +196,7 @@ fn split<'a>(snippet: &Snippet<'a>) -> Result<(&'static str, Vec<Snippet<'a>>), 
     if open < text.len() {
         let inner = text[open + 1..]
             .strip_suffix(')')
-            .ok_or_else(|| Fault::new("M030", snippet.all(), "`)` is missing at the end of the shape", "в конце формы нет `)`"))?;
+            .ok_or_else(|| Notice::piece("M030", snippet.all(), "`)` is missing at the end of the shape", "в конце формы нет `)`"))?;
         let (mut depth, mut from) = (0, 0);
         for (i, c) in inner.char_indices().chain([(inner.len(), ',')]) {
             match c {
@@ -214,7 +215,7 @@ fn split<'a>(snippet: &Snippet<'a>) -> Result<(&'static str, Vec<Snippet<'a>>), 
     }
     if !(*least..=*most).contains(&arguments.len()) {
         let count = arguments.len();
-        return Err(Fault::new(
+        return Err(Notice::piece(
             "M034",
             snippet.all(),
             format!("{name} takes {least} to {most} lengths, {count} given"),

@@ -6,17 +6,17 @@ use super::frames::two_names;
 use super::parameters::names;
 use super::plane;
 use super::reader::{Checked, Fields, Reader, components, short, string, wrong_type};
-use crate::fault::{Fault, nearest};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
 use crate::section::Section;
+use crate::snippet::nearest;
 use crate::structure::{Action, AssumedShape, Direction, Displacement, Load, Node, Options, Rod, Site, Structure, Support};
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
 use symbolic::{Expr, Rational, SymbolId};
 use toml::de::DeValue;
-use words::Text;
+use words::{Notice, Text};
 
 const BENDING: Dimension = Dimension::of(3, 1, -2);
 const PRESSURE: Dimension = Dimension::of(-1, 1, -2);
@@ -108,7 +108,7 @@ fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str,
 
 fn not_negative<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, value: &Checked, strict: bool) {
     let Some(number) = reader.number(value).filter(|v| *v < 0.0 || strict && *v == 0.0) else { return };
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M203",
         fields.span_of(key),
         format!("{key} of {} is {number}", fields.path),
@@ -147,9 +147,9 @@ pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
 
 fn unknown(reader: &mut Reader, name: &str, span: Range<usize>, rods_too: bool) {
     let fault = if rods_too {
-        Fault::new("M202", span, format!("there is no node or rod `{}`", short(name)), format!("нет узла или стержня `{}`", short(name)))
+        Notice::piece("M202", span, format!("there is no node or rod `{}`", short(name)), format!("нет узла или стержня `{}`", short(name)))
     } else {
-        Fault::new("M202", span, format!("there is no node `{}`", short(name)), format!("нет узла `{}`", short(name)))
+        Notice::piece("M202", span, format!("there is no node `{}`", short(name)), format!("нет узла `{}`", short(name)))
     };
     let nodes = reader.structure.nodes.iter().map(|n| n.name.as_str());
     let rods = reader.structure.rods.iter().map(|r| r.name.as_str()).filter(|_| rods_too);
@@ -183,7 +183,7 @@ fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usiz
     let divisions = divisions(reader, fields);
     if bending.is_none() && !rigid && hinged != [true, true] {
         let fault =
-            Fault::new("M201", fields.span.clone(), format!("{} lacks EI", fields.path), format!("в {} не хватает EI", fields.path))
+            Notice::piece("M201", fields.span.clone(), format!("{} lacks EI", fields.path), format!("в {} не хватает EI", fields.path))
                 .why("this rod is fixed to a node and bends", "этот стержень жёстко соединён с узлом и изгибается")
                 .help(
                     "add EI (or E and I), or releases = [\"start\", \"end\"] for a rod of a truss, or rigid = true",
@@ -201,7 +201,8 @@ fn section<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Expr, Ex
     let (name, span) = fields.name(reader, "section")?;
     let found = reader.structure.sections.get(&name).copied();
     if found.is_none() {
-        let fault = Fault::new("M202", span, format!("there is no section `{}`", short(&name)), format!("нет сечения `{}`", short(&name)));
+        let fault =
+            Notice::piece("M202", span, format!("there is no section `{}`", short(&name)), format!("нет сечения `{}`", short(&name)));
         let fault = match nearest(&name, reader.structure.sections.keys().map(String::as_str).collect::<std::collections::BTreeSet<_>>()) {
             Some(near) => fault.meant(&name, near),
             None => fault.help("add it to [sections]", "добавьте его в [sections]"),
@@ -223,7 +224,7 @@ fn length<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, [a, b]: [usize; 2]) 
         return Some(length);
     }
     let names = [a, b].map(|i| reader.structure.nodes[i].name.clone());
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M200",
         fields.span.clone(),
         format!("{} has no length: {} and {} are at one place", fields.path, names[0], names[1]),
@@ -256,7 +257,7 @@ fn one_of(reader: &mut Reader, word: &str, span: Range<usize>, known: &[&'static
     let found = known.iter().position(|k| *k == word);
     if found.is_none() {
         let list = known.join(", ");
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M205",
             span,
             format!("`{}` is not one of {list}", short(word)),
@@ -286,7 +287,7 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Expr, area: Op
     match (density, area) {
         (Some(density), Some(area)) => reader.builder.graph.mul(density, area),
         (Some(_), None) => {
-            let fault = Fault::new(
+            let fault = Notice::piece(
                 "M006",
                 fields.span_of("density"),
                 format!("{} lacks A: the mass is density*A*length", fields.path),
@@ -305,7 +306,7 @@ fn rotary<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, section_inertia: Opt
         if let Some(inertia) = section_inertia {
             return inertia;
         }
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M006",
             fields.span_of("rotary_inertia"),
             format!("{} lacks I or A: the inertia of a section is density*I", fields.path),
@@ -326,7 +327,7 @@ fn whole<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) ->
     if number.fract() == 0.0 && (1.0..=PARTS as f64).contains(&number) {
         return Some(number as i64);
     }
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M206",
         fields.span_of(key),
         format!("{key} is {number}; it must be a whole number from 1 to {PARTS}"),
@@ -349,7 +350,7 @@ fn site<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> 
     let distance = fields.formula_or_zero(reader, "distance", &Context::CONSTANT, Some(&Dimension::LENGTH));
     let length = reader.values.of(&reader.builder.graph, reader.structure.rods[rod].length);
     if let Some(d) = reader.number(&distance).filter(|d| *d < 0.0 || *d > length * (1.0 + 1e-12)) {
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M204",
             fields.span_of("distance"),
             format!("{d} m is outside the rod {name}, whose length is {length} m"),
@@ -404,7 +405,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Stru
     let has_nodes = !reader.structure.nodes.is_empty();
     for key in ["displacements", "rayleigh", "structure"] {
         if !has_nodes && top.has(key) {
-            let fault = Fault::new("M202", top.span_of(key), format!("[{key}] needs [nodes]"), format!("для [{key}] нужны [nodes]"));
+            let fault = Notice::piece("M202", top.span_of(key), format!("[{key}] needs [nodes]"), format!("для [{key}] нужны [nodes]"));
             reader.fault(fault);
         }
     }
@@ -498,7 +499,7 @@ fn rayleigh<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<AssumedShape> 
     }
     let distance = reader.builder.graph.symbol_id("s", 0);
     if reader.claimed.contains_key("s") {
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M010",
             top.span_of("rayleigh"),
             "`s` is the distance along the rod in [rayleigh]",

@@ -1,10 +1,9 @@
 //! TOML: parsing with recovery, and its errors in our words.
 
-use crate::diagnostic::Diagnostic;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use words::Text;
+use words::{Notice, Text};
 
 pub(super) type Table<'a> = DeTable<'a>;
 pub(super) type Value<'a> = Spanned<DeValue<'a>>;
@@ -16,9 +15,9 @@ pub(super) const FOLLOW_UPS: [&str; 12] = ["M006", "M013", "M014", "M015", "M025
 const MAX_KEY_PARTS: usize = 32;
 
 /// The table of a file as far as it can be read, and the syntax errors. No table when reading on would be unsafe.
-pub(super) fn parse(text: &str) -> (Option<DeTable<'_>>, Vec<Diagnostic>) {
+pub(super) fn parse(text: &str) -> (Option<DeTable<'_>>, Vec<Notice>) {
     if let Some(at) = deep_key(text) {
-        let d = Diagnostic::error(
+        let d = Notice::file(
             "M009",
             boundaries(text, at..at + 1),
             Text::new(format!("a key has more than {MAX_KEY_PARTS} parts"), format!("в ключе больше {MAX_KEY_PARTS} частей")),
@@ -26,7 +25,7 @@ pub(super) fn parse(text: &str) -> (Option<DeTable<'_>>, Vec<Diagnostic>) {
         return (None, vec![d]);
     }
     let (root, errors) = DeTable::parse_recoverable(text);
-    let mut findings: Vec<Diagnostic> = Vec::new();
+    let mut findings: Vec<Notice> = Vec::new();
     let mut lines: Vec<usize> = Vec::new();
     for error in errors.iter().take(1000) {
         let span = boundaries(text, error.span().unwrap_or(text.len()..text.len()));
@@ -85,37 +84,33 @@ fn bare_key(text: &str, start: usize) -> Option<Range<usize>> {
     None
 }
 
-fn unquoted(text: &str, key: Range<usize>) -> Diagnostic {
+fn unquoted(text: &str, key: Range<usize>) -> Notice {
     let name = &text[key.clone()];
-    Diagnostic::error(
-        "M003",
-        key.clone(),
-        Text::new(format!("the key `{name}` needs quotes"), format!("ключ `{name}` нужно взять в кавычки")),
-    )
-    .why(Text::new(
-        "TOML allows only Latin letters, digits, - and _ in keys without quotes",
-        "без кавычек TOML допускает в ключах только латинские буквы, цифры, - и _",
-    ))
-    .help(Text::new(format!("write \"{name}\""), format!("напишите \"{name}\"")))
+    Notice::file("M003", key.clone(), Text::new(format!("the key `{name}` needs quotes"), format!("ключ `{name}` нужно взять в кавычки")))
+        .why(
+            "TOML allows only Latin letters, digits, - and _ in keys without quotes",
+            "без кавычек TOML допускает в ключах только латинские буквы, цифры, - и _",
+        )
+        .help(format!("write \"{name}\""), format!("напишите \"{name}\""))
 }
 
-fn translate(text: &str, span: Range<usize>, message: &str) -> Diagnostic {
+fn translate(text: &str, span: Range<usize>, message: &str) -> Notice {
     if message.contains("duplicate key") {
         let key = text.get(span.clone()).unwrap_or_default().to_owned();
-        return Diagnostic::error("M004", span, Text::new(format!("`{key}` is given twice"), format!("`{key}` задано дважды")))
-            .help(Text::new("remove or rename one of them", "удалите или переименуйте одно из двух"));
+        return Notice::file("M004", span, Text::new(format!("`{key}` is given twice"), format!("`{key}` задано дважды")))
+            .help("remove or rename one of them", "удалите или переименуйте одно из двух");
     }
     let span = if span.is_empty() { visible(text, span.start) } else { span };
     let ru = super::toml_words::russian(message);
-    let found = Diagnostic::error("M002", span, Text::new(format!("TOML: {message}"), format!("TOML: {ru}")));
+    let found = Notice::file("M002", span, Text::new(format!("TOML: {message}"), format!("TOML: {ru}")));
     if message.contains("recursion") {
         return found;
     }
     if message.contains("string values must be quoted") || message.contains("invalid") {
-        return found.help(Text::new(
+        return found.help(
             "quantities and formulas are strings in quotes: mass = \"20 g\"",
             "величины и формулы — строки в кавычках: mass = \"20 g\"",
-        ));
+        );
     }
     found
 }

@@ -2,7 +2,8 @@
 
 use super::{read, reader};
 use crate::model::{Class, Inertia, ParameterValue, Pathway, RequestKind, StudyKind, Times};
-use crate::{Diagnostic, Reading, fields};
+use crate::{Reading, fields};
+use words::Notice;
 
 const FULL: &str = include_str!("../../tests/full.toml");
 const STUDIES: &str = include_str!("../../tests/studies.toml");
@@ -47,7 +48,7 @@ fn good(text: &str) -> Reading {
         panic!("{:#?}", d.iter().map(|d| (d.code, &d.what.en, d.span().map(|s| text[s].to_owned()))).collect::<Vec<_>>())
     })
 }
-fn set(text: &str, overrides: &[(&str, &str)]) -> Result<Reading, Vec<Diagnostic>> {
+fn set(text: &str, overrides: &[(&str, &str)]) -> Result<Reading, Vec<Notice>> {
     let overrides: Vec<_> = overrides.iter().map(|(a, b)| ((*a).to_owned(), (*b).to_owned())).collect();
     read(text, "", &overrides)
 }
@@ -69,7 +70,7 @@ fn every_key_of_the_tables_is_read_and_only_those() {
     let claims = format!("{PENDULUM}{CLAIMS}");
     for text in [FULL, STUDIES, CONNECTIONS, STRUCTURES, &claims] {
         // a guess stands where connections keep the start
-        let warnings: Vec<Diagnostic> = good(text).warnings.into_iter().filter(|d| d.code != "M119").collect();
+        let warnings: Vec<Notice> = good(text).warnings.into_iter().filter(|d| d.code != "M119").collect();
         assert_eq!(warnings, []);
     }
     let asked = reader::tests::asked();

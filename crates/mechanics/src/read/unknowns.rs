@@ -1,9 +1,9 @@
 //! `[unknowns]`: parameters that statics decide.
 
 use super::reader::{Fields, Reader, short, string};
-use crate::fault::Fault;
 use crate::model::{Class, Connection, ConnectionKind, ParameterDecl, ParameterValue};
 use symbolic::SymbolId;
+use words::Notice;
 
 /// The symbols of the unknowns; one that the command line sets is known.
 pub(super) fn check<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, parameters: &[ParameterDecl]) -> Vec<SymbolId> {
@@ -18,7 +18,7 @@ pub(super) fn check<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, parameters: &
             continue;
         }
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M094",
                 span,
                 format!("the guess of `{}` is a formula", short(name)),
@@ -51,7 +51,7 @@ pub(super) fn impending<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, connectio
             "+" => found.push((name.to_owned(), 1.0)),
             "-" | "−" => found.push((name.to_owned(), -1.0)),
             other => reader.fault(
-                Fault::new("M110", place, format!("`{}` is no direction", short(other)), format!("`{}` — не направление", short(other)))
+                Notice::piece("M110", place, format!("`{}` is no direction", short(other)), format!("`{}` — не направление", short(other)))
                     .why(
                         "a friction at its limit resists sliding forward or backward along its path",
                         "трение на пределе противится скольжению вперёд или назад по своему пути",
@@ -63,15 +63,15 @@ pub(super) fn impending<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, connectio
     found
 }
 
-fn no_friction(name: &str, span: std::ops::Range<usize>, frictions: &[&str]) -> Fault {
+fn no_friction(name: &str, span: std::ops::Range<usize>, frictions: &[&str]) -> Notice {
     let list = if frictions.is_empty() { "-".to_owned() } else { frictions.join(", ") };
-    Fault::new("M109", span, format!("there is no friction `{}`", short(name)), format!("нет трения `{}`", short(name)))
+    Notice::piece("M109", span, format!("there is no friction `{}`", short(name)), format!("нет трения `{}`", short(name)))
         .why(format!("[frictions] has: {list}"), format!("в [frictions] есть: {list}"))
         .help("name a dry friction of the model", "назовите сухое трение модели")
 }
 
-fn nothing_unknown(span: std::ops::Range<usize>) -> Fault {
-    Fault::new("M111", span, "friction at its limit, but nothing is unknown", "трение на пределе, но неизвестных нет")
+fn nothing_unknown(span: std::ops::Range<usize>) -> Notice {
+    Notice::piece("M111", span, "friction at its limit, but nothing is unknown", "трение на пределе, но неизвестных нет")
         .why(
             "every friction at its limit is one more equation, from which one more unknown follows",
             "каждое трение на пределе добавляет уравнение, из которого находится ещё одно неизвестное",

@@ -2,11 +2,12 @@
 
 use super::parameters::names;
 use super::reader::{Fields, Reader, short};
-use crate::fault::{Fault, nearest};
 use crate::fields;
 use crate::formula::EntryKind;
 use crate::model::{VariantTable, Variants};
+use crate::snippet::nearest;
 use std::ops::Range;
+use words::Notice;
 
 pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Variants> {
     let value = top.get("variants")?;
@@ -23,7 +24,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Vari
         (None, Some((text, _))) => VariantTable::Text(text),
         _ => {
             let (en, ru) = ("[variants] needs either `table` or `rows`", "в [variants] нужно либо `table`, либо `rows`");
-            reader.fault(Fault::new("M089", span, en, ru).help("write table = \"variants.csv\"", "напишите table = \"variants.csv\""));
+            reader.fault(Notice::piece("M089", span, en, ru).help("write table = \"variants.csv\"", "напишите table = \"variants.csv\""));
             return None;
         }
     };
@@ -60,10 +61,10 @@ fn parameter(reader: &mut Reader, name: String, span: Range<usize>) -> Option<St
     None
 }
 
-fn unknown(reader: &Reader, name: &str, span: Range<usize>) -> Fault {
+fn unknown(reader: &Reader, name: &str, span: Range<usize>) -> Notice {
     let shown = short(name);
     let (en, ru) = (format!("no parameter or coordinate is called `{shown}`"), format!("нет параметра или координаты `{shown}`"));
-    let fault = Fault::new("M089", span, en, ru);
+    let fault = Notice::piece("M089", span, en, ru);
     match nearest(name, reader.scope.names()) {
         Some(near) => fault.meant(name, near),
         None => fault,

@@ -6,9 +6,9 @@
 
 use super::table::{find, nearest};
 use super::{Dimension, Factor, Unit};
-use crate::fault::Fault;
 use std::ops::Range;
 use symbolic::{Expr, Graph, Rational};
+use words::Notice;
 
 /// A number with a unit.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -64,14 +64,14 @@ pub(crate) fn is_quantity(text: &str) -> bool {
 }
 
 /// Reads a quantity whose dimension is known, as on the command line: a bare number counts as SI.
-pub fn parse_quantity(text: &str, expected: &Dimension) -> Result<f64, Fault> {
+pub fn parse_quantity(text: &str, expected: &Dimension) -> Result<f64, Notice> {
     let quantity = parse_number_or_quantity(text)?;
     let dimension = quantity.unit.dimension;
     if quantity.has_unit && !dimension.same(expected) {
         return Err(crate::formula::mismatch(0..text.len(), &dimension, expected, true));
     }
     if let Some(fault) = crate::formula::in_field(&dimension, expected, 0..text.len()) {
-        return Err(Fault { severity: crate::Severity::Error, ..fault });
+        return Err(Notice { severity: words::Severity::Error, ..fault });
     }
     Ok(quantity.to_f64())
 }
@@ -80,18 +80,18 @@ pub fn parse_quantity(text: &str, expected: &Dimension) -> Result<f64, Fault> {
 ///
 /// # Errors
 /// The text is no quantity, or none of that dimension.
-pub fn parse_angular_rate(text: &str) -> Result<f64, Fault> {
+pub fn parse_angular_rate(text: &str) -> Result<f64, Notice> {
     let value = parse_quantity(text, &Dimension::ANGULAR_RATE.without_angle())?;
     let quantity = parse_number_or_quantity(text)?;
     Ok(if quantity.unit.dimension.counts_periods() { std::f64::consts::TAU * value } else { value })
 }
 
 /// Reads `number` or `number unit`.
-pub fn parse_number_or_quantity(text: &str) -> Result<Quantity, Fault> {
+pub fn parse_number_or_quantity(text: &str) -> Result<Quantity, Notice> {
     let start = text.len() - text.trim_start().len();
     let body = text.trim();
     let Some((number, end)) = scan_number(body) else {
-        return Err(Fault::new("M020", 0..text.len(), "expected a number with a unit", "ожидается число с единицей")
+        return Err(Notice::piece("M020", 0..text.len(), "expected a number with a unit", "ожидается число с единицей")
             .help("write for example \"12.5 kg\" or \"1450 rpm\"", "напишите, например, \"12,5 кг\" или \"1450 об/мин\""));
     };
     let number = number.ok_or_else(|| out_of_range(start..start + end))?;
@@ -116,7 +116,7 @@ pub(crate) fn written_unit(text: &str) -> Option<&str> {
 }
 
 /// A warning for `1,450 rpm`: with a Latin unit and exactly three digits behind it the comma may group thousands.
-pub(crate) fn doubtful_comma(text: &str) -> Option<Fault> {
+pub(crate) fn doubtful_comma(text: &str) -> Option<Notice> {
     let body = text.trim();
     let (whole, rest) = body.split_once(',')?;
     let digits = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_digit()).len();
@@ -126,7 +126,7 @@ pub(crate) fn doubtful_comma(text: &str) -> Option<Fault> {
     let latin = unit.starts_with(|c: char| c.is_ascii_alphabetic()) && unit.is_ascii();
     (counts && digits == 3 && latin && is_quantity(text)).then(|| {
         let (number, grouped) = (format!("{whole}.{}", &rest[..digits]), format!("{whole}{}", &rest[..digits]));
-        Fault::new(
+        Notice::piece(
             "M142",
             0..text.len(),
             format!("the comma is read as a decimal mark: {number}, not {grouped}"),
@@ -138,8 +138,8 @@ pub(crate) fn doubtful_comma(text: &str) -> Option<Fault> {
 }
 
 /// The fault of a number beyond what machine numbers hold.
-pub(crate) fn out_of_range(span: Range<usize>) -> Fault {
-    Fault::new(
+pub(crate) fn out_of_range(span: Range<usize>) -> Notice {
+    Notice::piece(
         "M022",
         span,
         "the number is out of range: its size must lie between 1e-307 and 1e308",
@@ -251,9 +251,9 @@ pub(crate) fn superscript(text: &str) -> Option<(i32, usize)> {
 }
 
 /// Reads a unit: `N m s/rad`, `kg*m^2`, `кг·м²`, `1/s`, `m^(1/2)`.
-pub fn parse_unit(text: &str) -> Result<Unit, Fault> {
+pub fn parse_unit(text: &str) -> Result<Unit, Notice> {
     if text.len() > 200 {
-        return Err(Fault::new("M021", 0..text.len(), "this unit is longer than 200 bytes", "обозначение единицы длиннее 200 байт"));
+        return Err(Notice::piece("M021", 0..text.len(), "this unit is longer than 200 bytes", "обозначение единицы длиннее 200 байт"));
     }
     let mut parser = Parser { text, at: 0, depth: 0 };
     let unit = parser.product()?;
@@ -293,22 +293,22 @@ impl Parser<'_> {
         self.at += found.map_or(0, char::len_utf8);
         found.is_some()
     }
-    fn unexpected(&self) -> Fault {
+    fn unexpected(&self) -> Notice {
         let found = self.peek().map_or_else(|| "?".to_owned(), |c| c.to_string());
         let end = self.at + self.peek().map_or(0, char::len_utf8);
         let before = &self.text[..self.at];
         if self.peek().is_some_and(|c| c.is_ascii_digit()) && before.ends_with(char::is_alphabetic) {
             let word = before.len() - before.chars().rev().take_while(|c| c.is_alphabetic()).map(char::len_utf8).sum::<usize>();
             let (unit, power) = (&before[word..], &found);
-            return Fault::new("M021", word..end, format!("`{unit}{power}` is no unit"), format!("`{unit}{power}` — не единица"))
+            return Notice::piece("M021", word..end, format!("`{unit}{power}` is no unit"), format!("`{unit}{power}` — не единица"))
                 .help(format!("write the power as `{unit}^{power}`"), format!("степень пишут так: `{unit}^{power}`"));
         }
-        Fault::new("M021", self.at..end, format!("unexpected `{found}` in a unit"), format!("лишний знак `{found}` в единице")).help(
+        Notice::piece("M021", self.at..end, format!("unexpected `{found}` in a unit"), format!("лишний знак `{found}` в единице")).help(
             "units look like `N m s/rad`, `kg*m^2`, `m/s^2`; a formula needs its units in square brackets: `30 [rad/s^2] * t`",
             "единицы пишут так: `Н м с/рад`, `кг·м²`, `м/с^2`; в формуле единицы стоят в квадратных скобках: `30 [рад/с^2] * t`",
         )
     }
-    fn product(&mut self) -> Result<Unit, Fault> {
+    fn product(&mut self) -> Result<Unit, Notice> {
         let mut unit = self.factor()?;
         loop {
             let from = self.at;
@@ -325,7 +325,7 @@ impl Parser<'_> {
             unit = next.and_then(|n| times(&unit, &n)).ok_or_else(|| too_big(from..self.at))?;
         }
     }
-    fn factor(&mut self) -> Result<Unit, Fault> {
+    fn factor(&mut self) -> Result<Unit, Notice> {
         self.skip_space();
         let from = self.at;
         let base = self.atom()?;
@@ -335,7 +335,7 @@ impl Parser<'_> {
             Some(e) => raise(&base, &e).ok_or_else(|| too_big(from..self.at)),
         }
     }
-    fn atom(&mut self) -> Result<Unit, Fault> {
+    fn atom(&mut self) -> Result<Unit, Notice> {
         let from = self.at;
         if self.take(&['(']) {
             self.depth += 1;
@@ -361,7 +361,7 @@ impl Parser<'_> {
         }
         find(name).ok_or_else(|| unknown(name, from..end))
     }
-    fn exponent(&mut self) -> Result<Option<Rational>, Fault> {
+    fn exponent(&mut self) -> Result<Option<Rational>, Notice> {
         if let Some((n, length)) = superscript(&self.text[self.at..]) {
             self.at += length;
             return Ok(Some(i64::from(n).into()));
@@ -428,8 +428,8 @@ fn bounded(unit: Unit) -> Option<Unit> {
     (size.is_finite() && size != 0.0).then_some(unit)
 }
 
-fn too_big(span: Range<usize>) -> Fault {
-    Fault::new(
+fn too_big(span: Range<usize>) -> Notice {
+    Notice::piece(
         "M021",
         span,
         "this power of a unit is out of bounds or has no exact factor",
@@ -438,11 +438,11 @@ fn too_big(span: Range<usize>) -> Fault {
 }
 
 /// `20 °C` is no angle times a charge.
-fn celsius(name: &str, rest: &str, from: usize) -> Option<Fault> {
+fn celsius(name: &str, rest: &str, from: usize) -> Option<Notice> {
     let scale = rest.trim_start().chars().next().filter(|c| "CСF".contains(*c))?;
     let letters = rest.trim_start().chars().take_while(|c| c.is_alphabetic()).count();
     (name == "°" && letters == 1).then(|| {
-        Fault::new(
+        Notice::piece(
             "M021",
             from..from + name.len() + (rest.len() - rest.trim_start().len()) + scale.len_utf8(),
             format!("°{scale} has a zero of its own and is no unit of a quantity"),
@@ -452,8 +452,8 @@ fn celsius(name: &str, rest: &str, from: usize) -> Option<Fault> {
     })
 }
 
-fn unknown(name: &str, span: Range<usize>) -> Fault {
-    let fault = Fault::new("M021", span, format!("unknown unit `{name}`"), format!("неизвестная единица `{name}`"));
+fn unknown(name: &str, span: Range<usize>) -> Notice {
+    let fault = Notice::piece("M021", span, format!("unknown unit `{name}`"), format!("неизвестная единица `{name}`"));
     match nearest(name) {
         Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => fault.help(
@@ -546,7 +546,7 @@ mod tests {
         for (text, near) in [("5 кq", "к"), ("5 Кг", "кг"), ("5 кg", ""), ("5 Nm", "N m"), ("5 rmp", "rpm"), ("5 раd", "рад")] {
             let fault = parse_number_or_quantity(text).unwrap_err();
             assert_eq!(fault.code, "M021");
-            assert!(fault.words.help.en.contains(near), "{text}: {}", fault.words.help.en);
+            assert!(fault.help.en.contains(near), "{text}: {}", fault.help.en);
         }
     }
 

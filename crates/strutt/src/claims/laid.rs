@@ -1,11 +1,10 @@
 //! The machine once more, with the terms of the claims for its outputs.
 
-use crate::failure::Trouble;
 use crate::pipeline::{self, Machine};
 use mechanics::derive::{Detail, derive_in};
 use mechanics::model::{ClaimKind, Model, OutputDecl};
 use symbolic::{Expr, Graph, Node, Rational};
-use words::Text;
+use words::{Notice, Text};
 
 /// A formula of more terms is compared as a whole.
 const MOST_TERMS: usize = 120;
@@ -49,7 +48,7 @@ pub fn output_name(claim: usize, k: usize) -> String {
 ///
 /// # Errors
 /// A formula of a claim has no meaning for this machine.
-pub fn lay(machine: &Machine) -> Result<Laid, Trouble> {
+pub fn lay(machine: &Machine) -> Result<Laid, Notice> {
     let mut model = machine.model.clone();
     // the derived graph holds all expressions of the model and those of its equations
     model.graph = machine.equations.graph.clone();
@@ -66,16 +65,16 @@ pub fn lay(machine: &Machine) -> Result<Laid, Trouble> {
         }
     }
     let mut equations = derive_in(&model, Detail::Equations).map_err(|list| first(&list))?;
-    pipeline::number(&model, &mut equations).map_err(Trouble::from)?;
-    let system = pipeline::lower(&equations).map_err(Trouble::from)?;
+    pipeline::number(&model, &mut equations).map_err(Notice::from)?;
+    let system = pipeline::lower(&equations).map_err(Notice::from)?;
     let machine = Machine { model, equations, system, ..machine.clone() };
     Ok(Laid { machine, claims })
 }
 
-fn first(list: &[mechanics::Diagnostic]) -> Trouble {
+fn first(list: &[Notice]) -> Notice {
     match list.first() {
-        Some(d) => Trouble::new(d.code, d.what.en.clone(), d.what.ru.clone()).help(d.help.en.clone(), d.help.ru.clone()),
-        None => Trouble::new("C051", "a claim cannot be compared", "результат не с чем сопоставить"),
+        Some(d) => Notice::new(d.code, d.what.en.clone(), d.what.ru.clone()).help(d.help.en.clone(), d.help.ru.clone()),
+        None => Notice::new("C051", "a claim cannot be compared", "результат не с чем сопоставить"),
     }
 }
 

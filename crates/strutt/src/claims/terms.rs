@@ -8,8 +8,7 @@ use analysis::studies::claims::{Draw, Fit, Places, Sum, fit, samples};
 use mechanics::model::ClaimDecl;
 use report::formula::{Form, Printer};
 use symbolic::{Expr, Rational};
-use words::Language;
-use words::Text;
+use words::{Language, Text};
 
 /// Times at which a machine is tried lie within this many seconds: loads that depend on time take part.
 const SPAN: f64 = 10.0;

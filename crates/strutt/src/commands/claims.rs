@@ -4,8 +4,10 @@ use super::{Exit, open, study};
 use crate::args;
 use crate::console::Console;
 use mechanics::derive::Detail;
+use strutt::failure::Misuse;
 use strutt::pipeline::Finding;
-use strutt::{Failure, Trouble, claims};
+use strutt::{Failure, claims};
+use words::Notice;
 
 pub fn run(args: &args::Claims, console: &mut Console) -> Result<Exit, Failure> {
     let (_, mut machine) = open(&args.model, Detail::Equations, console)?;
@@ -16,7 +18,7 @@ pub fn run(args: &args::Claims, console: &mut Console) -> Result<Exit, Failure> 
 }
 
 fn none() -> Failure {
-    Trouble::new("C050", "the file has no [[claims]]", "в файле нет [[claims]]")
+    Notice::new("C050", "the file has no [[claims]]", "в файле нет [[claims]]")
         .why(
             "a claim is a published result to be laid against the machine",
             "[[claims]] — это опубликованные результаты, сопоставляемые с машиной",

@@ -5,8 +5,9 @@ use crate::args;
 use crate::console::{Console, listen_to_interrupts};
 use crate::quantities;
 use mechanics::model::StudyKind;
-use strutt::{Failure, Trouble, studies};
-use words::Text;
+use strutt::failure::Misuse;
+use strutt::{Failure, studies};
+use words::{Notice, Text};
 
 pub fn run(args: &args::Cycle, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts(console.language);
@@ -42,7 +43,7 @@ fn written(args: &args::Cycle) -> Option<String> {
 }
 
 fn no_angle() -> Failure {
-    Trouble::new("C034", "which angle describes the cycle?", "какой угол описывает цикл?")
+    Notice::new("C034", "which angle describes the cycle?", "какой угол описывает цикл?")
         .why("the file has no study `cycle`, and no --angle was given", "в файле нет расчёта `cycle`, а ключ --angle не задан")
         .help("add --angle phi1, and --unknown F0 for the drive", "добавьте --angle phi1 и --unknown F0 для движущей силы")
         .misuse()

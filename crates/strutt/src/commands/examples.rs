@@ -4,8 +4,9 @@ use super::Exit;
 use crate::args;
 use crate::console::{Console, Shape};
 use serde_json::json;
-use strutt::{Failure, Source, Trouble, gallery};
-use words::nearest;
+use strutt::failure::Misuse;
+use strutt::{Failure, Source, gallery};
+use words::{Notice, nearest};
 
 pub fn run(args: &args::Examples, console: &mut Console) -> Result<Exit, Failure> {
     match &args.name {
@@ -18,7 +19,7 @@ pub fn run(args: &args::Examples, console: &mut Console) -> Result<Exit, Failure
 /// The example with a name.
 pub fn find(name: &str) -> Result<&'static gallery::Example, Failure> {
     gallery::find(name).ok_or_else(|| {
-        let trouble = Trouble::new("C010", format!("there is no example `{name}`"), format!("нет примера `{name}`"));
+        let trouble = Notice::new("C010", format!("there is no example `{name}`"), format!("нет примера `{name}`"));
         match nearest(name, gallery::names()) {
             Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
             None => trouble.help("`strutt examples` lists all of them", "`strutt examples` показывает все примеры"),

@@ -4,7 +4,9 @@ use super::Exit;
 use crate::args;
 use crate::console::{Console, Shape};
 use serde_json::json;
-use strutt::{Failure, Trouble, explain};
+use strutt::failure::Misuse;
+use strutt::{Failure, explain};
+use words::Notice;
 use words::explain::Explanation;
 
 pub fn run(args: &args::Explain, console: &mut Console) -> Result<Exit, Failure> {
@@ -76,7 +78,7 @@ fn to_json(e: &Explanation, console: &Console) -> serde_json::Value {
 }
 
 fn unknown(code: &str) -> Failure {
-    let trouble = Trouble::new("C010", format!("there is no code `{code}`"), format!("нет кода `{code}`"));
+    let trouble = Notice::new("C010", format!("there is no code `{code}`"), format!("нет кода `{code}`"));
     match explain::near(code) {
         Some(near) => trouble.help(format!("did you mean {near}?"), format!("может быть, {near}?")),
         None => trouble.help("`strutt explain` lists all codes", "`strutt explain` показывает все коды"),

@@ -5,8 +5,10 @@ use crate::args;
 use crate::console::{Console, end_on_interrupts};
 use crate::quantities;
 use mechanics::model::{Kinematics, KinematicsEnd, StudyKind};
+use strutt::failure::Misuse;
 use strutt::pipeline::Machine;
-use strutt::{Failure, Trouble, plan, studies};
+use strutt::{Failure, plan, studies};
+use words::Notice;
 
 pub fn run(args: &args::Kinematics, console: &mut Console) -> Result<Exit, Failure> {
     end_on_interrupts();
@@ -48,7 +50,7 @@ fn change(study: &mut Kinematics, args: &args::Kinematics, machine: &Machine) ->
     study.points = args.points.unwrap_or(study.points);
     let empty = matches!((study.from, study.to), (Some(from), KinematicsEnd::At(to)) if from == to);
     if empty || study.to == KinematicsEnd::Turns(0.0) || study.rate == Some(0.0) || study.points < 2 {
-        return Err(Trouble::new("C036", "the range of positions is empty", "промежуток положений пуст")
+        return Err(Notice::new("C036", "the range of positions is empty", "промежуток положений пуст")
             .why(
                 "two different ends, a rate other than zero and at least two positions are needed",
                 "нужны разные концы, ненулевая скорость и не менее двух положений",
@@ -72,7 +74,7 @@ fn written(args: &args::Kinematics) -> Option<String> {
 }
 
 fn nothing_driven() -> Failure {
-    Trouble::new("C035", "which coordinate is driven?", "какая координата ведущая?")
+    Notice::new("C035", "which coordinate is driven?", "какая координата ведущая?")
         .why("the file has no study `kinematics`, and no --over was given", "в файле нет расчёта `kinematics`, а ключ --over не задан")
         .help("add --over phi1", "добавьте --over phi1")
         .misuse()

@@ -4,8 +4,10 @@ use super::{Exit, examples};
 use crate::args;
 use crate::console::{Console, quoted};
 use std::path::{Path, PathBuf};
+use strutt::failure::Misuse;
 use strutt::wording::Word;
-use strutt::{Failure, Trouble, chain, files, gallery};
+use strutt::{Failure, chain, files, gallery};
+use words::Notice;
 
 /// What a name that is no example begins with.
 const STARTER: &str = include_str!("starter.toml");
@@ -45,8 +47,8 @@ fn operand(path: &Path) -> String {
     if text.starts_with('-') { format!("./{text}") } else { text.into_owned() }
 }
 
-fn nameless(name: &str) -> Trouble {
-    Trouble::new("C053", format!("`{name}` is no name for a file"), format!("`{name}` не годится как имя файла"))
+fn nameless(name: &str) -> Notice {
+    Notice::new("C053", format!("`{name}` is no name for a file"), format!("`{name}` не годится как имя файла"))
         .help("strutt new crane", "strutt new crane")
 }
 
@@ -74,13 +76,13 @@ fn tables(args: &args::New, path: &Path) -> Vec<(PathBuf, &'static str)> {
 fn links(from: &str, count: usize) -> Result<String, Failure> {
     let limit = chain::LONGEST;
     if from != "n-pendulum" {
-        let trouble = Trouble::new("C009", "--count belongs to n-pendulum only", "ключ --count относится только к n-pendulum");
+        let trouble = Notice::new("C009", "--count belongs to n-pendulum only", "ключ --count относится только к n-pendulum");
         return Err(trouble.help("strutt new n-pendulum --count 10", "strutt new n-pendulum --count 10").misuse());
     }
     if !(1..=limit).contains(&count) {
         let (en, ru) =
             (format!("--count {count}: 1 ... {limit} pendulums"), format!("--count {count}: маятников может быть 1 ... {limit}"));
-        return Err(Trouble::new("C009", en, ru).misuse());
+        return Err(Notice::new("C009", en, ru).misuse());
     }
     Ok(chain::model(count))
 }

@@ -7,7 +7,9 @@ use crate::quantities;
 use mechanics::derive::Detail;
 use mechanics::model::{Response, StudyKind};
 use report::Document;
-use strutt::{Failure, Trouble, folder, pipeline, plan, small};
+use strutt::failure::Misuse;
+use strutt::{Failure, folder, pipeline, plan, small};
+use words::Notice;
 
 pub fn run(args: &args::Response, console: &mut Console) -> Result<Exit, Failure> {
     let (_, mut machine) = open(&args.model, Detail::Equations, console)?;
@@ -71,7 +73,7 @@ fn changed(mut study: Response, args: &args::Response, machine: &pipeline::Machi
 }
 
 fn no_range(text: &str) -> Failure {
-    let trouble = Trouble::new(
+    let trouble = Notice::new(
         "C009",
         format!("--range {text}: two frequencies are needed, the first smaller"),
         format!("--range {text}: нужны две частоты, первая меньше второй"),

@@ -6,9 +6,9 @@ use crate::console::{Console, Shape, quoted};
 use crate::quantities;
 use mechanics::section::Section;
 use serde_json::json;
-use strutt::Trouble;
 use strutt::wording::Word;
 use strutt::{Failure, Source, folder, sections};
+use words::Notice;
 
 pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure> {
     let overrides = quantities::overrides(&args.model.overrides)?;
@@ -52,11 +52,11 @@ pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure>
     Ok(Exit::Done)
 }
 
-fn absent(name: Option<&str>, all: &[Section]) -> Trouble {
+fn absent(name: Option<&str>, all: &[Section]) -> Notice {
     let names: Vec<&str> = all.iter().map(|s| s.name.as_str()).collect();
     let mut trouble = match name {
-        Some(name) if !all.is_empty() => Trouble::new("C040", format!("there is no section `{name}`"), format!("нет сечения `{name}`")),
-        _ => Trouble::new("C040", "the file has no sections", "в файле нет сечений"),
+        Some(name) if !all.is_empty() => Notice::new("C040", format!("there is no section `{name}`"), format!("нет сечения `{name}`")),
+        _ => Notice::new("C040", "the file has no sections", "в файле нет сечений"),
     };
     trouble.help = match name.and_then(|n| words::nearest(n, names.iter().copied())) {
         Some(near) => words::Text::new(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),

@@ -5,13 +5,13 @@ use crate::args;
 use crate::console::{Console, Shape};
 use crate::quantities;
 use mechanics::derive::Detail;
-use mechanics::diagnostic::{Diagnostic, Source as Place};
 use mechanics::model::{StudyKind, Times};
 use mechanics::units::Dimension;
 use std::path::Path;
 use strutt::pipeline::{self, Calculation, Finding, Machine};
 use strutt::wording::Word;
 use strutt::{Failure, Source, document, folder};
+use words::{Notice, Place};
 
 /// The machine of a file, with a study that the command line writes behind the file when it asks for one: so its formulas are read and checked as
 /// those of the file are. The study of this kind that counts, if there is one.
@@ -51,7 +51,7 @@ fn placed(failure: Failure, file: &Source, extended: &Source) -> Failure {
     }
 }
 
-fn place(diagnostic: &mut Diagnostic, file: &Source, extended: &Source) {
+fn place(diagnostic: &mut Notice, file: &Source, extended: &Source) {
     let Some(span) = diagnostic.span().filter(|s| s.start >= file.text.trim_end().len() && extended.text.len() > file.text.len()) else {
         return;
     };
@@ -60,7 +60,7 @@ fn place(diagnostic: &mut Diagnostic, file: &Source, extended: &Source) {
     let line = text[start..].lines().next().unwrap_or_default().to_owned();
     let within = |at: usize| at.saturating_sub(start).min(line.len());
     let span = within(span.start)..within(span.end);
-    diagnostic.source = Place::CommandLine { text: line, span };
+    diagnostic.place = Place::CommandLine { text: line, span };
 }
 
 /// A row `key = "value"` of a study, quoted for TOML.

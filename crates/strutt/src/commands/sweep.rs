@@ -5,7 +5,9 @@ use super::{Exit, study::row};
 use crate::args;
 use crate::console::{Console, listen_to_interrupts};
 use mechanics::model::StudyKind;
-use strutt::{Failure, Trouble, studies};
+use strutt::failure::Misuse;
+use strutt::{Failure, studies};
+use words::Notice;
 
 pub fn run(args: &args::Sweep, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts(console.language);
@@ -40,7 +42,7 @@ fn written(args: &args::Sweep) -> Option<String> {
 }
 
 fn nothing_to_sweep() -> Failure {
-    Trouble::new("C033", "over which values?", "по каким значениям?")
+    Notice::new("C033", "over which values?", "по каким значениям?")
         .why("the file has no study `sweep`, and no --over was given", "в файле нет расчёта `sweep`, а ключ --over не задан")
         .help(
             "add --over \"v=linspace(1 m/s, 3 m/s, 21)\" --observe period",

@@ -1,6 +1,5 @@
 //! The study `modes`: natural frequencies, shapes, the frequency equation, modes followed along a parameter.
 
-use crate::failure::Trouble;
 use crate::pipeline::Machine;
 use crate::provenance;
 use crate::small::equation::{self, FrequencyEquation};
@@ -15,8 +14,7 @@ use mechanics::model::{Modes as Study, Scale};
 use report::formula::{Form, Printer};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
-use words::Language;
-use words::Text;
+use words::{Language, Notice, Text};
 
 /// What the study found.
 #[derive(Clone, Debug)]
@@ -26,7 +24,7 @@ pub struct ModesFound {
     /// One row per mode; along a parameter one row per value.
     pub data: Dataset,
     /// What ended it early.
-    pub trouble: Option<Trouble>,
+    pub trouble: Option<Notice>,
     /// Everything about the place; none when there is no equilibrium.
     pub found: Option<Found>,
 }
@@ -58,7 +56,7 @@ pub fn find(machine: &Machine, study: &Study) -> ModesFound {
     };
     let data = found.as_ref().map(dataset).unwrap_or_else(|| Dataset { partial: true, ..Dataset::default() });
     let data = provenance::stamp(data, &machine.equations, &machine.model_hash);
-    ModesFound { study: study.clone(), data, trouble: fault.map(crate::failure::Trouble::from), found }
+    ModesFound { study: study.clone(), data, trouble: fault.map(words::Notice::from), found }
 }
 
 fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault> {

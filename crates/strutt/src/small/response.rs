@@ -1,6 +1,5 @@
 //! The study `response`: forced oscillations over the frequency of periodic loads.
 
-use crate::failure::Trouble;
 use crate::pipeline::Machine;
 use crate::provenance;
 use crate::small::{Small, about_rest, timing_notes};
@@ -19,7 +18,7 @@ use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 use symbolic::equations::{Applied, Role};
 use symbolic::{Equations, Expr, SymbolId};
-use words::Text;
+use words::{Notice, Text};
 
 /// Frequencies of an automatic grid.
 const POINTS: usize = 401;
@@ -52,7 +51,7 @@ pub struct ResponseFound {
     /// A column for the frequency and five for each output.
     pub data: Dataset,
     /// What ended it early.
-    pub trouble: Option<Trouble>,
+    pub trouble: Option<Notice>,
     /// Names of the outputs.
     pub outputs: Vec<Quantity>,
     /// Peaks of each output.
@@ -110,7 +109,7 @@ pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
     };
     if let Err(fault) = small.and_then(|small| sweep(machine, study, small, &mut out)) {
         out.data.partial = true;
-        out.trouble = Some(Trouble::from(fault));
+        out.trouble = Some(Notice::from(fault));
     }
     out.data = provenance::stamp(out.data, &machine.equations, &machine.model_hash);
     out

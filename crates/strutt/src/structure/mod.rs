@@ -10,7 +10,6 @@ pub mod rayleigh;
 pub mod show;
 pub mod statics;
 
-use crate::failure::Trouble;
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine};
 use crate::provenance;
@@ -19,7 +18,7 @@ use mechanics::Model;
 use mechanics::structure::Structure;
 use report::{Block, Figure};
 use serde_json::{Map, Value, json};
-use words::Language;
+use words::{Language, Notice};
 
 /// What a study of a structure found.
 #[derive(Clone, Debug)]
@@ -29,7 +28,7 @@ pub struct StructureFound {
     /// The numbers.
     pub data: Dataset,
     /// What ended it.
-    pub trouble: Option<Trouble>,
+    pub trouble: Option<Notice>,
     /// Everything else; none after a trouble.
     pub result: Option<Outcome>,
 }
@@ -69,8 +68,8 @@ fn ignored(study: &mechanics::model::Modes) -> Option<&'static str> {
     }
 }
 
-fn one_value(key: &str) -> Trouble {
-    Trouble::new("S105", format!("the modes of a structure have no `{key}`"), format!("у форм конструкции нет `{key}`"))
+fn one_value(key: &str) -> Notice {
+    Notice::new("S105", format!("the modes of a structure have no `{key}`"), format!("у форм конструкции нет `{key}`"))
         .why(
             "a frame or truss without bodies is linear: its modes are those of the data as they stand in the file",
             "рама или ферма без тел линейна: её формы отвечают данным файла",
@@ -87,7 +86,7 @@ pub fn statics(machine: &Machine) -> Option<Finding> {
     Some(finding(machine, "statics", statics::find(machine, structure).map(|found| Outcome::Statics(Box::new(found)))))
 }
 
-fn finding(machine: &Machine, study: &'static str, outcome: Result<Outcome, Box<Trouble>>) -> Finding {
+fn finding(machine: &Machine, study: &'static str, outcome: Result<Outcome, Box<Notice>>) -> Finding {
     let (data, trouble, result) = match outcome {
         Ok(outcome) => (outcome.data().clone(), None, Some(outcome)),
         Err(trouble) => (Dataset { partial: true, ..Dataset::default() }, Some(*trouble), None),

@@ -4,7 +4,6 @@ use super::bind::{Bound, Factor, Numbers, bind};
 use super::compare::Level;
 use super::equation;
 use super::rayleigh::Reduced as Reduction;
-use crate::failure::Trouble;
 use analysis::structure::reduced::{Condensation, Reduced};
 use analysis::studies::structure_modes::{self, Modes, Normalise, StructureModes};
 use mechanics::Model;
@@ -12,6 +11,7 @@ use mechanics::model::{self, Scale};
 use mechanics::structure::Structure;
 use serde_json::{Map, Value, json};
 use symbolic::Rational;
+use words::Notice;
 
 /// What was found, with the numbers it was found from.
 #[derive(Clone, Debug)]
@@ -50,10 +50,10 @@ pub fn options(structure: &Structure, study: &model::Modes) -> Modes {
 ///
 /// # Errors
 /// Mechanisms, loose nodes, no inertia.
-pub fn find(model: &Model, structure: &Structure, study: &model::Modes) -> Result<Found, Box<Trouble>> {
+pub fn find(model: &Model, structure: &Structure, study: &model::Modes) -> Result<Found, Box<Notice>> {
     let bound = bind(model, structure);
     let options = options(structure, study);
-    let result = structure_modes::modes(&bound.frame, bound.exact.as_ref(), &options).map_err(|f| Box::new(Trouble::from(f)))?;
+    let result = structure_modes::modes(&bound.frame, bound.exact.as_ref(), &options).map_err(|f| Box::new(Notice::from(f)))?;
     let factor = |v: &model::FrequencyVariable| (v.name.clone(), Numbers::of(model).factor(v.factor));
     let variable: Option<(String, Factor)> = study.variable.as_ref().map(factor);
     let variable = variable.as_ref();

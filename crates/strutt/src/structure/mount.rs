@@ -3,7 +3,6 @@
 //! motions, responses and simulations know no difference between a frame and a body, and bodies stand on nodes by formulas of displacements.
 
 use super::bind::{Bound, bind};
-use crate::failure::Trouble;
 use analysis::structure::equilibrium::{EXACT, stands_undivided};
 use analysis::structure::loads::loading;
 use analysis::structure::reduced::{Condensation, displacements, reduce};
@@ -11,13 +10,12 @@ use analysis::structure::substructure::{Substructure, Wish, substructure};
 use analysis::structure::{Action, Assembly, Frame, Load, dense};
 use analysis::studies::structure_modes::{self, Modes};
 use mechanics::Model;
-use mechanics::diagnostic::Diagnostic;
 use mechanics::model::{
     self, Class, ConstantInertia, CoordinateDecl, Force, OutputDecl, ParameterDecl, ParameterValue, Pathway, Potential,
 };
 use mechanics::structure as file;
 use symbolic::{Expr, Rational};
-use words::Text;
+use words::{Notice, Text};
 
 /// Entries of M and K as (i, j, number, exact).
 type Entry = (usize, usize, f64, Option<Rational>);
@@ -32,11 +30,11 @@ const AMPLITUDES: usize = 8;
 ///
 /// # Errors
 /// Mechanisms and loose nodes.
-pub fn mount(model: &mut Model) -> Result<Vec<Diagnostic>, Box<Trouble>> {
+pub fn mount(model: &mut Model) -> Result<Vec<Notice>, Box<Notice>> {
     let Some(structure) = model.structure.clone() else { return Ok(Vec::new()) };
     let mut bound = bind(model, &structure);
-    let (found, remark) = coordinates(model, &structure, &mut bound).map_err(|fault| Box::new(Trouble::from(fault)))?;
-    let warnings = remark.filter(|_| speaks(model)).map(|words| Diagnostic::warning("M306", 0..0, words)).into_iter().collect();
+    let (found, remark) = coordinates(model, &structure, &mut bound).map_err(|fault| Box::new(Notice::from(fault)))?;
+    let warnings = remark.filter(|_| speaks(model)).map(|words| Notice::file("M306", 0..0, words).warning()).into_iter().collect();
     let first = model.coordinates.len() - structure.displacements.len().min(model.coordinates.len());
     let Some(found) = found else {
         model.coordinates.truncate(first);

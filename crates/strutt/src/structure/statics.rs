@@ -1,7 +1,6 @@
 //! Statics of the structure of a model.
 
 use super::bind::{Bound, bind};
-use crate::failure::Trouble;
 use crate::pipeline::Machine;
 use analysis::structure::statics::Station;
 use analysis::studies::structure_statics::{self, StructureStatics};
@@ -10,7 +9,7 @@ use mechanics::model::Class;
 use mechanics::structure::{Action, Load, Structure};
 use report::number::significant;
 use serde_json::{Map, Value, json};
-use words::Text;
+use words::{Notice, Text};
 
 /// What was found, with the numbers it was found from.
 #[derive(Clone, Debug)]
@@ -25,10 +24,10 @@ pub struct Found {
 ///
 /// # Errors
 /// Mechanisms, loose nodes, forces that statics does not determine; no place of rest of the machine; S104.
-pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Trouble>> {
+pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Notice>> {
     let model = &machine.model;
     let mut bound = bind(model, structure);
-    let trouble = |f| Box::new(Trouble::from(f));
+    let trouble = |f| Box::new(Notice::from(f));
     let mut result = structure_statics::statics(&bound.frame, bound.exact.as_ref()).map_err(trouble)?;
     let moving = structure.loads.iter().any(|l| moves(model, l));
     if !super::mount::is_bare(model) {
@@ -58,7 +57,7 @@ pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Troub
 
 /// Forces of the machine at rest along the displacements that it acts on: those which move the loaded structure from where its own loads
 /// leave it, D F = u - u₀, to where the whole machine rests.
-fn exerted(machine: &Machine, bare: &StructureStatics, moving: bool) -> Result<Vec<(analysis::structure::Load<f64>, f64)>, Box<Trouble>> {
+fn exerted(machine: &Machine, bare: &StructureStatics, moving: bool) -> Result<Vec<(analysis::structure::Load<f64>, f64)>, Box<Notice>> {
     let frame = &bare.frame;
     let names = |i: &usize| machine.model.coordinates.iter().position(|c| c.name == frame.displacements[*i].name);
     let loaded: Vec<usize> = (0..frame.displacements.len()).filter(|i| frame.displacements[*i].loaded).collect();
@@ -67,7 +66,7 @@ fn exerted(machine: &Machine, bare: &StructureStatics, moving: bool) -> Result<V
     }
     let places: Option<Vec<usize>> = loaded.iter().map(names).collect();
     let (Some(places), Some(flexibility), false) = (places, &bare.flexibility, moving) else { return Err(Box::new(apart())) };
-    let small = crate::small::about_rest(machine, &[]).map_err(|f| Box::new(Trouble::from(f)))?;
+    let small = crate::small::about_rest(machine, &[]).map_err(|f| Box::new(Notice::from(f)))?;
     let all = frame.displacements.len();
     let gaps: Vec<f64> = loaded.iter().zip(&places).map(|(i, q)| small.place.q[*q] - bare.displacements[*i]).collect();
     let d: Vec<f64> = loaded.iter().flat_map(|i| loaded.iter().map(move |j| flexibility.displacements[i * all + j])).collect();
@@ -84,8 +83,8 @@ fn scaled(mut load: analysis::structure::Load<f64>, factor: f64) -> analysis::st
 }
 
 /// The machine's forces on the structure are not to be had.
-fn apart() -> Trouble {
-    Trouble::new(
+fn apart() -> Notice {
+    Notice::new(
         "S104",
         "statics of the structure alone would leave out the machine that stands on it",
         "статика одной конструкции не учла бы стоящего на ней механизма",

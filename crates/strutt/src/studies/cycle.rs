@@ -2,7 +2,6 @@
 
 use super::periodic::{in_words, value_of};
 use super::{Fact, Results, Rows};
-use crate::failure::Trouble;
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine, explained};
 use crate::provenance;
@@ -12,6 +11,7 @@ use analysis::studies::cycle::{Balance, Cycle as Options, Running, cycle};
 use mechanics::model::Cycle;
 use serde_json::json;
 use std::f64::consts::TAU;
+use words::Notice;
 use words::Text;
 
 /// Steps of the searches.
@@ -36,7 +36,7 @@ pub fn run(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Finding {
     checked(Finding::Study(Box::new(results)))
 }
 
-fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(), Trouble> {
+fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(), Notice> {
     let (mut values, mut formula): (Vec<(String, f64)>, Option<Text>) = (Vec::new(), None);
     let mut drive = None;
     let mut tried = Tried { machine: machine.clone(), held: None };
@@ -81,7 +81,7 @@ struct Tried {
 }
 
 impl Tried {
-    fn set(&mut self, values: &[(String, f64)]) -> Result<(), Trouble> {
+    fn set(&mut self, values: &[(String, f64)]) -> Result<(), Notice> {
         let values: Vec<(&str, f64)> = values.iter().map(|(n, v)| (n.as_str(), *v)).collect();
         self.machine.bind(&values).map_err(in_words)?;
         let held = self.held.take().filter(|(_, held)| held.is_some());
@@ -101,14 +101,14 @@ impl Tried {
     }
 
     /// The balance, and the uniform rate.
-    fn balance(&mut self, study: &Cycle) -> Result<(Balance, f64), Trouble> {
+    fn balance(&mut self, study: &Cycle) -> Result<(Balance, f64), Notice> {
         let machine = &self.machine;
         let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
         let n = machine.equations.coordinates.len();
         let angle = machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0);
         let rate = study.speed.unwrap_or(start[n + angle]);
         if rate == 0.0 {
-            return Err(Trouble::new("S046", format!("`{}` stands still", study.name), format!("`{}` неподвижна", study.name))
+            return Err(Notice::new("S046", format!("`{}` stands still", study.name), format!("`{}` неподвижна", study.name))
                 .help("give `speed`, `period` or a starting rate", "задайте `speed`, `period` или начальную скорость"));
         }
         let range = TAU * study.turns.abs() * rate.signum();
@@ -167,9 +167,9 @@ fn driven(
     study: &Cycle,
     (name, others): (&str, &[(String, f64)]),
     near: Option<Drive>,
-) -> Result<Drive, Trouble> {
+) -> Result<Drive, Notice> {
     let first = value_of(machine, name).ok_or_else(|| super::periodic::no_parameter(machine, name))?;
-    let mut work = |value: f64| -> Result<f64, Trouble> {
+    let mut work = |value: f64| -> Result<f64, Notice> {
         let mut values = others.to_vec();
         values.retain(|(n, _)| n != name);
         values.push((name.to_owned(), value));
@@ -198,7 +198,7 @@ fn driven(
         }
     }
     if slope == 0.0 {
-        return Err(Trouble::new("S048", format!("`{name}` does no work over the cycle"), format!("`{name}` не совершает работы за цикл"))
+        return Err(Notice::new("S048", format!("`{name}` does no work over the cycle"), format!("`{name}` не совершает работы за цикл"))
             .help("choose a drive force or torque as the unknown", "выберите неизвестной движущую силу или момент"));
     }
     Ok(Drive { rest, slope, value: b })
@@ -211,9 +211,9 @@ fn flywheel(
     study: &Cycle,
     (name, wanted): (&str, f64),
     mut drive: Option<Drive>,
-) -> Result<(f64, Option<f64>), Trouble> {
+) -> Result<(f64, Option<f64>), Notice> {
     let first = value_of(machine, name).ok_or_else(|| super::periodic::no_parameter(machine, name))?;
-    let mut at = |value: f64| -> Result<f64, Trouble> {
+    let mut at = |value: f64| -> Result<f64, Notice> {
         let mut values = vec![(name.to_owned(), value)];
         if let Some(unknown) = &study.unknown {
             let found = driven(machine, tried, study, (unknown, &values), drive)?;
@@ -239,7 +239,7 @@ fn flywheel(
         reached = at(b)?;
     }
     if (reached - wanted).abs() > 1e-8 * wanted {
-        return Err(Trouble::new(
+        return Err(Notice::new(
             "S048",
             format!("no value of `{name}` gives the irregularity {wanted}"),
             format!("ни при каком значении `{name}` неравномерность хода не равна {wanted}"),
@@ -249,7 +249,7 @@ fn flywheel(
 }
 
 /// The running of the motion over one cycle of the angle from the start.
-fn turned(machine: &mut Machine, study: &Cycle) -> Result<Running, Trouble> {
+fn turned(machine: &mut Machine, study: &Cycle) -> Result<Running, Notice> {
     let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
     let n = machine.equations.coordinates.len();
     let angle = machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0);
@@ -294,7 +294,7 @@ fn facts(results: &mut Results, machine: &Machine, balance: &Balance, speed: f64
 }
 
 /// Irregularity of the true motion over the cycle.
-fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Result<(), Trouble> {
+fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Result<(), Notice> {
     let Running { greatest: high, least: low, mean, .. } = match turned(machine, study) {
         Err(trouble) if trouble.code == "S046" => {
             results.words.push(Text::new(

@@ -4,7 +4,6 @@
 //! hides between their points. It is confirmed by the energy: all motors together do what the change of energy and the work of everything else leave.
 
 use super::{Fact, Results};
-use crate::failure::Trouble;
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine};
 use crate::plan;
@@ -13,7 +12,7 @@ use analysis::Dataset;
 use mechanics::model::Simulate;
 use serde_json::json;
 use symbolic::equations::Role;
-use words::Text;
+use words::{Notice, Text};
 
 /// A motor: the output that is its power, its name, what the output is.
 struct Motor {
@@ -59,8 +58,8 @@ fn heading() -> Text {
     Text::new("Inverse dynamics", "Обратная задача динамики")
 }
 
-fn no_motor() -> Trouble {
-    Trouble::new("S101", "the model has no motor whose force could be found", "в модели нет двигателя, усилие которого можно найти")
+fn no_motor() -> Notice {
+    Notice::new("S101", "the model has no motor whose force could be found", "в модели нет двигателя, усилие которого можно найти")
         .why(
             "inverse dynamics gives the forces of [motors] that realise prescribed [motions]",
             "обратная задача динамики даёт усилия двигателей [motors], осуществляющих заданные движения [motions]",

@@ -1,11 +1,12 @@
 //! What a machine was made from, and the same machine with other values: bound to them where only numbers change, read again where more does.
 
-use crate::failure::{Failure, Trouble};
+use crate::failure::Failure;
 use crate::guards;
 use crate::pipeline::{self, Machine};
 use crate::source::Source;
 use crate::watch::Watch;
 use mechanics::model::{Change, unmoved};
+use words::Notice;
 
 /// File and overrides of a machine.
 #[derive(Clone, Debug)]
@@ -71,7 +72,7 @@ impl Machine {
         let change = self.model.change(values)?;
         let equations = &self.equations;
         let same = self.model.allows(&change) && unmoved(&equations.graph, &equations.premises, &change.before, &change.after);
-        same.then(|| self.put(values, &change).map_err(|fault| Trouble::from(fault).into()))
+        same.then(|| self.put(values, &change).map_err(|fault| Notice::from(fault).into()))
     }
 
     fn put(&mut self, values: &[(&str, f64)], change: &Change) -> Result<(), analysis::Fault> {

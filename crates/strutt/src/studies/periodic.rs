@@ -2,7 +2,6 @@
 
 use super::section::of_state;
 use super::{Fact, Results, Rows};
-use crate::failure::Trouble;
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine, explained};
 use crate::plan;
@@ -14,6 +13,7 @@ use analysis::studies::simulate::Grid;
 use mechanics::model::{Periodic, Section, StudyKind, Times};
 use serde_json::{Value, json};
 use std::cell::RefCell;
+use words::Notice;
 use words::Text;
 
 /// Steps of the search for a parameter.
@@ -150,17 +150,11 @@ pub(super) struct Tuning {
 }
 
 /// Changes a parameter until the period is the wanted one: secant steps on logarithmic scale near the value of the file.
-fn tuned(
-    machine: &mut Machine,
-    study: &Periodic,
-    name: &str,
-    wanted: f64,
-    watch: &mut Watch,
-) -> Result<(Outcome, Option<Tuning>), Trouble> {
+fn tuned(machine: &mut Machine, study: &Periodic, name: &str, wanted: f64, watch: &mut Watch) -> Result<(Outcome, Option<Tuning>), Notice> {
     let first = value_of(machine, name).ok_or_else(|| no_parameter(machine, name))?;
     let mut start: Option<Vec<f64>> = None;
     let mut tried = machine.clone();
-    let mut at = |value: f64, watch: &mut Watch| -> Result<(Machine, Outcome), Trouble> {
+    let mut at = |value: f64, watch: &mut Watch| -> Result<(Machine, Outcome), Notice> {
         tried.bind(&[(name, value)]).map_err(in_words)?;
         let mut other = tried.clone();
         let outcome = match &start {
@@ -175,7 +169,7 @@ fn tuned(
             }
         };
         if let Some(fault) = &outcome.fault {
-            return Err(Trouble::from(fault.clone()));
+            return Err(Notice::from(fault.clone()));
         }
         start = Some(outcome.regime.start.clone());
         Ok((other, outcome))
@@ -207,7 +201,7 @@ fn tuned(
             (machine.model_hash, machine.origin) = keep;
             Ok((outcome, Some(Tuning { name: name.to_owned(), value })))
         }
-        _ => Err(Trouble::new(
+        _ => Err(Notice::new(
             "S045",
             format!("no value of `{name}` gives the period {wanted} s"),
             format!("ни при каком значении `{name}` период не равен {wanted} с").replace('.', ","),
@@ -236,9 +230,9 @@ pub fn value_of(machine: &Machine, name: &str) -> Option<f64> {
     machine.model.parameters.iter().find(|p| p.name == name)?.number
 }
 
-pub(super) fn no_parameter(machine: &Machine, name: &str) -> Trouble {
+pub(super) fn no_parameter(machine: &Machine, name: &str) -> Notice {
     let trouble =
-        Trouble::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"));
+        Notice::new("C031", format!("`{name}` is no parameter with a number"), format!("`{name}` — не параметр с числовым значением"));
     match words::nearest(name, machine.model.parameters.iter().map(|p| p.name.as_str())) {
         Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => trouble,
@@ -246,17 +240,17 @@ pub(super) fn no_parameter(machine: &Machine, name: &str) -> Trouble {
 }
 
 /// A failure that stands beside results.
-pub fn in_words(failure: Failure) -> Trouble {
+pub fn in_words(failure: Failure) -> Notice {
     match failure {
         Failure::Trouble(trouble) | Failure::Misuse(trouble) => *trouble,
         Failure::Findings { diagnostics, .. } => {
-            let first = diagnostics.into_iter().find(|d| d.severity == mechanics::Severity::Error);
+            let first = diagnostics.into_iter().find(|d| d.severity == words::Severity::Error);
             match first {
-                Some(d) => Trouble { code: d.code, what: d.what, why: d.why, help: d.help },
-                None => Trouble::new("C031", "the model cannot be built with these values", "с этими значениями модель не строится"),
+                Some(d) => Notice::from(*d.message),
+                None => Notice::new("C031", "the model cannot be built with these values", "с этими значениями модель не строится"),
             }
         }
-        Failure::ClosedPipe => Trouble::new("C031", "the output was closed", "вывод закрыт"),
+        Failure::ClosedPipe => Notice::new("C031", "the output was closed", "вывод закрыт"),
     }
 }
 

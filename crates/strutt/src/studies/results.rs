@@ -1,14 +1,12 @@
 //! What a study found, in a form that the terminal, the page, CSV and JSON all understand.
 
 use crate::document;
-use crate::failure::Trouble;
 use analysis::{Dataset, Quantity};
 use mechanics::model::Plot;
 use report::table::Column;
 use report::{Block, Cell, Figure, Table, Word};
 use serde_json::{Map, Value, json};
-use words::Language;
-use words::Text;
+use words::{Language, Notice, Text};
 
 /// Significant digits of a fact: it stands alone and is compared.
 const DIGITS: usize = 8;
@@ -75,7 +73,7 @@ pub struct Results {
     /// Plots.
     pub plots: Vec<Plot>,
     /// What ended the study early.
-    pub trouble: Option<Trouble>,
+    pub trouble: Option<Notice>,
 }
 
 impl Results {

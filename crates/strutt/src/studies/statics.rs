@@ -1,7 +1,6 @@
 //! The study `statics` of bodies: reactions, equations of equilibrium, what is open or free.
 
 use super::{Fact, Results};
-use crate::failure::Trouble;
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine};
 use crate::provenance;
@@ -11,8 +10,7 @@ use analysis::studies::statics::{Statics, statics};
 use report::formula::{Form, Printer};
 use serde_json::{Value, json};
 use symbolic::Equations;
-use words::Language;
-use words::Text;
+use words::{Language, Notice, Text};
 
 /// Largest relative remainder of an equation of equilibrium.
 const LIMIT: f64 = 1e-10;
@@ -21,7 +19,7 @@ const LIMIT: f64 = 1e-10;
 pub fn run(machine: &mut Machine) -> Finding {
     let results = match statics(&machine.equations) {
         Ok(found) => results(machine, &found),
-        Err(fault) => Results { kind: "statics", heading: heading(), trouble: Some(Trouble::from(fault)), ..Results::default() },
+        Err(fault) => Results { kind: "statics", heading: heading(), trouble: Some(Notice::from(fault)), ..Results::default() },
     };
     checked(Finding::Study(Box::new(results)))
 }

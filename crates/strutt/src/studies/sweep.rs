@@ -3,7 +3,6 @@
 use super::origin::Binding;
 use super::periodic::{self, in_words};
 use super::{Results, Rows};
-use crate::failure::Trouble;
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine};
 use crate::watch::Watch;
@@ -15,7 +14,7 @@ use analysis::{Dataset, Quantity};
 use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, Simulate, StudyKind, Sweep, SweepRange, Times};
 use serde_json::{Value, json};
 use std::sync::atomic::Ordering;
-use words::Text;
+use words::{Notice, Text};
 
 /// Results of the study `periodic` that no other study has.
 const OF_PERIODIC: [&str; 5] = ["period", "frequency", "multiplier", "stable", "gain"];
@@ -51,14 +50,14 @@ pub fn run(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Finding {
     checked(Finding::Study(Box::new(results)))
 }
 
-fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Trouble> {
+fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Notice> {
     let wanted = wanted(machine, &study.observe)?;
     let (base, of) = base(machine, study, &wanted)?;
     let count: usize = study.over.iter().map(|range| range.values.len()).product();
     let mut columns: Vec<Column> = study.over.iter().map(|range| column_of(machine, range)).collect();
     columns.extend(wanted.iter().map(|(quantity, _)| Column { quantity: quantity.clone(), values: Vec::new() }));
     let mut data = Dataset { axis: (study.over.len() == 1).then_some(0), ..Dataset::default() };
-    let (mut guess, mut failed, mut first): (Option<Vec<f64>>, usize, Option<Trouble>) = (None, 0, None);
+    let (mut guess, mut failed, mut first): (Option<Vec<f64>>, usize, Option<Notice>) = (None, 0, None);
     let own = study.over.len();
     let mut without: Vec<(String, Text)> = Vec::new();
     let (mut changed, mut anew) = (machine.clone(), 0);
@@ -183,7 +182,7 @@ fn column_of(machine: &Machine, range: &SweepRange) -> Column {
 }
 
 /// What the names in `observe` mean, with the columns they fill.
-fn wanted(machine: &Machine, observe: &[String]) -> Result<Vec<(Quantity, Wanted)>, Trouble> {
+fn wanted(machine: &Machine, observe: &[String]) -> Result<Vec<(Quantity, Wanted)>, Notice> {
     let outputs = &machine.equations.outputs;
     let mut found = Vec::new();
     let add = |found: &mut Vec<(Quantity, Wanted)>, output: &symbolic::equations::Output, word: &str, reduction| {
@@ -219,8 +218,8 @@ fn wanted(machine: &Machine, observe: &[String]) -> Result<Vec<(Quantity, Wanted
     Ok(found)
 }
 
-fn unknown(name: &str, machine: &Machine) -> Trouble {
-    let trouble = Trouble::new("C008", format!("there is no output `{name}`"), format!("нет выходной величины `{name}`"));
+fn unknown(name: &str, machine: &Machine) -> Notice {
+    let trouble = Notice::new("C008", format!("there is no output `{name}`"), format!("нет выходной величины `{name}`"));
     match words::nearest(name, machine.equations.outputs.iter().map(|o| o.name.as_str())) {
         Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => trouble,
@@ -228,7 +227,7 @@ fn unknown(name: &str, machine: &Machine) -> Trouble {
 }
 
 /// The study to repeat, with the columns that are wanted.
-fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Result<(StudyKind, Option<usize>), Trouble> {
+fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Result<(StudyKind, Option<usize>), Notice> {
     let fields = || wanted.iter().filter_map(|(_, w)| if let Wanted::Field(name) = w { Some(name.as_str()) } else { None });
     let of_periodic = fields().any(|name| OF_PERIODIC.iter().any(|p| name.starts_with(p)));
     let kind = study.of.as_deref().or(of_periodic.then_some("periodic"));
@@ -252,7 +251,7 @@ fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Resu
         (None, Some("periodic")) => StudyKind::Periodic(automatic()),
         (None, Some("statics")) => StudyKind::Statics,
         _ => {
-            return Err(Trouble::new("C032", "there is no study to repeat", "нет расчёта, который надо повторять")
+            return Err(Notice::new("C032", "there is no study to repeat", "нет расчёта, который надо повторять")
                 .why(
                     "a sweep repeats a study of the file: simulate, periodic, equilibrium, cycle, statics, inverse",
                     "серия повторяет расчёт из файла: simulate, periodic, equilibrium, cycle, statics, inverse",
@@ -342,7 +341,7 @@ fn one(
     values: &[(String, f64)],
     guess: &mut Option<Vec<f64>>,
     watch: &mut Watch,
-) -> Result<Finding, Trouble> {
+) -> Result<Finding, Notice> {
     let values: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     *anew += usize::from(machine.bind(&values).map_err(in_words)? == Binding::Anew);
     let base = &repeated.at(machine);
@@ -369,7 +368,7 @@ fn one(
         }
         other => match pipeline::study(machine, other, &mut inner) {
             Some(finding) => finding,
-            None => return Err(Trouble::new("C032", "this study cannot be repeated", "этот расчёт повторять нельзя")),
+            None => return Err(Notice::new("C032", "this study cannot be repeated", "этот расчёт повторять нельзя")),
         },
     };
     match finding.trouble() {
@@ -379,7 +378,7 @@ fn one(
 }
 
 /// The number, and what it is where the study itself says so.
-fn number(finding: &Finding, wanted: &Wanted) -> Result<(f64, Option<Quantity>), Trouble> {
+fn number(finding: &Finding, wanted: &Wanted) -> Result<(f64, Option<Quantity>), Notice> {
     Ok(match wanted {
         Wanted::Events => (finding.data().events.len() as f64, None),
         Wanted::Column(name, reduction) => match reduce(finding.data(), name, *reduction) {
@@ -402,8 +401,8 @@ fn number(finding: &Finding, wanted: &Wanted) -> Result<(f64, Option<Quantity>),
 }
 
 /// The study does not know the quantity between its rows.
-fn rows_only(name: &str) -> Trouble {
-    Trouble::new(
+fn rows_only(name: &str) -> Notice {
+    Notice::new(
         "S100",
         format!("the repeated study knows `{name}` at its rows only, or not at all"),
         format!("повторяемый расчёт знает `{name}` лишь в строках таблицы или не знает вовсе"),
@@ -415,9 +414,9 @@ fn rows_only(name: &str) -> Trouble {
 }
 
 /// The study's JSON has nothing at this path.
-fn no_number(path: &str, fields: &Value) -> Trouble {
+fn no_number(path: &str, fields: &Value) -> Notice {
     let first = path.split('.').next().unwrap_or_default();
-    let trouble = Trouble::new("S085", format!("the study has no number `{path}`"), format!("в расчёте нет числа `{path}`"));
+    let trouble = Notice::new("S085", format!("the study has no number `{path}`"), format!("в расчёте нет числа `{path}`"));
     match fields.get(first).and_then(Value::as_array).map(Vec::len) {
         Some(n) => trouble.help(
             format!("`{first}` has {n} entries; as in the JSON of the study they are counted from 0"),

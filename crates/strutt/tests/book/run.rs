@@ -4,14 +4,13 @@ use crate::chapter::Trial;
 use crate::claim::{Claim, Tolerance, When, Which, parse};
 use analysis::Dataset;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
-use mechanics::Diagnostic;
 use mechanics::model::{Modes, Response, StudyKind, Times};
 use report::formula::{Form, Printer};
 use strutt::pipeline::{self, Finding, Machine, Phases};
 use strutt::studies::Results;
 use strutt::{Failure, Source, Watch};
 use symbolic::SymbolId;
-use words::Language;
+use words::{Language, Notice};
 
 /// Instants of claims about a whole motion.
 const INSTANTS: usize = 200;
@@ -229,7 +228,7 @@ impl Command {
         let study = mechanics::model::Transient { motion, linearise: self.linearise };
         match pipeline::transient(machine, &study, &mut Watch::default()) {
             Finding::Transient(_, data, phases, None) => Ok(Outcome::Closed { times, data, phases }),
-            Finding::Transient(_, _, _, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
+            Finding::Transient(_, _, _, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
             _ => Err("the closed form came back as something else".into()),
         }
     }
@@ -310,7 +309,7 @@ impl Command {
         }
         match pipeline::equilibrium(machine, &guess, &mut Watch::default()) {
             Finding::Equilibrium(data, None) => Ok(Outcome::Rest(data)),
-            Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en }),
+            Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
             _ => Err("an equilibrium came back as something else".into()),
         }
     }
@@ -323,7 +322,7 @@ fn quantity(text: &str) -> Result<f64, String> {
 
 /// What a command gave.
 enum Outcome {
-    Findings(Vec<Diagnostic>),
+    Findings(Vec<Notice>),
     Trouble { code: &'static str, what: String },
     Machine(Box<Machine>),
     Motion { times: Vec<f64>, data: Dataset },
@@ -424,15 +423,15 @@ fn case_of(phases: &Phases, number: usize, case: &str) -> Result<(), String> {
     if name == case { Ok(()) } else { Err(format!("the case is {name}")) }
 }
 
-fn help(diagnostics: &[Diagnostic], code: &str, text: &str) -> Result<(), String> {
+fn help(diagnostics: &[Notice], code: &str, text: &str) -> Result<(), String> {
     let helps: Vec<&str> = diagnostics.iter().filter(|d| d.code == code).map(|d| d.help.en.as_str()).collect();
     if helps.iter().any(|h| h.contains(text)) { Ok(()) } else { Err(format!("helps: {}", helps.join("; "))) }
 }
 
-fn findings(model: &str, diagnostics: &[Diagnostic], code: &str, line: Option<usize>, only: bool) -> Result<(), String> {
-    let line_of = |d: &Diagnostic| d.span().map(|s| model[..s.start].matches('\n').count() + 1);
+fn findings(model: &str, diagnostics: &[Notice], code: &str, line: Option<usize>, only: bool) -> Result<(), String> {
+    let line_of = |d: &Notice| d.span().map(|s| model[..s.start].matches('\n').count() + 1);
     let found: Vec<String> = diagnostics.iter().map(|d| format!("{} in line {}", d.code, line_of(d).unwrap_or(0))).collect();
-    let fits = |d: &Diagnostic| d.code == code && line.is_none_or(|l| line_of(d) == Some(l));
+    let fits = |d: &Notice| d.code == code && line.is_none_or(|l| line_of(d) == Some(l));
     let holds = diagnostics.iter().any(fits) && (!only || diagnostics.iter().all(fits));
     match &found[..] {
         _ if holds => Ok(()),

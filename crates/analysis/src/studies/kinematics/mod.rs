@@ -13,6 +13,7 @@ mod turning;
 mod way;
 
 use std::sync::Arc;
+use words::Message;
 
 use program::Behind;
 use program::lower::Drive;
@@ -21,7 +22,7 @@ use words::Text;
 
 use crate::Fault;
 use crate::dataset::{Audit, Extreme};
-use crate::fault::{Message, rounded, ten_digits};
+use crate::fault::{rounded, ten_digits};
 use linkage::{Drives, Linkage, Spot, spot};
 use way::{Doubts, Stand};
 

@@ -3,13 +3,13 @@
 //! z = (q, s) moves along the direction v with [J; E] v_q + (r/w; -d') v_s = 0, |v| = 1 (angles times their arm). At a dead point v_s passes zero: it is
 //! located there by bisection of the length.
 
-use words::Text;
+use words::{Message, Text};
 
 use super::extrapolation;
 use super::linkage::{Linkage, Spot};
 use super::way::Stand;
 use crate::Fault;
-use crate::fault::{Message, ten_digits};
+use crate::fault::ten_digits;
 
 /// First step along the way, rad or arms.
 const STEP: f64 = 0.01;

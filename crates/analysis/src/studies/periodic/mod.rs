@@ -27,11 +27,11 @@ pub use listener::{Listener, Stage};
 use found::Found;
 use fundamental::Blur;
 use orbit::Limit;
-use words::Text;
+use words::{Message, Text};
 
 use super::simulate::{self, Grid};
 use crate::dataset::{Audit, Dataset};
-use crate::fault::{Message, number, rounded};
+use crate::fault::{number, rounded};
 use crate::taylor::check_tolerance;
 use crate::{Fault, System};
 

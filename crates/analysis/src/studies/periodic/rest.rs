@@ -6,9 +6,8 @@
 use super::found::Found;
 use super::orbit::Orbit;
 use super::{Multiplier, spectrum, stable};
-use crate::fault::Message;
 use crate::{Fault, System};
-use words::Text;
+use words::{Message, Text};
 
 /// Share of the first turn's scales within which a whole turn is rest.
 const REST: f64 = 1e-9;

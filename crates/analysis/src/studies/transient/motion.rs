@@ -8,12 +8,11 @@ use super::form::Form;
 use super::load::Load;
 use super::oscillator::Oscillator;
 use crate::Fault;
-use crate::fault::Message;
 use crate::numerics::complex::Complex;
 use crate::numerics::eigen::general;
 use crate::numerics::expm;
 use crate::numerics::lu::Lu;
-use words::Text;
+use words::{Message, Text};
 
 /// The motion within a phase, τ from its start.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,8 @@
 //! Why a system has no closed form, and the expression that shows it.
 
 use crate::Fault;
-use crate::fault::Message;
 use symbolic::Expr;
-use words::Text;
+use words::{Message, Text};
 
 /// Why an expression has no place in a linear system, and the expression.
 #[derive(Clone, Copy, Debug)]

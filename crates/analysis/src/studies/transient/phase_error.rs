@@ -9,9 +9,9 @@
 
 use super::Phase;
 use crate::Fault;
-use crate::fault::{Message, rounded};
-use words::Text;
+use crate::fault::rounded;
 use words::explain::{Explanation, plain};
+use words::{Message, Text};
 
 /// Below this nothing is said: the closed form is compared with integration to the same share.
 const SILENT: f64 = 1e-9;

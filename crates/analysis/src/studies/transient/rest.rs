@@ -2,12 +2,11 @@
 
 use super::form::{self, Form};
 use super::load::Load;
-use crate::fault::Message;
 use crate::numerics::lu::Lu;
 use crate::studies::equilibrium::{self, Equilibrium};
 use crate::{Fault, System};
 use symbolic::Equations;
-use words::Text;
+use words::{Message, Text};
 
 /// The equilibrium under the mean loads of the first phase: where the search from the start ends, then Newton's method on the forms.
 pub fn place<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], span: &[f64]) -> Result<Vec<f64>, Fault> {

@@ -29,7 +29,6 @@ use super::place::{Open, Opening, Placer};
 use super::requests::Resolver;
 use super::scene::{Columns, Scene};
 use super::wrench::{Act, generalized};
-use crate::diagnostic::{Diagnostic, Source};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, Slides};
 use components::{Component, Nature, Rubbing};
 use std::collections::BTreeSet;
@@ -37,7 +36,7 @@ use std::ops::Range;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction, Released};
 use symbolic::equations::{Output, Role};
 use symbolic::{Expr, Substitution, SymbolId};
-use words::Text;
+use words::{Notice, Text};
 
 pub use release::is_spatial;
 
@@ -68,11 +67,11 @@ pub struct Connected {
 #[derive(Debug)]
 pub struct Doubt {
     rate: Expr,
-    fault: Diagnostic,
+    fault: Notice,
 }
 
 /// Finds conditions and reactions of all connections; balances come later, when the loads are known.
-pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Connected, Vec<Diagnostic>> {
+pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver) -> Result<Connected, Vec<Notice>> {
     let model = scene.model;
     let mut connected = Connected { taken: taken_names(scene), ..Connected::default() };
     let mut errors = Vec::new();
@@ -102,9 +101,9 @@ pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
 }
 
 /// What is said of a formula of a connection points at the connection, unless it has a place of its own.
-fn placed(mut diagnostic: Diagnostic, connection: &Connection) -> Diagnostic {
-    if diagnostic.source == Source::File(0..0) {
-        diagnostic.source = Source::File(connection.span.clone());
+fn placed(mut diagnostic: Notice, connection: &Connection) -> Notice {
+    if diagnostic.place == words::Place::File(0..0) {
+        diagnostic.place = words::Place::File(connection.span.clone());
     }
     diagnostic
 }
@@ -206,7 +205,7 @@ impl Connected {
     }
 
     /// Faults of the doubts whose coordinates no other connection holds; where one does, the rate may vanish by it.
-    fn justified(&mut self, scene: &mut Scene) -> Vec<Diagnostic> {
+    fn justified(&mut self, scene: &mut Scene) -> Vec<Notice> {
         let doubts = std::mem::take(&mut self.doubts);
         let holds = |c: &Condition| c.reaction.is_some_and(|r| matches!(self.reactions[r].law, Law::Ideal { .. }));
         let mut found = Vec::new();
@@ -575,10 +574,10 @@ impl Part {
     }
 }
 
-fn no_coordinate(connection: &Connection) -> Box<Diagnostic> {
+fn no_coordinate(connection: &Connection) -> Box<Notice> {
     let name = &connection.name;
     Box::new(
-        Diagnostic::error(
+        Notice::file(
             "M104",
             connection.span.clone(),
             Text::new(
@@ -586,19 +585,19 @@ fn no_coordinate(connection: &Connection) -> Box<Diagnostic> {
                 format!("`{}.{name}` требует того, что не зависит ни от одной координаты", connection.table),
             ),
         )
-        .why(Text::new(
+        .why(
             "everything it connects stands still or moves in a prescribed way",
             "всё, что она соединяет, неподвижно или движется заданным образом",
-        ))
-        .help(Text::new(
+        )
+        .help(
             "let a coordinate move one of the partners, or remove it",
             "пусть одно из соединяемых тел движется по координате, или уберите связь",
-        )),
+        ),
     )
 }
 
 /// As many motors as prescribed motions.
-fn motors_match(model: &crate::model::Model) -> Option<Diagnostic> {
+fn motors_match(model: &crate::model::Model) -> Option<Notice> {
     let of = |wanted: fn(&ConnectionKind) -> bool| model.connections.iter().filter(move |c| wanted(&c.kind));
     let motions: Vec<&Connection> = of(|k| matches!(k, ConnectionKind::Motion { .. })).collect();
     let motors: Vec<&Connection> = of(|k| matches!(k, ConnectionKind::Motor { .. })).collect();
@@ -611,7 +610,7 @@ fn motors_match(model: &crate::model::Model) -> Option<Diagnostic> {
     let none = |s: String| if s.is_empty() { "-".to_owned() } else { s };
     let (prescribed, driven) = (none(names(&motions)), none(names(&motors)));
     Some(
-        Diagnostic::error(
+        Notice::file(
             "M105",
             last.span.clone(),
             Text::new(
@@ -619,14 +618,14 @@ fn motors_match(model: &crate::model::Model) -> Option<Diagnostic> {
                 format!("заданных движений: {n}, двигателей: {m}; их должно быть поровну"),
             ),
         )
-        .why(Text::new(
+        .why(
             format!("each prescribed motion takes one degree of freedom and one unknown force or torque realises it; motions: {prescribed}; motors: {driven}"),
             format!("каждое заданное движение отнимает степень свободы, и его осуществляет одна неизвестная сила или момент; движения: {prescribed}; двигатели: {driven}"),
-        ))
-        .help(Text::new(
+        )
+        .help(
             if n > m { "add a motor to [motors] or remove a motion" } else { "prescribe one more motion in [motions] or remove a motor" },
             if n > m { "добавьте двигатель в [motors] или уберите движение" } else { "задайте ещё одно движение в [motions] или уберите двигатель" },
-        )),
+        ),
     )
 }
 

@@ -4,11 +4,10 @@
 //! the whole reaction.
 
 use super::Places;
-use crate::diagnostic::Diagnostic;
 use crate::model::{Connection, ConnectionKind, FrameId, PointRef, SupportDirection};
 use crate::read::reader::Reader;
 use symbolic::Graph;
-use words::Text;
+use words::{Notice, Text};
 
 /// Warns of supports and pins on such drums and wheels.
 pub(in crate::read) fn warn_of_axles(reader: &mut Reader, connections: &[Connection], places: &Places) {
@@ -45,9 +44,9 @@ fn held(graph: &Graph, connection: &Connection, places: &Places) -> Vec<FrameId>
     }
 }
 
-fn warning(holder: &Connection, pull: &Connection, wheel: &str) -> Diagnostic {
+fn warning(holder: &Connection, pull: &Connection, wheel: &str) -> Notice {
     let [of, by] = [holder, pull].map(|c| format!("{}.{}", c.table, c.name));
-    Diagnostic::warning(
+    Notice::file(
         "M157",
         holder.span.clone(),
         Text::new(
@@ -55,12 +54,13 @@ fn warning(holder: &Connection, pull: &Connection, wheel: &str) -> Diagnostic {
             format!("сила `{of}` найдена без натяжения `{by}`: тело `{wheel}` получает только его момент"),
         ),
     )
-    .why(Text::new(
+    .warning()
+    .why(
         "of the tensions their difference is known, not their sum: the pretension belongs to no law of the machine",
         "известна разность натяжений ветвей, но не их сумма: предварительное натяжение не следует из законов механизма",
-    ))
-    .help(Text::new(
+    )
+    .help(
         "support the body that carries both axles, which has the whole force, or add the pull by hand",
         "опирайте тело, несущее обе оси: на него действует полная сила; либо прибавьте натяжение сами",
-    ))
+    )
 }

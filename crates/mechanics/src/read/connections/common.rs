@@ -1,15 +1,16 @@
 //! What the tables of connections share: places, pathways, positive sizes, words from a list.
 
-use crate::fault::{Fault, nearest};
 use crate::formula::{Context, Kind, Place};
 use crate::model::{Class, Frame, FrameId, Origin, ParameterDecl, Pathway, Point, PointRef, Reliance, Rest};
 use crate::read::elements::pathway_of;
 use crate::read::frames::frame_by_name;
 use crate::read::reader::{Checked, Fields, Reader, short, string, wrong_type};
+use crate::snippet::nearest;
 use crate::units::Dimension;
 use std::collections::HashSet;
 use std::ops::Range;
 use symbolic::{Expr, SymbolId};
+use words::Notice;
 
 /// Frames and points, and which of them move as one.
 pub(in crate::read) struct Space<'m> {
@@ -114,14 +115,14 @@ pub(super) fn two_points<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space
 }
 
 /// The fault of a connection between a thing and itself.
-pub(super) fn same_thing(span: Range<usize>, name: &str) -> Fault {
-    Fault::new("M063", span, format!("both ends are `{name}`"), format!("оба конца — `{name}`"))
+pub(super) fn same_thing(span: Range<usize>, name: &str) -> Notice {
+    Notice::piece("M063", span, format!("both ends are `{name}`"), format!("оба конца — `{name}`"))
         .why("a connection of a thing with itself does nothing", "связь тела с самим собой ничего не даёт")
 }
 
 /// The fault of a connection between things that move as one.
-pub(super) fn rigid(span: Range<usize>, [a, b]: [&str; 2]) -> Fault {
-    Fault::new("M073", span, format!("`{a}` and `{b}` move as one"), format!("`{a}` и `{b}` движутся как одно целое"))
+pub(super) fn rigid(span: Range<usize>, [a, b]: [&str; 2]) -> Notice {
+    Notice::piece("M073", span, format!("`{a}` and `{b}` move as one"), format!("`{a}` и `{b}` движутся как одно целое"))
         .why(
             "they belong to the same body, or to bodies that never move against each other",
             "они принадлежат одному телу или телам, неподвижным друг относительно друга",
@@ -142,7 +143,7 @@ pub(super) fn size<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'stat
 pub(super) fn positive(reader: &mut Reader, value: &Checked, key: &str, span: Range<usize>) -> bool {
     let Some(number) = reader.number_for(value, Reliance::Sign).filter(|v| *v <= 0.0) else { return value.good };
     reader.fault(
-        Fault::new(
+        Notice::piece(
             "M074",
             span,
             format!("`{key}` is {number} m; it must be positive"),
@@ -183,7 +184,7 @@ pub(super) fn choose(reader: &mut Reader, text: &str, span: Range<usize>, choice
     let found = choices.iter().position(|c| *c == text.trim());
     if found.is_none() {
         let shown = short(text);
-        let fault = Fault::new("M075", span, format!("`{shown}` is not possible here"), format!("здесь невозможно `{shown}`"));
+        let fault = Notice::piece("M075", span, format!("`{shown}` is not possible here"), format!("здесь невозможно `{shown}`"));
         let list = choices.join(", ");
         let fault = match nearest(text, choices.iter().copied()) {
             Some(near) => fault.meant(text, near),
@@ -213,7 +214,7 @@ pub(super) fn fixed_in<'a>(
     let found = point(reader, fields, key)?;
     if space.carrier(reader, found) != Some(space.root(on)) {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M078",
                 fields.span_of(key),
                 format!("the point under `{key}` is not fixed in `on`"),
@@ -237,7 +238,7 @@ pub(super) fn restitution_by<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, k
     let value = fields.formula_or_zero(reader, key, &Context::CONSTANT, Some(&Dimension::NONE));
     if let Some(number) = reader.number_for(&value, Reliance::Share).filter(|v| !(0.0..=1.0).contains(v)) {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M079",
                 fields.span_of(key),
                 format!("the restitution is {number}; it lies between 0 and 1"),
@@ -256,7 +257,7 @@ pub(super) fn pathway<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Optio
     }
     if fields.has("along") || fields.has("between") {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M057",
                 fields.span.clone(),
                 format!("{} has more than one pathway", fields.path),
@@ -286,7 +287,7 @@ pub(super) fn one_of<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, [a, b]: [
             } else {
                 (format!("{path} needs `{a}` or `{b}`"), format!("в {path} нужно `{a}` или `{b}`"))
             };
-            let fault = Fault::new("M080", if both { fields.span_of(b) } else { fields.span.clone() }, en, ru);
+            let fault = Notice::piece("M080", if both { fields.span_of(b) } else { fields.span.clone() }, en, ru);
             reader.fault(if both {
                 fault.help("keep one", "оставьте одно")
             } else {

@@ -2,12 +2,12 @@
 
 use super::Found;
 use super::common::{Space, one_of, pathway};
-use crate::fault::Fault;
 use crate::formula::{Context, Kind};
 use crate::model::{ConnectionKind, RequestKind};
 use crate::read::reader::{Fields, Reader};
 use crate::units::Dimension;
 use symbolic::{Expr, SymbolId};
+use words::Notice;
 
 pub(super) fn constraint<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) -> Option<Found> {
     let key = one_of(reader, fields, ["zero", "zero_rate"], "zero = \"x - l*cos(phi)\"")?;
@@ -19,7 +19,7 @@ pub(super) fn constraint<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &S
     }
     if !zero.depends.is_state() {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M083",
                 fields.span_of(key),
                 format!("{} does not depend on the motion", fields.path),
@@ -31,7 +31,7 @@ pub(super) fn constraint<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &S
     }
     if on_rates && !is_affine(reader, zero.expr) {
         reader.fault(
-            Fault::new("M083", fields.span_of(key), "this condition is not linear in the rates", "это условие не линейно по скоростям")
+            Notice::piece("M083", fields.span_of(key), "this condition is not linear in the rates", "это условие не линейно по скоростям")
                 .why(
                     "an ideal connection forbids directions of motion; a product of rates is no such condition",
                     "идеальная связь запрещает направления движения; произведение скоростей такого условия не даёт",

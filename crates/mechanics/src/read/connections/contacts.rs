@@ -2,13 +2,13 @@
 
 use super::common::{Space, choose, one_of, pathway, restitution, restitution_by, word};
 use super::{Found, rubbing};
-use crate::fault::Fault;
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
 use crate::model::{ConnectionKind, Part, Pressing, Reliance, RequestKind, Slides};
 use crate::read::reader::{Checked, Fields, Reader};
 use crate::units::si_label;
 use symbolic::connections::{Impacts, Rebound};
 use symbolic::{Expr, Substitution, SymbolId};
+use words::Notice;
 
 pub(super) fn stop<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) -> Option<Found> {
     let path = pathway(reader, fields);
@@ -30,7 +30,7 @@ pub(super) fn stop<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) 
 fn rebound<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Rebound> {
     let law = [Rebound::Newton, Rebound::Poisson][word(reader, fields, "law", &["newton", "poisson"])?];
     if law == Rebound::Poisson && fields.has("tangential_restitution") {
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M127",
             fields.span_of("tangential_restitution"),
             "`tangential_restitution` belongs to Newton's law",
@@ -99,7 +99,7 @@ fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, slides: Option<&Slides
     let laws: Vec<&'static str> = ["kinetic", "curve", "coefficient", "lever"].into_iter().filter(|key| fields.has(key)).collect();
     let &[law] = laws.as_slice() else {
         let path = &fields.path;
-        let fault = Fault::new(
+        let fault = Notice::piece(
             "M080",
             laws.get(1).map_or(fields.span.clone(), |key| fields.span_of(key)),
             format!("{path} needs one of `kinetic`, `curve`, `coefficient`"),
@@ -129,7 +129,7 @@ fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, slides: Option<&Slides
             None => ("`coefficient` needs `normal`, the force that presses", "к `coefficient` нужно `normal` — прижимающая сила"),
             Some(_) => ("forces and coefficients are mixed", "смешаны силы и коэффициенты"),
         };
-        reader.fault(Fault::new("M080", span, en, ru).help(
+        reader.fault(Notice::piece("M080", span, en, ru).help(
             "either kinetic and static, or coefficient, static_coefficient and normal (which a named contact, pin or rope has itself)",
             "либо kinetic и static, либо coefficient, static_coefficient и normal (у названного контакта, шарнира или каната она своя)",
         ));
@@ -143,7 +143,7 @@ fn sliding_speed<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind,
     let uses_u = keys.into_iter().filter_map(|key| fields.get(key)).filter_map(|v| v.get_ref().as_str()).any(mentions_u);
     if uses_u && reader.scope.get("u").is_some() {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M084",
                 fields.span_of(keys[0]),
                 "`u` is the sliding speed here, and a name of the model",
@@ -195,7 +195,7 @@ fn linear_normal<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, normal: Check
     });
     if magnitude || !linear {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M085",
                 fields.span_of("normal"),
                 "the normal force is not linear in the reactions",
@@ -236,7 +236,7 @@ fn limits<'a>(
     let fixed = fixed.map(|(key, value)| (key, reader.number_for(value, Reliance::Sign)));
     let unit = if let Kind::Known(d) = kinetic.kind { si_label(&d) } else { String::new() };
     let negative = |key: &'static str, value: f64| {
-        Fault::new(
+        Notice::piece(
             "M086",
             fields.span_of(key),
             format!("the friction `{key}` is {value} {unit}"),
@@ -258,7 +258,7 @@ fn limits<'a>(
     }
     if let Some(value) = slow.filter(|v| limit < *v * (1.0 - 1e-12)) {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M086",
                 fields.span_of(key),
                 format!("friction at rest is {limit} {unit}, but {value} {unit} as soon as it slides"),

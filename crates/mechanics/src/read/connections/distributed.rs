@@ -4,7 +4,6 @@
 //! the directions of q_A and q_B. A uniform load is q L at the middle.
 
 use super::common::{Space, frame, point};
-use crate::fault::Fault;
 use crate::fields::connections::DISTRIBUTED;
 use crate::formula::Context;
 use crate::model::{Action, Force, FrameId, Point, PointId, PointRef};
@@ -12,6 +11,7 @@ use crate::read::reader::{Fields, Reader, components};
 use crate::units::Dimension;
 use std::ops::Range;
 use symbolic::{Expr, Rational};
+use words::Notice;
 
 /// Force per length.
 const PER_LENGTH: Dimension = Dimension::of(0, 1, -2);
@@ -66,14 +66,14 @@ fn load<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Opti
         return None;
     }
     if a == b {
-        reader.fault(Fault::new("M063", span, "both ends are at the same place", "оба конца в одной точке"));
+        reader.fault(Notice::piece("M063", span, "both ends are at the same place", "оба конца в одной точке"));
         return None;
     }
     Some(Load { on: frame_a, from: a, to: b, begin, end, axes })
 }
 
-fn two_bodies(span: Range<usize>) -> Fault {
-    Fault::new("M087", span, "the load does not lie on one body", "нагрузка лежит не на одном теле")
+fn two_bodies(span: Range<usize>) -> Notice {
+    Notice::piece("M087", span, "the load does not lie on one body", "нагрузка лежит не на одном теле")
         .why("it is replaced by forces at fixed points of one body", "она заменяется силами в закреплённых точках одного тела")
         .help(
             "take two points fixed on the same body, and split the load at joints",

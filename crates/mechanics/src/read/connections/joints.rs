@@ -2,10 +2,10 @@
 
 use super::Found;
 use super::common::{Space, choose, direction, fixed_in, flag, frame, point, rigid, two_points};
-use crate::fault::Fault;
 use crate::model::{ConnectionKind, FrameId, PointRef, SupportDirection};
 use crate::read::parameters::names;
 use crate::read::reader::{Fields, Reader};
+use words::Notice;
 
 pub(super) fn pin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
     let (between, axes) = (two_points(reader, fields, space), frame(reader, fields, "axes"));
@@ -51,7 +51,7 @@ pub(super) fn support<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &
         let Some(number) = choose(reader, word, span.clone(), &DIRECTIONS) else { return false };
         let found = direction_of(number);
         if directions.contains(&found) {
-            reader.fault(Fault::new(
+            reader.fault(Notice::piece(
                 "M081",
                 span.clone(),
                 format!("the direction `{word}` is given twice"),
@@ -64,7 +64,7 @@ pub(super) fn support<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &
     });
     if complete && directions.is_empty() {
         reader.fault(
-            Fault::new("M081", fields.span_of("directions"), "a support that holds nothing", "опора, которая ничего не держит")
+            Notice::piece("M081", fields.span_of("directions"), "a support that holds nothing", "опора, которая ничего не держит")
                 .help("write directions = [\"x\", \"y\"]", "напишите directions = [\"x\", \"y\"]"),
         );
         return None;
@@ -72,7 +72,7 @@ pub(super) fn support<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &
     let (at, axes) = (at?, axes?);
     if of_ground(reader, space, at) {
         reader.fault(
-            Fault::new("M081", fields.span_of("at"), "this point belongs to the ground", "эта точка принадлежит неподвижной системе")
+            Notice::piece("M081", fields.span_of("at"), "this point belongs to the ground", "эта точка принадлежит неподвижной системе")
                 .why("a support acts on a body", "опора действует на тело")
                 .help("name a point of the body that is supported", "укажите точку тела, которое опирается"),
         );
@@ -92,7 +92,7 @@ fn holder<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, at: P
         return Some(on);
     }
     reader.fault(
-        Fault::new("M081", fields.span_of("on"), "this body would be held to itself", "тело удерживалось бы само собой")
+        Notice::piece("M081", fields.span_of("on"), "this body would be held to itself", "тело удерживалось бы само собой")
             .why(
                 "a support acts between two bodies, or between a body and the ground",
                 "опора действует между двумя телами или между телом и неподвижной системой",

@@ -2,12 +2,11 @@
 //!
 //! A length of the start is that of the numbers in the file, guesses among them; an angle and a line are what the closing of the connections leaves.
 
-use crate::diagnostic::Diagnostic;
 use crate::model::{Connection, ConnectionKind, CoordinateDecl, Frame, FrameId, Origin, Point, PointRef};
 use crate::read::reader::Reader;
 use std::collections::BTreeSet;
 use symbolic::{Expr, Graph, SymbolId};
-use words::Text;
+use words::{Notice, Text};
 
 /// Frames and points of a machine.
 pub(in crate::read) struct Places<'m> {
@@ -104,7 +103,7 @@ impl Places<'_> {
     }
 }
 
-fn warning(connection: &Connection, kept: &Kept, names: &str) -> Diagnostic {
+fn warning(connection: &Connection, kept: &Kept, names: &str) -> Notice {
     let of = format!("{}.{}", connection.table, connection.name);
     let (what, help) = match kept {
         Kept::Angle => (
@@ -119,7 +118,7 @@ fn warning(connection: &Connection, kept: &Kept, names: &str) -> Diagnostic {
             ("give the line a point: `through`", "задайте точку прямой: `through`"),
         ),
     };
-    Diagnostic::warning(
+    Notice::file(
         "M119",
         connection.span.clone(),
         Text::new(
@@ -127,9 +126,10 @@ fn warning(connection: &Connection, kept: &Kept, names: &str) -> Diagnostic {
             format!("`{of}` сохраняет {}, а {names} там лишь приближённо", what.1),
         ),
     )
-    .why(Text::new(
+    .warning()
+    .why(
         "a rough guess, and what the closing of the connections makes of it, becomes geometry",
         "грубое приближение и то, что сделает из него замыкание связей, становится геометрией",
-    ))
-    .help(Text::new(help.0, help.1))
+    )
+    .help(help.0, help.1)
 }

@@ -1,7 +1,6 @@
 //! What a friction acts between: a pathway, a point on another body, a named contact, a pin, a rope.
 
 use super::common::{pathway, point_named, size};
-use crate::fault::Fault;
 use crate::formula::{Context, Kind};
 use crate::model::{Aim, PointRef, Slides};
 use crate::read::frames::{frame_by_name, frame_named, two_names};
@@ -10,6 +9,7 @@ use crate::read::reader::{Fields, Reader, components};
 use crate::units::Dimension;
 use symbolic::Function;
 use toml::de::DeValue;
+use words::Notice;
 
 /// Keys that say it, one of them at a time; a pathway goes by one of three.
 const PLACES: [&str; 6] = ["along", "between", "on", "at", "pin", "rope"];
@@ -81,7 +81,7 @@ fn pin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Slides, Kind
     let of = connection(reader, fields, "pin", &["pins", "supports"]);
     if !fields.has("radius") {
         let (en, ru) = (format!("{} lacks the radius of the pin", fields.path), format!("в {} нет радиуса цапфы", fields.path));
-        reader.fault(Fault::new("M120", fields.span.clone(), en, ru).help("add radius = \"10 mm\"", "добавьте radius = \"10 mm\""));
+        reader.fault(Notice::piece("M120", fields.span.clone(), en, ru).help("add radius = \"10 mm\"", "добавьте radius = \"10 mm\""));
         return None;
     }
     let radius = size(reader, fields, "radius", &Context::CONSTANT);
@@ -103,7 +103,7 @@ fn over<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<[PointRef; 2
     match fields.get("over").map(|v| v.get_ref()) {
         None => {
             let (en, ru) = (format!("{} lacks `over`", fields.path), format!("в {} нет `over`", fields.path));
-            let fault = Fault::new("M120", fields.span.clone(), en, ru).help(
+            let fault = Notice::piece("M120", fields.span.clone(), en, ru).help(
                 "add over = \"P\", the point of the rope's path on the drum, or over = [\"P1\", \"P2\"], where it runs on and off",
                 "добавьте over = \"P\" — точку пути каната на барабане, или over = [\"P1\", \"P2\"] — точки набегания и сбегания",
             );
@@ -141,9 +141,9 @@ fn connection<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static st
         Some(index) => index,
         None => {
             let list = tables.join(", ");
-            let fault = Fault::new("M121", span, format!("there is no `{name}` in {list}"), format!("нет `{name}` среди {list}"));
+            let fault = Notice::piece("M121", span, format!("there is no `{name}` in {list}"), format!("нет `{name}` среди {list}"));
             let near: Vec<String> = reader.scope.connections_of(tables).map(str::to_owned).collect();
-            let fault = match crate::fault::nearest(&name, near.iter().map(String::as_str)) {
+            let fault = match crate::snippet::nearest(&name, near.iter().map(String::as_str)) {
                 Some(near) => fault.meant(&name, near),
                 None => fault.help(help(key).0, help(key).1),
             };
@@ -185,7 +185,7 @@ fn aim<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Aim> {
     };
     if vector.iter().all(|e| reader.number_of(*e) == Some(0.0)) {
         let span = value.span();
-        reader.fault(Fault::new("M122", span, "the direction is the zero vector", "направление задано нулевым вектором"));
+        reader.fault(Notice::piece("M122", span, "the direction is the zero vector", "направление задано нулевым вектором"));
         return None;
     }
     Some(Aim { vector, axes })
@@ -197,23 +197,23 @@ fn axis(text: &str) -> Option<(usize, i64)> {
     ["x", "y", "z"].iter().position(|axis| *axis == name).map(|i| (i, sign))
 }
 
-fn without_direction(fields: &Fields) -> Fault {
+fn without_direction(fields: &Fields) -> Notice {
     let (en, ru) = (format!("{} lacks the direction of sliding", fields.path), format!("в {} нет направления скольжения", fields.path));
-    Fault::new("M122", fields.span.clone(), en, ru).help(
+    Notice::piece("M122", fields.span.clone(), en, ru).help(
         "add direction = \"x\", a vector [\"cos(a)\", \"sin(a)\"], or an angle from the x axis of `axes`",
         "добавьте direction = \"x\", вектор [\"cos(a)\", \"sin(a)\"] или угол с осью x системы `axes`",
     )
 }
 
-fn several(fields: &Fields, key: &'static str) -> Fault {
+fn several(fields: &Fields, key: &'static str) -> Notice {
     let path = &fields.path;
-    Fault::new("M120", fields.span_of(key), format!("{path} acts in more than one way"), format!("в {path} место трения задано дважды"))
+    Notice::piece("M120", fields.span_of(key), format!("{path} acts in more than one way"), format!("в {path} место трения задано дважды"))
         .help("keep one of `along`, `between`, `on`, `at`, `pin`, `rope`", "оставьте одно из `along`, `between`, `on`, `at`, `pin`, `rope`")
 }
 
-fn foreign(fields: &Fields, key: &'static str) -> Fault {
+fn foreign(fields: &Fields, key: &'static str) -> Notice {
     let of = OWN.iter().find(|(own, _)| *own == key).map_or(String::new(), |(_, of)| format!("`{}`", of.join("`, `")));
-    Fault::new(
+    Notice::piece(
         "M120",
         fields.span_of(key),
         format!("`{key}` belongs to a friction with {of}"),

@@ -2,7 +2,6 @@
 
 use super::Found;
 use super::common::{Space, choose, flag, frame, length, point_named, restitution, same_thing, size, two_points};
-use crate::fault::Fault;
 use crate::fields::connections::WOUND;
 use crate::formula::Context;
 use crate::model::{ConnectionKind, PointRef, Wound};
@@ -10,6 +9,7 @@ use crate::read::frames::frame_by_name;
 use crate::read::parameters::names;
 use crate::read::reader::{Fields, Reader, wrong_type};
 use toml::de::DeValue;
+use words::Notice;
 
 pub(super) fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
     let (between, length) = (two_points(reader, fields, space), length(reader, fields));
@@ -24,7 +24,7 @@ pub(super) fn rope<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Spa
     let restitution = restitution(reader, fields);
     if !slack && fields.has("restitution") {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M080",
                 fields.span_of("restitution"),
                 "a rope that is always taut does not catch",
@@ -36,7 +36,7 @@ pub(super) fn rope<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Spa
     let (path, wound) = (path?, wound?);
     if path.len() == 1 || path.is_empty() && wound.len() < 2 {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M082",
                 fields.span.clone(),
                 format!("{} leads from nowhere to nowhere", fields.path),
@@ -54,7 +54,7 @@ pub(super) fn rope<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Spa
     if wound.is_empty() && first.is_some() && path.iter().all(|p| space.carrier(reader, *p) == first) {
         let name = fields.path.clone();
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M073",
                 fields.span.clone(),
                 format!("all points of {name} move as one"),
@@ -121,7 +121,7 @@ fn wound<'a>(reader: &mut Reader<'a>, drum: &Fields<'a>) -> Option<Wound> {
     let on = on?;
     if carrier == Some(on) {
         reader.fault(
-            Fault::new("M063", drum.span_of("carrier"), "the carrier is the drum itself", "водило — сам барабан")
+            Notice::piece("M063", drum.span_of("carrier"), "the carrier is the drum itself", "водило — сам барабан")
                 .why("turning counts from the carrier", "повороты считаются от водила"),
         );
         return None;

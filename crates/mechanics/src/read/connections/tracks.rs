@@ -2,7 +2,6 @@
 
 use super::Found;
 use super::common::{Space, direction, fixed_in, flag, frame, point, restitution, rigid, size, word};
-use crate::fault::Fault;
 use crate::fields::connections::CIRCLE;
 use crate::formula::Context;
 use crate::model::{ConnectionKind, FrameId, PointRef, Track};
@@ -10,6 +9,7 @@ use crate::read::frames::frame_by_name;
 use crate::read::reader::{Fields, Reader, wrong_type};
 use symbolic::Expr;
 use toml::de::DeValue;
+use words::Notice;
 
 pub(super) fn rack<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
     let wheel = wheel(reader, fields, space, "gear");
@@ -38,10 +38,10 @@ pub(super) fn rolling<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &
 }
 
 /// Only a wheel that is held by its track alone can leave it, and land again.
-fn unheld(fields: &Fields, (held, leaves): (bool, bool)) -> Option<Fault> {
+fn unheld(fields: &Fields, (held, leaves): (bool, bool)) -> Option<Notice> {
     let key = if leaves && !held { "leaves" } else { "restitution" };
     (leaves && !held || !leaves && fields.has("restitution")).then(|| {
-        Fault::new(
+        Notice::piece(
             "M080",
             fields.span_of(key),
             format!("`{key}` has no meaning for a wheel that cannot leave its track"),
@@ -102,7 +102,7 @@ fn circle<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, wheel
     let value = fields.get("circle")?;
     if let Some(key) = ["through", "direction", "side"].into_iter().find(|key| fields.has(key)) {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M080",
                 fields.span_of(key),
                 format!("`{key}` belongs to a line, but there is a circle"),
@@ -129,7 +129,7 @@ fn circle<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, wheel
     let sizes = wheel.and_then(|w| w.size).zip(reader.number_of(radius));
     if let Some((small, large)) = sizes.filter(|(small, large)| inside && small >= large) {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M074",
                 track.span_of("radius"),
                 format!("a wheel of radius {small} m does not fit into a circle of radius {large} m"),

@@ -2,13 +2,13 @@
 
 use super::Found;
 use super::common::{Space, flag, positive, same_thing};
-use crate::fault::Fault;
 use crate::formula::Context;
 use crate::model::{ConnectionKind, FrameId};
 use crate::read::frames::{frame_by_name, two_names};
 use crate::read::reader::{Fields, Reader, wrong_type};
 use crate::units::Dimension;
 use symbolic::Expr;
+use words::Notice;
 
 pub(super) fn belt<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
     let crossed = flag(reader, fields, "crossed", false);
@@ -46,7 +46,7 @@ fn wheels<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, oppos
     };
     if carrier.is_some_and(|c| between.contains(&c)) {
         reader.fault(
-            Fault::new("M063", fields.span_of("carrier"), "the carrier is one of the wheels", "водило — одно из колёс")
+            Notice::piece("M063", fields.span_of("carrier"), "the carrier is one of the wheels", "водило — одно из колёс")
                 .why("turning counts from the carrier", "повороты считаются от водила"),
         );
         return None;
@@ -65,7 +65,7 @@ fn radii<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<[Expr; 2]> 
     };
     if items.len() != 2 {
         let n = items.len();
-        reader.fault(Fault::new(
+        reader.fault(Notice::piece(
             "M008",
             value.span(),
             format!("two wheels have 2 radii, {n} given"),

@@ -2,12 +2,12 @@
 
 use super::plot::{Axis, plots_over};
 use super::{constant_parameter, coordinate, duration, points, positive};
-use crate::fault::Fault;
 use crate::formula::Context;
 use crate::model::{Cycle, StudyKind};
 use crate::read::reader::{Fields, Reader};
 use crate::units::Dimension;
 use std::f64::consts::TAU;
+use words::Notice;
 
 /// One position a degree.
 const USUAL_POINTS: usize = 361;
@@ -33,7 +33,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<S
     }
     if flywheel.is_some() && irregularity.is_none() {
         reader.fault(
-            Fault::new("M071", fields.span_of("flywheel"), "`flywheel` needs `irregularity`", "ключу `flywheel` нужна `irregularity`")
+            Notice::piece("M071", fields.span_of("flywheel"), "`flywheel` needs `irregularity`", "ключу `flywheel` нужна `irregularity`")
                 .help("add irregularity = 0.02", "добавьте irregularity = 0.02"),
         );
     }
@@ -49,7 +49,7 @@ fn speed<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, turns: f64) -> Option
     let period = duration(reader, fields, "period");
     if fields.has("speed") && fields.has("period") {
         reader.fault(
-            Fault::new("M071", fields.span_of("period"), "both `speed` and `period` are given", "заданы и `speed`, и `period`")
+            Notice::piece("M071", fields.span_of("period"), "both `speed` and `period` are given", "заданы и `speed`, и `period`")
                 .help("keep one", "оставьте одно"),
         );
     }

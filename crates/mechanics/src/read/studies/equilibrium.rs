@@ -1,10 +1,10 @@
 //! The study `equilibrium`.
 
-use crate::fault::Fault;
 use crate::formula::{Context, EntryKind, Kind};
 use crate::model::{Between, StudyKind};
 use crate::read::reader::{Fields, Reader};
 use symbolic::SymbolId;
+use words::Notice;
 
 pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
     let over = between(reader, fields);
@@ -22,7 +22,7 @@ fn between<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Between> 
     let wanted = if let Kind::Known(d) = kind { Some(d) } else { None };
     let Some(value) = fields.get("range") else {
         reader.fault(
-            Fault::new("M006", span, "`over` needs `range`", "к `over` нужен `range`")
+            Notice::piece("M006", span, "`over` needs `range`", "к `over` нужен `range`")
                 .help("add range = [\"-180 deg\", \"180 deg\"]", "добавьте range = [\"-180 deg\", \"180 deg\"]"),
         );
         return None;

@@ -2,12 +2,12 @@
 
 use super::plot::{Axis, plots_over};
 use super::{angular, coordinate, outputs, points, positive};
-use crate::fault::Fault;
 use crate::formula::{Context, EntryKind, Kind};
 use crate::model::{Kinematics, KinematicsEnd, StudyKind};
 use crate::read::reader::{Fields, Reader};
 use crate::units::Dimension;
 use symbolic::{Expr, SymbolId};
+use words::Notice;
 
 /// A drawing of a turn needs this many positions to look smooth: one a degree.
 const USUAL_POINTS: usize = 361;
@@ -45,13 +45,13 @@ fn end<'a>(
     match (fields.has("to"), fields.has("turns")) {
         (true, true) => {
             reader.fault(
-                Fault::new("M071", fields.span_of("turns"), "both `to` and `turns` are given", "заданы и `to`, и `turns`")
+                Notice::piece("M071", fields.span_of("turns"), "both `to` and `turns` are given", "заданы и `to`, и `turns`")
                     .help("keep one", "оставьте одно"),
             );
             None
         }
         (true, false) if to.is_some() && to == from => {
-            reader.fault(Fault::new(
+            reader.fault(Notice::piece(
                 "M071",
                 fields.span_of("to"),
                 "the range is empty: `to` equals `from`",
@@ -72,7 +72,7 @@ fn end<'a>(
         (false, false) if is_angle => Some(KinematicsEnd::Turns(1.0)),
         (false, false) => {
             reader.fault(
-                Fault::new(
+                Notice::piece(
                     "M071",
                     fields.span.clone(),
                     "the study kinematics lacks the end of its range",
@@ -105,7 +105,7 @@ fn driven_too<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, over: Option<Sym
         let of_others = reader.coordinates_in(formula.expr).iter().any(|s| !allowed(s));
         if Some(symbols[0]) == over || formula.good && of_others {
             reader.fault(
-                Fault::new(
+                Notice::piece(
                     "M071",
                     value.span(),
                     "a driven coordinate is a formula of the one in `over` alone",

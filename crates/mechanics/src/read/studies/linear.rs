@@ -2,16 +2,17 @@
 
 use super::equilibrium::guess;
 use super::known;
-use crate::fault::{Fault, nearest};
 use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind};
 use crate::model::{FrequencyVariable, Modes, ParameterRange, Response, Scale, StudyKind};
 use crate::read::parameters::names;
 use crate::read::reader::{Fields, Reader, short, string, wrong_type};
 use crate::read::syntax::Value;
+use crate::snippet::nearest;
 use crate::units::Dimension;
 use std::f64::consts::TAU;
 use std::ops::Range;
 use symbolic::Rational;
+use words::Notice;
 
 /// Fewest and most points of a sweep.
 const POINTS: std::ops::RangeInclusive<f64> = 2.0..=1e6;
@@ -51,7 +52,7 @@ fn about<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> bool {
     if !matches!(word.as_str(), "rest" | "start") {
         let word = short(&word);
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M095",
                 span,
                 format!("small motions about `{word}` are not known"),
@@ -73,7 +74,7 @@ fn scale<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Scale {
         "mass" => Scale::Mass,
         _ => {
             reader.fault(
-                Fault::new(
+                Notice::piece(
                     "M090",
                     span,
                     format!("unknown scale of shapes `{}`", short(&word)),
@@ -116,8 +117,8 @@ fn variable<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Frequenc
     Some(FrequencyVariable { name, factor })
 }
 
-fn no_frequency(span: Range<usize>) -> Fault {
-    Fault::new("M091", span, "this is no multiple of the squared frequency", "это не квадрат частоты с множителем")
+fn no_frequency(span: Range<usize>) -> Notice {
+    Notice::piece("M091", span, "this is no multiple of the squared frequency", "это не квадрат частоты с множителем")
         .why(
             "the frequency is written k, or omega where k is the name of something else, and must occur squared",
             "частота обозначается k, а если имя k занято — omega, и входит в квадрате",
@@ -131,7 +132,7 @@ fn sweep<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<ParameterRa
     let dimension = parameter(reader, &name, span.clone())?;
     let Some(value) = fields.get("range") else {
         reader.fault(
-            Fault::new("M006", span, "`over` needs `range`", "к `over` нужен `range`")
+            Notice::piece("M006", span, "`over` needs `range`", "к `over` нужен `range`")
                 .help("add range = [\"0 rad/s\", \"300 rad/s\"]", "добавьте range = [\"0 рад/с\", \"300 рад/с\"]"),
         );
         return None;
@@ -151,7 +152,7 @@ fn parameter(reader: &mut Reader, name: &str, span: Range<usize>) -> Option<Opti
     {
         return Some(if let Kind::Known(d) = dimension { Some(*d) } else { None });
     }
-    let fault = Fault::new("M092", span, format!("`{}` is not a parameter", short(name)), format!("`{}` — не параметр", short(name)))
+    let fault = Notice::piece("M092", span, format!("`{}` is not a parameter", short(name)), format!("`{}` — не параметр", short(name)))
         .why("what is changed step by step must be a constant parameter", "шаг за шагом можно менять только постоянный параметр");
     let fault = match nearest(name, reader.scope.names()) {
         Some(near) if near != name => fault.meant(name, near),
@@ -161,8 +162,8 @@ fn parameter(reader: &mut Reader, name: &str, span: Range<usize>) -> Option<Opti
     None
 }
 
-pub(super) fn bad_range(span: Range<usize>, from: f64, to: f64) -> Fault {
-    Fault::new("M093", span, format!("the range {from} ... {to} has no meaning"), format!("диапазон {from} ... {to} не имеет смысла"))
+pub(super) fn bad_range(span: Range<usize>, from: f64, to: f64) -> Notice {
+    Notice::piece("M093", span, format!("the range {from} ... {to} has no meaning"), format!("диапазон {from} ... {to} не имеет смысла"))
         .why("it must ascend, and frequencies are not negative", "границы должны возрастать, а частоты неотрицательны")
         .help("write range = [\"1 rad/s\", \"100 rad/s\"]", "напишите range = [\"1 рад/с\", \"100 рад/с\"]")
 }
@@ -176,7 +177,7 @@ pub(super) fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: O
     let n = value.get_ref().as_array().map_or(0, |a| a.len());
     if n != 2 {
         reader.fault(
-            Fault::new("M093", value.span(), format!("a range has two ends, {n} given"), format!("у диапазона две границы, дано: {n}"))
+            Notice::piece("M093", value.span(), format!("a range has two ends, {n} given"), format!("у диапазона две границы, дано: {n}"))
                 .help("write range = [\"1 rad/s\", \"100 rad/s\"]", "напишите range = [\"1 рад/с\", \"100 рад/с\"]"),
         );
     }
@@ -208,7 +209,7 @@ fn points<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<usize> {
     let number = reader.number(&value)?;
     if !POINTS.contains(&number) || number.fract() != 0.0 {
         reader.fault(
-            Fault::new("M093", fields.span_of("points"), format!("`points` is {number}"), format!("`points` равно {number}"))
+            Notice::piece("M093", fields.span_of("points"), format!("`points` is {number}"), format!("`points` равно {number}"))
                 .why("a whole number from 2 to 1000000 is needed", "нужно целое число от 2 до 1000000"),
         );
         return None;

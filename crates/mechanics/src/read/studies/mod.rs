@@ -14,14 +14,15 @@ mod transient;
 
 use super::parameters::names;
 use super::reader::{Fields, Reader, string, wrong_type};
-use crate::fault::{Fault, nearest};
 use crate::fields;
 use crate::formula::{Context, EntryKind, Kind};
 use crate::model::{DEFAULT_TOLERANCE, Study, StudyKind};
+use crate::snippet::nearest;
 use crate::units::Dimension;
 use std::ops::Range;
 use symbolic::SymbolId;
 use toml::de::DeValue;
+use words::Notice;
 
 /// A kind of study: its name, the keys that belong to it, how it is read.
 struct Row {
@@ -89,7 +90,7 @@ fn study<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> 
         return (row.read)(reader, fields);
     }
     let names: Vec<&str> = KINDS.iter().map(|row| row.name).collect();
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M064",
         span,
         format!("unknown study `{}`", super::reader::short(&kind)),
@@ -108,7 +109,7 @@ fn misplaced<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, row: &Row) {
     for key in fields::STUDY.fields.iter().map(|f| f.key).filter(|key| *key != "kind") {
         if !row.keys.contains(&key) && fields.has(key) {
             let kind = row.name;
-            reader.fault(Fault::new(
+            reader.fault(Notice::piece(
                 "M005",
                 fields.span_of(key),
                 format!("`{key}` does not belong to the study `{kind}`"),
@@ -123,7 +124,7 @@ fn duration<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str)
     let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::TIME))?;
     let number = reader.number(&value)?;
     if number <= 0.0 {
-        reader.fault(Fault::new(
+        reader.fault(Notice::piece(
             "M065",
             fields.span_of(key),
             format!("`{key}` is {number} s; it must be positive"),
@@ -139,7 +140,7 @@ fn waiting<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) 
     let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::TIME))?;
     let number = reader.number(&value)?;
     if number < 0.0 {
-        reader.fault(Fault::new(
+        reader.fault(Notice::piece(
             "M065",
             fields.span_of(key),
             format!("`{key}` is {number} s; it must not be negative"),
@@ -155,7 +156,7 @@ fn tolerance<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> f64 {
     let Some(number) = reader.number(&value) else { return DEFAULT_TOLERANCE };
     if !(1e-15..=1e-3).contains(&number) {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M065",
                 fields.span_of("tolerance"),
                 format!("the tolerance is {number:e}; it must lie between 1e-15 and 1e-3"),
@@ -184,7 +185,7 @@ fn coordinate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static st
     if !fields.has(key) {
         let path = &fields.path;
         reader.fault(
-            Fault::new("M006", fields.span.clone(), format!("{path} lacks `{key}`"), format!("в {path} не хватает `{key}`"))
+            Notice::piece("M006", fields.span.clone(), format!("{path} lacks `{key}`"), format!("в {path} не хватает `{key}`"))
                 .help(format!("add {key} = \"phi\", the name of a coordinate"), format!("добавьте {key} = \"phi\" — имя координаты")),
         );
     }
@@ -203,9 +204,9 @@ fn coordinate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static st
 }
 
 /// M013 for what must name a coordinate, with the one that may have been meant or those that there are.
-fn no_coordinate(reader: &Reader<'_>, name: &str, span: std::ops::Range<usize>) -> Fault {
+fn no_coordinate(reader: &Reader<'_>, name: &str, span: std::ops::Range<usize>) -> Notice {
     let shown = super::reader::short(name);
-    let fault = Fault::new("M013", span, format!("`{shown}` is not a coordinate"), format!("`{shown}` — не координата"));
+    let fault = Notice::piece("M013", span, format!("`{shown}` is not a coordinate"), format!("`{shown}` — не координата"));
     let is_coordinate = |name: &&str| matches!(reader.scope.get(name).map(|e| e.kind), Some(EntryKind::Coordinate(_)));
     let all: Vec<&str> = reader.scope.names().filter(is_coordinate).collect();
     let listed = |all: &[&str]| all.iter().take(20).copied().collect::<Vec<_>>().join(", ");
@@ -223,12 +224,12 @@ fn constant_parameter<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'s
     match reader.scope.get(&name).map(|e| (e.kind, e.depends)) {
         Some((EntryKind::Parameter(_), depends)) if depends.is_constant() => return Some(name),
         Some((EntryKind::Parameter(_), _)) => reader.fault(
-            Fault::new("M072", span, format!("`{name}` is not constant"), format!("`{name}` — не постоянная"))
+            Notice::piece("M072", span, format!("`{name}` is not constant"), format!("`{name}` — не постоянная"))
                 .why("what is looked for is one number", "ищется одно число"),
         ),
         _ => {
             let shown = super::reader::short(&name);
-            let fault = Fault::new("M072", span, format!("there is no parameter `{shown}`"), format!("нет параметра `{shown}`"));
+            let fault = Notice::piece("M072", span, format!("there is no parameter `{shown}`"), format!("нет параметра `{shown}`"));
             let fault = match nearest(&name, reader.scope.names()) {
                 Some(near) => fault.meant(&name, near),
                 None => fault.help("name a constant of [parameters]", "укажите постоянную из [parameters]"),
@@ -244,7 +245,7 @@ fn points<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, usual: usize) -> usi
     let Some(value) = fields.formula(reader, "points", &Context::CONSTANT, Some(&Dimension::NONE)) else { return usual };
     let Some(number) = reader.number(&value) else { return usual };
     if number.fract() != 0.0 || !(2.0..=1e6).contains(&number) {
-        reader.fault(Fault::new(
+        reader.fault(Notice::piece(
             "M071",
             fields.span_of("points"),
             format!("`points` is {number}; a whole number from 2 to 1000000 is needed"),
@@ -260,7 +261,7 @@ fn points<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, usual: usize) -> usi
 /// The fault of a number of a study outside its limits.
 fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, value: f64) {
     let limits = if key == "irregularity" { ("between 0 and 2", "от 0 до 2") } else { ("different from 0", "отлично от 0") };
-    reader.fault(Fault::new(
+    reader.fault(Notice::piece(
         "M071",
         fields.span_of(key),
         format!("`{key}` is {value}; it must be {}", limits.0),
@@ -271,7 +272,7 @@ fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str,
 /// The fault of turns of what is no angle.
 fn angular<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) {
     reader.fault(
-        Fault::new("M071", fields.span_of(key), format!("`{key}` needs an angle"), format!("ключу `{key}` нужен угол"))
+        Notice::piece("M071", fields.span_of(key), format!("`{key}` needs an angle"), format!("ключу `{key}` нужен угол"))
             .why("only an angle makes turns", "обороты совершает только угол"),
     );
 }
@@ -289,7 +290,7 @@ fn known(reader: &mut Reader, name: String, span: Range<usize>) -> Option<String
     if fits {
         return Some(name);
     }
-    let fault = Fault::new(
+    let fault = Notice::piece(
         "M066",
         span,
         format!("there is no result `{}`", super::reader::short(&name)),

@@ -2,11 +2,11 @@
 
 use super::simulate::grid;
 use super::{angular, constant_parameter, duration, outputs, plot::plots, tolerance, waiting};
-use crate::fault::Fault;
 use crate::formula::{Context, EntryKind, Kind};
 use crate::model::{Periodic, Section, StudyKind};
 use crate::read::reader::{Fields, Reader};
 use crate::units::Dimension;
+use words::Notice;
 
 pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
     let section = section(reader, fields);
@@ -16,7 +16,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<S
     let unknown = constant_parameter(reader, fields, "unknown");
     if fields.has("wanted_period") != fields.has("unknown") {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M071",
                 fields.span.clone(),
                 "`unknown` and `wanted_period` go together",
@@ -28,7 +28,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<S
     }
     if !fields.has("section") && !fields.has("period") {
         reader.fault(
-            Fault::new("M071", fields.span.clone(), "the study periodic lacks `section` or `period`", "в расчёте periodic нет ни `section`, ни `period`")
+            Notice::piece("M071", fields.span.clone(), "the study periodic lacks `section` or `period`", "в расчёте periodic нет ни `section`, ни `period`")
                 .why(
                     "a free motion returns to a section, a forced one after the period of the force",
                     "свободное движение возвращается к сечению, вынужденное — через период силы",
@@ -75,7 +75,7 @@ fn section<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Section> 
     let zero = fields.formula(reader, "section", &Context::SECTION, None)?;
     if zero.good && !zero.depends.is_state() {
         reader.fault(
-            Fault::new("M071", value.span(), "the section does not depend on the motion", "сечение не зависит от движения")
+            Notice::piece("M071", value.span(), "the section does not depend on the motion", "сечение не зависит от движения")
                 .help("write the section as a formula over coordinates and rates", "задайте сечение формулой от координат и скоростей"),
         );
         return None;

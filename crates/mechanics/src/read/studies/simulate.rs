@@ -2,12 +2,12 @@
 
 use super::plot::plots;
 use super::{duration, outputs, tolerance};
-use crate::fault::Fault;
 use crate::formula::Context;
 use crate::model::{Method, Simulate, StudyKind, Times};
 use crate::read::reader::{Fields, Reader, short, string, wrong_type};
 use crate::read::syntax::Value;
 use crate::units::Dimension;
+use words::Notice;
 
 /// More rows than this do not fit a useful result.
 const MAX_ROWS: f64 = 1e7;
@@ -20,7 +20,7 @@ pub(super) fn simulate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &
     let until = duration(reader, fields, "until");
     if !fields.has("until") {
         let (en, ru) = (format!("the study {kind} lacks `until`"), format!("в расчёте {kind} не хватает `until`"));
-        reader.fault(Fault::new("M006", fields.span.clone(), en, ru).help("add until = \"30 s\"", "добавьте until = \"30 с\""));
+        reader.fault(Notice::piece("M006", fields.span.clone(), en, ru).help("add until = \"30 s\"", "добавьте until = \"30 с\""));
     }
     let times = grid(reader, fields, until);
     let tolerance = tolerance(reader, fields);
@@ -38,7 +38,7 @@ fn method<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Method {
         return *method;
     }
     let (en, ru) = (format!("unknown method `{}`", short(&word)), format!("неизвестный метод `{}`", short(&word)));
-    reader.fault(Fault::new("M065", span, en, ru).help("auto, taylor or stiff", "auto, taylor или stiff"));
+    reader.fault(Notice::piece("M065", span, en, ru).help("auto, taylor or stiff", "auto, taylor или stiff"));
     Method::default()
 }
 
@@ -46,7 +46,7 @@ fn method<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Method {
 pub(super) fn grid<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, until: Option<f64>) -> Times {
     if fields.has("every") && fields.has("at") {
         reader.fault(
-            Fault::new("M065", fields.span_of("at"), "both `every` and `at` are given", "заданы и `every`, и `at`")
+            Notice::piece("M065", fields.span_of("at"), "both `every` and `at` are given", "заданы и `every`, и `at`")
                 .help("keep one", "оставьте одно"),
         );
     }
@@ -55,7 +55,7 @@ pub(super) fn grid<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, until: Opti
         && until / every > MAX_ROWS
     {
         reader.fault(
-            Fault::new(
+            Notice::piece(
                 "M067",
                 fields.span_of("every"),
                 format!("{:.0} rows of results; the limit is {MAX_ROWS:.0}", until / every),
@@ -83,7 +83,7 @@ fn moments<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, until: Option<f64>
         let time = reader.value(&raw, &Context::CONSTANT, Some(&Dimension::TIME));
         let Some(t) = reader.number(&time) else { continue };
         if found.last().is_some_and(|last| t <= *last) || t < 0.0 {
-            reader.fault(Fault::new(
+            reader.fault(Notice::piece(
                 "M065",
                 item.span(),
                 "times must ascend and not be negative",
@@ -93,8 +93,13 @@ fn moments<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, until: Option<f64>
         }
         if until.is_some_and(|end| t > end) {
             reader.fault(
-                Fault::new("M065", item.span(), format!("{t} s lies after the end of the motion"), format!("{t} с — позже конца движения"))
-                    .help("enlarge `until`", "увеличьте `until`"),
+                Notice::piece(
+                    "M065",
+                    item.span(),
+                    format!("{t} s lies after the end of the motion"),
+                    format!("{t} с — позже конца движения"),
+                )
+                .help("enlarge `until`", "увеличьте `until`"),
             );
             return found;
         }

@@ -1,14 +1,15 @@
 //! The study `sweep`: another study repeated over values of parameters.
 
 use super::plot::{Axis, plots_over};
-use crate::fault::{Fault, nearest};
 use crate::formula::{EntryKind, Kind};
 use crate::model::{StudyKind, Sweep, SweepRange};
 use crate::read::parameters::names;
 use crate::read::ranges;
 use crate::read::reader::{Fields, Reader, short, string};
 use crate::read::syntax::Value;
+use crate::snippet::nearest;
 use crate::units::Dimension;
+use words::Notice;
 
 /// What a study may be repeated.
 const REPEATED: [&str; 6] = ["equilibrium", "simulate", "inverse", "statics", "periodic", "cycle"];
@@ -17,7 +18,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<S
     let value = fields.get("over");
     if value.is_none() {
         reader.fault(
-            Fault::new("M006", fields.span.clone(), "the study sweep lacks `over`", "в расчёте sweep не хватает `over`")
+            Notice::piece("M006", fields.span.clone(), "the study sweep lacks `over`", "в расчёте sweep не хватает `over`")
                 .help("add over = \"v=linspace(1 m/s, 3 m/s, 21)\"", "добавьте over = \"v=linspace(1 м/с, 3 м/с, 21)\""),
         );
     }
@@ -45,7 +46,7 @@ fn repeated(reader: &mut Reader, kind: String, span: std::ops::Range<usize>) -> 
         return Some(kind);
     }
     let shown = short(&kind);
-    let fault = Fault::new("M064", span, format!("no study `{shown}` can be repeated"), format!("расчёт `{shown}` повторять нельзя"));
+    let fault = Notice::piece("M064", span, format!("no study `{shown}` can be repeated"), format!("расчёт `{shown}` повторять нельзя"));
     let list = REPEATED.join(", ");
     reader.fault(fault.help(format!("studies to repeat: {list}"), format!("повторять можно: {list}")));
     None

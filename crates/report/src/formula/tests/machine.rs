@@ -5,8 +5,7 @@ use super::reading::read;
 use crate::formula::{Form, Printer};
 use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Parameter, StepFormula, StepName};
 use symbolic::{Equations, Expr, Graph, Matrix};
-use words::Language;
-use words::Text;
+use words::{Language, Text};
 
 /// A pendulum on a cart with a driven unbalance: every kind of symbol occurs.
 fn machine() -> Equations {
