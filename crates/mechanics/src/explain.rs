@@ -1,7 +1,7 @@
 //! Long explanations of the codes of diagnostics: `strutt explain M021`.
 //!
 //! One row a code; a test checks that every code of the reader has a row and that every row is used. Later stages add a table of their
-//! own to [`TABLES`] (`M100` to `M199` belong to `derive`).
+//! own to [`TABLES`] (those of `derive` begin with M1).
 
 mod events;
 mod linear;

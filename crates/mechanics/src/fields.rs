@@ -1,6 +1,7 @@
 //! Every key of the model file: what it is, what it defaults to, an example. The reader takes its list of known and required keys from
-//! here, and the reference (`docs/model-file.md`) is generated from here.
+//! here, and the reference (`docs/model-file.md` and the chapters beside it) is generated from here.
 
+mod chapters;
 pub mod claims;
 pub mod connections;
 pub mod events;
@@ -8,6 +9,7 @@ mod sections;
 pub mod structures;
 mod studies;
 
+pub use chapters::{CHAPTERS, Chapter};
 pub use sections::{PART, SECTION};
 pub use studies::STUDY;
 
@@ -761,28 +763,5 @@ pub const TEXT: TableSpec = TableSpec {
 
 /// Every table, in the order of the reference.
 pub fn all() -> impl Iterator<Item = &'static TableSpec> {
-    BEFORE.iter().chain(connections::ALL).chain(AFTER).copied()
+    CHAPTERS.iter().flat_map(|chapter| chapter.tables).copied()
 }
-
-const BEFORE: &[&TableSpec] =
-    &[&TOP, &PARAMETER, &COORDINATE, &FRAME, &BODY, &TENSOR, &POINT, &SPRING, &DAMPER, &FORCE, &TORQUE, &POTENTIAL, &DISSIPATION];
-
-const AFTER: &[&TableSpec] = &[
-    &OUTPUT,
-    &events::EVENT,
-    &claims::CLAIM,
-    &SECTION,
-    &PART,
-    &structures::NODE,
-    &structures::ROD,
-    &structures::SUPPORT,
-    &structures::LINE_LOAD,
-    &structures::DISPLACEMENT,
-    &structures::RAYLEIGH,
-    &structures::STRUCTURE,
-    &PHASE,
-    &STUDY,
-    &VARIANTS,
-    &PLOT,
-    &TEXT,
-];

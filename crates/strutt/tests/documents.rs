@@ -24,16 +24,35 @@ fn machines() -> Vec<String> {
     names
 }
 
+/// The pages of the reference; written anew first when `UPDATE_DOCS` asks for it, once for all tests.
+fn reference() -> &'static [mechanics::reference::Page] {
+    static PAGES: std::sync::OnceLock<Vec<mechanics::reference::Page>> = std::sync::OnceLock::new();
+    PAGES.get_or_init(|| {
+        let pages: Vec<_> = [words::Language::En, words::Language::Ru].into_iter().flat_map(mechanics::reference::pages).collect();
+        if std::env::var_os("UPDATE_DOCS").is_some() {
+            write(&pages);
+        }
+        pages
+    })
+}
+
+fn write(pages: &[mechanics::reference::Page]) {
+    let docs = root().join("docs");
+    let _ = std::fs::remove_dir_all(docs.join("model-file"));
+    std::fs::create_dir_all(docs.join("model-file")).expect("docs can be written");
+    pages.iter().for_each(|p| std::fs::write(docs.join(&p.path), &p.text).expect("docs can be written"));
+}
+
 #[test]
 fn model_file_reference_is_the_one_of_the_field_tables() {
-    use mechanics::reference::{Language, markdown};
-    for (path, language) in [("docs/model-file.md", Language::English), ("docs/model-file.ru.md", Language::Russian)] {
-        let generated = markdown(language);
-        if std::env::var_os("UPDATE_DOCS").is_some() {
-            std::fs::write(root().join(path), &generated).expect("docs can be written");
-        }
-        let written = std::fs::read_to_string(root().join(path)).unwrap_or_default();
-        assert!(written == generated, "{path} is not current: UPDATE_DOCS=1 cargo test -p strutt --test documents");
+    let docs = root().join("docs");
+    for page in reference() {
+        let written = std::fs::read_to_string(docs.join(&page.path)).unwrap_or_default();
+        assert!(written == page.text, "docs/{} is not current: UPDATE_DOCS=1 cargo test -p strutt --test documents", page.path);
+    }
+    for file in std::fs::read_dir(docs.join("model-file")).expect("docs/model-file exists").flatten() {
+        let name = format!("model-file/{}", file.file_name().to_string_lossy());
+        assert!(reference().iter().any(|p| p.path == name), "docs/{name} belongs to no chapter");
     }
 }
 
@@ -47,29 +66,122 @@ fn every_machine_of_the_gallery_has_its_pages() {
     }
 }
 
-#[test]
-fn links_inside_the_repository_lead_somewhere() {
-    let mut pages: Vec<PathBuf> = ["README.md", "ARCHITECTURE.md", "STYLE.md", "CHANGELOG.md", "gallery/README.md", "tests/book/README.md"]
-        .iter()
-        .map(|p| root().join(p))
-        .collect();
-    pages.extend(machines().iter().map(|m| root().join("gallery").join(m).join("README.md")));
-    for folder in ["docs", "tests/book"] {
-        let entries = std::fs::read_dir(root().join(folder)).expect("folder exists").flatten().map(|e| e.path());
-        pages.extend(entries.filter(|p| p.extension().is_some_and(|x| x == "md")));
-    }
-    let mut broken = Vec::new();
-    for page in pages {
-        let text = std::fs::read_to_string(&page).unwrap_or_else(|e| panic!("{}: {e}", page.display()));
-        for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
-            let target = link.split('#').next().unwrap_or_default();
-            let outside = target.is_empty() || target.contains("://") || target.contains(' ');
-            if !outside && !page.parent().is_some_and(|p| p.join(target).exists()) {
-                broken.push(format!("{} -> {target}", page.display()));
+/// Every Markdown file of the repository that is written for readers.
+fn documents() -> Vec<PathBuf> {
+    reference();
+    let mut found = Vec::new();
+    let mut folders = vec![root()];
+    while let Some(folder) = folders.pop() {
+        let mut entries: Vec<PathBuf> = std::fs::read_dir(&folder).expect("folder exists").flatten().map(|e| e.path()).collect();
+        entries.sort();
+        for path in entries {
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            if path.is_dir() && !name.starts_with('.') && !["target", "out"].contains(&name.as_str()) {
+                folders.push(path);
+            } else if name.ends_with(".md") {
+                found.push(path);
             }
         }
     }
-    assert!(broken.is_empty(), "{}", broken.join("\n"));
+    found
+}
+
+/// The anchors that viewers of Markdown give to headings: letters, digits, `-` and `_` in lower case, spaces as `-`; a number at repetitions.
+fn anchors(text: &str) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    let outside = text.split("```").step_by(2).collect::<String>();
+    for heading in outside.lines().filter(|l| l.starts_with('#')) {
+        let kept = heading.trim_start_matches('#').trim().chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+        let slug = kept.map(|c| if c == ' ' { '-' } else { c }).collect::<String>().to_lowercase();
+        let repeated = found.iter().filter(|f| **f == slug || f.strip_prefix(&slug).is_some_and(|r| r.starts_with('-'))).count();
+        let taken = found.contains(&slug);
+        found.push(if taken { format!("{slug}-{repeated}") } else { slug });
+    }
+    found
+}
+
+/// Why a link from a page leads nowhere.
+fn broken(page: &Path, link: &str) -> Option<String> {
+    if link.contains("://") || link.contains(' ') {
+        return None;
+    }
+    let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+    let target = if file.is_empty() { page.to_path_buf() } else { page.parent()?.join(file) };
+    if !target.exists() {
+        return Some(format!("{} -> {link}: no such file", page.display()));
+    }
+    let known = anchor.is_empty() || std::fs::read_to_string(&target).is_ok_and(|t| anchors(&t).iter().any(|a| a == anchor));
+    (!known).then(|| format!("{} -> {link}: no such heading", page.display()))
+}
+
+#[test]
+fn links_inside_the_repository_lead_somewhere() {
+    let mut wrong = Vec::new();
+    for page in documents() {
+        let text = std::fs::read_to_string(&page).unwrap_or_else(|e| panic!("{}: {e}", page.display()));
+        let links = text.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+        wrong.extend(links.filter_map(|link| broken(&page, link)));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn files_that_messages_and_comments_name_exist() {
+    reference();
+    let mut wrong = Vec::new();
+    for source in sources() {
+        let text = std::fs::read_to_string(&source).unwrap_or_else(|e| panic!("{}: {e}", source.display()));
+        for (start, _) in text.match_indices("docs/") {
+            let named: String = text[start..].chars().take_while(|c| c.is_ascii_alphanumeric() || "/-_.".contains(*c)).collect();
+            let named = named.trim_end_matches(['.', '/']);
+            if named.ends_with(".md") && !root().join(named).is_file() {
+                wrong.push(format!("{}: {named}", source.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Every source file of the crates, and the models of the gallery.
+fn sources() -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![root().join("crates"), root().join("gallery")];
+    while let Some(folder) = folders.pop() {
+        for path in std::fs::read_dir(&folder).expect("folder exists").flatten().map(|e| e.path()) {
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "rs" || e == "toml") {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+/// Codes in the form of a diagnostic: one of its letters and three digits.
+fn codes(text: &str) -> Vec<&str> {
+    let starts = text.char_indices().filter(|(_, c)| "MSPC".contains(*c)).map(|(i, _)| i);
+    starts.filter_map(|i| code_at(text, i)).collect()
+}
+
+fn code_at(text: &str, start: usize) -> Option<&str> {
+    let word = |c: char| c.is_alphanumeric() || c == '_';
+    let code = text.get(start..start + 4)?;
+    let alone = !text[..start].ends_with(word) && !text[start + 4..].starts_with(word);
+    (alone && code[1..].chars().all(|c| c.is_ascii_digit())).then_some(code)
+}
+
+#[test]
+fn every_code_that_is_named_is_explained() {
+    let known: Vec<&str> = strutt::explain::all().map(|e| e.code).collect();
+    let mut wrong = Vec::new();
+    for path in documents().into_iter().chain(sources()) {
+        let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        let unknown = codes(&text).into_iter().filter(|c| !known.contains(c));
+        wrong.extend(unknown.map(|code| format!("{}: {code}", path.display())));
+    }
+    assert!(wrong.is_empty(), "codes that `strutt explain` does not know:\n{}", wrong.join("\n"));
 }
 
 #[test]

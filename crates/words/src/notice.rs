@@ -44,7 +44,7 @@ pub enum Place {
 /// The words of a notice.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Message {
-    /// Code of the explanation: `M012`.
+    /// Code of the explanation: `M021`.
     pub code: &'static str,
     /// What is wrong, with value and limit.
     pub what: Text,

@@ -2,7 +2,7 @@
 
 use words::explain::{Explanation, row};
 
-/// The codes M100 to M199.
+/// The codes from M100 on.
 pub const EXPLANATIONS: &[Explanation] = &[
     row(
         "M100",

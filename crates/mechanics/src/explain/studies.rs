@@ -2,7 +2,7 @@
 
 use words::explain::{Explanation, row};
 
-/// The codes M060 to M099 of the reader.
+/// The codes of the reader from M060 on.
 pub const STUDIES: &[Explanation] = &[
     row(
         "M060",

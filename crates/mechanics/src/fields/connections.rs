@@ -673,28 +673,3 @@ pub const DISTRIBUTED: TableSpec = table(
     ],
     "[distributed.q]\nfrom = \"A\"\nto = \"B\"\nvalue = [\"0\", \"-q\"]\n",
 );
-
-/// Every table of this file, in the order of the reference.
-pub const ALL: &[&TableSpec] = &[
-    &PIN,
-    &WELD,
-    &SLIDER,
-    &SLOT,
-    &ROD,
-    &ROPE,
-    &THREAD,
-    &WOUND,
-    &BELT,
-    &CHAIN,
-    &GEAR,
-    &RACK,
-    &ROLLING,
-    &CIRCLE,
-    &CONSTRAINT,
-    &SUPPORT,
-    &MOTION,
-    &MOTOR,
-    &STOP,
-    &FRICTION,
-    &DISTRIBUTED,
-];

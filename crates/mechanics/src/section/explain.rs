@@ -2,7 +2,7 @@
 
 use words::explain::{Explanation, row};
 
-/// The codes M300 to M399.
+/// The codes from M300 on.
 pub const EXPLANATIONS: &[Explanation] = &[
     row(
         "M300",

@@ -10,4 +10,4 @@ pub use dimension::{Dimension, si_label, si_label_ru};
 pub use parse::{Quantity, parse_angular_rate, parse_number_or_quantity, parse_quantity, parse_unit};
 pub(crate) use parse::{bounded_decimal, doubtful_comma, is_quantity, out_of_range, superscript, written_unit};
 pub use table::{Factor, Unit};
-pub(crate) use table::{in_russian, listed};
+pub(crate) use table::{PREFIXES, in_russian, listed};

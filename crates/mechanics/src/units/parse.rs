@@ -457,8 +457,8 @@ fn unknown(name: &str, span: Range<usize>) -> Notice {
     match nearest(name) {
         Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => fault.help(
-            "if a product is meant, write `*`: `2*x`; the known units are listed in docs/model-file.md",
-            "если это произведение, поставьте `*`: `2*x`; список единиц — в docs/model-file.md",
+            "if a product is meant, write `*`: `2*x`; the known units are listed in docs/model-file/units.md",
+            "если это произведение, поставьте `*`: `2*x`; список единиц — в docs/model-file/units.ru.md",
         ),
     }
 }

@@ -157,6 +157,9 @@ const CYRILLIC_PREFIXES: &[(&str, i64)] = &[
     ("ф", -15),
 ];
 
+/// Prefixes with their powers of ten, Latin and Cyrillic, for the reference.
+pub(crate) const PREFIXES: [&[(&str, i64)]; 2] = [LATIN_PREFIXES, CYRILLIC_PREFIXES];
+
 /// A row of the table, for the reference.
 pub(crate) struct Listed {
     pub names: Vec<&'static str>,

@@ -1,0 +1,127 @@
+//! The tables of the file by chapters of the reference, in the order in which a reader meets them.
+
+use super::{TableSpec, Words, claims, connections as c, events, structures as s};
+
+/// A page of the reference.
+#[derive(Clone, Copy, Debug)]
+pub struct Chapter {
+    /// Name of its file, without the ending.
+    pub file: &'static str,
+    /// Heading.
+    pub title: Words,
+    /// What it is about, in a sentence.
+    pub about: Words,
+    /// Its tables.
+    pub tables: &'static [&'static TableSpec],
+}
+
+/// Every chapter that is made of tables.
+pub const CHAPTERS: &[Chapter] = &[
+    Chapter {
+        file: "file",
+        title: ("The file as a whole", "Файл в целом"),
+        about: (
+            "What stands outside any table; gravity, impacts, titles in two languages.",
+            "Что стоит вне таблиц; сила тяжести, удары, тексты на двух языках.",
+        ),
+        tables: &[&super::TOP, &super::TEXT],
+    },
+    Chapter {
+        file: "parameters",
+        title: ("Parameters and coordinates", "Параметры и координаты"),
+        about: (
+            "Named values, generalized coordinates with their start, values that change in phases.",
+            "Именованные величины, обобщённые координаты с начальными условиями, величины, меняющиеся по этапам.",
+        ),
+        tables: &[&super::PARAMETER, &super::COORDINATE, &super::PHASE],
+    },
+    Chapter {
+        file: "bodies",
+        title: ("Bodies, frames, points", "Тела, системы отсчёта, точки"),
+        about: ("What moves, where it stands and what it weighs.", "Что движется, на чём стоит и какую имеет массу."),
+        tables: &[&super::FRAME, &super::BODY, &super::TENSOR, &super::POINT],
+    },
+    Chapter {
+        file: "elements",
+        title: ("Springs, dampers, loads", "Пружины, демпферы, нагрузки"),
+        about: (
+            "Elements that act by a law: springs, dampers, forces, torques, energies of any form.",
+            "Элементы, усилие которых задано законом: пружины, демпферы, силы, моменты, энергии общего вида.",
+        ),
+        tables: &[&super::SPRING, &super::DAMPER, &super::FORCE, &super::TORQUE, &c::DISTRIBUTED, &super::POTENTIAL, &super::DISSIPATION],
+    },
+    Chapter {
+        file: "connections",
+        title: ("Connections", "Связи"),
+        about: (
+            "Joints, ropes, wheels, conditions, supports, prescribed motions and their motors; each has reactions.",
+            "Шарниры, канаты, колёса, условия связи, опоры, заданные движения и двигатели; у каждой связи есть реакции.",
+        ),
+        tables: &[
+            &c::PIN,
+            &c::WELD,
+            &c::SLIDER,
+            &c::SLOT,
+            &c::ROD,
+            &c::ROPE,
+            &c::THREAD,
+            &c::WOUND,
+            &c::BELT,
+            &c::CHAIN,
+            &c::GEAR,
+            &c::RACK,
+            &c::ROLLING,
+            &c::CIRCLE,
+            &c::CONSTRAINT,
+            &c::SUPPORT,
+            &c::MOTION,
+            &c::MOTOR,
+        ],
+    },
+    Chapter {
+        file: "contacts",
+        title: ("Contacts and friction", "Контакты и трение"),
+        about: ("One-sided stops with impacts, dry friction that sticks.", "Односторонние упоры с ударами, сухое трение с залипанием."),
+        tables: &[&c::STOP, &c::FRICTION],
+    },
+    Chapter {
+        file: "structures",
+        title: ("Frames, trusses, sections", "Рамы, фермы, сечения"),
+        about: (
+            "Nodes, rods, their supports and loads, named displacements; sections composed of parts.",
+            "Узлы, стержни, их опоры и нагрузки, именованные перемещения; сечения, составленные из частей.",
+        ),
+        tables: &[
+            &s::NODE,
+            &s::ROD,
+            &s::SUPPORT,
+            &s::LINE_LOAD,
+            &s::DISPLACEMENT,
+            &s::RAYLEIGH,
+            &s::STRUCTURE,
+            &super::SECTION,
+            &super::PART,
+        ],
+    },
+    Chapter {
+        file: "outputs",
+        title: ("Outputs, events, claims", "Результаты, события, опубликованные данные"),
+        about: (
+            "What is to be told about a motion: named results, named instants, published values laid against the machine.",
+            "Что требуется узнать о движении: именованные результаты, именованные моменты времени, опубликованные значения для сопоставления с машиной.",
+        ),
+        tables: &[&super::OUTPUT, &events::EVENT, &claims::CLAIM],
+    },
+    Chapter {
+        file: "studies",
+        title: ("Studies", "Расчёты"),
+        about: ("What is to be computed, and the plots.", "Что рассчитать и какие графики построить."),
+        tables: &[&super::STUDY, &super::PLOT],
+    },
+    Chapter {
+        file: "variants",
+        title: ("Variants", "Варианты"),
+        about: ("A table of values, one row a variant.", "Таблица величин, по строке на вариант."),
+        tables: &[&super::VARIANTS],
+    },
+];
