@@ -7,8 +7,7 @@ use words::explain::{Explanation, plain};
 use words::{Message, Notice, Text};
 
 pub mod connections;
-
-use crate::numerics::trouble;
+mod matrices;
 
 /// A study cannot go on: its notice, and the expression that failed. Results found before the fault are kept beside it. Boxed, so that
 /// results stay small.
@@ -89,14 +88,22 @@ const EXPLANATIONS: &[Explanation] = &[
     crate::studies::explain::UNDETERMINED,
     crate::studies::explain::OVERDRIVEN,
     crate::studies::explain::BRANCHES,
-    plain("S021", ("mass matrix not positive definite", "матрица масс не положительно определена"), (trouble::MASS_EN, trouble::MASS_RU)),
+    plain("S021", ("mass matrix not positive definite", "матрица масс не положительно определена"), (matrices::MASS_EN, matrices::MASS_RU)),
     plain(
         "S022",
         ("stiffness matrix not positive definite", "матрица жёсткости не положительно определена"),
-        (trouble::SINGULAR_EN, trouble::SINGULAR_RU),
+        (matrices::SINGULAR_EN, matrices::SINGULAR_RU),
     ),
-    plain("S023", ("eigenvalues did not converge", "собственные значения не сошлись"), (trouble::CONVERGENCE_EN, trouble::CONVERGENCE_RU)),
-    plain("S024", ("matrix with an undefined entry", "матрица с неопределённым элементом"), (trouble::MALFORMED_EN, trouble::MALFORMED_RU)),
+    plain(
+        "S023",
+        ("eigenvalues did not converge", "собственные значения не сошлись"),
+        (matrices::CONVERGENCE_EN, matrices::CONVERGENCE_RU),
+    ),
+    plain(
+        "S024",
+        ("matrix with an undefined entry", "матрица с неопределённым элементом"),
+        (matrices::MALFORMED_EN, matrices::MALFORMED_RU),
+    ),
     plain("S070", ("no closed form: not linear", "нет замкнутого решения: нелинейность"), (NOT_LINEAR_EN, NOT_LINEAR_RU)),
     plain(
         "S071",

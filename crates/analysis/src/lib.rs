@@ -1,6 +1,9 @@
 //! Analysis: what a study may see of a machine ([`System`]), what it returns ([`Dataset`]), the Taylor integrator with events, an
 //! implicit method for stiff motions beside it, and one file per study. Nothing here prints, writes files or knows mechanics.
 
+// the same bits on every machine: see clippy.toml
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 pub mod audits;
 pub mod connections;
 pub mod dataset;
@@ -9,7 +12,6 @@ pub mod fault;
 pub mod linear;
 pub mod machine;
 pub mod marks;
-pub mod numerics;
 pub mod reduce;
 pub mod rest;
 pub mod stiff;

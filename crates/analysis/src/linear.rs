@@ -16,12 +16,12 @@ use symbolic::{Derivation, Equations, Expr, Linear, SymbolId};
 use words::Text;
 
 use crate::machine::notation;
-use crate::numerics::lu::Lu;
-use crate::numerics::rank;
 use crate::rest::near::Near;
 use crate::studies::equilibrium::{Statics, rest_near};
 use crate::waveform::Shape;
 use crate::{Fault, Quantity};
+use algebra::lu::Lu;
+use algebra::qr;
 
 pub use observer::{Observer, Seen};
 pub use reactions::LoadParts;
@@ -123,7 +123,7 @@ impl Matrices {
         }
         let size = |row: &[f64]| row.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let scaled: Vec<f64> = self.jacobian.chunks(n).filter(|r| size(r) > 0.0).flat_map(|r| r.iter().map(move |v| v / size(r))).collect();
-        let directions = rank::null_space(scaled.len() / n, n, &scaled);
+        let directions = qr::null_space(&scaled, scaled.len() / n, n);
         let k = directions.len();
         let mut z = vec![0.0; n * k];
         for (c, direction) in directions.iter().enumerate() {
@@ -199,7 +199,7 @@ fn scaled_solution(a: &[f64], right: &[f64], n: usize) -> Option<Vec<f64>> {
         }
     }
     let b: Vec<f64> = right.iter().zip(&rows).map(|(v, f)| v * f).collect();
-    let (x, residual) = rank::Qr::new(n, n, &scaled, rank::TOLERANCE).least_squares(&b);
+    let (x, residual) = qr::Qr::alike(&scaled, n, n, qr::DEPENDENT).least_squares(&b);
     let size = b.iter().chain(&x).fold(0.0_f64, |m, v| m.max(v.abs()));
     // an acceleration that is rounding only would couple motions that are free of each other
     let largest = x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));

@@ -3,6 +3,7 @@
 //! A period 0...2π is cut where a switch, a sign, an absolute value, a least or a largest value changes, and further until the Legendre
 //! coefficients of the function on every panel have died out. Sums over the nodes are then integrals to rounding.
 
+use algebra::elementary;
 use std::f64::consts::{PI, TAU};
 use std::sync::{Arc, LazyLock};
 
@@ -56,7 +57,7 @@ impl Rule {
         let mut rule = Rule { x: [0.0; NODES], w: [0.0; NODES], analysis: [[0.0; NODES]; NODES], running: [[0.0; NODES]; NODES] };
         let n = NODES as f64;
         for i in 0..NODES {
-            let mut x = -(PI * (i as f64 + 0.75) / (n + 0.5)).cos();
+            let mut x = -elementary::cos(PI * (i as f64 + 0.75) / (n + 0.5));
             let mut slope = 1.0;
             for _ in 0..20 {
                 let p = legendre(x);
@@ -161,7 +162,7 @@ impl Panels {
     pub fn harmonic(&self, values: &[f64], k: usize) -> (f64, f64) {
         let mut sum = (0.0, 0.0);
         for ((x, w), v) in self.nodes().iter().zip(self.weights()).zip(values) {
-            let (s, c) = (k as f64 * x).sin_cos();
+            let (s, c) = elementary::sin_cos(k as f64 * x);
             sum = (sum.0 + w * v * c, sum.1 + w * v * s);
         }
         (sum.0 / PI, sum.1 / PI)

@@ -1,6 +1,9 @@
 //! Mechanics: the model file, units, diagnostics, and the derivation of equations of motion. It does not evaluate states and draws
 //! nothing.
 
+// the same bits on every machine: see clippy.toml
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 pub mod derive;
 pub mod explain;
 pub mod fields;

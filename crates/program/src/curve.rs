@@ -3,6 +3,7 @@
 //! Every function here is monotone between known points, so its range follows from the ends and those points; products, quotients and angles of
 //! boxes follow from the corners. Results are widened by a few units in the last place, for the rounding of the functions themselves.
 
+use algebra::elementary;
 use std::f64::consts::PI;
 
 /// Rounding of a library function.
@@ -85,20 +86,20 @@ impl Curve {
             Curve::Square => a * a,
             Curve::Quotient => a / b,
             Curve::Root => a.max(0.0).sqrt(),
-            Curve::Power(p) if p.fract() == 0.0 => a.powf(p),
-            Curve::Power(p) => a.max(0.0).powf(p),
-            Curve::Exp => a.exp(),
-            Curve::Tanh => a.tanh(),
-            Curve::Sinh => a.sinh(),
-            Curve::Cosh => a.cosh(),
-            Curve::Log => a.ln(),
-            Curve::Asin => a.clamp(-1.0, 1.0).asin(),
-            Curve::Acos => a.clamp(-1.0, 1.0).acos(),
-            Curve::Atan => a.atan(),
-            Curve::Asinh => a.asinh(),
-            Curve::Acosh => a.max(1.0).acosh(),
-            Curve::Atanh => a.atanh(),
-            Curve::Angle => a.atan2(b),
+            Curve::Power(p) if p.fract() == 0.0 => elementary::pow(a, p),
+            Curve::Power(p) => elementary::pow(a.max(0.0), p),
+            Curve::Exp => elementary::exp(a),
+            Curve::Tanh => elementary::tanh(a),
+            Curve::Sinh => elementary::sinh(a),
+            Curve::Cosh => elementary::cosh(a),
+            Curve::Log => elementary::ln(a),
+            Curve::Asin => elementary::asin(a.clamp(-1.0, 1.0)),
+            Curve::Acos => elementary::acos(a.clamp(-1.0, 1.0)),
+            Curve::Atan => elementary::atan(a),
+            Curve::Asinh => elementary::asinh(a),
+            Curve::Acosh => elementary::acosh(a.max(1.0)),
+            Curve::Atanh => elementary::atanh(a),
+            Curve::Angle => elementary::atan2(a, b),
         }
     }
 
@@ -117,10 +118,10 @@ impl Curve {
             Curve::Angle if a.contains(0.0) && b.contains(0.0) => return None,
             // left of the axis the angle is taken about pi
             Curve::Angle if b.high < 0.0 => {
-                let about = corners(a, b, |a, b| (-a).atan2(-b));
+                let about = corners(a, b, |a, b| elementary::atan2(-a, -b));
                 Range { low: about.low + PI, high: about.high + PI }
             }
-            Curve::Angle => corners(a, b, f64::atan2),
+            Curve::Angle => corners(a, b, elementary::atan2),
             _ => Range::new(self.value(a.low, 0.0), self.value(a.high, 0.0)),
         };
         (!range.low.is_nan() && !range.high.is_nan()).then(|| range.widened())

@@ -4,6 +4,7 @@ use crate::general::General;
 use crate::rounding;
 use crate::solve::{self, Defect};
 use crate::{By, Coefficient, Fault, Instruction, Mode, Operation, Register, Singular, Tape, Unary};
+use algebra::elementary;
 use std::sync::Arc;
 use words::Text;
 
@@ -312,19 +313,19 @@ fn value(instruction: &Instruction, registers: &mut [f64], (point, parameters): 
         Operation::Multiply(a, b) => at(a) * at(b),
         Operation::Square(a) => at(a) * at(a),
         Operation::Divide(a, b) => at(a) / at(b),
-        Operation::Power(a, p) => rounding::radicand((tape, off), registers, *a).powf(resolve(*p, registers)),
+        Operation::Power(a, p) => elementary::pow(rounding::radicand((tape, off), registers, *a), resolve(*p, registers)),
         Operation::Unary(Unary::SquareRoot, a) => rounding::radicand((tape, off), registers, *a).sqrt(),
         Operation::Unary(f, a) => f.apply(at(a)),
-        Operation::Atan2(a, b) => at(a).atan2(at(b)),
+        Operation::Atan2(a, b) => elementary::atan2(at(a), at(b)),
         Operation::SinCos(a) => {
-            let (s, c) = at(a).sin_cos();
+            let (s, c) = elementary::sin_cos(at(a));
             registers[into + 1] = c;
             s
         }
         Operation::SinhCosh(a) => {
             let x = at(a);
-            registers[into + 1] = x.cosh();
-            x.sinh()
+            registers[into + 1] = elementary::cosh(x);
+            elementary::sinh(x)
         }
         Operation::Choose { by, sides } => decide(*by, registers, point, tape).map_or(f64::NAN, |mode| at(&sides[mode.side()])),
         Operation::Solve { .. } | Operation::System { .. } => f64::NAN,

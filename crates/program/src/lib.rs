@@ -50,6 +50,9 @@
 //! # Ok::<(), program::Fault>(())
 //! ```
 
+// the same bits on every machine: see clippy.toml
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod behind;
 pub mod curve;
 mod fault;

@@ -11,6 +11,7 @@
 //! *Source*: N. J. Higham, Accuracy and Stability of Numerical Algorithms, section 3.3.
 
 use crate::{Coefficient, Operation, Register, Tape, Unary};
+use algebra::elementary;
 
 /// Rounding of one operation; a few units, because libraries' functions have some.
 const UNIT: f64 = 2.0 * f64::EPSILON;
@@ -115,12 +116,12 @@ fn error(operation: &Operation, into: usize, registers: &[f64], errors: &[f64]) 
         Operation::Divide(a, b) => (e(a) + x(a).abs() * e(b) / x(b).abs()) / x(b).abs(),
         Operation::Power(a, p) => {
             let p = crate::interpret::resolve(*p, registers);
-            if x(a) > e(a) { (p * registers[into] / x(a)).abs() * e(a) } else { e(a).powf(p) }
+            if x(a) > e(a) { (p * registers[into] / x(a)).abs() * e(a) } else { elementary::pow(e(a), p) }
         }
         Operation::Unary(f, a) => unary(*f, x(a), e(a), registers[into]),
-        Operation::Atan2(a, b) => (e(a) + e(b)) / x(a).hypot(x(b)),
+        Operation::Atan2(a, b) => (e(a) + e(b)) / elementary::hypot(x(a), x(b)),
         Operation::SinCos(a) => e(a),
-        Operation::SinhCosh(a) => x(a).cosh() * e(a),
+        Operation::SinhCosh(a) => elementary::cosh(x(a)) * e(a),
         Operation::Choose { sides, .. } => sides.iter().map(e).filter(|e| e.is_finite()).fold(0.0, f64::max),
         Operation::Solve { right, .. } | Operation::System { right, .. } => {
             SOLVED * (into..into + right.len()).fold(0.0, |m: f64, k| m.max(registers[k].abs()))

@@ -8,6 +8,7 @@ use crate::general::General;
 use crate::interpret::places;
 use crate::solve::Factor;
 use crate::{Bound, Evaluator, Fault, Instruction, Operation, Point, Register, Unary};
+use algebra::elementary;
 
 /// The dynamics with their derivatives.
 #[derive(Clone, Debug)]
@@ -107,7 +108,7 @@ impl Tangent {
                 let p = self.values.coefficient(*p);
                 // a radicand whose power has a value is negative by rounding only
                 let base = if own.is_finite() && p.fract() != 0.0 { at(self, a).max(0.0) } else { at(self, a) };
-                let slope = if p == 0.0 { 0.0 } else { p * base.powf(p - 1.0) };
+                let slope = if p == 0.0 { 0.0 } else { p * elementary::pow(base, p - 1.0) };
                 self.add(slope, *a);
             }
             Operation::Unary(f, a) => self.add(slope(*f, at(self, a), own), *a),
@@ -199,10 +200,10 @@ fn slope(f: Unary, x: f64, own: f64) -> f64 {
         Unary::Asin => 1.0 / ((1.0 - x) * (1.0 + x)).sqrt(),
         Unary::Acos => -1.0 / ((1.0 - x) * (1.0 + x)).sqrt(),
         Unary::Atan => 1.0 / (1.0 + x * x),
-        Unary::Asinh => 1.0 / x.hypot(1.0),
+        Unary::Asinh => 1.0 / elementary::hypot(x, 1.0),
         Unary::Acosh => 1.0 / ((x - 1.0) * (x + 1.0)).sqrt(),
         Unary::Atanh => 1.0 / ((1.0 - x) * (1.0 + x)),
         // 1 - tanh² without cancellation
-        Unary::Tanh => x.cosh().recip().powi(2),
+        Unary::Tanh => elementary::powi(elementary::cosh(x).recip(), 2),
     }
 }

@@ -4,6 +4,7 @@
 //! for everything after. The *body* runs once per state. Registers are numbered in the order of the instructions, so every operand
 //! has a smaller number than the result ([`crate::verify`] checks it).
 
+use algebra::elementary;
 use std::sync::Arc;
 
 use crate::Spare;
@@ -97,16 +98,16 @@ impl Unary {
     pub fn apply(self, x: f64) -> f64 {
         match self {
             Unary::SquareRoot => x.sqrt(),
-            Unary::Exp => x.exp(),
-            Unary::Log => x.ln(),
-            Unary::Tan => x.tan(),
-            Unary::Asin => x.asin(),
-            Unary::Acos => x.acos(),
-            Unary::Atan => x.atan(),
-            Unary::Tanh => x.tanh(),
-            Unary::Asinh => x.asinh(),
-            Unary::Acosh => x.acosh(),
-            Unary::Atanh => x.atanh(),
+            Unary::Exp => elementary::exp(x),
+            Unary::Log => elementary::ln(x),
+            Unary::Tan => elementary::tan(x),
+            Unary::Asin => elementary::asin(x),
+            Unary::Acos => elementary::acos(x),
+            Unary::Atan => elementary::atan(x),
+            Unary::Tanh => elementary::tanh(x),
+            Unary::Asinh => elementary::asinh(x),
+            Unary::Acosh => elementary::acosh(x),
+            Unary::Atanh => elementary::atanh(x),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Evaluation in machine numbers: the plain definition of what an expression means, the oracle for every faster way.
 
 use crate::{Expr, Function, Graph, Node, SymbolId};
+use algebra::elementary;
 use rustc_hash::FxHashMap;
 
 impl Graph {
@@ -26,7 +27,7 @@ impl Graph {
             Node::Product { coefficient, factors } => {
                 factors.iter().fold(coefficient.to_f64(), |p, (b, x)| p * rational_power(known(*b), x))
             }
-            Node::Power { base, exponent } => known(*base).powf(known(*exponent)),
+            Node::Power { base, exponent } => elementary::pow(known(*base), known(*exponent)),
             Node::Call { function, arguments } => {
                 let x = known(arguments[0]);
                 function.value(x, arguments.get(1).map_or(0.0, |y| known(*y)))
@@ -45,9 +46,9 @@ impl Graph {
 /// x^exponent for an exact exponent.
 fn rational_power(x: f64, exponent: &crate::Rational) -> f64 {
     match exponent.to_i64().and_then(|n| i32::try_from(n).ok()) {
-        Some(n) => x.powi(n),
+        Some(n) => elementary::powi(x, n),
         None if exponent == &crate::Rational::HALF => x.sqrt(),
-        None => x.powf(exponent.to_f64()),
+        None => elementary::pow(x, exponent.to_f64()),
     }
 }
 
@@ -55,21 +56,21 @@ impl Function {
     /// The value at `x` (and `y` for functions of two arguments, in the order written).
     pub fn value(self, x: f64, y: f64) -> f64 {
         match self {
-            Function::Sin => x.sin(),
-            Function::Cos => x.cos(),
-            Function::Tan => x.tan(),
-            Function::Asin => x.asin(),
-            Function::Acos => x.acos(),
-            Function::Atan => x.atan(),
-            Function::Atan2 => x.atan2(y),
-            Function::Sinh => x.sinh(),
-            Function::Cosh => x.cosh(),
-            Function::Tanh => x.tanh(),
-            Function::Asinh => x.asinh(),
-            Function::Acosh => x.acosh(),
-            Function::Atanh => x.atanh(),
-            Function::Exp => x.exp(),
-            Function::Log => x.ln(),
+            Function::Sin => elementary::sin(x),
+            Function::Cos => elementary::cos(x),
+            Function::Tan => elementary::tan(x),
+            Function::Asin => elementary::asin(x),
+            Function::Acos => elementary::acos(x),
+            Function::Atan => elementary::atan(x),
+            Function::Atan2 => elementary::atan2(x, y),
+            Function::Sinh => elementary::sinh(x),
+            Function::Cosh => elementary::cosh(x),
+            Function::Tanh => elementary::tanh(x),
+            Function::Asinh => elementary::asinh(x),
+            Function::Acosh => elementary::acosh(x),
+            Function::Atanh => elementary::atanh(x),
+            Function::Exp => elementary::exp(x),
+            Function::Log => elementary::ln(x),
             Function::Abs => x.abs(),
             // sign 0 = 0, unlike f64::signum
             Function::Sign => {

@@ -1,6 +1,9 @@
 //! Symbolic core: a hash-consed graph of expressions with exact numbers, derivatives, textbook forms, and [`Equations`], the
 //! hand-over from mechanics to numerics. It knows no bodies, no files, no output format.
 
+// the same bits on every machine: see clippy.toml
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod build;
 mod characteristic;
 pub mod connections;

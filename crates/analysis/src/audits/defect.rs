@@ -9,9 +9,9 @@ use words::Text;
 
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
-use crate::numerics::lu::Lu;
 use crate::taylor::Step;
 use crate::{Jacobian, System};
+use algebra::lu::Lu;
 
 /// Fraction between neighbouring points.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;

@@ -4,6 +4,7 @@
 //! parted is no digit of either. A row beside a jump is left out when the instants of the jump differ by more than the row's distance from it: there
 //! the time holds and the value does not mean anything. It is no audit: a chaotic motion is not wrong, its late digits are.
 
+use algebra::elementary;
 use words::Text;
 
 use crate::dataset::{Column, Dataset, Digits, Extreme, Held};
@@ -33,7 +34,7 @@ pub fn digits(size: f64, deviation: f64) -> i32 {
         return MOST as i32;
     }
     // half a unit of the last digit is not less than the deviation
-    let digits = (size.log10().floor() - (2.0 * deviation).log10()).floor() + 1.0;
+    let digits = (elementary::log10(size).floor() - elementary::log10(2.0 * deviation)).floor() + 1.0;
     if digits.is_nan() { 0 } else { digits.clamp(0.0, MOST) as i32 }
 }
 
@@ -63,7 +64,7 @@ fn held(data: &Dataset, again: &Dataset, i: usize, (left_out, tolerance): (&[boo
     let both = of(&data.extremes).zip(of(&again.extremes));
     let extreme = |pick: fn(&Extreme) -> f64| both.as_ref().map_or(worst, |(a, b)| apart(pick(a), pick(b)));
     let last = a.len() - 1;
-    let limit = size * 10f64.powi(-FEW);
+    let limit = size * elementary::powi(10f64, -FEW);
     let lost = rows().find(|(_, (a, b))| apart(**a, **b) > 0.5 * limit).map(|(row, _)| row);
     Held {
         column: i,

@@ -19,10 +19,10 @@ use words::Text;
 use super::damping::damping_alone;
 use super::frontier::Frontier;
 use crate::dataset::Audit;
-use crate::numerics::gauss::{FIVE, TWELVE};
-use crate::numerics::sum::two_sum;
 use crate::taylor::Step;
 use crate::{Mode, Supply, System};
+use algebra::gauss::{FIVE, TWELVE};
+use algebra::sum::two_sum;
 
 /// A motion whose energy is off by more than this is wrong at any tolerance.
 const MOST: f64 = 1e-3;

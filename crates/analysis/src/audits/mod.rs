@@ -2,6 +2,7 @@
 
 pub mod blows;
 pub mod bodies;
+pub mod certified;
 pub mod damping;
 pub mod defect;
 pub mod digits;

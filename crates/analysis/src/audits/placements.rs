@@ -3,6 +3,7 @@
 //! *Source*: L. N. Trefethen, Spectral Methods in MATLAB, ch. 6 (differentiation at Chebyshev's points).
 
 use crate::system::Layout;
+use algebra::elementary;
 
 /// Points less one; even, so that the middle of the stretch is one of them.
 pub(super) const N: usize = 16;
@@ -65,7 +66,7 @@ impl Placements {
         Placements {
             bodies,
             derivative: chebyshev(),
-            cosines: (0..2 * N).map(|i| (std::f64::consts::PI * i as f64 / N as f64).cos()).collect(),
+            cosines: (0..2 * N).map(|i| elementary::cos(std::f64::consts::PI * i as f64 / N as f64)).collect(),
         }
     }
 
@@ -166,7 +167,7 @@ fn turning(own: &[Vector; 3], rate: &[Vector; 3]) -> Vector {
 
 pub(super) fn abscissa(k: usize) -> f64 {
     // the middle is exact
-    if 2 * k == N { 0.0 } else { -(std::f64::consts::PI * k as f64 / N as f64).cos() }
+    if 2 * k == N { 0.0 } else { -elementary::cos(std::f64::consts::PI * k as f64 / N as f64) }
 }
 
 /// Differentiation at Chebyshev's points from -1 to 1, row-major; the diagonal is minus the sum of the others.

@@ -11,11 +11,12 @@
 //! with w_j the largest of q'_j/s and of the accelerations of the same unit. These serve machines whose reactions vanish: with the inertial cranks of a linkage
 //! turning uniformly and its bars without mass, q'' = 0 stands before each moment of inertia and all forces are rounding of the bars' accelerations.
 
+use algebra::elementary;
 use words::Text;
 
 use crate::dataset::Audit;
-use crate::numerics::random::Random;
 use crate::{Mode, System};
+use algebra::random::Random;
 
 /// Rounding in a few thousand operations reaches 1e-13; a forgotten or doubled term is seen at 1e-3 and more.
 const LIMIT: f64 = 1e-10;
@@ -61,7 +62,7 @@ impl Sample {
         let x = system.states().iter().zip(start).map(|(q, start)| {
             let unit = random.between(-1.0, 1.0);
             let size = if *start != 0.0 && start.is_finite() { 10.0 * start.abs() } else { 1.0 };
-            if q.unit == "rad" { unit * std::f64::consts::PI } else { unit * size * (10.0_f64).powf(random.between(-2.0, 0.0)) }
+            if q.unit == "rad" { unit * std::f64::consts::PI } else { unit * size * elementary::pow(10.0_f64, random.between(-2.0, 0.0)) }
         });
         let x = x.collect();
         Sample { t, x, modes: Vec::new() }

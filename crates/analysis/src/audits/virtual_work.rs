@@ -18,8 +18,8 @@ use super::frontier::Frontier;
 use super::placements::{BODY, N, Placements, Vector, Wrench, dot, length};
 use crate::System;
 use crate::dataset::Audit;
-use crate::numerics::random::Random;
 use crate::system::Layout;
+use algebra::random::Random;
 
 /// Largest residual relative to the terms that meet. A forgotten term is seen at 1e-3 and more.
 const LIMIT: f64 = 1e-6;

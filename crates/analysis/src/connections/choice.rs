@@ -15,7 +15,7 @@ use super::rank::sort;
 use super::{Bench, listed};
 use crate::Fault;
 use crate::fault::{rounded, seven_digits};
-use crate::numerics::random::Random;
+use algebra::random::Random;
 use words::Text;
 
 /// Sets of defaults of one size that are tried one after another.

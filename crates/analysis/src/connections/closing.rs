@@ -18,8 +18,8 @@ use symbolic::connections::Law;
 
 use crate::Fault;
 use crate::fault::number;
-use crate::numerics::qr::{Qr, norm};
-use crate::numerics::random::Random;
+use algebra::qr::{Qr, norm};
+use algebra::random::Random;
 
 /// Largest relative violation of a closed loop.
 pub(super) const CLOSED: f64 = 1e-12;

@@ -10,6 +10,7 @@ mod closing;
 mod rank;
 mod starts;
 
+use algebra::elementary;
 use std::sync::Arc;
 
 use program::lower::Selection;
@@ -188,7 +189,7 @@ impl<'e> Bench<'e> {
 
     /// Largest entries of the columns of J around the start, and the sizes of its rows: a single configuration may hide a lever.
     fn measure_reach(&mut self) {
-        let mut random = crate::numerics::random::Random::new(7);
+        let mut random = algebra::random::Random::new(7);
         let mut reach = vec![0.0_f64; self.n];
         let mut sizes = vec![0.0_f64; self.equations.conditions.len()];
         let mut rows: Vec<(usize, Vec<f64>)> = Vec::new();
@@ -221,7 +222,7 @@ impl<'e> Bench<'e> {
 
     /// Length of a gradient over the reach of the coordinates.
     fn over_reach(&self, row: &[f64]) -> f64 {
-        row.iter().zip(&self.reach).map(|(a, r)| (a / r).powi(2)).sum::<f64>().sqrt()
+        row.iter().zip(&self.reach).map(|(a, r)| elementary::powi(a / r, 2)).sum::<f64>().sqrt()
     }
 
     /// Whether one of these conditions has no levers here; what is left of them is rounding.

@@ -14,8 +14,8 @@ use words::Text;
 
 use super::{Bench, Undetermined, listed};
 use crate::Fault;
-use crate::numerics::qr::{Qr, norm};
-use crate::numerics::random::Random;
+use algebra::qr::{Qr, norm};
+use algebra::random::Random;
 
 /// Places around the start that are asked whether reactions are open.
 const AROUND: usize = 9;

@@ -7,6 +7,8 @@
 //! *Source*: G. E. Collins, A. G. Akritas, Polynomial real root isolation using Descartes' rule of signs, SYMSAC 1976; Bernstein form by
 //! J. M. Lane, R. F. Riesenfeld, Bounds on a polynomial, BIT 21 (1981) 112-117.
 
+use algebra::elementary;
+
 /// Deepest halving: intervals below this share of the step are one instant.
 const DEPTH: u32 = 50;
 /// Rounding of a coefficient relative to the terms that met in it.
@@ -47,7 +49,7 @@ impl RootFinder {
         self.load(c, h, sign);
         let n = self.count;
         while let Some((left, depth)) = self.intervals.pop() {
-            let width = (0.5_f64).powi(depth as i32);
+            let width = elementary::powi(0.5_f64, depth as i32);
             let start = self.rows.len() - 2 * n;
             let (row, sizes) = self.rows[start..].split_at(n);
             let (changes, first, last) = signs(row, sizes);
@@ -100,7 +102,7 @@ impl RootFinder {
         halve_row(row, &mut self.left);
         halve_row(sizes, &mut self.left);
         self.rows.extend_from_slice(&self.left);
-        let width = (0.5_f64).powi(depth as i32 + 1);
+        let width = elementary::powi(0.5_f64, depth as i32 + 1);
         self.intervals.push((left + width, depth + 1));
         self.intervals.push((left, depth + 1));
     }

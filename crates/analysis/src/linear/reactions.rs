@@ -26,7 +26,7 @@ use words::Text;
 
 use super::{LinearMachine, Place, Seen};
 use crate::Fault;
-use crate::numerics::rank::{Qr, TOLERANCE};
+use algebra::qr::{DEPENDENT, Qr};
 
 /// What excites, where it is not everything in the equations.
 #[derive(Clone, Debug, Default)]
@@ -305,7 +305,7 @@ impl Solved {
         let heights: Vec<f64> = (0..m).map(|i| size(&mut (0..k).map(|c| matrix[i * k + c]))).collect();
         let widths: Vec<f64> = (0..k).map(|c| size(&mut (0..m).map(|i| matrix[i * k + c] / heights[i]))).collect();
         let scaled: Vec<f64> = (0..m * k).map(|p| matrix[p] / heights[p / k] / widths[p % k]).collect();
-        let qr = Qr::new(m, k, &scaled, TOLERANCE);
+        let qr = Qr::alike(&scaled, m, k, DEPENDENT);
         let mut inverse = vec![0.0; k * m];
         for i in 0..m {
             let unit: Vec<f64> = (0..m).map(|p| if p == i { 1.0 / heights[i] } else { 0.0 }).collect();

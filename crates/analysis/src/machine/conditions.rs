@@ -11,6 +11,7 @@
 //!
 //! Impacts: `impact.rs`.
 
+use algebra::elementary;
 use std::sync::Arc;
 
 use program::{Behind, Bound, ConnectionRoots, Evaluator, GuardKind, LawRoots, Point};
@@ -18,9 +19,10 @@ use symbolic::Equations;
 use symbolic::connections::{Impacts, Law, Reaction, Rebound};
 use words::Text;
 
-use crate::numerics::qr::Qr;
-use crate::numerics::random::Random;
 use crate::{Fault, Mode, Quantity};
+use algebra::cholesky::{Cholesky, is_firm};
+use algebra::qr::Qr;
+use algebra::random::Random;
 
 /// Violations below this many units in the last place of the terms that meet in a condition are left alone.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -442,7 +444,7 @@ impl Conditions {
         let factor = self.metric();
         let mut change =
             if self.repeated > 0 { self.least_of_repeated(&wanted) } else { Qr::new(&self.gradients(), n, m).shortest(&wanted) };
-        backward(&factor, n, &mut change);
+        factor.backward(&mut change);
         change
     }
 
@@ -466,7 +468,7 @@ impl Conditions {
         let (n, m) = (self.n, self.active.len());
         let mut columns = self.gradients();
         for (k, &row) in self.active.iter().enumerate() {
-            let span = (0..n).fold(0.0_f64, |span, i| span.hypot(columns[i * m + k]));
+            let span = (0..n).fold(0.0_f64, |span, i| elementary::hypot(span, columns[i * m + k]));
             let largest = self.spans[row].max(span);
             (0..n).filter(|_| span > 0.0).for_each(|i| columns[i * m + k] /= largest);
         }
@@ -478,7 +480,7 @@ impl Conditions {
         let (n, m) = (self.n, self.active.len());
         let columns = self.gradients();
         for (k, &row) in self.active.iter().enumerate() {
-            let span = (0..n).fold(0.0_f64, |span, i| span.hypot(columns[i * m + k]));
+            let span = (0..n).fold(0.0_f64, |span, i| elementary::hypot(span, columns[i * m + k]));
             self.spans[row] = self.spans[row].max(span);
         }
     }
@@ -511,27 +513,29 @@ impl Conditions {
         let mut columns = vec![0.0; n * m];
         for (k, &row) in self.active.iter().enumerate() {
             let mut a = self.column(row).to_vec();
-            forward(&factor, n, &mut a);
+            factor.forward(&mut a);
             (0..n).for_each(|i| columns[i * m + k] = a[i]);
         }
         columns
     }
 
-    /// C of M = C C', row-major.
-    pub(super) fn metric(&self) -> Vec<f64> {
+    /// C of M = C C'.
+    pub(super) fn metric(&self) -> Cholesky {
         let n = self.n;
         let mass = &self.values[self.roots.mass.clone()];
         let at = |i: usize, j: usize| mass[i.max(j) * (i.max(j) + 1) / 2 + i.min(j)];
         let full: Vec<f64> = (0..n * n).map(|k| at(k / n, k % n)).collect();
-        if let Some(factor) = Some(()).filter(|()| is_firm(&full, n)).and_then(|()| cholesky(&full, n)) {
+        if is_firm(&full, n)
+            && let Ok(factor) = Cholesky::new(&full, n)
+        {
             return factor;
         }
         let mut widened = full;
         for i in 0..n {
-            let arms: f64 = self.active.iter().map(|&row| self.column(row)[i].powi(2)).sum();
+            let arms: f64 = self.active.iter().map(|&row| elementary::powi(self.column(row)[i], 2)).sum();
             widened[i * n + i] += if arms > 0.0 { arms } else { 1.0 };
         }
-        cholesky(&widened, n).unwrap_or_else(|| (0..n * n).map(|k| if k / n == k % n { 1.0 } else { 0.0 }).collect())
+        Cholesky::new(&widened, n).unwrap_or_else(|_| Cholesky::identity(n))
     }
 
     /// Makes the conditions that always hold the active ones.
@@ -573,61 +577,4 @@ fn rebound(law: &Law) -> Option<Rebound> {
 enum Level {
     Place,
     Rate,
-}
-
-/// Whether every motion has inertia: elimination with the largest share first, so that what is left at last is the rounding of few steps.
-fn is_firm(matrix: &[f64], n: usize) -> bool {
-    let root: Vec<f64> = (0..n).map(|i| matrix[i * n + i].sqrt()).collect();
-    let mut a: Vec<f64> = (0..n * n).map(|k| matrix[k] / (root[k / n] * root[k % n])).collect();
-    let mut left: Vec<usize> = (0..n).collect();
-    while let Some(k) = (0..left.len()).max_by(|i, j| a[left[*i] * (n + 1)].total_cmp(&a[left[*j] * (n + 1)])) {
-        let pivot = left.swap_remove(k);
-        let size = a[pivot * (n + 1)];
-        if size.is_nan() || size <= 1e-12 {
-            return false;
-        }
-        for &i in &left {
-            for &j in &left {
-                a[i * n + j] -= a[i * n + pivot] * a[pivot * n + j] / size;
-            }
-        }
-    }
-    true
-}
-
-/// Lower factor C of a symmetric positive definite matrix C C'; none when it is not.
-fn cholesky(matrix: &[f64], n: usize) -> Option<Vec<f64>> {
-    let mut c = vec![0.0; n * n];
-    for i in 0..n {
-        for j in 0..=i {
-            let known: f64 = (0..j).map(|k| c[i * n + k] * c[j * n + k]).sum();
-            let left = matrix[i * n + j] - known;
-            if i == j {
-                // a massless direction leaves only rounding
-                if left.is_nan() || left <= 1e-12 * matrix[i * n + i].abs() || left <= 0.0 {
-                    return None;
-                }
-                c[i * n + i] = left.sqrt();
-            } else {
-                c[i * n + j] = left / c[j * n + j];
-            }
-        }
-    }
-    Some(c)
-}
-
-/// C^-1 b.
-pub(super) fn forward(c: &[f64], n: usize, b: &mut [f64]) {
-    for i in 0..n {
-        let known: f64 = (0..i).map(|j| c[i * n + j] * b[j]).sum();
-        b[i] = (b[i] - known) / c[i * n + i];
-    }
-}
-
-/// C^-T b.
-pub(super) fn backward(c: &[f64], n: usize, b: &mut [f64]) {
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|j| c[j * n + i] * b[j]).sum();
-        b[i] = (b[i] - known) / c[i * n + i];
-    }
 }

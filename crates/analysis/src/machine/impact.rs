@@ -26,16 +26,18 @@
 //! that close or stand strike together.
 //! *Source*: B. Brogliato, Nonsmooth Mechanics, chapters 5 and 6; Glocker, Set-Valued Force Laws, chapters 7 to 9.
 
+use algebra::elementary;
 use program::Point;
 use symbolic::connections::{Impacts, Rebound};
 use words::Text;
 
-use super::conditions::{Conditions, Holds, backward, forward};
+use super::conditions::{Conditions, Holds};
 use super::ties::RATE;
 use crate::fault::connections::Gaining;
-use crate::numerics::lu::Lu;
-use crate::numerics::qr::Qr;
 use crate::{Blow, Fault, Mode};
+use algebra::cholesky::Cholesky;
+use algebra::lu::Lu;
+use algebra::qr::Qr;
 
 /// Share of the largest rate below which a closing rate is rounding.
 pub(crate) const SILENT: f64 = 1e-13;
@@ -279,7 +281,7 @@ enum Way {
     Regular(Lu),
     /// Conditions that repeat each other: rates are unique, of the impulses one choice is taken. C of M = C C', C^-1 J_b' factored.
     Repeated {
-        factor: Vec<f64>,
+        factor: Cholesky,
         columns: Vec<f64>,
         qr: Qr,
     },
@@ -327,7 +329,7 @@ impl Bilateral {
         let mut columns = vec![0.0; n * m];
         for (k, &row) in rows.iter().enumerate() {
             let mut a = c.column(row).to_vec();
-            forward(&factor, n, &mut a);
+            factor.forward(&mut a);
             (0..n).for_each(|i| columns[i * m + k] = a[i]);
         }
         let qr = Qr::new(&columns, n, m);
@@ -357,13 +359,13 @@ impl Bilateral {
             Way::Repeated { factor, columns, qr } => {
                 let m = self.rows.len();
                 let mut y = force.to_vec();
-                forward(factor, n, &mut y);
+                factor.forward(&mut y);
                 let (own, _) = qr.least_squares(&y);
                 let shortest = qr.shortest(wanted);
                 for i in 0..n {
                     y[i] += shortest[i] - (0..m).map(|k| columns[i * m + k] * own[k]).sum::<f64>();
                 }
-                backward(factor, n, &mut y);
+                factor.backward(&mut y);
                 let signs = self.reactions.iter().map(|r| r.map_or(1.0, |(_, sign)| -sign));
                 (y, own.iter().zip(signs).map(|(p, sign)| p * sign).collect())
             }
@@ -549,7 +551,7 @@ impl Strike {
 
     /// Unit vector of a normal impulse; one component alone keeps its axis.
     fn direction(&self, i: usize, pressed: Pressure) -> Pressure {
-        let size = pressed[0].hypot(pressed[1]);
+        let size = elementary::hypot(pressed[0], pressed[1]);
         match &self.units[i].law {
             Law::Friction { normal, .. } if !normal[1].is_empty() && size > 0.0 => pressed.map(|p| p / size),
             _ => [1.0, 0.0],

@@ -54,7 +54,7 @@ impl Machine {
         let undetermined = || Fault::undetermined_impact(t);
         let n = kick.len();
         let mass = self.mass(t, x, modes).ok_or_else(undetermined)?;
-        let change = crate::numerics::lu::Lu::new(&mass, n).solve(kick).ok_or_else(undetermined)?;
+        let change = algebra::lu::Lu::new(&mass, n).solve(kick).ok_or_else(undetermined)?;
         x[n..2 * n].iter_mut().zip(change).for_each(|(v, d)| *v += d);
         Ok(Blow::default())
     }

@@ -11,6 +11,7 @@
 //! bear nothing together bear nothing each) it keeps its value. An output that changes along what is left has no value at this state: it is not a number. So sums and
 //! moments that are unique keep theirs.
 
+use algebra::elementary;
 use std::collections::BTreeMap;
 
 use program::{GuardKind, Mode, Point, Program};
@@ -18,10 +19,10 @@ use symbolic::connections::{Law, Normal};
 use symbolic::{Equations, Expr, Function, Node};
 
 use super::Machine;
-use super::conditions::{Conditions, Holds, forward};
+use super::conditions::{Conditions, Holds};
 use crate::Fault;
-use crate::numerics::rank::Qr;
 use crate::rest::admissible::{Hold, Holds as Held, Limit};
+use algebra::qr::Qr;
 
 /// Share of a column that counts as none when it is combined from others.
 const NOTHING: f64 = 1e-9;
@@ -151,7 +152,7 @@ impl Machine {
         let matrix: Vec<f64> = (0..rows).flat_map(|b| hidden.iter().map(move |r| b * program.reactions + r)).map(|k| shares[k]).collect();
         let point = Point { time: t, states: x, accelerations: &self.accelerations, ..Point::default() };
         let missing = self.second.evaluate(&point)?[n..n + rows].to_vec();
-        let (found, left) = Qr::new(rows, hidden.len(), &matrix, NOTHING).least_squares(&missing);
+        let (found, left) = Qr::alike(&matrix, rows, hidden.len(), NOTHING).least_squares(&missing);
         hidden.iter().zip(found).for_each(|(r, value)| self.accelerations[n + r] = value);
         let size = missing.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         Ok(left <= NOTHING * size)
@@ -267,7 +268,7 @@ impl Conditions {
             let component = |factors: &[f64]| factors.iter().zip(reactions).filter(|(f, _)| **f != 0.0).map(|(f, p)| f * p).sum::<f64>();
             let along = if second.iter().any(|f| *f != 0.0) {
                 let both = [component(first), component(second)];
-                let size = both[0].hypot(both[1]);
+                let size = elementary::hypot(both[0], both[1]);
                 if size > 0.0 { both.map(|c| c / size) } else { [1.0, 0.0] }
             } else {
                 let side = sharing.sides.iter().find(|(r, _)| *r == reaction).map(|(_, guard)| modes[*guard]);
@@ -285,7 +286,7 @@ impl Conditions {
         for (r, share) in way.iter().enumerate().filter(|(_, share)| **share != 0.0) {
             column.iter_mut().zip(self.push(r)).for_each(|(sum, f)| *sum += share * f);
         }
-        forward(&self.metric(), self.n, &mut column);
+        self.metric().forward(&mut column);
         column.extend(shares.chunks(self.reactions).map(|row| row.iter().zip(way).map(|(f, share)| f * share).sum::<f64>()));
         column
     }
@@ -351,7 +352,7 @@ fn null_space(columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let (rows, count) = (columns.first().map_or(0, Vec::len), columns.len());
     let heights: Vec<f64> = (0..rows).map(|i| columns.iter().fold(0.0_f64, |m, c| m.max(c[i].abs()))).collect();
     let entry = |i: usize, k: usize| if heights[i] > 0.0 { columns[k][i] / heights[i] } else { 0.0 };
-    let lengths: Vec<f64> = (0..count).map(|k| (0..rows).map(|i| entry(i, k).powi(2)).sum::<f64>().sqrt()).collect();
+    let lengths: Vec<f64> = (0..count).map(|k| (0..rows).map(|i| elementary::powi(entry(i, k), 2)).sum::<f64>().sqrt()).collect();
     let kept: Vec<usize> = (0..count).filter(|k| lengths[*k] > 0.0).collect();
     if kept.is_empty() {
         return Vec::new();
@@ -367,7 +368,7 @@ fn null_space(columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
         out.iter_mut().for_each(|v| *v /= largest);
         out
     };
-    Qr::new(rows, kept.len(), &matrix, NOTHING).null_space().into_iter().map(whole).collect()
+    Qr::alike(&matrix, rows, kept.len(), NOTHING).null_space().into_iter().map(whole).collect()
 }
 
 /// The limits of what acts, about the reactions that were found.
@@ -412,5 +413,5 @@ fn unpinned(hold: &Hold) -> Vec<Vec<f64>> {
         sum.iter_mut().for_each(|v| *v = if v.abs() <= NOTHING * largest { 0.0 } else { *v });
         sum
     };
-    Qr::new(pinned.len(), hold.free.len(), &matrix, NOTHING).null_space().into_iter().map(combined).collect()
+    Qr::alike(&matrix, pinned.len(), hold.free.len(), NOTHING).null_space().into_iter().map(combined).collect()
 }

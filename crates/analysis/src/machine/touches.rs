@@ -1,5 +1,6 @@
 //! Contacts and frictions in numbers, for audits: from the tape `touches`, which goes by values where the dynamics go by modes.
 
+use algebra::elementary;
 use program::{Evaluator, Point, Program, TouchRoots};
 use symbolic::Equations;
 use symbolic::connections::Law;
@@ -63,7 +64,8 @@ impl Machine {
         let touch = |(i, place): (usize, &Place)| {
             let law = if place.friction {
                 let [along, across] = idle.get(i).copied().unwrap_or_default();
-                let normal = (values.of(place, TouchRoots::Leading) - along).hypot(values.of(place, TouchRoots::Across) - across);
+                let normal =
+                    elementary::hypot(values.of(place, TouchRoots::Leading) - along, values.of(place, TouchRoots::Across) - across);
                 let limits = [TouchRoots::Back, TouchRoots::Forth, TouchRoots::Fixed].map(|root| normal * values.of(place, root));
                 TouchLaw::Friction { limits, ratio: ratios[i] }
             } else {

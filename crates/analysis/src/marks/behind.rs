@@ -13,6 +13,7 @@
 //! be the same all along. Sines and cosines move wherever their argument does, and a solution of a system where its entries do. A branch that is not
 //! taken has no numbers and counts as seen.
 
+use algebra::elementary;
 use program::curve::{Curve, Range};
 use program::{Behind, Node, Seen};
 
@@ -158,7 +159,7 @@ fn is_calm(curve: Curve, a: Range, b: Range) -> bool {
         Curve::Atan | Curve::Asinh => 0.5 * a.width() <= NEAR * (1.0 + middle(a).abs()),
         Curve::Acosh => 0.5 * a.width() <= NEAR * (middle(a) - 1.0),
         Curve::Atanh => 0.5 * a.width() <= NEAR * (1.0 - middle(a).abs()),
-        Curve::Angle => 0.5 * (a.width() + b.width()) <= NEAR * middle(a).hypot(middle(b)),
+        Curve::Angle => 0.5 * (a.width() + b.width()) <= NEAR * elementary::hypot(middle(a), middle(b)),
         Curve::Product | Curve::Square => false,
     }
 }

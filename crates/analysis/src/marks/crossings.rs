@@ -4,6 +4,8 @@
 //! one, exactly one. Otherwise the interval is halved (de Casteljau). Coefficients below `noise` count as zero, so that a touch of zero and a pair of
 //! roots nearer than rounding can tell are no change of sign. *Source*: see [`crate::events::roots`].
 
+use algebra::elementary;
+
 /// Deepest halving.
 const DEPTH: u32 = 48;
 
@@ -23,7 +25,7 @@ pub fn crossings(row: &[f64], noise: f64, sign: &mut f64) -> Vec<Bracket> {
     let mut found = Vec::new();
     let mut open = vec![(row.to_vec(), 0.0_f64, 0_u32)];
     while let Some((row, from, depth)) = open.pop() {
-        let width = 0.5_f64.powi(depth as i32);
+        let width = elementary::powi(0.5_f64, depth as i32);
         let (changes, mut first, mut last) = signs(&row, noise);
         // only the ends are values: a coefficient between says nothing about an end that is noise
         let ends = [row[0], row[row.len() - 1]].map(|b| b.abs() > noise);
@@ -87,7 +89,7 @@ pub fn value(row: &[f64], u: f64) -> f64 {
         sum += weight * row[if from_end { n - i } else { i }];
         weight *= ratio * (n - i) as f64 / (i + 1) as f64;
     }
-    sum * far.powi(n as i32)
+    sum * elementary::powi(far, n as i32)
 }
 
 /// Coefficients of the derivative.

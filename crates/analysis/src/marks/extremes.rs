@@ -12,7 +12,7 @@ use super::proxy::{Piece, Proxies};
 use super::{Along, bracketed, unknown};
 use crate::System;
 use crate::dataset::{Extreme, Overall};
-use crate::numerics::sum::two_sum;
+use algebra::sum::two_sum;
 
 /// Error of a piece relative to its variation, with room to spare.
 const ROUGH: f64 = 1e-9;

@@ -8,6 +8,7 @@
 //!
 //! *Source*: J. P. Boyd, Solving Transcendental Equations (SIAM 2014), chapter 3 (Chebyshev proxies with subdivision).
 
+use algebra::elementary;
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -88,11 +89,11 @@ impl Points {
         let mut to_chebyshev = Vec::new();
         for k in 0..=n {
             // points ascend from u = 0, where the cosine is -1
-            to_chebyshev.extend((0..=n).map(|j| 2.0 / n as f64 * half(k) * half(j) * angle(n - j, k).cos()));
+            to_chebyshev.extend((0..=n).map(|j| 2.0 / n as f64 * half(k) * half(j) * elementary::cos(angle(n - j, k))));
         }
         let columns: Vec<Vec<f64>> = (0..=n).map(|k| chebyshev_in_bernstein(k, n)).collect();
         let to_bernstein = (0..=n).flat_map(|i| columns.iter().map(move |column| column[i])).collect();
-        let u = (0..=n).map(|j| (0.5 * PI * j as f64 / n as f64).sin().powi(2)).collect();
+        let u = (0..=n).map(|j| elementary::powi(elementary::sin(0.5 * PI * j as f64 / n as f64), 2)).collect();
         Points { n, u, to_chebyshev, to_bernstein }
     }
 

@@ -10,9 +10,8 @@
 //! are admissible. For each choice of the signs of the N it is a linear programme: no y means that the machine does not rest, and the least and greatest λ_k
 //! over all admissible y are what statics says about a reaction (A. A. Markeev, Theoretical Mechanics, on friction at rest).
 
-use crate::numerics::qr::{Qr, norm};
-use crate::numerics::rank::{self, TOLERANCE};
-use crate::numerics::simplex::{Inequality, Optimum, largest};
+use algebra::qr::{DEPENDENT, Qr, norm};
+use algebra::simplex::{Inequality, Optimum, largest};
 
 /// Slack of inequalities, relative to the largest force: at a limit that is reached exactly rounding decides nothing.
 const SLACK: f64 = 1e-9;
@@ -78,7 +77,7 @@ impl Hold {
         }
         hold.remainder = if largest > 0.0 { worst / largest } else { 0.0 };
         if columns > 0 {
-            hold.free = rank::Qr::new(rows, columns, &a, TOLERANCE.max(1e-10)).null_space();
+            hold.free = Qr::alike(&a, rows, columns, DEPENDENT).null_space();
         }
         hold.free.iter_mut().for_each(|z| {
             let length = norm(z);
@@ -219,7 +218,7 @@ fn at_corner(y: &[f64], set: &[Inequality]) -> Vec<f64> {
     }
     let matrix: Vec<f64> = active.iter().flat_map(|i| i.0.iter().copied()).collect();
     let missing: Vec<f64> = active.iter().map(|i| SLACK - left(i)).collect();
-    let (step, _) = rank::Qr::new(active.len(), y.len(), &matrix, TOLERANCE).least_squares(&missing);
+    let (step, _) = Qr::alike(&matrix, active.len(), y.len(), DEPENDENT).least_squares(&missing);
     y.iter().zip(&step).map(|(y, d)| y + d).collect()
 }
 

@@ -17,9 +17,8 @@ use super::system::{Parts, RestSystem, Row, Rows};
 use super::unknowns::{Impending, limit_row, limit_rows};
 use super::{closed_contacts, faults, hold};
 use crate::Fault;
-use crate::numerics::qr::norm;
-use crate::numerics::rank;
 use crate::studies::equilibrium::Range;
+use algebra::qr::{self, norm};
 
 /// Intervals of the range; Newton's method begins at their ends.
 const PARTS: usize = 64;
@@ -118,7 +117,7 @@ fn kept(equations: &Equations, rows: &[Row], over: usize) -> Vec<usize> {
         row.into_iter().map(|s| if length > 0.0 { s / length } else { s }).collect()
     };
     let mut matrix: Vec<f64> = rows.iter().flat_map(|r| scaled(&r.slopes)).collect();
-    let rank_of = |matrix: &[f64]| rank::rank(matrix.len() / width.max(1), width, matrix);
+    let rank_of = |matrix: &[f64]| qr::rank(matrix, matrix.len() / width.max(1), width);
     let mut rank = rank_of(&matrix);
     let given = |j: &usize| equations.coordinates[*j].given[0];
     let order = (0..n).filter(|j| given(j) && *j != over).chain((0..n).filter(|j| !given(j) && *j != over)).chain([over]);

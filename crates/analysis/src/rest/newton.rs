@@ -2,7 +2,7 @@
 
 use super::system::{RestSystem, Row, Rows};
 use crate::Fault;
-use crate::numerics::qr::{Qr, norm};
+use algebra::qr::{Qr, norm};
 
 const STEPS: usize = 100;
 /// Longest change of a coordinate in one step, SI.

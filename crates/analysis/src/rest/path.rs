@@ -18,8 +18,8 @@ use symbolic::{Equations, Expr, Graph};
 
 use super::system::{at_rest, definitions, seeded};
 use crate::Fault;
-use crate::numerics::random::Random;
 use crate::waveform::{NODES, RULE};
+use algebra::random::Random;
 
 /// Difference of mixed derivatives, relative to the largest, that counts as none.
 const GRADIENT: f64 = 1e-9;

@@ -10,6 +10,7 @@
 //! Contacts are closed as at the start; while they are few every choice of closed ones is tried, and a place counts only where open gaps are not
 //! negative and closed contacts do not pull.
 
+use algebra::elementary;
 use symbolic::Equations;
 use words::Text;
 
@@ -17,10 +18,9 @@ use super::newton::{self, RESIDUAL, balance, worst};
 use super::system::{Parts, RestSystem, Row, Rows};
 use super::{closed_contacts, faults, gap_size};
 use crate::Fault;
-use crate::numerics::qr::{Qr, norm};
-use crate::numerics::random::Random;
-use crate::numerics::rank;
 use crate::studies::equilibrium::{Equilibrium, Range};
+use algebra::qr::{self, Qr, norm};
+use algebra::random::Random;
 
 /// Contacts of which every choice of closed ones is tried.
 const CONTACTS: usize = 4;
@@ -247,7 +247,7 @@ impl Search<'_> {
                     let place = place.clone();
                     self.newton(&place);
                 }
-                let home = q.iter().zip(from).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+                let home = q.iter().zip(from).map(|(a, b)| elementary::powi(a - b, 2)).sum::<f64>().sqrt();
                 if count > 3 && home < 0.5 * STRIDE * self.length(&q) {
                     return;
                 }
@@ -315,7 +315,7 @@ pub(super) fn tangents_of(rows: &Rows, n: usize) -> Vec<Vec<f64>> {
     let scaled: Vec<f64> =
         rows.places.iter().filter(|r| size(r) > 0.0).flat_map(|r| r.slopes[..n].iter().map(move |s| s / size(r))).collect();
     let mut basis: Vec<Vec<f64>> = Vec::new();
-    for mut t in rank::null_space(scaled.len() / n.max(1), n, &scaled) {
+    for mut t in qr::null_space(&scaled, scaled.len() / n.max(1), n) {
         for b in &basis {
             let share: f64 = t.iter().zip(b).map(|(a, b)| a * b).sum();
             t.iter_mut().zip(b).for_each(|(a, b)| *a -= share * b);

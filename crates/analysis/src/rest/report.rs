@@ -3,6 +3,7 @@
 //! With dry friction a machine rests in whole ranges. Its start counts as a place of rest when reactions within the limits of friction hold it there; further places
 //! are those where it would rest without friction, of which friction makes neighbourhoods.
 
+use algebra::elementary;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -254,7 +255,7 @@ fn judged(equations: &Equations, parameters: &[f64], place: Place) -> Result<Row
     }
     let names = linear.coordinates().to_vec();
     let found = modes(&matrices, &names, Normalisation::Largest).ok();
-    let size = |m: &crate::studies::modes::Mode| m.root.0.hypot(m.root.1);
+    let size = |m: &crate::studies::modes::Mode| elementary::hypot(m.root.0, m.root.1);
     let fastest = found.as_ref().map_or(0.0, |f| f.modes.iter().map(size).fold(0.0, f64::max));
     let growth = found.as_ref().map_or(0.0, |f| f.modes.iter().fold(f64::NEG_INFINITY, |g, m| g.max(m.root.0)));
     if let Some(found) = found.as_ref().filter(|f| !f.modes.is_empty()) {

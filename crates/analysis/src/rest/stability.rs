@@ -14,8 +14,8 @@ use symbolic::Equations;
 use symbolic::connections::Law;
 
 use crate::linear::{Matrices, largest, parts};
-use crate::numerics::lu::positive_definite;
-use crate::numerics::rank;
+use algebra::cholesky::positive_definite;
+use algebra::qr;
 
 /// Real parts below this share of the largest root count as none.
 const AXIS: f64 = 1e-9;
@@ -67,5 +67,5 @@ pub fn free_directions(along: &Matrices) -> usize {
     if scale == 0.0 {
         return n;
     }
-    n - rank::rank(n, n, &along.stiffness)
+    n - qr::rank(&along.stiffness, n, n)
 }

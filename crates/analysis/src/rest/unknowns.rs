@@ -16,9 +16,8 @@ use super::system::{Parts, RestSystem, Row, Rows};
 use super::{closed_contacts, faults, hold};
 use crate::Fault;
 use crate::connections::assemble;
-use crate::numerics::qr::norm;
-use crate::numerics::rank;
 use crate::studies::unknowns::{force_unit, unbalanced, undetermined};
+use algebra::qr::{self, norm};
 
 /// Share of an unknown in a direction that changes no equation, above which it is open.
 const OPEN: f64 = 1e-7;
@@ -91,7 +90,7 @@ fn kept(equations: &Equations, system: &mut RestSystem, z: &[f64]) -> Result<Vec
     let coordinates = &equations.coordinates;
     let rank_of = |vectors: &[Vec<f64>]| {
         let scaled: Vec<f64> = vectors.iter().filter(|v| norm(v) > 0.0).flat_map(|v| v.iter().map(move |a| a / norm(v))).collect();
-        rank::rank(scaled.len() / n.max(1), n, &scaled)
+        qr::rank(&scaled, scaled.len() / n.max(1), n)
     };
     let mut kept: Vec<usize> = (0..n).filter(|j| coordinates[*j].given[0]).collect();
     vectors.extend(kept.iter().map(|j| unit(*j)));
@@ -161,7 +160,7 @@ fn determined(equations: &Equations, system: &RestSystem, rows: &[Row], impendin
     if let Some(u) = (0..system.unknowns.len()).find(|u| columns[first + u] == 0.0) {
         return Err(undetermined(&name(u)));
     }
-    for direction in rank::null_space(scaled.len(), width, &matrix) {
+    for direction in qr::null_space(&matrix, scaled.len(), width) {
         let length = norm(&direction);
         let Some(u) = (0..system.unknowns.len()).find(|u| direction[first + u].abs() > OPEN * length) else { continue };
         let by_friction = system.frictions.iter().find(|r| {

@@ -6,9 +6,9 @@ use super::radau::Tableau;
 use super::scales::Scales;
 use super::stages;
 use crate::marks::proxy::Points;
-use crate::numerics::sum::Instant;
 use crate::taylor::Series;
 use crate::{Fault, Jacobian, Mode, System};
+use algebra::sum::Instant;
 
 /// Where a step begins.
 pub(crate) struct Base<'a> {

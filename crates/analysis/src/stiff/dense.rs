@@ -2,6 +2,7 @@
 
 use super::radau::{Tableau, legendre};
 use super::scales::Scales;
+use algebra::elementary;
 
 /// Legendre coefficients 0 ... s of some functions on a step.
 #[derive(Clone, Debug, Default)]
@@ -52,5 +53,5 @@ pub(super) fn ahead(tableau: &Tableau, ratio: f64) -> Vec<Vec<f64>> {
 
 /// (tol^(k/s) / worst)^(1/k).
 fn factor(worst: f64, tolerance: f64, (k, s): (usize, usize)) -> f64 {
-    if worst == 0.0 { f64::INFINITY } else { tolerance.powf(1.0 / s as f64) * worst.powf(-1.0 / k as f64) }
+    if worst == 0.0 { f64::INFINITY } else { elementary::pow(tolerance, 1.0 / s as f64) * elementary::pow(worst, -1.0 / k as f64) }
 }

@@ -13,6 +13,8 @@
 //!
 //! *Source*: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, Springer 1996, IV.8; the control of the whole polynomial is ours.
 
+use algebra::elementary;
+
 mod collocation;
 mod defect;
 mod dense;
@@ -47,6 +49,6 @@ impl Method {
 
 /// Stages for a tolerance: each Legendre coefficient is then about a tenth of the one before, 5 ... 15.
 pub(crate) fn stages(tolerance: f64) -> usize {
-    let digits = -tolerance.log10();
+    let digits = -elementary::log10(tolerance);
     (2 * (0.5 * digits).round() as usize + 1).clamp(5, 15)
 }

@@ -12,8 +12,9 @@ use super::collocation::{Base, Counts};
 use super::radau::Tableau;
 use super::scales::{NOTHING, Scales};
 use crate::System;
-use crate::numerics::complex::Complex;
-use crate::numerics::complex_lu::ComplexLu;
+use algebra::complex::Complex;
+use algebra::elementary;
+use algebra::lu::Lu;
 
 /// Part of the admissible error that the iteration may leave.
 const LEFT: f64 = 0.01;
@@ -62,7 +63,7 @@ pub(super) struct Newton {
     n: usize,
     /// ∂f/∂x.
     pub(super) jacobian: Vec<f64>,
-    factors: Vec<ComplexLu>,
+    factors: Vec<Lu<Complex>>,
     rates: Stages,
     residual: Stages,
     change: Stages,
@@ -99,7 +100,7 @@ impl Newton {
             let diagonal = |k: usize| if k / n == k % n { Complex::ONE } else { Complex::ZERO };
             (0..n * n).map(|k| diagonal(k) - mu.scale(h * self.jacobian[k])).collect()
         };
-        let factors: Option<Vec<ComplexLu>> = tableau.eigen.iter().map(|e| ComplexLu::new(&shifted(e.value), n)).collect();
+        let factors: Option<Vec<Lu<Complex>>> = tableau.eigen.iter().map(|e| Lu::exact(&shifted(e.value), n)).collect();
         self.factors = factors.unwrap_or_default();
         !self.factors.is_empty()
     }
@@ -107,9 +108,9 @@ impl Newton {
     /// Replaces a defect of the rates by the error of the state that it means: (1/(h mu) - J)^-1 d with the real mu.
     pub(super) fn error_of(&mut self, tableau: &Tableau, h: f64, defect: &mut [f64]) {
         let factor = h * tableau.eigen[0].value.re;
-        self.right.iter_mut().zip(&*defect).for_each(|(b, d)| *b = Complex::real(factor * d));
-        self.factors[0].solve(&mut self.right);
-        defect.iter_mut().zip(&self.right).for_each(|(d, b)| *d = b.re);
+        self.right.iter_mut().zip(&*defect).for_each(|(b, d)| *b = Complex::from(factor * d));
+        let error = self.factors[0].solve(&self.right).unwrap_or_default();
+        defect.iter_mut().zip(&error).for_each(|(d, b)| *d = b.re);
     }
 
     pub(super) fn solve<S: System + ?Sized>(
@@ -152,7 +153,7 @@ impl Newton {
             }
             // hopeless: too much would be left at the end
             let remaining = (MOST - 1 - iteration) as i32;
-            if iteration > 1 && (ratio >= 1.0 || ratio.powi(remaining) * size > LEFT) {
+            if iteration > 1 && (ratio >= 1.0 || elementary::powi(ratio, remaining) * size > LEFT) {
                 return Outcome::Failed;
             }
             before = size;
@@ -229,9 +230,9 @@ impl Newton {
             for (i, weight) in eigen.row.iter().enumerate() {
                 self.right.iter_mut().zip(self.residual.row(i)).for_each(|(b, r)| *b = *b - weight.scale(*r));
             }
-            factor.solve(&mut self.right);
+            let change = factor.solve(&self.right).unwrap_or_default();
             for (i, weight) in eigen.column.iter().enumerate() {
-                self.change.row_mut(i).iter_mut().zip(&self.right).for_each(|(d, w)| *d += weight.re * w.re - weight.im * w.im);
+                self.change.row_mut(i).iter_mut().zip(&change).for_each(|(d, w)| *d += weight.re * w.re - weight.im * w.im);
             }
         }
     }

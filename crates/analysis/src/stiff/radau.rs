@@ -13,11 +13,11 @@
 //! *Source*: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, Springer 1996, IV.5 and IV.8.
 
 use crate::Fault;
-use crate::numerics::complex::Complex;
-use crate::numerics::complex_lu::ComplexLu;
-use crate::numerics::eigen;
-use crate::numerics::lu::Lu;
-use crate::numerics::trouble;
+use algebra::Trouble;
+use algebra::complex::Complex;
+use algebra::eigen;
+use algebra::elementary;
+use algebra::lu::Lu;
 
 /// What a step needs of the method.
 #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ impl Tableau {
         let nodes = nodes(stages);
         let a = matrix(&nodes);
         let eigen = eigenvalues(&a, stages)?;
-        let legendre = interpolation(&nodes).ok_or_else(|| trouble::unconverged(0, stages))?;
+        let legendre = interpolation(&nodes).ok_or(Trouble::Unconverged { found: 0, wanted: stages })?;
         Ok(Tableau { stages, powers: powers(stages), nodes, a, eigen, legendre })
     }
 
@@ -102,7 +102,7 @@ fn nodes(s: usize) -> Vec<f64> {
         p[s] - p[s - 1]
     };
     let cells = 40 * s;
-    let grid: Vec<f64> = (0..cells).map(|k| 0.5 - 0.5 * (std::f64::consts::PI * k as f64 / cells as f64).cos()).collect();
+    let grid: Vec<f64> = (0..cells).map(|k| 0.5 - 0.5 * elementary::cos(std::f64::consts::PI * k as f64 / cells as f64)).collect();
     let mut found: Vec<f64> = Vec::new();
     for pair in grid.windows(2) {
         let (mut a, mut b) = (pair[0], pair[1]);
@@ -125,7 +125,7 @@ fn matrix(nodes: &[f64]) -> Vec<f64> {
     let s = nodes.len();
     let values: Vec<Vec<f64>> = nodes.iter().map(|c| legendre(*c, s)).collect();
     // on [0, 1]: w = c / (s P_(s-1)(c))²
-    let weights: Vec<f64> = nodes.iter().zip(&values).map(|(c, p)| c / (s as f64 * p[s - 1]).powi(2)).collect();
+    let weights: Vec<f64> = nodes.iter().zip(&values).map(|(c, p)| c / elementary::powi(s as f64 * p[s - 1], 2)).collect();
     let mut a = vec![0.0; s * s];
     for i in 0..s {
         for j in 0..s {
@@ -142,22 +142,20 @@ fn matrix(nodes: &[f64]) -> Vec<f64> {
 /// One of each pair of eigenvalues with its column and row.
 fn eigenvalues(a: &[f64], s: usize) -> Result<Vec<Eigen>, Fault> {
     let modes = eigen::general(s, a)?;
-    let complex = |z: &(f64, f64)| Complex::new(z.0, z.1);
-    let columns: Vec<Vec<Complex>> = (0..s).map(|j| modes.vector(j).iter().map(complex).collect()).collect();
-    let t: Vec<Complex> = (0..s * s).map(|k| columns[k % s][k / s]).collect();
-    let lu = ComplexLu::new(&t, s).ok_or_else(|| trouble::unconverged(0, s))?;
+    let t: Vec<Complex> = (0..s * s).map(|k| modes.vector(k % s)[k / s]).collect();
+    let lu = Lu::exact(&t, s).ok_or(Trouble::Unconverged { found: 0, wanted: s })?;
     let mut inverse = vec![Complex::ZERO; s * s];
     for j in 0..s {
         let mut b = vec![Complex::ZERO; s];
         b[j] = Complex::ONE;
-        lu.solve(&mut b);
-        (0..s).for_each(|i| inverse[i * s + j] = b[i]);
+        let column = lu.solve(&b).unwrap_or_default();
+        column.into_iter().enumerate().for_each(|(i, z)| inverse[i * s + j] = z);
     }
     let mut found: Vec<Eigen> = (0..s)
-        .filter(|&k| modes.values[k].1 >= 0.0)
+        .filter(|&k| modes.values[k].im >= 0.0)
         .map(|k| Eigen {
-            value: complex(&modes.values[k]),
-            column: columns[k].iter().map(|z| z.scale(if modes.values[k].1 > 0.0 { 2.0 } else { 1.0 })).collect(),
+            value: modes.values[k],
+            column: modes.vector(k).iter().map(|z| z.scale(if modes.values[k].im > 0.0 { 2.0 } else { 1.0 })).collect(),
             row: inverse[k * s..(k + 1) * s].to_vec(),
         })
         .collect();
@@ -196,6 +194,7 @@ fn powers(s: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use algebra::complex;
 
     /// Radau IIA of order 5: c = (4 ∓ √6)/10, 1; the last row of A is (16 ∓ √6)/36, 1/9.
     #[test]
@@ -229,8 +228,7 @@ mod tests {
         let s = t.stages;
         let one = |k: usize| if k / s == k % s { Complex::ONE } else { Complex::ZERO };
         let matrix: Vec<Complex> = (0..s * s).map(|k| one(k) - z.scale(t.a[k])).collect();
-        let mut y = vec![Complex::ONE; s];
-        ComplexLu::new(&matrix, s).unwrap().solve(&mut y);
+        let y = Lu::exact(&matrix, s).unwrap().solve(&vec![Complex::ONE; s]).unwrap();
         y[s - 1]
     }
 
@@ -242,11 +240,11 @@ mod tests {
             for k in -8..30 {
                 let size = 2.0_f64.powi(k);
                 for angle in 0..=8 {
-                    let direction = Complex::imaginary(std::f64::consts::FRAC_PI_2 * (1.0 + f64::from(angle) / 8.0)).exp();
-                    assert!(stability(&t, direction.scale(size)).abs() <= 1.0 + 1e-12, "{s} stages, {size} {angle}");
+                    let direction = complex::exp(complex::imaginary(std::f64::consts::FRAC_PI_2 * (1.0 + f64::from(angle) / 8.0)));
+                    assert!(complex::abs(stability(&t, direction.scale(size))) <= 1.0 + 1e-12, "{s} stages, {size} {angle}");
                 }
             }
-            assert!(stability(&t, Complex::real(-1e9)).abs() < 1e-6, "{s}");
+            assert!(complex::abs(stability(&t, Complex::from(-1e9))) < 1e-6, "{s}");
         }
     }
 
@@ -257,7 +255,7 @@ mod tests {
         for (s, coarse) in [(3, -0.5), (5, -1.2)] {
             let t = Tableau::new(s).unwrap();
             // the mean of both signs has no correction of first order in z
-            let off = |z: f64| (stability(&t, Complex::real(z)).re - z.exp()).abs();
+            let off = |z: f64| (stability(&t, Complex::from(z)).re - z.exp()).abs();
             let error = |z: f64| (off(z) * off(-z)).sqrt();
             let fine: f64 = 0.5 * coarse;
             let order = (error(coarse) / error(fine)).log2() - 1.0;

@@ -9,7 +9,8 @@
 //! Appl. Math. 24 (1971) 263.
 
 use super::{Assembly, Frame, Rod, RodKind, elements};
-use crate::numerics::eigen;
+use algebra::eigen;
+use algebra::elementary;
 use std::f64::consts::PI;
 
 /// Below this λ the two matrices of the static shape are exact to 1e-13, while the functions cancel.
@@ -102,7 +103,7 @@ fn clamped(rod: &Rod<f64>, omega: f64) -> usize {
     let bending = across.filter(|x| *x > SMALL).map_or(0, |x| {
         let i = (x / PI).floor();
         // 1 - cos λ cosh λ divided by cosh λ
-        let sign = (1.0 / x.min(700.0).cosh() - x.cos()).signum();
+        let sign = (1.0 / elementary::cosh(x.min(700.0)) - elementary::cos(x)).signum();
         let parity = if i as i64 % 2 == 0 { 1.0 } else { -1.0 };
         (i - 0.5 * (1.0 - parity * sign)).round() as usize
     });
@@ -118,11 +119,11 @@ fn dynamic(rod: &Rod<f64>, omega: f64) -> Vec<f64> {
     let [across, along] = wave(rod, omega);
     if let Some(x) = across.filter(|x| *x > SMALL) {
         let [vv, vt, tt, vw, vs, ts] = functions(x);
-        let e = bending / l.powi(3);
+        let e = bending / elementary::powi(l, 3);
         let block = [
-            [x.powi(3) * vv, l * x * x * vt, -x.powi(3) * vw, l * x * x * vs],
+            [elementary::powi(x, 3) * vv, l * x * x * vt, -elementary::powi(x, 3) * vw, l * x * x * vs],
             [l * x * x * vt, l * l * x * tt, -l * x * x * vs, l * l * x * ts],
-            [-x.powi(3) * vw, -l * x * x * vs, x.powi(3) * vv, -l * x * x * vt],
+            [-elementary::powi(x, 3) * vw, -l * x * x * vs, elementary::powi(x, 3) * vv, -l * x * x * vt],
             [l * x * x * vs, l * l * x * ts, -l * x * x * vt, l * l * x * tt],
         ];
         for (a, i) in [1, 2, 4, 5].into_iter().enumerate() {
@@ -132,7 +133,7 @@ fn dynamic(rod: &Rod<f64>, omega: f64) -> Vec<f64> {
         }
     }
     if let (Some(x), Some(ea)) = (along.filter(|x| *x > 1e-3), axial) {
-        let (own, other) = (ea / l * x / x.tan(), -ea / l * x / x.sin());
+        let (own, other) = (ea / l * x / elementary::tan(x), -ea / l * x / elementary::sin(x));
         [(0, 0, own), (3, 3, own), (0, 3, other), (3, 0, other)].into_iter().for_each(|(i, j, v)| out[6 * i + j] = v);
     }
     out
@@ -140,14 +141,14 @@ fn dynamic(rod: &Rod<f64>, omega: f64) -> Vec<f64> {
 
 /// (cS + sC, sS, sC - cS, s + S, C - c, S - s)/(1 - cC) with s, c of sin λ, cos λ and S, C of sinh λ, cosh λ.
 fn functions(x: f64) -> [f64; 6] {
-    let (s, c) = x.sin_cos();
+    let (s, c) = elementary::sin_cos(x);
     if x > LARGE {
         // all divided by cosh λ, what is below exp(-40) left out
         let d = -c;
-        let tail = 2.0 * (-x).exp();
+        let tail = 2.0 * elementary::exp(-x);
         return [(c + s) / d, s / d, (s - c) / d, (1.0 + s * tail) / d, (1.0 - c * tail) / d, (1.0 - s * tail) / d];
     }
-    let (sh, ch) = (x.sinh(), x.cosh());
+    let (sh, ch) = (elementary::sinh(x), elementary::cosh(x));
     let d = 1.0 - c * ch;
     [(c * sh + s * ch) / d, s * sh / d, (s * ch - c * sh) / d, (s + sh) / d, (ch - c) / d, (sh - s) / d]
 }

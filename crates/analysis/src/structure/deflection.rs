@@ -18,6 +18,7 @@
 
 use super::loads::Carried;
 use super::{Rod, RodKind};
+use algebra::elementary;
 
 /// Displacements along and across at the distance `x` from the start of a part of the length `l` with held ends.
 ///
@@ -41,7 +42,7 @@ fn along(l: f64, carried: &Carried<f64>, x: f64) -> f64 {
 
 /// B w.
 fn across(l: f64, carried: &Carried<f64>, x: f64) -> f64 {
-    let spread = |[q0, q1]: [f64; 2]| (x * (l - x)).powi(2) * ((3.0 * l - x) * q0 + (2.0 * l + x) * q1) / (120.0 * l);
+    let spread = |[q0, q1]: [f64; 2]| elementary::powi(x * (l - x), 2) * ((3.0 * l - x) * q0 + (2.0 * l + x) * q1) / (120.0 * l);
     let loads: f64 = carried.distributed.iter().map(|q| spread([q[0][1], q[1][1]])).sum();
     let point = |a: f64, f: &[f64; 3]| {
         if x <= a { before(l, a, x, [f[1], f[2]]) } else { before(l, l - a, l - x, [f[1], -f[2]]) }
@@ -53,7 +54,7 @@ fn across(l: f64, carried: &Carried<f64>, x: f64) -> f64 {
 fn before(l: f64, a: f64, x: f64, [force, couple]: [f64; 2]) -> f64 {
     let b = l - a;
     let g = 3.0 * a * l - 2.0 * a * x - l * x;
-    x * x * (force * b * b * g + couple * (b * b * (3.0 * l - 2.0 * x) - 2.0 * b * g)) / (6.0 * l.powi(3))
+    x * x * (force * b * b * g + couple * (b * b * (3.0 * l - 2.0 * x) - 2.0 * b * g)) / (6.0 * elementary::powi(l, 3))
 }
 
 #[cfg(test)]

@@ -4,7 +4,8 @@ use super::assembly::{Sparse, name_of};
 use super::freedoms::Freedom;
 use super::{Assembly, Frame, RodKind, Scalar, dense, faults};
 use crate::Fault;
-use crate::numerics::trouble::Trouble;
+use algebra::Trouble;
+use algebra::elementary;
 
 /// Structures with more independent freedoms than this are computed with sparse matrices, and mechanisms are found by their factors.
 pub const SEARCHED: usize = 100;
@@ -58,14 +59,14 @@ pub fn standing<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<S
 fn free_motion<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<Option<Vec<f64>>, Fault> {
     let stiffness = assembly.stiffness(frame);
     let entries = stiffness.entries.iter().map(|(i, j, v)| (*i, *j, v.value())).collect();
-    let matrix = crate::studies::structure_modes::compressed(&Sparse { n: stiffness.n, entries })?;
+    let matrix = super::lowest::compressed(&Sparse { n: stiffness.n, entries })?;
     match matrix.factor() {
         Ok(_) => Ok(None),
-        Err(Trouble::Fault(fault)) => Err(fault),
         Err(Trouble::Pivot(pivot)) => {
             let expand = |row: &super::constraints::Row<S>| row.iter().map(|(j, c)| c.value() * pivot.motion[*j]).sum();
             Ok(Some(assembly.elimination.transform.iter().map(expand).collect()))
         }
+        Err(trouble) => Err(trouble.into()),
     }
 }
 
@@ -104,7 +105,7 @@ fn connected<S: Scalar>(frame: &Frame<S>) -> Result<(), Fault> {
 /// A free motion in words: the node that moves most, how, and who moves with it.
 pub fn describe<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, motion: &[f64]) -> (String, words::Text) {
     let nodes = frame.nodes.len();
-    let size = |i: usize| (motion[3 * i].powi(2) + motion[3 * i + 1].powi(2)).sqrt();
+    let size = |i: usize| (elementary::powi(motion[3 * i], 2) + elementary::powi(motion[3 * i + 1], 2)).sqrt();
     let largest = (0..nodes).fold(0.0_f64, |m, i| m.max(size(i)));
     let turns = (0..motion.len()).filter(|i| assembly.freedoms.used[*i] && name_is_turn(assembly, *i));
     let largest_turn = turns.clone().fold(0.0_f64, |m, i| m.max(motion[i].abs()));

@@ -1,6 +1,7 @@
 //! What can be wrong with a structure that was read without errors: codes S050 to S059.
 
 use crate::Fault;
+use algebra::elementary;
 use words::explain::{Explanation, plain};
 use words::{Message, Text};
 
@@ -145,7 +146,7 @@ pub fn massless() -> Fault {
 /// Stiffnesses beside which others vanish in rounding.
 pub fn extreme(frame: &super::Frame<f64>) -> Fault {
     let stiffness = |r: &super::Rod<f64>| match &r.kind {
-        super::RodKind::Beam { bending, .. } => Some(bending / r.length.powi(3)),
+        super::RodKind::Beam { bending, .. } => Some(bending / elementary::powi(r.length, 3)),
         super::RodKind::Bar(axial) => axial.map(|ea| ea / r.length),
         super::RodKind::Rigid => None,
     };

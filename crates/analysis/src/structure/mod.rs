@@ -17,6 +17,7 @@ pub mod equilibrium;
 pub mod faults;
 pub mod freedoms;
 pub mod loads;
+pub mod lowest;
 pub mod reduced;
 pub mod scalar;
 pub mod statics;

@@ -9,7 +9,7 @@ use super::assembly::Bond;
 use super::loads::{Carried, Loading, loading};
 use super::{Assembly, Frame, Load, RodKind, Scalar, dense, elements, faults};
 use crate::Fault;
-use crate::numerics::trouble::Trouble;
+use algebra::Trouble;
 
 /// The static state under loads.
 #[derive(Clone, Debug)]
@@ -150,13 +150,13 @@ pub fn dense_solver<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> impl
 ///
 /// *Errors*: a mechanism.
 pub fn sparse_solver(frame: &Frame<f64>, assembly: &Assembly<f64>) -> Result<impl Fn(&[f64]) -> Result<Vec<f64>, Fault>, Fault> {
-    let matrix = crate::studies::structure_modes::compressed(&assembly.stiffness(frame))?;
+    let matrix = super::lowest::compressed(&assembly.stiffness(frame))?;
     let factored = matrix.factor().map_err(|trouble| match trouble {
-        Trouble::Fault(fault) => fault,
         Trouble::Pivot(pivot) => {
             let (node, words) = super::equilibrium::describe(frame, assembly, &assembly.elimination.expand(&pivot.motion));
             faults::mechanism(&node, &words, 1)
         }
+        trouble => trouble.into(),
     })?;
     Ok(move |f: &[f64]| {
         let mut q = f.to_vec();

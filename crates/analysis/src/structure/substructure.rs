@@ -11,14 +11,14 @@
 
 use super::equilibrium::SEARCHED;
 use super::loads::loading;
+use super::lowest::{compressed, lowest_dense, lowest_sparse};
 use super::reduced::{Condensation, Reduced, displacements, reduce};
 use super::{Assembly, Frame, Load, dense, faults};
 use crate::Fault;
-use crate::numerics::certify::Certificate;
-use crate::numerics::eigen::Modes;
-use crate::numerics::factor::Factored;
-use crate::numerics::sparse::Sparse;
-use crate::studies::structure_modes::{compressed, lowest_dense, lowest_sparse};
+use algebra::certify::Certificate;
+use algebra::eigen::Modes;
+use algebra::factor::Factored;
+use algebra::sparse::Sparse;
 
 /// A frame over few coordinates: the named displacements that are independent, then amplitudes.
 #[derive(Clone, Debug)]
@@ -215,8 +215,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 fn confirmed(certificate: &Certificate) -> Result<(), Fault> {
-    let audits = certificate.audits();
-    if audits.iter().all(|a| a.ok) { Ok(()) } else { Err(faults::unconfirmed(audits[0].value, audits[1].value)) }
+    if certificate.passes() == [true; 2] { Ok(()) } else { Err(faults::unconfirmed(certificate.worst(), certificate.missing() as f64)) }
 }
 
 /// Smallest share of its energy that a static shape adds to what is there.

@@ -11,11 +11,12 @@
 //! one that leaves most of the others alone. A factor other than 1 names the term that is wrong and what it should be; terms that are proportional to
 //! each other at all states (3 x and 2 x) count as one. Where no factors fit, a term is missing: terms of the machine's own equations are tried one by one.
 
-use crate::numerics::qr::Qr;
-use crate::numerics::random::Random;
 use crate::studies::simulate::{Grid, Simulate, simulate};
 use crate::system::GuardKind;
 use crate::{Fault, Mode, System};
+use algebra::elementary;
+use algebra::qr::Qr;
+use algebra::random::Random;
 
 /// What remains of a sum that fits, relative to its terms: rounding of the accelerations.
 const ROUNDING: f64 = 1e-9;
@@ -300,7 +301,7 @@ fn groups(terms: &[Vec<f64>], states: &[usize]) -> Vec<Vec<usize>> {
     };
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for k in 0..terms.len() {
-        let alike = |g: &&mut Vec<usize>| dot(g[0], k).powi(2) >= dot(g[0], g[0]) * dot(k, k) * (1.0 - 1e-13);
+        let alike = |g: &&mut Vec<usize>| elementary::powi(dot(g[0], k), 2) >= dot(g[0], g[0]) * dot(k, k) * (1.0 - 1e-13);
         match groups.iter_mut().find(alike) {
             Some(group) => group.push(k),
             None => groups.push(vec![k]),

@@ -28,9 +28,9 @@ use crate::marks::crossings::{self, Bracket};
 use crate::marks::extremes::Extremes;
 use crate::marks::proxy::{Piece, Proxies, Values};
 use crate::marks::{Along, bracketed};
-use crate::numerics::gauss::EIGHT;
 use crate::taylor::{Flow, Options, Step};
 use crate::{Fault, GuardKind, Mode, Quantity, System};
+use algebra::gauss::EIGHT;
 
 /// Options of the study.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,9 +8,10 @@ use words::{Message, Text};
 
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
 use crate::fault::rounded;
-use crate::numerics::lu::{Lu, positive_definite};
-use crate::numerics::rank::{Qr, TOLERANCE};
 use crate::{Fault, Quantity, System};
+use algebra::cholesky::positive_definite;
+use algebra::lu::Lu;
+use algebra::qr::{DEPENDENT, Qr};
 
 use super::peaks;
 use super::simulate::Outcome;
@@ -229,7 +230,7 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             let lu = Lu::new(&self.jacobian, self.n);
             let balanced = self.residual(&x) <= RESIDUAL;
             let Some(correction) = lu.solve(&self.forces) else {
-                let held = self.beside && Qr::new(self.n, self.n, &self.jacobian, TOLERANCE).rank() > 0;
+                let held = self.beside && Qr::alike(&self.jacobian, self.n, self.n, DEPENDENT).rank() > 0;
                 if self.neutral_is_found || held {
                     return self.free(x);
                 }
@@ -305,7 +306,7 @@ impl<S: Statics + ?Sized> Search<'_, S> {
             if residual <= f64::EPSILON {
                 break;
             }
-            let (correction, _) = Qr::new(n, n, &self.jacobian, TOLERANCE).least_squares(&self.forces);
+            let (correction, _) = Qr::alike(&self.jacobian, n, n, DEPENDENT).least_squares(&self.forces);
             let mut next = x.clone();
             next.iter_mut().zip(&correction).for_each(|(q, c)| *q -= c);
             self.evaluate(&next)?;

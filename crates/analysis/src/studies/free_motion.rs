@@ -16,10 +16,11 @@
 //! Appl. 22 (2001).
 
 use crate::linear::{Matrices, largest};
-use crate::numerics::rank::Qr;
-use crate::numerics::refined::{Factors, products};
 use crate::studies::impedance::{Amplitudes, SINGULAR, balanced, cleared};
 use crate::studies::modes::Complex;
+use algebra::elementary;
+use algebra::qr::Qr;
+use algebra::refined::{Factors, products};
 
 /// Terms of the series that are carried: enough for poles of the order [`DEEPEST`].
 const TERMS: usize = 9;
@@ -87,7 +88,7 @@ impl Split {
         let n = a.rows;
         let across = Dense::new(n, n, |i, j| a.at(j, i));
         let columns = independent(a, small);
-        let thresholds = (0..40).map(|p| small * 1.5_f64.powi(p));
+        let thresholds = (0..40).map(|p| small * elementary::powi(1.5_f64, p));
         let rows = thresholds.map(|t| independent(&across, t)).find(|r| r.len() == columns.len())?;
         let right = null(a, &rows, &columns)?;
         let left = null(&across, &columns, &rows)?;
@@ -98,12 +99,12 @@ impl Split {
 
 /// Independent columns, ascending.
 fn independent(a: &Dense, small: f64) -> Vec<usize> {
-    let length = |j: usize| (0..a.rows).fold(0.0_f64, |s, i| s.hypot(a.at(i, j)));
+    let length = |j: usize| (0..a.rows).fold(0.0_f64, |s, i| elementary::hypot(s, a.at(i, j)));
     let longest = (0..a.columns).map(length).fold(0.0, f64::max);
     if longest <= small {
         return Vec::new();
     }
-    let mut list = Qr::new(a.rows, a.columns, &a.data, small / longest).independent().to_vec();
+    let mut list = Qr::alike(&a.data, a.rows, a.columns, small / longest).independent().to_vec();
     list.sort_unstable();
     list
 }
@@ -237,7 +238,7 @@ pub(super) fn at_zero(matrices: [&[f64]; 3], n: usize, sigma: f64, load: &[Compl
     // s^-m in units of σ: (iω)^-m σ^m
     let term = |order: usize| -> Option<Vec<Complex>> {
         let t = found.terms.get(found.pole.checked_sub(order)?)?;
-        let unit = sigma.powi(i32::try_from(order).ok()?);
+        let unit = elementary::powi(sigma, i32::try_from(order).ok()?);
         let noise = 1e-14 * largest(&t.data);
         let entry = |i: usize, c: usize| if t.at(i, c).abs() <= noise { 0.0 } else { t.at(i, c) * unit * columns[i] };
         let turned = |(x, y): Complex| match order % 4 {
@@ -327,6 +328,18 @@ pub(super) fn apart(m: &Matrices, omega: f64, load: &[Complex]) -> Option<Amplit
     Some(Amplitudes { regular, free, doubt, ..Amplitudes::default() })
 }
 
+/// Whether a motion counts as free whose stiffness is below that of the smallest pivot, but more than rounding leaves of its terms: a weak spring beside strong
+/// ones, of which the sums keep too few digits.
+pub(super) fn is_barely_held(m: &Matrices) -> bool {
+    let n = m.n;
+    let (rows, columns) = balanced(&m.stiffness, n);
+    let c = Dense::new(n, n, |i, j| m.stiffness[i * n + j] * rows[i] * columns[j]);
+    let Some(split) = Split::new(&c, SINGULAR * largest(&c.data)).filter(|s| s.columns.len() < n) else { return false };
+    let stiffness = Dense { rows: n, columns: n, data: m.stiffness.clone() };
+    let direction = |j: usize| (0..n).map(|i| split.right.at(i, j) * columns[i]).collect::<Vec<f64>>();
+    !(0..split.right.columns).all(|j| unrestored(&stiffness, &direction(j)))
+}
+
 /// Whether C z, in twice the digits, is what the roundings of C and z leave of its terms: more may be a weak spring beside strong ones.
 fn unrestored(stiffness: &Dense, z: &[f64]) -> bool {
     let n = z.len();
@@ -336,7 +349,7 @@ fn unrestored(stiffness: &Dense, z: &[f64]) -> bool {
 
 /// A square complex system in balanced real form, refined; none where it is singular.
 fn solved(entry: &dyn Fn(usize, usize) -> Complex, right: &[Complex], n: usize) -> Option<(Vec<Complex>, f64)> {
-    let sizes: Vec<f64> = (0..n * n).map(|p| entry(p / n, p % n)).map(|z| z.0.hypot(z.1)).collect();
+    let sizes: Vec<f64> = (0..n * n).map(|p| entry(p / n, p % n)).map(|z| elementary::hypot(z.0, z.1)).collect();
     let (rows, columns) = balanced(&sizes, n);
     let mut a = vec![0.0; 4 * n * n];
     for p in 0..n * n {
@@ -347,7 +360,7 @@ fn solved(entry: &dyn Fn(usize, usize) -> Complex, right: &[Complex], n: usize) 
         (a[(n + i) * 2 * n + j], a[(n + i) * 2 * n + n + j]) = (im * by, re * by);
     }
     let f: Vec<f64> = right.iter().zip(&rows).map(|(z, r)| z.0 * r).chain(right.iter().zip(&rows).map(|(z, r)| z.1 * r)).collect();
-    if Qr::new(2 * n, 2 * n, &a, SINGULAR).rank() < 2 * n {
+    if Qr::alike(&a, 2 * n, 2 * n, SINGULAR).rank() < 2 * n {
         return None;
     }
     let (mut x, doubt) = Factors::new(&a, 2 * n).refined(&a, &f);

@@ -9,11 +9,12 @@
 //! *Source*: N. J. Higham, Accuracy and Stability of Numerical Algorithms, ch. 12.
 
 use crate::linear::Matrices;
-use crate::numerics::lu::Lu;
-use crate::numerics::rank::Qr;
-use crate::numerics::refined::{Factors, products};
 use crate::studies::free_motion;
 use crate::studies::modes::Complex;
+use algebra::elementary;
+use algebra::lu::Lu;
+use algebra::qr::Qr;
+use algebra::refined::{Factors, products};
 
 /// Amplitudes of the coordinates: X(ω + δ) = Σ_m poles_m/δ^m + regular + Σ free, the last at ω > 0 only.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -134,7 +135,7 @@ impl Amplitudes {
 }
 
 fn size(z: Complex) -> f64 {
-    z.0.hypot(z.1)
+    elementary::hypot(z.0, z.1)
 }
 
 /// Σ a_i b_i and Σ |a_i b_i|.
@@ -171,13 +172,16 @@ pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
         return Amplitudes { regular: system.unscaled(&x), doubt, ..Amplitudes::default() };
     }
     let at_rest = || free_motion::at_zero([&m.stiffness, &m.damping, &m.mass], m.n, free_motion::pace(m), load);
-    (omega == 0.0).then(at_rest).flatten().unwrap_or_else(|| system.limit(&right))
+    let found = (omega == 0.0).then(at_rest).flatten().unwrap_or_else(|| system.limit(&right));
+    // free by rounding alone
+    let doubt = if omega == 0.0 && free_motion::is_barely_held(m) { f64::NAN } else { found.doubt };
+    Amplitudes { doubt, ..found }
 }
 
 /// Factors of rows and of columns, powers of 2, that bring the largest entries of a square matrix to size one; a row or column of zeros keeps its own.
 pub(super) fn balanced(a: &[f64], n: usize) -> (Vec<f64>, Vec<f64>) {
     let (mut rows, mut columns) = (vec![1.0; n], vec![1.0; n]);
-    let power = |v: f64| if v > 0.0 && v.is_finite() { (-0.5 * v.log2()).round().exp2() } else { 1.0 };
+    let power = |v: f64| if v > 0.0 && v.is_finite() { elementary::exp2((-0.5 * elementary::log2(v)).round()) } else { 1.0 };
     for _ in 0..8 {
         for i in 0..n {
             rows[i] *= power((0..n).fold(0.0_f64, |m, j| m.max((a[i * n + j] * rows[i] * columns[j]).abs())));
@@ -226,7 +230,8 @@ impl Real {
         let n = m.n;
         let own = |i: usize| m.stiffness[i * n + i].abs() + omega * omega * m.mass[i * n + i].abs() + omega * m.damping[i * n + i].abs();
         // powers of 2 leave every digit as it is
-        let scale: Vec<f64> = (0..n).map(|i| if own(i) > 0.0 { (-0.5 * own(i).log2()).round().exp2() } else { 1.0 }).collect();
+        let scale: Vec<f64> =
+            (0..n).map(|i| if own(i) > 0.0 { elementary::exp2((-0.5 * elementary::log2(own(i))).round()) } else { 1.0 }).collect();
         let double = |re: &dyn Fn(usize) -> f64, im: &dyn Fn(usize) -> f64| -> Vec<f64> {
             let mut a = vec![0.0; 4 * n * n];
             for p in 0..n * n {
@@ -263,7 +268,7 @@ impl Real {
         let size = 2 * self.n;
         let factors = Factors::new(&self.matrix, size);
         // a small pivot is a free oscillation, or a strong damper or spring beside weak ones
-        let doubtful = Qr::new(size, size, &self.matrix, SINGULAR).rank() < size;
+        let doubtful = Qr::alike(&self.matrix, size, size, SINGULAR).rank() < size;
         if doubtful && (omega == 0.0 || self.distance(&factors) <= NEAR * omega) {
             return None;
         }
@@ -297,7 +302,7 @@ impl Real {
             let n = self.n;
             let re: f64 = (0..size).map(|i| u[i] * z[i]).sum();
             let im: f64 = (0..n).map(|i| u[i] * z[n + i] - u[n + i] * z[i]).sum();
-            re.hypot(im)
+            elementary::hypot(re, im)
         };
         let w = products(&self.matrix, size, &v);
         let (rest, slope) = (inner(&w), inner(&self.product(&self.slope, &v)));
@@ -307,13 +312,13 @@ impl Real {
     /// P and X₀ where it is singular.
     fn limit(&self, right: &[f64]) -> Amplitudes {
         let size = 2 * self.n;
-        let qr = Qr::new(size, size, &self.matrix, SINGULAR);
+        let qr = Qr::alike(&self.matrix, size, size, SINGULAR);
         let free = qr.null_space();
         let k = free.len();
         // columns and rows have one rank, which rounding may not show at one and the same threshold
         let across = turned(&self.matrix, size);
-        let thresholds = (0..40).map(|p| SINGULAR * 1.5_f64.powi(p));
-        let Some(left) = thresholds.map(|t| Qr::new(size, size, &across, t).null_space()).find(|l| l.len() == k) else {
+        let thresholds = (0..40).map(|p| SINGULAR * elementary::powi(1.5_f64, p));
+        let Some(left) = thresholds.map(|t| Qr::alike(&across, size, size, t).null_space()).find(|l| l.len() == k) else {
             // what the load does on the free oscillation is not known: all that it moves counts as infinite
             let pole = (0..size).map(|i| free.iter().map(|x| x[i]).sum()).collect::<Vec<f64>>();
             return Amplitudes {
@@ -328,7 +333,7 @@ impl Real {
             (0..k * k).map(|p| columns[p % k][p / k]).collect()
         };
         let combine = |c: &[f64]| -> Vec<f64> { (0..size).map(|i| free.iter().zip(c).map(|(x, c)| x[i] * c).sum()).collect() };
-        let length = right.iter().fold(0.0_f64, |m, v| m.hypot(*v));
+        let length = right.iter().fold(0.0_f64, |m, v| elementary::hypot(m, *v));
         let work = against(right);
         let excited = work.iter().any(|w| w.abs() > IDLE * length);
         let slope = Lu::new(&small(&self.slope), k);

@@ -3,6 +3,7 @@
 //! Two things are left out: what oscillates in the coefficients (M₁ cos νt beside M, which turns a motion at ω into forces at ω ± ν), and what the
 //! forces of places do beyond their straight line. Both are measured on the amplitudes X, relative to the terms of the equations.
 
+use algebra::elementary;
 use words::{Message, Text};
 
 use crate::Fault;
@@ -122,7 +123,7 @@ pub fn bent(machine: &mut LinearMachine, place: &Place, omega: f64, x: &[Complex
     let mut share = |s: f64| -> f64 {
         let mut worst = 0.0_f64;
         for turn in 0..4 {
-            let (sin, cos) = (std::f64::consts::FRAC_PI_2 * f64::from(turn)).sin_cos();
+            let (sin, cos) = elementary::sin_cos(std::f64::consts::FRAC_PI_2 * f64::from(turn));
             let away: Vec<f64> = x.iter().map(|z| s * (z.0 * cos - z.1 * sin)).collect();
             let at = Place { q: place.q.iter().zip(&away).map(|(q, d)| q + d).collect(), ..place.clone() };
             // beyond the domain of a formula nothing holds
@@ -173,7 +174,7 @@ pub fn curved(machine: &LinearMachine, place: &Place, whole: &Values, seen: &[Se
     let sum = |g: &[f64], v: &[f64]| g.iter().zip(v).map(|(g, v)| g * v).sum::<f64>();
     let Ok(rest) = machine.values(whole, place) else { return off };
     for turn in 0..INSTANTS {
-        let (sin, cos) = (std::f64::consts::TAU * f64::from(turn) / f64::from(INSTANTS)).sin_cos();
+        let (sin, cos) = elementary::sin_cos(std::f64::consts::TAU * f64::from(turn) / f64::from(INSTANTS));
         let away: Vec<f64> = x.iter().map(|z| z.0 * cos - z.1 * sin).collect();
         let rates: Vec<f64> = x.iter().map(|z| -omega * (z.0 * sin + z.1 * cos)).collect();
         let accelerations: Vec<f64> = away.iter().map(|v| -omega * omega * v).collect();

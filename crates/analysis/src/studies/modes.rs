@@ -10,16 +10,19 @@
 //!
 //! *Source*: P. C. Müller, W. Schiehlen, Linear Vibrations, ch. 4; L. Meirovitch, Methods of Analytical Dynamics, ch. 9.
 
+use algebra::elementary;
 use words::{Message, Text};
 
+use crate::audits::certified;
 use crate::dataset::Audit;
 use crate::linear::{Matrices, largest, parts};
-use crate::numerics::certify::certify;
-use crate::numerics::eigen;
-use crate::numerics::refined::products;
-use crate::numerics::sparse::Sparse;
 use crate::studies::polish::polish;
 use crate::{Fault, Quantity};
+use algebra::certify::certify;
+use algebra::cholesky::{Cholesky, MASSLESS, Weak};
+use algebra::eigen;
+use algebra::refined::products;
+use algebra::sparse::Sparse;
 
 /// How shapes are scaled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -60,6 +63,11 @@ impl Kind {
 
 /// A complex number as (real, imaginary) part.
 pub type Complex = (f64, f64);
+
+/// The same as pairs of parts.
+pub(super) fn pairs(list: &[algebra::complex::Complex]) -> Vec<Complex> {
+    list.iter().map(|z| (z.re, z.im)).collect()
+}
 
 /// A mode.
 #[derive(Clone, Debug, PartialEq)]
@@ -206,7 +214,7 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
         _ => vec![orthogonality(system, &stiffness, &list)],
     };
     let pencil = (Sparse::from_dense(n, &stiffness)?, Sparse::from_dense(n, &system.mass)?);
-    audits.extend(certify(&pencil.0, &pencil.1, &undamped, n)?.audits());
+    audits.extend(certified::audits(&certify(&pencil.0, &pencil.1, &undamped, n)?));
     let frequency = |v: &f64| if *v < 0.0 { f64::NAN } else { v.sqrt() };
     let undamped = values.iter().map(frequency).collect();
     Ok(Modes { modes: list, damping: kind, gyroscopic: turns, circulatory: follows, undamped, audits, notes, zeros: 0 })
@@ -302,13 +310,14 @@ fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>
         }
     }
     let found = eigen::general(2 * n, &a)?;
-    let fastest = found.values.iter().fold(0.0_f64, |m, v| m.max(v.0.hypot(v.1)));
+    let roots = pairs(&found.values);
+    let fastest = roots.iter().fold(0.0_f64, |m, v| m.max(elementary::hypot(v.0, v.1)));
     let free = values.iter().filter(|v| **v == 0.0).count();
     // a free motion is a double root at zero, which rounding splits by the root of 1e-16
-    let is_free = |v: &Complex| free > 0 && v.0.hypot(v.1) <= 1e-6 * fastest;
+    let is_free = |v: &Complex| free > 0 && elementary::hypot(v.0, v.1) <= 1e-6 * fastest;
     let mut modes = Vec::with_capacity(n);
     let mut frees = 0;
-    for (j, root) in found.values.iter().enumerate() {
+    for (j, root) in roots.iter().enumerate() {
         if is_free(root) {
             frees += 1;
             continue;
@@ -316,15 +325,15 @@ fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>
         if root.1 < 0.0 {
             continue;
         }
-        let shape = basis.expand(&found.vector(j)[..n]);
+        let shape = basis.expand(&pairs(&found.vector(j)[..n]));
         let (root, shape) = match polish(system, *root, &shape) {
             Some(better) => better,
             // the fastest root's rounding is larger than this one
-            None if root.0.hypot(root.1) <= LOST * fastest => return Err(lost()),
+            None if elementary::hypot(root.0, root.1) <= LOST * fastest => return Err(lost()),
             None => (*root, shape),
         };
         let root = &settled_root(root, largest(&system.damping) == 0.0);
-        let omega = root.0.hypot(root.1);
+        let omega = elementary::hypot(root.0, root.1);
         let kind = match () {
             () if root.1 > 0.0 => Kind::Oscillation,
             () if root.0 > 0.0 => Kind::Divergence,
@@ -374,7 +383,7 @@ pub(super) type Remark = Box<dyn Fn(usize) -> Text>;
 /// Scales a shape; a remark when it cannot be scaled as asked.
 pub(super) fn normalise(mode: &mut Mode, mass: &[f64], how: Normalisation) -> Option<Remark> {
     let n = mode.shape.len();
-    let size = |z: &Complex| z.0.hypot(z.1);
+    let size = |z: &Complex| elementary::hypot(z.0, z.1);
     let biggest = mode.shape.iter().map(size).fold(0.0, f64::max);
     // rounding decides no sign: the first of equally large entries is taken
     let peak = *mode.shape.iter().find(|z| size(z) >= biggest * (1.0 - 1e-9))?;
@@ -442,7 +451,7 @@ pub(super) fn remarks(list: &[Mode]) -> Vec<Text> {
             format!("неустойчиво: движение по форме {} растёт {} как exp({} t)", i + 1, how.1, rate.ru),
         ));
     }
-    let same = |a: &Mode, b: &Mode| a.omega > 0.0 && (a.root.0 - b.root.0).hypot(a.root.1 - b.root.1) <= 1e-9 * a.omega;
+    let same = |a: &Mode, b: &Mode| a.omega > 0.0 && elementary::hypot(a.root.0 - b.root.0, a.root.1 - b.root.1) <= 1e-9 * a.omega;
     for (i, _) in list.windows(2).enumerate().filter(|(_, p)| same(&p[0], &p[1])) {
         notes.push(Text::new(
             format!("modes {} and {} have one frequency: any combination of their shapes is a shape", i + 1, i + 2),
@@ -488,42 +497,27 @@ fn residual(system: &Matrices, list: &[Mode]) -> Audit {
                 let z = (square.0 * m + re * b + c, square.1 * m + im * b);
                 row.0 += z.0 * x.0 - z.1 * x.1;
                 row.1 += z.0 * x.1 + z.1 * x.0;
-                let r = re.hypot(im);
-                terms += (r * r * m.abs() + r * b.abs() + c.abs()) * x.0.hypot(x.1);
+                let r = elementary::hypot(re, im);
+                terms += (r * r * m.abs() + r * b.abs() + c.abs()) * elementary::hypot(x.0, x.1);
             }
             size = size.max(terms);
         }
         if size > 0.0 {
-            worst = sum.iter().fold(worst, |w, z| w.max(z.0.hypot(z.1) / size));
+            worst = sum.iter().fold(worst, |w, z| w.max(elementary::hypot(z.0, z.1) / size));
         }
     }
     let name = Text::new("modes: residual of (λ² M + λ B + C) x = 0", "формы колебаний: невязка уравнения (λ² M + λ B + C) x = 0");
     Audit::at_most("mode_residual", name, worst, RESIDUAL)
 }
 
-/// Cholesky's pivots of the mass matrix scaled to a unit diagonal must be positive.
+/// Every motion must have inertia.
 pub fn check_mass(mass: &[f64], n: usize, names: &[Quantity]) -> Result<(), Fault> {
-    let scale = |i: usize| mass[i * n + i].abs().sqrt().max(f64::MIN_POSITIVE);
-    let mut l = vec![0.0; n * n];
-    for i in 0..n {
-        for j in 0..=i {
-            let entry = mass[i * n + j] / (scale(i) * scale(j));
-            let rest = entry - (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum::<f64>();
-            if i == j {
-                if rest.is_nan() || rest <= 1e-13 {
-                    return Err(massless(names.get(i).map_or("?", |q| q.name.as_str()), rest));
-                }
-                l[i * n + i] = rest.sqrt();
-            } else {
-                l[i * n + j] = rest / l[j * n + j];
-            }
-        }
-    }
-    Ok(())
+    let fault = |weak: Weak| massless(names.get(weak.row).map_or("?", |q| q.name.as_str()), weak.pivot);
+    Cholesky::new(mass, n).map(|_| ()).map_err(fault)
 }
 
 fn massless(name: &str, pivot: f64) -> Fault {
-    let what = if pivot < -1e-13 { ("negative", "отрицательна") } else { ("zero", "равна нулю") };
+    let what = if pivot < -MASSLESS { ("negative", "отрицательна") } else { ("zero", "равна нулю") };
     Fault::new(Message {
         code: "S031",
         what: Text::new(

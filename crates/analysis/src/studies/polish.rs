@@ -10,8 +10,9 @@
 
 use super::modes::Complex;
 use crate::linear::Matrices;
-use crate::numerics::refine::Double;
-use crate::numerics::refined::Factors;
+use algebra::elementary;
+use algebra::refine::Double;
+use algebra::refined::Factors;
 
 /// Steps of Newton's method.
 const STEPS: usize = 30;
@@ -30,7 +31,7 @@ pub(super) fn polish(m: &Matrices, root: Complex, shape: &[Complex]) -> Option<(
     for _ in 0..STEPS {
         let (matrix, right) = bordered(m, root_now, &x, &first);
         let (step, _) = Factors::new(&matrix, 2 * n + 2).refined(&matrix, &right);
-        let change = step[n].hypot(step[2 * n + 1]) / root_now.0.hypot(root_now.1);
+        let change = elementary::hypot(step[n], step[2 * n + 1]) / elementary::hypot(root_now.0, root_now.1);
         if !change.is_finite() || (change > 0.9 * before && change > 1e-12) {
             return None;
         }
@@ -41,8 +42,8 @@ pub(super) fn polish(m: &Matrices, root: Complex, shape: &[Complex]) -> Option<(
         }
         before = change;
     }
-    let moved = (root_now.0 - root.0).hypot(root_now.1 - root.1);
-    (moved <= NEAR * root.0.hypot(root.1)).then_some((root_now, x))
+    let moved = elementary::hypot(root_now.0 - root.0, root_now.1 - root.1);
+    (moved <= NEAR * elementary::hypot(root.0, root.1)).then_some((root_now, x))
 }
 
 /// The system as a real one of twice the size: unknowns Re dx, Re dλ, Im dx, Im dλ.

@@ -8,6 +8,7 @@
 //!
 //! *Source*: C. W. de Silva, Vibration: Fundamentals and Practice, ch. 3; L. Meirovitch, Fundamentals of Vibrations, ch. 3.
 
+use algebra::elementary;
 use std::f64::consts::PI;
 use words::Message;
 
@@ -107,7 +108,7 @@ pub struct Point {
 
 /// |z|.
 pub fn magnitude(z: Complex) -> f64 {
-    z.0.hypot(z.1)
+    elementary::hypot(z.0, z.1)
 }
 
 /// arg z in [-π, π), so that a motion against its load lags by π.
@@ -118,7 +119,7 @@ pub fn phase(z: Complex) -> f64 {
     if z.1.abs() <= 1e-14 * z.0.abs() {
         return if z.0 < 0.0 { -PI } else { 0.0 };
     }
-    z.1.atan2(z.0)
+    elementary::atan2(z.1, z.0)
 }
 
 /// Loads below this share of the largest are no component.
@@ -243,7 +244,7 @@ impl<'m> Forced<'m> {
             let wave = self.machine.shapes()[form].wave.clone();
             let largest = wave.cos.iter().chain(&wave.sin).fold(0.0_f64, |m, v| m.max(v.abs()));
             for k in 1..=LISTED {
-                if wave.cos[k - 1].hypot(wave.sin[k - 1]) > SILENT * largest {
+                if elementary::hypot(wave.cos[k - 1], wave.sin[k - 1]) > SILENT * largest {
                     self.component(order * k as f64).harmonics.push((i - loads, k));
                 }
             }
@@ -361,7 +362,7 @@ impl<'m> Forced<'m> {
         let used = |i: usize| self.components.iter().any(|c| c.waves.contains(&i));
         for (rate, load) in excitation.waves.iter().enumerate().filter(|(i, _)| !used(*i)).map(|(_, w)| w) {
             for (row, t) in list.iter_mut().zip(times) {
-                let (s, c) = (rate.unwrap_or(0.0).abs() * t).sin_cos();
+                let (s, c) = elementary::sin_cos(rate.unwrap_or(0.0).abs() * t);
                 row.iter_mut().zip(load).for_each(|(v, z)| *v -= z.0 * c - z.1 * s);
             }
         }

@@ -13,24 +13,23 @@
 //!
 //! *Source*: Ju. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, ch. V and VI.
 
+use algebra::elementary;
 use words::{Message, Text};
 
 use crate::dataset::Audit;
 use crate::linear::{Matrices, largest, parts};
-use crate::numerics::lu::Lu;
-use crate::numerics::rank::{Qr, TOLERANCE};
-use crate::numerics::{eigen, rank};
-use crate::studies::impedance::Amplitudes;
-use crate::studies::modes::{Complex, Damping, Kind, Mode, Modes, Normalisation, check_mass, normalise, remarks};
+use crate::studies::impedance::{Amplitudes, SINGULAR};
+use crate::studies::modes::{Complex, Damping, Kind, Mode, Modes, Normalisation, check_mass, normalise, pairs, remarks};
 use crate::{Fault, Quantity};
+use algebra::lu::Lu;
+use algebra::qr::{DEPENDENT, Qr};
+use algebra::{eigen, qr};
 use words::explain::{Explanation, plain};
 
 /// Largest residual of a root in the equations and conditions as they stand, relative to its terms.
 const RESIDUAL: f64 = 1e-8;
 /// A real part below this share of the root is rounding.
 const ON_AXIS: f64 = 1e-10;
-/// Pivots below this share of the largest make a forced motion infinite.
-const SINGULAR: f64 = 2e-14;
 
 /// S092.
 pub const REFUSED: Explanation =
@@ -88,7 +87,7 @@ impl Form {
         let d: Vec<Vec<f64>> = drifts.iter().zip(&sizes).map(|(r, s)| alike(&columns(r), *s)).collect();
         let free = complement(&a, k);
         let p = free.len();
-        let qr = Qr::new(a.len(), k, &a.concat(), TOLERANCE);
+        let qr = Qr::alike(&a.concat(), a.len(), k, DEPENDENT);
         let mut drift = vec![0.0; k * k];
         for c in 0..k {
             let right: Vec<f64> = d.iter().map(|row| -row[c]).collect();
@@ -169,8 +168,8 @@ pub(super) fn modes(m: &Matrices, names: &[Quantity], normalisation: Normalisati
     let stairs = Stairs::new(s, d);
     let found = eigen::general(stairs.left, &stairs.core)?;
     let mut list = Vec::new();
-    for (j, root) in found.values.iter().enumerate().filter(|(_, root)| root.1 >= 0.0) {
-        let state = stairs.lifted(*root, found.vector(j));
+    for (j, root) in pairs(&found.values).iter().enumerate().filter(|(_, root)| root.1 >= 0.0) {
+        let state = stairs.lifted(*root, &pairs(found.vector(j)));
         list.push(mode((root.0 * rate, root.1 * rate), form.shape(&state[..k])));
     }
     list.sort_by(|a, b| a.omega.total_cmp(&b.omega).then(a.root.0.total_cmp(&b.root.0)));
@@ -197,7 +196,7 @@ pub(super) fn modes(m: &Matrices, names: &[Quantity], normalisation: Normalisati
 }
 
 fn mode((re, im): Complex, shape: Vec<Complex>) -> Mode {
-    let size = re.hypot(im);
+    let size = elementary::hypot(re, im);
     let re = if re.abs() <= ON_AXIS * size { 0.0 } else { re };
     let kind = match () {
         () if im > 0.0 => Kind::Oscillation,
@@ -234,7 +233,7 @@ impl Stairs {
         let mut out = Stairs { left: d, core: s, steps: Vec::new() };
         while out.left > 0 {
             let d = out.left;
-            let null = orthonormal(rank::null_space(d, d, &out.core));
+            let null = orthonormal(qr::null_space(&out.core, d, d));
             if null.is_empty() {
                 break;
             }
@@ -292,7 +291,7 @@ pub(super) fn forced(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
     }
     let (mut a, mut right) = (Vec::new(), Vec::new());
     for (row, f) in &rows {
-        let size = row.iter().zip(&scale).fold(0.0_f64, |s, (z, u)| s.max(z.0.hypot(z.1) * u));
+        let size = row.iter().zip(&scale).fold(0.0_f64, |s, (z, u)| s.max(elementary::hypot(z.0, z.1) * u));
         let over = if size > 0.0 { size.recip() } else { 1.0 };
         let part = |sign: f64, first: fn(&Complex) -> f64, second: fn(&Complex) -> f64| -> Vec<f64> {
             let left = row.iter().zip(&scale).map(|(z, u)| first(z) * u * over);
@@ -302,7 +301,7 @@ pub(super) fn forced(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
         a.extend(part(1.0, |z| z.1, |z| z.0));
         right.extend([f.0 * over, f.1 * over]);
     }
-    let qr = Qr::new(2 * rows.len(), 2 * n, &a, SINGULAR);
+    let qr = Qr::alike(&a, 2 * rows.len(), 2 * n, SINGULAR);
     let back = |x: &[f64]| -> Vec<Complex> { (0..n).map(|i| (x[i] * scale[i], x[n + i] * scale[i])).collect() };
     let regular = back(&qr.least_squares(&right).0);
     let free = qr.null_space();
@@ -341,23 +340,24 @@ fn residual(m: &Matrices, w: &[f64], p: usize, list: &[Mode]) -> Audit {
     let mut worst = 0.0_f64;
     for mode in list {
         let (re, im) = mode.root;
-        let (square, size) = ((re * re - im * im, 2.0 * re * im), re.hypot(im));
+        let (square, size) = ((re * re - im * im, 2.0 * re * im), elementary::hypot(re, im));
         let of = |mass: f64, damping: f64, stiffness: f64| -> (Complex, f64) {
             let sum = (square.0 * mass + re * damping + stiffness, square.1 * mass + im * damping);
             (sum, size * size * mass.abs() + size * damping.abs() + stiffness.abs())
         };
         let unit = |j: usize| if m.mass[j * n + j] > 0.0 { m.mass[j * n + j].sqrt().recip() } else { 0.0 };
-        let reach = (0..n).fold(0.0_f64, |r, j| r.max(mode.shape[j].0.hypot(mode.shape[j].1) * m.mass[j * n + j].abs().sqrt()));
+        let reach =
+            (0..n).fold(0.0_f64, |r, j| r.max(elementary::hypot(mode.shape[j].0, mode.shape[j].1) * m.mass[j * n + j].abs().sqrt()));
         let mut check = |row: &dyn Fn(usize) -> (Complex, f64)| {
             let (mut sum, mut terms) = ((0.0, 0.0), 0.0);
             for (j, x) in mode.shape.iter().enumerate() {
                 let (z, s) = row(j);
                 sum = (sum.0 + z.0 * x.0 - z.1 * x.1, sum.1 + z.0 * x.1 + z.1 * x.0);
                 // a coordinate that only rounding moves counts with the size of the shape, in kinetic energy
-                terms += s * x.0.hypot(x.1).max(reach * unit(j));
+                terms += s * elementary::hypot(x.0, x.1).max(reach * unit(j));
             }
             if terms > 0.0 {
-                worst = worst.max(sum.0.hypot(sum.1) / terms);
+                worst = worst.max(elementary::hypot(sum.0, sum.1) / terms);
             }
         };
         for c in 0..p {
@@ -403,7 +403,7 @@ fn complement(rows: &[Vec<f64>], n: usize) -> Vec<Vec<f64>> {
         return (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
     }
     let flat: Vec<f64> = rows.iter().flat_map(|r| r.iter().copied()).collect();
-    orthonormal(rank::null_space(rows.len(), n, &flat))
+    orthonormal(qr::null_space(&flat, rows.len(), n))
 }
 
 /// Gram and Schmidt, twice.

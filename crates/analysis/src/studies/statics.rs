@@ -13,17 +13,18 @@
 //! A λ without influence on these (a relation among columns) makes the structure statically indeterminate; a displacement that no reaction holds (a
 //! relation among rows) makes it a mechanism, and then it rests only if the loads do no work in that displacement.
 
+use algebra::elementary;
 use symbolic::connections::Law;
 use symbolic::{Equations, Expr};
 use words::Text;
 
 use crate::connections::assemble;
 use crate::fault::rounded;
-use crate::numerics::qr::{Qr, norm};
 use crate::rest::admissible::{Hold, Holds, Limit};
 use crate::rest::fault_of;
 use crate::rest::numbers::Numbers;
 use crate::{Fault, Quantity};
+use algebra::qr::{Qr, norm};
 
 /// Share below which a remainder counts as nothing.
 const NOTHING: f64 = 1e-9;
@@ -230,7 +231,7 @@ fn is_turn_of_a_point(equations: &Equations, balance: usize) -> bool {
     };
     let roots: Vec<Expr> = frame.origin.iter().chain(&frame.force).chain(&frame.moment).copied().collect();
     let passes = |shift: f64| {
-        let v = equations.graph.evaluate(&roots, &|s| shift + (1.0 + s.index() as f64).sin());
+        let v = equations.graph.evaluate(&roots, &|s| shift + elementary::sin(1.0 + s.index() as f64));
         let (o, f, m) = (&v[0..3], &v[3..6], &v[6..9]);
         let turned = [o[1] * f[2] - o[2] * f[1], o[2] * f[0] - o[0] * f[2], o[0] * f[1] - o[1] * f[0]];
         let size = norm(o) * norm(f) + norm(m);

@@ -3,11 +3,13 @@
 //! Small structures are reduced by static condensation ([`crate::structure::reduced`]) and solved densely; with rational data the frequency
 //! equation det(I - λ D M) = 0, λ = ω², has exact coefficients. Large ones are solved sparse for the lowest modes.
 
+use algebra::certify::Certificate;
+use algebra::eigen;
+
+use crate::audits::certified;
 use crate::dataset::{Audit, Column, Counter, Dataset};
-use crate::numerics::certify::{Certificate, certify};
-use crate::numerics::{eigen, sparse};
-use crate::structure::assembly::Sparse;
 use crate::structure::equilibrium::{EXACT, SEARCHED, describe, standing, stands_undivided};
+use crate::structure::lowest::{lowest_dense, lowest_sparse};
 use crate::structure::reduced::{Condensation, Reduced, quantity, reduce};
 use crate::structure::{Assembly, Frame, RodKind, continuum, dense, faults};
 use crate::{Fault, Quantity};
@@ -200,7 +202,7 @@ fn plain(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -
     let coordinates = shown.coordinates(&reduced.coordinates);
     let orthogonality = orthogonality(&found, &reduced.mass, n);
     let mut dataset = dataset(&modes, &coordinates, orthogonality, assembly.n());
-    dataset.audits.extend(certificate.audits());
+    dataset.audits.extend(certified::audits(&certificate));
     Ok(StructureModes {
         dataset,
         modes,
@@ -245,7 +247,7 @@ fn large(frame: &Frame<f64>, assembly: Assembly<f64>, options: &Modes) -> Result
         .map(|(i, j)| m.apply(found.shape(i)).iter().zip(found.shape(j)).map(|(a, b)| a * b).sum::<f64>().abs())
         .fold(0.0, f64::max);
     let mut dataset = dataset(&modes, &coordinates, worst, n);
-    dataset.audits.extend(certificate.audits());
+    dataset.audits.extend(certified::audits(&certificate));
     if options.condensation == Condensation::Automatic && frame.rods.iter().all(|r| r.divisions == 1) {
         dataset.notes.push(Text::new(
             format!("more than {SEARCHED} independent displacements: turns of nodes keep their inertia (condense = false)"),
@@ -268,41 +270,6 @@ fn large(frame: &Frame<f64>, assembly: Assembly<f64>, options: &Modes) -> Result
 fn free(value: f64, all: &[f64]) -> bool {
     let largest = all.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     value <= 1e-12 * largest || value == 0.0
-}
-
-pub(crate) fn compressed(matrix: &Sparse<f64>) -> Result<sparse::Sparse, Fault> {
-    let mut triplets = sparse::Triplets::new(matrix.n);
-    matrix.entries.iter().for_each(|(i, j, v)| triplets.add(*i, *j, *v));
-    sparse::Sparse::from_triplets(&triplets)
-}
-
-/// Modes beyond the wanted ones, so that Sturm's count finds a gap above the last wanted one.
-const BEYOND: usize = 2;
-
-/// The lowest modes of small matrices, M may be singular, with their certificate.
-pub(crate) fn lowest_dense(stiffness: &[f64], mass: &[f64], n: usize, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
-    let (k, m) = (sparse::Sparse::from_dense(n, stiffness)?, sparse::Sparse::from_dense(n, mass)?);
-    let modes = match eigen::symmetric(n, stiffness, mass) {
-        Ok(modes) => modes,
-        Err(_) => eigen::lowest(&k, &m, n, eigen::Options::default())?.modes,
-    };
-    certified(&k, &m, modes, count)
-}
-
-/// The lowest modes of sparse matrices with their certificate.
-pub(crate) fn lowest_sparse(k: &Sparse<f64>, m: &Sparse<f64>, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
-    let (k, m) = (compressed(k)?, compressed(m)?);
-    let modes = eigen::lowest(&k, &m, count + BEYOND, eigen::Options::default())?.modes;
-    certified(&k, &m, modes, count)
-}
-
-/// Checks the lowest `count` modes and leaves the others out.
-fn certified(k: &sparse::Sparse, m: &sparse::Sparse, mut modes: eigen::Modes, count: usize) -> Result<(eigen::Modes, Certificate), Fault> {
-    let count = count.min(modes.values.len());
-    let certificate = certify(k, m, &modes, count)?;
-    modes.values.truncate(count);
-    modes.vectors.truncate(count * modes.n);
-    Ok((modes, certificate))
 }
 
 /// Largest x_iᵀ M x_j of different modes with x_iᵀ M x_i = 1.

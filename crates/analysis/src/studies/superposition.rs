@@ -10,16 +10,17 @@
 //! Accelerations are those of the equations of motion. The audit is independent of the decomposition: the change of momentum between any
 //! two nodes is the impulse of the equations' own forces, evaluated over time.
 
+use algebra::elementary;
 use std::f64::consts::{PI, TAU};
 
 use crate::Fault;
 use crate::linear::{Matrices, Place, Seen};
-use crate::numerics::lu::Lu;
 use crate::studies::free_motion::settled;
 use crate::studies::impedance::{Amplitudes, solve};
 use crate::studies::modes::Complex;
 use crate::studies::response::{Excitation, Forced, Source, gain, magnitude};
 use crate::waveform::{NODES, Panels, RULE, series};
+use algebra::lu::Lu;
 
 /// The motion of one output over a period, its static part included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -245,7 +246,7 @@ impl<'f, 'm> Run<'f, 'm> {
             for i in &component.waves {
                 for (row, z) in list.iter_mut().zip(&self.excitation.waves[*i].1).filter(|(_, z)| **z != (0.0, 0.0)) {
                     let wave = |x: &f64| {
-                        let (s, c) = (*multiple as f64 * x).sin_cos();
+                        let (s, c) = elementary::sin_cos(*multiple as f64 * x);
                         z.0 * c - z.1 * s
                     };
                     row.iter_mut().zip(&nodes).for_each(|(v, x)| *v += wave(x));
@@ -279,13 +280,13 @@ impl<'f, 'm> Run<'f, 'm> {
         let nodes = self.panels.nodes();
         let zero = || vec![vec![0.0; nodes.len()]; n];
         let mut motion = Motion { places: zero(), rates: zero(), accelerations: zero(), loads, poles: Vec::new(), free: Vec::new() };
-        let largest = series.iter().flatten().fold(0.0_f64, |m, z| m.max(z.0.hypot(z.1)));
+        let largest = series.iter().flatten().fold(0.0_f64, |m, z| m.max(elementary::hypot(z.0, z.1)));
         let mut turn = Turn::new(&nodes);
         for (k, load) in series.iter().enumerate().map(|(i, f)| (i + 1, f)) {
             if k > 1 {
                 turn.next();
             }
-            if load.iter().all(|z| z.0.hypot(z.1) <= 1e-15 * largest) {
+            if load.iter().all(|z| elementary::hypot(z.0, z.1) <= 1e-15 * largest) {
                 continue;
             }
             let nu = k as f64 * self.rate;
@@ -352,7 +353,7 @@ impl<'f, 'm> Run<'f, 'm> {
             let mut rest = power.clone();
             let mut turn = Turn::new(&nodes);
             for (k, load) in series.iter().enumerate().map(|(i, f)| (i + 1, f)) {
-                let nu = (k as f64 * self.rate).powi(m);
+                let nu = elementary::powi(k as f64 * self.rate, m);
                 if k > 1 {
                     turn.next();
                 }
@@ -460,7 +461,7 @@ impl<'f, 'm> Run<'f, 'm> {
             |rate: f64| Some((rate / self.rate).round()).filter(|k| k.abs() >= 1.0 && (rate - k * self.rate).abs() <= 1e-9 * rate.abs());
         for (rate, c, s) in &s.waves {
             let Some(k) = whole(*rate) else { continue };
-            values.iter_mut().zip(&nodes).for_each(|(v, x)| *v += c * (k * x).cos() + s * (k * x).sin());
+            values.iter_mut().zip(&nodes).for_each(|(v, x)| *v += c * elementary::cos(k * x) + s * elementary::sin(k * x));
         }
         let rates = self.forced.form_rates()?;
         for (form, factor) in &s.forms {
@@ -552,7 +553,7 @@ struct Turn {
 
 impl Turn {
     fn new(nodes: &[f64]) -> Turn {
-        let one: Vec<Complex> = nodes.iter().map(|x| (x.cos(), x.sin())).collect();
+        let one: Vec<Complex> = nodes.iter().map(|x| (elementary::cos(*x), elementary::sin(*x))).collect();
         Turn { now: one.clone(), one }
     }
 

@@ -12,13 +12,11 @@ use words::{Message, Text};
 use crate::Fault;
 use crate::fault::{number, rounded};
 use crate::linear::{LinearMachine, Place};
-use crate::numerics::rank::Qr;
+use algebra::qr::{DEPENDENT, Qr};
 
 const STEPS: usize = 100;
 /// Unbalanced force relative to the terms that balance in it.
 const UNBALANCED: f64 = 1e-9;
-/// Share below which the columns of unknowns depend on each other.
-const DEPENDENT: f64 = 1e-11;
 
 /// Changes the parameters so that `q` is a place of rest; the reactions found are returned with the place.
 ///
@@ -50,7 +48,7 @@ pub fn unknowns(machine: &mut LinearMachine, parameters: &[usize], q: &[f64]) ->
         let row = |i: usize| if rows[i] == 0.0 { 1.0 } else { rows[i] };
         let matrix: Vec<f64> = (0..n * k).map(|p| entry(p / k, p % k) / (columns[p % k] * row(p / k))).collect();
         let right: Vec<f64> = (0..n).map(|i| -force[i] / row(i)).collect();
-        let qr = Qr::new(n, k, &matrix, DEPENDENT);
+        let qr = Qr::alike(&matrix, n, k, DEPENDENT);
         if let Some(c) = qr.dependent().iter().find(|c| **c < parameters.len()) {
             return Err(undetermined(&machine.parameters()[parameters[*c]].name));
         }

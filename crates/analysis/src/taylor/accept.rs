@@ -3,8 +3,8 @@
 use words::Text;
 
 use super::{Flow, step};
-use crate::numerics::sum::Instant;
 use crate::{Fault, System};
+use algebra::sum::Instant;
 
 /// Decides whether the defect of a step is due to truncation, and then too large.
 #[derive(Default)]

@@ -13,9 +13,9 @@
 //! takes over again, and at each event it takes the first steps, because the modes are decided by derivatives.
 
 use super::{Flow, Options};
-use crate::numerics::sum::Instant;
 use crate::stiff::{Base, Collocation, Method, Verdict};
 use crate::{Fault, System};
+use algebra::sum::Instant;
 
 /// Taylor steps before the first trial on a smooth motion.
 const FIRST: u64 = 24;
@@ -245,7 +245,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         if !event {
             // the stage itself has digits that the powers lose
             for (i, change) in engine.change().iter().enumerate() {
-                (self.next_x[i], self.next_low[i]) = crate::numerics::sum::two_sum(self.x[i], change + self.low[i]);
+                (self.next_x[i], self.next_low[i]) = algebra::sum::two_sum(self.x[i], change + self.low[i]);
             }
         }
         let lands = if full && !event { Instant::at(target) } else { self.now.after(length) };

@@ -62,6 +62,7 @@
 //! order back. An order that the caller gives is kept. Acceptance does not depend on any of this.
 
 use super::step::Series;
+use algebra::elementary;
 
 /// Lowest order.
 const LOWEST_ORDER: usize = 4;
@@ -130,13 +131,13 @@ struct Level {
 impl Level {
     fn new(tolerance: f64, order: usize) -> Level {
         let p = order as f64;
-        let root = tolerance.powf(1.0 / p);
+        let root = elementary::pow(tolerance, 1.0 / p);
         Level {
             order,
-            safety: (-0.7 / (p - 1.0)).exp(),
+            safety: elementary::exp(-0.7 / (p - 1.0)),
             root,
-            bounds: (0..=order).map(|k| root.powi(k as i32) * SLACK.powi((order - k) as i32)).collect(),
-            merit: -0.7 / (p - 1.0) - (3.0 + p + p * p / 160.0).ln() + tolerance.ln() / p,
+            bounds: (0..=order).map(|k| elementary::powi(root, k as i32) * elementary::powi(SLACK, (order - k) as i32)).collect(),
+            merit: -0.7 / (p - 1.0) - elementary::ln(3.0 + p + p * p / 160.0) + elementary::ln(tolerance) / p,
         }
     }
 
@@ -240,7 +241,7 @@ impl Rule {
                 *share = share.max(pair * per_scale);
             }
         }
-        let [far, before, last] = shares.map(f64::ln);
+        let [far, before, last] = shares.map(elementary::ln);
         if !(far.is_finite() && before.is_finite() && last.is_finite()) {
             return;
         }
@@ -293,8 +294,8 @@ impl Rule {
             for (k, ((c_k, power), bound)) in terms {
                 // scale and powers may belong to a step two hundredths off: the slack covers it
                 if c_k.abs() * power > bound * a {
-                    let ratio = c_k.abs() * power / (root.powi(k as i32) * a);
-                    let factor = ratio.powf(-1.0 / k as f64).clamp(1e-3, 0.9);
+                    let ratio = c_k.abs() * power / (elementary::powi(*root, k as i32) * a);
+                    let factor = elementary::pow(ratio, -1.0 / k as f64).clamp(1e-3, 0.9);
                     worst = Some(worst.map_or(factor, |w| w.min(factor)));
                 }
             }
@@ -336,7 +337,7 @@ impl Rule {
                 worst.1 = larger(worst.1, c[p].abs() * last / a);
             }
         }
-        let root = |worst: f64, k: usize| if worst == 0.0 { f64::INFINITY } else { here.root * worst.powf(-1.0 / k as f64) };
+        let root = |worst: f64, k: usize| if worst == 0.0 { f64::INFINITY } else { here.root * elementary::pow(worst, -1.0 / k as f64) };
         let factor = root(worst.0, p - 1).min(root(worst.1, p));
         // a guess far too long can overflow: come back by decades
         if factor.is_nan() || factor == 0.0 { 1e-3 } else { (factor * here.safety).min(1e3) }
@@ -370,7 +371,7 @@ impl Rule {
 
 /// Order for a tolerance; see the table at the head of the file.
 pub fn order_for(tolerance: f64) -> usize {
-    (2.0 - 2.1 * tolerance.log10()).round().min(HIGHEST_RULED as f64) as usize
+    (2.0 - 2.1 * elementary::log10(tolerance)).round().min(HIGHEST_RULED as f64) as usize
 }
 
 /// max_k |c_k| h^k; a term that is not a number counts as infinite.

@@ -13,9 +13,10 @@
 //! A singularity that is none, only near to one, has no zero of μ and is resolved by short steps as any other motion.
 
 use super::{Flow, step};
-use crate::numerics::sum::Instant;
 use crate::taylor::step::Series;
 use crate::{Fault, System};
+use algebra::elementary;
+use algebra::sum::Instant;
 
 /// Share of the best margin that a step should leave at its end.
 const CLEAR: f64 = 0.05;
@@ -262,7 +263,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             return None;
         }
         let changes = self.changes(tau);
-        let mut sizes: Vec<f64> = (0..=p).map(|k| NOISE * (tau / pole).abs().powi(k as i32)).collect();
+        let mut sizes: Vec<f64> = (0..=p).map(|k| NOISE * elementary::powi((tau / pole).abs(), k as i32)).collect();
         let powers: Vec<f64> = std::iter::successors(Some(1.0), |power| Some(power * tau.abs())).take(p + 1).collect();
         for (i, change) in changes.iter().enumerate().filter(|(_, change)| **change > 0.0) {
             for ((size, c), power) in sizes.iter_mut().zip(self.step.states.row(i)).zip(&powers) {
@@ -277,7 +278,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
     fn changes(&self, tau: f64) -> Vec<f64> {
         let own = |i: usize| {
             let c = self.step.states.row(i);
-            (1..c.len().min(4)).map(|k| c[k].abs() * tau.abs().powi(k as i32)).fold(0.0, f64::max)
+            (1..c.len().min(4)).map(|k| c[k].abs() * elementary::powi(tau.abs(), k as i32)).fold(0.0, f64::max)
         };
         let mut own: Vec<f64> = (0..self.x.len()).map(own).collect();
         // a rate by what it moves: uniform motions have no change of their own

@@ -1,8 +1,8 @@
 //! One accepted step: the Taylor polynomials of all states, which are the dense output.
 
-use crate::numerics::sum::Instant;
 use crate::stiff::Collocation;
 use crate::{Mode, System};
+use algebra::sum::Instant;
 
 /// Share of the surroundings of a change point in which no force follows from the equations.
 const IN_IT: f64 = 1e-3;

@@ -3,8 +3,9 @@
 use super::{Flow, Step};
 use crate::events::roots::surely_no_root;
 use crate::events::{BoundState, Change, opposite};
-use crate::numerics::sum::Instant;
 use crate::{Fault, GuardKind, Mode, System};
+use algebra::elementary;
+use algebra::sum::Instant;
 
 /// Watches for switches that accumulate.
 #[derive(Clone, Debug, Default)]
@@ -38,7 +39,7 @@ fn convergent(c: &[f64], mut h: f64, tolerance: f64) -> f64 {
             if k <= p / 2 {
                 change = f64::max(change, term);
             } else if k + 4 > p && (term > SLACK * tolerance * change || term.is_nan()) {
-                let share = (tolerance * change / term).powf(1.0 / k as f64);
+                let share = elementary::pow(tolerance * change / term, 1.0 / k as f64);
                 factor = factor.min(if share.is_nan() { 1e-3 } else { share.clamp(1e-3, 0.95) });
             }
         }

@@ -5,7 +5,7 @@
 
 use super::Flow;
 use crate::System;
-use crate::numerics::sum::two_sum;
+use algebra::sum::two_sum;
 
 /// 8π as a sum of two machine numbers.
 const FOUR_TURNS: [f64; 2] = [8.0 * std::f64::consts::PI, 8.0 * 1.224_646_799_147_353_2e-16];

@@ -22,6 +22,7 @@ mod wrench;
 pub use explain::EXPLANATIONS;
 
 use crate::model::{Class, ConnectionKind, CoordinateDecl, Inertia, Model, Part};
+use algebra::elementary;
 use connections::Connected;
 use kinematics::Kinematics;
 use lagrange::{Kinetic, Quadratic};
@@ -307,7 +308,7 @@ fn missing_inertia(scene: &Scene, mass: &Quadratic, connected: &Connected) -> Ve
 /// Whether an inertia is zero because parameters are: at two states that nothing distinguishes.
 fn is_switched_off(scene: &Scene, inertia: Expr) -> bool {
     let number = |s: SymbolId| scene.model.parameters.iter().find(|p| p.symbol == s).and_then(|p| p.number);
-    let at = |state: f64| scene.graph.evaluate(&[inertia], &|s| number(s).unwrap_or(state + 0.618 * (s.index() as f64).sin()))[0];
+    let at = |state: f64| scene.graph.evaluate(&[inertia], &|s| number(s).unwrap_or(state + 0.618 * elementary::sin(s.index() as f64)))[0];
     at(0.3) == 0.0 && at(1.7) == 0.0
 }
 

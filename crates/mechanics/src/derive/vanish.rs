@@ -6,6 +6,7 @@
 
 use super::scene::{Scene, Vector};
 use crate::model::{ParameterDecl, ParameterValue};
+use algebra::elementary;
 use rustc_hash::FxHashMap;
 use symbolic::{Expr, Function, Graph, Node, SymbolId};
 
@@ -134,7 +135,7 @@ fn with_size(graph: &Graph, root: Expr, point: &FxHashMap<SymbolId, f64>) -> (f6
             Node::Product { coefficient, factors } => factors.iter().fold(coefficient.to_f64().abs(), |p, (b, x)| {
                 let (value, size) = known[b];
                 // a denominator is as small as it is; what is added up in it does not make the quotient larger
-                p * if x.to_f64() > 0.0 { size.powf(x.to_f64()) } else { value.abs().powf(x.to_f64()) }
+                p * if x.to_f64() > 0.0 { elementary::pow(size, x.to_f64()) } else { elementary::pow(value.abs(), x.to_f64()) }
             }),
             _ => value.abs(),
         };

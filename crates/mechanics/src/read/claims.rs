@@ -6,6 +6,7 @@ use crate::formula::{Context, Kind, check};
 use crate::model::{ClaimDecl, ClaimInstant, ClaimKind};
 use crate::snippet::Snippet;
 use crate::units::{Dimension, si_label, si_label_ru};
+use algebra::elementary;
 use std::f64::consts::TAU;
 use toml::de::DeValue;
 use words::{Notice, Severity, Text};
@@ -171,7 +172,7 @@ fn half_digit(snippet: &Snippet) -> Option<f64> {
     let digits = &text[..end];
     let number: f64 = digits.parse().ok().filter(|n| *n > 0.0)?;
     let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
-    Some(0.5 * 10f64.powi(-i32::try_from(decimals).ok()?) / number)
+    Some(0.5 * elementary::powi(10f64, -i32::try_from(decimals).ok()?) / number)
 }
 
 fn instant<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<ClaimInstant> {

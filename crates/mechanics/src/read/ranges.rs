@@ -4,6 +4,7 @@
 
 use crate::model::{Model, SweepRange};
 use crate::units::{Dimension, parse_number_or_quantity, parse_unit, si_label, si_label_ru};
+use algebra::elementary;
 use std::ops::Range as Span;
 use words::{Notice, Place};
 
@@ -201,7 +202,7 @@ fn spaced(logarithmic: bool, from: f64, to: f64, count: usize, whole: &Span<usiz
         match i {
             0 => from,
             i if i == last => to,
-            _ if logarithmic => (from.ln() + (to.ln() - from.ln()) * part).exp(),
+            _ if logarithmic => elementary::exp(elementary::ln(from) + (elementary::ln(to) - elementary::ln(from)) * part),
             _ => from + (to - from) * part,
         }
     };

@@ -15,6 +15,7 @@ pub use moments::{Form, Moments, of_form, together};
 pub use outline::{Contours, Outline};
 pub use profiles::{Kind, Profile, find as find_profile, names as profile_names};
 
+use algebra::elementary;
 use std::ops::Range;
 use symbolic::Expr;
 use words::Text;
@@ -97,8 +98,8 @@ impl Properties {
     pub fn new(area: f64, centroid: [f64; 2], central: [f64; 3], reach: &dyn Fn([f64; 2]) -> f64) -> Properties {
         let ([x, y], [xx, yy, xy]) = (centroid, central);
         let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
-        let radius = half.hypot(xy);
-        let (largest, angle) = if radius <= ROUND * mean { (mean, 0.0) } else { (mean + radius, 0.5 * (-xy).atan2(half)) };
+        let radius = elementary::hypot(half, xy);
+        let (largest, angle) = if radius <= ROUND * mean { (mean, 0.0) } else { (mean + radius, 0.5 * elementary::atan2(-xy, half)) };
         // the product of both is known without cancellation; shares of the largest keep it within the machine numbers
         let smallest = if radius <= ROUND * mean { mean } else { xx / largest * yy - xy / largest * xy };
         // -0 and -90 degrees are written as 0 and 90
@@ -107,7 +108,7 @@ impl Properties {
         let (s, c) = match xy {
             0.0 if angle == 0.0 => (0.0, 1.0),
             0.0 => (1.0, 0.0),
-            _ => angle.sin_cos(),
+            _ => elementary::sin_cos(angle),
         };
         // farthest fibre on either side of an axis through the centroid along (a, b)
         let fibre = |[a, b]: [f64; 2]| {

@@ -1,6 +1,7 @@
 //! Outlines of parts: contours as polygons for drawing and for the check of overlaps, and exact reach in a direction.
 
 use super::profiles::{Kind, Profile};
+use algebra::elementary;
 use std::f64::consts::PI;
 
 /// Closed polygons; what lies inside an odd number of them belongs to the part.
@@ -21,7 +22,7 @@ pub struct Outline {
 }
 
 fn circle(radius: f64) -> Vec<[f64; 2]> {
-    (0..SIDES).map(|k| 2.0 * PI * k as f64 / SIDES as f64).map(|a| [radius * a.cos(), radius * a.sin()]).collect()
+    (0..SIDES).map(|k| 2.0 * PI * k as f64 / SIDES as f64).map(|a| [radius * elementary::cos(a), radius * elementary::sin(a)]).collect()
 }
 
 impl Outline {
@@ -39,7 +40,8 @@ impl Outline {
     }
     /// The upper half of a disc.
     pub fn half_disc(radius: f64) -> Outline {
-        let half = (0..=SIDES / 2).map(|k| 2.0 * PI * k as f64 / SIDES as f64).map(|a| [radius * a.cos(), radius * a.sin()]);
+        let half =
+            (0..=SIDES / 2).map(|k| 2.0 * PI * k as f64 / SIDES as f64).map(|a| [radius * elementary::cos(a), radius * elementary::sin(a)]);
         Outline {
             contours: vec![half.collect()],
             arcs: vec![([0.0; 2], radius, Some([0.0, 1.0]))],
@@ -79,7 +81,7 @@ impl Outline {
 
     /// Turned, then moved.
     pub fn placed(&self, at: [f64; 2], angle: f64) -> Outline {
-        let (s, c) = if angle == 0.0 { (0.0, 1.0) } else { angle.sin_cos() };
+        let (s, c) = if angle == 0.0 { (0.0, 1.0) } else { elementary::sin_cos(angle) };
         let turn = |[x, y]: [f64; 2]| [x * c - y * s, x * s + y * c];
         let place = |p: [f64; 2]| {
             let [x, y] = turn(p);
@@ -150,20 +152,20 @@ fn filleted(corners: &[([f64; 2], f64)], sides: usize) -> Vec<[f64; 2]> {
             continue;
         }
         let unit = |[a, b]: [f64; 2]| {
-            let length = (a - x).hypot(b - y);
+            let length = elementary::hypot(a - x, b - y);
             [(a - x) / length, (b - y) / length]
         };
         let (u, v) = (unit(corners[(k + n - 1) % n].0), unit(corners[(k + 1) % n].0));
-        let half = 0.5 * (u[0] * v[0] + u[1] * v[1]).clamp(-1.0, 1.0).acos();
-        let (along, centre) = (radius / half.tan(), radius / half.sin());
-        let length = (u[0] + v[0]).hypot(u[1] + v[1]);
+        let half = 0.5 * elementary::acos((u[0] * v[0] + u[1] * v[1]).clamp(-1.0, 1.0));
+        let (along, centre) = (radius / elementary::tan(half), radius / elementary::sin(half));
+        let length = elementary::hypot(u[0] + v[0], u[1] + v[1]);
         let (cx, cy) = (x + (u[0] + v[0]) / length * centre, y + (u[1] + v[1]) / length * centre);
-        let start = (y + u[1] * along - cy).atan2(x + u[0] * along - cx);
-        let end = (y + v[1] * along - cy).atan2(x + v[0] * along - cx);
+        let start = elementary::atan2(y + u[1] * along - cy, x + u[0] * along - cx);
+        let end = elementary::atan2(y + v[1] * along - cy, x + v[0] * along - cx);
         let turn = (end - start + PI).rem_euclid(2.0 * PI) - PI;
         let point = |i: usize| {
             let a = start + turn * i as f64 / sides as f64;
-            [cx + radius * a.cos(), cy + radius * a.sin()]
+            [cx + radius * elementary::cos(a), cy + radius * elementary::sin(a)]
         };
         out.extend((0..=sides).map(point));
     }

@@ -1,6 +1,7 @@
 //! The table of units: names in both alphabets, exact factors, which take prefixes.
 
 use super::Dimension;
+use algebra::elementary;
 use symbolic::{Expr, Graph, Rational};
 
 /// An exact conversion factor: number · π^pi.
@@ -23,7 +24,7 @@ impl Factor {
     }
     /// The nearest machine number.
     pub fn to_f64(&self) -> f64 {
-        self.number.to_f64() * std::f64::consts::PI.powi(self.pi)
+        self.number.to_f64() * elementary::powi(std::f64::consts::PI, self.pi)
     }
 }
 

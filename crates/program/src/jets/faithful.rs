@@ -26,6 +26,7 @@
 
 use super::recurrences::Row;
 use crate::curve::{Curve, Range};
+use algebra::elementary;
 
 /// An operation to be watched: c = f(a, b).
 #[derive(Clone, Copy, Debug)]
@@ -166,7 +167,7 @@ impl Watch {
             Curve::Atanh if way_a <= NEAR * (1.0 - row[0].abs()) => true,
             Curve::Angle => {
                 let way_b = self.way(rows, b);
-                way_a + way_b <= NEAR * row[0].hypot(rows.row(b)[0]) || self.is_seen(rows, c, std::f64::consts::PI)
+                way_a + way_b <= NEAR * elementary::hypot(row[0], rows.row(b)[0]) || self.is_seen(rows, c, std::f64::consts::PI)
             }
             _ => {
                 let around = Range { low: row[0] - way_a, high: row[0] + way_a };
@@ -240,7 +241,7 @@ fn convergent(c: &[f64], mut h: f64, tolerance: f64) -> f64 {
         if last <= allowed || last <= NOTHING {
             break;
         }
-        let share = (allowed / last).powf(1.0 / p as f64);
+        let share = elementary::pow(allowed / last, 1.0 / p as f64);
         h *= if share.is_nan() { 0.1 } else { share.clamp(0.1, 0.97) };
     }
     h
@@ -261,7 +262,7 @@ fn looked(rows: Rows<'_>, node: Watched, mut h: f64, tolerance: f64) -> f64 {
         match good_share(node, whole, allowed) {
             1.0 => return h,
             // the feature is nearer than one look resolves
-            0.0 => h *= (0.5_f64).powi(DEPTH as i32),
+            0.0 => h *= elementary::powi(0.5_f64, DEPTH as i32),
             share => return share * h,
         }
     }
@@ -293,7 +294,7 @@ impl Part {
     }
 
     fn width(&self) -> f64 {
-        (0.5_f64).powi(self.depth as i32)
+        elementary::powi(0.5_f64, self.depth as i32)
     }
 
     fn range(&self, row: usize) -> Range {

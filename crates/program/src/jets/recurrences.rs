@@ -9,6 +9,7 @@ use super::plan::{Plan, Resolved};
 use crate::general::General;
 use crate::solve::{Defect, Factor};
 use crate::{Mode, Unary};
+use algebra::elementary;
 
 /// Number of a row.
 pub(super) type Row = u32;
@@ -256,21 +257,25 @@ impl Memory {
             Step::Square { a, .. } => self.get(a, 0) * self.get(a, 0),
             Step::Divide { a, b, .. } => self.get(a, 0) / self.get(b, 0),
             Step::SquareRoot { row, a } if self.is_at_zero(row) => self.get(a, 0).max(0.0).sqrt(),
-            Step::Power { row, a, p, .. } if self.is_at_zero(row) => self.get(a, 0).max(0.0).powf(p),
+            Step::Power { row, a, p, .. } if self.is_at_zero(row) => elementary::pow(self.get(a, 0).max(0.0), p),
             Step::SquareRoot { a, .. } => self.get(a, 0).sqrt(),
-            Step::Power { a, p, .. } => self.get(a, 0).powf(p),
-            Step::Exp { a, .. } => self.get(a, 0).exp(),
+            Step::Power { a, p, .. } => elementary::pow(self.get(a, 0), p),
+            Step::Exp { a, .. } => elementary::exp(self.get(a, 0)),
             Step::SinCos { row, a, sign, .. } => {
                 let x = self.get(a, 0);
-                let (s, c) = if sign < 0.0 { x.sin_cos() } else { (x.sinh(), x.cosh()) };
+                let (s, c) = if sign < 0.0 { elementary::sin_cos(x) } else { (elementary::sinh(x), elementary::cosh(x)) };
                 self.put(row + 1, 0, c);
                 s
             }
             Step::Tangent { a, helper, sign, .. } => {
                 let x = self.get(a, 0);
-                let t = if sign > 0.0 { x.tan() } else { x.tanh() };
+                let t = if sign > 0.0 { elementary::tan(x) } else { elementary::tanh(x) };
                 // 1 - tanh² has few digits left near saturation; what tanh itself does not show any more is nothing
-                let u = if sign > 0.0 { 1.0 + t * t } else { Some(x.cosh().powi(-2)).filter(|u| *u > f64::EPSILON).unwrap_or(0.0) };
+                let u = if sign > 0.0 {
+                    1.0 + t * t
+                } else {
+                    Some(elementary::powi(elementary::cosh(x), -2)).filter(|u| *u > f64::EPSILON).unwrap_or(0.0)
+                };
                 self.put(helper + 1, 0, u);
                 t
             }
@@ -278,7 +283,7 @@ impl Memory {
             Step::Atan2 { y, x, helper, .. } => {
                 let (y, x) = (self.get(y, 0), self.get(x, 0));
                 self.put(helper, 0, x * x + y * y);
-                y.atan2(x)
+                elementary::atan2(y, x)
             }
             Step::Solve { row, system } => {
                 self.begin_solve(row, system as usize, plan);

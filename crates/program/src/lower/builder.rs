@@ -1,6 +1,7 @@
 //! Value numbering: equal operations get one value; operations on literals are carried out at once.
 
 use crate::{By, Coefficient, Instruction, Operation, Real, Register, Tape, Unary};
+use algebra::elementary;
 use rustc_hash::FxHashMap;
 use symbolic::Expr;
 
@@ -66,7 +67,7 @@ impl Builder {
 
     pub(crate) fn power(&mut self, a: Register, p: Coefficient) -> Register {
         match (self.literal(a), p) {
-            (Some(x), Coefficient::Number(p)) if x.powf(p.0).is_finite() => self.number(x.powf(p.0)),
+            (Some(x), Coefficient::Number(p)) if elementary::pow(x, p.0).is_finite() => self.number(elementary::pow(x, p.0)),
             _ => self.push(Operation::Power(a, p)),
         }
     }
@@ -89,7 +90,7 @@ impl Builder {
     /// sin a, cos a.
     pub(crate) fn sin_cos(&mut self, a: Register) -> (Register, Register) {
         if let Some(x) = self.literal(a) {
-            return (self.number(x.sin()), self.number(x.cos()));
+            return (self.number(elementary::sin(x)), self.number(elementary::cos(x)));
         }
         self.pair(Operation::SinCos(a))
     }

@@ -6,6 +6,7 @@ pub mod steps;
 mod tables;
 
 use crate::pipeline::Phases;
+use algebra::complex;
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Listed};
 use analysis::studies::transient::load::Term;
@@ -75,7 +76,7 @@ fn further(listed: &Listed) -> Value {
     let load = listed.further();
     let terms = load.0.iter().filter(|t| t.rate.im >= 0.0 && (t.power > 0 || t.rate.re != 0.0 || t.rate.im != 0.0));
     let one = |t: &Term| {
-        let (factor, phase) = if t.rate.im == 0.0 { (t.factor.re, 0.0) } else { (2.0 * t.factor.abs(), t.factor.arg()) };
+        let (factor, phase) = if t.rate.im == 0.0 { (t.factor.re, 0.0) } else { (2.0 * complex::abs(t.factor), complex::arg(t.factor)) };
         json!({ "factor": factor, "power": t.power, "rate": t.rate.re, "frequency": t.rate.im, "phase": phase })
     };
     terms.map(one).collect()

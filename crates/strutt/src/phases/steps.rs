@@ -12,6 +12,7 @@ use super::principal;
 use super::setting::{Setting, exponential, fence, fraction, minus, negative, plus, power, product, root, square, whole};
 use super::tables::state_table;
 use crate::pipeline::Phases;
+use algebra::complex;
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Forcing, Listed};
 use analysis::studies::transient::load::{Load, Term};
@@ -546,8 +547,8 @@ impl<'a> Writer<'a> {
                 t.factor.re
             } else {
                 let angle = product(vec![set.size(t.rate.im), tau()]);
-                parts.push(set.wave("cos", set.shifted(angle, t.factor.arg())));
-                2.0 * t.factor.abs()
+                parts.push(set.wave("cos", set.shifted(angle, complex::arg(t.factor))));
+                2.0 * complex::abs(t.factor)
             };
             terms.push(set.term(factor * size, parts));
         }

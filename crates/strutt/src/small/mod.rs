@@ -156,7 +156,7 @@ fn stable(linear: &mut LinearMachine, place: &Place) -> bool {
     }
     let found = found.allowed().map_or(found.clone(), |(z, k)| found.reduced(&z, k));
     let (even, _) = analysis::linear::parts(&found.stiffness, found.n);
-    analysis::numerics::lu::positive_definite(&even, found.n) != Some(false)
+    algebra::cholesky::positive_definite(&even, found.n) != Some(false)
 }
 
 /// Puts the unknowns of the model at the numbers for which the start is a place of rest.

@@ -9,6 +9,8 @@
 //!
 //! *Source*: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.9 (Gragg, Bulirsch, Stoer).
 
+use algebra::elementary;
+
 /// Rows of the scheme: order 16 at the end.
 const ROWS: usize = 8;
 
@@ -23,7 +25,7 @@ pub(super) fn step(f: Field, (s, h): (f64, f64), z: &[f64], scales: &[f64], tole
         let parts = |k: usize| 2.0 * (k + 1) as f64;
         let mut row = vec![midpoint(f, (s, h), (z, &slope), 2 * (k + 1))?];
         for j in 1..=k {
-            let ratio = (parts(k) / parts(k - j)).powi(2) - 1.0;
+            let ratio = elementary::powi(parts(k) / parts(k - j), 2) - 1.0;
             row.push(row[j - 1].iter().zip(&above[j - 1]).map(|(new, old)| new + (new - old) / ratio).collect());
         }
         if k > 0 && agree(&row[k], &row[k - 1], scales, tolerance) {

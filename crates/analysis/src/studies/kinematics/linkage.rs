@@ -10,6 +10,7 @@
 //!
 //! Rows and columns are scaled, so that metres and radians can be compared: an angle stands for its arm.
 
+use algebra::elementary;
 use std::sync::Arc;
 
 use program::lower::{Drive, LinkageRoots};
@@ -18,8 +19,8 @@ use symbolic::connections::{Condition, Law};
 use symbolic::{Equations, Graph};
 
 use crate::Fault;
-use crate::numerics::random::Random;
-use crate::numerics::rank::Qr;
+use algebra::qr::Qr;
+use algebra::random::Random;
 
 /// What is left of a column after the others below this share of itself: so near a singular position rounding costs half of the digits, and the places
 /// beside it tell more.
@@ -133,7 +134,7 @@ impl<'e> Linkage<'e> {
 
     /// Length of a condition's scaled row.
     fn length(&self, k: usize) -> f64 {
-        self.row(k).iter().enumerate().fold(0.0_f64, |l, (i, j)| l.hypot(j * self.scale(i)))
+        self.row(k).iter().enumerate().fold(0.0_f64, |l, (i, j)| elementary::hypot(l, j * self.scale(i)))
     }
 
     fn remember(&mut self) {
@@ -235,13 +236,13 @@ impl<'e> Linkage<'e> {
         // each column is compared with itself: a wheel geared down a million times is no singular position
         let columns: Vec<f64> = (0..width)
             .map(|i| {
-                let length = (0..count).fold(0.0_f64, |l, k| l.hypot(matrix[k * width + i]));
+                let length = (0..count).fold(0.0_f64, |l, k| elementary::hypot(l, matrix[k * width + i]));
                 if length > 0.0 { 1.0 / length } else { 1.0 }
             })
             .collect();
         (0..count * width).for_each(|k| matrix[k] *= columns[k % width]);
         let columns = columns.iter().enumerate().map(|(i, c)| if i < n { c * self.scale(i) } else { *c }).collect();
-        Rows { qr: Qr::new(count, width, &matrix, DEPENDENT), columns, scales, n: width }
+        Rows { qr: Qr::alike(&matrix, count, width, DEPENDENT), columns, scales, n: width }
     }
 
     /// Newton's step that closes the linkage at s: change of the coordinates, largest relative gap before it. None in a singular position.
@@ -376,7 +377,7 @@ impl Rows {
         }
         let scaled: Vec<f64> = right.iter().zip(&self.scales).map(|(r, s)| r * s).collect();
         let (x, residual) = self.qr.least_squares(&scaled);
-        let size = x.iter().fold(f64::MIN_POSITIVE, |l, x| l.hypot(*x));
+        let size = x.iter().fold(f64::MIN_POSITIVE, |l, x| elementary::hypot(l, *x));
         Some((x.iter().zip(&self.columns).map(|(x, c)| x * c).collect(), residual / size))
     }
 

@@ -3,6 +3,7 @@
 //! z = (q, s) moves along the direction v with [J; E] v_q + (r/w; -d') v_s = 0, |v| = 1 (angles times their arm). At a dead point v_s passes zero: it is
 //! located there by bisection of the length.
 
+use algebra::elementary;
 use words::{Message, Text};
 
 use super::extrapolation;
@@ -110,7 +111,7 @@ impl Linkage<'_> {
         let mut directions = self.directions(s, &at)?;
         let (Some(v), true) = (directions.pop(), directions.is_empty()) else { return Ok(None) };
         let weight = |i: usize| if i < n && !self.angles[i] { 1.0 / self.arm } else { 1.0 };
-        let length = v.iter().enumerate().fold(0.0_f64, |l, (i, v)| l.hypot(v * weight(i)));
+        let length = v.iter().enumerate().fold(0.0_f64, |l, (i, v)| elementary::hypot(l, v * weight(i)));
         let along = match like {
             Some(like) => v.iter().zip(like).enumerate().map(|(i, (a, b))| a * b * weight(i) * weight(i)).sum(),
             None => v[n] * sense,

@@ -7,15 +7,18 @@ use super::spectrum::Turn;
 use super::symmetry::{self, Symmetry};
 use super::{Periodic, closure, unsettled};
 use crate::dataset::Audit;
-use crate::numerics::rank::Qr;
 use crate::taylor::Options;
 use crate::{Fault, Mode, System};
+use algebra::qr::{DEPENDENT, Qr};
 use std::f64::consts::TAU;
 
 /// Share of a column below which Newton's matrix counts as singular: a family of periodic motions.
 const SINGULAR: f64 = 1e-9;
 /// The same for a forced machine, which is singular only at resonance.
 const RESONANT: f64 = 1e-12;
+/// Rank of the derivative of a projection: shares of its rows, and of its columns, which differences of states give with half of the digits.
+const IN_ROWS: f64 = 1e-9;
+const IN_COLUMNS: f64 = 1e-7;
 /// Shares of the period by which a turn may be followed further to end behind a switch.
 const BEHIND: [f64; 4] = [0.0, 1e-14, 1e-13, 1e-12];
 /// Units of the last place of its terms to which a force is known.
@@ -73,14 +76,14 @@ pub(super) fn tangent<S: System + ?Sized>(
         _ => 1.0,
     };
     let transposed: Vec<f64> = (0..n * n).map(|k| p[(k % n) * n + k / n] * weight(k % n)).collect();
-    let mut free = Qr::new(n, n, &transposed, 1e-9).independent().to_vec();
+    let mut free = Qr::alike(&transposed, n, n, IN_ROWS).independent().to_vec();
     free.sort_unstable();
-    let columns = Qr::new(n, n, &p, 1e-7).independent().to_vec();
+    let columns = Qr::alike(&p, n, n, IN_COLUMNS).independent().to_vec();
     let r = free.len().min(columns.len());
     free.truncate(r);
     // B = P_columns (P_free,columns)^-1
     let square: Vec<f64> = free.iter().flat_map(|&i| columns[..r].iter().map(move |&j| (i, j))).map(|(i, j)| p[i * n + j]).collect();
-    let qr = Qr::new(r, r, &square, 1e-12);
+    let qr = Qr::alike(&square, r, r, DEPENDENT);
     let mut basis = Vec::with_capacity(r);
     for k in 0..r {
         let unit: Vec<f64> = (0..r).map(|i| if i == k { 1.0 } else { 0.0 }).collect();
@@ -176,7 +179,7 @@ impl Found<'_> {
         }
         let right: Vec<f64> = returning.iter().map(|&i| -gap[i] / self.scales[i]).collect();
         let singular = if self.symmetry.frame.is_some() { SINGULAR } else { RESONANT };
-        let (y, _) = Qr::new(m, m, &square, singular).least_squares(&right);
+        let (y, _) = Qr::alike(&square, m, m, singular).least_squares(&right);
         let largest = y.iter().fold(0.0_f64, |l, v| l.max(v.abs()));
         if !largest.is_finite() {
             return Ok(None);

@@ -14,6 +14,7 @@ use super::orbit::{Jump, Orbit};
 use super::variation::{self, Chain, Stretch};
 use crate::events::{Change, Switch};
 use crate::{Fault, GuardKind, Mode, System};
+use algebra::elementary;
 
 /// Half width of differences, in scales of the state: (1e-3)^4 of truncation against 1e-16/1e-3 of rounding.
 const WIDTH: f64 = 1e-3;
@@ -216,7 +217,7 @@ pub(super) fn of_orbit<S: System + ?Sized>(
                 // a column in which everything cancels has a length of rounding: what met in it tells
                 let takes = size.is_nan() || size <= SINGULAR * terms.hadamard();
                 singular |= takes;
-                log_determinant = log_determinant.filter(|_| !takes).map(|l| l + size.ln());
+                log_determinant = log_determinant.filter(|_| !takes).map(|l| l + elementary::ln(size));
                 chain.push(scaled, 0.0);
             }
             Saltation::Undefined(undefined) => blur = undefined,

@@ -24,6 +24,7 @@ mod variation;
 
 pub use listener::{Listener, Stage};
 
+use algebra::elementary;
 use found::Found;
 use fundamental::Blur;
 use orbit::Limit;
@@ -109,7 +110,7 @@ pub struct Multiplier {
 impl Multiplier {
     /// Magnitude.
     pub fn abs(&self) -> f64 {
-        self.log_abs.map_or(self.re.hypot(self.im), f64::exp)
+        self.log_abs.map_or(elementary::hypot(self.re, self.im), elementary::exp)
     }
 }
 

@@ -7,6 +7,7 @@ use super::found::Found;
 use super::orbit::Orbit;
 use super::{Multiplier, spectrum, stable};
 use crate::{Fault, System};
+use algebra::elementary;
 use words::{Message, Text};
 
 /// Share of the first turn's scales within which a whole turn is rest.
@@ -44,7 +45,7 @@ pub(super) fn attracts<S: System + ?Sized>(system: &mut S, found: &Found<'_>, se
 
 /// Whether a shrunk turn has a multiplier 1 of its own: its motion then dies away more slowly than any exponential, and a turn of any size all but closes.
 pub(super) fn fades(multipliers: &[Multiplier]) -> bool {
-    multipliers.iter().any(|m| !m.trivial && (m.re - 1.0).hypot(m.im) <= m.error.max(FADING))
+    multipliers.iter().any(|m| !m.trivial && elementary::hypot(m.re - 1.0, m.im) <= m.error.max(FADING))
 }
 
 /// Distance from 1 at which the multiplier of a shrunk turn is 1.

@@ -14,8 +14,10 @@
 
 use super::Multiplier;
 use crate::Fault;
-use crate::numerics::eigen::general;
-use crate::numerics::random::Random;
+use algebra::complex::{self, Complex};
+use algebra::eigen::general;
+use algebra::elementary;
+use algebra::random::Random;
 
 /// What is known of a turn, on the states that have to come back, in their scales.
 pub(super) struct Turn {
@@ -101,20 +103,20 @@ fn with_errors(n: usize, matrix: &[f64], size: f64, seed: u64) -> Result<Vec<Mul
         let disturbed: Vec<f64> = matrix.iter().map(|v| v + size * random.between(-1.0, 1.0)).collect();
         let moved = general(n, &disturbed)?.values;
         for (error, value) in errors.iter_mut().zip(&values) {
-            let nearest = moved.iter().map(|m| (m.0 - value.0).hypot(m.1 - value.1)).fold(f64::INFINITY, f64::min);
+            let nearest = moved.iter().map(|m| complex::abs(m - value)).fold(f64::INFINITY, f64::min);
             *error = error.max(2.0 * nearest);
         }
     }
     let multiplier =
-        |((re, im), error): (&(f64, f64), &f64)| Multiplier { re: *re, im: *im, error: error.max(size), ..Multiplier::default() };
+        |(value, error): (&Complex, &f64)| Multiplier { re: value.re, im: value.im, error: error.max(size), ..Multiplier::default() };
     Ok(values.iter().zip(&errors).map(multiplier).collect())
 }
 
 /// A multiplier below its error is no number: it is zero as far as the matrix tells. When it is the only one, the determinant gives it, or it is 0 exactly
 /// because a switch took its direction away.
 fn name_smallest(multipliers: &mut [Multiplier], turn: &Turn) {
-    let lost = |m: &Multiplier| m.re.hypot(m.im) <= m.error;
-    let known: f64 = multipliers.iter().filter(|m| !lost(m)).map(|m| m.abs().ln()).sum();
+    let lost = |m: &Multiplier| elementary::hypot(m.re, m.im) <= m.error;
+    let known: f64 = multipliers.iter().filter(|m| !lost(m)).map(|m| elementary::ln(m.abs())).sum();
     let alone = multipliers.iter().filter(|m| lost(m)).count() == 1;
     for m in multipliers.iter_mut().filter(|m| lost(m)) {
         (m.re, m.im) = (0.0, 0.0);

@@ -6,9 +6,9 @@
 
 use super::fundamental::{derivative, slopes};
 use super::orbit::Orbit;
-use crate::numerics::random::Random;
-use crate::numerics::rank::Qr;
 use crate::{Fault, Mode, System};
+use algebra::qr::Qr;
+use algebra::random::Random;
 
 /// Points of the turn at which derivatives are taken.
 const POINTS: usize = 12;
@@ -58,7 +58,7 @@ pub(super) fn find<S: System + ?Sized>(
             conditions(system, k, scales, orbit.period, &mut table)?;
         }
     }
-    let qr = Qr::new(table.norms.len(), columns, &table.matrix, NOISE);
+    let qr = Qr::alike(&table.matrix, table.norms.len(), columns, NOISE);
     let mut directions: Vec<Vec<f64>> = qr.null_space();
     let rank = |direction: &[f64], k: usize| direction[k].abs();
     let keep = keep.and_then(|state| places.iter().position(|&i| i == state));
@@ -205,7 +205,7 @@ fn refined<S: System + ?Sized>(system: &mut S, table: &Table, mut frame: Vec<f64
         // the frame keeps to the conditions
         right.resize(table.norms.len(), 0.0);
         right.iter_mut().zip(&table.norms).for_each(|(r, norm)| *r /= norm);
-        let (change, _) = Qr::new(right.len(), columns - 1, &left, NOISE).least_squares(&right);
+        let (change, _) = Qr::alike(&left, right.len(), columns - 1, NOISE).least_squares(&right);
         table.places.iter().enumerate().for_each(|(k, &i)| frame[i] += change[k] * table.sizes[k] / period);
     }
     Ok(frame)

@@ -18,11 +18,12 @@
 use super::fundamental::{Square, slopes};
 use super::listener::{Listener, Stage};
 use super::orbit::Orbit;
-use crate::numerics::gauss::EIGHT;
-use crate::numerics::lu::Lu;
-use crate::numerics::sum::Instant;
 use crate::taylor::Step;
 use crate::{Fault, System};
+use algebra::elementary;
+use algebra::gauss::EIGHT;
+use algebra::lu::Lu;
+use algebra::sum::Instant;
 
 /// Stages.
 const STAGES: usize = 7;
@@ -287,7 +288,7 @@ impl Tried {
 
     /// Liouville's formula on the step.
     fn missed(&self, divergence: f64, before: &Square) -> f64 {
-        let growth = divergence.exp();
+        let growth = elementary::exp(divergence);
         if self.own <= TOLERANCE {
             return (self.matrix.determinant() - growth).abs() / self.matrix.hadamard().max(growth);
         }
@@ -341,7 +342,7 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
         let off = tried.off();
         let rounding = off <= ROUGH && refused.is_some_and(|before| off > 0.5 * before);
         let allowed = TOLERANCE.max((2.0 * rough * h).min(ROUGH));
-        let factor = 0.9 * (allowed / off.max(1e-30)).powf(1.0 / (2 * STAGES) as f64);
+        let factor = 0.9 * elementary::pow(allowed / off.max(1e-30), 1.0 / (2 * STAGES) as f64);
         if off > allowed && !rounding {
             refused = Some(off);
             h *= factor.clamp(0.2, 0.9);
@@ -380,7 +381,7 @@ pub(super) fn balanced<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales
         let others = || (0..n).filter(|j| *j != i);
         let (row, column): (f64, f64) = (others().map(|j| largest[i * n + j]).sum(), others().map(|j| largest[j * n + i]).sum());
         if row > 0.0 && column > 0.0 {
-            let factor = (0.5 * (row / column).log2()).round().exp2();
+            let factor = elementary::exp2((0.5 * elementary::log2(row / column)).round());
             out[i] *= factor;
             others().for_each(|j| {
                 largest[i * n + j] /= factor;

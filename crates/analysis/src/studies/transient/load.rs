@@ -3,7 +3,8 @@
 //! Constants, ramps, sines, their products and decaying ones are all of this kind, and sums and products stay in it. λ and c are complex; a
 //! real function carries both halves of each conjugate pair.
 
-use crate::numerics::complex::Complex;
+use algebra::complex::{self, Complex, imaginary};
+use algebra::elementary;
 
 /// c t^k e^(λ t).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +29,7 @@ const SAME: f64 = 8.0 * f64::EPSILON;
 impl Load {
     /// A constant.
     pub fn constant(c: f64) -> Load {
-        Load::term(Complex::ZERO, 0, Complex::real(c))
+        Load::term(Complex::ZERO, 0, Complex::from(c))
     }
     /// t.
     pub fn time() -> Load {
@@ -40,24 +41,24 @@ impl Load {
     /// sin(a t + b).
     pub fn sine(a: f64, b: f64) -> Load {
         // (e^(i(at+b)) - e^(-i(at+b)))/(2i)
-        let half = Complex::imaginary(b).exp() * Complex::imaginary(-0.5);
+        let half = complex::exp(imaginary(b)) * imaginary(-0.5);
         Load::pair(a, half)
     }
     /// cos(a t + b).
     pub fn cosine(a: f64, b: f64) -> Load {
-        Load::pair(a, Complex::imaginary(b).exp().scale(0.5))
+        Load::pair(a, complex::exp(imaginary(b)).scale(0.5))
     }
     fn pair(a: f64, half: Complex) -> Load {
         if a == 0.0 {
             return Load::constant(2.0 * half.re);
         }
-        let mut sum = Load::term(Complex::imaginary(a), 0, half);
-        sum.0.extend(Load::term(Complex::imaginary(-a), 0, half.conjugate()).0);
+        let mut sum = Load::term(imaginary(a), 0, half);
+        sum.0.extend(Load::term(imaginary(-a), 0, half.conj()).0);
         sum
     }
     /// e^(a t + b).
     pub fn growth(a: f64, b: f64) -> Load {
-        Load::term(Complex::real(a), 0, Complex::real(b.exp()))
+        Load::term(Complex::from(a), 0, Complex::from(elementary::exp(b)))
     }
 
     /// The number, when it does not change.
@@ -88,7 +89,7 @@ impl Load {
 
     /// The value at t.
     pub fn at(&self, t: f64) -> f64 {
-        self.0.iter().map(|term| (term.factor * term.rate.scale(t).exp()).re * t.powi(term.power as i32)).sum()
+        self.0.iter().map(|term| (term.factor * complex::exp(term.rate.scale(t))).re * elementary::powi(t, term.power as i32)).sum()
     }
 
     /// Adds a multiple of another.
@@ -99,7 +100,7 @@ impl Load {
     }
 
     fn push(&mut self, term: Term) {
-        let same = |t: &Term| t.power == term.power && (t.rate - term.rate).abs() <= SAME * t.rate.abs();
+        let same = |t: &Term| t.power == term.power && complex::abs(t.rate - term.rate) <= SAME * complex::abs(t.rate);
         let Some(i) = self.0.iter().position(same) else {
             if term.factor != Complex::ZERO {
                 self.0.push(term);
@@ -107,7 +108,7 @@ impl Load {
             return;
         };
         let (before, sum) = (self.0[i].factor, self.0[i].factor + term.factor);
-        if sum.abs() <= CANCELLED * (before.abs() + term.factor.abs()) {
+        if complex::abs(sum) <= CANCELLED * (complex::abs(before) + complex::abs(term.factor)) {
             self.0.remove(i);
         } else {
             self.0[i].factor = sum;
@@ -120,7 +121,7 @@ impl Load {
         for a in &self.0 {
             for b in &other.0 {
                 let sum = a.rate + b.rate;
-                let rate = if sum.abs() <= SAME * a.rate.abs() { Complex::ZERO } else { sum };
+                let rate = if complex::abs(sum) <= SAME * complex::abs(a.rate) { Complex::ZERO } else { sum };
                 product.push(Term { rate, power: a.power + b.power, factor: a.factor * b.factor });
             }
         }
@@ -161,11 +162,11 @@ impl Load {
     pub fn from(&self, start: f64) -> Load {
         let mut moved = Load::default();
         for t in &self.0 {
-            let factor = t.factor * t.rate.scale(start).exp();
+            let factor = t.factor * complex::exp(t.rate.scale(start));
             // (τ + s)^k by the binomial theorem
             let mut binomial = 1.0;
             for j in 0..=t.power {
-                let share = binomial * start.powi((t.power - j) as i32);
+                let share = binomial * elementary::powi(start, (t.power - j) as i32);
                 moved.push(Term { rate: t.rate, power: j, factor: factor.scale(share) });
                 binomial *= f64::from(t.power - j) / f64::from(j + 1);
             }

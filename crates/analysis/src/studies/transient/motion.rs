@@ -8,10 +8,10 @@ use super::form::Form;
 use super::load::Load;
 use super::oscillator::Oscillator;
 use crate::Fault;
-use crate::numerics::complex::Complex;
-use crate::numerics::eigen::general;
-use crate::numerics::expm;
-use crate::numerics::lu::Lu;
+use algebra::complex::Complex;
+use algebra::eigen::{general, symmetric};
+use algebra::expm;
+use algebra::lu::Lu;
 use words::{Message, Text};
 
 /// The motion within a phase, τ from its start.
@@ -59,7 +59,10 @@ impl Motion {
     pub fn rates(&self) -> Vec<(f64, f64)> {
         match self {
             Motion::Modes(modes) => modes.iter().flat_map(|m| m.oscillator.rates()).collect(),
-            Motion::Exponential(joint) => general(joint.size, &joint.matrix).map(|found| found.values).unwrap_or_default(),
+            Motion::Exponential(joint) => {
+                let values = general(joint.size, &joint.matrix).map(|found| found.values).unwrap_or_default();
+                values.iter().map(|z| (z.re, z.im)).collect()
+            }
         }
     }
 
@@ -135,102 +138,12 @@ fn single([a, b, c]: [f64; 3], load: &Load, state: &[f64]) -> Mode {
     Mode { shape: vec![1.0], oscillator }
 }
 
-/// C v = k² M v with vᵀ M v = 1, ascending; none when M is not positive definite. Jacobi's rotations on L⁻¹ C L⁻ᵀ, M = L Lᵀ.
-/// *Source*: G. H. Golub, C. F. Van Loan, Matrix Computations, 8.5 and 8.7.
+/// C v = k² M v with vᵀ M v = 1, ascending; none when M is not positive definite.
 fn generalized(mass: &[f64], stiffness: &[f64], n: usize) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
-    let l = cholesky(mass, n)?;
-    let forward = |b: &mut [f64]| {
-        for i in 0..n {
-            for j in 0..i {
-                b[i] -= l[i * n + j] * b[j];
-            }
-            b[i] /= l[i * n + i];
-        }
-    };
-    let mut a = stiffness.to_vec();
-    // columns, then rows
-    for _ in 0..2 {
-        for j in 0..n {
-            let mut column: Vec<f64> = (0..n).map(|i| a[i * n + j]).collect();
-            forward(&mut column);
-            (0..n).for_each(|i| a[i * n + j] = column[i]);
-        }
-        for i in 0..n {
-            for j in 0..i {
-                a.swap(i * n + j, j * n + i);
-            }
-        }
-    }
-    let vectors = jacobi(&mut a, n);
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|i, j| a[i * n + i].total_cmp(&a[j * n + j]));
-    let shape = |k: usize| -> Vec<f64> {
-        let mut v: Vec<f64> = (0..n).map(|i| vectors[i * n + k]).collect();
-        for i in (0..n).rev() {
-            for j in i + 1..n {
-                v[i] -= l[j * n + i] * v[j];
-            }
-            v[i] /= l[i * n + i];
-        }
-        v
-    };
-    let size = (0..n).map(|i| a[i * n + i].abs()).fold(0.0, f64::max);
-    let square = |k: usize| Some(a[k * n + k]).filter(|v| v.abs() > 4.0 * f64::EPSILON * size).unwrap_or(0.0);
-    Some((order.iter().map(|k| square(*k)).collect(), order.iter().map(|k| shape(*k)).collect()))
-}
-
-fn cholesky(a: &[f64], n: usize) -> Option<Vec<f64>> {
-    let mut l = vec![0.0; n * n];
-    for i in 0..n {
-        for j in 0..=i {
-            let sum = a[i * n + j] - (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum::<f64>();
-            if i == j {
-                if sum <= 1e-13 * a[i * n + i].abs() {
-                    return None;
-                }
-                l[i * n + i] = sum.sqrt();
-            } else {
-                l[i * n + j] = sum / l[j * n + j];
-            }
-        }
-    }
-    Some(l)
-}
-
-/// Diagonalises a symmetric matrix in place; the columns of the result are its eigenvectors.
-fn jacobi(a: &mut [f64], n: usize) -> Vec<f64> {
-    let mut v: Vec<f64> = (0..n * n).map(|k| if k % (n + 1) == 0 { 1.0 } else { 0.0 }).collect();
-    for _ in 0..60 {
-        let mut done = true;
-        for p in 0..n {
-            for q in p + 1..n {
-                let apq = a[p * n + q];
-                if apq.abs() <= 1e-17 * (a[p * n + p].abs() * a[q * n + q].abs()).sqrt() || apq == 0.0 {
-                    continue;
-                }
-                done = false;
-                let theta = 0.5 * (a[q * n + q] - a[p * n + p]) / apq;
-                let t = if theta == 0.0 { 1.0 } else { theta.signum() / (theta.abs() + theta.hypot(1.0)) };
-                let c = 1.0 / t.hypot(1.0);
-                let s = t * c;
-                for k in 0..n {
-                    let (x, y) = (a[k * n + p], a[k * n + q]);
-                    (a[k * n + p], a[k * n + q]) = (c * x - s * y, s * x + c * y);
-                }
-                for k in 0..n {
-                    let (x, y) = (a[p * n + k], a[q * n + k]);
-                    (a[p * n + k], a[q * n + k]) = (c * x - s * y, s * x + c * y);
-                    let (x, y) = (v[k * n + p], v[k * n + q]);
-                    (v[k * n + p], v[k * n + q]) = (c * x - s * y, s * x + c * y);
-                }
-                (a[p * n + q], a[q * n + p]) = (0.0, 0.0);
-            }
-        }
-        if done {
-            break;
-        }
-    }
-    v
+    let modes = symmetric(n, stiffness, mass).ok()?;
+    let size = modes.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let square = |v: &f64| if v.abs() > 4.0 * f64::EPSILON * size { *v } else { 0.0 };
+    Some((modes.values.iter().map(square).collect(), (0..n).map(|j| modes.shape(j).to_vec()).collect()))
 }
 
 /// Functions g_j = τ^j/j! e^(λτ), of which loads are made: g_j' = λ g_j + g_(j-1), g_0(0) = 1, the others begin at 0.

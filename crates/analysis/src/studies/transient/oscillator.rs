@@ -10,8 +10,8 @@
 //! which does tell cases apart, are computed beside it for print.
 
 use super::load::{Load, Term};
-use crate::numerics::complex::Complex;
-use crate::numerics::divided::exponential;
+use algebra::complex::{self, Complex};
+use algebra::divided::exponential;
 
 /// n and k that agree to this share are critical damping, a root and a rate that agree to it are resonance: data carry rounding.
 const EQUAL: f64 = 1e-12;
@@ -125,7 +125,7 @@ impl Oscillator {
         }
         let far = -(self.n + d.sqrt().copysign(self.n));
         let near = if far == 0.0 { 0.0 } else { self.k2 / far };
-        [Complex::real(near), Complex::real(far)]
+        [Complex::from(near), Complex::from(far)]
     }
 
     /// x and x' at τ.
@@ -133,7 +133,7 @@ impl Oscillator {
         let [r1, r2] = self.roots();
         let impulse = exponential(&[r1, r2], tau);
         // S' = r1 S + e^(r2 τ), and with 2 n = -(r1 + r2): S' + 2 n S = e^(r2 τ) - r2 S
-        let decay = r2.scale(tau).exp();
+        let decay = complex::exp(r2.scale(tau));
         let slope = r1 * impulse + decay;
         let start = decay - r2 * impulse;
         let mut x = self.x0 * start.re + self.v0 * impulse.re;
@@ -164,11 +164,11 @@ impl Oscillator {
             () if d < 0.0 => Case::Underdamped,
             () => Case::Overdamped,
         };
-        let roots = if case == Case::Critical { [Complex::real(-self.n); 2] } else { self.roots() };
+        let roots = if case == Case::Critical { [Complex::from(-self.n); 2] } else { self.roots() };
         let mut forced = Load::default();
         let mut resonance = false;
         for term in &self.load.0 {
-            let multiplicity = roots.iter().filter(|r| (**r - term.rate).abs() <= EQUAL * (size + term.rate.abs())).count();
+            let multiplicity = roots.iter().filter(|r| complex::abs(**r - term.rate) <= EQUAL * (size + complex::abs(term.rate))).count();
             // a free body under a constant force is no resonance
             resonance |= multiplicity > 0 && term.rate != Complex::ZERO;
             forced.add(&Load(self.particular(term, multiplicity)), 1.0);
@@ -193,8 +193,8 @@ impl Oscillator {
     /// (λ² + 2nλ + k²) X_j + 2 (λ + n)(j + 1) X_(j+1) + (j + 1)(j + 2) X_(j+2) = c for j = k, 0 below.
     fn particular(&self, term: &Term, multiplicity: usize) -> Vec<Term> {
         let (rate, m) = (term.rate, term.power as usize);
-        let p = rate * rate + rate.scale(2.0 * self.n) + Complex::real(self.k2);
-        let p1 = (rate + Complex::real(self.n)).scale(2.0);
+        let p = rate * rate + rate.scale(2.0 * self.n) + Complex::from(self.k2);
+        let p1 = (rate + Complex::from(self.n)).scale(2.0);
         let mut x = vec![Complex::ZERO; m + 3 + multiplicity];
         for j in (0..=m).rev() {
             let wanted = if j == m { term.factor } else { Complex::ZERO };
@@ -220,12 +220,12 @@ impl Oscillator {
     fn harmonic(&self, term: &Term) -> Harmonic {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
         let p = term.rate.im;
-        let h = 2.0 * term.factor.abs();
-        let delta = term.factor.arg() + FRAC_PI_2;
+        let h = 2.0 * complex::abs(term.factor);
+        let delta = complex::arg(term.factor) + FRAC_PI_2;
         let delta = if delta > PI { delta - TAU } else { delta };
         let response = Complex::new(self.k2 - p * p, 2.0 * self.n * p);
-        let amplitude = (response.abs() > EQUAL * (self.k2.abs() + p * p)).then(|| h / response.abs());
-        Harmonic { p, h, delta, amplitude, lag: response.arg() }
+        let amplitude = (complex::abs(response) > EQUAL * (self.k2.abs() + p * p)).then(|| h / complex::abs(response));
+        Harmonic { p, h, delta, amplitude, lag: complex::arg(response) }
     }
 }
 

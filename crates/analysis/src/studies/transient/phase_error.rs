@@ -10,6 +10,7 @@
 use super::Phase;
 use crate::Fault;
 use crate::fault::rounded;
+use algebra::elementary;
 use words::explain::{Explanation, plain};
 use words::{Message, Text};
 
@@ -44,8 +45,8 @@ pub(super) fn check(phases: &[Phase], last: f64) -> Result<Option<Text>, Fault> 
     for phase in phases.iter().filter(|p| p.start < last) {
         let tau = last.min(phase.end) - phase.start;
         for (re, im) in phase.motion.rates() {
-            let angle = re.hypot(im) * tau;
-            let share = f64::EPSILON * angle * (re.min(0.0) * tau).exp();
+            let angle = elementary::hypot(re, im) * tau;
+            let share = f64::EPSILON * angle * elementary::exp(re.min(0.0) * tau);
             if share.is_nan() || share > worst.share {
                 worst = Loss { share, t: phase.start + tau, angle };
             }

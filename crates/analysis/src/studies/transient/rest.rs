@@ -2,9 +2,9 @@
 
 use super::form::{self, Form};
 use super::load::Load;
-use crate::numerics::lu::Lu;
 use crate::studies::equilibrium::{self, Equilibrium};
 use crate::{Fault, System};
+use algebra::lu::Lu;
 use symbolic::Equations;
 use words::{Message, Text};
 

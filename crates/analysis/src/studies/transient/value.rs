@@ -2,6 +2,7 @@
 
 use super::load::Load;
 use super::obstacle::Reason;
+use algebra::elementary;
 use symbolic::Function;
 
 /// constant + Σ coefficient · state.
@@ -51,7 +52,11 @@ impl Value {
             return Err(Reason::NotLinear);
         }
         if let Some(number) = self.number() {
-            return Ok(Value::just(if exponent.fract() == 0.0 { number.powi(exponent as i32) } else { number.powf(exponent) }));
+            return Ok(Value::just(if exponent.fract() == 0.0 {
+                elementary::powi(number, exponent as i32)
+            } else {
+                elementary::pow(number, exponent)
+            }));
         }
         if exponent.fract() != 0.0 || !(2.0..=64.0).contains(&exponent) {
             return Err(Reason::NoClosedForm);
@@ -63,19 +68,19 @@ impl Value {
 /// f'(x); none at a corner.
 pub fn slope(function: Function, x: f64) -> Option<f64> {
     Some(match function {
-        Function::Sin => x.cos(),
-        Function::Cos => -x.sin(),
-        Function::Tan => 1.0 / x.cos().powi(2),
+        Function::Sin => elementary::cos(x),
+        Function::Cos => -elementary::sin(x),
+        Function::Tan => 1.0 / elementary::powi(elementary::cos(x), 2),
         Function::Asin => 1.0 / (1.0 - x * x).sqrt(),
         Function::Acos => -1.0 / (1.0 - x * x).sqrt(),
         Function::Atan => 1.0 / (1.0 + x * x),
-        Function::Sinh => x.cosh(),
-        Function::Cosh => x.sinh(),
-        Function::Tanh => 1.0 / x.cosh().powi(2),
-        Function::Asinh => 1.0 / x.hypot(1.0),
+        Function::Sinh => elementary::cosh(x),
+        Function::Cosh => elementary::sinh(x),
+        Function::Tanh => 1.0 / elementary::powi(elementary::cosh(x), 2),
+        Function::Asinh => 1.0 / elementary::hypot(x, 1.0),
         Function::Acosh => 1.0 / ((x - 1.0) * (x + 1.0)).sqrt(),
         Function::Atanh => 1.0 / ((1.0 - x) * (1.0 + x)),
-        Function::Exp => x.exp(),
+        Function::Exp => elementary::exp(x),
         Function::Log => 1.0 / x,
         Function::Abs if x != 0.0 => x.signum(),
         Function::Sign if x != 0.0 => 0.0,

@@ -10,7 +10,7 @@
 //! *Source*: A. H. Al-Mohy, N. J. Higham, Computing the action of the matrix exponential, SIAM J. Sci. Comput. 33 (2011).
 
 use super::motion::{Joint, Motion};
-use crate::numerics::expm;
+use algebra::expm;
 
 /// More places are not kept: a phase of so many periods of its fastest mode takes an exponential for each state.
 const MOST: f64 = 200_000.0;

@@ -11,7 +11,8 @@
 //! *Source*: A. McCurdy, K. C. Ng, B. N. Parlett, Accurate computation of divided differences of the exponential function, Math. Comp. 43
 //! (1984).
 
-use super::complex::Complex;
+use crate::complex::{self, Complex};
+use crate::elementary;
 
 /// Nodes within a circle of this diameter (times t) are summed as a series; farther ones are subtracted, which then costs no digits.
 const CLOSE: f64 = 1.0;
@@ -23,21 +24,21 @@ const TERMS: usize = 22;
 /// *Errors*: none; no node gives 0. The cost doubles with each node.
 ///
 /// ```
-/// # use analysis::numerics::{complex::Complex, divided::exponential};
-/// let critical = exponential(&[Complex::real(-10.0); 2], 0.3);
+/// # use algebra::{complex::Complex, divided::exponential};
+/// let critical = exponential(&[Complex::from(-10.0); 2], 0.3);
 /// assert!((critical.re - 0.3 * (-3.0_f64).exp()).abs() < 1e-17);
 /// ```
 pub fn exponential(nodes: &[Complex], t: f64) -> Complex {
     let scaled: Vec<Complex> = nodes.iter().map(|z| z.scale(t)).collect();
     let order = nodes.len().saturating_sub(1) as i32;
-    difference(&scaled).scale(t.powi(order))
+    difference(&scaled).scale(elementary::powi(t, order))
 }
 
 /// exp[w0, ..., wm].
 fn difference(w: &[Complex]) -> Complex {
     match w {
         [] => Complex::ZERO,
-        [a] => a.exp(),
+        [a] => complex::exp(*a),
         _ => {
             let (i, j, distance) = farthest(w);
             if distance <= CLOSE {
@@ -47,7 +48,7 @@ fn difference(w: &[Complex]) -> Complex {
                 let rest: Vec<Complex> = w.iter().enumerate().filter(|(l, _)| *l != k).map(|(_, z)| *z).collect();
                 difference(&rest)
             };
-            (without(j) - without(i)) / (w[i] - w[j])
+            complex::over(without(j) - without(i), w[i] - w[j])
         }
     }
 }
@@ -56,7 +57,7 @@ fn farthest(w: &[Complex]) -> (usize, usize, f64) {
     let mut best = (0, 0, 0.0);
     for i in 0..w.len() {
         for j in 0..i {
-            let distance = (w[i] - w[j]).abs();
+            let distance = complex::abs(w[i] - w[j]);
             if distance > best.2 {
                 best = (i, j, distance);
             }
@@ -86,7 +87,7 @@ fn series(w: &[Complex]) -> Complex {
     }
     // small terms first
     let sum = h.iter().zip(&weights).rev().fold(Complex::ZERO, |s, (h, f)| s + h.scale(*f));
-    mean.exp() * sum
+    complex::exp(mean) * sum
 }
 
 #[cfg(test)]
@@ -95,7 +96,7 @@ mod tests {
 
     fn close(got: Complex, re: f64, im: f64, relative: f64) {
         let size = re.hypot(im);
-        assert!((got - Complex::new(re, im)).abs() <= relative * size, "{got:?} instead of {re} + {im} i");
+        assert!(complex::abs(got - Complex::new(re, im)) <= relative * size, "{got:?} instead of {re} + {im} i");
     }
 
     /// 40-digit values of mpmath (tests/book/truth/transient.py).
@@ -117,8 +118,8 @@ mod tests {
 
     #[test]
     fn threshold_between_series_and_subtraction_is_not_seen() {
-        let nodes = |d: f64| [Complex::real(-1.0), Complex::real(-1.0 - d), Complex::new(-1.0 - 0.5 * d, 0.3 * d)];
+        let nodes = |d: f64| [Complex::from(-1.0), Complex::from(-1.0 - d), Complex::new(-1.0 - 0.5 * d, 0.3 * d)];
         let (a, b) = (exponential(&nodes(CLOSE), 1.0), exponential(&nodes(CLOSE * (1.0 + 1e-14)), 1.0));
-        assert!((a - b).abs() < 1e-14 * a.abs(), "{a:?} {b:?}");
+        assert!(complex::abs(a - b) < 1e-14 * complex::abs(a), "{a:?} {b:?}");
     }
 }

@@ -1,59 +1,20 @@
-//! What can be wrong with the matrices of a linear problem. A [`Pivot`] keeps the row, so that a caller who knows what the rows mean can
-//! name the node and the free motion; by `?` it becomes a [`Fault`] that names the row alone.
+//! What can be wrong with the matrices of a linear problem, in words. Who knows what the rows mean names the node and the free motion instead.
 
+use algebra::Trouble;
+use algebra::trouble::{Defect, Pivot};
 use words::{Message, Text};
 
-use crate::Fault;
-
-/// What the elimination met.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Defect {
-    /// The pivot vanishes within rounding: a direction without stiffness.
-    Singular,
-    /// The pivot is negative: a direction of negative stiffness.
-    Negative,
-}
-
-/// A symmetric matrix is not positive definite: the first pivot that says so.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Pivot {
-    /// Row of the matrix whose pivot it is.
-    pub row: usize,
-    /// What is wrong.
-    pub defect: Defect,
-    /// The motion without (or of negative) stiffness, largest entry 1 in units that give every coordinate the same stiffness.
-    pub motion: Vec<f64>,
-}
-
-impl Pivot {
-    /// The row that moves most in the free motion.
-    pub fn most(&self) -> usize {
-        let largest = |best: usize, i: usize| if self.motion[i].abs() > self.motion[best].abs() { i } else { best };
-        (0..self.motion.len()).fold(self.row, largest)
-    }
-}
-
-/// Why a matrix could not be factored.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Trouble {
-    /// It is not positive definite.
-    Pivot(Pivot),
-    /// Something else.
-    Fault(Fault),
-}
+use super::Fault;
 
 impl From<Trouble> for Fault {
     fn from(trouble: Trouble) -> Fault {
         match trouble {
             Trouble::Pivot(pivot) => pivot.into(),
-            Trouble::Fault(fault) => fault,
+            Trouble::Massless(row) => massless(row),
+            Trouble::Malformed(name) => malformed(name),
+            Trouble::Unconverged { found, wanted } => unconverged(found, wanted),
+            Trouble::Memory => memory(),
         }
-    }
-}
-
-impl From<Fault> for Trouble {
-    fn from(fault: Fault) -> Trouble {
-        Trouble::Fault(fault)
     }
 }
 
@@ -85,7 +46,7 @@ impl From<Pivot> for Fault {
 }
 
 /// The mass matrix is not positive definite; `row` is the first coordinate without inertia of its own.
-pub fn massless(row: usize) -> Fault {
+fn massless(row: usize) -> Fault {
     let row = row + 1;
     Fault::new(Message {
         code: "S021",
@@ -102,7 +63,7 @@ pub fn massless(row: usize) -> Fault {
 }
 
 /// An entry is infinite or undefined, or the matrix has the wrong size.
-pub fn malformed(name: &str) -> Fault {
+fn malformed(name: &str) -> Fault {
     Fault::new(Message {
         code: "S024",
         what: Text::new(
@@ -118,7 +79,7 @@ pub fn malformed(name: &str) -> Fault {
 }
 
 /// The iteration for eigenvalues did not end.
-pub fn unconverged(found: usize, wanted: usize) -> Fault {
+fn unconverged(found: usize, wanted: usize) -> Fault {
     Fault::new(Message {
         code: "S023",
         what: Text::new(
@@ -137,7 +98,7 @@ pub fn unconverged(found: usize, wanted: usize) -> Fault {
 }
 
 /// Not enough memory for a factor.
-pub fn memory() -> Fault {
+fn memory() -> Fault {
     Fault::new(Message {
         code: "S005",
         what: Text::new("the factor of the matrix does not fit into memory", "разложение матрицы не помещается в память"),

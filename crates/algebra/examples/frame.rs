@@ -1,12 +1,12 @@
 //! The 20 lowest modes of a plane frame of `bays` x `bays` bays (Euler-Bernoulli rods, consistent mass, columns clamped at the ground):
 //! times, counters and peak memory as JSON, for bench/peers. The same structure is built there for scipy.
 //!
-//! `cargo run --release -p strutt-analysis --example frame [bays] [modes]`
+//! `cargo run --release -p strutt-algebra --example frame [bays] [modes]`
 
 use std::time::Instant;
 
-use analysis::numerics::eigen::{Options, Sturm, lowest};
-use analysis::numerics::sparse::{Sparse, Triplets};
+use algebra::eigen::{Options, Sturm, lowest};
+use algebra::sparse::{Sparse, Triplets};
 
 const MODULUS: f64 = 2.1e11;
 const AREA: f64 = 0.01;

@@ -3,14 +3,14 @@
 //! r = K x_i - lambda_i M x_i,  x_i <- x_i - sum over j of x_j (x_j . r) / (lambda_j - lambda_i),  lambda_i = Rayleigh's quotient.
 //! *Source*: after T. Ogita, K. Aishima, Iterative refinement for symmetric eigenvalue decomposition, Japan J. Indust. Appl. Math. 35 (2018).
 
-use crate::numerics::eigen::Modes;
-use crate::numerics::kernels;
-use crate::numerics::sparse::Sparse;
-use crate::numerics::sum::two_sum;
+use crate::eigen::Modes;
+use crate::kernels;
+use crate::sparse::Sparse;
+use crate::sum::two_sum;
 
 /// A sum in twice the digits.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Double {
+pub struct Double {
     high: f64,
     low: f64,
 }

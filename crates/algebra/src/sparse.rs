@@ -1,10 +1,9 @@
 //! Sparse symmetric matrices: assembly, products, static solution.
 
-use crate::Fault;
-use crate::numerics::factor::Factored;
-use crate::numerics::kernels::{Columns, dot};
-use crate::numerics::refine::{self, Double};
-use crate::numerics::trouble::{self, Trouble};
+use crate::factor::Factored;
+use crate::kernels::{Columns, dot};
+use crate::refine::{self, Double};
+use crate::trouble::Trouble;
 
 /// A symmetric matrix, stored by columns of its lower triangle: rows ascending, the diagonal always present.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,11 +47,11 @@ impl Triplets {
 impl Sparse {
     /// Sums the entries, those of one place in the order in which they were added.
     ///
-    /// *Errors*: S024 when a place is outside the matrix or a number is not finite.
-    pub fn from_triplets(triplets: &Triplets) -> Result<Sparse, Fault> {
+    /// *Errors*: [`Trouble::Malformed`] when a place is outside the matrix or a number is not finite.
+    pub fn from_triplets(triplets: &Triplets) -> Result<Sparse, Trouble> {
         let n = triplets.n;
         if triplets.entries.iter().any(|&(i, _, v)| i >= n || !v.is_finite()) {
-            return Err(trouble::malformed("K, M"));
+            return Err(Trouble::Malformed("K, M"));
         }
         // two stable counting sorts: by rows, then by columns
         let by_row = sorted(n, triplets.entries.iter().map(|e| e.0), &(0..triplets.entries.len()).collect::<Vec<_>>());
@@ -78,9 +77,9 @@ impl Sparse {
     }
 
     /// From a dense row-major matrix; its lower triangle is read.
-    pub fn from_dense(n: usize, matrix: &[f64]) -> Result<Sparse, Fault> {
+    pub fn from_dense(n: usize, matrix: &[f64]) -> Result<Sparse, Trouble> {
         if matrix.len() != n * n {
-            return Err(trouble::malformed("K, M"));
+            return Err(Trouble::Malformed("K, M"));
         }
         let mut triplets = Triplets::new(n);
         for i in 0..n {
@@ -158,7 +157,7 @@ impl Sparse {
     /// Solution of A x = b for a positive definite matrix. *Errors*: as [`Sparse::factor`].
     pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>, Trouble> {
         if b.len() != self.n || b.iter().any(|v| !v.is_finite()) {
-            return Err(Trouble::Fault(trouble::malformed("b")));
+            return Err(Trouble::Malformed("b"));
         }
         let mut x = b.to_vec();
         self.factor()?.solve(&mut x, 1);

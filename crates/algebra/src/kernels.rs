@@ -4,6 +4,8 @@
 
 use std::sync::Arc;
 
+use crate::complex::Complex;
+
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::linalg::matmul::matmul;
@@ -28,17 +30,14 @@ pub(super) fn self_adjoint(n: usize, matrix: &[f64]) -> Option<(Vec<f64>, Vec<f6
     Some((values, vectors))
 }
 
-/// (re, im).
-pub(super) type Complex = (f64, f64);
-
-/// Eigenvalues and right eigenvectors, one after another,, of a real matrix; none when the iteration fails.
+/// Eigenvalues and right eigenvectors, one after another, of a real matrix; none when the iteration fails.
 pub(super) fn nonsymmetric(n: usize, matrix: &[f64]) -> Option<(Vec<Complex>, Vec<Complex>)> {
     if n == 0 {
         return Some((Vec::new(), Vec::new()));
     }
     let found = MatRef::from_row_major_slice(matrix, n, n).eigen().ok()?;
-    let values = found.S().column_vector().iter().map(|z| (z.re, z.im)).collect();
-    let vectors = (0..n).flat_map(|j| found.U().col(j).iter().map(|z| (z.re, z.im))).collect();
+    let values = found.S().column_vector().iter().map(|z| Complex::new(z.re, z.im)).collect();
+    let vectors = (0..n).flat_map(|j| found.U().col(j).iter().map(|z| Complex::new(z.re, z.im))).collect();
     Some((values, vectors))
 }
 

@@ -1,7 +1,7 @@
 //! Gauss's rules.
 
 /// Abscissas on [-1, 1] and weights of the rule with eight points, exact up to degree 15. *Source*: M. Abramowitz, I. A. Stegun, table 25.4.
-pub(crate) const EIGHT: [(f64, f64); 8] = [
+pub const EIGHT: [(f64, f64); 8] = [
     (-0.960_289_856_497_536_2, 0.101_228_536_290_376_26),
     (-0.796_666_477_413_626_7, 0.222_381_034_453_374_47),
     (-0.525_532_409_916_329, 0.313_706_645_877_887_3),
@@ -13,7 +13,7 @@ pub(crate) const EIGHT: [(f64, f64); 8] = [
 ];
 
 /// The same with five points, exact up to degree 9.
-pub(crate) const FIVE: [(f64, f64); 5] = [
+pub const FIVE: [(f64, f64); 5] = [
     (-0.906_179_845_938_664, 0.236_926_885_056_189_08),
     (-0.538_469_310_105_683, 0.478_628_670_499_366_47),
     (0.0, 0.568_888_888_888_888_9),
@@ -22,7 +22,7 @@ pub(crate) const FIVE: [(f64, f64); 5] = [
 ];
 
 /// The same with twelve points, exact up to degree 23.
-pub(crate) const TWELVE: [(f64, f64); 12] = [
+pub const TWELVE: [(f64, f64); 12] = [
     (-0.981_560_634_246_719_2, 0.047_175_336_386_511_83),
     (-0.904_117_256_370_474_9, 0.106_939_325_995_318_43),
     (-0.769_902_674_194_304_7, 0.160_078_328_543_346_22),

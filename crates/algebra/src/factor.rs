@@ -3,10 +3,11 @@
 //! Without exchange of rows across supernodes: exact enough for positive definite matrices, and for K - sigma M away from eigenvalues.
 //! The number of negative pivots is the number of negative eigenvalues (Sylvester's law of inertia).
 
-use crate::Fault;
-use crate::numerics::kernels::{self, Plan};
-use crate::numerics::sparse::Sparse;
-use crate::numerics::trouble::{self, Defect, Pivot};
+use crate::Trouble;
+use crate::elementary;
+use crate::kernels::{self, Plan};
+use crate::sparse::Sparse;
+use crate::trouble::{Defect, Pivot};
 
 /// A pivot of the scaled matrix (diagonal near 1) below this is a vanishing one: elimination leaves some 1e-16 of a true zero, and a
 /// cantilever of 1000 elements 1e-9 of its stiffness.
@@ -23,25 +24,25 @@ pub struct Factored {
 
 /// 2^k near 1 / sqrt(size), so that scaling rounds nothing; 1 for zero.
 pub(super) fn scale(size: f64) -> f64 {
-    if size.is_normal() { (-0.5 * size.abs().log2()).round().exp2() } else { 1.0 }
+    if size.is_normal() { elementary::exp2((-0.5 * elementary::log2(size.abs())).round()) } else { 1.0 }
 }
 
 impl Factored {
     /// Factors a matrix, with the plan of an earlier one of the same pattern when given. Vanishing pivots are held, see [`Factored::defect`].
-    pub(super) fn new(a: &Sparse, plan: Option<&Factored>) -> Result<Factored, Fault> {
+    pub(super) fn new(a: &Sparse, plan: Option<&Factored>) -> Result<Factored, Trouble> {
         let scales: Vec<f64> = match plan {
             Some(earlier) => earlier.scales.clone(),
             None => a.diagonal().into_iter().map(scale).collect(),
         };
         let plan = match plan {
             Some(earlier) => earlier.plan.clone(),
-            None => Plan::new(a.columns(), None).ok_or_else(trouble::memory)?,
+            None => Plan::new(a.columns(), None).ok_or(Trouble::Memory)?,
         };
         let mut values = Vec::with_capacity(a.stored());
         for j in 0..a.size() {
             values.extend(a.column(j).map(|(i, v)| scales[i] * v * scales[j]));
         }
-        let factor = plan.factor(a.columns(), &values, SMALLEST).ok_or_else(trouble::memory)?;
+        let factor = plan.factor(a.columns(), &values, SMALLEST).ok_or(Trouble::Memory)?;
         Ok(Factored { plan, factor, scales })
     }
 

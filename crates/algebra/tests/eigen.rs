@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use analysis::numerics::eigen::{Options, general, lowest, symmetric};
-use analysis::numerics::sparse::{Sparse, Triplets};
-use analysis::numerics::trouble::{Defect, Trouble};
+use algebra::eigen::{Options, general, lowest, symmetric};
+use algebra::sparse::{Sparse, Triplets};
+use algebra::trouble::{Defect, Trouble};
 
 /// Chain of n masses 1 with springs 1: fixed at both ends, or free at both.
 fn chain(triplets: &mut Triplets, first: usize, n: usize, fixed: bool) {
@@ -164,8 +164,8 @@ fn massless_coordinates_have_no_mode() {
     let all = lowest(&k, &m, 2 * n + 1, Options::default()).unwrap();
     assert_eq!(all.modes.values.len(), n);
     (0..n).for_each(|j| close(all.modes.values[j], 0.5 * chain_value(j + 1, n), 1e-12));
-    let fault = symmetric(2 * n + 1, &k.to_dense(), &m.to_dense()).unwrap_err();
-    assert_eq!(fault.code, "S021");
+    let trouble = symmetric(2 * n + 1, &k.to_dense(), &m.to_dense()).unwrap_err();
+    assert!(matches!(trouble, Trouble::Massless(_)), "{trouble:?}");
 }
 
 #[test]
@@ -194,12 +194,12 @@ fn damped_oscillator_has_a_conjugate_pair() {
     // q'' + 2 n q' + k^2 q = 0: -n +- i sqrt(k^2 - n^2); and a slow decay beside it
     let (n, k2) = (0.3, 4.0e6);
     let modes = general(3, &[0.0, 1.0, 0.0, -k2, -2.0 * n, 0.0, 0.0, 0.0, -1e-3]).unwrap();
-    close(modes.values[0].0, -1e-3, 1e-15);
-    close(modes.values[1].0, -n, 1e-9);
-    close(modes.values[1].1, (k2 - n * n).sqrt(), 1e-14);
-    assert_eq!(modes.values[2], (modes.values[1].0, -modes.values[1].1));
+    close(modes.values[0].re, -1e-3, 1e-15);
+    close(modes.values[1].re, -n, 1e-9);
+    close(modes.values[1].im, (k2 - n * n).sqrt(), 1e-14);
+    assert_eq!(modes.values[2], modes.values[1].conj());
     let x = modes.vector(1);
-    let ratio = (x[1].0 * x[0].0 + x[1].1 * x[0].1) / (x[0].0.powi(2) + x[0].1.powi(2));
+    let ratio = (x[1] / x[0]).re;
     assert!((ratio + n).abs() < 1e-9);
 }
 
@@ -223,7 +223,7 @@ fn slow_decay_beside_fast_oscillation_keeps_its_digits() {
     for (found, expected) in modes.values.iter().zip(expected) {
         let size = f64::hypot(expected.0, expected.1);
         // the smallest feels the rounding of entries of 1e8 in the matrix itself
-        let error = f64::hypot(found.0 - expected.0, found.1 - expected.1) / size;
+        let error = f64::hypot(found.re - expected.0, found.im - expected.1) / size;
         assert!(error < 1e-9, "{found:?} against {expected:?}: {error:e}");
     }
 }
@@ -232,7 +232,7 @@ fn slow_decay_beside_fast_oscillation_keeps_its_digits() {
 fn defective_eigenvalue_is_left_alone() {
     // critical damping: q'' + 2 q' + q = 0
     let modes = general(2, &[0.0, 1.0, -1.0, -2.0]).unwrap();
-    assert!(modes.values.iter().all(|z| (z.0 + 1.0).abs() < 1e-7 && z.1.abs() < 1e-7), "{:?}", modes.values);
+    assert!(modes.values.iter().all(|z| (z.re + 1.0).abs() < 1e-7 && z.im.abs() < 1e-7), "{:?}", modes.values);
 }
 
 #[test]

@@ -4,11 +4,14 @@
 //! residuals in twice the digits (see `refine.rs`), because the reduction alone leaves an error of 1e-16 of the *largest* eigenvalue
 //! in all of them. *Source*: G. H. Golub, C. F. Van Loan, Matrix Computations, 8.7.2.
 
-use crate::Fault;
-use crate::numerics::factor::scale;
-pub use crate::numerics::lanczos::{Counters, Lowest, Options, Sturm, lowest};
-use crate::numerics::refine::{Dense, refine};
-use crate::numerics::{kernels, newton, trouble};
+use crate::Trouble;
+use crate::cholesky::Cholesky;
+use crate::complex::{self, Complex};
+use crate::elementary;
+use crate::factor::scale;
+pub use crate::lanczos::{Counters, Lowest, Options, Sturm, lowest};
+use crate::refine::{Dense, refine};
+use crate::{eigenpair, kernels};
 
 /// Solutions of K x = lambda M x.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,9 +30,6 @@ impl Modes {
         &self.vectors[j * self.n..(j + 1) * self.n]
     }
 }
-
-/// A complex number as (real, imaginary) part.
-pub type Complex = (f64, f64);
 
 /// Solutions of A x = lambda x.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -56,16 +56,17 @@ const REFINED: usize = 32;
 /// All solutions of K x = lambda M x.
 ///
 /// *Shapes*: both matrices n x n, row-major, symmetric (the mean of both triangles is taken), M positive definite.
-/// *Errors*: S021 with the row when M is not positive definite, S024 when an entry is not finite, S023 when the iteration fails.
+/// *Errors*: [`Trouble::Massless`] with the row when M is not positive definite, [`Trouble::Malformed`] when an entry is not finite,
+/// [`Trouble::Unconverged`] when the iteration fails.
 ///
 /// ```
 /// // two equal masses between three equal springs: 1 and 3
-/// let modes = analysis::numerics::eigen::symmetric(2, &[2.0, -1.0, -1.0, 2.0], &[1.0, 0.0, 0.0, 1.0])?;
+/// let modes = algebra::eigen::symmetric(2, &[2.0, -1.0, -1.0, 2.0], &[1.0, 0.0, 0.0, 1.0])?;
 /// assert!((modes.values[0] - 1.0).abs() < 1e-15 && (modes.values[1] - 3.0).abs() < 1e-15);
-/// # Ok::<(), analysis::Fault>(())
+/// # Ok::<(), algebra::Trouble>(())
 /// ```
 #[doc(alias = "собственные значения")]
-pub fn symmetric(n: usize, stiffness: &[f64], mass: &[f64]) -> Result<Modes, Fault> {
+pub fn symmetric(n: usize, stiffness: &[f64], mass: &[f64]) -> Result<Modes, Trouble> {
     check(n, stiffness, "K")?;
     check(n, mass, "M")?;
     let scales: Vec<f64> = (0..n).map(|i| scale(mass[i * n + i])).collect();
@@ -95,10 +96,11 @@ pub fn symmetric(n: usize, stiffness: &[f64], mass: &[f64]) -> Result<Modes, Fau
 const SPREAD: f64 = 1e6;
 
 /// All solutions by M = L Lᵀ: values ascending, vectors with xᵀ M x = 1; each value errs by some 1e-16 of the largest.
-fn pencil(n: usize, k: &[f64], m: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Fault> {
-    let lower = cholesky(n, m).map_err(trouble::massless)?;
-    let (values, mut vectors) = kernels::self_adjoint(n, &reduced(n, &lower, k)).ok_or_else(|| trouble::unconverged(0, n))?;
-    vectors.chunks_mut(n.max(1)).for_each(|x| back(n, &lower, x));
+fn pencil(n: usize, k: &[f64], m: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Trouble> {
+    let lower = Cholesky::new(m, n).map_err(|weak| Trouble::Massless(weak.row))?;
+    let (values, mut vectors) =
+        kernels::self_adjoint(n, &reduced(n, &lower, k)).ok_or_else(|| Trouble::Unconverged { found: 0, wanted: n })?;
+    vectors.chunks_mut(n.max(1)).for_each(|x| lower.backward(x));
     Ok((values, vectors))
 }
 
@@ -135,113 +137,68 @@ pub(super) fn orient(x: &mut [f64]) {
     }
 }
 
-fn check(n: usize, matrix: &[f64], name: &str) -> Result<(), Fault> {
+fn check(n: usize, matrix: &[f64], name: &'static str) -> Result<(), Trouble> {
     if matrix.len() != n * n || matrix.iter().any(|a| !a.is_finite()) {
-        return Err(trouble::malformed(name));
+        return Err(Trouble::Malformed(name));
     }
     Ok(())
 }
 
-/// Smallest pivot of M scaled to a unit diagonal.
-const MASSLESS: f64 = 1e-14;
-
-/// M = L Lᵀ; the row whose pivot is not positive otherwise.
-fn cholesky(n: usize, m: &[f64]) -> Result<Vec<f64>, usize> {
-    let mut l = vec![0.0; n * n];
-    for i in 0..n {
-        for j in 0..=i {
-            let dot: f64 = (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum();
-            let rest = m[i * n + j] - dot;
-            if i == j {
-                if rest.is_nan() || rest <= MASSLESS {
-                    return Err(i);
-                }
-                l[i * n + i] = rest.sqrt();
-            } else {
-                l[i * n + j] = rest / l[j * n + j];
-            }
-        }
-    }
-    Ok(l)
-}
-
 /// L⁻¹ K L⁻ᵀ.
-fn reduced(n: usize, l: &[f64], k: &[f64]) -> Vec<f64> {
+fn reduced(n: usize, l: &Cholesky, k: &[f64]) -> Vec<f64> {
     let mut rows = k.to_vec();
     // each row of K is solved from the left, which is K L⁻ᵀ; its transpose L⁻¹ K once more
-    rows.chunks_mut(n.max(1)).for_each(|row| forward(n, l, row));
+    rows.chunks_mut(n.max(1)).for_each(|row| l.forward(row));
     let mut c: Vec<f64> = (0..n * n).map(|e| rows[e % n * n + e / n]).collect();
-    c.chunks_mut(n.max(1)).for_each(|row| forward(n, l, row));
+    c.chunks_mut(n.max(1)).for_each(|row| l.forward(row));
     (0..n * n).map(|e| 0.5 * (c[e] + c[e % n * n + e / n])).collect()
-}
-
-/// L y = x in place.
-fn forward(n: usize, l: &[f64], x: &mut [f64]) {
-    for i in 0..n {
-        let dot: f64 = (0..i).map(|j| l[i * n + j] * x[j]).sum();
-        x[i] = (x[i] - dot) / l[i * n + i];
-    }
-}
-
-/// Lᵀ y = x in place.
-fn back(n: usize, l: &[f64], x: &mut [f64]) {
-    for i in (0..n).rev() {
-        x[i] /= l[i * n + i];
-        let x_i = x[i];
-        (0..i).for_each(|j| x[j] -= l[i * n + j] * x_i);
-    }
 }
 
 /// All eigenvalues and right eigenvectors of a real matrix.
 ///
-/// *Shapes*: n x n, row-major. *Errors*: S024 when an entry is not finite, S023 when the iteration fails.
+/// *Shapes*: n x n, row-major. *Errors*: [`Trouble::Malformed`] when an entry is not finite, [`Trouble::Unconverged`].
 /// *Source* of the scaling: B. N. Parlett, C. Reinsch, Balancing a matrix, Numer. Math. 13 (1969).
-pub fn general(n: usize, a: &[f64]) -> Result<ComplexModes, Fault> {
+pub fn general(n: usize, a: &[f64]) -> Result<ComplexModes, Trouble> {
     check(n, a, "A")?;
     let (balanced, scales) = balance(n, a);
-    let (values, vectors) = kernels::nonsymmetric(n, &balanced).ok_or_else(|| trouble::unconverged(0, n))?;
+    let (values, vectors) = kernels::nonsymmetric(n, &balanced).ok_or_else(|| Trouble::Unconverged { found: 0, wanted: n })?;
     // one of each pair, so that both partners are conjugate to the last bit
-    let mut first: Vec<usize> = (0..n).filter(|&j| values[j].1 >= 0.0).collect();
-    let magnitude = |j: usize| values[j].0.hypot(values[j].1);
+    let mut first: Vec<usize> = (0..n).filter(|&j| values[j].im >= 0.0).collect();
+    let magnitude = |j: usize| complex::abs(values[j]);
     first.sort_by(|&i, &j| {
-        let parts = values[i].0.total_cmp(&values[j].0).then(values[i].1.total_cmp(&values[j].1));
+        let parts = values[i].re.total_cmp(&values[j].re).then(values[i].im.total_cmp(&values[j].im));
         magnitude(i).total_cmp(&magnitude(j)).then(parts).then(i.cmp(&j))
     });
     let mut modes = ComplexModes { n, values: Vec::with_capacity(n), vectors: Vec::with_capacity(n * n) };
     for j in first {
         let (mut value, mut vector) = (values[j], normalised(&vectors[j * n..(j + 1) * n]));
-        if n <= newton::LARGEST {
-            newton::refine(n, &balanced, &mut value, &mut vector);
+        if n <= eigenpair::LARGEST {
+            eigenpair::refine(n, &balanced, &mut value, &mut vector);
             // near critical damping a pair must not lose its partner
-            if (value.1 > 0.0) != (values[j].1 > 0.0) {
+            if (value.im > 0.0) != (values[j].im > 0.0) {
                 (value, vector) = (values[j], normalised(&vectors[j * n..(j + 1) * n]));
             }
         }
-        let vector: Vec<Complex> = vector.iter().zip(&scales).map(|(z, s)| (z.0 * s, z.1 * s)).collect();
+        let vector: Vec<Complex> = vector.iter().zip(&scales).map(|(z, s)| z.scale(*s)).collect();
         let vector = normalised(&vector);
         modes.values.push(value);
         modes.vectors.extend(&vector);
-        if value.1 > 0.0 {
-            modes.values.push((value.0, -value.1));
-            modes.vectors.extend(vector.iter().map(|z| (z.0, -z.1)));
+        if value.im > 0.0 {
+            modes.values.push(value.conj());
+            modes.vectors.extend(vector.iter().map(Complex::conj));
         }
     }
-    if modes.values.len() != n || modes.values.iter().any(|z| !z.0.is_finite() || !z.1.is_finite()) {
-        return Err(trouble::unconverged(modes.values.len().min(n), n));
+    if modes.values.len() != n || modes.values.iter().any(|z| !z.re.is_finite() || !z.im.is_finite()) {
+        return Err(Trouble::Unconverged { found: modes.values.len().min(n), wanted: n });
     }
     Ok(modes)
 }
 
-/// The vector divided by its largest entry.
+/// The vector divided by its largest entry; of entries that are equal within rounding the first.
 fn normalised(x: &[Complex]) -> Vec<Complex> {
-    let size = |z: &Complex| z.0.hypot(z.1);
-    let largest = x.iter().fold((0.0, 0.0), |best, z| if size(z) > size(&best) * (1.0 + 1e-12) { *z } else { best });
-    let square = largest.0 * largest.0 + largest.1 * largest.1;
-    if square == 0.0 {
-        return x.to_vec();
-    }
-    let over = |z: &Complex| ((z.0 * largest.0 + z.1 * largest.1) / square, (z.1 * largest.0 - z.0 * largest.1) / square);
-    x.iter().map(over).collect()
+    let size = |z: &Complex| complex::abs(*z);
+    let largest = x.iter().fold(Complex::ZERO, |best, z| if size(z) > size(&best) * (1.0 + 1e-12) { *z } else { best });
+    if largest == Complex::ZERO { x.to_vec() } else { x.iter().map(|z| complex::over(*z, largest)).collect() }
 }
 
 /// D⁻¹ A D with rows and columns of like size, D in powers of two; and D.
@@ -256,7 +213,7 @@ fn balance(n: usize, a: &[f64]) -> (Vec<f64>, Vec<f64>) {
             if row == 0.0 || column == 0.0 {
                 continue;
             }
-            let factor = (0.5 * (row / column).log2()).round().exp2();
+            let factor = elementary::exp2((0.5 * elementary::log2(row / column)).round());
             if column * factor + row / factor < 0.95 * (column + row) {
                 settled = false;
                 d[i] *= factor;

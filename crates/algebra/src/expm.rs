@@ -4,6 +4,7 @@
 //! the diagonal Padé approximant of degree 13 serves up to the norm 5.37, larger matrices are halved and the result squared.
 
 use super::lu::Lu;
+use crate::elementary;
 
 const LARGEST: f64 = 5.371_920_351_148_152;
 const PADE: [f64; 14] = [
@@ -29,8 +30,8 @@ pub fn exponential(a: &[f64], n: usize, t: f64) -> Option<Vec<f64>> {
     if !norm.is_finite() {
         return None;
     }
-    let halvings = if norm > LARGEST { (norm / LARGEST).log2().ceil() as i32 } else { 0 };
-    let factor = t * 0.5_f64.powi(halvings);
+    let halvings = if norm > LARGEST { elementary::log2(norm / LARGEST).ceil() as i32 } else { 0 };
+    let factor = t * elementary::powi(0.5_f64, halvings);
     let a: Vec<f64> = a.iter().map(|v| v * factor).collect();
     let mut e = pade(&a, n)?;
     for _ in 0..halvings {

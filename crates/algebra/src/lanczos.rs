@@ -5,14 +5,15 @@
 //! highest one wanted agrees with the inertia of K - s M (Sturm's count). *Source*: R. G. Grimes, J. G. Lewis, H. D. Simon,
 //! A shifted block Lanczos algorithm, SIAM J. Matrix Anal. Appl. 15 (1994); B. N. Parlett, The Symmetric Eigenvalue Problem, 13.
 
-use crate::Fault;
-use crate::numerics::eigen::{Modes, orient};
-use crate::numerics::factor::Factored;
-use crate::numerics::random::Random;
-use crate::numerics::refine::sharpen;
-use crate::numerics::sparse::Sparse;
-use crate::numerics::trouble::Pivot;
-use crate::numerics::{kernels, trouble};
+use crate::Trouble;
+use crate::eigen::{Modes, orient};
+use crate::elementary;
+use crate::factor::Factored;
+use crate::kernels;
+use crate::random::Random;
+use crate::refine::sharpen;
+use crate::sparse::Sparse;
+use crate::trouble::Pivot;
 
 /// Wishes for [`lowest`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,10 +78,10 @@ pub struct Lowest {
 /// The `count` lowest solutions of K x = lambda M x (fewer when M has a smaller rank).
 ///
 /// K symmetric, positive definite or with free motions, whose eigenvalues are 0; M symmetric, positive semidefinite.
-/// *Errors*: S022 when K and M vanish for the same motion, S023 at the cap of the basis, S024, S005.
-pub fn lowest(k: &Sparse, m: &Sparse, count: usize, options: Options) -> Result<Lowest, Fault> {
+/// *Errors*: [`Trouble::Pivot`] when K and M vanish for the same motion, [`Trouble::Unconverged`] at the cap of the basis.
+pub fn lowest(k: &Sparse, m: &Sparse, count: usize, options: Options) -> Result<Lowest, Trouble> {
     if k.size() != m.size() {
-        return Err(trouble::malformed("M"));
+        return Err(Trouble::Malformed("M"));
     }
     let wanted = count.min(k.size());
     if wanted == 0 {
@@ -97,7 +98,7 @@ pub fn lowest(k: &Sparse, m: &Sparse, count: usize, options: Options) -> Result<
             search.widen();
         }
         if search.size >= cap && !search.exhausted {
-            return Err(trouble::unconverged(ritz.converged(wanted, options.tolerance), wanted));
+            return Err(Trouble::Unconverged { found: ritz.converged(wanted, options.tolerance), wanted });
         }
         search.extend(wanted);
     }
@@ -125,7 +126,7 @@ struct Search<'a> {
 }
 
 /// Factors K - sigma M, with the plan of an earlier factor.
-fn shifted(k: &Sparse, m: &Sparse, shift: f64, plan: Option<&Factored>, counters: &mut Counters) -> Result<Factored, Fault> {
+fn shifted(k: &Sparse, m: &Sparse, shift: f64, plan: Option<&Factored>, counters: &mut Counters) -> Result<Factored, Trouble> {
     counters.factorisations += 1;
     Factored::new(&k.sum(1.0, m, -shift), plan)
 }
@@ -136,7 +137,7 @@ const SHIFTS: [f64; 8] = [1e-11, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1, 1e1, 1e3];
 const DEPENDENT: f64 = 1e-12;
 
 impl<'a> Search<'a> {
-    fn new(k: &'a Sparse, m: &'a Sparse, options: Options) -> Result<Search<'a>, Fault> {
+    fn new(k: &'a Sparse, m: &'a Sparse, options: Options) -> Result<Search<'a>, Trouble> {
         let n = k.size();
         let mut counters = Counters::default();
         let (factor, shift) = positive(k, m, &mut counters)?;
@@ -282,16 +283,16 @@ impl<'a> Search<'a> {
     }
 
     /// Eigenvalues of the projected operator and what they miss.
-    fn ritz(&self, wanted: usize) -> Result<Ritz, Fault> {
+    fn ritz(&self, wanted: usize) -> Result<Ritz, Trouble> {
         let size = self.done;
         let entry = |i: usize, j: usize| self.products[j].get(i).copied().unwrap_or(0.0);
         let projected: Vec<f64> = (0..size * size).map(|e| 0.5 * (entry(e / size, e % size) + entry(e % size, e / size))).collect();
-        let (values, vectors) = kernels::self_adjoint(size, &projected).ok_or_else(|| trouble::unconverged(0, wanted))?;
+        let (values, vectors) = kernels::self_adjoint(size, &projected).ok_or(Trouble::Unconverged { found: 0, wanted })?;
         let mut ritz = Ritz { size, shift: self.counters.shift, values: Vec::new(), vectors: Vec::new(), residuals: Vec::new() };
         for j in (0..size).rev().filter(|&j| values[j] > 0.0) {
             let vector = &vectors[j * size..(j + 1) * size];
             let outside = |i: usize| (0..size).map(|c| entry(i, c) * vector[c]).sum::<f64>();
-            let rest = (size..self.size).fold(0.0_f64, |norm, i| norm.hypot(outside(i)));
+            let rest = (size..self.size).fold(0.0_f64, |norm, i| elementary::hypot(norm, outside(i)));
             ritz.residuals.push(rest / values[j]);
             ritz.values.push(values[j]);
             ritz.vectors.extend(vector);
@@ -300,7 +301,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether Sturm's count finds more eigenvalues below the highest one wanted than the basis has.
-    fn missing(&mut self, ritz: &Ritz, wanted: usize, options: Options) -> Result<bool, Fault> {
+    fn missing(&mut self, ritz: &Ritz, wanted: usize, options: Options) -> Result<bool, Trouble> {
         if options.sturm == Sturm::Skipped || self.exhausted || ritz.values.len() <= wanted {
             return Ok(false);
         }
@@ -317,7 +318,7 @@ impl<'a> Search<'a> {
     }
 
     /// Shapes, once more multiplied, which shows their residuals and takes massless parts out.
-    fn finish(mut self, ritz: &Ritz, wanted: usize) -> Result<Lowest, Fault> {
+    fn finish(mut self, ritz: &Ritz, wanted: usize) -> Result<Lowest, Trouble> {
         let (n, count) = (self.n, wanted.min(ritz.values.len()));
         let mut shapes = vec![0.0; n * count];
         let weights: Vec<f64> = (0..ritz.size * count).map(|e| -ritz.vectors[e % count * ritz.size + e / count]).collect();
@@ -344,7 +345,7 @@ impl<'a> Search<'a> {
         }
         self.counters.basis = ritz.size;
         if self.size < count {
-            return Err(trouble::unconverged(self.size, wanted));
+            return Err(Trouble::Unconverged { found: self.size, wanted });
         }
         Ok(self.ordered(residuals))
     }
@@ -376,7 +377,7 @@ fn columns<'a>(n: usize, block: &'a [f64], masses: &'a [f64]) -> impl Iterator<I
 }
 
 /// Factor of K - sigma M, positive definite, with the shift nearest zero that makes it so.
-pub(super) fn positive(k: &Sparse, m: &Sparse, counters: &mut Counters) -> Result<(Factored, f64), Fault> {
+pub(super) fn positive(k: &Sparse, m: &Sparse, counters: &mut Counters) -> Result<(Factored, f64), Trouble> {
     let ratio = |(k, m): (f64, f64)| if m > 0.0 { k.abs() / m } else { 0.0 };
     let largest = k.diagonal().into_iter().zip(m.diagonal()).map(ratio).fold(0.0, f64::max);
     // a structure without any stiffness still has masses
@@ -389,7 +390,7 @@ pub(super) fn positive(k: &Sparse, m: &Sparse, counters: &mut Counters) -> Resul
             Some(pivot) => last = Some((factor, pivot)),
         }
     }
-    Err(last.map_or_else(|| trouble::malformed("K, M"), |l| l.1.into()))
+    Err(last.map_or_else(|| Trouble::Malformed("K, M"), |l| l.1.into()))
 }
 
 /// Eigenpairs of the projected operator, theta = 1 / (lambda - sigma) falling.

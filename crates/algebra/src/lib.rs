@@ -1,0 +1,35 @@
+//! Numbers for everybody: a thin layer over faer and what it does not give. Small dense systems, ranks and null spaces, eigenproblems with residuals
+//! and counts, sparse symmetric matrices, sums in twice the digits.
+//!
+//! It knows no mechanics and no time, no words for users and no files: what goes wrong is a [`Trouble`], which its callers put into words.
+//!
+//! Rooms, in order of reading: [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`refine`] (twice the digits) - [`lu`], [`cholesky`], [`qr`],
+//! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`] - [`eigen`], [`lanczos`], [`certify`] (eigenproblems) -
+//! [`divided`], [`expm`] (exponentials) - [`gauss`], [`simplex`], [`random`].
+
+// the same bits on every machine: see clippy.toml
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
+pub mod certify;
+pub mod cholesky;
+pub mod complex;
+pub mod divided;
+pub mod eigen;
+mod eigenpair;
+pub mod elementary;
+pub mod expm;
+pub mod factor;
+pub mod gauss;
+mod kernels;
+pub mod lanczos;
+pub mod lu;
+pub mod qr;
+pub mod random;
+pub mod refine;
+pub mod refined;
+pub mod simplex;
+pub mod sparse;
+pub mod sum;
+pub mod trouble;
+
+pub use trouble::Trouble;
