@@ -9,7 +9,7 @@ venv=${STRUTT_PEERS_VENV:-$root/target/peers-venv}
 [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r "$here/requirements.txt"
 cargo build --release --quiet --manifest-path "$root/Cargo.toml" -p strutt
-cargo build --release --quiet --manifest-path "$root/Cargo.toml" -p strutt-analysis --example frame
+cargo build --release --quiet --manifest-path "$root/Cargo.toml" -p strutt-algebra --example frame
 # linear algebra of the peers on one core, as ours
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1
 exec "$venv/bin/python" "$here/compare.py" --strutt "$root/target/release/strutt" --root "$root" --frame "$root/target/release/examples/frame" "$@"

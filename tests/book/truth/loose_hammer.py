@@ -33,7 +33,7 @@ def slope(y, R, h=1e-6):
     return np.column_stack([(period(y + h * e, R) - period(y - h * e, R)) / (2 * h) for e in np.eye(4)])
 
 
-for R, x in [(0.85, [-0.108, -0.0247, 0.6487, 0.508]), (0.6, [-0.104, -0.0186, 0.846, -0.430])]:
+for R, x in [(0.85, [-0.108, -0.0247, 0.6487, 0.508]), (0.62, [-0.104, -0.0184, 0.844, -0.446])]:
     x = np.array(x)
     for _ in range(8):
         x = x - np.linalg.solve(slope(x, R) - np.eye(4), period(x, R) - x)

@@ -216,16 +216,26 @@ impl Orbit {
         x
     }
 
-    /// Range of each state along the turn, seen from a frame that moves with these velocities, and its largest magnitude.
+    /// Range of each state along the turn, seen from a frame that moves with these velocities, and its largest magnitude. Steps are looked at inside too: a body may
+    /// slide from rest to rest in one of them.
     pub(super) fn ranges(&self, frame: &[f64]) -> Vec<(f64, f64)> {
-        let end = self.steps.last().map_or(0.0, |s| s.end().high);
-        let mut out = Vec::new();
-        for (i, v) in frame.iter().enumerate() {
-            let values = self.steps.iter().map(|s| s.start_value(i) - v * s.start.high).chain([self.last[i] - v * end]);
-            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
-            out.push((high - low, low.abs().max(high.abs())));
+        let mut ends = vec![(f64::INFINITY, f64::NEG_INFINITY); frame.len()];
+        let mut see = |t: f64, x: &[f64]| {
+            for ((low, high), (x, v)) in ends.iter_mut().zip(x.iter().zip(frame)) {
+                let value = x - v * t;
+                (*low, *high) = (low.min(value), high.max(value));
+            }
+        };
+        let mut x = vec![0.0; self.first.len()];
+        for step in &self.steps {
+            for k in 0..SAMPLES {
+                let t = step.instant(step.length * k as f64 / SAMPLES as f64).high;
+                step.state_at(t, &mut x);
+                see(t, &x);
+            }
         }
-        out
+        see(self.steps.last().map_or(0.0, |s| s.end().high), &self.last);
+        ends.into_iter().map(|(low, high)| (high - low, low.abs().max(high.abs()))).collect()
     }
 
     /// Where a formula of (t, state) passes zero from below: instant and state.
@@ -277,5 +287,5 @@ impl Orbit {
 
 /// Share of its largest value within which a section's formula is zero.
 const ON_SECTION: f64 = 1e-13;
-/// Places within a step at which a section's formula is looked at.
+/// Places within a step at which states and the formula of a section are looked at.
 const SAMPLES: usize = 16;
