@@ -7,7 +7,8 @@ use words::explain::{Explanation, plain};
 use words::{Message, Notice, Text};
 
 pub mod connections;
-mod matrices;
+
+pub use words::digits::{number, rounded, seven_digits, ten_digits};
 
 /// A study cannot go on: its notice, and the expression that failed. Results found before the fault are kept beside it. Boxed, so that
 /// results stay small.
@@ -42,7 +43,7 @@ impl fmt::Display for Fault {
 impl std::error::Error for Fault {}
 
 /// Every table of explanations of this crate.
-pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, connections::EXPLANATIONS, crate::structure::faults::EXPLANATIONS];
+pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, connections::EXPLANATIONS, structures::faults::EXPLANATIONS];
 
 const EXPLANATIONS: &[Explanation] = &[
     plain("S001", ("switch without a direction (chattering)", "переключение без направления (дребезг)"), (CHATTERING_EN, CHATTERING_RU)),
@@ -88,21 +89,25 @@ const EXPLANATIONS: &[Explanation] = &[
     crate::studies::explain::UNDETERMINED,
     crate::studies::explain::OVERDRIVEN,
     crate::studies::explain::BRANCHES,
-    plain("S021", ("mass matrix not positive definite", "матрица масс не положительно определена"), (matrices::MASS_EN, matrices::MASS_RU)),
+    plain(
+        "S021",
+        ("mass matrix not positive definite", "матрица масс не положительно определена"),
+        (structures::matrices::MASS_EN, structures::matrices::MASS_RU),
+    ),
     plain(
         "S022",
         ("stiffness matrix not positive definite", "матрица жёсткости не положительно определена"),
-        (matrices::SINGULAR_EN, matrices::SINGULAR_RU),
+        (structures::matrices::SINGULAR_EN, structures::matrices::SINGULAR_RU),
     ),
     plain(
         "S023",
         ("eigenvalues did not converge", "собственные значения не сошлись"),
-        (matrices::CONVERGENCE_EN, matrices::CONVERGENCE_RU),
+        (structures::matrices::CONVERGENCE_EN, structures::matrices::CONVERGENCE_RU),
     ),
     plain(
         "S024",
         ("matrix with an undefined entry", "матрица с неопределённым элементом"),
-        (matrices::MALFORMED_EN, matrices::MALFORMED_RU),
+        (structures::matrices::MALFORMED_EN, structures::matrices::MALFORMED_RU),
     ),
     plain("S070", ("no closed form: not linear", "нет замкнутого решения: нелинейность"), (NOT_LINEAR_EN, NOT_LINEAR_RU)),
     plain(
@@ -231,39 +236,10 @@ const STEPS_EN: &str = "The step follows the quickest part of the motion, even w
 const STEPS_RU: &str = "Шаг определяется самой быстрой частью движения, даже если она уже затухла (жёсткая система: шаг ограничен самым быстрым \
     затуханием, а не точностью). После десятка тысяч шагов видно, что их потребуется более 1e10, то есть часы и дни.";
 
-/// A number in both languages: decimal point and decimal comma, a true minus, `9.61·10⁻⁵`.
-pub(crate) fn number(value: f64) -> Text {
-    let plain = value == 0.0 || (1e-4..1e6).contains(&value.abs());
-    let typed = if plain { format!("{value}") } else { format!("{value:e}") };
-    let (mantissa, exponent) = typed.split_once('e').map_or((typed.as_str(), None), |(m, e)| (m, Some(e)));
-    let power = exponent.map_or_else(String::new, |e| format!("·10{}", e.chars().map(raised).collect::<String>()));
-    let en = format!("{}{power}", mantissa.replace('-', "−"));
-    Text { ru: en.replace('.', ","), en }
-}
-
-fn raised(c: char) -> char {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    c.to_digit(10).map_or('⁻', |d| DIGITS[d as usize])
-}
-
-/// Three digits, for estimates.
-pub fn rounded(value: f64) -> Text {
-    let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    number(short)
-}
-
-/// Seven digits: enough to recognise a place.
-pub(crate) fn seven_digits(value: f64) -> Text {
-    let short: f64 = format!("{value:.6e}").parse().unwrap_or(value);
-    number(short)
-}
-
-/// Ten digits, as they are typed in again.
-pub(crate) fn ten_digits(value: f64) -> Text {
-    let short: f64 = format!("{value:.9e}").parse().unwrap_or(value);
-    let plain = short == 0.0 || (1e-4..1e6).contains(&short.abs());
-    let en = if plain { format!("{short}") } else { format!("{short:e}") };
-    Text { ru: en.replace('.', ","), en }
+impl From<algebra::Trouble> for Fault {
+    fn from(trouble: algebra::Trouble) -> Fault {
+        structures::matrices::told(trouble).into()
+    }
 }
 
 impl Fault {

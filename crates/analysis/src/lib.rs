@@ -15,7 +15,6 @@ pub mod marks;
 pub mod reduce;
 pub mod rest;
 pub mod stiff;
-pub mod structure;
 pub mod studies;
 pub mod system;
 pub mod taylor;

@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use program::Behind;
+pub use words::Quantity;
 use words::Text;
 
 use crate::Fault;
@@ -40,28 +41,6 @@ impl Mode {
             Mode::Zero => 0.0,
             Mode::Positive => 1.0,
         }
-    }
-}
-
-/// A named quantity: a state or an output.
-#[derive(Clone, Debug, PartialEq, Default)]
-pub struct Quantity {
-    /// Name in files: `phi'`.
-    pub name: String,
-    /// Symbol in notation: `phi`, `omega_p`.
-    pub symbol: String,
-    /// SI label: `rad/s`.
-    pub unit: String,
-    /// What it is.
-    pub label: Text,
-    /// Unit to show it in, with the SI value of one such unit, when the user names one. Values are SI everywhere.
-    pub display: Option<(String, f64)>,
-}
-
-impl Quantity {
-    /// A quantity whose symbol is its name, without a label.
-    pub fn new(name: &str, unit: &str) -> Quantity {
-        Quantity { name: name.into(), symbol: name.into(), unit: unit.into(), label: Text::default(), display: None }
     }
 }
 

@@ -1,10 +1,10 @@
 //! Frames: exact numbers against machine numbers, order of convergence, limits of constraints, invariance.
 
-use analysis::structure::substructure::{Wish, substructure};
-use analysis::structure::{Action, Assembly, Component, Displacement, Frame, Load, Node, Place, Rod, RodKind, Support};
-use analysis::structure::{continuum, reduced::Condensation};
 use analysis::studies::structure_modes::{Modes, modes};
 use analysis::studies::structure_statics::statics;
+use structures::substructure::{Wish, substructure};
+use structures::{Action, Assembly, Component, Displacement, Frame, Load, Node, Place, Rod, RodKind, Support};
+use structures::{continuum, reduced::Condensation};
 use symbolic::Rational;
 use words::Text;
 

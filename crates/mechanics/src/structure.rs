@@ -1,6 +1,6 @@
 //! Frames and trusses as the file describes them: nodes, rods, supports, loads, with every quantity an expression over constant parameters.
 //!
-//! Nothing is assembled here: degrees of freedom and matrices are the business of `analysis::structure`, which takes numbers, exact ones where
+//! Nothing is assembled here: degrees of freedom and matrices are the business of `structures`, which takes numbers, exact ones where
 //! these expressions have them.
 
 use std::ops::Range;

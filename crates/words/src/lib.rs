@@ -1,14 +1,17 @@
 //! What all rooms speak with: [`Text`] in two [`Language`]s, the one [`Notice`], explanations of its codes, tables of printed words,
 //! letters of names, the nearest of known names. It knows nothing else of strutt.
 
+pub mod digits;
 pub mod explain;
 pub mod language;
 pub mod letters;
 mod near;
 pub mod notice;
+mod quantity;
 mod text;
 
 pub use language::{Language, Printed};
 pub use near::{half_slips, nearest};
 pub use notice::{Message, Notice, Place, Severity};
+pub use quantity::Quantity;
 pub use text::Text;

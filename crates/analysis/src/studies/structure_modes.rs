@@ -1,6 +1,6 @@
 //! Natural oscillations of a frame: K x = ω² M x over the coordinates of the structure.
 //!
-//! Small structures are reduced by static condensation ([`crate::structure::reduced`]) and solved densely; with rational data the frequency
+//! Small structures are reduced by static condensation ([`structures::reduced`]) and solved densely; with rational data the frequency
 //! equation det(I - λ D M) = 0, λ = ω², has exact coefficients. Large ones are solved sparse for the lowest modes.
 
 use algebra::certify::Certificate;
@@ -8,11 +8,11 @@ use algebra::eigen;
 
 use crate::audits::certified;
 use crate::dataset::{Audit, Column, Counter, Dataset};
-use crate::structure::equilibrium::{EXACT, SEARCHED, describe, standing, stands_undivided};
-use crate::structure::lowest::{lowest_dense, lowest_sparse};
-use crate::structure::reduced::{Condensation, Reduced, quantity, reduce};
-use crate::structure::{Assembly, Frame, RodKind, continuum, dense, faults};
 use crate::{Fault, Quantity};
+use structures::equilibrium::{EXACT, SEARCHED, describe, standing, stands_undivided};
+use structures::lowest::{lowest_dense, lowest_sparse};
+use structures::reduced::{Condensation, Reduced, quantity, reduce};
+use structures::{Assembly, Frame, RodKind, continuum, dense, faults};
 use symbolic::Rational;
 use words::Text;
 
@@ -118,7 +118,7 @@ pub fn modes_alone(frame: &Frame<f64>, options: &Modes) -> Option<Vec<Mode>> {
 /// Overflow is no frequency.
 fn finite(found: &StructureModes) -> Result<(), Fault> {
     let good = |m: &Mode| m.omega.is_finite() && m.omega > 0.0 && m.freedoms.iter().all(|v| v.is_finite());
-    if found.modes.iter().all(good) { Ok(()) } else { Err(faults::extreme(&found.frame)) }
+    if found.modes.iter().all(good) { Ok(()) } else { Err(faults::extreme(&found.frame).into()) }
 }
 
 /// Share by which a frequency may differ from that of a finer division without a remark.
@@ -129,7 +129,7 @@ const COMPARED: usize = 20_000;
 /// What a division of all rods into twice as many parts says about the modes, when some are off: rods with mass take the static shape that
 /// their ends give them, which is wrong where the wave is not long beside a part.
 pub fn coarse(frame: &Frame<f64>, options: &Modes, modes: &[Mode]) -> Option<Text> {
-    let bends = |r: &crate::structure::Rod<f64>| matches!(r.kind, RodKind::Beam { .. }) && r.mass > 0.0;
+    let bends = |r: &structures::Rod<f64>| matches!(r.kind, RodKind::Beam { .. }) && r.mass > 0.0;
     let parts: usize = frame.rods.iter().map(|r| 6 * r.divisions).sum();
     if !frame.rods.iter().any(bends) || parts > COMPARED {
         return None;
@@ -185,7 +185,7 @@ fn beside(found: &mut StructureModes) {
 fn plain(frame: &Frame<f64>, exact: Option<&Frame<Rational>>, options: &Modes) -> Result<StructureModes, Fault> {
     let assembly = Assembly::of(frame);
     if assembly.n() == 0 {
-        return Err(faults::massless());
+        return Err(faults::massless().into());
     }
     if assembly.n() > SEARCHED && options.condensation != Condensation::Turns {
         return large(frame, assembly, options);
@@ -229,14 +229,14 @@ fn frequency_equation(reduced: &Reduced<Rational>, n: usize) -> Vec<Rational> {
 fn large(frame: &Frame<f64>, assembly: Assembly<f64>, options: &Modes) -> Result<StructureModes, Fault> {
     let (k, m) = (assembly.stiffness(frame), assembly.mass(frame));
     if m.entries.iter().all(|e| e.2 == 0.0) {
-        return Err(faults::massless());
+        return Err(faults::massless().into());
     }
     let (found, certificate) = lowest_sparse(&k, &m, options.count)?;
     let n = assembly.n();
     if found.values.first().is_some_and(|v| free(*v, &found.values)) {
         let motion = assembly.elimination.expand(found.shape(0));
         let (node, words) = describe(frame, &assembly, &motion);
-        return Err(faults::mechanism(&node, &words, 1));
+        return Err(faults::mechanism(&node, &words, 1).into());
     }
     let shown = Shown::of(frame, &assembly, None);
     let expand = |x: &[f64]| assembly.elimination.expand(x);

@@ -2,11 +2,11 @@
 //! by unit forces.
 
 use crate::dataset::{Audit, Column, Counter, Dataset};
-use crate::structure::equilibrium::{EXACT, SEARCHED, Standing, stands};
-use crate::structure::statics::{Solver, Statics, Station, dense_solver, product, solve, sparse_solver};
-use crate::structure::truss::{Joint, Section, is_truss, joints, sections};
-use crate::structure::{Action, Assembly, Component, Displacement, Frame, Load, Scalar};
 use crate::{Fault, Quantity};
+use structures::equilibrium::{EXACT, SEARCHED, Standing, stands};
+use structures::statics::{Solver, Statics, Station, dense_solver, product, solve, sparse_solver};
+use structures::truss::{Joint, Section, is_truss, joints, sections};
+use structures::{Action, Assembly, Component, Displacement, Frame, Load, Scalar};
 use symbolic::Rational;
 use words::Text;
 
@@ -267,10 +267,10 @@ fn balance(frame: &Frame<f64>, state: &Statics<f64>) -> Balance {
     balance
 }
 
-fn point(frame: &Frame<f64>, place: &crate::structure::Place<f64>) -> [f64; 2] {
+fn point(frame: &Frame<f64>, place: &structures::Place<f64>) -> [f64; 2] {
     match place {
-        crate::structure::Place::Node(i) => frame.nodes[*i].at,
-        crate::structure::Place::Rod(i, s) => {
+        structures::Place::Node(i) => frame.nodes[*i].at,
+        structures::Place::Rod(i, s) => {
             let r = &frame.rods[*i];
             [0, 1].map(|k| frame.nodes[r.ends[0]].at[k] + s * r.direction[k])
         }

@@ -1,9 +1,9 @@
 //! A structure of a model file in numbers: machine numbers always, exact rationals where every quantity has one.
 
-use analysis::structure::{Action, Component, Displacement, Frame, Load, Node, Place, Rod, RodKind, Support};
 use mechanics::Model;
 use mechanics::structure::{self as file, Structure};
 use std::collections::HashMap;
+use structures::{Action, Component, Displacement, Frame, Load, Node, Place, Rod, RodKind, Support};
 use symbolic::{Expr, Graph, Node as Term, Rational, SymbolId};
 
 /// A structure in numbers.
@@ -184,7 +184,7 @@ fn difference(nodes: &[file::Node], rod: &file::Rod) -> [[Expr; 2]; 2] {
     rod.ends.map(|i| nodes[i].at)
 }
 
-fn rod_of<S: analysis::structure::Scalar>(
+fn rod_of<S: structures::Scalar>(
     rod: &file::Rod,
     ends: [[Expr; 2]; 2],
     number: &mut dyn FnMut(Expr) -> Option<S>,

@@ -1,11 +1,11 @@
 //! The same frame at all levels of simplification: what massless rods, static shapes, rigid rods and resting sections cost.
 
 use super::bind::bind;
-use analysis::structure::continuum;
-use analysis::structure::reduced::Condensation;
 use analysis::studies::structure_modes::{self, Modes};
 use mechanics::Model;
 use mechanics::structure::Structure;
+use structures::continuum;
+use structures::reduced::Condensation;
 use words::Text;
 
 /// Parts of each elastic rod at the refined levels.

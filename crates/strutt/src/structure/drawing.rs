@@ -2,12 +2,12 @@
 
 use super::modes::Found as ModesFound;
 use super::statics::Found as StaticsFound;
-use analysis::structure::loads::Carried;
-use analysis::structure::statics::Station;
-use analysis::structure::{Assembly, Frame, deflection, elements};
 use report::Figure;
 use report::figure::{Axis, Kind, Mark, Series};
 use report::unit::Scale;
+use structures::loads::Carried;
+use structures::statics::Station;
+use structures::{Assembly, Frame, deflection, elements};
 use words::Language;
 
 /// Points on a part of a rod.
@@ -170,7 +170,7 @@ fn signed(v: f64, scale: &Scale, language: Language) -> String {
 
 /// The nodes by name.
 fn names(frame: &Frame<f64>) -> Vec<Mark> {
-    let mark = |n: &analysis::structure::Node<f64>| Mark::Point { x: n.at[0], y: n.at[1], label: n.name.clone() };
+    let mark = |n: &structures::Node<f64>| Mark::Point { x: n.at[0], y: n.at[1], label: n.name.clone() };
     if frame.nodes.len() > WORDS { Vec::new() } else { frame.nodes.iter().map(mark).collect() }
 }
 
@@ -199,7 +199,7 @@ fn values(frame: &Frame<f64>, diagrams: &[Vec<Station<f64>>], diagram: &Diagram,
 }
 
 /// The place across a rod.
-fn ordinate(frame: &Frame<f64>, rod: &analysis::structure::Rod<f64>, at: f64, v: f64) -> [f64; 2] {
+fn ordinate(frame: &Frame<f64>, rod: &structures::Rod<f64>, at: f64, v: f64) -> [f64; 2] {
     let start = frame.nodes[rod.ends[0]].at;
     let [c, s] = rod.direction;
     [start[0] + c * at - s * v, start[1] + s * at + c * v]

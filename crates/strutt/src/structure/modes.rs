@@ -4,12 +4,12 @@ use super::bind::{Bound, Factor, Numbers, bind};
 use super::compare::Level;
 use super::equation;
 use super::rayleigh::Reduced as Reduction;
-use analysis::structure::reduced::{Condensation, Reduced};
 use analysis::studies::structure_modes::{self, Modes, Normalise, StructureModes};
 use mechanics::Model;
 use mechanics::model::{self, Scale};
 use mechanics::structure::Structure;
 use serde_json::{Map, Value, json};
+use structures::reduced::{Condensation, Reduced};
 use symbolic::Rational;
 use words::Notice;
 

@@ -3,17 +3,17 @@
 //! motions, responses and simulations know no difference between a frame and a body, and bodies stand on nodes by formulas of displacements.
 
 use super::bind::{Bound, bind};
-use analysis::structure::equilibrium::{EXACT, stands_undivided};
-use analysis::structure::loads::loading;
-use analysis::structure::reduced::{Condensation, displacements, reduce};
-use analysis::structure::substructure::{Substructure, Wish, substructure};
-use analysis::structure::{Action, Assembly, Frame, Load, dense};
 use analysis::studies::structure_modes::{self, Modes};
 use mechanics::Model;
 use mechanics::model::{
     self, Class, ConstantInertia, CoordinateDecl, Force, OutputDecl, ParameterDecl, ParameterValue, Pathway, Potential,
 };
 use mechanics::structure as file;
+use structures::equilibrium::{EXACT, stands_undivided};
+use structures::loads::loading;
+use structures::reduced::{Condensation, displacements, reduce};
+use structures::substructure::{Substructure, Wish, substructure};
+use structures::{Action, Assembly, Frame, Load, dense};
 use symbolic::{Expr, Rational};
 use words::{Notice, Text};
 
@@ -113,7 +113,7 @@ fn coordinates(
     }
     let refined = structure_modes::modes(&bound.frame, None, &options)?;
     if let Some(audit) = refined.dataset.audits.iter().find(|a| !a.ok) {
-        return Err(analysis::structure::faults::unconfirmed(audit.value, 0.0));
+        return Err(structures::faults::unconfirmed(audit.value, 0.0).into());
     }
     *bound = Bound { frame: refined.frame, exact: None };
     let found = substructure(&bound.frame, &refined.assembly, &wish)?;

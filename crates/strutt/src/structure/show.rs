@@ -3,13 +3,13 @@
 use super::modes::Found as ModesFound;
 use super::statics::Found as StaticsFound;
 use crate::small::show::plain_table;
-use analysis::structure::reduced::Reduced;
-use analysis::structure::truss::Term;
-use analysis::structure::{Frame, Scalar};
 use analysis::studies::structure_statics::Flexibility;
 use report::document::Rich;
 use report::table::Column;
 use report::{Block, Cell, Table};
+use structures::reduced::Reduced;
+use structures::truss::Term;
+use structures::{Frame, Scalar};
 use words::Language;
 
 /// Significant digits.
@@ -240,7 +240,7 @@ fn nodes(found: &StaticsFound, language: Language) -> Option<Table> {
 fn rods(found: &StaticsFound, language: Language) -> Table {
     let r = &found.result;
     // bars bend under their own weight only
-    let straight = |d: &Vec<analysis::structure::statics::Station<f64>>| d.iter().all(|s| s.moment == 0.0);
+    let straight = |d: &Vec<structures::statics::Station<f64>>| d.iter().all(|s| s.moment == 0.0);
     let bars = r.frame.rods.iter().all(|rod| rod.is_bar()) && r.diagrams.iter().all(straight);
     let mut heads = vec![Column::new(language.pick("Rod", "Стержень")), Column::with_unit(Rich::symbol("N"), "N", language)];
     if !bars {
@@ -253,9 +253,8 @@ fn rods(found: &StaticsFound, language: Language) -> Table {
         );
     }
     let mut table = Table::new(heads);
-    let size = |value: fn(&analysis::structure::statics::Station<f64>) -> f64| {
-        r.diagrams.iter().flatten().map(|s| value(s).abs()).fold(0.0, f64::max)
-    };
+    let size =
+        |value: fn(&structures::statics::Station<f64>) -> f64| r.diagrams.iter().flatten().map(|s| value(s).abs()).fold(0.0, f64::max);
     let sizes = [size(|s| s.normal), size(|s| s.shear), size(|s| s.moment)];
     for (rod, d) in r.frame.rods.iter().zip(&r.diagrams) {
         let (Some(first), Some(last)) = (d.first(), d.last()) else { continue };

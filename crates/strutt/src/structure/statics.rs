@@ -2,13 +2,13 @@
 
 use super::bind::{Bound, bind};
 use crate::pipeline::Machine;
-use analysis::structure::statics::Station;
 use analysis::studies::structure_statics::{self, StructureStatics};
 use mechanics::Model;
 use mechanics::model::Class;
 use mechanics::structure::{Action, Load, Structure};
 use report::number::significant;
 use serde_json::{Map, Value, json};
+use structures::statics::Station;
 use words::{Notice, Text};
 
 /// What was found, with the numbers it was found from.
@@ -34,7 +34,7 @@ pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Notic
         let forces = exerted(machine, &result, moving)?;
         if !forces.is_empty() {
             let list = |language| {
-                let one = |(l, v): &(analysis::structure::Load<f64>, f64)| format!("{} {}", l.name, significant(*v, 6, language));
+                let one = |(l, v): &(structures::Load<f64>, f64)| format!("{} {}", l.name, significant(*v, 6, language));
                 forces.iter().map(one).collect::<Vec<_>>().join("; ")
             };
             let (en, ru) = (list(words::Language::En), list(words::Language::Ru));
@@ -57,7 +57,7 @@ pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Notic
 
 /// Forces of the machine at rest along the displacements that it acts on: those which move the loaded structure from where its own loads
 /// leave it, D F = u - u₀, to where the whole machine rests.
-fn exerted(machine: &Machine, bare: &StructureStatics, moving: bool) -> Result<Vec<(analysis::structure::Load<f64>, f64)>, Box<Notice>> {
+fn exerted(machine: &Machine, bare: &StructureStatics, moving: bool) -> Result<Vec<(structures::Load<f64>, f64)>, Box<Notice>> {
     let frame = &bare.frame;
     let names = |i: &usize| machine.model.coordinates.iter().position(|c| c.name == frame.displacements[*i].name);
     let loaded: Vec<usize> = (0..frame.displacements.len()).filter(|i| frame.displacements[*i].loaded).collect();
@@ -70,13 +70,13 @@ fn exerted(machine: &Machine, bare: &StructureStatics, moving: bool) -> Result<V
     let all = frame.displacements.len();
     let gaps: Vec<f64> = loaded.iter().zip(&places).map(|(i, q)| small.place.q[*q] - bare.displacements[*i]).collect();
     let d: Vec<f64> = loaded.iter().flat_map(|i| loaded.iter().map(move |j| flexibility.displacements[i * all + j])).collect();
-    let forces = analysis::structure::dense::solve(&d, loaded.len(), &gaps, 1).ok_or_else(|| Box::new(apart()))?;
+    let forces = structures::dense::solve(&d, loaded.len(), &gaps, 1).ok_or_else(|| Box::new(apart()))?;
     let load = |i: usize| structure_statics::unit(&frame.displacements[i]);
     Ok(loaded.into_iter().zip(forces).filter(|(_, f)| *f != 0.0).map(|(i, f)| (load(i), f)).collect())
 }
 
-fn scaled(mut load: analysis::structure::Load<f64>, factor: f64) -> analysis::structure::Load<f64> {
-    if let analysis::structure::Action::Point { value, .. } = &mut load.action {
+fn scaled(mut load: structures::Load<f64>, factor: f64) -> structures::Load<f64> {
+    if let structures::Action::Point { value, .. } = &mut load.action {
         value.iter_mut().for_each(|v| *v *= factor);
     }
     load
@@ -146,12 +146,12 @@ pub fn fields(found: &Found) -> Map<String, Value> {
         own.insert("exact_flexibility_matrix".into(), rows.collect());
     }
     if !r.joints.is_empty() {
-        let joint = |j: &analysis::structure::truss::Joint| {
+        let joint = |j: &structures::truss::Joint| {
             let found: Map<String, Value> = j.found.iter().map(|(i, v)| (r.frame.rods[*i].name.clone(), json!(v))).collect();
             json!({"node": r.frame.nodes[j.node].name, "equations": j.equations.iter().map(|e| super::show::equation(e, words::Language::En)).collect::<Vec<_>>(), "found": found})
         };
         own.insert("joints".into(), r.joints.iter().map(joint).collect());
-        let section = |s: &analysis::structure::truss::Section| {
+        let section = |s: &structures::truss::Section| {
             let names: Vec<&str> = s.cut.iter().map(|i| r.frame.rods[*i].name.as_str()).collect();
             json!({"rod": names[0], "cut": names, "about": s.about, "equation": super::show::equation(&s.equation, words::Language::En), "force": s.value})
         };
@@ -162,7 +162,7 @@ pub fn fields(found: &Found) -> Map<String, Value> {
 
 /// Reactions along the ground axes and couples, only what a support holds.
 fn reactions(r: &StructureStatics) -> Map<String, Value> {
-    let one = |(support, f): (&analysis::structure::Support<f64>, &[f64; 3])| {
+    let one = |(support, f): (&structures::Support<f64>, &[f64; 3])| {
         let [c, s] = support.axis;
         let mut own = Map::new();
         let (x, y) = (c * f[0] - s * f[1], s * f[0] + c * f[1]);
@@ -180,7 +180,7 @@ fn reactions(r: &StructureStatics) -> Map<String, Value> {
 
 /// Forces of springs on their nodes.
 fn springs(r: &StructureStatics) -> Map<String, Value> {
-    let one = |(node, f): (&analysis::structure::Node<f64>, &[f64; 3])| {
+    let one = |(node, f): (&structures::Node<f64>, &[f64; 3])| {
         let parts = ["x", "y", "turn"].iter().zip(f).zip(&node.springs).filter(|(_, s)| **s != 0.0);
         let own: Map<String, Value> = parts.map(|((key, f), _)| ((*key).to_owned(), json!(f))).collect();
         (!own.is_empty()).then(|| (node.name.clone(), Value::Object(own)))

@@ -6,6 +6,15 @@
 //!
 //! Small displacements: x and y of each node and its turn, counter-clockwise. An inextensible or rigid rod is a linear relation between them,
 //! eliminated by Gauss-Jordan elimination ([`constraints`]), never a large stiffness.
+//!
+//! It knows no files of machines and no time: who reads a file fills a [`Frame`], who asks for motions takes matrices.
+//!
+//! Rooms, in order of reading: [`scalar`], [`dense`] (exact or machine numbers) - [`freedoms`], [`elements`], [`constraints`], [`assembly`], [`loads`] (matrices) -
+//! [`equilibrium`] (does it stand?), [`statics`], [`truss`], [`deflection`] - [`reduced`], [`lowest`], [`substructure`] (coordinates) - [`continuum`] (bending waves) -
+//! [`faults`], [`matrices`] (what can be wrong, in words).
+
+// the same bits on every machine: see clippy.toml
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 pub mod assembly;
 pub mod constraints;
@@ -18,6 +27,7 @@ pub mod faults;
 pub mod freedoms;
 pub mod loads;
 pub mod lowest;
+pub mod matrices;
 pub mod reduced;
 pub mod scalar;
 pub mod statics;
@@ -28,6 +38,9 @@ pub use assembly::Assembly;
 pub use scalar::Scalar;
 
 use words::Text;
+
+/// What can be wrong with a structure.
+pub type Fault = words::Notice;
 
 /// A frame or truss, SI.
 #[derive(Clone, Debug, Default)]

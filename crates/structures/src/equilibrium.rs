@@ -1,9 +1,9 @@
 //! Whether a structure stands: mechanisms with their free motion, and the degree of statical indeterminacy.
 
-use super::assembly::{Sparse, name_of};
-use super::freedoms::Freedom;
-use super::{Assembly, Frame, RodKind, Scalar, dense, faults};
 use crate::Fault;
+use crate::assembly::{Sparse, name_of};
+use crate::freedoms::Freedom;
+use crate::{Assembly, Frame, RodKind, Scalar, dense, faults};
 use algebra::Trouble;
 use algebra::elementary;
 
@@ -39,7 +39,7 @@ pub fn standing<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<S
     let of_rods = frame.rods.iter().map(|rod| if rod.is_bar() { 1 } else { 3 }).sum::<usize>();
     let of_supports = frame.supports.iter().map(|s| s.holds.iter().filter(|h| **h).count()).sum::<usize>();
     let of_springs = frame.nodes.iter().flat_map(|n| &n.springs).filter(|s| !s.is_zero()).count();
-    let idle = assembly.bonds.iter().filter(|b| **b == super::assembly::Bond::Idle).count();
+    let idle = assembly.bonds.iter().filter(|b| **b == crate::assembly::Bond::Idle).count();
     // a hinged end has an own turn, whose equation says that it carries no moment
     // a point inside a rod divides nothing: its three equations meet three unknown forces more
     let inside = assembly.freedoms.meaning.iter().filter(|f| matches!(f, Freedom::Inner(..))).count();
@@ -59,14 +59,14 @@ pub fn standing<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<S
 fn free_motion<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> Result<Option<Vec<f64>>, Fault> {
     let stiffness = assembly.stiffness(frame);
     let entries = stiffness.entries.iter().map(|(i, j, v)| (*i, *j, v.value())).collect();
-    let matrix = super::lowest::compressed(&Sparse { n: stiffness.n, entries })?;
+    let matrix = crate::lowest::compressed(&Sparse { n: stiffness.n, entries })?;
     match matrix.factor() {
         Ok(_) => Ok(None),
         Err(Trouble::Pivot(pivot)) => {
-            let expand = |row: &super::constraints::Row<S>| row.iter().map(|(j, c)| c.value() * pivot.motion[*j]).sum();
+            let expand = |row: &crate::constraints::Row<S>| row.iter().map(|(j, c)| c.value() * pivot.motion[*j]).sum();
             Ok(Some(assembly.elimination.transform.iter().map(expand).collect()))
         }
-        Err(trouble) => Err(trouble.into()),
+        Err(trouble) => Err(crate::matrices::told(trouble)),
     }
 }
 

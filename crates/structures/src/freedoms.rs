@@ -4,7 +4,7 @@
 //! A rod is also divided where one of its displacements has a name: between nodes it takes the shape of an unloaded rod, which is the truth
 //! about its own flexibility only at nodes.
 
-use super::{Frame, Place, RodKind, Scalar};
+use crate::{Frame, Place, RodKind, Scalar};
 
 /// A rod or a part of a divided one.
 #[derive(Clone, Debug)]

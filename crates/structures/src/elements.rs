@@ -10,7 +10,7 @@
 //!
 //! *Source*: R. W. Clough, J. Penzien, Dynamics of Structures, 10-4; the same follows from ∫ EI N''ᵀN'' dx and ∫ ρA NᵀN dx, which a test does.
 
-use super::{Rod, RodKind, Scalar};
+use crate::{Rod, RodKind, Scalar};
 
 /// 6 x 6, row by row.
 pub type Square<S> = Vec<S>;

@@ -1,14 +1,14 @@
 //! Statics of a frame under loads: displacements, reactions, forces at the ends of rods, diagrams.
 //!
 //! K q = Tᵀ f gives the displacements of what deforms; K x - f are then the forces that the constraints provide, from which the reactions and
-//! the forces in rods that do not deform follow ([`super::constraints`]). Signs: normal force N positive in tension; with the rod seen from its
+//! the forces in rods that do not deform follow ([`crate::constraints`]). Signs: normal force N positive in tension; with the rod seen from its
 //! start to its end and y to its left, the shear force V = dM/dx and the bending moment M positive when the rod bends like a bowl (tension on
 //! its right side); reactions act on the structure.
 
-use super::assembly::Bond;
-use super::loads::{Carried, Loading, loading};
-use super::{Assembly, Frame, Load, RodKind, Scalar, dense, elements, faults};
 use crate::Fault;
+use crate::assembly::Bond;
+use crate::loads::{Carried, Loading, loading};
+use crate::{Assembly, Frame, Load, RodKind, Scalar, dense, elements, faults};
 use algebra::Trouble;
 
 /// The static state under loads.
@@ -111,7 +111,7 @@ fn residual<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, x: &[S], loadin
     for part in &assembly.freedoms.parts {
         let rod = &frame.rods[part.rod];
         let (k, u) = (elements::stiffness(rod, &part.length), assembly.local(frame, part, x));
-        for (a, row) in super::assembly::local_rows(frame, part).iter().enumerate() {
+        for (a, row) in crate::assembly::local_rows(frame, part).iter().enumerate() {
             let force = (0..6).fold(S::zero(), |sum, b| sum.add(&k[6 * a + b].mul(&u[b])));
             row.iter().for_each(|(i, c)| out[*i] = out[*i].add(&c.mul(&force)));
         }
@@ -127,7 +127,7 @@ fn undetermined<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, multipliers
     let mut names: Vec<String> = Vec::new();
     for (bond, multiplier) in assembly.bonds.iter().zip(multipliers) {
         if multiplier.is_none()
-            && let Some(name) = super::reduced::bond_name(frame, assembly, *bond)
+            && let Some(name) = crate::reduced::bond_name(frame, assembly, *bond)
             && !names.contains(&name)
         {
             names.push(name);
@@ -150,13 +150,13 @@ pub fn dense_solver<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>) -> impl
 ///
 /// *Errors*: a mechanism.
 pub fn sparse_solver(frame: &Frame<f64>, assembly: &Assembly<f64>) -> Result<impl Fn(&[f64]) -> Result<Vec<f64>, Fault>, Fault> {
-    let matrix = super::lowest::compressed(&assembly.stiffness(frame))?;
+    let matrix = crate::lowest::compressed(&assembly.stiffness(frame))?;
     let factored = matrix.factor().map_err(|trouble| match trouble {
         Trouble::Pivot(pivot) => {
-            let (node, words) = super::equilibrium::describe(frame, assembly, &assembly.elimination.expand(&pivot.motion));
+            let (node, words) = crate::equilibrium::describe(frame, assembly, &assembly.elimination.expand(&pivot.motion));
             faults::mechanism(&node, &words, 1)
         }
-        trouble => trouble.into(),
+        trouble => crate::matrices::told(trouble),
     })?;
     Ok(move |f: &[f64]| {
         let mut q = f.to_vec();

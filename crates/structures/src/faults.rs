@@ -75,7 +75,7 @@ pub const EXPLANATIONS: &[Explanation] = &[
 ];
 
 fn fault(code: &'static str, what: Text, why: Text, help: Text) -> Fault {
-    Fault::new(Message { code, what, why, help })
+    Fault::from(Message { code, what, why, help })
 }
 
 /// A free motion.
@@ -144,11 +144,11 @@ pub fn massless() -> Fault {
 }
 
 /// Stiffnesses beside which others vanish in rounding.
-pub fn extreme(frame: &super::Frame<f64>) -> Fault {
-    let stiffness = |r: &super::Rod<f64>| match &r.kind {
-        super::RodKind::Beam { bending, .. } => Some(bending / elementary::powi(r.length, 3)),
-        super::RodKind::Bar(axial) => axial.map(|ea| ea / r.length),
-        super::RodKind::Rigid => None,
+pub fn extreme(frame: &crate::Frame<f64>) -> Fault {
+    let stiffness = |r: &crate::Rod<f64>| match &r.kind {
+        crate::RodKind::Beam { bending, .. } => Some(bending / elementary::powi(r.length, 3)),
+        crate::RodKind::Bar(axial) => axial.map(|ea| ea / r.length),
+        crate::RodKind::Rigid => None,
     };
     let mut rods: Vec<(&str, f64)> = frame.rods.iter().filter_map(|r| Some((r.name.as_str(), stiffness(r)?))).collect();
     rods.sort_by(|a, b| a.1.total_cmp(&b.1));
@@ -180,7 +180,7 @@ pub fn extreme(frame: &super::Frame<f64>) -> Fault {
 
 /// Modes that their residuals or Sturm's count do not confirm, or that are not as accurate as wanted.
 pub fn unconfirmed(residual: f64, missing: f64) -> Fault {
-    let n = crate::fault::rounded(residual);
+    let n = words::digits::rounded(residual);
     fault(
         "S064",
         Text::new(

@@ -8,7 +8,7 @@
 //! *Source*: W. H. Wittrick, F. W. Williams, A general algorithm for computing natural frequencies of elastic structures, Quart. J. Mech.
 //! Appl. Math. 24 (1971) 263.
 
-use super::{Assembly, Frame, Rod, RodKind, elements};
+use crate::{Assembly, Frame, Rod, RodKind, elements};
 use algebra::eigen;
 use algebra::elementary;
 use std::f64::consts::PI;

@@ -1,9 +1,9 @@
 //! From a frame to reduced matrices: freedoms, constraints, T with x = T q, and K = Tᵀ K_x T, M = Tᵀ M_x T as sparse entries.
 
-use super::constraints::{Elimination, Row, combine, eliminate};
-use super::elements;
-use super::freedoms::{Freedom, Freedoms, Part};
-use super::{Component, Frame, Place, RodKind, Scalar};
+use crate::constraints::{Elimination, Row, combine, eliminate};
+use crate::elements;
+use crate::freedoms::{Freedom, Freedoms, Part};
+use crate::{Component, Frame, Place, RodKind, Scalar};
 
 /// Where a constraint comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

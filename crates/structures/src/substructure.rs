@@ -9,12 +9,12 @@
 //! *Source*: R. R. Craig, M. C. C. Bampton, Coupling of substructures for dynamic analyses, AIAA J. 6 (1968) 1313, with displacements in place
 //! of boundary nodes.
 
-use super::equilibrium::SEARCHED;
-use super::loads::loading;
-use super::lowest::{compressed, lowest_dense, lowest_sparse};
-use super::reduced::{Condensation, Reduced, displacements, reduce};
-use super::{Assembly, Frame, Load, dense, faults};
 use crate::Fault;
+use crate::equilibrium::SEARCHED;
+use crate::loads::loading;
+use crate::lowest::{compressed, lowest_dense, lowest_sparse};
+use crate::reduced::{Condensation, Reduced, displacements, reduce};
+use crate::{Assembly, Frame, Load, dense, faults};
 use algebra::certify::Certificate;
 use algebra::eigen::Modes;
 use algebra::factor::Factored;
@@ -299,9 +299,9 @@ fn resting(p: &[f64], space: &Space, m: usize) -> Result<Vec<Vec<f64>>, Fault> {
         return Ok(Vec::new());
     }
     // columns that solve P x = 0: the pivots of P follow the others
-    let rows: Vec<super::constraints::Row<f64>> =
+    let rows: Vec<crate::constraints::Row<f64>> =
         (0..m).map(|i| (0..n).filter(|j| p[i * n + j] != 0.0).map(|j| (j, p[i * n + j])).collect()).collect();
-    let elimination = super::constraints::eliminate(n, &rows, &|i| i);
+    let elimination = crate::constraints::eliminate(n, &rows, &|i| i);
     let k = elimination.free.len();
     let mut basis = vec![0.0; n * k];
     for (i, row) in elimination.transform.iter().enumerate() {

@@ -7,11 +7,12 @@
 //! With named displacements u = Φ q as coordinates, M_u = Φ⁻ᵀ M Φ⁻¹ and the flexibility is D = Φ K⁻¹ Φᵀ: column j is what a unit force
 //! along u_j does.
 
-use super::assembly::Bond;
-use super::constraints::Row;
-use super::freedoms::Freedom;
-use super::{Assembly, Component, Displacement, Frame, RodKind, Scalar, dense, faults};
-use crate::{Fault, Quantity};
+use crate::Fault;
+use crate::assembly::Bond;
+use crate::constraints::Row;
+use crate::freedoms::Freedom;
+use crate::{Assembly, Component, Displacement, Frame, RodKind, Scalar, dense, faults};
+use words::Quantity;
 
 /// Whether freedoms that carry inertia are condensed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]

@@ -4,51 +4,48 @@ use algebra::Trouble;
 use algebra::trouble::{Defect, Pivot};
 use words::{Message, Text};
 
-use super::Fault;
+use crate::Fault;
 
-impl From<Trouble> for Fault {
-    fn from(trouble: Trouble) -> Fault {
-        match trouble {
-            Trouble::Pivot(pivot) => pivot.into(),
-            Trouble::Massless(row) => massless(row),
-            Trouble::Malformed(name) => malformed(name),
-            Trouble::Unconverged { found, wanted } => unconverged(found, wanted),
-            Trouble::Memory => memory(),
-        }
+/// A trouble in words that name rows alone.
+pub fn told(trouble: Trouble) -> Fault {
+    match trouble {
+        Trouble::Pivot(pivot) => singular(&pivot),
+        Trouble::Massless(row) => massless(row),
+        Trouble::Malformed(name) => malformed(name),
+        Trouble::Unconverged { found, wanted } => unconverged(found, wanted),
+        Trouble::Memory => memory(),
     }
 }
 
-impl From<Pivot> for Fault {
-    fn from(pivot: Pivot) -> Fault {
-        let row = pivot.row + 1;
-        let what = match pivot.defect {
-            Defect::Singular => {
-                Text::new(format!("the stiffness matrix is singular at row {row}"), format!("матрица жёсткости вырождена в строке {row}"))
-            }
-            Defect::Negative => Text::new(
-                format!("the stiffness matrix has a negative pivot at row {row}"),
-                format!("матрица жёсткости имеет отрицательный ведущий элемент в строке {row}"),
-            ),
-        };
-        Fault::new(Message {
-            code: "S022",
-            what,
-            why: Text::new(
-                "the structure can move without elastic resistance: it is a mechanism, a part is not supported, or a stiffness is negative",
-                "конструкция может двигаться без упругого сопротивления: это механизм, часть не закреплена или жёсткость отрицательна",
-            ),
-            help: Text::new(
-                "add a support or a rod that stops the free motion, check releases and the signs of stiffnesses",
-                "добавьте опору или стержень, препятствующий свободному движению, проверьте шарниры и знаки жёсткостей",
-            ),
-        })
-    }
+fn singular(pivot: &Pivot) -> Fault {
+    let row = pivot.row + 1;
+    let what = match pivot.defect {
+        Defect::Singular => {
+            Text::new(format!("the stiffness matrix is singular at row {row}"), format!("матрица жёсткости вырождена в строке {row}"))
+        }
+        Defect::Negative => Text::new(
+            format!("the stiffness matrix has a negative pivot at row {row}"),
+            format!("матрица жёсткости имеет отрицательный ведущий элемент в строке {row}"),
+        ),
+    };
+    Fault::from(Message {
+        code: "S022",
+        what,
+        why: Text::new(
+            "the structure can move without elastic resistance: it is a mechanism, a part is not supported, or a stiffness is negative",
+            "конструкция может двигаться без упругого сопротивления: это механизм, часть не закреплена или жёсткость отрицательна",
+        ),
+        help: Text::new(
+            "add a support or a rod that stops the free motion, check releases and the signs of stiffnesses",
+            "добавьте опору или стержень, препятствующий свободному движению, проверьте шарниры и знаки жёсткостей",
+        ),
+    })
 }
 
 /// The mass matrix is not positive definite; `row` is the first coordinate without inertia of its own.
 fn massless(row: usize) -> Fault {
     let row = row + 1;
-    Fault::new(Message {
+    Fault::from(Message {
         code: "S021",
         what: Text::new(
             format!("the mass matrix is not positive definite: row {row}"),
@@ -64,7 +61,7 @@ fn massless(row: usize) -> Fault {
 
 /// An entry is infinite or undefined, or the matrix has the wrong size.
 fn malformed(name: &str) -> Fault {
-    Fault::new(Message {
+    Fault::from(Message {
         code: "S024",
         what: Text::new(
             format!("the matrix {name} has an entry that is not a finite number, or a wrong size"),
@@ -80,7 +77,7 @@ fn malformed(name: &str) -> Fault {
 
 /// The iteration for eigenvalues did not end.
 fn unconverged(found: usize, wanted: usize) -> Fault {
-    Fault::new(Message {
+    Fault::from(Message {
         code: "S023",
         what: Text::new(
             format!("only {found} of {wanted} eigenvalues converged"),
@@ -99,7 +96,7 @@ fn unconverged(found: usize, wanted: usize) -> Fault {
 
 /// Not enough memory for a factor.
 fn memory() -> Fault {
-    Fault::new(Message {
+    Fault::from(Message {
         code: "S005",
         what: Text::new("the factor of the matrix does not fit into memory", "разложение матрицы не помещается в память"),
         why: Text::new("the structure is very large", "конструкция очень велика"),
@@ -107,20 +104,27 @@ fn memory() -> Fault {
     })
 }
 
-pub(crate) const MASS_EN: &str = "The kinetic energy must be positive for every motion. A coordinate without mass or moment of inertia has no equation of motion: \
+/// Explanation of S021.
+pub const MASS_EN: &str = "The kinetic energy must be positive for every motion. A coordinate without mass or moment of inertia has no equation of motion: \
     its acceleration is not determined. Give the part an inertia, or remove the coordinate by static condensation or a rigid connection.";
-pub(crate) const MASS_RU: &str = "Кинетическая энергия должна быть положительна при любом движении. Для координаты без массы и момента инерции уравнение движения \
+/// The same in Russian.
+pub const MASS_RU: &str = "Кинетическая энергия должна быть положительна при любом движении. Для координаты без массы и момента инерции уравнение движения \
     не определяет ускорения. Задайте инерцию или исключите координату статической конденсацией либо жёсткой связью.";
-pub(crate) const SINGULAR_EN: &str = "Static displacements need a positive definite stiffness matrix. When a pivot of its elimination vanishes, the structure can move \
+/// Explanation of S022.
+pub const SINGULAR_EN: &str = "Static displacements need a positive definite stiffness matrix. When a pivot of its elimination vanishes, the structure can move \
     without elastic resistance: a mechanism, an unsupported part, too many releases. When it is negative, a stiffness has the wrong sign or the structure has \
     lost its stability.";
-pub(crate) const SINGULAR_RU: &str = "Для статических перемещений матрица жёсткости должна быть положительно определена. Если ведущий элемент исключения обращается в \
+/// The same in Russian.
+pub const SINGULAR_RU: &str = "Для статических перемещений матрица жёсткости должна быть положительно определена. Если ведущий элемент исключения обращается в \
     нуль, конструкция может двигаться без упругого сопротивления: механизм, незакреплённая часть, лишние шарниры. Если он отрицателен, жёсткость имеет неверный \
     знак или конструкция потеряла устойчивость.";
-pub(crate) const CONVERGENCE_EN: &str = "The search for eigenvalues stopped at its cap of steps. Usually stiffnesses or masses of the parts differ by more orders of \
+/// Explanation of S023.
+pub const CONVERGENCE_EN: &str = "The search for eigenvalues stopped at its cap of steps. Usually stiffnesses or masses of the parts differ by more orders of \
     magnitude than double numbers hold, or more modes are asked for than the structure has masses.";
-pub(crate) const CONVERGENCE_RU: &str = "Поиск собственных значений остановлен по пределу числа шагов. Обычно жёсткости или массы частей различаются на большее число \
+/// The same in Russian.
+pub const CONVERGENCE_RU: &str = "Поиск собственных значений остановлен по пределу числа шагов. Обычно жёсткости или массы частей различаются на большее число \
     порядков, чем позволяют числа двойной точности, либо запрошено больше форм, чем в конструкции масс.";
-pub(crate) const MALFORMED_EN: &str =
-    "An entry of a matrix is infinite or undefined: a length of zero in a denominator, a datum that overflows.";
-pub(crate) const MALFORMED_RU: &str = "Элемент матрицы бесконечен или не определён: нулевая длина в знаменателе, переполнение данных.";
+/// Explanation of S024.
+pub const MALFORMED_EN: &str = "An entry of a matrix is infinite or undefined: a length of zero in a denominator, a datum that overflows.";
+/// The same in Russian.
+pub const MALFORMED_RU: &str = "Элемент матрицы бесконечен или не определён: нулевая длина в знаменателе, переполнение данных.";

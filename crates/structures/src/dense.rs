@@ -1,6 +1,6 @@
 //! Dense linear algebra over a field: small exact problems, and small problems in machine numbers.
 
-use super::Scalar;
+use crate::Scalar;
 
 /// A X = B for a square A (row by row) and the columns of B (n rows, any number of columns, row by row); none when A is singular.
 pub fn solve<S: Scalar>(a: &[S], n: usize, b: &[S], columns: usize) -> Option<Vec<S>> {

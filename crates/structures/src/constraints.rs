@@ -5,7 +5,7 @@
 //! R = W C, then r = Cᵀ λ with λ = Wᵀ r_p, where r_p are the components of r at the pivots. Rows that vanish name the constraints whose
 //! forces statics alone does not determine.
 
-use super::Scalar;
+use crate::Scalar;
 use std::collections::BTreeMap;
 
 /// A sparse row: (column, coefficient) by column, no zeros.

@@ -16,8 +16,8 @@
 //!
 //! *Source*: each satisfies its equation, the conditions at both ends and the jump at a, which the tests verify.
 
-use super::loads::Carried;
-use super::{Rod, RodKind};
+use crate::loads::Carried;
+use crate::{Rod, RodKind};
 use algebra::elementary;
 
 /// Displacements along and across at the distance `x` from the start of a part of the length `l` with held ends.

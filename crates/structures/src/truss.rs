@@ -2,8 +2,8 @@
 //!
 //! Both start from the loads and the reactions; forces of rods are tensions, so a rod pulls its node towards its other end.
 
-use super::statics::Statics;
-use super::{Action, Assembly, Frame, Place};
+use crate::statics::Statics;
+use crate::{Action, Assembly, Frame, Place};
 
 /// A term of an equation: coefficient times force, `cos·S`.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Loads as forces on freedoms, and what each part of a rod carries between its ends.
 
-use super::constraints::Row;
-use super::freedoms::Part;
-use super::{Action, Assembly, Component, Frame, Load, Place, Scalar, elements};
+use crate::constraints::Row;
+use crate::freedoms::Part;
+use crate::{Action, Assembly, Component, Frame, Load, Place, Scalar, elements};
 
 /// What a part of a rod carries, in its own axes.
 #[derive(Clone, Debug)]
@@ -79,7 +79,7 @@ impl<S: Scalar> Loading<S> {
             };
             let q = [at(&part.from), at(&part.from.add(&part.length))];
             let shares = elements::distributed(&frame.rods[rod], &part.length, &q);
-            for (row, share) in super::assembly::local_rows(frame, part).iter().zip(&shares) {
+            for (row, share) in crate::assembly::local_rows(frame, part).iter().zip(&shares) {
                 self.add(row, share);
             }
             self.carried[i_part].distributed.push(q);
