@@ -10,7 +10,7 @@ use algebra::{eigen, sparse};
 pub fn compressed(matrix: &Sparse<f64>) -> Result<sparse::Sparse, Fault> {
     let mut triplets = sparse::Triplets::new(matrix.n);
     matrix.entries.iter().for_each(|(i, j, v)| triplets.add(*i, *j, *v));
-    Ok(sparse::Sparse::from_triplets(&triplets).map_err(told)?)
+    sparse::Sparse::from_triplets(&triplets).map_err(told)
 }
 
 /// Modes beyond the wanted ones, so that Sturm's count finds a gap above the last wanted one.
