@@ -7,7 +7,8 @@ use analysis::taylor::{Check, Flow, Options, Work};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use strutt::pipeline::{self, Machine};
-use strutt::{Source, Watch, plan};
+use strutt::studies::simulate;
+use strutt::{Source, Watch};
 
 /// Least time of so many runs counts.
 const RUNS: usize = 15;
@@ -61,7 +62,7 @@ impl Motion {
         let name = path.parent()?.file_name()?.to_string_lossy().into_owned();
         let source = Source::open(&path.to_string_lossy()).ok()?;
         let machine = pipeline::build(&source, &[], &mut Watch::default()).ok()?;
-        let study = plan::simulation(&machine.model, &machine.equations, plan::Wishes::default()).ok()?;
+        let study = simulate::with_values(&machine, &[]).ok()?;
         let start = machine.system.start().ok()?;
         Some(Motion { name, start, until: study.until, tolerance: study.tolerance, machine })
     }

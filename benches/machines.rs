@@ -5,11 +5,12 @@
 //! ten blocks that stick and slip in one model at most ten times one; wheels that rattle in their play, 1e5 impacts in 2 s; a sweep of short motions at most
 //! 1.15 times the motions; a drive and a flywheel found for crank-hoist in 50 ms.
 
-use mechanics::model::{Simulate, StudyKind};
+use mechanics::asked::{Asked, Value};
 use std::path::Path;
 use std::time::Instant;
 use strutt::pipeline::{self, Finding, Machine};
-use strutt::{Source, Watch, plan};
+use strutt::studies::simulate;
+use strutt::{Source, Watch};
 
 /// Medians over this many runs.
 const RUNS: usize = 101;
@@ -64,20 +65,20 @@ fn swept(count: usize) -> (f64, f64) {
         strutt::gallery::find("pendulum-on-shaft").map(|e| e.text.replace("until = \"30 s\"", "until = \"0.1 s\"")).unwrap_or_default();
     let asked = format!("\n[[study]]\nkind = \"sweep\"\nover = [\"m = linspace(2 g, 60 g, {count})\"]\nobserve = [\"max(phi)\"]\n");
     let mut machine = written(&(text + &asked));
-    let kinds: Vec<StudyKind> = machine.model.studies.iter().map(|s| s.kind.clone()).collect();
-    let timed = |machine: &mut Machine, kind: &StudyKind| {
+    let timed = |machine: &mut Machine, asked: &Asked| {
         let start = Instant::now();
-        std::hint::black_box(pipeline::study(machine, kind, &mut Watch::default()));
+        std::hint::black_box(pipeline::study(machine, asked, &mut Watch::default()));
         start.elapsed().as_secs_f64()
     };
     let (mut alone, mut sweep) = (0.0, 0.0);
-    for kind in &kinds {
-        match kind {
-            StudyKind::Simulate(study) => {
-                let study = Simulate { outputs: vec!["phi".into()], plots: Vec::new(), ..study.clone() };
-                alone = (0..count).map(|_| timed(&mut machine, &StudyKind::Simulate(study.clone()))).sum::<f64>() / count as f64;
+    for asked in machine.model.studies.clone() {
+        match asked.kind {
+            "simulate" => {
+                let mut study = asked.with("outputs", Value::Words(vec!["phi".into()]));
+                study.unset("plot");
+                alone = (0..count).map(|_| timed(&mut machine, &study)).sum::<f64>() / count as f64;
             }
-            StudyKind::Sweep(_) => sweep = timed(&mut machine, kind) / count as f64,
+            "sweep" => sweep = timed(&mut machine, &asked) / count as f64,
             _ => {}
         }
     }
@@ -89,8 +90,7 @@ fn flywheel(runs: usize) -> f64 {
     let text = strutt::gallery::find("crank-hoist").map(|e| e.text).unwrap_or_default();
     let asked = "\n[[study]]\nkind = \"cycle\"\nangle = \"phi1\"\nunknown = \"F0\"\nflywheel = \"I1\"\nirregularity = 0.02\n";
     let machine = written(&(text.to_owned() + asked));
-    let cycles: Vec<StudyKind> = machine.model.studies.iter().map(|s| s.kind.clone()).collect();
-    let Some(cycle) = cycles.iter().rfind(|k| matches!(k, StudyKind::Cycle(_))) else { panic!("no cycle") };
+    let Some(cycle) = machine.model.studies.iter().rfind(|asked| asked.kind == "cycle") else { panic!("no cycle") };
     let mut times: Vec<f64> = (0..runs)
         .map(|_| {
             let mut machine = machine.clone();
@@ -156,13 +156,13 @@ fn machine(name: &str) -> Machine {
 /// Median time in seconds, and what was counted.
 fn motion(mut machine: Machine, (until, rows): (f64, usize), runs: usize) -> (f64, String) {
     let times = (0..=rows).map(|k| until * k as f64 / rows as f64).collect();
-    let wishes = plan::Wishes { until: Some(until), times: Some(mechanics::model::Times::At(times)), ..plan::Wishes::default() };
-    let study = plan::simulation(&machine.model, &machine.equations, wishes).unwrap_or_else(|_| panic!("no study"));
+    let values = [("until", Value::Number(until)), ("at", Value::Numbers(times))];
+    let study = simulate::with_values(&machine, &values).unwrap_or_else(|_| panic!("no study"));
     let mut work = String::new();
     let mut times: Vec<f64> = (0..runs)
         .map(|_| {
             let start = Instant::now();
-            let finding = std::hint::black_box(pipeline::simulate(&mut machine, &study, &mut Watch::default()));
+            let finding = std::hint::black_box(simulate::motion(&mut machine, &study, &mut Watch::default()));
             let time = start.elapsed().as_secs_f64();
             work = counted(&finding);
             time

@@ -53,6 +53,10 @@ pub enum Type {
     NameOrNames,
     /// A list of quantities.
     Quantities,
+    /// A list of formulas.
+    Formulas,
+    /// Values of parameters.
+    Ranges,
     /// A list of plots.
     Plots,
     /// A table of quantities by name.
@@ -90,6 +94,8 @@ impl Type {
             Type::Names => ("array of names", "массив имён"),
             Type::NameOrNames => ("name, or array of names", "имя или массив имён"),
             Type::Quantities => ("array of quantities", "массив величин"),
+            Type::Formulas => ("array of formulas", "массив формул"),
+            Type::Ranges => ("string, or array of strings", "строка или массив строк"),
             Type::Plots => ("array of names, arrays of names or { x, y, title }", "массив имён, массивов имён или { x, y, title }"),
             Type::Guess => ("table of quantities by coordinate", "таблица величин по координатам"),
             Type::Corners => ("array of corners [x, y]", "массив вершин [x, y]"),

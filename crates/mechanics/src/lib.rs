@@ -4,6 +4,7 @@
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
+pub mod asked;
 pub mod derive;
 pub mod explain;
 pub mod fields;
@@ -17,9 +18,9 @@ pub mod structure;
 pub mod units;
 
 pub use model::Model;
-use words::Notice;
+pub use read::{MAX_FILE, MAX_FINDINGS, read, read_with, split_override, sweep_range};
 
-pub use read::{MAX_FILE, MAX_FINDINGS, read, split_override, sweep_range};
+use words::Notice;
 
 /// What reading a model file gives.
 #[derive(Clone, Debug)]

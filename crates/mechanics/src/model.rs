@@ -77,7 +77,7 @@ pub struct Model {
     /// Instants of these at which the time of forces and torques begins anew, s.
     pub restarts: Vec<f64>,
     /// Studies, in the user's order.
-    pub studies: Vec<Study>,
+    pub studies: Vec<crate::asked::Asked>,
     /// Frame or truss, when the file has nodes.
     pub structure: Option<crate::structure::Structure>,
     /// Inertia that no body carries: that of a structure over its displacements.

@@ -6,6 +6,7 @@ mod index;
 mod link;
 mod tables;
 
+use crate::asked::Kinds;
 use crate::fields::{self, Chapter, Words};
 use link::{file, heading};
 use std::fmt::Write;
@@ -20,10 +21,10 @@ pub struct Page {
     pub text: String,
 }
 
-/// Every page: the index first, then the chapters.
-pub fn pages(language: Language) -> Vec<Page> {
-    let mut pages = vec![Page { path: format!("{INDEX}{}", link::ending(language)), text: index::text(language) }];
-    pages.extend(fields::CHAPTERS.iter().map(|chapter| of_tables(chapter, language)));
+/// Every page, with the studies of these kinds: the index first, then the chapters.
+pub fn pages(language: Language, studies: &Kinds) -> Vec<Page> {
+    let mut pages = vec![Page { path: format!("{INDEX}{}", link::ending(language)), text: index::text(language, studies) }];
+    pages.extend(fields::CHAPTERS.iter().map(|chapter| of_tables(chapter, studies, language)));
     pages.extend(formulas::CHAPTERS.iter().map(|chapter| of_formulas(chapter, language)));
     pages
 }
@@ -31,11 +32,14 @@ pub fn pages(language: Language) -> Vec<Page> {
 /// Name of the index and of the folder of the chapters.
 const INDEX: &str = "model-file";
 
-fn of_tables(chapter: &Chapter, language: Language) -> Page {
+fn of_tables(chapter: &Chapter, studies: &Kinds, language: Language) -> Page {
     let mut text = head(chapter.file, chapter.title, chapter.about, language);
     for table in chapter.tables {
         let _ = writeln!(text, "## {}\n", heading(table, language));
         tables::section(&mut text, table, language);
+        if table.name == "study" {
+            tables::kinds(&mut text, studies, language);
+        }
     }
     page(chapter.file, text, language)
 }
@@ -67,7 +71,7 @@ mod tests {
     use super::*;
 
     fn whole(language: Language) -> String {
-        pages(language).into_iter().map(|p| p.text).collect()
+        pages(language, &Kinds::new(Vec::new())).into_iter().map(|p| p.text).collect()
     }
 
     #[test]
@@ -88,7 +92,7 @@ mod tests {
         for piece in ["| м/с² |", "| кг·м² |", "| Н·с/м |", "| время |", "0,001 кг", "π/30 рад/с", "| 0,01 |"] {
             assert!(text.contains(piece), "{piece}");
         }
-        let chapters = pages(Language::Ru).into_iter().skip(1).map(|p| p.text).collect::<String>();
+        let chapters = pages(Language::Ru, &Kinds::new(Vec::new())).into_iter().skip(1).map(|p| p.text).collect::<String>();
         let tables: String = chapters.lines().filter(|l| l.starts_with("| `")).filter_map(|l| l.split('|').nth(3)).collect();
         assert!(!tables.chars().any(|c| c.is_ascii_alphabetic()), "{tables}");
     }

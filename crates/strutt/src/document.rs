@@ -2,10 +2,11 @@
 //! nothing itself.
 
 use crate::pipeline::{Calculation, Finding, Phases};
+use crate::studies::simulate::Simulate;
 use crate::wording::{Word as Say, say};
 use analysis::Dataset;
 use analysis::dataset::{Audit, Event, Extreme};
-use mechanics::model::{Plot, Simulate};
+use mechanics::model::Plot;
 use report::document::{Content, Formula, Inline, Rich};
 use report::formula::{Form, Printer};
 use report::table::Column;

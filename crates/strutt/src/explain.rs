@@ -6,7 +6,8 @@ use words::nearest;
 /// The tables of all rooms, from below.
 fn tables() -> impl Iterator<Item = &'static [Explanation]> {
     let rooms = [mechanics::explain::TABLES, &[program::EXPLANATIONS], analysis::fault::TABLES, &[OWN]];
-    rooms.into_iter().flatten().copied()
+    let of_studies = crate::studies::TABLE.iter().map(|study| study.explanations());
+    rooms.into_iter().flatten().copied().chain(of_studies)
 }
 
 /// Every code, in the order of the rooms.

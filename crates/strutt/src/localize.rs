@@ -24,12 +24,30 @@ const CODES_RU: &str =
 
 /// The whole command line in a language.
 pub fn command(language: Language) -> Command {
-    let command = Cli::command().before_help(language.pick(FIRST_EN, FIRST_RU)).after_help(language.pick(CODES_EN, CODES_RU));
+    let command =
+        with_studies(Cli::command(), language).before_help(language.pick(FIRST_EN, FIRST_RU)).after_help(language.pick(CODES_EN, CODES_RU));
     match language {
         Language::En => command.help_template(TEMPLATE_EN),
         Language::Ru => russian(command.subcommand(Command::new("help").arg(Arg::new("command").value_name("COMMAND"))), ""),
     }
 }
+
+/// The commands of studies behind those that read and show a model.
+fn with_studies(command: Command, language: Language) -> Command {
+    let before = command.get_subcommands().position(|sub| sub.get_name() == "section").unwrap_or(0);
+    let order = |i: usize| if i < before { i } else { i + AFTER_STUDIES };
+    let mut place = 0..;
+    let command = command.mut_subcommands(|sub| {
+        let at = order(place.next().unwrap_or(0));
+        sub.display_order(at)
+    });
+    crate::commands::line::commands(language)
+        .enumerate()
+        .fold(command, |command, (i, sub)| command.subcommand(sub.display_order(before + i)))
+}
+
+/// More than there are studies.
+const AFTER_STUDIES: usize = 100;
 
 fn russian(command: Command, path: &str) -> Command {
     let find = |key: &str| RUSSIAN.iter().find(|row| row.0 == key).map(|row| row.1);
@@ -45,9 +63,7 @@ fn russian(command: Command, path: &str) -> Command {
     }
     command = command.mut_args(|arg| {
         let key = arg.get_id().as_str().to_owned();
-        // both motions are asked in the same words
-        let shared = || if here == "transient" || here == "inverse" { find(&format!("simulate.{key}")) } else { None };
-        let arg = match find(&format!("{here}.{key}")).or_else(shared).or_else(|| find(&format!(".{key}"))) {
+        let arg = match find(&format!("{here}.{key}")).or_else(|| find(&format!(".{key}"))) {
             Some(help) => arg.help(help),
             None => arg,
         };
@@ -163,35 +179,11 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("run", "Выполнить все расчёты файла модели; таблицы, графики и страница – в out/<имя>/"),
     ("check", "Найти все ошибки файла модели"),
     ("equations", "Вывести уравнения движения"),
-    ("inverse", "Найти силы и моменты двигателей для заданных движений, их мощности и работу"),
-    ("simulate", "Рассчитать движение"),
-    ("transient", "Рассчитать движение линейной системы в замкнутой форме, этап за этапом"),
-    ("transient.linearise", "Малые движения около равновесия, если система нелинейна"),
-    ("equilibrium", "Найти положения равновесия"),
     ("section", "Показать характеристики сечений файла"),
     ("section.name", "Только одно сечение"),
     ("section.out", "Также записать чертежи и таблицу в эту папку"),
-    ("periodic", "Найти точный периодический режим: период, мультипликаторы, движение за период"),
-    ("modes", "Найти собственные частоты и формы малых колебаний"),
-    ("response", "Рассчитать вынужденные колебания в зависимости от частоты нагрузки"),
-    ("response.load", "Нагрузка: сила, момент или координата (единичная нагрузка); иначе гармонические нагрузки файла"),
-    ("response.over", "Параметр, задающий частоту"),
-    ("response.range", "Частоты от и до: 1,100 (рад/с) или \"1 Гц;20 Гц\""),
-    ("response.points", "Число частот"),
-    ("response.log", "Логарифмические оси"),
-    ("response.outputs", "Величины по именам, в этом порядке: phi,phi',omega_p"),
-    ("response.shapes", "Частоты, при которых показать форму движения: 10,20 (рад/с) или \"3 Гц\""),
-    ("equilibrium.over", "Найти все положения равновесия с этой координатой в диапазоне"),
-    ("equilibrium.range", "Диапазон: \"-180 deg,180 deg\""),
-    ("modes.about_start", "Около движения в начальный момент, а не около положения покоя"),
-    ("modes.over", "Параметр, вдоль которого прослеживаются формы"),
-    ("modes.range", "Его значения, от и до: \"0 rad/s,600 rad/s\""),
-    ("modes.points", "Число его значений"),
-    ("modes.normalise", "Нормировка форм: наибольшая компонента 1, первая координата 1 или по массе"),
-    (".guess", "Откуда искать положение равновесия: phi=0.1"),
     ("claims", "Сопоставить с машиной опубликованные результаты из файла"),
     ("claims.strict", "Код завершения 1, если какой-либо результат неверен"),
-    ("statics", "Найти реакции и внутренние усилия в покое"),
     ("examples", "Показать список примеров или один пример"),
     ("new", "Записать файл модели, с которого можно начать"),
     ("explain", "Объяснить код сообщения"),
@@ -204,57 +196,11 @@ const RUSSIAN: &[(&str, &str)] = &[
     (".file", "Файл модели, папка с model.toml или - для стандартного ввода"),
     (".overrides", "Заменить параметр (m=\"10 г\"), начальное значение (phi=0.1) или начальную скорость (\"phi'=30\")"),
     (".variant", "Взять величины из этой строки таблицы вариантов; --set важнее"),
+    ("run.halve_tolerance", "Повторить каждый расчёт с вдвое меньшей допустимой погрешностью шага и показать расхождение"),
     ("run.out", "Папка для результатов [по умолчанию: out/<имя модели>]"),
     ("check.format", "Вид замечаний: со строкой файла или по одной строке для редакторов"),
     ("equations.form", "Вид формул"),
     ("equations.steps", "Показать вывод по шагам"),
-    ("simulate.until", "Конец движения: 30, 30с, \"2 мин\""),
-    ("simulate.tolerance", "Допустимая относительная погрешность шага, 1e-15 ... 1e-3 [по умолчанию: 1e-12]"),
-    ("simulate.method", "Как интегрируется движение: ряды Тейлора, неявный метод или что выгоднее [по умолчанию: auto]"),
-    ("simulate.at", "Результаты точно в эти моменты: 0,0.5,10 (или \"0;0,5;10\")"),
-    ("simulate.every", "Результаты через равные промежутки времени"),
-    ("simulate.outputs", "Столбцы по именам, в этом порядке: phi,phi',omega_p"),
-    (".halve_tolerance", "Повторить каждый расчёт с вдвое меньшей допустимой погрешностью шага и показать расхождение"),
-    (".check", "Повторить расчёт с другими шагами и показать, какие цифры верны"),
-    (".events", "Строки в моменты именованных событий и переключений вместо моментов таблицы"),
-    (".switches", "Также строки при каждом переключении, непосредственно до и после него"),
-    ("simulate.out", "Записать также таблицы, графики и страницу в эту папку"),
-    ("kinematics", "Проследить движение механизма по ведущей координате"),
-    ("kinematics.over", "Ведущая координата"),
-    ("kinematics.from", "Первое значение [по умолчанию: начальное]"),
-    ("kinematics.to", "Последнее значение"),
-    ("kinematics.turns", "Число оборотов угла [по умолчанию: 1]"),
-    ("kinematics.rate", "Равномерная скорость ведущей координаты [по умолчанию: начальная или 1]"),
-    ("kinematics.points", "Число положений"),
-    ("cycle", "Баланс энергии за оборот: движущая сила, приведённые момент инерции и момент сил, неравномерность хода"),
-    ("cycle.angle", "Угол, описывающий цикл"),
-    ("cycle.turns", "Число оборотов в цикле"),
-    ("cycle.speed", "Равномерная угловая скорость [по умолчанию: начальная скорость]"),
-    ("cycle.period", "Длительность цикла вместо скорости"),
-    ("cycle.unknown", "Движущая сила или момент, которые находят из баланса"),
-    ("cycle.irregularity", "Нужная неравномерность хода"),
-    ("cycle.flywheel", "Момент инерции, который меняют ради нужной неравномерности"),
-    ("sweep", "Повторить расчёт для ряда значений параметров"),
-    (
-        "sweep.over",
-        "Значения параметра или начального условия: v=linspace(1 м/с, 3 м/с, 21), c=logspace(1 Н/м, 1 кН/м, 4), \"m=1 кг; 2 кг\"; ключ можно повторять",
-    ),
-    (
-        "sweep.observe",
-        "Что записывать: events, max(x), min(x), amplitude(x), mean(x), last(x) либо число из JSON расчёта, где списки нумеруются с 0: period, multipliers.1.abs",
-    ),
-    ("sweep.of", "Повторяемый расчёт, если в файле их несколько"),
-    ("periodic.section", "Начало периода: угол (один оборот) или формула, переходящая через нуль снизу вверх"),
-    ("periodic.turns", "Число оборотов угла за период"),
-    ("periodic.period", "Период вынужденного движения"),
-    ("periodic.settle", "Обычное движение перед поиском"),
-    ("periodic.unknown", "Параметр, который меняется, пока период не станет нужным"),
-    ("periodic.wanted_period", "Нужный период"),
-    (".tolerance", "Допустимая относительная погрешность шага, 1e-15 ... 1e-3"),
-    (".at", "Результаты точно в эти моменты: 0,0.5,10 (или \"0;0,5;10\")"),
-    (".every", "Результаты через равные промежутки времени"),
-    (".outputs", "Столбцы по именам, в этом порядке: phi,phi',omega_p"),
-    (".out", "Записать также таблицы, графики и страницу в эту папку"),
     ("examples.name", "Пример, который надо напечатать"),
     ("new.name", "Имя файла, с .toml или без него; имя примера копирует этот пример"),
     ("new.from", "Пример, который надо скопировать"),

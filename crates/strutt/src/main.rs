@@ -23,12 +23,21 @@ fn main() -> ExitCode {
         let _ = std::io::stdout().write_all(help.as_bytes());
         return ExitCode::SUCCESS;
     }
-    let cli = match args::Cli::from_arg_matches(&matches) {
-        Ok(cli) => cli,
+    let global = match args::Global::from_arg_matches(&matches) {
+        Ok(global) => global,
         Err(error) => return wrong_use(&error, language),
     };
-    let mut console = Console::new(&cli.global, language);
-    let code = match commands::run(cli.command, &mut console) {
+    let mut console = Console::new(&global, language);
+    let asked =
+        matches.subcommand().and_then(|(name, of_study)| Some((strutt::studies::find(name).filter(|s| s.has_command())?, of_study)));
+    let result = match asked {
+        Some((study, of_study)) => commands::study::run(study, of_study, &mut console),
+        None => match args::Cli::from_arg_matches(&matches) {
+            Ok(cli) => commands::run(cli.command, &mut console),
+            Err(error) => return wrong_use(&error, language),
+        },
+    };
+    let code = match result {
         Ok(exit) => exit as u8,
         Err(failure) => console.fail(&failure),
     };

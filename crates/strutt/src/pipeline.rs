@@ -2,28 +2,23 @@
 
 use crate::document::{self, Extent};
 use crate::failure::Failure;
-use crate::finite::checked;
 use crate::small::modes::ModesFound;
 use crate::small::response::ResponseFound;
 use crate::source::Source;
-use crate::studies::{Origin, Results};
+use crate::studies::simulate::Simulate;
+use crate::studies::{self, Origin, Results};
 use crate::watch::Watch;
 use crate::wording::Word;
-use crate::{guards, phases, plan, provenance};
+use crate::{guards, provenance};
 use analysis::Dataset;
 use analysis::dataset::Audit;
-use analysis::linear::LinearMachine;
-use analysis::rest::mean::Resting;
-use analysis::studies::transient::{Found, Phase, Transient};
-use analysis::studies::{self, simulate::Outcome};
+use analysis::studies::transient::Phase;
 use mechanics::Model;
+use mechanics::asked::Asked;
 use mechanics::derive::Detail;
-use mechanics::model::{self, Between, Simulate, StudyKind};
 use report::Document;
 use report::formula::{Form, Printer};
-use std::sync::Arc;
-use symbolic::linear::About;
-use symbolic::{Equations, SymbolId};
+use symbolic::Equations;
 use words::{Language, Notice};
 
 /// A machine ready for studies.
@@ -105,13 +100,12 @@ pub struct Calculation {
 /// Findings about the model. What ends a study early stands beside its results.
 pub fn run(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -> Result<Calculation, Failure> {
     let mut machine = build_in(source, overrides, Detail::Steps, watch)?;
-    let studies = machine.model.studies.clone();
     let mut findings: Vec<Finding> = Vec::new();
-    for study in &studies {
+    for asked in &machine.model.studies.clone() {
         if watch.is_interrupted() {
             break;
         }
-        findings.extend(self::study(&mut machine, &study.kind, watch));
+        findings.extend(study(&mut machine, asked, watch));
     }
     if !watch.is_interrupted() {
         findings.extend(crate::claims::run(&mut machine, watch));
@@ -133,7 +127,7 @@ pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch)
 /// Findings about the model.
 pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail, watch: &mut Watch) -> Result<Machine, Failure> {
     let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
-    let mut reading = mechanics::read(&source.text, &source.path, overrides).map_err(findings)?;
+    let mut reading = studies::read(source, overrides).map_err(findings)?;
     reading.warnings.extend(crate::letters::printed_alike(&reading.model));
     reading.warnings.extend(crate::structure::mount::mount(&mut reading.model)?);
     watch.lap(Word::TimeRead);
@@ -166,158 +160,9 @@ pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault
     analysis::Machine::assembled(equations, &values, &|program| guards::names(equations, program))
 }
 
-/// One study of the file; equations are no study of numbers.
-pub fn study(machine: &mut Machine, kind: &StudyKind, watch: &mut Watch) -> Option<Finding> {
-    match kind {
-        StudyKind::Equations => None,
-        StudyKind::Kinematics(study) => Some(crate::studies::kinematics::run(machine, study, watch)),
-        StudyKind::Cycle(study) => Some(crate::studies::cycle::run(machine, study, watch)),
-        StudyKind::Sweep(study) => Some(crate::studies::sweep::run(machine, study, watch)),
-        StudyKind::Periodic(study) => Some(crate::studies::periodic::run(machine, study, watch)),
-        StudyKind::Equilibrium { guess, over } => Some(equilibrium_over(machine, guess, *over, watch)),
-        StudyKind::Statics => crate::structure::statics(machine).or_else(|| Some(crate::studies::statics::run(machine))),
-        StudyKind::Response(study) => Some(response(machine, study, watch)),
-        StudyKind::Transient(study) => {
-            let motion = plan::with_plots(&study.motion, &machine.equations);
-            let finding = transient(machine, &model::Transient { motion: motion.clone(), ..study.clone() }, watch);
-            Some(match plan::finer(&motion, finding.data()) {
-                Some(finer) => transient(machine, &model::Transient { motion: finer, ..study.clone() }, watch),
-                None => finding,
-            })
-        }
-        StudyKind::Modes(study) => Some(modes(machine, study, watch)),
-        StudyKind::Inverse(study) => Some(crate::studies::inverse::run(machine, study, watch)),
-        StudyKind::Simulate(study) => {
-            let study = plan::with_plots(study, &machine.equations);
-            let finding = simulate(machine, &study, watch);
-            // plots need several points on every swing; how many swings there are shows in the steps
-            let finding = match plan::finer(&study, finding.data()) {
-                Some(finer) => simulate(machine, &finer, watch),
-                None => finding,
-            };
-            Some(confirm(machine, finding, watch))
-        }
-    }
-}
-
-/// A motion with the digits that a repetition confirms.
-fn confirm(machine: &mut Machine, finding: Finding, watch: &mut Watch) -> Finding {
-    let Finding::Motion(study, mut data, trouble) = finding else { return finding };
-    if let (false, Ok(start)) = (data.partial, machine.system.start()) {
-        let mut options = plan::options(&study, watch);
-        options.events = plan::events(&machine.model, &machine.equations);
-        options.pushes = plan::pushes(&machine.model, &machine.equations);
-        studies::simulate::confirm(&mut machine.system, &start, &mut options, &mut data);
-        watch.lap(Word::TimeRun);
-    }
-    Finding::Motion(study, data, trouble)
-}
-
-/// A motion.
-pub fn simulate(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
-    simulate_with_works(machine, study, &[], watch)
-}
-
-/// A motion; the integrals of `works`, outputs of the study that are powers, are compared with the energy.
-pub fn simulate_with_works(machine: &mut Machine, study: &Simulate, works: &[String], watch: &mut Watch) -> Finding {
-    let mut options = plan::options(study, watch);
-    options.works = works.to_vec();
-    options.events = plan::events(&machine.model, &machine.equations);
-    options.pushes = plan::pushes(&machine.model, &machine.equations);
-    let outcome = match moving(&machine.equations).and_then(|()| machine.system.start()) {
-        Ok(start) => studies::simulate::simulate(&mut machine.system, &start, options),
-        Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
-    };
-    watch.lap(Word::TimeRun);
-    let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
-    checked(Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
-}
-
-/// S084 where no coordinate moves and no formula changes with time: every row would be the first.
-fn moving(equations: &Equations) -> Result<(), analysis::Fault> {
-    let rests = equations.balances.iter().map(|b| b.rest);
-    let outputs = equations.outputs.iter().map(|o| o.formula);
-    let defined = equations.definitions.iter().map(|d| d.formula);
-    let timed = |e| equations.graph.contains(e, |s| s == equations.time);
-    match equations.coordinates.is_empty() && equations.auxiliaries.is_empty() && !rests.chain(outputs).chain(defined).any(timed) {
-        true => Err(analysis::fault::nothing_moves()),
-        false => Ok(()),
-    }
-}
-
-/// A motion in closed form.
-pub fn transient(machine: &mut Machine, study: &model::Transient, watch: &mut Watch) -> Finding {
-    let options = Transient { twin: plan::options(&study.motion, watch), ends: machine.model.phases.clone(), linearise: study.linearise };
-    let found = match moving(&machine.equations).and_then(|()| machine.system.start()) {
-        Ok(start) => studies::transient::transient(&mut machine.system, &machine.equations, &start, options),
-        Err(fault) => Found { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },
-    };
-    watch.lap(Word::TimeRun);
-    let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
-    let trouble = found.outcome.fault.map(Notice::from);
-    let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations), restarts: machine.model.restarts.clone() };
-    checked(Finding::Transient(study.motion.clone(), data, phases, trouble))
-}
-
-/// Positions of equilibrium, from the start of the motion and from a guess.
-pub fn equilibrium(machine: &mut Machine, guess: &[(SymbolId, f64)], watch: &mut Watch) -> Finding {
-    equilibrium_over(machine, guess, None, watch)
-}
-
-/// The same, or all with a coordinate between two values.
-pub fn equilibrium_over(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>, watch: &mut Watch) -> Finding {
-    let outcome = at_rest(machine, guess, over).unwrap_or_else(|fault| Outcome { dataset: Dataset::default(), fault: Some(fault) });
-    watch.lap(Word::TimeRun);
-    let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
-    checked(Finding::Equilibrium(data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
-}
-
-fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>) -> Result<Outcome, analysis::Fault> {
-    let start = machine.system.start()?;
-    let mut options = plan::guesses(&machine.equations, &start, guess);
-    options.over = over.and_then(|between| plan::range(&machine.equations, between));
-    // with unknowns they have been used to find these
-    if machine.model.unknowns.is_empty() {
-        options.impending = crate::small::impending(&machine.model, &machine.equations);
-    }
-    let (mut outcome, timing, equations) = if analysis::rest::report::is_free(&machine.equations) {
-        use analysis::System;
-        let n = machine.equations.coordinates.len();
-        let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
-        let found = studies::equilibrium::find(&mut linear, &machine.system.states()[..n], &start[..n], &options);
-        (found, linear.timing(), machine.equations.clone())
-    } else {
-        let resting = Resting::new(&machine.equations)?;
-        let parameters = numbers_of(resting.equations());
-        (analysis::rest::report::study(resting.equations(), &parameters, &start, &options), resting.timing, resting.equations().clone())
-    };
-    crate::small::add_roots(machine, &mut outcome.dataset);
-    analysis::rest::observed::add(&equations, &numbers_of(&equations), timing.frozen, &mut outcome.dataset);
-    outcome.dataset.notes.extend(crate::small::timing_notes(timing));
-    outcome.dataset.notes.extend(crate::small::unknown_notes(machine));
-    Ok(outcome)
-}
-
-fn numbers_of(equations: &Equations) -> Vec<f64> {
-    equations.parameters.iter().map(|p| p.value).collect()
-}
-
-/// Natural frequencies and shapes.
-pub fn modes(machine: &mut Machine, study: &mechanics::model::Modes, watch: &mut Watch) -> Finding {
-    if let Some(finding) = crate::structure::modes(machine, study) {
-        watch.lap(Word::TimeRun);
-        return finding;
-    }
-    let found = crate::small::modes::find(machine, study);
-    watch.lap(Word::TimeRun);
-    checked(Finding::Modes(Box::new(found)))
-}
-
-/// Forced oscillations over the frequency.
-pub fn response(machine: &mut Machine, study: &mechanics::model::Response, watch: &mut Watch) -> Finding {
-    let found = crate::small::response::find(machine, study);
-    watch.lap(Word::TimeRun);
-    checked(Finding::Response(Box::new(found)))
+/// One study of the file; none where it computes no numbers.
+pub fn study(machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Option<Finding> {
+    studies::find(asked.kind)?.run(machine, asked, watch)
 }
 
 /// A fault with the expression that failed in the user's symbols.

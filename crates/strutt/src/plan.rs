@@ -1,120 +1,22 @@
-//! What to simulate: the study of the file, changed by what the command line asks.
+//! From what is asked to the options of `analysis`: columns, times, events, ranges.
 
-use crate::failure::Failure;
-use crate::failure::Misuse;
+use crate::failure::{Failure, Misuse};
+use crate::studies::equilibrium::Between;
+use crate::studies::simulate::Simulate;
 use crate::watch::Watch;
-use analysis::Dataset;
 use analysis::marks::named::{Direction, Named};
 use analysis::marks::pushes::Push;
 use mechanics::Model;
 use mechanics::derive::{event_output, push_output};
-use mechanics::model::{DEFAULT_TOLERANCE, EventDecl, EventDirection, Method, Plot, Simulate, StudyKind, Times, Transient};
+use mechanics::model::{EventDecl, EventDirection, Plot, Times};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
 use words::{Notice, nearest};
-
-/// A step of the integrator spans about a radian of the quickest oscillation.
-const POINTS_A_STEP: f64 = 4.0;
-
-/// What the command line asks; absent means as the file says.
-#[derive(Clone, Debug, Default)]
-pub struct Wishes {
-    /// End, s.
-    pub until: Option<f64>,
-    /// Relative tolerance.
-    pub tolerance: Option<f64>,
-    /// How it is integrated.
-    pub method: Option<Method>,
-    /// Times of the results.
-    pub times: Option<Times>,
-    /// Columns by name.
-    pub outputs: Option<Vec<String>>,
-}
-
-/// The simulation to make.
-///
-/// # Errors
-/// Nobody says how long (C007), or a column does not exist (C008).
-pub fn simulation(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Simulate, Failure> {
-    let of_file = model.studies.iter().find_map(|s| match &s.kind {
-        StudyKind::Simulate(study) | StudyKind::Inverse(study) => Some(study.clone()),
-        _ => None,
-    });
-    motion(of_file, equations, wishes, "simulate")
-}
-
-/// The motion in closed form to find: the study `transient` of the file, otherwise its study `simulate`.
-///
-/// # Errors
-/// As [`simulation`].
-pub fn transient(model: &Model, equations: &Equations, wishes: Wishes) -> Result<Transient, Failure> {
-    let own = model.studies.iter().find_map(|s| match &s.kind {
-        StudyKind::Transient(study) => Some(study.clone()),
-        _ => None,
-    });
-    let simulated = || {
-        model.studies.iter().find_map(|s| match &s.kind {
-            StudyKind::Simulate(study) | StudyKind::Inverse(study) => Some(study.clone()),
-            _ => None,
-        })
-    };
-    let linearise = own.as_ref().is_some_and(|study| study.linearise);
-    let of_file = own.map(|study| study.motion).or_else(simulated);
-    Ok(Transient { motion: motion(of_file, equations, wishes, "transient")?, linearise })
-}
-
-fn motion(of_file: Option<Simulate>, equations: &Equations, wishes: Wishes, name: &str) -> Result<Simulate, Failure> {
-    let mut study = of_file.clone().unwrap_or_else(|| Simulate {
-        until: 0.0,
-        times: Times::Automatic,
-        tolerance: DEFAULT_TOLERANCE,
-        method: Method::default(),
-        outputs: Vec::new(),
-        plots: Vec::new(),
-    });
-    let last_asked = match &wishes.times {
-        Some(Times::At(times)) => times.iter().copied().reduce(f64::max),
-        _ => None,
-    };
-    study.until = match (wishes.until, of_file, last_asked) {
-        (Some(until), ..) => until,
-        (None, Some(file), last) => last.map_or(file.until, |t| t.max(file.until)),
-        (None, None, Some(last)) => last,
-        (None, None, None) => return Err(no_end(name)),
-    };
-    if wishes.times.is_none()
-        && let Times::At(times) = &mut study.times
-    {
-        // a shorter run is not an error of the file
-        times.retain(|t| *t <= study.until);
-    }
-    study.times = wishes.times.unwrap_or(study.times);
-    if study.until == 0.0 && study.times == Times::Automatic {
-        // the start alone, not a thousand times
-        study.times = Times::At(vec![0.0]);
-    }
-    study.tolerance = wishes.tolerance.unwrap_or(study.tolerance);
-    study.method = wishes.method.unwrap_or(study.method);
-    match wishes.outputs {
-        Some(names) => {
-            names.iter().try_for_each(|name| known(name, equations))?;
-            study.outputs = names;
-        }
-        None if study.outputs.is_empty() => study.outputs = usual_columns(equations),
-        None => {}
-    }
-    Ok(study)
-}
 
 /// Coordinates, their rates, then the outputs of the file.
 pub fn usual_columns(equations: &Equations) -> Vec<String> {
     let of = |role| equations.outputs.iter().filter(move |o| o.role == role).map(|o| o.name.clone());
     of(Role::Coordinate).chain(of(Role::Rate)).chain(of(Role::Named)).collect()
-}
-
-/// The study with every column that its plots need.
-pub fn with_plots(study: &Simulate, equations: &Equations) -> Simulate {
-    Simulate { outputs: columns_with_plots(&study.outputs, &study.plots, equations), ..study.clone() }
 }
 
 /// The wanted columns, or the usual ones, and every column that the plots need.
@@ -127,16 +29,6 @@ pub fn columns_with_plots(wanted: &[String], plots: &[Plot], equations: &Equatio
         }
     }
     columns
-}
-
-/// The same study with more times, when the file leaves the times open and the motion is too quick for the usual 1001.
-pub fn finer(study: &Simulate, data: &Dataset) -> Option<Simulate> {
-    let rows = POINTS_A_STEP * data.counter("steps")?;
-    if study.times != Times::Automatic || data.partial || rows <= 1000.0 {
-        return None;
-    }
-    let parts = [2000.0, 5000.0, 10_000.0].into_iter().find(|parts| *parts >= rows).unwrap_or(20_000.0);
-    Some(Simulate { times: Times::Every(study.until / parts), ..study.clone() })
 }
 
 /// Whether every column that is asked for exists.
@@ -169,16 +61,6 @@ pub fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
     .misuse())
 }
 
-fn no_end(name: &str) -> Failure {
-    Notice::new("C007", "how long shall the motion be?", "до какого момента считать движение?")
-        .why(
-            format!("the file has no study `{name}`, and no --until was given"),
-            format!("в файле нет расчёта `{name}`, а ключ --until не задан"),
-        )
-        .help("add --until 10 (seconds), or a study to the file", "добавьте --until 10 (секунд) или расчёт в файл")
-        .misuse()
-}
-
 /// The options that the integrator gets.
 pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies::simulate::Simulate<'a> {
     use analysis::studies::simulate::{Grid, Simulate as Options};
@@ -191,7 +73,7 @@ pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies:
     Options {
         grid,
         tolerance: study.tolerance,
-        method: analysis::stiff::Method::named(study.method.name()).unwrap_or_default(),
+        method: study.method,
         outputs: Some(study.outputs.clone()),
         interrupt: watch.interrupt,
         tolerance_halving: watch.halve_tolerance,
@@ -227,7 +109,7 @@ pub fn pushes(model: &Model, equations: &Equations) -> Vec<Push> {
 }
 
 /// A range of a coordinate by its index.
-pub fn range(equations: &Equations, between: mechanics::model::Between) -> Option<analysis::studies::equilibrium::Range> {
+pub fn range(equations: &Equations, between: Between) -> Option<analysis::studies::equilibrium::Range> {
     let coordinate = equations.coordinates.iter().position(|c| c.symbols[0] == between.coordinate)?;
     Some(analysis::studies::equilibrium::Range { coordinate, from: between.from, to: between.to })
 }

@@ -38,11 +38,11 @@ pub fn duration(key: &str, text: &str) -> Result<f64, Failure> {
     if value >= 0.0 { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
 }
 
-/// C054: an option that would change nothing.
-pub fn idle(option: &str, needs: &Text) -> Failure {
-    words::Notice::new("C054", format!("{option} would change nothing"), format!("ключ {option} ничего не изменил бы"))
-        .why(needs.en.clone(), needs.ru.clone())
-        .misuse()
+/// A time that is not zero.
+pub fn positive(key: &str, text: &str) -> Result<f64, Failure> {
+    let value = seconds(key, text)?;
+    let words = Text::new("the time must be positive", "время должно быть положительным");
+    if value > 0.0 { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
 }
 
 /// A tolerance of the integrator.
@@ -165,24 +165,33 @@ pub fn parameter_range(name: &str, text: &str, machine: &strutt::pipeline::Machi
     }
 }
 
-/// A coordinate and the ends of its range, `-180 deg,180 deg`.
-pub fn between(name: &str, text: &str, machine: &strutt::pipeline::Machine) -> Result<mechanics::model::Between, Failure> {
+/// What is no coordinate, with those that there are.
+pub fn no_coordinate(key: &str, name: &str, machine: &strutt::pipeline::Machine) -> Failure {
+    let names: Vec<&str> = machine.model.coordinates.iter().map(|c| c.name.as_str()).collect();
+    let what = Text::new(format!("`{name}` is no coordinate"), format!("`{name}` — не координата"));
+    let help = Text::new(format!("one of: {}", names.join(", ")), format!("одна из: {}", names.join(", ")));
+    bad(key, name, &what, &help)
+}
+
+/// The ends of a coordinate's range, `-180 deg,180 deg`.
+pub fn between(name: &str, text: &str, machine: &strutt::pipeline::Machine) -> Result<[f64; 2], Failure> {
     let separator = if text.contains(';') { ';' } else { ',' };
-    if !machine.model.coordinates.iter().any(|c| c.name == name) {
-        let names: Vec<&str> = machine.model.coordinates.iter().map(|c| c.name.as_str()).collect();
-        let what = Text::new(format!("`{name}` is no coordinate"), format!("`{name}` — не координата"));
-        let help = Text::new(format!("one of: {}", names.join(", ")), format!("одна из: {}", names.join(", ")));
-        return Err(bad("--over", name, &what, &help));
-    }
     let ends: Vec<String> = text.split(separator).map(|end| format!("{}={}", name, end.trim())).collect();
     let values = coordinates("--range", &ends, machine)?;
     match values[..] {
-        [(coordinate, from), (_, to)] if from < to => Ok(mechanics::model::Between { coordinate, from, to }),
+        [(_, from), (_, to)] if from < to => Ok([from, to]),
         _ => {
             let what = Text::new("two values are needed, the first smaller", "нужны два значения, первое меньше второго");
             Err(bad("--range", text, &what, &Text::default()))
         }
     }
+}
+
+/// What are no two frequencies.
+pub fn no_band(key: &str, text: &str) -> Failure {
+    let what = Text::new("two frequencies are needed, the first smaller", "нужны две частоты, первая меньше второй");
+    let help = Text::new("write --range 1,100 (rad/s)", "напишите --range 1,100 (рад/с)");
+    bad(key, text, &what, &help)
 }
 
 fn not_finite() -> Text {

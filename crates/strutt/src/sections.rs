@@ -2,7 +2,7 @@
 
 use mechanics::section::{Properties, Section};
 use report::document::Rich;
-use report::figure::{Axis, Kind, Mark, Series};
+use report::figure::{Axis, Kind, Mark, Pen, Series};
 use report::table::Column;
 use report::unit::Scale;
 use report::{Block, Cell, Figure, Table, Word};
@@ -101,7 +101,7 @@ pub fn figure(section: &Section, language: Language) -> Figure {
     let axis = |symbol: &str| Axis { symbols: vec![symbol.into()], units: Vec::new(), scale: scale(p), log: false };
     let mut series = Vec::new();
     let outlines = |removed: bool, name: &str, label: Text| {
-        let mut one = Series { name: name.into(), label: language.text(&label).into(), x: Vec::new(), y: Vec::new() };
+        let mut one = Series { name: name.into(), label: language.text(&label).into(), x: Vec::new(), y: Vec::new(), pen: Pen::Line };
         let parts = section.parts.iter().filter(|part| part.removed == removed);
         for contour in parts.flat_map(|part| &part.outline.contours) {
             let closed = contour.iter().chain(contour.first());
@@ -124,7 +124,7 @@ pub fn figure(section: &Section, language: Language) -> Figure {
     for (name, [a, b]) in [("I_1", [c, s]), ("I_2", [-s, c])] {
         let line = |at: f64, along: f64| vec![at - length * along, at + length * along];
         let label = language.text(&Text::new("principal axis", "главная ось")).into();
-        series.push(Series { name: name.into(), label, x: line(x, a), y: line(y, b) });
+        series.push(Series { name: name.into(), label, x: line(x, a), y: line(y, b), pen: Pen::Line });
     }
     Figure {
         name: format!("section-{}", report::escape::file_name(&section.name)),

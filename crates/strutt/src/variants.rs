@@ -107,7 +107,7 @@ fn named_once(sheet: &Sheet, used: &[usize]) -> Result<(), Failure> {
 
 /// A cell is read as --set would read it; what is wrong with it is said of its place in the table.
 fn cell_fits(sheet: &Sheet, line: usize, pair: &(String, String), source: &Source) -> Result<(), Failure> {
-    let Err(found) = mechanics::read(&source.text, &source.path, std::slice::from_ref(pair)) else { return Ok(()) };
+    let Err(found) = crate::studies::read(source, std::slice::from_ref(pair)) else { return Ok(()) };
     let own = found.into_iter().find(|d| d.severity == Severity::Error && matches!(d.place, Place::Override { .. }));
     let Some(wrong) = own else { return Ok(()) };
     let (place, column, what) = (&sheet.place, &pair.0, &wrong.what);

@@ -28,7 +28,10 @@ fn machines() -> Vec<String> {
 fn reference() -> &'static [mechanics::reference::Page] {
     static PAGES: std::sync::OnceLock<Vec<mechanics::reference::Page>> = std::sync::OnceLock::new();
     PAGES.get_or_init(|| {
-        let pages: Vec<_> = [words::Language::En, words::Language::Ru].into_iter().flat_map(mechanics::reference::pages).collect();
+        let pages: Vec<_> = [words::Language::En, words::Language::Ru]
+            .into_iter()
+            .flat_map(|language| mechanics::reference::pages(language, strutt::studies::kinds()))
+            .collect();
         if std::env::var_os("UPDATE_DOCS").is_some() {
             write(&pages);
         }

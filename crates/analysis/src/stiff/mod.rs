@@ -41,6 +41,11 @@ impl Method {
     /// The methods with their names in files and on the command line.
     pub const ALL: [(Method, &'static str); 3] = [(Method::Auto, "auto"), (Method::Taylor, "taylor"), (Method::Stiff, "stiff")];
 
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        Method::ALL.iter().find(|row| row.0 == self).map_or("", |row| row.1)
+    }
+
     /// The method of that name.
     pub fn named(name: &str) -> Option<Method> {
         Method::ALL.iter().find(|row| row.1 == name).map(|row| row.0)

@@ -119,6 +119,12 @@ impl Context {
         "a section depends on coordinates, rates and time",
         "сечение зависит от координат, скоростей и времени",
     );
+    pub(crate) const MOTION: Context = Context::new(
+        Depends::MOTION,
+        None,
+        "this value may depend on coordinates, rates and time",
+        "эта величина может зависеть от координат, скоростей и времени",
+    );
     pub(crate) const PARAMETER: Context = Context::new(
         Depends::MOTION,
         None,

@@ -28,11 +28,11 @@ mod variants;
 
 pub use overrides::split as split_override;
 pub use ranges::sweep_range;
-pub(crate) use studies::kinds as kinds_of_studies;
 
 use crate::Reading;
+use crate::asked::{Asked, Kinds, Value};
 use crate::fields;
-use crate::model::{Model, Study, StudyKind};
+use crate::model::Model;
 use reader::{Fields, Reader};
 use words::{Notice, Severity, Text, notice};
 
@@ -47,6 +47,18 @@ pub const MAX_FINDINGS: usize = 200;
 /// # Errors
 /// All findings, sorted by place in the file; at least one of them is an error.
 pub fn read(text: &str, file: &str, overrides: &[(String, String)]) -> Result<Reading, Vec<Notice>> {
+    read_asking(text, (file, None), overrides)
+}
+
+/// The same with the studies that the file asks for; without their kinds they are passed over.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(text: &str, file: &str, overrides: &[(String, String)], kinds: &Kinds) -> Result<Reading, Vec<Notice>> {
+    read_asking(text, (file, Some(kinds)), overrides)
+}
+
+fn read_asking(text: &str, (file, kinds): (&str, Option<&Kinds>), overrides: &[(String, String)]) -> Result<Reading, Vec<Notice>> {
     crate::snippet::renew_searches();
     if text.len() > MAX_FILE {
         let size = text.len() / 1024;
@@ -62,7 +74,7 @@ pub fn read(text: &str, file: &str, overrides: &[(String, String)]) -> Result<Re
     let Some(root) = root else { return Err(finish(syntax)) };
     let broken = !syntax.is_empty();
     let mut reader = Reader::new(text, overrides);
-    let model = model(&mut reader, &root, file);
+    let model = model(&mut reader, &root, (file, kinds));
     let mut findings = reader.into_diagnostics();
     if broken {
         findings.retain(|d| !syntax::FOLLOW_UPS.contains(&d.code));
@@ -95,7 +107,7 @@ fn finish(mut findings: Vec<Notice>) -> Vec<Notice> {
     findings
 }
 
-fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -> Model {
+fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds): (&str, Option<&Kinds>)) -> Model {
     let top = Fields::open(reader, &fields::TOP, root, 0..0, String::new());
     let title = top.text(reader, "title").unwrap_or_else(|| Text::same(name_of(file)));
     let description = top.text(reader, "description").unwrap_or_default();
@@ -147,12 +159,12 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, file: &str) -
     let on_structure = structure.iter_mut().flat_map(|s| &mut s.loads);
     let loads = phases::Loads { forces: &mut forces, torques: &mut torques, on_structure: on_structure.collect() };
     parameters.extend(schedule.restart(reader, &parameters, loads, &mut notation));
-    let studies = studies::read(reader, &top);
+    let studies = kinds.map(|kinds| studies::read(reader, &top, kinds)).unwrap_or_default();
     let variants = variants::read(reader, &top);
     let impacts = connections::impacts(reader, &top);
 
     let mut unknowns = unknowns::check(reader, &top, &parameters);
-    let ranges = |s: &Study| matches!(s.kind, StudyKind::Equilibrium { over: Some(_), .. });
+    let ranges = |s: &Asked| s.has("range") && matches!(s.get("over"), Some(Value::Coordinate(_)));
     let impending = unknowns::impending(reader, &top, &connections, !unknowns.is_empty() || studies.iter().any(ranges));
     let rests = reader.take_rests();
     unknowns.extend(rests.iter().map(|p| p.symbol));

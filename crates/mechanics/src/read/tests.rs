@@ -1,7 +1,9 @@
 //! Claims about reading whole files.
 
-use super::{read, reader};
-use crate::model::{Class, Inertia, ParameterValue, Pathway, RequestKind, StudyKind, Times};
+use super::{read_with, reader};
+use crate::asked::{Asked, Choice, Key, Kind, Kinds, Like, Limits, Objection, Takes, Value};
+use crate::model::{Class, Inertia, ParameterValue, Pathway, RequestKind, Times};
+use crate::units::Dimension;
 use crate::{Reading, fields};
 use words::Notice;
 
@@ -42,6 +44,60 @@ formula = "m*g*l"
 mode = 1
 value = "4 rad/s"
 "#;
+
+const fn key(name: &'static str, takes: Takes) -> Key {
+    Key::new(name, takes, ("", ""), "\"1 s\"")
+}
+
+/// A study with a key of every sort.
+static EVERYTHING: Kind = Kind::new("everything", ("", ""))
+    .keys(&[
+        key("until", Takes::End).required(),
+        key("every", Takes::Step),
+        key("at", Takes::Moments).not_with("every", "M065"),
+        key("tolerance", Takes::Tolerance),
+        key("period", Takes::Duration),
+        key("settle", Takes::Wait),
+        key("turns", Takes::Number(Limits::NotZero)),
+        key("points", Takes::Count("M071")),
+        key("over", Takes::Coordinate),
+        key("rate", Takes::Quantity(Like::RateOf("over"), Limits::NotZero)),
+        key("speed", Takes::Quantity(Like::Is(Dimension::ANGULAR_RATE, "rad/s"), Limits::None)),
+        key("range", Takes::RangeOf("over")),
+        key("band", Takes::FrequencyRange),
+        key("shapes", Takes::Frequencies),
+        key("log", Takes::Flag),
+        key("about", Takes::Word(&ABOUT)),
+        key("unknown", Takes::Sought),
+        key("along", Takes::Varied),
+        key("load", Takes::Name),
+        key("outputs", Takes::Results),
+        key("observe", Takes::Names),
+        key("plot", Takes::Plots),
+        key("guess", Takes::Guess),
+        key("with", Takes::Driven("over")),
+        key("section", Takes::Section),
+        key("formulas", Takes::Formulas),
+        key("frequency_variable", Takes::FrequencyVariable),
+        key("values", Takes::Ranges),
+        key("of", Takes::KindOf(&["nothing"])),
+    ])
+    .check(|asked| match (asked.number("turns"), asked.number("settle")) {
+        (Some(turns), Some(settle)) if settle < turns => vec![Objection::at("settle", "M071", "too short", "мало")],
+        _ => Vec::new(),
+    });
+static NOTHING: Kind = Kind::new("nothing", ("", ""));
+static ABOUT: Choice = Choice {
+    words: &["rest", "start"],
+    metavar: "WHAT",
+    code: "M095",
+    unknown: ("not `{}`", "не `{}`"),
+    help: ("rest or start", "rest или start"),
+};
+
+fn read(text: &str, file: &str, overrides: &[(String, String)]) -> Result<Reading, Vec<Notice>> {
+    read_with(text, file, overrides, &Kinds::new(vec![&EVERYTHING, &NOTHING]))
+}
 
 fn good(text: &str) -> Reading {
     read(text, "gallery/top/model.toml", &[]).unwrap_or_else(|d| {
@@ -106,8 +162,7 @@ fn the_full_file_keeps_its_meaning() {
     assert!((n.number.unwrap() - 5.0 * std::f64::consts::TAU / 60.0).abs() < 1e-15);
     let parent = |name: &str| model.frames.iter().position(|f| f.name == name).unwrap();
     assert!(parent("housing") < parent("blade"), "a frame follows the frame of the point it stands on");
-    let StudyKind::Simulate(last) = &model.studies[3].kind else { panic!() };
-    assert_eq!(last.times, Times::At(vec![1.0, 2.5]));
+    assert_eq!(model.studies[1].times(), Times::At(vec![1.0, 2.5]));
     assert_eq!(
         model.notation,
         [("x", "x_1"), ("m", "m_p"), ("omega_p", "\\omega_p"), ("t_phase", "τ")].map(|(name, symbol)| (name.to_owned(), symbol.to_owned()))
@@ -157,7 +212,7 @@ fn one_slip_gives_one_finding_at_its_place() {
         ("[bodies.bob]", "[springs.s]\nalong = \"phi\"\nstiffness = \"1 N/m\"\n[bodies.bob]", "M024", "1 N/m"),
         ("[bodies.bob]", "[springs.s]\nstiffness = \"1 N/m\"\n[bodies.bob]", "M057", "s"),
         ("[bodies.bob]", "[[study]]\nkind = \"simulat\"\n[bodies.bob]", "M064", "\"simulat\""),
-        ("[bodies.bob]", "[[study]]\nkind = \"simulate\"\nuntil = \"1 s\"\nevery = \"1e-9 s\"\n[bodies.bob]", "M067", "\"1e-9 s\""),
+        ("[bodies.bob]", "[[study]]\nkind = \"everything\"\nuntil = \"1 s\"\nevery = \"1e-9 s\"\n[bodies.bob]", "M067", "\"1e-9 s\""),
         ("[bodies.bob]", "[outputs]\na = \"phi'''\"\n[bodies.bob]", "M038", "phi'''"),
         ("[bodies.bob]", "[outputs]\na = \"m'\"\n[bodies.bob]", "M039", "m'"),
         ("[bodies.bob]", "[outputs]\na = \"max(phi)\"\n[bodies.bob]", "M034", "max(phi)"),
@@ -245,21 +300,20 @@ fn shapes_give_the_moments_of_the_handbook() {
 
 #[test]
 fn studies_keep_their_meaning() {
-    use crate::model::{KinematicsEnd, Section};
     let model = good(STUDIES).model;
     let phi = model.coordinates[0].symbols[0];
-    let kinds: Vec<&StudyKind> = model.studies.iter().map(|s| &s.kind).collect();
-    assert!(matches!(kinds[0], StudyKind::Inverse(s) if s.until == 1.0));
-    let StudyKind::Kinematics(k) = kinds[2] else { panic!() };
-    assert_eq!((k.over, k.to, k.points, k.with.len()), (phi, KinematicsEnd::Turns(2.0), 73, 1));
-    assert!(matches!(kinds[3], StudyKind::Kinematics(k) if k.to == KinematicsEnd::At(0.1) && k.from.is_none()));
-    let StudyKind::Periodic(p) = kinds[4] else { panic!() };
-    assert_eq!((p.section, p.settle, p.tuned.clone()), (Section::Turns { angle: phi, turns: -1.0 }, 5.0, Some(("F0".to_owned(), 0.2568))));
-    assert!(matches!(kinds[5], StudyKind::Periodic(p) if matches!(p.section, Section::Zero(_)) && p.period == Some(8.0)));
-    assert!(matches!(kinds[6], StudyKind::Periodic(p) if p.section == Section::Time));
-    assert!(matches!(kinds[8], StudyKind::Cycle(c) if (c.speed.unwrap() - 4.0 * std::f64::consts::PI / 0.2568).abs() < 1e-12));
-    let StudyKind::Sweep(s) = kinds[10] else { panic!() };
-    assert_eq!((s.over.len(), s.over[0].values.len(), s.over[1].values[0]), (2, 2, 1000.0));
+    let [first, second] = &model.studies[..] else { panic!() };
+    let numbers = |asked: &Asked, keys: &[&str]| keys.iter().map(|k| asked.number(k).unwrap()).collect::<Vec<_>>();
+    let keys = ["until", "period", "settle", "turns", "points", "rate", "speed", "tolerance"];
+    assert_eq!(numbers(first, &keys), [1.0, 8.0, 5.0, 2.0, 73.0, 10.0, 40.0 * std::f64::consts::PI / 60.0, 1e-10]);
+    assert_eq!((first.coordinate("over").unwrap().symbol, first.times()), (phi, Times::Every(0.01)));
+    assert_eq!(first.numbers("range").unwrap(), [-1.0, 1.0]);
+    assert_eq!(first.numbers("band").unwrap(), [1.0, 2.0].map(|f| f * std::f64::consts::TAU));
+    assert_eq!((first.words("observe"), first.words("outputs")), (&["period".to_owned()][..], &["twice".to_owned()][..]));
+    let Some(Value::Formulas(list)) = first.get("formulas") else { panic!() };
+    assert_eq!(list.iter().map(|f| (f.text.as_str(), f.unit.as_str())).collect::<Vec<_>>(), [("x + 1 [m]", "m"), ("phi'", "rad/s")]);
+    assert!(matches!(first.get("section"), Some(Value::Formula(_))));
+    assert!(matches!(second.get("section"), Some(Value::Coordinate(named)) if named.is_angle()));
     let range = crate::sweep_range(&model, "v=linspace(1 m/s, 3 m/s, 21)").unwrap();
     assert_eq!(range.values.len(), 21);
     assert_eq!(crate::sweep_range(&model, "v=1 m").unwrap_err().code, "M024");
@@ -267,38 +321,45 @@ fn studies_keep_their_meaning() {
 }
 
 #[test]
-fn studies_that_do_not_agree_are_refused() {
+fn values_of_studies_that_do_not_fit_are_refused() {
     for (study, code) in [
-        ("kind = \"kinematics\"", "M006"),
-        ("kind = \"kinematics\"\nover = \"m\"", "M013"),
-        ("kind = \"kinematics\"\nover = \"phi\"\nto = \"1 m\"", "M024"),
-        ("kind = \"kinematics\"\nover = \"phi\"\nto = \"1 rad\"\nturns = 1", "M071"),
-        ("kind = \"kinematics\"\nover = \"phi\"\npoints = 1", "M071"),
-        ("kind = \"kinematics\"\nover = \"phi\"\nrate = 0", "M071"),
-        ("kind = \"kinematics\"\nover = \"phi\"\nwith = { phi = \"phi\" }", "M071"),
-        ("kind = \"periodic\"", "M071"),
-        ("kind = \"periodic\"\nsection = \"phi\"\nunknown = \"m\"", "M071"),
-        ("kind = \"periodic\"\nsection = \"phi\"\nunknown = \"M\"\nwanted_period = \"1 s\"", "M072"),
-        ("kind = \"periodic\"\nsection = \"m\"", "M071"),
-        ("kind = \"periodic\"\nperiod = \"1 s\"\nturns = 2", "M071"),
-        ("kind = \"cycle\"", "M006"),
-        ("kind = \"cycle\"\nangle = \"phi\"\nspeed = 0", "M071"),
-        ("kind = \"cycle\"\nangle = \"phi\"\nirregularity = 3", "M071"),
-        ("kind = \"cycle\"\nangle = \"phi\"\nflywheel = \"m\"", "M071"),
-        ("kind = \"sweep\"", "M006"),
-        ("kind = \"sweep\"\nover = \"m\"", "M070"),
-        ("kind = \"sweep\"\nover = \"m=1 m\"", "M024"),
-        ("kind = \"sweep\"\nover = \"q=1 m\"", "M068"),
-        ("kind = \"sweep\"\nover = \"m=1 kg\"\nof = \"sweep\"", "M064"),
-        ("kind = \"statics\"\nuntil = \"1 s\"", "M005"),
-        ("kind = \"inverse\"", "M006"),
-        ("kind = \"equations\"\n[variants]", "M089"),
-        ("kind = \"equations\"\n[variants]\ntable = \"a\"\nrows = \"b\"", "M089"),
-        ("kind = \"equations\"\n[variants]\ntable = \"a\"\ncolumns = [\"m\", \"q\"]", "M089"),
-        ("kind = \"equations\"\n[variants]\ntable = \"a\"\nnumber = \"phi\"", "M089"),
+        ("every = 0", "M065"),
+        ("every = \"1 ns\"", "M067"),
+        ("every = \"1 ms\"\nat = [0]", "M065"),
+        ("at = [\"2 s\"]", "M065"),
+        ("settle = \"-1 s\"", "M065"),
+        ("tolerance = 1", "M065"),
+        ("turns = 0", "M071"),
+        ("turns = 2\nsettle = \"1 s\"", "M071"),
+        ("points = 1.5", "M071"),
+        ("over = \"m\"", "M013"),
+        ("over = \"phi\"\nrate = \"1 m\"", "M024"),
+        ("over = \"phi\"\nwith = { phi = \"phi\" }", "M071"),
+        ("over = \"phi\"\nrange = [1, 0]", "M093"),
+        ("about = \"it\"", "M095"),
+        ("log = 1", "M007"),
+        ("unknown = \"M\"", "M072"),
+        ("along = \"M\"", "M092"),
+        ("section = \"m\"", "M071"),
+        ("outputs = [\"q\"]", "M066"),
+        ("values = \"m\"", "M070"),
+        ("values = \"m=1 m\"", "M024"),
+        ("values = \"q=1 m\"", "M068"),
+        ("of = \"sweep\"", "M064"),
+        ("frequency_variable = { z = \"m\" }", "M091"),
+        ("[variants]", "M089"),
+        ("[variants]\ntable = \"a\"\nrows = \"b\"", "M089"),
+        ("[variants]\ntable = \"a\"\ncolumns = [\"m\", \"q\"]", "M089"),
+        ("[variants]\ntable = \"a\"\nnumber = \"phi\"", "M089"),
     ] {
-        let found = findings(&format!("{PENDULUM}\n[[study]]\n{study}\n"));
+        let found = findings(&format!("{PENDULUM}\n[[study]]\nkind = \"everything\"\nuntil = \"1 s\"\n{study}\n"));
         let codes: Vec<_> = found.iter().map(|f| f.0).collect();
         assert_eq!(codes, [code], "{study}: {found:?}");
+    }
+    for (study, code) in
+        [("kind = \"nothing\"\nuntil = \"1 s\"", "M005"), ("kind = \"everything\"", "M006"), ("kind = \"anything\"", "M064")]
+    {
+        let found = findings(&format!("{PENDULUM}\n[[study]]\n{study}\n"));
+        assert_eq!(found.iter().map(|f| f.0).collect::<Vec<_>>(), [code], "{study}: {found:?}");
     }
 }

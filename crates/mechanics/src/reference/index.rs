@@ -2,6 +2,7 @@
 
 use super::link::{self, Place, file, heading, path};
 use super::{INDEX, formulas, pick};
+use crate::asked::Kinds;
 use crate::fields::{self, Words};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -19,13 +20,13 @@ const INTRODUCTION: Words = (
 );
 
 /// The page.
-pub fn text(language: Language) -> String {
+pub fn text(language: Language, studies: &Kinds) -> String {
     let (title, other) = language.pick(("The model file", "По-русски"), ("Файл модели", "In English"));
     let across = format!("{INDEX}{}", link::ending(language.pick(Language::Ru, Language::En)));
     let mut out = format!("# {title}\n\n[{other}]({across})\n\n{}\n\n", pick(language, INTRODUCTION));
     chapters(&mut out, language);
     tables(&mut out, language);
-    keys(&mut out, language);
+    keys(&mut out, studies, language);
     out
 }
 
@@ -54,7 +55,7 @@ fn tables(out: &mut String, language: Language) {
 }
 
 /// Every key with the tables that have it.
-fn keys(out: &mut String, language: Language) {
+fn keys(out: &mut String, studies: &Kinds, language: Language) {
     let _ = writeln!(out, "## {}\n", pick(language, ("Keys", "Ключи")));
     let _ = writeln!(out, "{}\n|---|---|", pick(language, ("| key | of |", "| ключ | таблица |")));
     let mut places: BTreeMap<&str, Vec<String>> = BTreeMap::new();
@@ -62,6 +63,15 @@ fn keys(out: &mut String, language: Language) {
         for field in place.table.fields {
             let name = if place.table.name.is_empty() { heading(place.table, language) } else { format!("`{}`", place.table.name) };
             places.entry(field.key).or_default().push(linked(&place, &name, language));
+        }
+        // the keys of all kinds stand below the table of studies
+        let further = if place.table.name == "study" { &studies.list[..] } else { &[] };
+        for key in further.iter().flat_map(|kind| kind.keys) {
+            let link = linked(&place, "`study`", language);
+            let known = places.entry(key.name).or_default();
+            if !known.contains(&link) {
+                known.push(link);
+            }
         }
     }
     for (key, of) in places {

@@ -1,6 +1,7 @@
 //! A table of the file as a table of the reference.
 
 use super::{link, pick};
+use crate::asked::Kinds;
 use crate::fields::{Field, TableSpec, Words};
 use std::fmt::Write;
 use words::Language;
@@ -13,10 +14,7 @@ pub fn section(out: &mut String, table: &TableSpec, language: Language) {
     }
     let _ = writeln!(out, "{}\n|---|---|---|---|---|---|", pick(language, HEADER));
     for field in table.fields {
-        row(out, field, &key(table, field, language), language);
-    }
-    if table.name == "study" {
-        kinds(out, language);
+        row(out, field, (&key(table, field, language), default_in(field.default, language)), language);
     }
     let _ = writeln!(out);
     if !table.example.is_empty() {
@@ -27,8 +25,8 @@ pub fn section(out: &mut String, table: &TableSpec, language: Language) {
 const HEADER: Words =
     ("| key | value | dimension | default | meaning | example |", "| ключ | значение | размерность | по умолчанию | смысл | пример |");
 
-fn row(out: &mut String, f: &Field, key: &str, language: Language) {
-    let default = if f.required { pick(language, ("**required**", "**обязателен**")) } else { default_in(f.default, language) };
+fn row(out: &mut String, f: &Field, (key, default): (&str, &str), language: Language) {
+    let default = if f.required { pick(language, ("**required**", "**обязателен**")) } else { default };
     let example = if f.example.is_empty() { String::new() } else { format!("`{}`", f.example) };
     let (kind, about, dimension) = (pick(language, f.ty.words()), pick(language, f.about), dimension(f.dimension, language));
     let _ = writeln!(out, "| {key} | {kind} | {dimension} | {default} | {about} | {example} |");
@@ -61,8 +59,6 @@ const DEFAULTS: &[(&str, &str)] = &[
         "true for undivided rods of frames with at most 100 independent displacements",
         "true для неделённых стержней рам с числом независимых перемещений не больше 100",
     ),
-    ("starting rate, else 1", "начальная скорость, иначе 1"),
-    ("starting rate", "начальная скорость"),
     ("length", "длина"),
     ("kinetic at u = 0", "kinetic при u = 0"),
     ("coefficient at u = 0", "coefficient при u = 0"),
@@ -71,7 +67,6 @@ const DEFAULTS: &[(&str, &str)] = &[
     ("force of the named contact, pin or rope", "сила названного контакта, шарнира или каната"),
     ("angle by which the rope turns at `over`", "угол поворота каната в точках `over`"),
     ("along the track; normal of the stop turned by −90°", "вдоль пути; нормаль упора, повёрнутая на −90°"),
-    ("first that fits", "первый подходящий"),
     ("first column", "первый столбец"),
     ("claim N", "утверждение N"),
     ("both", "оба"),
@@ -86,12 +81,18 @@ fn default_in(default: &'static str, language: Language) -> &'static str {
     if language == Language::En { default } else { russian().unwrap_or(default) }
 }
 
-/// Which keys belong to which kind of study.
-fn kinds(out: &mut String, language: Language) {
-    let _ = writeln!(out, "\n{}\n|---|---|", pick(language, ("| kind of study | its keys |", "| вид расчёта (`kind`) | его ключи |")));
-    for (name, keys) in crate::read::kinds_of_studies() {
-        let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
-        let _ = writeln!(out, "| `{name}` | {} |", keys.join(", "));
+/// The kinds of studies, each with its keys.
+pub fn kinds(out: &mut String, studies: &Kinds, language: Language) {
+    for kind in &studies.list {
+        let _ = writeln!(out, "### `kind = \"{}\"`\n\n{}.\n", kind.name, pick(language, kind.about));
+        if kind.keys.is_empty() {
+            continue;
+        }
+        let _ = writeln!(out, "{}\n|---|---|---|---|---|---|", pick(language, HEADER));
+        for key in kind.keys {
+            row(out, &key.field(), (&format!("`{}`", key.name), pick(language, key.default)), language);
+        }
+        let _ = writeln!(out);
     }
 }
 

@@ -43,7 +43,7 @@ mod tests {
         let curve = |f: &dyn Fn(f64) -> f64| {
             let x: Vec<f64> = (0..500).map(|i| f64::from(i) * 0.01).collect();
             let y = x.iter().map(|&x| f(x)).collect();
-            vec![Series { name: "y".into(), label: String::new(), x, y }]
+            vec![Series { name: "y".into(), label: String::new(), x, y, pen: crate::figure::Pen::Line }]
         };
         assert!(wanted(&curve(&|x| (-x).exp())));
         assert!(wanted(&curve(&|x| (2.0 * x).exp())));

@@ -79,6 +79,18 @@ pub struct Series {
     pub x: Vec<f64>,
     /// Ordinates, SI, as many.
     pub y: Vec<f64>,
+    /// How its points are joined.
+    pub pen: Pen,
+}
+
+/// How the points of a curve are joined.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pen {
+    /// By a line.
+    #[default]
+    Line,
+    /// Not at all: each is a dot.
+    Dots,
 }
 
 /// A line or point that is pointed out.
@@ -215,6 +227,7 @@ impl Figure {
                 label: language.text(&c.quantity.label).into(),
                 x: x.values.clone(),
                 y: c.values.clone(),
+                pen: Pen::Line,
             })
             .collect();
         let y = Axis::of_columns(&columns);

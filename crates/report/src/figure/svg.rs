@@ -4,7 +4,7 @@
 //! dash patterns in PNG and uses one clip name for all pictures, which breaks several pictures on one page.
 
 use super::layout::{LEGEND_ROW, Layout, STRIP, TEXT, lay, text_width};
-use super::{Axis, Figure, Kind, Mark, decimate, style};
+use super::{Axis, Figure, Kind, Mark, Pen, decimate, style};
 use crate::document::Inline;
 use crate::escape::markup;
 use crate::symbol;
@@ -143,8 +143,12 @@ impl Draw<'_> {
                 Kind::Curves => decimate::buckets(&series.x, &[&series.y], ((a.right - a.left) / STROKE) as usize),
                 Kind::Plane { .. } => decimate::plane(&series.x, &series.y, 600, 6000),
             };
-            let path = self.path(kept.into_iter().map(|i| (series.x[i], series.y[i])));
-            let _ = writeln!(self.out, "<path d=\"{path}\" {}/>", stroke(i));
+            let points = kept.into_iter().map(|i| (series.x[i], series.y[i]));
+            let (path, look) = match series.pen {
+                Pen::Line => (self.path(points), stroke(i)),
+                Pen::Dots => (self.dots(points), dotted(i)),
+            };
+            let _ = writeln!(self.out, "<path d=\"{path}\" {look}/>");
         }
         self.out.push_str("</svg>\n");
     }
@@ -162,6 +166,12 @@ impl Draw<'_> {
             }
         }
         path
+    }
+
+    /// Strokes without length, which a round pen leaves as dots.
+    fn dots(&self, points: impl Iterator<Item = (f64, f64)>) -> String {
+        let pixels = points.filter_map(|(x, y)| self.layout.x.pixel(x).zip(self.layout.y.pixel(y)));
+        pixels.map(|(x, y)| format!("M{x:.2} {y:.2}h0")).collect()
     }
 
     fn marks(&mut self) {
@@ -294,6 +304,10 @@ impl Draw<'_> {
 }
 
 /// Stroke attributes of the i-th curve.
+fn dotted(i: usize) -> String {
+    format!("fill=\"none\" stroke=\"{}\" stroke-width=\"3\" stroke-linecap=\"round\"", style(i).0)
+}
+
 fn stroke(i: usize) -> String {
     let (colour, dash) = style(i);
     let mut out = format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"{STROKE}\" stroke-linejoin=\"round\"");

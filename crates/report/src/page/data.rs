@@ -1,6 +1,6 @@
 //! The data of the interactive figures as compact JSON: shown units, about seven digits, at most [`MOST_POINTS`] points a curve.
 
-use crate::figure::{Axis, Figure, Kind, Mark, decimate, style};
+use crate::figure::{Axis, Figure, Kind, Mark, Pen, decimate, style};
 use crate::symbol;
 use crate::wording::Word;
 use serde_json::{Value, json};
@@ -45,13 +45,17 @@ fn figure(figure: &Figure, language: Language) -> Value {
                 _ => decimate::plane(&s.x, &s.y, 2000, MOST_POINTS),
             };
             let (colour, dash) = style(i);
-            json!({
+            let mut one = json!({
                 "html": symbol::mathml(&s.name, language), "name": symbol::plain(&s.name, language), "label": s.label, "unit": figure.y.unit(i, language),
                 "colour": [colour, DARK[i % DARK.len()]], "dash": dash,
                 "t": figure.along.as_ref().map(|(axis, t)| rounded(t, &kept, axis.scale.size)),
                 "x": if shared && i > 0 { Value::Null } else { rounded(&s.x, &kept, size_x) },
                 "y": rounded(&s.y, &kept, size_y),
-            })
+            });
+            if s.pen == Pen::Dots {
+                one["dots"] = true.into();
+            }
+            one
         })
         .collect();
     json!({

@@ -78,7 +78,11 @@ function Plane(host, figure, look, format, shown) {
     c.lineJoin = "round"; c.lineWidth = 1.6;
     figure.series.forEach((s, i) => {
       if (!visible[i]) return;
-      c.strokeStyle = s.colour[theme.dark ? 1 : 0];
+      c.strokeStyle = c.fillStyle = s.colour[theme.dark ? 1 : 0];
+      if (s.dots) {
+        for (let k = 0; k < s.y.length; k++) if (s.x[k] != null && s.y[k] != null) { c.beginPath(); c.arc(px(s.x[k]), py(s.y[k]), 1.6, 0, 7); c.fill(); }
+        return;
+      }
       c.setLineDash(s.dash);
       c.beginPath();
       let pen = false;

@@ -2,11 +2,14 @@
 
 use super::Verdict;
 use super::laid::{Laid, output_name};
-use crate::pipeline::{self, Machine};
+use crate::pipeline::Machine;
+use crate::studies;
+use crate::studies::equilibrium::Between;
+use crate::studies::modes::Modes;
 use crate::watch::Watch;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use analysis::{Dataset, System};
-use mechanics::model::{ClaimDecl, ClaimInstant, ClaimKind, StudyKind};
+use mechanics::model::{ClaimDecl, ClaimInstant, ClaimKind};
 use words::Text;
 
 /// Judges every claim of a value.
@@ -62,12 +65,8 @@ fn rest(machine: &Machine, laid: &mut Laid, (resting, claims): (&[usize], &[Clai
     if resting.is_empty() {
         return;
     }
-    let of_file = machine.model.studies.iter().find_map(|s| match &s.kind {
-        StudyKind::Equilibrium { guess, over } => Some((guess.clone(), *over)),
-        _ => None,
-    });
-    let (guess, over) = of_file.unwrap_or_default();
-    let finding = pipeline::equilibrium_over(&mut laid.machine, &guess, over, watch);
+    let asked = studies::of_file(machine, &["equilibrium"]).cloned().unwrap_or_default();
+    let finding = studies::equilibrium::places(&mut laid.machine, asked.guess(), Between::of(&asked), watch);
     if let Some(trouble) = finding.trouble() {
         return say(resting.iter().copied(), verdicts, &trouble.what);
     }
@@ -108,11 +107,8 @@ fn observed(laid: &mut Laid, data: &Dataset) -> Vec<Vec<f64>> {
 
 /// A natural frequency, as the study `modes` finds it.
 pub fn frequency(machine: &mut Machine, (mode, published): (usize, f64), verdict: &mut Verdict, watch: &mut Watch) {
-    let of_file = machine.model.studies.iter().find_map(|s| match &s.kind {
-        StudyKind::Modes(study) => Some(study.clone()),
-        _ => None,
-    });
-    let finding = pipeline::modes(machine, &of_file.unwrap_or_default(), watch);
+    let asked = studies::of_file(machine, &["modes"]).cloned().unwrap_or_default();
+    let finding = studies::modes::natural(machine, &Modes::of(&asked), watch);
     verdict.published = published;
     if let Some(trouble) = finding.trouble() {
         verdict.words = trouble.what.clone();

@@ -1,11 +1,13 @@
 //! `strutt claims FILE`: published results against the machine.
 
-use super::{Exit, open, study};
+use super::study::{View, finish};
+use super::{Exit, open};
 use crate::args;
 use crate::console::Console;
 use mechanics::derive::Detail;
 use strutt::failure::Misuse;
 use strutt::pipeline::Finding;
+use strutt::studies::Alone;
 use strutt::{Failure, claims};
 use words::Notice;
 
@@ -13,7 +15,8 @@ pub fn run(args: &args::Claims, console: &mut Console) -> Result<Exit, Failure> 
     let (_, mut machine) = open(&args.model, Detail::Equations, console)?;
     let finding = console.watched(|watch| claims::run(&mut machine, watch)).ok_or_else(none)?;
     let fails = matches!(&finding, Finding::Study(results) if results.claims.iter().any(|c| !c.ok));
-    let exit = study::finish(machine, finding, None, console)?;
+    let view = View { name: "claims", alone: Alone::Titled, file: &args.model.file, out: None, events: false, switches: false };
+    let exit = finish(machine, finding, &view, console)?;
     Ok(if args.strict && fails { exit.worse(Exit::Failed) } else { exit })
 }
 

@@ -44,6 +44,6 @@ fn list(console: &Console) -> Result<(), Failure> {
 
 fn title(example: &gallery::Example, console: &Console) -> String {
     let source = Source::new(example.name, example.text);
-    let reading = mechanics::read(&source.text, &source.path, &[]);
+    let reading = strutt::studies::read(&source, &[]);
     reading.map_or_else(|_| String::new(), |r| console.language.text(&r.model.title).to_owned())
 }

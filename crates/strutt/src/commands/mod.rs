@@ -3,30 +3,19 @@
 mod check;
 mod claims;
 mod completions;
-mod cycle;
 mod equations;
-mod equilibrium;
 mod examples;
 mod explain;
-mod inverse;
-mod kinematics;
-mod modes;
+pub mod line;
 mod new;
-mod periodic;
-mod response;
 mod run;
 mod section;
-mod simulate;
-mod statics;
-mod study;
-mod sweep;
-mod transient;
+pub mod study;
 
 use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
 use crate::quantities;
 use mechanics::derive::Detail;
-use mechanics::model::StudyKind;
 use std::sync::atomic::Ordering;
 use strutt::pipeline::{self, Finding, Machine};
 use strutt::wording::Word;
@@ -50,18 +39,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Check(args) => check::run(&args, console),
         Command::Claims(args) => claims::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),
-        Command::Simulate(args) => simulate::run(&args, console),
-        Command::Inverse(args) => inverse::run(&args, console),
-        Command::Transient(args) => transient::run(&args, console),
-        Command::Equilibrium(args) => equilibrium::run(&args, console),
-        Command::Kinematics(args) => kinematics::run(&args, console),
-        Command::Cycle(args) => cycle::run(&args, console),
         Command::Section(args) => section::run(&args, console),
-        Command::Statics(args) => statics::run(&args, console),
-        Command::Sweep(args) => sweep::run(&args, console),
-        Command::Periodic(args) => periodic::run(&args, console),
-        Command::Response(args) => response::run(&args, console),
-        Command::Modes(args) => modes::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),
         Command::Explain(args) => explain::run(&args, console),
@@ -74,8 +52,8 @@ fn inputs(model: &crate::args::Model) -> Result<(Source, Vec<(String, String)>),
     let set = quantities::overrides(&model.overrides)?;
     let source = Source::open(&model.file)?;
     let Some(variant) = &model.variant else { return Ok((source, set)) };
-    let reading = mechanics::read(&source.text, &source.path, &[])
-        .map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
+    let reading =
+        strutt::studies::read(&source, &[]).map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
     let mut all = strutt::variants::overrides(&reading.model, &source, variant)?;
     all.extend(set);
     Ok((source, all))
@@ -91,7 +69,7 @@ fn open(model: &crate::args::Model, detail: Detail, console: &mut Console) -> Re
 
 /// Whether the file has a study that computes numbers.
 fn has_numbers(machine: &Machine) -> bool {
-    machine.model.studies.iter().any(|s| !matches!(s.kind, StudyKind::Equations))
+    machine.model.studies.iter().any(|s| s.kind != "equations")
 }
 
 /// Says what ended a study early and which checks failed; decides the exit code.

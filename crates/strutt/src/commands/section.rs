@@ -13,7 +13,7 @@ use words::Notice;
 pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure> {
     let overrides = quantities::overrides(&args.model.overrides)?;
     let source = Source::open(&args.model.file)?;
-    let reading = mechanics::read(&source.text, &source.path, &overrides)
+    let reading = strutt::studies::read(&source, &overrides)
         .map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
     console.warn(&reading.warnings, &source);
     let all = &reading.model.sections;

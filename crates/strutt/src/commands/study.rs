@@ -1,29 +1,81 @@
-//! What the commands of the studies share: a study from the file or the command line, and showing what it found.
+//! `strutt NAME FILE` of any study of the table: its keys from the command line over those of the file, its run, and showing what it found.
 
+use super::line::Line;
 use super::{Exit, judge};
 use crate::args;
-use crate::console::{Console, Shape};
-use crate::quantities;
+use crate::console::{Console, Shape, end_on_interrupts, listen_to_interrupts, quoted};
+use clap::{ArgMatches, FromArgMatches};
+use mechanics::asked::Asked;
 use mechanics::derive::Detail;
-use mechanics::model::{StudyKind, Times};
-use mechanics::units::Dimension;
-use std::path::Path;
+use report::Document;
+use std::path::{Path, PathBuf};
+use strutt::document::Extent;
 use strutt::pipeline::{self, Calculation, Finding, Machine};
+use strutt::studies::{Alone, Extra, Given, Interrupts, Study};
 use strutt::wording::Word;
-use strutt::{Failure, Source, document, folder};
+use strutt::{Failure, Source, document, folder, small, structure};
 use words::{Notice, Place};
 
-/// The machine of a file, with a study that the command line writes behind the file when it asks for one: so its formulas are read and checked as
-/// those of the file are. The study of this kind that counts, if there is one.
-pub fn open<T>(
-    model: &args::Model,
-    written: Option<String>,
-    pick: impl Fn(&StudyKind) -> Option<T>,
-    out: Option<&Path>,
-    console: &mut Console,
-) -> Result<(Machine, Option<T>), Failure> {
+/// Runs the command of a study.
+pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Result<Exit, Failure> {
+    match study.interrupts() {
+        Interrupts::Kept => listen_to_interrupts(console.language),
+        Interrupts::Ending => end_on_interrupts(),
+        Interrupts::Short => {}
+    }
+    let Ok(model) = args::Model::from_arg_matches(matches) else { return Ok(Exit::Failed) };
+    let line = Line::new(study, matches);
+    let out = matches.get_one::<PathBuf>("out").cloned();
+    let written = line.written();
+    let fresh = written.is_some();
+    let mut machine = open(&model, written, out.is_some(), console)?;
+    let of_file = of_file(study, &machine, fresh);
+    let written = fresh.then(|| machine.model.studies.last().cloned()).flatten();
+    let base = written.clone().or(of_file.clone()).unwrap_or_default();
+    let values = line.values(&machine, (&base, fresh))?;
+    let asked = study.merge(&machine, Given { written, of_file, line: &values, drawn: out.is_some() })?;
+    let wants = |extra: Extra| study.extras().contains(&extra) && matches.get_flag(name_of(extra));
+    let finding = console.watched(|watch| {
+        watch.halve_tolerance = wants(Extra::HalveTolerance);
+        watch.check = wants(Extra::Check);
+        study.command(&mut machine, &asked, watch)
+    });
+    let Some(finding) = finding else { return Ok(Exit::Done) };
+    let view = View {
+        name: study.kind().name,
+        alone: study.alone(),
+        file: &model.file,
+        out: out.as_deref(),
+        events: wants(Extra::Events),
+        switches: wants(Extra::Switches),
+    };
+    finish(machine, finding, &view, console)
+}
+
+fn name_of(extra: Extra) -> &'static str {
+    match extra {
+        Extra::HalveTolerance => "halve_tolerance",
+        Extra::Check => "check",
+        Extra::Events => "events",
+        Extra::Switches => "switches",
+    }
+}
+
+/// The study of the file whose values the command takes; not the one that the command line wrote behind it.
+fn of_file(study: &dyn Study, machine: &Machine, fresh: bool) -> Option<Asked> {
+    let name = study.kind().name;
+    let listed = &machine.model.studies[..machine.model.studies.len() - usize::from(fresh)];
+    let first = |kinds: &[&str]| listed.iter().find(|asked| kinds.contains(&asked.kind)).cloned();
+    match study.of_file() {
+        [] => first(&[name]),
+        preferred => preferred.iter().find_map(|kinds| first(kinds)),
+    }
+}
+
+/// The machine of a file, with a study that the command line writes behind the file when it begins one.
+fn open(model: &args::Model, written: Option<String>, paged: bool, console: &mut Console) -> Result<Machine, Failure> {
     // a page shows the written derivation
-    let detail = if out.is_some() { Detail::Steps } else { Detail::Equations };
+    let detail = if paged { Detail::Steps } else { Detail::Equations };
     let (source, overrides) = super::inputs(model)?;
     let text = match &written {
         Some(study) => format!("{}\n\n[[study]]\n{study}", source.text.trim_end()),
@@ -35,9 +87,7 @@ pub fn open<T>(
     machine.warnings.iter_mut().for_each(|d| place(d, &source, &extended));
     machine.model_hash = source.hash(&overrides);
     console.warn(&machine.warnings, &extended);
-    let kinds = machine.model.studies.iter().map(|s| &s.kind);
-    let found = if written.is_some() { kinds.rev().find_map(pick) } else { kinds.into_iter().find_map(pick) };
-    Ok((machine, found))
+    Ok(machine)
 }
 
 /// Findings in the study that the command line wrote behind the file are findings on the command line.
@@ -63,76 +113,160 @@ fn place(diagnostic: &mut Notice, file: &Source, extended: &Source) {
     diagnostic.place = Place::CommandLine { text: line, span };
 }
 
-/// A row `key = "value"` of a study, quoted for TOML.
-pub fn row(key: &str, value: &str) -> String {
-    format!("{key} = {}\n", toml_string(value))
-}
-
-/// A basic string of TOML.
-pub fn toml_string(text: &str) -> String {
-    let escaped: String = text
-        .chars()
-        .map(|c| match c {
-            '"' => "\\\"".to_owned(),
-            '\\' => "\\\\".to_owned(),
-            c if c.is_control() => format!("\\u{:04X}", u32::from(c)),
-            c => c.to_string(),
-        })
-        .collect();
-    format!("\"{escaped}\"")
-}
-
-/// Times that the command line asks for.
-pub fn times(table: &args::Table) -> Result<Option<Times>, Failure> {
-    Ok(match (&table.at, &table.every) {
-        (Some(at), _) => Some(Times::At(quantities::times("--at", at)?)),
-        (None, Some(every)) => Some(Times::Every(quantities::step("--every", every)?)),
-        (None, None) => None,
-    })
-}
-
-/// Dimension of a coordinate, by its name.
-pub fn dimension_of(coordinate: &str, machine: &Machine) -> Dimension {
-    let found = machine.model.coordinates.iter().find(|c| c.name == coordinate);
-    found.and_then(|c| mechanics::units::parse_unit(&c.units[0]).ok()).map_or(Dimension::NONE, |u| u.dimension)
-}
-
-/// Columns that the command line asks for.
-pub fn columns(table: &args::Table) -> Option<Vec<String>> {
-    let clean = |list: &Vec<String>| list.iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect();
-    table.outputs.as_ref().map(clean)
+/// How a result is shown.
+pub struct View<'a> {
+    /// Name of the study.
+    pub name: &'static str,
+    /// How it is shown when nothing else is.
+    pub alone: Alone,
+    /// The file, as the user wrote it.
+    pub file: &'a str,
+    /// Where the folder of results goes.
+    pub out: Option<&'a Path>,
+    /// Rows at events.
+    pub events: bool,
+    /// Rows at switches.
+    pub switches: bool,
 }
 
 /// Shows what was found, writes the folder when one is wanted, decides the exit code.
-pub fn finish(machine: Machine, finding: Finding, out: Option<&Path>, console: &mut Console) -> Result<Exit, Failure> {
-    let title = console.language.text(&machine.model.title).to_owned();
-    console.timed(Word::TimeWrite, |console| show(&title, &finding, out, console))?;
+pub fn finish(machine: Machine, finding: Finding, view: &View, console: &mut Console) -> Result<Exit, Failure> {
+    let alone = alone(view, &finding);
+    if alone == Alone::WrittenOrTable
+        && console.shape == Shape::Text
+        && console.terminal
+        && view.out.is_none()
+        && finding.trouble().is_none()
+    {
+        let exit = judge(&finding, console);
+        let calculation = Calculation { machine, findings: vec![finding], files: Vec::new() };
+        let width = console.width();
+        let document = pipeline::document(&calculation, Extent::Terminal { width }, console.language);
+        console.out(report::terminal::write(&document, width))?;
+        return Ok(exit);
+    }
+    console.timed(Word::TimeWrite, |console| match alone {
+        Alone::Table | Alone::WrittenOrTable => table(&finding, view, console),
+        _ => show((&machine, alone), &finding, view, console),
+    })?;
+    if matches!(alone, Alone::Table | Alone::WrittenOrTable) {
+        tell_checks(&finding, console);
+    }
     let exit = judge(&finding, console);
-    if let Some(out) = out {
-        let mut calculation = Calculation { machine, findings: vec![finding], files: Vec::new() };
-        let language = console.language;
-        let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, out, language))?;
-        let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
-        console.talk(&format!("{}{list}", console.say(Word::Written)));
+    if let Some(out) = view.out {
+        write(machine, finding, out, console)?;
     }
     Ok(exit)
 }
 
-fn show(title: &str, finding: &Finding, out: Option<&Path>, console: &Console) -> Result<(), Failure> {
+/// Statics of bodies has a heading, that of frames has none: what a study shows alone may depend on what it found.
+fn alone(view: &View, finding: &Finding) -> Alone {
+    if matches!(finding, Finding::Study(_)) { Alone::Titled } else { view.alone }
+}
+
+fn write(machine: Machine, finding: Finding, out: &Path, console: &mut Console) -> Result<(), Failure> {
+    let mut calculation = Calculation { machine, findings: vec![finding], files: Vec::new() };
+    let language = console.language;
+    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, out, language))?;
+    let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
+    console.talk(&format!("{}{list}", console.say(Word::Written)));
+    Ok(())
+}
+
+fn show((machine, alone): (&Machine, Alone), finding: &Finding, view: &View, console: &Console) -> Result<(), Failure> {
     let (data, language) = (finding.data(), console.language);
-    match console.shape {
-        Shape::Json => console.out(report::json::write(data, &folder::own_fields(finding), language)),
-        Shape::Csv => console.out(report::csv::write(data, report::csv::Dialect::Plain)),
-        Shape::Text if out.is_some() && !console.terminal => Ok(()),
+    match (console.shape, alone) {
+        (Shape::Json, _) => console.out(report::json::write(data, &folder::own_fields(finding), language)),
+        (Shape::Csv, _) => console.out(report::csv::write(data, report::csv::Dialect::Plain)),
+        (Shape::Text, _) if view.out.is_some() && !console.terminal => Ok(()),
         // a study that failed before it found anything leaves no empty heading
-        Shape::Text if is_nothing(finding) => Ok(()),
-        Shape::Text => {
+        (Shape::Text, _) if is_nothing(finding) => Ok(()),
+        (Shape::Text, Alone::Places) => places(finding, view, console),
+        (Shape::Text, Alone::Written { next }) => solution(machine, finding, (view, next), console),
+        (Shape::Text, _) => {
             let blocks = match finding {
                 Finding::Study(results) => document::of_results(results, false, language),
                 _ => Vec::new(),
             };
-            console.out(document::in_terminal(title, blocks, language, console.width()))
+            console.out(document::in_terminal(language.text(&machine.model.title), blocks, language, console.width()))
         }
+    }
+}
+
+/// Positions of equilibrium side by side.
+fn places(finding: &Finding, view: &View, console: &Console) -> Result<(), Failure> {
+    if finding.trouble().is_some() {
+        return Ok(());
+    }
+    let (data, language) = (finding.data(), console.language);
+    if !data.columns.is_empty() {
+        console.out(report::terminal::table(&document::equilibria(data, language), language, console.width()))?;
+    }
+    for note in &data.notes {
+        console.out(format!("{}\n", language.text(note)))?;
+    }
+    console.next(&format!("strutt run {}", quoted(view.file)));
+    Ok(())
+}
+
+/// What was found, below the title of the machine.
+fn solution(machine: &Machine, finding: &Finding, (view, next): (&View, &str), console: &Console) -> Result<(), Failure> {
+    let language = console.language;
+    let blocks = match finding {
+        Finding::Modes(found) => small::show::modes(found, language, false),
+        Finding::Structure(found) => structure::blocks(found, language, false),
+        Finding::Response(found) if found.trouble.is_none() => small::show::response(found, language, false),
+        _ => Vec::new(),
+    };
+    // after a trouble only modes tell what they have
+    let silent = finding.trouble().is_some() && view.name != "modes";
+    if !blocks.is_empty() && !silent {
+        let document = Document {
+            language,
+            title: language.text(&machine.model.title).to_owned(),
+            description: String::new(),
+            blocks,
+            version: strutt::VERSION.into(),
+            model_hash: machine.model_hash.clone(),
+        };
+        console.out(report::terminal::write(&document, console.width()))?;
+    }
+    match next {
+        "response" if finding.trouble().is_some() => {}
+        "response" => console.next(&format!("strutt response {} --csv", quoted(view.file))),
+        next => console.next(&format!("strutt {next} {}", quoted(view.file))),
+    }
+    Ok(())
+}
+
+/// CSV in pipes, a summary on terminals, unless said otherwise.
+fn table(finding: &Finding, view: &View, console: &Console) -> Result<(), Failure> {
+    let data = finding.data();
+    if data.columns.is_empty() && console.shape != Shape::Json {
+        return Ok(());
+    }
+    match console.shape {
+        Shape::Json => console.out(report::json::write(data, &folder::own_fields(finding), console.language)),
+        _ if view.events => console.out(report::csv::write_events(data, report::csv::Dialect::Plain, console.language)),
+        Shape::Text if view.out.is_some() => Ok(()),
+        _ if view.switches => console.out(report::csv::write(&data.with_switches(), report::csv::Dialect::Plain)),
+        Shape::Text if console.terminal => {
+            let table = document::results(data, console.language);
+            console.out(report::terminal::table(&table, console.language, console.width()))?;
+            console.next(&format!("strutt simulate {} --csv > motion.csv", quoted(view.file)));
+            Ok(())
+        }
+        _ => console.out(report::csv::write(data, report::csv::Dialect::Plain)),
+    }
+}
+
+/// The checks of the run, beside the data.
+fn tell_checks(finding: &Finding, console: &Console) {
+    let number = |x| report::number::short(x, 2, console.language);
+    let passed = finding.data().audits.iter().filter(|a| a.ok);
+    let lines: Vec<String> = passed.map(|a| format!("✓ {}: {}", console.language.text(&a.name), number(a.value))).collect();
+    if !lines.is_empty() {
+        console.talk(&lines.join("\n"));
     }
 }
 

@@ -16,7 +16,6 @@ use analysis::rest::stability::with_closed;
 use analysis::studies::equilibrium::Equilibrium;
 use analysis::studies::modes::{self as natural, Normalisation};
 use analysis::{Dataset, Fault, Quantity, System};
-use mechanics::model::StudyKind;
 use std::sync::Arc;
 use symbolic::SymbolId;
 use symbolic::linear::{About, Timing};
@@ -141,10 +140,8 @@ fn candidates(machine: &Machine, start: &[f64], guess: &[(SymbolId, f64)]) -> Ve
     if !guess.is_empty() {
         return vec![from(guess)];
     }
-    let guesses = machine.model.studies.iter().filter_map(|s| match &s.kind {
-        StudyKind::Equilibrium { guess, .. } if !guess.is_empty() => Some(from(guess)),
-        _ => None,
-    });
+    let guessed = machine.model.studies.iter().filter(|asked| asked.kind == "equilibrium" && !asked.guess().is_empty());
+    let guesses = guessed.map(|asked| from(asked.guess()));
     guesses.chain([start[..n].to_vec(), vec![0.0; n]]).collect()
 }
 

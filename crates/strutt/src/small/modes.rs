@@ -5,12 +5,12 @@ use crate::provenance;
 use crate::small::equation::{self, FrequencyEquation};
 use crate::small::formulas::{self, Written};
 use crate::small::{Small, about_rest, about_start, timing_notes};
+use crate::studies::modes::{Modes as Study, ParameterRange, Scale};
 use analysis::dataset::{Column, Missing};
 use analysis::linear::Matrices;
 use analysis::studies::modes::{self, Damping, Kind, Modes, Normalisation};
 use analysis::studies::tracks::{self, Tracks};
 use analysis::{Dataset, Fault, Quantity};
-use mechanics::model::{Modes as Study, Scale};
 use report::formula::{Form, Printer};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
@@ -78,7 +78,7 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
     Ok(Found { small, matrices, modes, written, equation: equation.map(|e| e.0), tracks })
 }
 
-fn along(small: &mut Small, sweep: &mechanics::model::ParameterRange) -> Result<Tracks, Fault> {
+fn along(small: &mut Small, sweep: &ParameterRange) -> Result<Tracks, Fault> {
     let names: Vec<String> = small.machine.parameters().iter().map(|p| p.name.clone()).collect();
     let Some(parameter) = small.machine.parameter(&sweep.name) else {
         let what = Text::new(

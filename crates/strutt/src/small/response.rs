@@ -3,6 +3,7 @@
 use crate::pipeline::Machine;
 use crate::provenance;
 use crate::small::{Small, about_rest, timing_notes};
+use crate::studies::response::Response as Study;
 use analysis::System;
 use analysis::dataset::Audit;
 use analysis::dataset::{Column, Missing};
@@ -13,7 +14,6 @@ use analysis::studies::response::{self as forced, Forced, Point, Source, magnitu
 use analysis::studies::superposition::{self, Care, Superposed};
 use analysis::studies::tracks::{Tracks, tracks};
 use analysis::{Dataset, Fault, Quantity};
-use mechanics::model::Response as Study;
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 use symbolic::equations::{Applied, Role};

@@ -4,7 +4,7 @@ use crate::small::modes::{Found, ModesFound, columns};
 use crate::small::response::ResponseFound;
 use analysis::Dataset;
 use report::document::{Formula, Rich};
-use report::figure::{Axis, Kind, Mark, Series};
+use report::figure::{Axis, Kind, Mark, Pen, Series};
 use report::formula::Form;
 use report::table::Column;
 use report::unit::Scale;
@@ -158,7 +158,7 @@ fn line_of_speed(data: &Dataset, figure: &Figure, order: f64) -> Option<Series> 
     let within = |v: f64| if v <= 1.05 * highest { v } else { f64::NAN };
     let y = axis.values.iter().map(|v| within(order * v)).collect();
     let name = axis.quantity.symbol.clone();
-    Some(Series { label: format!("{order}×{name}"), name, x: axis.values.clone(), y })
+    Some(Series { label: format!("{order}×{name}"), name, x: axis.values.clone(), y, pen: Pen::Line })
 }
 
 /// At most a dozen rows of a long dataset, the ends among them.
@@ -419,7 +419,13 @@ fn nyquist(found: &ResponseFound, language: Language) -> Option<Figure> {
         .filter_map(|q| {
             let (x, y) = (column(q, "re")?, column(q, "im")?);
             // a curve on the real axis says nothing
-            y.iter().any(|v| v.abs() > 0.0).then(|| Series { name: q.symbol.clone(), label: language.text(&q.label).into(), x, y })
+            y.iter().any(|v| v.abs() > 0.0).then(|| Series {
+                name: q.symbol.clone(),
+                label: language.text(&q.label).into(),
+                x,
+                y,
+                pen: Pen::Line,
+            })
         })
         .collect();
     let units: Vec<&str> = found.outputs.iter().map(|q| q.unit.as_str()).collect();

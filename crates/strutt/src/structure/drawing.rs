@@ -3,7 +3,7 @@
 use super::modes::Found as ModesFound;
 use super::statics::Found as StaticsFound;
 use report::Figure;
-use report::figure::{Axis, Kind, Mark, Series};
+use report::figure::{Axis, Kind, Mark, Pen, Series};
 use report::unit::Scale;
 use structures::loads::Carried;
 use structures::statics::Station;
@@ -224,7 +224,7 @@ fn straight(frame: &Frame<f64>, language: Language) -> Series {
 }
 
 fn curve(name: &str, label: &str, line: Line) -> Series {
-    Series { name: name.into(), label: label.into(), x: line.0, y: line.1 }
+    Series { name: name.into(), label: label.into(), x: line.0, y: line.1, pen: Pen::Line }
 }
 
 /// Largest extent of the nodes.

@@ -4,9 +4,10 @@ use super::bind::{Bound, Factor, Numbers, bind};
 use super::compare::Level;
 use super::equation;
 use super::rayleigh::Reduced as Reduction;
+use crate::studies::modes::{Modes as Study, Scale};
 use analysis::studies::structure_modes::{self, Modes, Normalise, StructureModes};
 use mechanics::Model;
-use mechanics::model::{self, Scale};
+use mechanics::model;
 use mechanics::structure::Structure;
 use serde_json::{Map, Value, json};
 use structures::reduced::{Condensation, Reduced};
@@ -31,7 +32,7 @@ pub struct Found {
 }
 
 /// Options of the file.
-pub fn options(structure: &Structure, study: &model::Modes) -> Modes {
+pub fn options(structure: &Structure, study: &Study) -> Modes {
     let o = &structure.options;
     let normalise = match study.scale {
         Scale::Largest => Normalise::Largest,
@@ -50,7 +51,7 @@ pub fn options(structure: &Structure, study: &model::Modes) -> Modes {
 ///
 /// # Errors
 /// Mechanisms, loose nodes, no inertia.
-pub fn find(model: &Model, structure: &Structure, study: &model::Modes) -> Result<Found, Box<Notice>> {
+pub fn find(model: &Model, structure: &Structure, study: &Study) -> Result<Found, Box<Notice>> {
     let bound = bind(model, structure);
     let options = options(structure, study);
     let result = structure_modes::modes(&bound.frame, bound.exact.as_ref(), &options).map_err(|f| Box::new(Notice::from(f)))?;

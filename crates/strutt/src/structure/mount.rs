@@ -61,7 +61,7 @@ pub fn mount(model: &mut Model) -> Result<Vec<Notice>, Box<Notice>> {
 
 /// Whether the coordinates of the frame are used by a study that says nothing about their division itself.
 fn speaks(model: &Model) -> bool {
-    let quiet = |s: &model::Study| matches!(s.kind, model::StudyKind::Modes(_) | model::StudyKind::Statics);
+    let quiet = |asked: &mechanics::asked::Asked| matches!(asked.kind, "modes" | "statics");
     !is_bare(model) || model.studies.is_empty() || !model.studies.iter().all(quiet)
 }
 

@@ -1,26 +1,183 @@
 //! The study `cycle`: energy balance over a turn with a uniform shaft, the drive that closes it, irregularity of running, the flywheel.
 
+use super::keys::{OWN_PLOT, POINTS};
 use super::periodic::{in_words, value_of};
-use super::{Fact, Results, Rows};
+use super::{Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
+use crate::failure::{Failure, Misuse};
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine, explained};
 use crate::provenance;
 use crate::watch::Watch;
 use crate::wording::Word;
 use analysis::studies::cycle::{Balance, Cycle as Options, Running, cycle};
-use mechanics::model::Cycle;
+use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Way};
+use mechanics::model::Plot;
+use mechanics::units::Dimension;
 use serde_json::json;
 use std::f64::consts::TAU;
-use words::Notice;
-use words::Text;
+use symbolic::SymbolId;
+use words::{Notice, Text};
 
 /// Steps of the searches.
 const STEPS: usize = 40;
 /// Changes of a drive below this share of it are rounding.
 const SETTLED: f64 = 1e-13;
 
-/// Runs the study.
-pub fn run(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Finding {
+/// One position a degree.
+const USUAL_POINTS: usize = 361;
+
+/// Energy balance of a cyclic machine; SI.
+#[derive(Clone, Debug)]
+pub struct Cycle {
+    /// The angle that describes the cycle.
+    pub angle: SymbolId,
+    /// Its name.
+    pub name: String,
+    /// How many turns of 2π make a cycle (2 for a four-stroke engine); negative when it falls.
+    pub turns: f64,
+    /// Uniform rate of the angle; `None`: its starting rate.
+    pub speed: Option<f64>,
+    /// Parameter found from the balance: a drive force or torque. `None`: the balance is only drawn up.
+    pub unknown: Option<String>,
+    /// Wanted irregularity of running, (max - min)/mean of the rate.
+    pub irregularity: Option<f64>,
+    /// Parameter, an inertia, changed for the wanted irregularity.
+    pub flywheel: Option<String>,
+    /// How many positions of the tables, both ends included.
+    pub points: usize,
+    /// Plots wanted; the horizontal axis `None` is the angle.
+    pub plots: Vec<Plot>,
+}
+
+impl Cycle {
+    /// The balance that is asked for; none without an angle.
+    pub fn of(asked: &Asked) -> Option<Cycle> {
+        let angle = asked.coordinate("angle")?;
+        let turns = asked.number("turns").unwrap_or(1.0);
+        Some(Cycle {
+            angle: angle.symbol,
+            name: angle.name.clone(),
+            turns,
+            speed: asked.number("speed").or(asked.number("period").map(|p| TAU * turns / p)),
+            unknown: asked.word("unknown").map(str::to_owned),
+            irregularity: asked.number("irregularity"),
+            flywheel: asked.word("flywheel").map(str::to_owned),
+            points: asked.count("points").unwrap_or(USUAL_POINTS),
+            plots: asked.plots().to_vec(),
+        })
+    }
+}
+
+/// The study.
+pub struct Turn;
+
+static KIND: Kind = Kind::new(
+    "cycle",
+    (
+        "Energy balance over a turn: the drive, reduced inertia and moment, irregularity",
+        "Баланс энергии за оборот: движущая сила, приведённые момент инерции и момент сил, неравномерность хода",
+    ),
+)
+.keys(&[
+    Key::new("angle", Takes::Coordinate, ("angle of the main shaft, a coordinate", "угол главного вала, координата"), "\"phi1\"")
+        .required()
+        .option("The angle that describes the cycle", "Угол, описывающий цикл")
+        .way(Way::Begins),
+    Key::new(
+        "turns",
+        Takes::Number(Limits::NotZero),
+        ("turns of the angle in a cycle; negative when it falls", "обороты угла за цикл; отрицательны, если он убывает"),
+        "2",
+    )
+    .default("1", "1")
+    .option("Turns of a cycle", "Число оборотов в цикле")
+    .needs("angle")
+    .way(Way::Written),
+    Key::new(
+        "speed",
+        Takes::Quantity(Like::Is(Dimension::ANGULAR_RATE, "rad/s"), Limits::NotZero),
+        ("uniform rate of that angle", "равномерная скорость этого угла"),
+        "\"1450 rpm\"",
+    )
+    .default("starting rate", "начальная скорость")
+    .option("Uniform rate [default: the starting rate]", "Равномерная угловая скорость [по умолчанию: начальная скорость]")
+    .needs("angle")
+    .way(Way::Written),
+    Key::new("period", Takes::Duration, ("time of a cycle instead of `speed`", "время цикла вместо `speed`"), "\"0.2568 s\"")
+        .not_with("speed", "M071")
+        .option("Duration of a cycle, instead of the rate", "Длительность цикла вместо скорости")
+        .needs("angle")
+        .way(Way::Written),
+    Key::new("unknown", Takes::Sought, ("parameter found from the balance of a cycle", "искомый параметр: из баланса за цикл"), "\"F0\"")
+        .option("Drive force or torque that is found from the balance", "Движущая сила или момент, которые находят из баланса"),
+    Key::new(
+        "irregularity",
+        Takes::Number(Limits::UpToTwo),
+        ("wanted (max - min)/mean of the rate", "нужная неравномерность хода (max - min)/среднее"),
+        "0.02",
+    )
+    .option("Wanted irregularity of running", "Нужная неравномерность хода")
+    .needs("angle")
+    .way(Way::Written),
+    Key::new(
+        "flywheel",
+        Takes::Sought,
+        ("parameter, an inertia, found for the wanted irregularity", "параметр — момент инерции, искомый по нужной неравномерности"),
+        "\"I1\"",
+    )
+    .option("Inertia that is changed for the wanted irregularity", "Момент инерции, который меняют ради нужной неравномерности"),
+    POINTS,
+    OWN_PLOT,
+])
+.check(objections);
+
+fn objections(asked: &Asked) -> Vec<Objection> {
+    let mut found = Vec::new();
+    if asked.coordinate("angle").is_some_and(|angle| angle.dimension.is_some() && !angle.is_angle()) {
+        found.push(Objection::no_angle("angle"));
+    }
+    if asked.word("flywheel").is_some() && !asked.has("irregularity") {
+        found.push(
+            Objection::at("flywheel", "M071", "`flywheel` needs `irregularity`", "ключу `flywheel` нужна `irregularity`")
+                .help("add irregularity = 0.02", "добавьте irregularity = 0.02"),
+        );
+    }
+    found
+}
+
+impl Study for Turn {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+    fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        Cycle::of(asked).map(|study| balanced(machine, &study, watch))
+    }
+    fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
+        let asked = overlaid(given.written.or(given.of_file).ok_or_else(no_angle)?, given.line);
+        if given.line.has("flywheel") && asked.number("irregularity").is_none() {
+            let (en, ru) =
+                ("no irregularity is wanted: add --irregularity 0.02", "не задана неравномерность хода: добавьте --irregularity 0,02");
+            return Err(idle("--flywheel", &Text::new(en, ru)));
+        }
+        Ok(asked)
+    }
+    fn interrupts(&self) -> Interrupts {
+        Interrupts::Kept
+    }
+    fn repeats(&self) -> Repeats {
+        Repeats::Motion
+    }
+}
+
+fn no_angle() -> Failure {
+    Notice::new("C034", "which angle describes the cycle?", "какой угол описывает цикл?")
+        .why("the file has no study `cycle`, and no --angle was given", "в файле нет расчёта `cycle`, а ключ --angle не задан")
+        .help("add --angle phi1, and --unknown F0 for the drive", "добавьте --angle phi1 и --unknown F0 для движущей силы")
+        .misuse()
+}
+
+/// The balance, the drive that closes it and the flywheel.
+pub fn balanced(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Finding {
     let mut results = Results {
         kind: "cycle",
         heading: Text::new("Cycle of the machine", "Цикл машины"),

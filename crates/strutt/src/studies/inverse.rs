@@ -3,13 +3,15 @@
 //! The work of a motor is the integral of its power over the dense output: of the polynomials that also give the extremes, on parts so short that nothing
 //! hides between their points. It is confirmed by the energy: all motors together do what the change of energy and the work of everything else leave.
 
-use super::{Fact, Results};
+use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
+use super::simulate::{Simulate, merged, with_works};
+use super::{Extra, Fact, Found, Given, Interrupts, Repeats, Results, Study};
+use crate::failure::Failure;
 use crate::finite::checked;
-use crate::pipeline::{self, Finding, Machine};
-use crate::plan;
+use crate::pipeline::{Finding, Machine};
 use crate::watch::Watch;
 use analysis::Dataset;
-use mechanics::model::Simulate;
+use mechanics::asked::{Asked, Kind};
 use serde_json::json;
 use symbolic::equations::Role;
 use words::{Notice, Text};
@@ -21,9 +23,51 @@ struct Motor {
     label: Text,
 }
 
-/// Makes the study.
-pub fn run(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
-    let study = plan::with_plots(study, &machine.equations);
+/// The study.
+pub struct Inverse;
+
+static KIND: Kind = Kind::new(
+    "inverse",
+    (
+        "Find the forces and torques of motors that realise prescribed motions, their powers and work",
+        "Найти силы и моменты двигателей для заданных движений, их мощности и работу",
+    ),
+)
+.keys(&[UNTIL, TOLERANCE_OF_MOTION, METHOD, EVERY, AT, OUTPUTS, PLOT]);
+
+impl Study for Inverse {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+    fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        Some(forces(machine, &Simulate::of(asked), watch))
+    }
+    fn of_file(&self) -> &'static [&'static [&'static str]] {
+        &[&["simulate", "inverse"]]
+    }
+    fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
+        let (columns, drawn) = (given.line.has("outputs"), given.drawn);
+        let mut asked = merged("simulate", &machine.equations, given)?;
+        asked.kind = "inverse";
+        if columns && !drawn {
+            // columns of plots that nobody draws are not asked for
+            asked.unset("plot");
+        }
+        Ok(asked)
+    }
+    fn extras(&self) -> &'static [Extra] {
+        &[Extra::HalveTolerance, Extra::Check, Extra::Events, Extra::Switches]
+    }
+    fn interrupts(&self) -> Interrupts {
+        Interrupts::Kept
+    }
+    fn repeats(&self) -> Repeats {
+        Repeats::Motion
+    }
+}
+
+fn forces(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
+    let study = study.with_plots(&machine.equations);
     let motors = motors(machine);
     if motors.is_empty() {
         return Finding::Study(Box::new(Results { kind: "inverse", heading: heading(), trouble: Some(no_motor()), ..Results::default() }));
@@ -32,7 +76,7 @@ pub fn run(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Findin
     let shown = study.outputs.len();
     let mut asked = study.clone();
     asked.outputs.extend(powers.iter().filter(|p| !study.outputs.contains(p)).cloned());
-    let Finding::Motion(_, mut data, trouble) = pipeline::simulate_with_works(machine, &asked, &powers, watch) else {
+    let Finding::Motion(_, mut data, trouble) = with_works(machine, &asked, &powers, watch) else {
         return Finding::Study(Box::new(Results { kind: "inverse", heading: heading(), ..Results::default() }));
     };
     if motors.len() > 1 && data.struck != 0.0 && trouble.is_none() {

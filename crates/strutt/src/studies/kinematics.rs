@@ -1,6 +1,8 @@
 //! The study `kinematics`: places, velocities and accelerations over a range of the driven coordinate, transfer functions, instantaneous centres.
 
-use super::{Results, Rows};
+use super::keys::{OUTPUTS, OWN_PLOT, POINTS};
+use super::{Found, Given, Interrupts, Repeats, Results, Rows, Study, overlaid};
+use crate::failure::{Failure, Misuse};
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine, explained};
 use crate::provenance;
@@ -10,17 +12,204 @@ use crate::wording::Word;
 use analysis::dataset::{Column, Extreme, Missing};
 use analysis::studies::kinematics::{Observer, Place, Way, follow};
 use analysis::{Dataset, Quantity, System};
-use mechanics::model::{Axis, Kinematics, KinematicsEnd};
+use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Value, Way as Comes};
+use mechanics::model::{Axis, Plot};
 use program::lower::{Drive, Inputs};
 use program::{Behind, Evaluator, Point};
 use serde_json::json;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 use symbolic::{Equations, Expr, Graph, SymbolId};
-use words::Text;
+use words::{Notice, Text};
 
-/// Runs the study.
-pub fn run(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) -> Finding {
+/// One position a degree: a drawing of a turn needs as many to look smooth.
+const USUAL_POINTS: usize = 361;
+
+/// Positions, velocities and accelerations over a range of one coordinate; SI.
+#[derive(Clone, Debug)]
+pub struct Kinematics {
+    /// The driven coordinate.
+    pub over: SymbolId,
+    /// Its name.
+    pub name: String,
+    /// First value; `None`: the coordinate's start.
+    pub from: Option<f64>,
+    /// Last value.
+    pub to: KinematicsEnd,
+    /// How many positions, both ends included.
+    pub points: usize,
+    /// Rate of the driven coordinate, constant, from which velocities and accelerations follow; `None`: its starting rate, or 1 when
+    /// that is zero.
+    pub rate: Option<f64>,
+    /// Further driven coordinates as formulas of the driven one, for linkages of two and more degrees of freedom.
+    pub with: Vec<(SymbolId, Expr)>,
+    /// Outputs wanted, by name (also coordinates and rates); empty means all.
+    pub outputs: Vec<String>,
+    /// Plots wanted; the horizontal axis `None` is the driven coordinate.
+    pub plots: Vec<Plot>,
+}
+
+/// Where a kinematic range ends.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum KinematicsEnd {
+    /// At this value.
+    At(f64),
+    /// After so many turns of 2π from the first value.
+    Turns(f64),
+}
+
+impl Kinematics {
+    /// What is asked for; none without a driven coordinate.
+    pub fn of(asked: &Asked) -> Option<Kinematics> {
+        let over = asked.coordinate("over")?;
+        let to = match asked.number("to") {
+            Some(to) => KinematicsEnd::At(to),
+            None => KinematicsEnd::Turns(asked.number("turns").unwrap_or(1.0)),
+        };
+        let with = if let Some(Value::Driven(with)) = asked.get("with") { with.clone() } else { Vec::new() };
+        Some(Kinematics {
+            over: over.symbol,
+            name: over.name.clone(),
+            from: asked.number("from"),
+            to,
+            points: asked.count("points").unwrap_or(USUAL_POINTS),
+            rate: asked.number("rate"),
+            with,
+            outputs: asked.words("outputs").to_vec(),
+            plots: asked.plots().to_vec(),
+        })
+    }
+}
+
+/// The study.
+pub struct Linkage;
+
+static KIND: Kind = Kind::new(
+    "kinematics",
+    ("Follow a linkage over a range of its driven coordinate", "Проследить движение механизма по ведущей координате"),
+)
+.keys(&[
+    Key::new("over", Takes::Coordinate, ("the driven coordinate", "ведущая координата"), "\"phi1\"")
+        .required()
+        .option("The driven coordinate", "Ведущая координата")
+        .way(Comes::Begins),
+    Key::new(
+        "from",
+        Takes::Quantity(Like::Of("over"), Limits::None),
+        ("first value of the driven coordinate", "первое значение ведущей координаты"),
+        "\"0 deg\"",
+    )
+    .default("start", "начальное значение")
+    .option("First value [default: the start]", "Первое значение [по умолчанию: начальное]")
+    .way(Comes::Written),
+    Key::new(
+        "to",
+        Takes::Quantity(Like::Of("over"), Limits::None),
+        ("last value of the driven coordinate", "последнее значение ведущей координаты"),
+        "\"180 deg\"",
+    )
+    .option("Last value", "Последнее значение")
+    .way(Comes::Written),
+    Key::new(
+        "turns",
+        Takes::Number(Limits::NotZero),
+        (
+            "turns of the driven angle, instead of `to`; negative when it falls",
+            "обороты ведущего угла вместо `to`; отрицательны, если он убывает",
+        ),
+        "2",
+    )
+    .default("1", "1")
+    .not_with("to", "M071")
+    .option("Turns of an angle [default: 1]", "Число оборотов угла [по умолчанию: 1]")
+    .way(Comes::Written),
+    Key::new(
+        "rate",
+        Takes::Quantity(Like::RateOf("over"), Limits::NotZero),
+        ("constant rate of the driven coordinate", "постоянная скорость ведущей координаты"),
+        "\"10 rad/s\"",
+    )
+    .default("starting rate, else 1", "начальная скорость, иначе 1")
+    .option(
+        "Uniform rate of the driven coordinate [default: its starting rate, or 1]",
+        "Равномерная скорость ведущей координаты [по умолчанию: начальная или 1]",
+    )
+    .way(Comes::Written),
+    POINTS.option("Number of positions", "Число положений").way(Comes::Written),
+    Key::new(
+        "with",
+        Takes::Driven("over"),
+        ("further driven coordinates as formulas of the driven one", "другие ведущие координаты — формулы от ведущей"),
+        "{ phi4 = \"2*phi1\" }",
+    ),
+    OUTPUTS,
+    OWN_PLOT,
+])
+.check(objections);
+
+/// Exactly one of `to` and `turns`; one turn of an angle without either.
+fn objections(asked: &Asked) -> Vec<Objection> {
+    let Some(over) = asked.coordinate("over") else { return Vec::new() };
+    match (asked.has("to"), asked.has("turns")) {
+        (true, false) if asked.number("to").is_some() && asked.number("to") == asked.number("from") => {
+            vec![Objection::at("to", "M071", "the range is empty: `to` equals `from`", "промежуток пуст: `to` равно `from`")]
+        }
+        (false, true) if !over.is_angle() => vec![Objection::no_angle("turns")],
+        (false, false) if !over.is_angle() => {
+            let (en, ru) = ("the study kinematics lacks the end of its range", "в расчёте kinematics не задан конец промежутка");
+            vec![Objection::whole("M071", en, ru).help("add to = \"0.3 m\"", "добавьте to = \"0,3 м\"")]
+        }
+        _ => Vec::new(),
+    }
+}
+
+impl Study for Linkage {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+    fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        Kinematics::of(asked).map(|study| followed(machine, &study, watch))
+    }
+    fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
+        let fresh = given.written.is_some();
+        let asked = overlaid(given.written.or(given.of_file).ok_or_else(nothing_driven)?, given.line);
+        let empty = matches!((asked.number("from"), asked.number("to")), (Some(from), Some(to)) if from == to);
+        let still = asked.number("turns") == Some(0.0) || asked.number("rate") == Some(0.0);
+        if !fresh && (empty || still || asked.count("points").is_some_and(|n| n < 2)) {
+            return Err(nothing_followed());
+        }
+        Ok(asked)
+    }
+    fn own_columns(&self, machine: &Machine, asked: &Asked) -> Vec<String> {
+        Kinematics::of(asked).map(|study| own_columns(machine, &study)).unwrap_or_default()
+    }
+    fn interrupts(&self) -> Interrupts {
+        Interrupts::Ending
+    }
+    fn repeats(&self) -> Repeats {
+        Repeats::Never
+    }
+}
+
+fn nothing_driven() -> Failure {
+    Notice::new("C035", "which coordinate is driven?", "какая координата ведущая?")
+        .why("the file has no study `kinematics`, and no --over was given", "в файле нет расчёта `kinematics`, а ключ --over не задан")
+        .help("add --over phi1", "добавьте --over phi1")
+        .misuse()
+}
+
+fn nothing_followed() -> Failure {
+    Notice::new("C036", "the range of positions is empty", "промежуток положений пуст")
+        .why(
+            "two different ends, a rate other than zero and at least two positions are needed",
+            "нужны разные концы, ненулевая скорость и не менее двух положений",
+        )
+        .help("for example --from 0 --to \"90 deg\" --points 91", "например, --from 0 --to \"90 град\" --points 91")
+        .misuse()
+}
+
+/// The linkage at every position.
+pub fn followed(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) -> Finding {
     let mut results = Results {
         kind: "kinematics",
         heading: Text::new("Kinematics of the linkage", "Кинематика механизма"),

@@ -1,7 +1,8 @@
 //! The study `periodic`: the exact periodic regime, and the parameter that gives a wanted period.
 
+use super::keys::{AT, EVERY, OUTPUTS, PLOT, SETTLE, TOLERANCE};
 use super::section::of_state;
-use super::{Fact, Results, Rows};
+use super::{Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine, explained};
 use crate::plan;
@@ -10,11 +11,12 @@ use crate::wording::Word;
 use crate::{Failure, provenance};
 use analysis::studies::periodic::{Listener, Multiplier, Outcome, Periodic as Options, Regime, Return, Stage};
 use analysis::studies::simulate::Grid;
-use mechanics::model::{Periodic, Section, StudyKind, Times};
+use mechanics::asked::{Asked, Key, Kind, Limits, Objection, Takes, Value as Taken, Way};
+use mechanics::model::{Plot, Times};
 use serde_json::{Value, json};
 use std::cell::RefCell;
-use words::Notice;
-use words::Text;
+use symbolic::{Expr, SymbolId};
+use words::{Notice, Text};
 
 /// Steps of the search for a parameter.
 const STEPS: usize = 60;
@@ -23,8 +25,189 @@ const EXACT: f64 = 1e-13;
 /// Distance from 1 at which a multiplier is 1, where its own error is smaller: half of the digits of a double root.
 const FAMILY: f64 = 1e-8;
 
+/// A periodic motion to find; SI.
+#[derive(Clone, Debug)]
+pub struct Periodic {
+    /// What begins a period.
+    pub section: Section,
+    /// The period, where the section is a time; otherwise a guess.
+    pub period: Option<f64>,
+    /// Duration of an ordinary motion before the search begins.
+    pub settle: f64,
+    /// Parameter that is changed so that the period becomes the second value.
+    pub tuned: Option<(String, f64)>,
+    /// Relative tolerance of the integrator.
+    pub tolerance: f64,
+    /// Times at which results are wanted, counted from the section.
+    pub times: Times,
+    /// Outputs wanted, by name (also coordinates and rates); empty means all.
+    pub outputs: Vec<String>,
+    /// Plots wanted.
+    pub plots: Vec<Plot>,
+}
+
+/// The surface at which a periodic motion begins and ends.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Section {
+    /// The loads repeat in time: the period is given, the state is what returns.
+    Time,
+    /// The formula over coordinates, rates and time passes zero from below.
+    Zero(Expr),
+    /// The angle has grown by so many turns of 2π; the section passes through its start. All other coordinates return.
+    Turns {
+        /// The angle.
+        angle: SymbolId,
+        /// How many turns; negative when it falls.
+        turns: f64,
+    },
+}
+
+impl Periodic {
+    /// The regime that is asked for.
+    pub fn of(asked: &Asked) -> Periodic {
+        let section = match asked.get("section") {
+            Some(Taken::Coordinate(angle)) => Section::Turns { angle: angle.symbol, turns: asked.number("turns").unwrap_or(1.0) },
+            Some(Taken::Formula(zero)) => Section::Zero(*zero),
+            _ => Section::Time,
+        };
+        Periodic {
+            section,
+            period: asked.number("period"),
+            settle: asked.number("settle").unwrap_or(0.0),
+            tuned: asked.word("unknown").map(str::to_owned).zip(asked.number("wanted_period")),
+            tolerance: asked.number("tolerance").unwrap_or(super::simulate::TOLERANCE),
+            times: asked.times(),
+            outputs: asked.words("outputs").to_vec(),
+            plots: asked.plots().to_vec(),
+        }
+    }
+}
+
+/// The study.
+pub struct Regimes;
+
+static KIND: Kind = Kind::new(
+    "periodic",
+    (
+        "Find the exact periodic regime: period, multipliers, motion over one period",
+        "Найти точный периодический режим: период, мультипликаторы, движение за период",
+    ),
+)
+.keys(&[
+    Key::new(
+        "section",
+        Takes::Section,
+        (
+            "where a period begins: a formula that passes zero from below, or the name of an angle, which makes `turns`; without it `period` decides",
+            "где начинается период: формула, проходящая нуль снизу, или имя угла, который совершает `turns`; без ключа решает `period`",
+        ),
+        "\"x'\"",
+    )
+    .option(
+        "What begins a period: an angle (one turn) or a formula that passes zero from below",
+        "Начало периода: угол (один оборот) или формула, переходящая через нуль снизу вверх",
+    )
+    .way(Way::Begins),
+    Key::new(
+        "turns",
+        Takes::Number(Limits::NotZero),
+        ("turns of the angle in a period; negative when it falls", "обороты угла за период; отрицательны, если он убывает"),
+        "2",
+    )
+    .default("1", "1")
+    .option("Turns of the angle in a period", "Число оборотов угла за период")
+    .way(Way::Written),
+    Key::new(
+        "period",
+        Takes::Duration,
+        ("the period of the loads, or a guess when there is a section", "период нагрузок, а при сечении — начальное приближение"),
+        "\"0.2568 s\"",
+    )
+    .option("Period of a forced motion", "Период вынужденного движения")
+    .way(Way::Begins),
+    SETTLE,
+    Key::new(
+        "unknown",
+        Takes::Sought,
+        ("parameter found from the wanted period", "искомый параметр: по нужному периоду"),
+        "\"F0\"",
+    )
+    .option("Parameter that is changed until the period is the wanted one", "Параметр, который меняется, пока период не станет нужным")
+    .needs("wanted_period"),
+    Key::new(
+        "wanted_period",
+        Takes::Duration,
+        ("period that `unknown` must give", "период, который должен дать `unknown`"),
+        "\"0.2568 s\"",
+    )
+    .option("Wanted period", "Нужный период")
+    .needs("unknown"),
+    AT,
+    EVERY,
+    OUTPUTS,
+    TOLERANCE,
+    PLOT,
+])
+.check(objections);
+
+fn objections(asked: &Asked) -> Vec<Objection> {
+    let mut found = Vec::new();
+    if asked.has("wanted_period") != asked.has("unknown") {
+        found.push(
+            Objection::whole("M071", "`unknown` and `wanted_period` go together", "`unknown` и `wanted_period` задают вместе")
+                .why("one parameter is changed until the period is the wanted one", "один параметр меняется, пока период не станет нужным")
+                .help(
+                    "write unknown = \"F0\" and wanted_period = \"0.2568 s\"",
+                    "напишите unknown = \"F0\" и wanted_period = \"0,2568 с\"",
+                ),
+        );
+    }
+    if !asked.has("section") && !asked.has("period") {
+        found.push(
+            Objection::whole("M071", "the study periodic lacks `section` or `period`", "в расчёте periodic нет ни `section`, ни `period`")
+                .why(
+                    "a free motion returns to a section, a forced one after the period of the force",
+                    "свободное движение возвращается к сечению, вынужденное — через период силы",
+                )
+                .help(
+                    "add section = \"phi\" (an angle: one turn), section = \"x - x0\" (passes zero from below), or period = \"2*pi/Omega\"",
+                    "добавьте section = \"phi\" (угол: один оборот), section = \"x - x0\" (переход через нуль снизу) или period = \"2*pi/Omega\"",
+                ),
+        );
+    }
+    if asked.has("turns") && asked.coordinate("section").is_none() && (!asked.has("section") || asked.get("section").is_some()) {
+        found.push(Objection::no_angle("turns"));
+    }
+    found
+}
+
+impl Study for Regimes {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+    fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        Some(exact(machine, &Periodic::of(asked), watch))
+    }
+    /// What the file says, changed by the command line; a turn or a return found by itself when nobody says what a period is.
+    fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
+        let asked = overlaid(given.written.or(given.of_file).unwrap_or_else(|| Asked::new("periodic")), given.line);
+        if given.line.has("turns") && asked.coordinate("section").is_none() {
+            let (en, ru) =
+                ("only a section that is an angle has turns: --section phi", "обороты есть только у сечения-угла: --section phi");
+            return Err(idle("--turns", &Text::new(en, ru)));
+        }
+        Ok(asked)
+    }
+    fn interrupts(&self) -> Interrupts {
+        Interrupts::Kept
+    }
+    fn repeats(&self) -> Repeats {
+        Repeats::Motion
+    }
+}
+
 /// Runs the study. `tuned` changes the machine to the value found.
-pub fn run(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Finding {
+pub fn exact(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Finding {
     let found = match &study.tuned {
         None => Ok((regime(machine, study, watch), None)),
         Some((name, wanted)) => tuned(machine, study, name, *wanted, watch),
@@ -37,7 +220,7 @@ pub fn run(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Findin
 }
 
 /// Times of ordinary motion tried before the search when the start leads to no regime, s.
-const SETTLE: [f64; 3] = [2.0, 20.0, 200.0];
+const WAITS: [f64; 3] = [2.0, 20.0, 200.0];
 
 fn heading() -> Text {
     Text::new("Periodic regime", "Периодический режим")
@@ -56,7 +239,7 @@ pub fn regime(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Out
     }
     let mut rest = None;
     // a start far from the regime: let the motion come near it, and longer
-    for settle in SETTLE {
+    for settle in WAITS {
         if watch.is_interrupted() {
             break;
         }
@@ -214,8 +397,7 @@ fn tuned(machine: &mut Machine, study: &Periodic, name: &str, wanted: f64, watch
 /// The study as it reads with other values of parameters: its formulas may depend on them.
 pub fn reread(machine: &Machine, other: &Machine, study: &Periodic) -> Periodic {
     let of = |machine: &Machine| -> Vec<Periodic> {
-        let periodic = |s: &mechanics::model::Study| if let StudyKind::Periodic(p) = &s.kind { Some(p.clone()) } else { None };
-        machine.model.studies.iter().filter_map(periodic).collect()
+        machine.model.studies.iter().filter(|asked| asked.kind == "periodic").map(Periodic::of).collect()
     };
     let place = of(machine).iter().position(|p| p.section == study.section && p.period == study.period);
     match place.and_then(|k| of(other).get(k).cloned()) {

@@ -3,6 +3,7 @@
 use crate::document;
 use analysis::{Dataset, Quantity};
 use mechanics::model::Plot;
+use report::figure::Pen;
 use report::table::Column;
 use report::{Block, Cell, Figure, Table, Word};
 use serde_json::{Map, Value, json};
@@ -72,6 +73,8 @@ pub struct Results {
     pub claims: Vec<crate::claims::Verdict>,
     /// Plots.
     pub plots: Vec<Plot>,
+    /// How their points are joined.
+    pub pen: Pen,
     /// What ended the study early.
     pub trouble: Option<Notice>,
 }
@@ -137,7 +140,9 @@ impl Results {
 
     /// The plots that the file asks for.
     pub fn figures(&self, language: Language) -> Vec<Figure> {
-        document::plots(&self.plots, &self.data, language)
+        let mut figures = document::plots(&self.plots, &self.data, language);
+        figures.iter_mut().flat_map(|figure| &mut figure.series).for_each(|series| series.pen = self.pen);
+        figures
     }
 }
 

@@ -1,12 +1,14 @@
 //! The study `statics` of bodies: reactions, equations of equilibrium, what is open or free.
 
-use super::{Fact, Results};
+use super::{Alone, Fact, Found, Repeats, Results, Study};
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine};
 use crate::provenance;
+use crate::watch::Watch;
 use analysis::Dataset;
 use analysis::dataset::Audit;
-use analysis::studies::statics::{Statics, statics};
+use analysis::studies::statics::{Statics as Rest, statics};
+use mechanics::asked::{Asked, Kind};
 use report::formula::{Form, Printer};
 use serde_json::{Value, json};
 use symbolic::Equations;
@@ -15,8 +17,28 @@ use words::{Language, Notice, Text};
 /// Largest relative remainder of an equation of equilibrium.
 const LIMIT: f64 = 1e-10;
 
-/// Makes the study.
-pub fn run(machine: &mut Machine) -> Finding {
+/// The study.
+pub struct Statics;
+
+static KIND: Kind = Kind::new("statics", ("Find reactions and internal forces at rest", "Найти реакции и внутренние усилия в покое"));
+
+impl Study for Statics {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+    /// Of a frame or truss where there are nodes, otherwise of bodies with supports and joints.
+    fn run(&self, machine: &mut Machine, _: &Asked, _: &mut Watch) -> Found {
+        crate::structure::statics(machine).or_else(|| Some(of_bodies(machine)))
+    }
+    fn alone(&self) -> Alone {
+        Alone::Written { next: "run" }
+    }
+    fn repeats(&self) -> Repeats {
+        Repeats::Rest
+    }
+}
+
+fn of_bodies(machine: &mut Machine) -> Finding {
     let results = match statics(&machine.equations) {
         Ok(found) => results(machine, &found),
         Err(fault) => Results { kind: "statics", heading: heading(), trouble: Some(Notice::from(fault)), ..Results::default() },
@@ -28,7 +50,7 @@ fn heading() -> Text {
     Text::new("Statics", "Статика")
 }
 
-fn results(machine: &Machine, found: &Statics) -> Results {
+fn results(machine: &Machine, found: &Rest) -> Results {
     let open = Text::new("not determined by equilibrium", "из условий равновесия не определяется");
     let fact = |r: &analysis::studies::statics::Reaction| {
         let q = &r.quantity;
@@ -72,7 +94,7 @@ fn ends(reaction: &analysis::studies::statics::Reaction) -> Vec<Fact> {
 }
 
 /// Equations of equilibrium, then the degree of indeterminacy and free motions.
-fn words(machine: &Machine, found: &Statics) -> Vec<Text> {
+fn words(machine: &Machine, found: &Rest) -> Vec<Text> {
     let mut words = equilibrium(&machine.equations);
     words.push(match found.indeterminacy {
         0 => Text::new("Statically determinate.", "Статически определимо."),

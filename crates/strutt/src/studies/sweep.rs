@@ -1,8 +1,11 @@
 //! The study `sweep`: another study repeated over values of parameters, starts or starting rates. The solution found before is the next guess.
 
+use super::keys::OWN_PLOT;
 use super::origin::Binding;
+use super::periodic::Periodic;
 use super::periodic::{self, in_words};
-use super::{Results, Rows};
+use super::{Found, Given, Interrupts, Repeats, Results, Rows, Study, TABLE, find, idle, observing, overlaid};
+use crate::failure::{Failure, Misuse};
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine};
 use crate::watch::Watch;
@@ -11,13 +14,139 @@ use crate::{folder, provenance};
 use analysis::dataset::{Audit, Column, Missing};
 use analysis::reduce::{NAMES, Reduction, reduce};
 use analysis::{Dataset, Quantity};
-use mechanics::model::{DEFAULT_TOLERANCE, Periodic, Section, Simulate, StudyKind, Sweep, SweepRange, Times};
+use mechanics::asked::{Asked, Key, Kind, Takes, Value as Taken, Way};
+use mechanics::model::{Plot, SweepRange};
 use serde_json::{Value, json};
 use std::sync::atomic::Ordering;
 use words::{Notice, Text};
 
 /// Results of the study `periodic` that no other study has.
 const OF_PERIODIC: [&str; 5] = ["period", "frequency", "multiplier", "stable", "gain"];
+
+/// What a study may be repeated.
+const REPEATED: [&str; 6] = ["equilibrium", "simulate", "inverse", "statics", "periodic", "cycle"];
+
+/// A study repeated over values of parameters; SI.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// What is changed, the first slowest.
+    pub over: Vec<SweepRange>,
+    /// What is noted: outputs, or results of the study (`period`).
+    pub observe: Vec<String>,
+    /// Kind of the study of the file that is repeated; `None`: the first that has the results.
+    pub of: Option<String>,
+    /// Plots wanted, of what is noted over the values.
+    pub plots: Vec<Plot>,
+    /// Values of the repeated study in place of those of the file.
+    pub inner: Asked,
+}
+
+impl Sweep {
+    /// The repetition that is asked for.
+    pub fn of(asked: &Asked) -> Sweep {
+        let mut inner = Asked::default();
+        let others = asked.values().iter().filter(|(key, _)| KIND.key(key).is_none());
+        others.for_each(|(key, value)| inner.set(key, value.clone()));
+        Sweep {
+            over: if let Some(Taken::Ranges(over)) = asked.get("over") { over.clone() } else { Vec::new() },
+            observe: asked.words("observe").to_vec(),
+            of: asked.word("of").map(str::to_owned),
+            plots: asked.plots().to_vec(),
+            inner,
+        }
+    }
+}
+
+/// The study.
+pub struct Sweeping;
+
+static KIND: Kind = Kind::new("sweep", ("Repeat a study over values of parameters", "Повторить расчёт для ряда значений параметров"))
+    .keys(&[
+        Key::new(
+            "over",
+            Takes::Ranges,
+            (
+                "name=linspace(first, last, number), logspace or a list of values, or an array of such strings",
+                "имя=linspace(первое, последнее, число), logspace или список значений, или массив таких строк",
+            ),
+            "\"v=linspace(1 m/s, 3 m/s, 21)\"",
+        )
+        .required()
+        .option(
+            "Values of a parameter or start: v=linspace(1 m/s, 3 m/s, 21), c=logspace(1 N/m, 1 kN/m, 4), m=1 kg, 2 kg; may be repeated",
+            "Значения параметра или начального условия: v=linspace(1 м/с, 3 м/с, 21), c=logspace(1 Н/м, 1 кН/м, 4), \"m=1 кг; 2 кг\"; ключ можно повторять",
+        )
+        .way(Way::Begins),
+        Key::new(
+            "observe",
+            Takes::Names,
+            ("results noted for each value; or one name", "результаты, записываемые для каждого значения; или одно имя"),
+            "[\"period\"]",
+        )
+        .option(
+            "What is noted: events, max(x), min(x), amplitude(x), mean(x), last(x), or a number of the study's JSON, whose lists count from 0: period, multipliers.1.abs",
+            "Что записывать: events, max(x), min(x), amplitude(x), mean(x), last(x) либо число из JSON расчёта, где списки нумеруются с 0: period, multipliers.1.abs",
+        )
+        .way(Way::Written),
+        Key::new(
+            "of",
+            Takes::KindOf(&REPEATED),
+            ("kind of the study of the file that is repeated", "вид расчёта из файла, который повторяется"),
+            "\"periodic\"",
+        )
+        .default("first that fits", "первый подходящий")
+        .option("The study that is repeated, when the file has several", "Повторяемый расчёт, если в файле их несколько")
+        .way(Way::Written),
+        OWN_PLOT,
+    ]);
+
+impl Study for Sweeping {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+    fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        Some(repeated(machine, &Sweep::of(asked), watch))
+    }
+    /// The command line replaces what it names; the rest is that of the file's study.
+    fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
+        let fresh = given.written.is_some();
+        let mut asked = given.written.or(given.of_file.clone()).ok_or_else(nothing_to_sweep)?;
+        for key in ["observe", "of"] {
+            if let Some(value) = given.of_file.as_ref().and_then(|file| file.get(key)).filter(|_| fresh && !asked.has(key)) {
+                asked.set(key, value.clone());
+            }
+        }
+        Ok(overlaid(asked, given.line))
+    }
+    /// Options of every study that it repeats, the first of each name.
+    fn inner(&self) -> Vec<&'static Key> {
+        let mut keys: Vec<&'static Key> = Vec::new();
+        for key in TABLE.iter().filter(|study| REPEATED.contains(&study.kind().name)).flat_map(|study| study.kind().keys) {
+            let own = KIND.key(key.name).is_some() || keys.iter().any(|k| k.name == key.name);
+            let usable = key.option.is_some() && !matches!(key.takes, Takes::Coordinate | Takes::RangeOf(_) | Takes::Section);
+            if !own && usable {
+                keys.push(key);
+            }
+        }
+        keys
+    }
+    fn interrupts(&self) -> Interrupts {
+        Interrupts::Kept
+    }
+    fn repeats(&self) -> Repeats {
+        Repeats::Never
+    }
+}
+
+fn nothing_to_sweep() -> Failure {
+    Notice::new("C033", "over which values?", "по каким значениям?")
+        .why("the file has no study `sweep`, and no --over was given", "в файле нет расчёта `sweep`, а ключ --over не задан")
+        .help(
+            "add --over \"v=linspace(1 m/s, 3 m/s, 21)\" --observe period",
+            "добавьте --over \"v=linspace(1 м/с, 3 м/с, 21)\" --observe period",
+        )
+        .misuse()
+}
 
 /// What is noted of a repeated study.
 #[derive(Clone, Debug)]
@@ -30,8 +159,8 @@ enum Wanted {
     Events,
 }
 
-/// Runs the study.
-pub fn run(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Finding {
+/// The study for every combination of the values.
+pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Finding {
     let mut results = Results {
         kind: "sweep",
         heading: Text::new("Sweep", "Серия расчётов"),
@@ -69,7 +198,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
             break;
         }
         let values = place(&study.over, row);
-        let outcome = one((&mut changed, &mut anew), &Repeated { base: &base, of }, &values, &mut guess, watch);
+        let outcome = one((&mut changed, &mut anew), &Repeated { base: &base, of, inner: &study.inner }, &values, &mut guess, watch);
         if let Ok(finding) = &outcome {
             let audits = &finding.data().audits;
             checked_runs += usize::from(!audits.is_empty());
@@ -115,10 +244,10 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
             results.trouble = Some(trouble);
         }
     }
-    results.own.insert("of".into(), json!(name_of(&base)));
+    results.own.insert("of".into(), json!(base.kind));
     results.own.insert("read_anew".into(), json!(anew));
-    if study.of.is_none() && machine.model.studies.iter().filter(|s| moves(&s.kind) || rests(&s.kind)).count() > 1 {
-        let name = name_of(&base);
+    if study.of.is_none() && machine.model.studies.iter().filter(|s| moves(s) || rests(s)).count() > 1 {
+        let name = base.kind;
         data.notes.push(Text::new(format!("repeated: the study `{name}`"), format!("повторялся расчёт `{name}`")));
     }
     if results.plots.is_empty() && study.over.len() == 1 {
@@ -227,29 +356,30 @@ fn unknown(name: &str, machine: &Machine) -> Notice {
 }
 
 /// The study to repeat, with the columns that are wanted.
-fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Result<(StudyKind, Option<usize>), Notice> {
+fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Result<(Asked, Option<usize>), Notice> {
     let fields = || wanted.iter().filter_map(|(_, w)| if let Wanted::Field(name) = w { Some(name.as_str()) } else { None });
     let of_periodic = fields().any(|name| OF_PERIODIC.iter().any(|p| name.starts_with(p)));
     let kind = study.of.as_deref().or(of_periodic.then_some("periodic"));
-    let first = |fits: &dyn Fn(&StudyKind) -> bool| machine.model.studies.iter().position(|s| fits(&s.kind));
-    let repeatable = |k: &StudyKind| !matches!(k, StudyKind::Equations | StudyKind::Sweep(_) | StudyKind::Kinematics(_));
+    let first = |fits: &dyn Fn(&Asked) -> bool| machine.model.studies.iter().position(fits);
+    let repeatable = |asked: &Asked| asked.kind != "equations" && sort(asked) != Repeats::Never;
     let of = match kind {
-        Some(kind) => first(&|k| name_of(k) == kind),
+        Some(kind) => first(&|asked| asked.kind == kind),
         // greatest values are those of a motion, else of a place of rest: a shape of modes has no size
         None if wanted.iter().any(|(_, w)| !matches!(w, Wanted::Field(_))) => {
             first(&moves).or_else(|| first(&rests)).or_else(|| first(&repeatable))
         }
         None => first(&repeatable),
     };
-    let in_file = of.map(|k| &machine.model.studies[k].kind);
+    let in_file = of.map(|k| &machine.model.studies[k]);
     let column = wanted.iter().find_map(|(_, w)| if let Wanted::Column(name, _) = w { Some(name) } else { None });
-    if let (Some(StudyKind::Modes(_)), Some(name)) = (in_file, column) {
+    if let (Some("modes"), Some(name)) = (in_file.map(|asked| asked.kind), column) {
         return Err(rows_only(name));
     }
     let mut base = match (in_file, kind) {
-        (Some(kind), _) => kind.clone(),
-        (None, Some("periodic")) => StudyKind::Periodic(automatic()),
-        (None, Some("statics")) => StudyKind::Statics,
+        (Some(asked), _) => changed(machine, asked.kind, Some(asked.clone()), &study.inner)?,
+        (None, Some(kind @ ("periodic" | "statics"))) => changed(machine, kind, None, &study.inner)?,
+        (None, Some(kind)) if find(kind).is_some() && !study.inner.values().is_empty() => changed(machine, kind, None, &study.inner)?,
+        (None, None) if study.inner.has("until") => changed(machine, "simulate", None, &study.inner)?,
         _ => {
             return Err(Notice::new("C032", "there is no study to repeat", "нет расчёта, который надо повторять")
                 .why(
@@ -261,76 +391,52 @@ fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Resu
     };
     let columns: Vec<String> =
         wanted.iter().filter_map(|(_, w)| if let Wanted::Column(n, _) = w { Some(n.clone()) } else { None }).collect();
-    show(&mut base, columns);
+    observing(&mut base, columns);
     Ok((base, of))
 }
 
-fn moves(kind: &StudyKind) -> bool {
-    matches!(kind, StudyKind::Simulate(_) | StudyKind::Inverse(_) | StudyKind::Periodic(_) | StudyKind::Transient(_) | StudyKind::Cycle(_))
-}
-
-fn rests(kind: &StudyKind) -> bool {
-    matches!(kind, StudyKind::Equilibrium { .. } | StudyKind::Statics)
-}
-
-/// Lets a study give these columns only.
-fn show(base: &mut StudyKind, columns: Vec<String>) {
-    match base {
-        StudyKind::Periodic(study) => (study.outputs, study.plots) = (columns, Vec::new()),
-        StudyKind::Simulate(study) | StudyKind::Inverse(study) => (study.outputs, study.plots) = (columns, Vec::new()),
-        _ => {}
+/// A study of the file, or one from nothing, with what the command line says of it.
+fn changed(machine: &Machine, kind: &str, of_file: Option<Asked>, inner: &Asked) -> Result<Asked, Notice> {
+    let Some(study) = find(kind) else { return Ok(of_file.unwrap_or_default()) };
+    if inner.values().is_empty()
+        && let Some(asked) = of_file
+    {
+        return Ok(asked);
     }
+    if let Some((key, _)) = inner.values().iter().find(|(key, _)| study.kind().key(key).is_none()) {
+        let (en, ru) =
+            (format!("the repeated study `{kind}` has no such key"), format!("у повторяемого расчёта `{kind}` нет такого ключа"));
+        return Err(in_words(idle(&format!("--{}", key.replace('_', "-")), &Text::new(en, ru))));
+    }
+    study.merge(machine, Given { written: None, of_file, line: inner, drawn: false }).map_err(in_words)
 }
 
-/// What is repeated, and which study of the file it is.
+fn sort(asked: &Asked) -> Repeats {
+    find(asked.kind).map_or(Repeats::Never, |study| study.repeats())
+}
+
+fn moves(asked: &Asked) -> bool {
+    sort(asked) == Repeats::Motion
+}
+
+fn rests(asked: &Asked) -> bool {
+    sort(asked) == Repeats::Rest
+}
+
+/// What is repeated, which study of the file it is, and what the command line says of it.
 struct Repeated<'a> {
-    base: &'a StudyKind,
+    base: &'a Asked,
     of: Option<usize>,
+    inner: &'a Asked,
 }
 
 impl Repeated<'_> {
     /// The study as the file reads with the values: its formulas (a period 2*pi/w) may depend on them.
-    fn at(&self, changed: &Machine) -> StudyKind {
-        let Some(fresh) = self.of.and_then(|k| changed.model.studies.get(k)) else { return self.base.clone() };
-        let mut fresh = fresh.kind.clone();
-        if let StudyKind::Periodic(Periodic { outputs, .. })
-        | StudyKind::Simulate(Simulate { outputs, .. })
-        | StudyKind::Inverse(Simulate { outputs, .. }) = self.base
-        {
-            show(&mut fresh, outputs.clone());
-        }
-        fresh
-    }
-}
-
-/// The periodic study that finds what returns by itself.
-pub fn automatic() -> Periodic {
-    Periodic {
-        section: Section::Time,
-        period: None,
-        settle: 0.0,
-        tuned: None,
-        tolerance: DEFAULT_TOLERANCE,
-        times: Times::Automatic,
-        outputs: Vec::new(),
-        plots: Vec::new(),
-    }
-}
-
-fn name_of(kind: &StudyKind) -> &'static str {
-    match kind {
-        StudyKind::Equilibrium { .. } => "equilibrium",
-        StudyKind::Simulate(_) => "simulate",
-        StudyKind::Inverse(_) => "inverse",
-        StudyKind::Statics => "statics",
-        StudyKind::Periodic(_) => "periodic",
-        StudyKind::Cycle(_) => "cycle",
-        StudyKind::Transient(_) => "transient",
-        StudyKind::Modes(_) => "modes",
-        StudyKind::Response(_) => "response",
-        StudyKind::Kinematics(_) => "kinematics",
-        StudyKind::Equations => "equations",
-        StudyKind::Sweep(_) => "sweep",
+    fn at(&self, machine: &Machine) -> Result<Asked, Notice> {
+        let Some(fresh) = self.of.and_then(|k| machine.model.studies.get(k)) else { return Ok(self.base.clone()) };
+        let mut fresh = changed(machine, fresh.kind, Some(fresh.clone()), self.inner)?;
+        observing(&mut fresh, self.base.words("outputs").to_vec());
+        Ok(fresh)
     }
 }
 
@@ -344,15 +450,14 @@ fn one(
 ) -> Result<Finding, Notice> {
     let values: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     *anew += usize::from(machine.bind(&values).map_err(in_words)? == Binding::Anew);
-    let base = &repeated.at(machine);
+    let base = &repeated.at(machine)?;
     // what is tuned is not the machine of the next place
-    let mut own = matches!(base, StudyKind::Periodic(Periodic { tuned: Some(_), .. })).then(|| machine.clone());
+    let mut own = base.has("wanted_period").then(|| machine.clone());
     let machine = own.as_mut().unwrap_or(machine);
+    let study = (base.kind == "periodic").then(|| Periodic::of(base)).filter(|study| study.tuned.is_none());
     let mut inner = Watch::default();
     inner.interrupt = watch.interrupt;
-    if let (StudyKind::Periodic(study), Some(x)) = (base, guess.as_ref())
-        && study.tuned.is_none()
-    {
+    if let (Some(study), Some(x)) = (&study, guess.as_ref()) {
         // the regime before is the better guess; when it leads nowhere, the file's start is tried
         let outcome = periodic::from(machine, &Periodic { settle: 0.0, ..study.clone() }, x, &mut inner);
         if outcome.fault.is_none() {
@@ -360,13 +465,13 @@ fn one(
             return Ok(Finding::Study(Box::new(periodic::results(machine, study, outcome, None))));
         }
     }
-    let finding = match base {
-        StudyKind::Periodic(study) if study.tuned.is_none() => {
+    let finding = match &study {
+        Some(study) => {
             let outcome = periodic::regime(machine, study, &mut inner);
             *guess = outcome.fault.is_none().then(|| outcome.regime.start.clone());
             Finding::Study(Box::new(periodic::results(machine, study, outcome, None)))
         }
-        other => match pipeline::study(machine, other, &mut inner) {
+        None => match pipeline::study(machine, base, &mut inner) {
             Some(finding) => finding,
             None => return Err(Notice::new("C032", "this study cannot be repeated", "этот расчёт повторять нельзя")),
         },

@@ -4,10 +4,11 @@ use crate::chapter::Trial;
 use crate::claim::{Claim, Tolerance, When, Which, parse};
 use analysis::Dataset;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
-use mechanics::model::{Modes, Response, StudyKind, Times};
+use mechanics::asked::Asked;
+use mechanics::model::Times;
 use report::formula::{Form, Printer};
 use strutt::pipeline::{self, Finding, Machine, Phases};
-use strutt::studies::Results;
+use strutt::studies::{self, Results};
 use strutt::{Failure, Source, Watch};
 use symbolic::SymbolId;
 use words::{Language, Notice};
@@ -44,7 +45,7 @@ pub fn check(trial: &Trial) -> Result<(), String> {
 /// The first study of a kind that the model itself asks for.
 fn study(machine: &mut Machine, kind: &str) -> Result<Outcome, String> {
     for study in machine.model.studies.clone() {
-        if let Some(Finding::Study(results)) = pipeline::study(machine, &study.kind, &mut Watch::default())
+        if let Some(Finding::Study(results)) = pipeline::study(machine, &study, &mut Watch::default())
             && results.kind == kind
         {
             return Ok(match &results.trouble {
@@ -158,8 +159,8 @@ impl Command {
     fn overrides(&self, source: &Source) -> Result<Vec<(String, String)>, Failure> {
         let mut all = Vec::new();
         if let Some(variant) = &self.variant {
-            let reading = mechanics::read(&source.text, &source.path, &[])
-                .map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
+            let reading =
+                studies::read(&source, &[]).map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
             all = strutt::variants::overrides(&reading.model, source, variant)?;
         }
         all.extend(self.set.iter().cloned());
@@ -197,7 +198,7 @@ impl Command {
             }
             "statics" if machine.model.structure.is_some() => Ok(self.fields(&mut machine)),
             "equations" | "check" => Ok(Outcome::Machine(Box::new(machine))),
-            kind @ ("periodic" | "cycle" | "kinematics" | "statics" | "sweep" | "inverse") => study(&mut machine, kind),
+            kind if studies::find(kind).is_some() => study(&mut machine, kind),
             other => Err(format!("unknown command `{other}`")),
         }
     }
@@ -217,7 +218,7 @@ impl Command {
 
     fn transient(&self, machine: &mut Machine, claims: &[&Claim]) -> Result<Outcome, String> {
         let times = self.times(claims);
-        let motion = mechanics::model::Simulate {
+        let motion = studies::simulate::Simulate {
             until: self.until,
             times: Times::At(times.clone()),
             tolerance: self.tolerance,
@@ -225,8 +226,8 @@ impl Command {
             outputs: machine.equations.outputs.iter().map(|o| o.name.clone()).collect(),
             plots: Vec::new(),
         };
-        let study = mechanics::model::Transient { motion, linearise: self.linearise };
-        match pipeline::transient(machine, &study, &mut Watch::default()) {
+        let study = studies::transient::Transient { motion, linearise: self.linearise };
+        match studies::transient::closed_form(machine, &study, &mut Watch::default()) {
             Finding::Transient(_, data, phases, None) => Ok(Outcome::Closed { times, data, phases }),
             Finding::Transient(_, _, _, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
             _ => Err("the closed form came back as something else".into()),
@@ -271,20 +272,12 @@ impl Command {
 
     /// The study of the file of that kind, or the one that the command makes without.
     fn fields(&self, machine: &mut Machine) -> Outcome {
-        let of_file = machine.model.studies.iter().map(|s| s.kind.clone()).find(|kind| match kind {
-            StudyKind::Modes(_) => self.verb == "modes",
-            StudyKind::Equilibrium { .. } => self.verb == "equilibria",
-            StudyKind::Response(_) => self.verb == "response",
-            StudyKind::Statics => self.verb == "statics",
-            _ => false,
-        });
-        let usual = match self.verb.as_str() {
-            "modes" => StudyKind::Modes(Modes::default()),
-            "equilibria" => StudyKind::Equilibrium { guess: Vec::new(), over: None },
-            "statics" => StudyKind::Statics,
-            _ => StudyKind::Response(Response::default()),
+        let kind = match self.verb.as_str() {
+            "equilibria" => "equilibrium",
+            verb => studies::find(verb).map_or("", |study| study.kind().name),
         };
-        match pipeline::study(machine, &of_file.unwrap_or(usual), &mut Watch::default()) {
+        let asked = studies::of_file(machine, &[kind]).cloned().unwrap_or_else(|| Asked::new(kind));
+        match pipeline::study(machine, &asked, &mut Watch::default()) {
             Some(finding) => match finding.trouble() {
                 Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
                 None => {
@@ -307,7 +300,7 @@ impl Command {
             let coordinate = coordinate.ok_or_else(|| format!("no coordinate `{name}`"))?;
             guess.push((coordinate.symbols[0], quantity(value)?));
         }
-        match pipeline::equilibrium(machine, &guess, &mut Watch::default()) {
+        match studies::equilibrium::places(machine, &guess, None, &mut Watch::default()) {
             Finding::Equilibrium(data, None) => Ok(Outcome::Rest(data)),
             Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
             _ => Err("an equilibrium came back as something else".into()),

@@ -11,11 +11,12 @@
 mod scene;
 mod stepping;
 
-use mechanics::model::Times;
+use mechanics::asked::Value;
 use scene::Impacts;
 use stepping::End;
 use strutt::pipeline::{self, Finding};
-use strutt::{Source, Watch, plan};
+use strutt::studies::simulate;
+use strutt::{Source, Watch};
 
 /// Scenes of a usual run.
 const SCENES: u64 = 40;
@@ -38,9 +39,8 @@ enum Verdict {
 fn motion(scene: &scene::Scene) -> Result<(Vec<f64>, Vec<String>), String> {
     let source = Source::new("random.toml", &scene::write(scene));
     let mut machine = pipeline::build(&source, &[], &mut Watch::default()).map_err(|f| format!("{f:?}"))?;
-    let wishes = plan::Wishes { times: Some(Times::At(vec![scene.until])), ..plan::Wishes::default() };
-    let study = plan::simulation(&machine.model, &machine.equations, wishes).map_err(|f| format!("{f:?}"))?;
-    let Finding::Motion(_, data, trouble) = pipeline::simulate(&mut machine, &study, &mut Watch::default()) else {
+    let study = simulate::with_values(&machine, &[("at", Value::Numbers(vec![scene.until]))]).map_err(|f| format!("{f:?}"))?;
+    let Finding::Motion(_, data, trouble) = simulate::motion(&mut machine, &study, &mut Watch::default()) else {
         return Err("no motion".into());
     };
     if let Some(trouble) = trouble {

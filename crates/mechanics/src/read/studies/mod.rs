@@ -1,66 +1,24 @@
-//! `[[study]]`: one file per kind and one line in [`KINDS`].
+//! `[[study]]`: which kinds there are and what their keys take is declared above this crate; here the values are read, one function for each way of
+//! writing them.
 
-mod cycle;
-mod equilibrium;
-mod inverse;
-mod kinematics;
-mod linear;
-mod periodic;
+mod frequencies;
+mod names;
 mod plot;
-mod simulate;
-mod statics;
-mod sweep;
-mod transient;
+mod repeated;
+mod times;
 
 use super::parameters::names;
-use super::reader::{Fields, Reader, string, wrong_type};
-use crate::fields;
-use crate::formula::{Context, EntryKind, Kind};
-use crate::model::{DEFAULT_TOLERANCE, Study, StudyKind};
+use super::reader::{Fields, Reader, short, string, wrong_type};
+use crate::asked::{Asked, Choice, Key, Kind, Kinds, Like, Limits, Named, Objection, Takes, Value, Written};
+use crate::formula::{Context, Kind as Sort};
 use crate::snippet::nearest;
-use crate::units::Dimension;
-use std::ops::Range;
-use symbolic::SymbolId;
+use crate::units::{Dimension, si_label};
+use plot::{Axis, plots};
 use toml::de::DeValue;
 use words::Notice;
 
-/// A kind of study: its name, the keys that belong to it, how it is read.
-struct Row {
-    name: &'static str,
-    keys: &'static [&'static str],
-    read: for<'a> fn(&mut Reader<'a>, &Fields<'a>) -> Option<StudyKind>,
-}
-
-const KINDS: &[Row] = &[
-    Row { name: "equations", keys: &[], read: |_, _| Some(StudyKind::Equations) },
-    Row { name: "equilibrium", keys: &["guess", "over", "range"], read: equilibrium::read },
-    Row { name: "modes", keys: &["guess", "about", "normalise", "frequency_variable", "over", "range", "points"], read: linear::modes },
-    Row { name: "response", keys: &["guess", "load", "over", "range", "points", "log", "outputs", "shapes"], read: linear::response },
-    Row { name: "simulate", keys: &["until", "every", "at", "tolerance", "method", "outputs", "plot"], read: simulate::read },
-    Row { name: "transient", keys: &["until", "every", "at", "tolerance", "outputs", "plot", "linearise"], read: transient::read },
-    Row { name: "inverse", keys: &["until", "every", "at", "tolerance", "outputs", "plot"], read: inverse::read },
-    Row { name: "statics", keys: &[], read: statics::read },
-    Row { name: "kinematics", keys: &["over", "from", "to", "turns", "points", "rate", "with", "outputs", "plot"], read: kinematics::read },
-    Row {
-        name: "periodic",
-        keys: &["section", "turns", "period", "settle", "unknown", "wanted_period", "every", "at", "tolerance", "outputs", "plot"],
-        read: periodic::read,
-    },
-    Row {
-        name: "cycle",
-        keys: &["angle", "turns", "speed", "period", "unknown", "irregularity", "flywheel", "points", "plot"],
-        read: cycle::read,
-    },
-    Row { name: "sweep", keys: &["over", "observe", "of", "plot"], read: sweep::read },
-];
-
-/// The kinds of studies with the keys that belong to them.
-pub(crate) fn kinds() -> impl Iterator<Item = (&'static str, &'static [&'static str])> {
-    KINDS.iter().map(|row| (row.name, row.keys))
-}
-
 /// The studies, in order.
-pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Study> {
+pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, kinds: &Kinds) -> Vec<Asked> {
     let Some(value) = top.get("study") else { return Vec::new() };
     let DeValue::Array(items) = value.get_ref() else {
         reader.fault(
@@ -75,29 +33,22 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Study> 
             reader.fault(wrong_type(item.span(), "a table", "таблица", item.get_ref().type_str()));
             continue;
         };
-        let fields = Fields::open(reader, &fields::STUDY, table, item.span(), "study".to_owned());
-        if let Some(kind) = study(reader, &fields) {
-            found.push(Study { kind, span: item.span() });
-        }
+        let fields = Fields::open(reader, kinds.spec, table, item.span(), "study".to_owned());
+        found.extend(study(reader, &fields, kinds));
     }
     found
 }
 
-fn study<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
-    let (kind, span) = string(reader, fields.get("kind")?, "a string", "строка")?;
-    if let Some(row) = KINDS.iter().find(|row| row.name == kind) {
-        misplaced(reader, fields, row);
-        return (row.read)(reader, fields);
+fn study<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kinds: &Kinds) -> Option<Asked> {
+    let (name, span) = string(reader, fields.get("kind")?, "a string", "строка")?;
+    if let Some(kind) = kinds.find(&name) {
+        misplaced(reader, fields, (kind, kinds));
+        return Some(asked(reader, fields, kind));
     }
-    let names: Vec<&str> = KINDS.iter().map(|row| row.name).collect();
-    let fault = Notice::piece(
-        "M064",
-        span,
-        format!("unknown study `{}`", super::reader::short(&kind)),
-        format!("неизвестный расчёт `{}`", super::reader::short(&kind)),
-    );
-    let fault = match nearest(&kind, names.iter().copied()) {
-        Some(near) => fault.meant(&kind, near),
+    let names: Vec<&str> = kinds.list.iter().map(|kind| kind.name).collect();
+    let fault = Notice::piece("M064", span, format!("unknown study `{}`", short(&name)), format!("неизвестный расчёт `{}`", short(&name)));
+    let fault = match nearest(&name, names.iter().copied()) {
+        Some(near) => fault.meant(&name, near),
         None => fault.help(format!("known studies: {}", names.join(", ")), format!("известные расчёты: {}", names.join(", "))),
     };
     reader.fault(fault);
@@ -105,10 +56,10 @@ fn study<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> 
 }
 
 /// Keys that belong to another kind of study.
-fn misplaced<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, row: &Row) {
-    for key in fields::STUDY.fields.iter().map(|f| f.key).filter(|key| *key != "kind") {
-        if !row.keys.contains(&key) && fields.has(key) {
-            let kind = row.name;
+fn misplaced<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (kind, kinds): (&Kind, &Kinds)) {
+    for key in kinds.spec.fields.iter().map(|f| f.key).filter(|key| *key != "kind") {
+        if kind.key(key).is_none() && fields.has(key) {
+            let kind = kind.name;
             reader.fault(Notice::piece(
                 "M005",
                 fields.span_of(key),
@@ -119,191 +70,182 @@ fn misplaced<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, row: &Row) {
     }
 }
 
-/// A positive time.
-fn duration<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<f64> {
-    let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::TIME))?;
-    let number = reader.number(&value)?;
-    if number <= 0.0 {
-        reader.fault(Notice::piece(
-            "M065",
-            fields.span_of(key),
-            format!("`{key}` is {number} s; it must be positive"),
-            format!("`{key}` равно {number} с; должно быть положительным"),
-        ));
-        return None;
+/// The values, key by key, and what they contradict.
+fn asked<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kind: &Kind) -> Asked {
+    let mut asked = Asked::new(kind.name);
+    asked.span = fields.span.clone();
+    for key in kind.keys.iter().filter(|key| fields.has(key.name)) {
+        asked.note(key.name);
     }
-    Some(number)
-}
-
-/// A time that may be zero.
-fn waiting<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<f64> {
-    let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::TIME))?;
-    let number = reader.number(&value)?;
-    if number < 0.0 {
-        reader.fault(Notice::piece(
-            "M065",
-            fields.span_of(key),
-            format!("`{key}` is {number} s; it must not be negative"),
-            format!("`{key}` равно {number} с; отрицательным быть не может"),
-        ));
-        return None;
-    }
-    Some(number)
-}
-
-fn tolerance<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> f64 {
-    let Some(value) = fields.formula(reader, "tolerance", &Context::CONSTANT, Some(&Dimension::NONE)) else { return DEFAULT_TOLERANCE };
-    let Some(number) = reader.number(&value) else { return DEFAULT_TOLERANCE };
-    if !(1e-15..=1e-3).contains(&number) {
-        reader.fault(
-            Notice::piece(
-                "M065",
-                fields.span_of("tolerance"),
-                format!("the tolerance is {number:e}; it must lie between 1e-15 and 1e-3"),
-                format!("допустимая погрешность {number:e}; она должна лежать между 1e-15 и 1e-3"),
-            )
-            .why("machine numbers carry 16 digits", "машинные числа несут 16 знаков"),
-        );
-    }
-    number
-}
-
-/// The names under `outputs`.
-fn outputs<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<String> {
-    let listed = fields.get("outputs").map(|v| names(reader, v)).unwrap_or_default();
-    listed.into_iter().filter_map(|(n, span)| known(reader, n, span)).collect()
-}
-
-/// A coordinate named by a key.
-struct Named {
-    name: String,
-    symbol: SymbolId,
-    dimension: Option<Dimension>,
-}
-
-fn coordinate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<Named> {
-    if !fields.has(key) {
-        let path = &fields.path;
-        reader.fault(
-            Notice::piece("M006", fields.span.clone(), format!("{path} lacks `{key}`"), format!("в {path} не хватает `{key}`"))
-                .help(format!("add {key} = \"phi\", the name of a coordinate"), format!("добавьте {key} = \"phi\" — имя координаты")),
-        );
-    }
-    let (name, span) = fields.name(reader, key)?;
-    match reader.scope.get(name.trim()).map(|e| (e.kind, e.dimension)) {
-        Some((EntryKind::Coordinate(symbols), kind)) => {
-            let dimension = if let Kind::Known(d) = kind { Some(d) } else { None };
-            Some(Named { name: name.trim().to_owned(), symbol: symbols[0], dimension })
-        }
-        _ => {
-            let fault = no_coordinate(reader, &name, span);
+    for key in kind.keys {
+        if key.required && !asked.has(key.name) {
+            let fault = lacking(fields, kind, key);
             reader.fault(fault);
-            None
+        }
+        if let Some((other, code)) = key.excluded.filter(|(other, _)| asked.has(key.name) && asked.has(other)) {
+            let key = key.name;
+            let (en, ru) = (format!("both `{other}` and `{key}` are given"), format!("заданы и `{other}`, и `{key}`"));
+            reader.fault(Notice::piece(code, fields.span_of(key), en, ru).help("keep one", "оставьте одно"));
+        }
+        if asked.has(key.name)
+            && let Some(value) = value(reader, fields, (key, &asked))
+        {
+            asked.set(key.name, value);
         }
     }
-}
-
-/// M013 for what must name a coordinate, with the one that may have been meant or those that there are.
-fn no_coordinate(reader: &Reader<'_>, name: &str, span: std::ops::Range<usize>) -> Notice {
-    let shown = super::reader::short(name);
-    let fault = Notice::piece("M013", span, format!("`{shown}` is not a coordinate"), format!("`{shown}` — не координата"));
-    let is_coordinate = |name: &&str| matches!(reader.scope.get(name).map(|e| e.kind), Some(EntryKind::Coordinate(_)));
-    let all: Vec<&str> = reader.scope.names().filter(is_coordinate).collect();
-    let listed = |all: &[&str]| all.iter().take(20).copied().collect::<Vec<_>>().join(", ");
-    match nearest(name, all.iter().copied()) {
-        Some(near) => fault.meant(name, near),
-        None if all.is_empty() => fault.help("the model has no coordinates", "в модели нет координат"),
-        None => fault.help(format!("coordinates: {}", listed(&all)), format!("координаты: {}", listed(&all))),
+    for Objection { code, at, what, why, help } in (kind.check)(&asked) {
+        let span = at.map_or(fields.span.clone(), |key| fields.span_of(key));
+        reader.fault(Notice::piece(code, span, what.en, what.ru).why(why.en, why.ru).help(help.en, help.ru));
     }
+    asked
 }
 
-/// A parameter with a constant value, named by a key.
-fn constant_parameter<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<String> {
-    let (name, span) = fields.name(reader, key)?;
-    let name = name.trim().to_owned();
-    match reader.scope.get(&name).map(|e| (e.kind, e.depends)) {
-        Some((EntryKind::Parameter(_), depends)) if depends.is_constant() => return Some(name),
-        Some((EntryKind::Parameter(_), _)) => reader.fault(
-            Notice::piece("M072", span, format!("`{name}` is not constant"), format!("`{name}` — не постоянная"))
-                .why("what is looked for is one number", "ищется одно число"),
-        ),
-        _ => {
-            let shown = super::reader::short(&name);
-            let fault = Notice::piece("M072", span, format!("there is no parameter `{shown}`"), format!("нет параметра `{shown}`"));
-            let fault = match nearest(&name, reader.scope.names()) {
-                Some(near) => fault.meant(&name, near),
-                None => fault.help("name a constant of [parameters]", "укажите постоянную из [parameters]"),
+fn lacking(fields: &Fields<'_>, kind: &Kind, key: &Key) -> Notice {
+    let (study, name, path) = (kind.name, key.name, &fields.path);
+    if matches!(key.takes, Takes::Coordinate) {
+        let fault = Notice::piece("M006", fields.span.clone(), format!("{path} lacks `{name}`"), format!("в {path} не хватает `{name}`"));
+        return fault
+            .help(format!("add {name} = \"phi\", the name of a coordinate"), format!("добавьте {name} = \"phi\" — имя координаты"));
+    }
+    let (en, ru) = (format!("the study {study} lacks `{name}`"), format!("в расчёте {study} не хватает `{name}`"));
+    let russian = key.example.replace("m/s", "м/с").replace(" s\"", " с\"");
+    Notice::piece("M006", fields.span.clone(), en, ru).help(format!("add {name} = {}", key.example), format!("добавьте {name} = {russian}"))
+}
+
+/// The value of a key; those that stand before it in the kind's list are known.
+fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key, &Asked)) -> Option<Value> {
+    let (name, raw) = (key.name, fields.get(key.name)?);
+    match key.takes {
+        Takes::End | Takes::Duration => times::duration(reader, fields, name).map(Value::Number),
+        Takes::Step => times::step(reader, fields, (name, before.number("until"))).map(Value::Number),
+        Takes::Moments => Some(Value::Numbers(times::moments(reader, raw, before.number("until")))),
+        Takes::Wait => times::waiting(reader, fields, name).map(Value::Number),
+        Takes::Tolerance => times::tolerance(reader, fields, name).map(Value::Number),
+        Takes::Number(limits) => number(reader, fields, (name, limits), Some(&Dimension::NONE)).map(Value::Number),
+        Takes::Quantity(like, limits) => {
+            let dimension = dimension_of(before, like);
+            number(reader, fields, (name, limits), dimension.as_ref()).map(Value::Number)
+        }
+        Takes::Count(code) => count(reader, fields, (name, code)).map(Value::Number),
+        Takes::Flag => flag(reader, fields, name).map(Value::Flag),
+        Takes::Word(choice) => word(reader, fields, (name, choice)).map(Value::Word),
+        Takes::Coordinate => names::coordinate(reader, fields, name).map(Value::Coordinate),
+        Takes::Sought => names::constant_parameter(reader, fields, name).map(Value::Word),
+        Takes::Varied => {
+            let (parameter, span) = fields.name(reader, name)?;
+            frequencies::parameter(reader, &parameter, span).map(|_| Value::Word(parameter))
+        }
+        Takes::Name => fields.name(reader, name).map(|(name, _)| Value::Word(name)),
+        Takes::RangeOf(over) => {
+            let wanted = match before.get(over)? {
+                Value::Coordinate(named) => named.dimension,
+                Value::Word(parameter) => known(reader.scope.get(parameter).map(|e| e.dimension)),
+                _ => None,
             };
-            reader.fault(fault);
+            frequencies::ascending(reader, raw, wanted.as_ref()).map(|ends| Value::Numbers(ends.to_vec()))
         }
+        Takes::FrequencyRange => frequencies::band(reader, raw).map(|ends| Value::Numbers(ends.to_vec())),
+        Takes::Frequencies => Some(Value::Numbers(frequencies::quantities(reader, raw, Some(&Dimension::ANGULAR_RATE)))),
+        Takes::Results => Some(Value::Words(names::outputs(reader, raw))),
+        Takes::Names => Some(Value::Words(repeated::one_or_many(reader, raw))),
+        Takes::Plots => Some(Value::Plots(plots(reader, raw, Axis::Time))),
+        Takes::OwnPlots => Some(Value::Plots(plots(reader, raw, Axis::Over))),
+        Takes::Guess => Some(Value::Guess(names::guess(reader, fields, name))),
+        Takes::Driven(over) => {
+            let over = before.coordinate(over).map(|c| c.symbol);
+            Some(Value::Driven(names::driven_too(reader, fields, (name, over))))
+        }
+        Takes::Section => names::section(reader, fields, name),
+        Takes::Formulas => Some(Value::Formulas(formulas(reader, raw))),
+        Takes::FrequencyVariable => frequencies::variable(reader, fields, name).map(Value::Variable),
+        Takes::Ranges => Some(Value::Ranges(repeated::ranges(reader, raw))),
+        Takes::KindOf(list) => repeated::kind(reader, fields, (name, list)).map(Value::Word),
     }
-    None
 }
 
-/// How many positions a table has.
-fn points<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, usual: usize) -> usize {
-    let Some(value) = fields.formula(reader, "points", &Context::CONSTANT, Some(&Dimension::NONE)) else { return usual };
-    let Some(number) = reader.number(&value) else { return usual };
-    if number.fract() != 0.0 || !(2.0..=1e6).contains(&number) {
+fn known(kind: Option<Sort>) -> Option<Dimension> {
+    if let Some(Sort::Known(dimension)) = kind { Some(dimension) } else { None }
+}
+
+fn dimension_of(before: &Asked, like: Like) -> Option<Dimension> {
+    let of = |key: &str| before.coordinate(key).and_then(|named: &Named| named.dimension);
+    match like {
+        Like::Is(dimension, _) => Some(dimension),
+        Like::Of(key) => of(key),
+        Like::RateOf(key) => of(key).map(|d| d.per_time(1)),
+    }
+}
+
+/// A constant within limits.
+fn number<'a>(
+    reader: &mut Reader<'a>,
+    fields: &Fields<'a>,
+    (key, limits): (&'static str, Limits),
+    wanted: Option<&Dimension>,
+) -> Option<f64> {
+    let value = fields.formula(reader, key, &Context::CONSTANT, wanted)?;
+    let number = reader.number(&value)?;
+    let (within, words) = match limits {
+        Limits::None => return Some(number),
+        Limits::NotZero => (number != 0.0, ("different from 0", "отлично от 0")),
+        Limits::UpToTwo => (number > 0.0 && number < 2.0, ("between 0 and 2", "от 0 до 2")),
+    };
+    if !within {
         reader.fault(Notice::piece(
             "M071",
-            fields.span_of("points"),
-            format!("`points` is {number}; a whole number from 2 to 1000000 is needed"),
-            format!("`points` равно {number}; нужно целое от 2 до 1000000"),
+            fields.span_of(key),
+            format!("`{key}` is {number}; it must be {}", words.0),
+            format!("`{key}` равно {number}; должно быть {}", words.1),
         ));
-        return usual;
     }
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    let points = number as usize;
-    points
+    within.then_some(number)
 }
 
-/// The fault of a number of a study outside its limits.
-fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, value: f64) {
-    let limits = if key == "irregularity" { ("between 0 and 2", "от 0 до 2") } else { ("different from 0", "отлично от 0") };
-    reader.fault(Notice::piece(
-        "M071",
-        fields.span_of(key),
-        format!("`{key}` is {value}; it must be {}", limits.0),
-        format!("`{key}` равно {value}; должно быть {}", limits.1),
-    ));
-}
-
-/// The fault of turns of what is no angle.
-fn angular<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) {
-    reader.fault(
-        Notice::piece("M071", fields.span_of(key), format!("`{key}` needs an angle"), format!("ключу `{key}` нужен угол"))
-            .why("only an angle makes turns", "обороты совершает только угол"),
-    );
-}
-
-/// A name of a result: coordinate with primes, or output.
-fn known(reader: &mut Reader, name: String, span: Range<usize>) -> Option<String> {
-    let base = name.trim_end_matches('\'');
-    let primes = name.len() - base.len();
-    let fits = match reader.scope.get(base).map(|e| e.kind) {
-        Some(EntryKind::Coordinate(_)) => primes <= 1,
-        Some(EntryKind::Output(_)) => primes == 0,
-        _ => false,
-    };
-    let fits = fits || reader.results.contains(&name);
-    if fits {
-        return Some(name);
+/// A whole number from 2 to 1000000.
+fn count<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, code): (&'static str, &'static str)) -> Option<f64> {
+    let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::NONE))?;
+    let number = reader.number(&value)?;
+    if number.fract() != 0.0 || !(2.0..=1e6).contains(&number) {
+        reader.fault(Notice::piece(
+            code,
+            fields.span_of(key),
+            format!("`{key}` is {number}; a whole number from 2 to 1000000 is needed"),
+            format!("`{key}` равно {number}; нужно целое от 2 до 1000000"),
+        ));
+        return None;
     }
-    let fault = Notice::piece(
-        "M066",
-        span,
-        format!("there is no result `{}`", super::reader::short(&name)),
-        format!("нет результата `{}`", super::reader::short(&name)),
-    )
-    .why(
-        "results are coordinates, their rates (phi') and the names in [outputs]",
-        "результаты — это координаты, их скорости (phi') и имена из [outputs]",
-    );
-    let fault = match nearest(base, reader.scope.names()) {
-        Some(near) if near != base => fault.meant(base, near),
-        _ => fault.help("add it to [outputs]", "добавьте её в [outputs]"),
-    };
-    reader.fault(fault);
+    Some(number)
+}
+
+fn flag<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<bool> {
+    let value = fields.get(key)?;
+    let on = value.get_ref().as_bool();
+    if on.is_none() {
+        reader.fault(wrong_type(value.span(), "true or false", "true или false", value.get_ref().type_str()));
+    }
+    on
+}
+
+fn word<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, choice): (&'static str, &Choice)) -> Option<String> {
+    let (word, span) = string(reader, fields.get(key)?, "a string", "строка")?;
+    if choice.words.contains(&word.as_str()) {
+        return Some(word);
+    }
+    let (en, ru) = (choice.unknown.0.replace("{}", &short(&word)), choice.unknown.1.replace("{}", &short(&word)));
+    reader.fault(Notice::piece(choice.code, span, en, ru).help(choice.help.0, choice.help.1));
     None
+}
+
+/// Formulas over coordinates, rates and time, each with its text and the SI label of its value.
+fn formulas<'a>(reader: &mut Reader<'a>, value: &'a super::syntax::Value<'a>) -> Vec<Written> {
+    let listed = names(reader, value);
+    let items = value.get_ref().as_array().map(|items| items.iter().collect::<Vec<_>>()).unwrap_or_default();
+    let mut found = Vec::new();
+    for ((text, _), item) in listed.into_iter().zip(items) {
+        let Some(raw) = reader.raw(item) else { continue };
+        let checked = reader.value(&raw, &Context::MOTION, None);
+        let unit = known(Some(checked.kind)).map_or_else(String::new, |d| si_label(&d));
+        found.extend(checked.good.then(|| Written { text: text.trim().to_owned(), formula: checked.expr, unit }));
+    }
+    found
 }

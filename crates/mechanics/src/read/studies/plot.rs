@@ -1,6 +1,6 @@
 //! `plot = [...]` of a study.
 
-use super::known;
+use super::names::known;
 use crate::fields;
 use crate::model::Plot;
 use crate::read::parameters::names;
@@ -19,13 +19,8 @@ pub(super) enum Axis {
     Over,
 }
 
-/// Plots over time.
-pub(super) fn plots<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Vec<Plot> {
-    plots_over(reader, value, Axis::Time)
-}
-
 /// Plots of a study.
-pub(super) fn plots_over<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, axis: Axis) -> Vec<Plot> {
+pub(super) fn plots<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, axis: Axis) -> Vec<Plot> {
     let Some(items) = value.get_ref().as_array() else {
         reader.fault(
             wrong_type(value.span(), "an array of plots", "массив графиков", value.get_ref().type_str())

@@ -1,8 +1,7 @@
-//! The study `sweep`: another study repeated over values of parameters.
+//! What a study is repeated over, and which study that is.
 
-use super::plot::{Axis, plots_over};
 use crate::formula::{EntryKind, Kind};
-use crate::model::{StudyKind, Sweep, SweepRange};
+use crate::model::SweepRange;
 use crate::read::parameters::names;
 use crate::read::ranges;
 use crate::read::reader::{Fields, Reader, short, string};
@@ -11,45 +10,33 @@ use crate::snippet::nearest;
 use crate::units::Dimension;
 use words::Notice;
 
-/// What a study may be repeated.
-const REPEATED: [&str; 6] = ["equilibrium", "simulate", "inverse", "statics", "periodic", "cycle"];
-
-pub(super) fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<StudyKind> {
-    let value = fields.get("over");
-    if value.is_none() {
-        reader.fault(
-            Notice::piece("M006", fields.span.clone(), "the study sweep lacks `over`", "в расчёте sweep не хватает `over`")
-                .help("add over = \"v=linspace(1 m/s, 3 m/s, 21)\"", "добавьте over = \"v=linspace(1 м/с, 3 м/с, 21)\""),
-        );
-    }
-    let items: Vec<&Value> = match value.map(|v| (v, v.get_ref().as_array())) {
-        Some((_, Some(items))) => items.iter().collect(),
-        Some((one, None)) => vec![one],
-        None => Vec::new(),
-    };
-    let over: Vec<SweepRange> = items.into_iter().filter_map(|item| range(reader, item)).collect();
-    let observe = fields.get("observe").map(|v| one_or_many(reader, v)).unwrap_or_default();
-    let of = fields.name(reader, "of").and_then(|(kind, span)| repeated(reader, kind, span));
-    let plots = fields.get("plot").map(|v| plots_over(reader, v, Axis::Over)).unwrap_or_default();
-    (!over.is_empty()).then_some(StudyKind::Sweep(Sweep { over, observe, of, plots }))
-}
-
-fn one_or_many<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Vec<String> {
+/// Names, or one.
+pub(super) fn one_or_many<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Vec<String> {
     if value.get_ref().as_str().is_some() {
         return string(reader, value, "a name", "имя").map(|(name, _)| vec![name]).unwrap_or_default();
     }
     names(reader, value).into_iter().map(|(name, _)| name).collect()
 }
 
-fn repeated(reader: &mut Reader, kind: String, span: std::ops::Range<usize>) -> Option<String> {
-    if REPEATED.contains(&kind.as_str()) {
+/// The name of a kind of study, one of a list.
+pub(super) fn kind<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, list): (&'static str, &[&str])) -> Option<String> {
+    let (kind, span) = fields.name(reader, key)?;
+    if list.contains(&kind.as_str()) {
         return Some(kind);
     }
     let shown = short(&kind);
     let fault = Notice::piece("M064", span, format!("no study `{shown}` can be repeated"), format!("расчёт `{shown}` повторять нельзя"));
-    let list = REPEATED.join(", ");
+    let list = list.join(", ");
     reader.fault(fault.help(format!("studies to repeat: {list}"), format!("повторять можно: {list}")));
     None
+}
+
+/// Values of parameters, starts and starting rates.
+pub(super) fn ranges<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Vec<SweepRange> {
+    match value.get_ref().as_array() {
+        Some(items) => items.iter().filter_map(|item| range(reader, item)).collect(),
+        None => range(reader, value).into_iter().collect(),
+    }
 }
 
 fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Option<SweepRange> {

@@ -1,0 +1,131 @@
+//! Ranges, frequencies and the unknown of a frequency equation.
+
+use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind};
+use crate::model::FrequencyVariable;
+use crate::read::reader::{Fields, Reader, short, wrong_type};
+use crate::read::syntax::Value;
+use crate::snippet::nearest;
+use crate::units::Dimension;
+use std::f64::consts::TAU;
+use std::ops::Range;
+use symbolic::Rational;
+use words::Notice;
+
+/// Names that may stand for the frequency in `frequency_variable`; the first that the model does not use otherwise is meant.
+const FREQUENCIES: [&str; 3] = ["k", "omega", "ω"];
+
+/// `frequency_variable = { z = "m*l^3*k^2/(72*E*I)" }`.
+pub(super) fn variable<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<FrequencyVariable> {
+    let rows = fields.rows(reader, key);
+    let (name, _, value) = rows.first()?;
+    let name = (*name).to_owned();
+    let raw = reader.raw(value)?;
+    let used: Vec<String> = raw.formula.as_ref().map(|f: &Formula| f.names().map(|(n, _)| n.to_owned()).collect()).unwrap_or_default();
+    let free = FREQUENCIES.iter().find(|f| reader.scope.get(f).is_none() && used.iter().any(|u| u == *f));
+    let Some(frequency) = free else {
+        reader.fault(no_frequency(value.span()));
+        return None;
+    };
+    let symbol = reader.builder.graph.symbol_id(frequency, 0);
+    let entry = Entry { kind: EntryKind::Parameter(symbol), dimension: Kind::Known(Dimension::ANGULAR_RATE), depends: Depends::TIME };
+    reader.scope.declare(frequency, entry);
+    let checked = reader.value(&raw, &Context::TIME, None);
+    if !checked.good {
+        return None;
+    }
+    let graph = &mut reader.builder.graph;
+    let omega = graph.symbol(symbol);
+    let inverse = graph.pow(omega, &Rational::from(-2));
+    let factor = graph.mul(checked.expr, inverse);
+    if graph.contains(factor, |s| s == symbol) || graph.is_zero(factor) {
+        reader.fault(no_frequency(value.span()));
+        return None;
+    }
+    Some(FrequencyVariable { name, factor })
+}
+
+fn no_frequency(span: Range<usize>) -> Notice {
+    Notice::piece("M091", span, "this is no multiple of the squared frequency", "это не квадрат частоты с множителем")
+        .why(
+            "the frequency is written k, or omega where k is the name of something else, and must occur squared",
+            "частота обозначается k, а если имя k занято — omega, и входит в квадрате",
+        )
+        .help("write frequency_variable = { z = \"m*k^2/c\" }", "напишите frequency_variable = { z = \"m*k^2/c\" }")
+}
+
+/// Two quantities, the first smaller.
+pub(super) fn ascending<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dimension>) -> Option<[f64; 2]> {
+    let [from, to] = range(reader, value, wanted)?;
+    if to <= from {
+        reader.fault(bad_range(value.span(), from, to));
+    }
+    (to > from).then_some([from, to])
+}
+
+/// Two frequencies, the first smaller and not negative, rad/s.
+pub(super) fn band<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Option<[f64; 2]> {
+    let [from, to] = range(reader, value, Some(&Dimension::ANGULAR_RATE))?;
+    if from < 0.0 || to <= from {
+        reader.fault(bad_range(value.span(), from, to));
+    }
+    Some([from, to])
+}
+
+/// A parameter with a number, and its dimension.
+pub(super) fn parameter(reader: &mut Reader, name: &str, span: Range<usize>) -> Option<Option<Dimension>> {
+    if let Some(Entry { kind: EntryKind::Parameter(_), dimension, depends }) = reader.scope.get(name)
+        && depends.is_constant()
+    {
+        return Some(if let Kind::Known(d) = dimension { Some(*d) } else { None });
+    }
+    let fault = Notice::piece("M092", span, format!("`{}` is not a parameter", short(name)), format!("`{}` — не параметр", short(name)))
+        .why("what is changed step by step must be a constant parameter", "шаг за шагом можно менять только постоянный параметр");
+    let fault = match nearest(name, reader.scope.names()) {
+        Some(near) if near != name => fault.meant(name, near),
+        _ => fault.help("name a row of [parameters]", "укажите имя из [parameters]"),
+    };
+    reader.fault(fault);
+    None
+}
+
+fn bad_range(span: Range<usize>, from: f64, to: f64) -> Notice {
+    Notice::piece("M093", span, format!("the range {from} ... {to} has no meaning"), format!("диапазон {from} ... {to} не имеет смысла"))
+        .why("it must ascend, and frequencies are not negative", "границы должны возрастать, а частоты неотрицательны")
+        .help("write range = [\"1 rad/s\", \"100 rad/s\"]", "напишите range = [\"1 рад/с\", \"100 рад/с\"]")
+}
+
+/// Two quantities.
+fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dimension>) -> Option<[f64; 2]> {
+    let list = quantities(reader, value, wanted);
+    if let [from, to] = list[..] {
+        return Some([from, to]);
+    }
+    let n = value.get_ref().as_array().map_or(0, |a| a.len());
+    if n != 2 {
+        reader.fault(
+            Notice::piece("M093", value.span(), format!("a range has two ends, {n} given"), format!("у диапазона две границы, дано: {n}"))
+                .help("write range = [\"1 rad/s\", \"100 rad/s\"]", "напишите range = [\"1 рад/с\", \"100 рад/с\"]"),
+        );
+    }
+    None
+}
+
+/// Quantities; periods per second become radians per second where these are wanted.
+pub(super) fn quantities<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, wanted: Option<&Dimension>) -> Vec<f64> {
+    let Some(items) = value.get_ref().as_array() else {
+        reader.fault(wrong_type(value.span(), "an array of quantities", "массив величин", value.get_ref().type_str()));
+        return Vec::new();
+    };
+    let mut found = Vec::with_capacity(items.len());
+    for item in items.iter() {
+        let Some(raw) = reader.raw(item) else { continue };
+        // a frequency may be given either way here: without the angle nothing is complained of
+        let angular = wanted.is_some_and(Dimension::is_angular);
+        let plain = wanted.map(Dimension::without_angle);
+        let checked = reader.value(&raw, &Context::CONSTANT, if angular { plain.as_ref() } else { wanted });
+        let periods = angular && matches!(checked.kind, Kind::Known(d) if d.lacks_radians());
+        let number = reader.number(&checked);
+        found.extend(number.map(|v| if periods { TAU * v } else { v }));
+    }
+    found
+}

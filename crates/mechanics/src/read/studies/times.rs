@@ -1,0 +1,114 @@
+//! Times and tolerances of a study.
+
+use crate::formula::Context;
+use crate::read::reader::{Fields, Reader, wrong_type};
+use crate::read::syntax::Value;
+use crate::units::Dimension;
+use words::Notice;
+
+/// More rows than this do not fit a useful result.
+const MAX_ROWS: f64 = 1e7;
+
+/// A positive time.
+pub(super) fn duration<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<f64> {
+    let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::TIME))?;
+    let number = reader.number(&value)?;
+    if number <= 0.0 {
+        reader.fault(Notice::piece(
+            "M065",
+            fields.span_of(key),
+            format!("`{key}` is {number} s; it must be positive"),
+            format!("`{key}` равно {number} с; должно быть положительным"),
+        ));
+        return None;
+    }
+    Some(number)
+}
+
+/// A time that may be zero.
+pub(super) fn waiting<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<f64> {
+    let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::TIME))?;
+    let number = reader.number(&value)?;
+    if number < 0.0 {
+        reader.fault(Notice::piece(
+            "M065",
+            fields.span_of(key),
+            format!("`{key}` is {number} s; it must not be negative"),
+            format!("`{key}` равно {number} с; отрицательным быть не может"),
+        ));
+        return None;
+    }
+    Some(number)
+}
+
+pub(super) fn tolerance<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<f64> {
+    let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::NONE))?;
+    let number = reader.number(&value)?;
+    if !(1e-15..=1e-3).contains(&number) {
+        reader.fault(
+            Notice::piece(
+                "M065",
+                fields.span_of(key),
+                format!("the tolerance is {number:e}; it must lie between 1e-15 and 1e-3"),
+                format!("допустимая погрешность {number:e}; она должна лежать между 1e-15 и 1e-3"),
+            )
+            .why("machine numbers carry 16 digits", "машинные числа несут 16 знаков"),
+        );
+    }
+    Some(number)
+}
+
+/// A step of time; up to the end it makes not more rows than fit.
+pub(super) fn step<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, until): (&'static str, Option<f64>)) -> Option<f64> {
+    let step = duration(reader, fields, key)?;
+    if let Some(rows) = until.map(|end| end / step).filter(|rows| *rows > MAX_ROWS) {
+        reader.fault(
+            Notice::piece(
+                "M067",
+                fields.span_of(key),
+                format!("{rows:.0} rows of results; the limit is {MAX_ROWS:.0}"),
+                format!("строк результата: {rows:.0}; предел {MAX_ROWS:.0}"),
+            )
+            .why("the table would not fit in memory", "таблица не поместится в память")
+            .help("take a larger step", "возьмите больший шаг"),
+        );
+    }
+    Some(step)
+}
+
+/// Ascending times up to the end.
+pub(super) fn moments<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>, until: Option<f64>) -> Vec<f64> {
+    let Some(items) = value.get_ref().as_array() else {
+        reader.fault(wrong_type(value.span(), "an array of times", "массив моментов времени", value.get_ref().type_str()));
+        return Vec::new();
+    };
+    let mut found: Vec<f64> = Vec::new();
+    for item in items.iter() {
+        let Some(raw) = reader.raw(item) else { continue };
+        let time = reader.value(&raw, &Context::CONSTANT, Some(&Dimension::TIME));
+        let Some(t) = reader.number(&time) else { continue };
+        if found.last().is_some_and(|last| t <= *last) || t < 0.0 {
+            reader.fault(Notice::piece(
+                "M065",
+                item.span(),
+                "times must ascend and not be negative",
+                "моменты времени должны возрастать и быть неотрицательными",
+            ));
+            return found;
+        }
+        if until.is_some_and(|end| t > end) {
+            reader.fault(
+                Notice::piece(
+                    "M065",
+                    item.span(),
+                    format!("{t} s lies after the end of the motion"),
+                    format!("{t} с — позже конца движения"),
+                )
+                .help("enlarge `until`", "увеличьте `until`"),
+            );
+            return found;
+        }
+        found.push(t);
+    }
+    found
+}

@@ -1,0 +1,305 @@
+//! Options of a study on the command line, made of its keys; and their values, read as the keys say.
+
+use crate::quantities;
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, value_parser};
+use mechanics::asked::{Asked, Key, Like, Named, Takes, Value, Way};
+use mechanics::units::{Dimension, parse_unit};
+use std::path::PathBuf;
+use strutt::pipeline::Machine;
+use strutt::studies::{Extra, Study, TABLE};
+use strutt::{Failure, plan};
+use words::Language;
+
+/// `strutt NAME` of every study, in the order of the table.
+pub fn commands(language: Language) -> impl Iterator<Item = Command> {
+    TABLE.iter().filter(|study| study.has_command()).map(move |study| command(*study, language))
+}
+
+fn command(study: &dyn Study, language: Language) -> Command {
+    let kind = study.kind();
+    let mut command = crate::args::Model::augment_args(Command::new(kind.name).about(language.pick(kind.about.0, kind.about.1)));
+    let keys: Vec<&Key> = kind.keys.iter().chain(study.inner()).collect();
+    for key in &keys {
+        command = command.args(option(key, &keys, language));
+    }
+    let out = ("Also write tables, plots and a page into this folder", "Записать также таблицы, графики и страницу в эту папку");
+    let out = Arg::new("out").long("out").value_name("DIR").value_parser(value_parser!(PathBuf)).help(language.pick(out.0, out.1));
+    command.arg(out).args(study.extras().iter().map(|extra| bare(*extra, language)))
+}
+
+fn bare(extra: Extra, language: Language) -> Arg {
+    let (name, (en, ru)) = match extra {
+        Extra::HalveTolerance => (
+            "halve_tolerance",
+            (
+                "Compute each motion once more with half the tolerance and show the difference",
+                "Повторить каждый расчёт с вдвое меньшей допустимой погрешностью шага и показать расхождение",
+            ),
+        ),
+        Extra::Check => (
+            "check",
+            (
+                "Compute the motion once more with other steps and show which digits hold",
+                "Повторить расчёт с другими шагами и показать, какие цифры верны",
+            ),
+        ),
+        Extra::Events => (
+            "events",
+            (
+                "Rows at the named events and switches instead of the times",
+                "Строки в моменты именованных событий и переключений вместо моментов таблицы",
+            ),
+        ),
+        Extra::Switches => (
+            "switches",
+            (
+                "Also rows at every switch, just before and just after it",
+                "Также строки при каждом переключении, непосредственно до и после него",
+            ),
+        ),
+    };
+    let arg = Arg::new(name).long(name.replace('_', "-")).action(ArgAction::SetTrue).help(language.pick(en, ru));
+    if extra == Extra::Events { arg.conflicts_with("switches") } else { arg }
+}
+
+/// The name of a key's option.
+fn name_of(key: &Key) -> &'static str {
+    key.option.and_then(|line| line.name).unwrap_or(key.name)
+}
+
+/// `--name` as a user writes it.
+fn dashed(key: &Key) -> String {
+    format!("--{}", name_of(key).replace('_', "-"))
+}
+
+/// The option of a key among others: it refers to none that is not there.
+fn option(key: &Key, among: &[&Key], language: Language) -> Option<Arg> {
+    let line = key.option?;
+    let name = name_of(key);
+    let arg = Arg::new(name).long(name.replace('_', "-")).help(language.pick(line.help.0, line.help.1));
+    let there = |other: &str| among.iter().any(|key| key.option.is_some() && name_of(key) == other);
+    let arg = line.needs.iter().filter(|other| there(other)).fold(arg, |arg, other| arg.requires(*other));
+    let arg = key.excluded.iter().filter(|(other, _)| there(other)).fold(arg, |arg, (other, _)| arg.conflicts_with(*other));
+    if line.sets.is_some() {
+        return Some(arg.action(ArgAction::SetTrue));
+    }
+    let arg = match metavar(key.takes) {
+        "" => arg,
+        word => arg.value_name(word),
+    };
+    Some(match key.takes {
+        Takes::Flag => arg.action(ArgAction::SetTrue),
+        Takes::Word(choice) => arg.value_parser(PossibleValuesParser::new(choice.words)),
+        Takes::Count(_) => arg.value_parser(value_parser!(usize)),
+        Takes::Guess => arg.action(ArgAction::Append),
+        Takes::Ranges => arg.action(ArgAction::Append).allow_hyphen_values(true),
+        Takes::Results | Takes::Names => arg.action(ArgAction::Append).value_delimiter(','),
+        Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Name | Takes::KindOf(_) => arg,
+        _ => arg.allow_hyphen_values(true),
+    })
+}
+
+/// What stands for a value in help.
+fn metavar(takes: Takes) -> &'static str {
+    match takes {
+        Takes::End | Takes::Step | Takes::Duration | Takes::Wait => "TIME",
+        Takes::Moments => "T1,T2,...",
+        Takes::Number(_) | Takes::Tolerance => "NUMBER",
+        Takes::Count(_) => "N",
+        Takes::Quantity(..) => "QUANTITY",
+        Takes::Word(choice) => choice.metavar,
+        Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Name => "NAME",
+        Takes::RangeOf(_) | Takes::FrequencyRange => "FROM,TO",
+        Takes::Frequencies => "W1,W2,...",
+        Takes::Results | Takes::Names | Takes::Formulas => "A,B,...",
+        Takes::Guess | Takes::Driven(_) | Takes::FrequencyVariable => "NAME=QUANTITY",
+        Takes::Section => "FORMULA",
+        Takes::Ranges => "RANGE",
+        Takes::KindOf(_) => "STUDY",
+        Takes::Flag | Takes::Plots | Takes::OwnPlots => "",
+    }
+}
+
+/// Options with their values as texts.
+pub struct Line<'a> {
+    study: &'a dyn Study,
+    matches: &'a ArgMatches,
+}
+
+impl<'a> Line<'a> {
+    /// The options of a study.
+    pub fn new(study: &'a dyn Study, matches: &'a ArgMatches) -> Line<'a> {
+        Line { study, matches }
+    }
+
+    /// Keys whose options are there.
+    fn given(&self) -> Vec<&'static Key> {
+        let keys = self.study.kind().keys.iter().chain(self.study.inner());
+        keys.filter(|key| key.option.is_some() && self.texts(key).is_some()).collect()
+    }
+
+    fn texts(&self, key: &Key) -> Option<Vec<String>> {
+        let name = name_of(key);
+        if key.option?.sets.is_some() || matches!(key.takes, Takes::Flag) {
+            return self.matches.get_flag(name).then(Vec::new);
+        }
+        if matches!(key.takes, Takes::Count(_)) {
+            return self.matches.get_one::<usize>(name).map(|n| vec![n.to_string()]);
+        }
+        self.matches.get_many::<String>(name).map(|texts| texts.cloned().collect())
+    }
+
+    /// The study that the command line writes behind the file, when it begins one: so its formulas are read and checked as those of the file are.
+    pub fn written(&self) -> Option<String> {
+        let given = self.given();
+        let way = |key: &Key| key.option.map(|line| line.way);
+        if !given.iter().any(|key| way(key) == Some(Way::Begins)) {
+            return None;
+        }
+        let mut text = row("kind", self.study.kind().name);
+        for key in given.into_iter().filter(|key| way(key) != Some(Way::Instead)) {
+            text += &written(key, &self.texts(key).unwrap_or_default());
+        }
+        Some(text)
+    }
+
+    /// The values in place of those of the file; `of` is the study they are for, `fresh` whether the command line writes it itself.
+    ///
+    /// # Errors
+    /// A value is none (C009), a result does not exist (C008).
+    pub fn values(&self, machine: &Machine, (of, fresh): (&Asked, bool)) -> Result<Asked, Failure> {
+        let mut asked = Asked::new(self.study.kind().name);
+        for key in self.given() {
+            if fresh && key.option.is_some_and(|line| line.way != Way::Instead) {
+                continue;
+            }
+            let texts = self.texts(key).unwrap_or_default();
+            let own = self.study.own_columns(machine, of);
+            let value = Reading { machine, own: &own, of, before: &asked }.value(key, &texts)?;
+            asked.set(key.name, value);
+        }
+        Ok(asked)
+    }
+}
+
+/// A row `key = "value"` of a study, quoted for TOML.
+fn row(key: &str, value: &str) -> String {
+    format!("{key} = {}\n", toml_string(value))
+}
+
+/// The row of a key as a file would have it.
+fn written(key: &Key, texts: &[String]) -> String {
+    let list = || format!("[{}]", texts.iter().map(|t| toml_string(t.trim())).collect::<Vec<_>>().join(", "));
+    let first = texts.first().map_or("", String::as_str);
+    match key.takes {
+        Takes::Ranges | Takes::Names | Takes::Results | Takes::Formulas => format!("{} = {}\n", key.name, list()),
+        Takes::Count(_) => format!("{} = {first}\n", key.name),
+        Takes::End | Takes::Step | Takes::Duration | Takes::Wait => row(key.name, &quantities::with_unit(first, "s")),
+        Takes::Quantity(Like::Is(_, unit), _) => row(key.name, &quantities::with_unit(first, unit)),
+        _ => row(key.name, key.option.and_then(|line| line.sets).unwrap_or(first)),
+    }
+}
+
+/// A basic string of TOML.
+fn toml_string(text: &str) -> String {
+    let escaped: String = text
+        .chars()
+        .map(|c| match c {
+            '"' => "\\\"".to_owned(),
+            '\\' => "\\\\".to_owned(),
+            c if c.is_control() => format!("\\u{:04X}", u32::from(c)),
+            c => c.to_string(),
+        })
+        .collect();
+    format!("\"{escaped}\"")
+}
+
+/// What a value may refer to.
+struct Reading<'a> {
+    machine: &'a Machine,
+    /// Columns that only the study knows.
+    own: &'a [String],
+    /// The study as it stands without the command line.
+    of: &'a Asked,
+    /// What stands before it on the command line.
+    before: &'a Asked,
+}
+
+impl Reading<'_> {
+    fn value(&self, key: &Key, texts: &[String]) -> Result<Value, Failure> {
+        let (option, text) = (dashed(key), texts.first().map_or("", String::as_str));
+        let option = option.as_str();
+        Ok(match key.takes {
+            Takes::End => Value::Number(quantities::end(option, text)?),
+            Takes::Step => Value::Number(quantities::step(option, text)?),
+            Takes::Duration => Value::Number(quantities::positive(option, text)?),
+            Takes::Wait => Value::Number(quantities::duration(option, text)?),
+            Takes::Moments => Value::Numbers(quantities::times(option, text)?),
+            Takes::Number(_) => Value::Number(quantities::number(option, text)?),
+            Takes::Tolerance => Value::Number(quantities::tolerance(option, text)?),
+            Takes::Count(_) => {
+                let points = text.parse().map_or(Ok(0), |points| quantities::positions(option, points))?;
+                Value::Number(points as f64)
+            }
+            Takes::Quantity(like, _) => Value::Number(quantities::quantity(option, text, &self.dimension(like))?),
+            Takes::Flag => Value::Flag(true),
+            Takes::Coordinate => Value::Coordinate(self.coordinate(option, text)?),
+            Takes::RangeOf(over) => Value::Numbers(self.range(over, text)?),
+            Takes::FrequencyRange => Value::Numbers(band(option, text)?),
+            Takes::Frequencies => Value::Numbers(quantities::frequencies(option, text)?),
+            Takes::Results => Value::Words(self.results(texts)?),
+            Takes::Names => Value::Words(trimmed(texts)),
+            Takes::Guess => Value::Guess(quantities::guess(texts, self.machine)?),
+            _ => Value::Word(key.option.and_then(|line| line.sets).unwrap_or(text).to_owned()),
+        })
+    }
+
+    fn named(&self, key: &str) -> Option<&Value> {
+        self.before.get(key).or_else(|| self.of.get(key))
+    }
+
+    fn dimension(&self, like: Like) -> Dimension {
+        let of = |key: &str| if let Some(Value::Coordinate(named)) = self.named(key) { named.dimension } else { None };
+        match like {
+            Like::Is(dimension, _) => dimension,
+            Like::Of(key) => of(key).unwrap_or(Dimension::NONE),
+            Like::RateOf(key) => of(key).unwrap_or(Dimension::NONE).per_time(1),
+        }
+    }
+
+    fn coordinate(&self, option: &str, name: &str) -> Result<Named, Failure> {
+        let found = self.machine.model.coordinates.iter().find(|c| c.name == name);
+        let found = found.ok_or_else(|| quantities::no_coordinate(option, name, self.machine))?;
+        Ok(Named { name: name.to_owned(), symbol: found.symbols[0], dimension: parse_unit(&found.units[0]).ok().map(|u| u.dimension) })
+    }
+
+    fn range(&self, over: &str, text: &str) -> Result<Vec<f64>, Failure> {
+        Ok(match self.named(over) {
+            Some(Value::Coordinate(named)) => quantities::between(&named.name, text, self.machine)?,
+            Some(Value::Word(name)) => quantities::parameter_range(name, text, self.machine)?,
+            _ => [0.0, 0.0],
+        }
+        .to_vec())
+    }
+
+    fn results(&self, texts: &[String]) -> Result<Vec<String>, Failure> {
+        let names = trimmed(texts);
+        let others: Vec<String> = names.iter().filter(|name| !self.own.contains(name)).cloned().collect();
+        plan::known_columns(&others, &self.machine.equations)?;
+        Ok(names)
+    }
+}
+
+fn trimmed(texts: &[String]) -> Vec<String> {
+    texts.iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect()
+}
+
+/// Two frequencies.
+fn band(option: &str, text: &str) -> Result<Vec<f64>, Failure> {
+    let ends = quantities::frequencies(option, text)?;
+    match ends[..] {
+        [from, to] if to > from => Ok(ends),
+        _ => Err(quantities::no_band(option, text)),
+    }
+}

@@ -1,0 +1,90 @@
+//! Keys that several studies share.
+
+use mechanics::asked::{Choice, Key, Takes};
+
+/// End of a motion.
+pub const UNTIL: Key = Key::new("until", Takes::End, ("end of the motion", "конец движения"), "\"30 s\"")
+    .required()
+    .option("End of the motion: 30, 30s, \"2 min\"", "Конец движения: 30, 30с, \"2 мин\"");
+
+/// Step of the results.
+pub const EVERY: Key = Key::new("every", Takes::Step, ("step of the results", "шаг вывода результатов"), "\"10 ms\"")
+    .option("Results at equal intervals", "Результаты через равные промежутки времени");
+
+/// Times of the results.
+pub const AT: Key = Key::new(
+    "at",
+    Takes::Moments,
+    ("times of the results, ascending, instead of `every`", "моменты вывода по возрастанию, вместо `every`"),
+    "[\"1 s\", \"2 s\"]",
+)
+.not_with("every", "M065")
+.option("Results exactly at these times: 0,0.5,10", "Результаты точно в эти моменты: 0,0.5,10 (или \"0;0,5;10\")");
+
+/// Tolerance of the integrator.
+pub const TOLERANCE: Key = Key::new("tolerance", Takes::Tolerance, ("relative tolerance of a step", "относительная точность шага"), "1e-9")
+    .default("1e-12", "1e-12")
+    .option("Relative tolerance of a step, 1e-15 ... 1e-3", "Допустимая относительная погрешность шага, 1e-15 ... 1e-3");
+
+/// Tolerance of a motion, with its default in the help.
+pub const TOLERANCE_OF_MOTION: Key = TOLERANCE.option(
+    "Relative tolerance of a step, 1e-15 ... 1e-3 [default: 1e-12]",
+    "Допустимая относительная погрешность шага, 1e-15 ... 1e-3 [по умолчанию: 1e-12]",
+);
+
+/// Methods of integration.
+pub const METHODS: Choice = Choice {
+    words: &["auto", "taylor", "stiff"],
+    metavar: "METHOD",
+    code: "M065",
+    unknown: ("unknown method `{}`", "неизвестный метод `{}`"),
+    help: ("auto, taylor or stiff", "auto, taylor или stiff"),
+};
+
+/// How a motion is integrated.
+pub const METHOD: Key = Key::new(
+    "method",
+    Takes::Word(&METHODS),
+    (
+        "how the motion is integrated: taylor (Taylor series), stiff (implicit, for damping that is fast beside the motion), auto (whichever is worth while)",
+        "как интегрируется движение: taylor (ряды Тейлора), stiff (неявный метод для затухания, быстрого по сравнению с движением), auto (что выгоднее)",
+    ),
+    "\"stiff\"",
+)
+.default("\"auto\"", "\"auto\"")
+.option(
+    "How the motion is integrated [default: auto]",
+    "Как интегрируется движение: ряды Тейлора, неявный метод или что выгоднее [по умолчанию: auto]",
+);
+
+/// Columns.
+pub const OUTPUTS: Key =
+    Key::new("outputs", Takes::Results, ("results wanted; all without it", "нужные результаты; без ключа — все"), "[\"phi\", \"omega_p\"]")
+        .option("Columns by name, in this order: phi,phi',omega_p", "Столбцы по именам, в этом порядке: phi,phi',omega_p");
+
+/// Plots over time.
+pub const PLOT: Key = Key::new(
+    "plot",
+    Takes::Plots,
+    ("plots: a name, several names in one, or an x-y plot", "графики: имя, несколько имён вместе или график x-y"),
+    "[\"phi'\", { x = \"x\", y = [\"y\"] }]",
+);
+
+/// Plots over what the study goes over.
+pub const OWN_PLOT: Key = Key { takes: Takes::OwnPlots, ..PLOT };
+
+/// Where rest is looked for.
+pub const GUESS: Key =
+    Key::new("guess", Takes::Guess, ("where to look for the equilibrium", "откуда искать положение равновесия"), "{ phi = \"0.1 rad\" }")
+        .default("start", "начальное значение")
+        .option("Where to look for the equilibrium: phi=0.1", "Откуда искать положение равновесия: phi=0.1");
+
+/// Number of positions of a turn; one a degree without it.
+pub const POINTS: Key =
+    Key::new("points", Takes::Count("M071"), ("number of positions, both ends included", "число положений вместе с обоими концами"), "73")
+        .default("361", "361");
+
+/// Ordinary motion before a search.
+pub const SETTLE: Key = Key::new("settle", Takes::Wait, ("ordinary motion before the search", "обычное движение перед поиском"), "\"5 s\"")
+    .default("0", "0")
+    .option("Ordinary motion before the search", "Обычное движение перед поиском");

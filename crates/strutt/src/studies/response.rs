@@ -1,0 +1,114 @@
+//! The study `response`: forced oscillations over the frequency of periodic loads.
+
+use super::keys::{GUESS, OUTPUTS};
+use super::{Alone, Found, Study};
+use crate::finite::checked;
+use crate::pipeline::{Finding, Machine};
+use crate::watch::Watch;
+use crate::wording::Word;
+use mechanics::asked::{Asked, Key, Kind, Takes};
+use symbolic::SymbolId;
+
+/// Forced oscillations over the frequency of a harmonic load.
+#[derive(Clone, Debug, Default)]
+pub struct Response {
+    /// Where to look for the equilibrium, SI.
+    pub guess: Vec<(SymbolId, f64)>,
+    /// The load, by name: a force, a torque, or a coordinate for a unit load on it. Otherwise the harmonic loads of the file.
+    pub load: Option<String>,
+    /// The parameter that is the frequency; otherwise the one that occurs as such in the loads.
+    pub frequency: Option<String>,
+    /// Frequencies from and to, rad/s; found from the natural frequencies when absent.
+    pub range: Option<[f64; 2]>,
+    /// Number of frequencies.
+    pub points: Option<usize>,
+    /// Logarithmic axes.
+    pub log: bool,
+    /// Outputs wanted, by name; the coordinates and the user's outputs when empty.
+    pub outputs: Vec<String>,
+    /// Frequencies at which the shape of the forced motion is shown, rad/s.
+    pub shapes: Vec<f64>,
+}
+
+impl Response {
+    /// The response that is asked for.
+    pub fn of(asked: &Asked) -> Response {
+        Response {
+            guess: asked.guess().to_vec(),
+            load: asked.word("load").map(str::to_owned),
+            frequency: asked.word("over").map(str::to_owned),
+            range: asked.numbers("range").and_then(|ends| ends.try_into().ok()),
+            points: asked.count("points"),
+            log: asked.flag("log"),
+            outputs: asked.words("outputs").to_vec(),
+            shapes: asked.numbers("shapes").unwrap_or_default().to_vec(),
+        }
+    }
+}
+
+/// The study.
+pub struct Forced;
+
+static KIND: Kind = Kind::new(
+    "response",
+    ("Find forced oscillations over the frequency of a load", "Рассчитать вынужденные колебания в зависимости от частоты нагрузки"),
+)
+.keys(&[
+    GUESS,
+    Key::new(
+        "load",
+        Takes::Name,
+        (
+            "load of the response: a force or torque, or a coordinate for a unit load; the harmonic loads of the file without it",
+            "нагрузка: сила, момент или координата (единичная нагрузка); без ключа — гармонические нагрузки файла",
+        ),
+        "\"drive\"",
+    )
+    .option(
+        "The load: a force, a torque, or a coordinate for a unit load; otherwise the harmonic loads of the file",
+        "Нагрузка: сила, момент или координата (единичная нагрузка); иначе гармонические нагрузки файла",
+    ),
+    Key::new("over", Takes::Varied, ("the parameter that is the frequency", "параметр, задающий частоту"), "\"Omega\"")
+        .option("The parameter that is the frequency", "Параметр, задающий частоту"),
+    Key::new(
+        "range",
+        Takes::FrequencyRange,
+        ("frequencies from and to; Hz count periods", "частоты от и до; Гц — число периодов"),
+        "[\"1 rad/s\", \"100 rad/s\"]",
+    )
+    .option("Frequencies from and to: 1,100 (rad/s) or \"1 Hz,20 Hz\"", "Частоты от и до: 1,100 (рад/с) или \"1 Гц;20 Гц\""),
+    Key::new("points", Takes::Count("M093"), ("number of frequencies", "число частот"), "201")
+        .default("401", "401")
+        .option("Number of frequencies", "Число частот"),
+    Key::new("log", Takes::Flag, ("logarithmic axes", "логарифмические оси"), "true")
+        .default("false", "false")
+        .option("Logarithmic axes", "Логарифмические оси"),
+    Key {
+        about: ("results wanted; the coordinates without it", "нужные результаты; без ключа — координаты"),
+        ..OUTPUTS.option("Quantities by name, in this order: phi,phi',omega_p", "Величины по именам, в этом порядке: phi,phi',omega_p")
+    },
+    Key::new(
+        "shapes",
+        Takes::Frequencies,
+        ("frequencies at which the forced shape is shown", "частоты, при которых показывается форма вынужденных колебаний"),
+        "[\"3 Hz\", \"20 rad/s\"]",
+    )
+    .option(
+        "Frequencies at which the shape of the motion is shown: 10,20 (rad/s) or \"3 Hz\"",
+        "Частоты, при которых показать форму движения: 10,20 (рад/с) или \"3 Гц\"",
+    ),
+]);
+
+impl Study for Forced {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+    fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        let found = crate::small::response::find(machine, &Response::of(asked));
+        watch.lap(Word::TimeRun);
+        Some(checked(Finding::Response(Box::new(found))))
+    }
+    fn alone(&self) -> Alone {
+        Alone::Written { next: "response" }
+    }
+}

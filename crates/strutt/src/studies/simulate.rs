@@ -1,0 +1,219 @@
+//! The study `simulate`: a motion from its start, as a table, with events, checks and the digits that a repetition confirms.
+
+use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
+use super::{Alone, Extra, Found, Given, Interrupts, Repeats, Study, overlaid};
+use crate::failure::{Failure, Misuse};
+use crate::finite::checked;
+use crate::pipeline::{Finding, Machine, explained};
+use crate::watch::Watch;
+use crate::wording::Word;
+use crate::{plan, provenance};
+use analysis::Dataset;
+use analysis::studies;
+use analysis::studies::simulate::Outcome;
+use mechanics::asked::{Asked, Kind, Value};
+use mechanics::model::{Plot, Times};
+use symbolic::Equations;
+use words::Notice;
+
+/// A step of the integrator spans about a radian of the quickest oscillation.
+const POINTS_A_STEP: f64 = 4.0;
+/// The default tolerance of a motion.
+pub const TOLERANCE: f64 = 1e-12;
+
+/// A motion to compute; SI.
+#[derive(Clone, Debug)]
+pub struct Simulate {
+    /// End of the motion.
+    pub until: f64,
+    /// Times at which results are wanted.
+    pub times: Times,
+    /// Relative tolerance.
+    pub tolerance: f64,
+    /// How the motion is integrated.
+    pub method: analysis::stiff::Method,
+    /// Outputs wanted, by name (also coordinates and rates); empty means all.
+    pub outputs: Vec<String>,
+    /// Plots wanted.
+    pub plots: Vec<Plot>,
+}
+
+impl Simulate {
+    /// The motion that is asked for.
+    pub fn of(asked: &Asked) -> Simulate {
+        Simulate {
+            until: asked.number("until").unwrap_or(0.0),
+            times: asked.times(),
+            tolerance: asked.number("tolerance").unwrap_or(TOLERANCE),
+            method: asked.word("method").and_then(analysis::stiff::Method::named).unwrap_or_default(),
+            outputs: asked.words("outputs").to_vec(),
+            plots: asked.plots().to_vec(),
+        }
+    }
+
+    /// The same with every column that its plots need.
+    pub fn with_plots(&self, equations: &Equations) -> Simulate {
+        Simulate { outputs: plan::columns_with_plots(&self.outputs, &self.plots, equations), ..self.clone() }
+    }
+
+    /// The same with more times, when the file leaves the times open and the motion is too quick for the usual 1001.
+    pub fn finer(&self, data: &Dataset) -> Option<Simulate> {
+        let rows = POINTS_A_STEP * data.counter("steps")?;
+        if self.times != Times::Automatic || data.partial || rows <= 1000.0 {
+            return None;
+        }
+        let parts = [2000.0, 5000.0, 10_000.0].into_iter().find(|parts| *parts >= rows).unwrap_or(20_000.0);
+        Some(Simulate { times: Times::Every(self.until / parts), ..self.clone() })
+    }
+}
+
+/// The study.
+pub struct Motion;
+
+static KIND: Kind = Kind::new("simulate", ("Compute a motion", "Рассчитать движение")).keys(&[
+    UNTIL,
+    TOLERANCE_OF_MOTION,
+    METHOD,
+    EVERY,
+    AT,
+    OUTPUTS,
+    PLOT,
+]);
+
+impl Study for Motion {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+    fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        let study = Simulate::of(asked).with_plots(&machine.equations);
+        let finding = motion(machine, &study, watch);
+        // plots need several points on every swing; how many swings there are shows in the steps
+        let finding = match study.finer(finding.data()) {
+            Some(finer) => motion(machine, &finer, watch),
+            None => finding,
+        };
+        Some(confirm(machine, finding, watch))
+    }
+    fn command(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        Some(motion(machine, &Simulate::of(asked), watch))
+    }
+    fn of_file(&self) -> &'static [&'static [&'static str]] {
+        &[&["simulate", "inverse"]]
+    }
+    fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
+        merged("simulate", &machine.equations, given)
+    }
+    fn alone(&self) -> Alone {
+        Alone::Table
+    }
+    fn extras(&self) -> &'static [Extra] {
+        &[Extra::HalveTolerance, Extra::Check, Extra::Events, Extra::Switches]
+    }
+    fn interrupts(&self) -> Interrupts {
+        Interrupts::Kept
+    }
+    fn repeats(&self) -> Repeats {
+        Repeats::Motion
+    }
+}
+
+/// The motion to compute: that of the file, changed by what the command line says.
+///
+/// # Errors
+/// Nobody says how long (C007).
+pub fn merged(kind: &'static str, equations: &Equations, given: Given) -> Result<Asked, Failure> {
+    let line = given.line;
+    let file = given.of_file.as_ref().and_then(|asked| asked.number("until"));
+    let last = line.numbers("at").and_then(|times| times.iter().copied().reduce(f64::max));
+    let until = match (line.number("until"), file, last) {
+        (Some(until), ..) => until,
+        (None, Some(file), last) => last.map_or(file, |t| t.max(file)),
+        (None, None, Some(last)) => last,
+        (None, None, None) => return Err(no_end(kind)),
+    };
+    let mut asked = given.of_file.unwrap_or_default();
+    asked.kind = kind;
+    if let (Some(times), false) = (asked.numbers("at").map(<[f64]>::to_vec), line.has("at") || line.has("every")) {
+        // a shorter run is not an error of the file
+        asked.set("at", Value::Numbers(times.into_iter().filter(|t| *t <= until).collect()));
+    }
+    let mut asked = overlaid(asked, line);
+    asked.set("until", Value::Number(until));
+    if until == 0.0 && asked.times() == Times::Automatic {
+        // the start alone, not a thousand times
+        asked.set("at", Value::Numbers(vec![0.0]));
+    }
+    if asked.words("outputs").is_empty() {
+        asked.set("outputs", Value::Words(plan::usual_columns(equations)));
+    }
+    Ok(asked)
+}
+
+/// The motion of the file with these values in place of its own.
+///
+/// # Errors
+/// Nobody says how long (C007).
+pub fn with_values(machine: &Machine, values: &[(&'static str, Value)]) -> Result<Simulate, Failure> {
+    let line = values.iter().fold(Asked::new("simulate"), |line, (key, value)| line.with(key, value.clone()));
+    let of_file = super::of_file(machine, &["simulate", "inverse"]).cloned();
+    let asked = merged("simulate", &machine.equations, Given { written: None, of_file, line: &line, drawn: false })?;
+    Ok(Simulate::of(&asked))
+}
+
+fn no_end(name: &str) -> Failure {
+    Notice::new("C007", "how long shall the motion be?", "до какого момента считать движение?")
+        .why(
+            format!("the file has no study `{name}`, and no --until was given"),
+            format!("в файле нет расчёта `{name}`, а ключ --until не задан"),
+        )
+        .help("add --until 10 (seconds), or a study to the file", "добавьте --until 10 (секунд) или расчёт в файл")
+        .misuse()
+}
+
+/// A motion with the digits that a repetition confirms.
+fn confirm(machine: &mut Machine, finding: Finding, watch: &mut Watch) -> Finding {
+    let Finding::Motion(study, mut data, trouble) = finding else { return finding };
+    if let (false, Ok(start)) = (data.partial, machine.system.start()) {
+        let mut options = plan::options(&study, watch);
+        options.events = plan::events(&machine.model, &machine.equations);
+        options.pushes = plan::pushes(&machine.model, &machine.equations);
+        studies::simulate::confirm(&mut machine.system, &start, &mut options, &mut data);
+        watch.lap(Word::TimeRun);
+    }
+    Finding::Motion(study, data, trouble)
+}
+
+/// A motion.
+pub fn motion(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
+    with_works(machine, study, &[], watch)
+}
+
+/// A motion; the integrals of `works`, outputs of the study that are powers, are compared with the energy.
+pub fn with_works(machine: &mut Machine, study: &Simulate, works: &[String], watch: &mut Watch) -> Finding {
+    let mut options = plan::options(study, watch);
+    options.works = works.to_vec();
+    options.events = plan::events(&machine.model, &machine.equations);
+    options.pushes = plan::pushes(&machine.model, &machine.equations);
+    let outcome = match moving(&machine.equations).and_then(|()| machine.system.start()) {
+        Ok(start) => studies::simulate::simulate(&mut machine.system, &start, options),
+        Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
+    };
+    watch.lap(Word::TimeRun);
+    let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
+    checked(Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
+}
+
+/// S084 where no coordinate moves and no formula changes with time: every row would be the first.
+///
+/// # Errors
+/// Nothing moves.
+pub fn moving(equations: &Equations) -> Result<(), analysis::Fault> {
+    let rests = equations.balances.iter().map(|b| b.rest);
+    let outputs = equations.outputs.iter().map(|o| o.formula);
+    let defined = equations.definitions.iter().map(|d| d.formula);
+    let timed = |e| equations.graph.contains(e, |s| s == equations.time);
+    match equations.coordinates.is_empty() && equations.auxiliaries.is_empty() && !rests.chain(outputs).chain(defined).any(timed) {
+        true => Err(analysis::fault::nothing_moves()),
+        false => Ok(()),
+    }
+}

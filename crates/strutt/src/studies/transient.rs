@@ -1,0 +1,105 @@
+//! The study `transient`: the motion of a linear system in closed form, phase by phase.
+
+use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
+use super::simulate::{Simulate, merged, moving};
+use super::{Alone, Extra, Found, Given, Interrupts, Repeats, Study};
+use crate::failure::Failure;
+use crate::finite::checked;
+use crate::pipeline::{Finding, Machine, Phases};
+use crate::watch::Watch;
+use crate::wording::Word;
+use crate::{phases, plan, provenance};
+use analysis::Dataset;
+use analysis::studies::simulate::Outcome;
+use analysis::studies::transient::Found as Closed;
+use mechanics::asked::{Asked, Key, Kind, Takes};
+use words::Notice;
+
+/// A motion in closed form.
+#[derive(Clone, Debug)]
+pub struct Transient {
+    /// The motion.
+    pub motion: Simulate,
+    /// Small motions about the equilibrium when the system is not linear.
+    pub linearise: bool,
+}
+
+/// The study.
+pub struct ClosedForm;
+
+static KIND: Kind = Kind::new(
+    "transient",
+    (
+        "Compute the motion of a linear system in closed form, phase by phase",
+        "Рассчитать движение линейной системы в замкнутой форме, этап за этапом",
+    ),
+)
+.keys(&[
+    UNTIL,
+    TOLERANCE_OF_MOTION,
+    METHOD,
+    EVERY,
+    AT,
+    OUTPUTS,
+    PLOT,
+    Key::new(
+        "linearise",
+        Takes::Flag,
+        ("small motions about the equilibrium when the system is not linear", "малые движения около равновесия, если система нелинейна"),
+        "true",
+    )
+    .default("false", "false")
+    .option("Small motions about the equilibrium when the system is not linear", "Малые движения около равновесия, если система нелинейна"),
+]);
+
+impl Study for ClosedForm {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+    fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        let linearise = asked.flag("linearise");
+        let motion = Simulate::of(asked).with_plots(&machine.equations);
+        let finding = closed_form(machine, &Transient { motion: motion.clone(), linearise }, watch);
+        Some(match motion.finer(finding.data()) {
+            Some(motion) => closed_form(machine, &Transient { motion, linearise }, watch),
+            None => finding,
+        })
+    }
+    fn command(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        let study = Transient { motion: Simulate::of(asked), linearise: asked.flag("linearise") };
+        Some(closed_form(machine, &study, watch))
+    }
+    fn of_file(&self) -> &'static [&'static [&'static str]] {
+        &[&["transient"], &["simulate", "inverse"]]
+    }
+    fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
+        merged("transient", &machine.equations, given)
+    }
+    fn alone(&self) -> Alone {
+        Alone::WrittenOrTable
+    }
+    fn extras(&self) -> &'static [Extra] {
+        &[Extra::HalveTolerance, Extra::Check, Extra::Events, Extra::Switches]
+    }
+    fn interrupts(&self) -> Interrupts {
+        Interrupts::Kept
+    }
+    fn repeats(&self) -> Repeats {
+        Repeats::Motion
+    }
+}
+
+/// A motion in closed form.
+pub fn closed_form(machine: &mut Machine, study: &Transient, watch: &mut Watch) -> Finding {
+    let twin = plan::options(&study.motion, watch);
+    let options = analysis::studies::transient::Transient { twin, ends: machine.model.phases.clone(), linearise: study.linearise };
+    let found = match moving(&machine.equations).and_then(|()| machine.system.start()) {
+        Ok(start) => analysis::studies::transient::transient(&mut machine.system, &machine.equations, &start, options),
+        Err(fault) => Closed { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },
+    };
+    watch.lap(Word::TimeRun);
+    let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
+    let trouble = found.outcome.fault.map(Notice::from);
+    let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations), restarts: machine.model.restarts.clone() };
+    checked(Finding::Transient(study.motion.clone(), data, phases, trouble))
+}
