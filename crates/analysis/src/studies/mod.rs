@@ -12,6 +12,7 @@ pub mod limits;
 pub mod modes;
 pub mod peaks;
 pub mod periodic;
+pub mod poincare;
 mod polish;
 pub mod response;
 pub mod rolling;

@@ -15,6 +15,7 @@ pub mod kinematics;
 pub mod modes;
 mod origin;
 pub mod periodic;
+pub mod poincare;
 pub mod response;
 mod results;
 mod section;
@@ -44,6 +45,7 @@ pub static TABLE: &[&dyn Study] = &[
     &transient::ClosedForm,
     &equilibrium::Rest,
     &periodic::Regimes,
+    &poincare::SectionPoints,
     &kinematics::Linkage,
     &cycle::Turn,
     &sweep::Sweeping,
