@@ -123,7 +123,9 @@ impl Study for Sweeping {
         let mut keys: Vec<&'static Key> = Vec::new();
         for key in TABLE.iter().filter(|study| REPEATED.contains(&study.kind().name)).flat_map(|study| study.kind().keys) {
             let own = KIND.key(key.name).is_some() || keys.iter().any(|k| k.name == key.name);
-            let usable = key.option.is_some() && !matches!(key.takes, Takes::Coordinate | Takes::RangeOf(_) | Takes::Section);
+            // rows and columns are those that are observed; names of coordinates need the study in the file
+            let idle = matches!(key.takes, Takes::Results | Takes::Moments | Takes::Step);
+            let usable = key.option.is_some() && !idle && !matches!(key.takes, Takes::Coordinate | Takes::RangeOf(_) | Takes::Section);
             if !own && usable {
                 keys.push(key);
             }
