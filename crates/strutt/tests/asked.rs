@@ -60,6 +60,12 @@ fn every_key_of_every_kind_is_read_somewhere() {
         let text = gallery::find(name).unwrap().text;
         read.extend(studies::read(&Source::new("m.toml", text), &[]).unwrap_or_else(|_| panic!("{name}")).model.studies);
     }
+    for chapter in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/book")).unwrap().flatten() {
+        let text = std::fs::read_to_string(chapter.path()).unwrap_or_default();
+        let models = text.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next());
+        // patches and models that are wrong on purpose are no files
+        read.extend(models.filter_map(|text| studies::read(&Source::new("m.toml", text), &[]).ok()).flat_map(|r| r.model.studies));
+    }
     for kind in TABLE.iter().map(|study| study.kind()) {
         for key in kind.keys.iter().filter(|key| key.option.is_none()) {
             let is_read = |asked: &Asked| asked.kind == kind.name && asked.get(key.name).is_some();
