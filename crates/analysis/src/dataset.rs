@@ -335,9 +335,16 @@ impl Dataset {
     }
     /// Says what values of a column mean that are no finite numbers; nothing where the column has none of that kind.
     pub fn state(&mut self, column: &str, missing: Missing, words: Text) {
-        if self.column(column).is_some_and(|c| c.values.iter().any(|v| missing.fits(*v))) {
+        if self.misses(column, missing) {
             self.stated.push(Stated { column: column.into(), missing, words });
         }
+    }
+    /// Whether a row of the column or a value at an event is missing so.
+    fn misses(&self, column: &str, missing: Missing) -> bool {
+        let outputs = (0..self.columns.len()).filter(|i| Some(*i) != self.axis);
+        let place = outputs.map(|i| self.columns[i].quantity.name.as_str()).position(|name| name == column);
+        let at_events = || self.events.iter().flat_map(|e| &e.outputs).filter_map(|side| side.get(place?)).any(|v| missing.fits(*v));
+        self.column(column).is_some_and(|c| c.values.iter().any(|v| missing.fits(*v))) || at_events()
     }
     /// Whether the result says what this value of a column means: a finite number, or one that is stated.
     pub fn explains(&self, column: &str, value: f64) -> bool {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+mod bilateral;
 mod conditions;
 mod flows;
 mod hidden;
@@ -9,8 +10,10 @@ mod impact;
 mod jolt;
 mod meaning;
 pub(crate) mod open;
+mod parts;
 mod phases;
 mod solved;
+mod strike;
 mod ties;
 mod touches;
 
@@ -660,6 +663,10 @@ impl System for Machine {
 
     fn ties(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Vec<(usize, Tie)> {
         self.rounding_of_contacts(t, x, modes).unwrap_or_default()
+    }
+
+    fn rounding_of_accelerations(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Vec<f64> {
+        self.accelerations_by_rounding(t, x, modes).unwrap_or_default()
     }
 
     fn statics(&mut self, x: &[f64], forces: &mut [f64], derivatives: &mut [f64]) -> Result<(), Fault> {

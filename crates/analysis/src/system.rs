@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use program::Behind;
+use symbolic::connections::Impacts;
 pub use words::Quantity;
 use words::Text;
 
@@ -131,8 +132,8 @@ pub struct Supply {
 /// What an impact did.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Blow {
-    /// Rates of contacts and frictions that took part, before, by guard.
-    pub rates: Vec<(usize, f64)>,
+    /// Rates of contacts and frictions that took part, before and after, by guard. What is held, or has reached what its law asks for, has that rate exactly.
+    pub rates: Vec<(usize, [f64; 2])>,
     /// Contacts and frictions that took an impulse, by guard.
     pub impulses: Vec<(usize, f64)>,
     /// Frictions whose sliding it stopped, by guard.
@@ -142,6 +143,19 @@ pub struct Blow {
     /// Contacts and frictions to which nothing happened but rounding of the rates and impulses of the instant, by guard.
     pub silent: Vec<usize>,
     /// Impulses of all reactions, those of supports included; [`System::impulses`] names them. Empty where there are none.
+    pub reactions: Vec<f64>,
+    /// Which contacts strike at once.
+    pub law: Impacts,
+    /// The first blows of the instant one by one, where there were several.
+    pub blows: Vec<SingleBlow>,
+}
+
+/// One of several blows of an instant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SingleBlow {
+    /// Rates q' after it.
+    pub rates: Vec<f64>,
+    /// Its impulses of all reactions.
     pub reactions: Vec<f64>,
 }
 
@@ -534,6 +548,12 @@ pub trait System {
     /// What rounding can make of the contacts and frictions at (t, x), by guard: that of the terms that meet in their rates and in the balances behind
     /// their forces. Empty where nothing is known.
     fn ties(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Vec<(usize, Tie)> {
+        let _ = (t, x, modes);
+        Vec::new()
+    }
+
+    /// What rounding can make of the accelerations q'' at (t, x), m/s² or rad/s²: that of the terms that meet in the balances. Empty where nothing is known.
+    fn rounding_of_accelerations(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Vec<f64> {
         let _ = (t, x, modes);
         Vec::new()
     }

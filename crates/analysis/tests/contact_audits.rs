@@ -6,6 +6,7 @@ mod linkage;
 use analysis::studies::simulate::{Simulate, simulate};
 use analysis::{Blow, Dataset, Fault, Guard, GuardKind, Machine, Mode, Powers, Quantity, System, Touch, TouchLaw};
 use linkage::{Build, Start, kinetic};
+use symbolic::connections::Impacts;
 
 /// Which law is broken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +26,10 @@ enum Broken {
     Impulse,
     /// Rates jump more than the impulses say.
     Momentum,
+    /// The impulse of a contact is 1 % more than its restitution asks for.
+    Rebound,
+    /// Contacts that should strike together strike one after another.
+    OneByOne,
 }
 
 /// A machine with a broken law.
@@ -138,6 +143,13 @@ impl System for Wrong {
                 x[n] = before[n] - blow.reactions[1];
             }
             Broken::Momentum => x[self.machine.n_coordinates()] *= 1.001,
+            // the first reaction is the contact, the second coordinate is its gap with mass 1
+            Broken::Rebound => {
+                blow.reactions[0] *= 1.01;
+                let n = self.machine.n_coordinates();
+                x[n + 1] = before[n + 1] + blow.reactions[0];
+            }
+            Broken::OneByOne => blow.law = Impacts::Together,
             _ => {}
         }
         Ok(blow)
@@ -279,6 +291,32 @@ fn an_impulse_of_friction_beyond_its_limit_fails() {
 fn a_jump_of_rates_without_impulse_fails() {
     assert!(run(&LANDS, Broken::Nothing).audit("impact_momenta").is_some_and(|audit| audit.value < 1e-10));
     fails(&LANDS, Broken::Momentum, "impact_momenta");
+}
+
+#[test]
+fn a_rebound_of_a_hundredth_too_much_fails() {
+    fails(&LANDS, Broken::Rebound, "impact_rebounds");
+}
+
+/// A ball meets two that touch: in sequence the last leaves alone, together the two that touch stay together.
+#[test]
+fn a_contact_left_out_of_its_set_fails() {
+    for (broken, ok) in [(Broken::Nothing, true), (Broken::OneByOne, false)] {
+        let mut b = Build::new();
+        let x: Vec<_> = (0..3).map(|i| b.coordinate(["a", "b", "c"][i], "m", Start::Given(0.0), Start::Given(0.0))[0]).collect();
+        let parts = [kinetic(&mut b, 1.0, [x[0], x[1]]), kinetic(&mut b, 0.5, [x[2], x[2]])];
+        let t = b.add(&parts);
+        let zero = b.number(0.0);
+        b.lagrange(t, zero, &[]);
+        for (name, i) in [("ab", 0), ("bc", 1)] {
+            let gap = b.sub(x[i + 1], x[i]);
+            b.contact(name, gap, 1.0);
+        }
+        let mut system = Wrong { machine: b.machine(), broken, bound: Vec::new() };
+        let data = simulate(&mut system, &[-0.1, 0.0, 0.0, 1.0, 0.0, 0.0], Simulate::until(0.5)).dataset;
+        let audit = data.audit("impact_rebounds").unwrap_or_else(|| panic!("no audit of the rebounds among {:?}", data.audits));
+        assert_eq!(audit.ok, ok, "{broken:?}: {audit:?}");
+    }
 }
 
 #[test]

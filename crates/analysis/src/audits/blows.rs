@@ -3,11 +3,15 @@
 //! ```text
 //! M Δq' = Σ forces Λ                 by the second derivation, which knows nothing of the impact
 //! Λ_n >= 0,   |Λ_t| <= μ |Λ_n|       μ by the speed before, the static one where the sliding vanishes or turns
+//! |Λ_t| = μ |Λ_n|                    where a sliding is left, asked as the next one
 //! Λ_t (u_t⁺ + ε u_t⁻) >= 0           against the sliding that is left beside the tangential restitution ε; asked where one contact strikes, by Newton's law
+//! Λ_n (u⁺ + e u⁻) = 0                of every contact in every single blow, by Newton's law; u⁺ >= 0 after the last
+//! u⁺ + e u⁻ >= 0                     where contacts strike together, of every contact that closed or was closed, u⁻ <= 0
 //! ```
 //!
-//! Impulses count against the largest of the instant, momenta against the terms that meet in them, at least a hundredth of the largest so far.
+//! Rates of gaps count against the terms that meet in them, at least a hundredth of the largest so far. Impulses count against the largest of the instant, momenta against the terms that meet in them, at least a hundredth of the largest so far.
 
+use symbolic::connections::Impacts;
 use words::Text;
 
 use super::frontier::Frontier;
@@ -29,7 +33,10 @@ const WHOLE: u64 = 256;
 #[derive(Clone, Debug, Default)]
 pub struct BlowLaws {
     pushes: Frontier,
+    rebounds: Frontier,
     momenta: Frontier,
+    /// Largest terms in the rate of each contact so far.
+    speeds: Vec<f64>,
     /// Largest momentum so far.
     largest: f64,
     count: u64,
@@ -49,6 +56,7 @@ impl BlowLaws {
         let after = system.struck(t, states[1], &blow.reactions, modes);
         let (Some(before), Some(after)) = (before, after) else { return };
         self.judge(&before, &after, blow);
+        self.follow_rebounds((t, states[0]), [&before, &after], (system, modes, blow));
         let n = system.n_coordinates();
         let change: Vec<f64> = (n..2 * n).map(|i| states[1][i] - states[0][i]).collect();
         let rows = system.momenta(t, states[1], &change, &blow.reactions).unwrap_or_default();
@@ -64,11 +72,19 @@ impl BlowLaws {
         }
     }
 
+    /// Impulses at a jump of prescribed velocities: the drives' part of the momenta is not known here.
+    pub fn look_at_jolt<S: System + ?Sized>(&mut self, t: f64, states: [&[f64]; 2], (system, modes, blow): (&mut S, &[Mode], &Blow)) {
+        let [before, after] = states.map(|x| system.struck(t, x, &blow.reactions, modes));
+        let (Some(before), Some(after)) = (before, after) else { return };
+        self.judge(&before, &after, blow);
+        self.taken += 1;
+    }
+
     fn judge(&mut self, before: &[Touch], after: &[Touch], blow: &Blow) {
         let contact = |t: &&Touch| matches!(t.law, TouchLaw::Contact { .. }) && t.force != 0.0;
         let largest = before.iter().map(|t| t.force.abs()).filter(|f| f.is_finite()).fold(0.0, f64::max);
         // in a sequence of blows, or within the phases of one, the sliding may turn before the end
-        let single = !blow.phased && before.iter().filter(contact).count() <= 1;
+        let single = !blow.phased && blow.blows.is_empty() && before.iter().filter(contact).count() <= 1;
         for (before, after) in before.iter().zip(after) {
             let TouchLaw::Friction { limits, .. } = before.law else {
                 self.pushes.note(-before.force, largest);
@@ -80,8 +96,61 @@ impl BlowLaws {
             }
             self.pushes.note(before.force.abs() - limit, largest);
             let left = after.rate[0] + before.restitution * before.rate[0];
-            let drives = single && left.abs() > STILL * size(before).max(size(after)) && before.force * left < 0.0;
-            self.pushes.note(if drives { before.force.abs() } else { 0.0 }, largest);
+            if single && left.abs() > STILL * size(before).max(size(after)) {
+                self.pushes.note(if before.force * left < 0.0 { before.force.abs() } else { 0.0 }, largest);
+                // one that is rounding of the momenta is not handed on
+                let rounded = before.force == 0.0 && blow.impulses.iter().any(|(guard, _)| *guard == before.guard);
+                self.pushes.note(if rounded { 0.0 } else { least(before) - before.force.abs() }, largest);
+            }
+        }
+    }
+
+    /// The rates of every single blow; the last one ends with the rates of the instant.
+    fn follow_rebounds<S: System + ?Sized>(
+        &mut self,
+        (t, x): (f64, &[f64]),
+        [first, last]: [&[Touch]; 2],
+        (system, modes, blow): (&mut S, &[Mode], &Blow),
+    ) {
+        self.speeds.resize(first.len(), 0.0);
+        let n = system.n_coordinates();
+        let mut state = x.to_vec();
+        let mut before = first.to_vec();
+        for single in &blow.blows {
+            state[n..2 * n].copy_from_slice(&single.rates);
+            let Some(after) = system.struck(t, &state, &single.reactions, modes) else { return };
+            self.rebound([&before, &after], blow);
+            before = after;
+        }
+        if blow.blows.is_empty() {
+            self.rebound([first, last], blow);
+        }
+        self.part(last, blow);
+    }
+
+    /// Newton's law of one blow, whose impulses stand in `after`.
+    fn rebound(&mut self, [before, after]: [&[Touch]; 2], blow: &Blow) {
+        let impulse = |touch: &Touch| if takes_part(touch, blow) { touch.force.abs() } else { 0.0 };
+        let largest = after.iter().map(impulse).filter(|p| p.is_finite()).fold(f64::MIN_POSITIVE, f64::max);
+        for (i, (before, after)) in before.iter().zip(after).enumerate().filter(|(_, (_, after))| takes_part(after, blow)) {
+            self.speeds[i] = self.speeds[i].max(size(before)).max(size(after));
+            let speed = size(before).max(size(after)).max(DYING * self.speeds[i]);
+            if blow.phased || speed == 0.0 {
+                continue;
+            }
+            let off = (after.rate[0] + before.restitution * before.rate[0]) / speed;
+            // of both the smaller one should vanish
+            self.rebounds.note(off.abs().min(after.force.abs() / largest), 1.0);
+            if blow.law == Impacts::Together && before.rate[0] <= LIMIT * speed {
+                self.rebounds.note(-off, 1.0);
+            }
+        }
+    }
+
+    /// No contact closes any more.
+    fn part(&mut self, last: &[Touch], blow: &Blow) {
+        for (touch, largest) in last.iter().zip(&self.speeds).filter(|(touch, _)| takes_part(touch, blow)) {
+            self.rebounds.note(-touch.rate[0], size(touch).max(DYING * largest));
         }
     }
 
@@ -94,6 +163,11 @@ impl BlowLaws {
                 "удары: наибольшее притяжение контакта, превышение или неверное направление трения относительно импульсов",
             );
             list.push(Audit::at_most("impact_laws", name, self.pushes.worst(), LIMIT));
+            let name = Text::new(
+                "impacts: rates of the contacts against their restitution, largest residual relative to the rates",
+                "удары: скорости контактов и коэффициенты восстановления, наибольшая невязка относительно скоростей",
+            );
+            list.push(Audit::at_most("impact_rebounds", name, self.rebounds.worst(), LIMIT));
         }
         if self.balanced {
             let name = Text::new(
@@ -106,8 +180,18 @@ impl BlowLaws {
     }
 }
 
+fn takes_part(touch: &Touch, blow: &Blow) -> bool {
+    matches!(touch.law, TouchLaw::Contact { .. }) && blow.rates.iter().any(|(guard, _)| *guard == touch.guard)
+}
+
 fn size(touch: &Touch) -> f64 {
     touch.rate[1].max(touch.rate[0].abs())
+}
+
+/// The least impulse of a friction that slides on.
+fn least(touch: &Touch) -> f64 {
+    let TouchLaw::Friction { limits: [back, forth, _], .. } = touch.law else { return 0.0 };
+    back.min(forth)
 }
 
 /// The largest impulse that the law allows.

@@ -72,7 +72,7 @@ impl InteriorDefect {
             let scale = size.max(step.length * *rate);
             // a rate that moves its coordinate by less than rounding within the step is none; a force that is left of larger ones has their rounding
             let unseen = if (n..2 * n).contains(&i) { self.sizes[i - n][0] / step.length } else { 0.0 };
-            let off = if off > SUSPECT * scale { (off - ROUNDING * step.length * self.terms(i, t, step, system)).max(0.0) } else { off };
+            let off = if off > SUSPECT * scale { (off - step.length * self.rounding(i, t, step, system)).max(0.0) } else { off };
             self.found[i].note(off, scale.max(FLOOR * unseen));
         }
         self.compare_alike(system);
@@ -96,6 +96,15 @@ impl InteriorDefect {
             Ok(Jacobian::Given) => (0..width).map(|j| (jacobian[i * width + j] * self.x[j]).abs()).sum(),
             _ => 0.0,
         }
+    }
+
+    /// What rounding can make of a rate: of the terms by states, and of all loads that meet in an acceleration.
+    fn rounding<S: System + ?Sized>(&mut self, i: usize, t: f64, step: &Step, system: &mut S) -> f64 {
+        let terms = ROUNDING * self.terms(i, t, step, system);
+        let n = system.n_coordinates();
+        let Some(coordinate) = i.checked_sub(n).filter(|k| *k < n) else { return terms };
+        let loads = system.rounding_of_accelerations(t, &self.x, &step.modes);
+        loads.get(coordinate).copied().filter(|e| e.is_finite()).unwrap_or(0.0).max(terms)
     }
 
     /// States of one kind are known to the rounding of the largest of them: the far end of a chain moves by what is left of the rest.

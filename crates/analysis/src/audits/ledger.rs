@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! W = ∫ (loads + drives - dissipated) dt + Σ energy that impacts take or give + Σ change of E by a switch while the state stands
-//! value = max over t of |E - E(0) - W| / (max T, max |Π - Π(0)|, ∫ |loads| + |drives| + |dissipated| dt), or what passes through the damping
+//! value = max over t of |E - E(0) - W| / (max T, max |Π - Π(0)|, ∫ |loads| + |drives| + |dissipated| dt), or what passes through the damping,
+//!         or what the single loads give by rounding
 //! ```
 //!
 //! Powers are integrated over every step of the dense output by Gauss's rule with five points, exact to degree 9, which serves steps that end at events; where the
@@ -17,7 +18,7 @@
 use words::Text;
 
 use super::damping::damping_alone;
-use super::frontier::Frontier;
+use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
 use crate::taylor::Step;
 use crate::{Mode, Supply, System};
@@ -145,10 +146,12 @@ impl Ledger {
         if alone && closes(self, &work) { Some(work) } else { self.halved(step, system, h, work) }
     }
 
-    /// What passes through the damping alone, W.
+    /// What passes through the damping alone, and what the rounding of the single loads makes of a power, W: where loads balance, their sum is nothing beside them.
     fn through<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, tau: f64) -> f64 {
-        step.state_after(tau, &mut self.x);
-        damping_alone(system, step.instant(tau).high, &self.x, &step.modes)
+        let (t, n) = (step.instant(tau).high, system.n_coordinates());
+        step.motion_after(tau, &mut self.x, &mut self.rates);
+        let loads = system.powers(t, &self.x, &self.rates[n..2 * n], &step.modes).map_or(0.0, |p| p.through);
+        damping_alone(system, t, &self.x, &step.modes).max(FLOOR * loads)
     }
 
     /// What happened since the end of the last step, where the energies were before.

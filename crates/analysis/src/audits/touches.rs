@@ -11,10 +11,12 @@
 //! the whole step.
 //!
 //! Scales: a force counts against the largest of its own contact or friction so far, at least `WEAK` of the largest of the machine; a gap, a rate and an acceleration
-//! against the terms that meet in them, the last also against the one that the contact would have without its force.
+//! against the terms that meet in them, the last also against the one that the contact would have without its force. A force below the rounding of the balances
+//! behind it ([`crate::System::ties`]) is none.
 
 use words::Text;
 
+use super::ROUNDED;
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
 use crate::system::{Touch, TouchLaw};
@@ -28,8 +30,9 @@ const WHOLE: u64 = 512;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Share of the largest force of the machine that stands for the size of a small one: it is what is left of the large ones.
 const WEAK: f64 = 1e-3;
-/// Share of the size of a speed below which its sign is rounding.
+/// Share of the size of a speed below which its sign is rounding, and how many tolerances: beside a reversal a speed is the error of the step.
 const STILL: f64 = 1e-9;
+const STEPPED: f64 = 1e3;
 /// Share of its size, a hundredth of the least limit, up to which an acceleration is in order whatever else may be a size.
 const CLEAR: f64 = 1e-11;
 /// How often the acceleration without a contact's force is asked for.
@@ -56,6 +59,8 @@ pub struct TouchLaws {
     pairing: Frontier,
     sizes: Vec<Sizes>,
     strongest: f64,
+    /// Share of the size of a speed that the steps may be off.
+    still: f64,
     contacts: bool,
     frictions: bool,
     steps: u64,
@@ -64,6 +69,11 @@ pub struct TouchLaws {
 }
 
 impl TouchLaws {
+    /// For a motion computed with this tolerance.
+    pub fn new(tolerance: f64) -> TouchLaws {
+        TouchLaws { still: STEPPED * tolerance, ..TouchLaws::default() }
+    }
+
     /// Looks at a step up to `length`.
     pub fn look<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, length: f64) {
         if !system.guards().iter().any(|g| matches!(g.kind, GuardKind::Contact { .. } | GuardKind::Friction { .. })) {
@@ -79,6 +89,7 @@ impl TouchLaws {
             self.sizes.resize(touches.len(), Sizes::default());
             self.measure(&touches, step);
             self.without((step, place * length), system, &touches);
+            self.weigh((step, place * length), system, &touches);
             self.judge(&touches, &step.modes);
         }
         self.follow(step, system, length);
@@ -108,6 +119,8 @@ impl TouchLaws {
             let h = step.length.max(f64::MIN_POSITIVE);
             sizes.rate = sizes.rate.max(touch.rate[0].abs()).max(touch.rate[1]).max(FLOOR * sizes.place / h);
             sizes.acceleration = sizes.acceleration.max(touch.acceleration[0].abs()).max(touch.acceleration[1]).max(FLOOR * sizes.rate / h);
+            // nor is a speed that the rounding of the time makes at this acceleration
+            sizes.rate = sizes.rate.max(FLOOR * sizes.acceleration * step.instant(step.length).high.abs());
             sizes.force = if own.is_finite() { sizes.force.max(own) } else { sizes.force };
             self.strongest = self.strongest.max(sizes.force);
         }
@@ -135,6 +148,28 @@ impl TouchLaws {
         }
     }
 
+    /// What rounding makes of a force where one seems to break its law: where weights and inertia cancel, all forces may be that.
+    fn weigh<S: System + ?Sized>(&mut self, (step, tau): (&Step, f64), system: &mut S, touches: &[Touch]) {
+        let breaks = |(i, touch): (usize, &Touch)| match touch.law {
+            TouchLaw::Contact { .. } => -touch.force > CLEAR * self.force_size(i),
+            TouchLaw::Friction { limits: [back, forth, fixed], .. } => {
+                touch.force.abs() - back.max(forth).max(fixed) > CLEAR * self.force_size(i)
+            }
+        };
+        if touches.iter().enumerate().any(breaks) {
+            self.widen((step, tau), system);
+        }
+    }
+
+    /// No scale is so small that the rounding of a force at the last state would count.
+    fn widen<S: System + ?Sized>(&mut self, (step, tau): (&Step, f64), system: &mut S) {
+        for (guard, tie) in system.ties(step.instant(tau).high, &self.x, &step.modes) {
+            let contact = matches!(system.guards()[guard].kind, GuardKind::Contact { .. });
+            let audit = if contact { &mut self.pull } else { &mut self.cone };
+            audit.whole(tie.force / (ROUNDED * f64::EPSILON));
+        }
+    }
+
     fn judge(&mut self, touches: &[Touch], modes: &[Mode]) {
         for (i, touch) in touches.iter().enumerate().filter(|(_, touch)| touch.force.is_finite()) {
             let holds = modes[touch.guard] == Mode::Zero;
@@ -152,7 +187,7 @@ impl TouchLaws {
                 }
                 TouchLaw::Friction { limits, .. } if holds && limits[2].is_finite() => self.hold(touches, i),
                 TouchLaw::Friction { limits, .. } if limits.iter().all(|l| l.is_finite()) && !holds => {
-                    self.cone.note(excess(touch, limits, sizes.rate), force);
+                    self.cone.note(excess(touch, limits, self.still.max(STILL) * sizes.rate), force);
                 }
                 TouchLaw::Friction { .. } => {}
             }
@@ -182,7 +217,8 @@ impl TouchLaws {
     }
 
     /// Gaps and forces as the integrator follows them, along the whole step.
-    fn follow<S: System + ?Sized>(&mut self, step: &Step, system: &S, length: f64) {
+    fn follow<S: System + ?Sized>(&mut self, step: &Step, system: &mut S, length: f64) {
+        let mut breaks = false;
         for (i, guard) in system.guards().iter().enumerate() {
             match guard.kind {
                 GuardKind::Contact { .. } if step.modes[i] == Mode::Positive => {
@@ -192,10 +228,19 @@ impl TouchLaws {
                 GuardKind::Bound { of, .. } if step.modes[of] == Mode::Zero => {
                     let below = -least(step.guards.row(i), length);
                     let contact = matches!(system.guards()[of].kind, GuardKind::Contact { .. });
-                    if contact { self.pull.note(below, self.strongest) } else { self.cone.note(below, self.strongest) }
+                    if contact {
+                        self.pull.note(below, self.strongest)
+                    } else {
+                        self.cone.note(below, self.strongest)
+                    }
+                    breaks |= below > CLEAR * self.strongest;
                 }
                 _ => {}
             }
+        }
+        if breaks {
+            step.state_after(length, &mut self.x);
+            self.widen((step, length), system);
         }
     }
 
@@ -228,9 +273,9 @@ impl TouchLaws {
     }
 }
 
-/// How far a friction that slides is from its law; at a speed that is rounding only its magnitude is known.
-fn excess(touch: &Touch, [back, forth, fixed]: [f64; 3], speed: f64) -> f64 {
-    if touch.rate[0].abs() <= STILL * speed {
+/// How far a friction that slides is from its law; at a speed that is rounding, up to `still`, only its magnitude is known.
+fn excess(touch: &Touch, [back, forth, fixed]: [f64; 3], still: f64) -> f64 {
+    if touch.rate[0].abs() <= still {
         return touch.force.abs() - back.max(forth).max(fixed);
     }
     let law = if touch.rate[0] > 0.0 { forth } else { -back };

@@ -56,7 +56,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let on: Vec<usize> = (0..self.modes.len())
             .filter(|&i| self.is_contact(i) && (self.touched[i] || self.modes[i] == Mode::Zero || self.is_met(i)))
             .collect();
-        let before: Vec<f64> = on.iter().map(|&i| self.gap_rate(i)).collect();
+        // what is closed has no rate, whatever the sign of its rounding
+        let before: Vec<f64> = on.iter().map(|&i| if self.modes[i] == Mode::Zero { 0.0 } else { self.gap_rate(i) }).collect();
         if let Some(impacts) = self.jolt(&on, &before)? {
             return Ok(impacts);
         }
@@ -94,7 +95,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     /// Modes and impacts after a blow, by the last expansion.
     fn struck(&mut self, (on, before): (&[usize], &[f64]), blow: &Blow) -> Vec<Impact> {
-        let rates: Vec<f64> = on.iter().map(|&i| self.gap_rate(i)).collect();
+        let told = |i: usize| blow.rates.iter().find(|(guard, _)| *guard == i).map(|(_, rates)| *rates);
+        let rates: Vec<f64> = on.iter().map(|&i| told(i).map_or_else(|| self.gap_rate(i), |[_, after]| after)).collect();
         let n = self.system.n_coordinates();
         // where a surface jumps, contacts elsewhere have no rate to compare with
         let fastest = if self.jolted { self.x[n..2 * n].iter().fold(0.0_f64, |m, v| m.max(v.abs())) } else { 0.0 };
@@ -112,8 +114,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             if was_open && rate < 0.0 || impulse.is_some() && struck {
                 let after = if self.rebounds[i] { after } else { 0.0 };
                 // a jump of the surface itself is not in the expansion before it
-                let jumped = blow.rates.iter().find(|(guard, _)| self.jolted && *guard == i);
-                let rate = jumped.map_or(rate, |(_, rate)| *rate);
+                let rate = told(i).filter(|_| self.jolted).map_or(rate, |[before, _]| before);
                 let silent = blow.silent.contains(&i);
                 impacts.push(Impact { guard: i, rates: [rate, after], impulse: impulse.unwrap_or(0.0), silent });
             }

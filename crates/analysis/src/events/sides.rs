@@ -209,8 +209,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
     }
 
-    /// Whether a tie is small beside what the guard does. Where a condition has no direction (a slider in its dead centre) its force, and all that is computed
-    /// from it, has no digits.
+    /// Whether a tie is small beside what the guard does, or beside the positions and rates that meet in one that has never moved. Where a condition has no
+    /// direction (a slider in its dead centre) its force, and all that is computed from it, has no digits.
     fn is_rounding(&self, i: usize, tie: Tie) -> bool {
         let g = self.system.guard(i);
         let change = g.get(1..).map_or(0.0, |rest| size(rest, self.natural) * self.natural);
@@ -218,7 +218,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             GuardKind::Contact { .. } => 0.5 * tie.acceleration * self.natural * self.natural,
             _ => tie.acceleration * self.natural,
         };
-        effect <= PLAUSIBLE * self.guard_scale[i].max(change)
+        effect <= PLAUSIBLE * self.guard_scale[i].max(change).max(self.reach())
     }
 
     /// The same for the owner of a bound; whether more counts as nothing now. What is nothing is found for all at once.

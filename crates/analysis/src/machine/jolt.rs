@@ -10,6 +10,7 @@
 //! So the jump is an impact with the generalized impulse b₋ - b₊ given beside. Positions stand still, hence M and J are the same on both sides.
 
 use super::Machine;
+use super::impact::Kick;
 use crate::{Blow, Fault, GuardKind, Mode, System};
 
 /// Share of its size below which a change of momentum or rate is rounding.
@@ -37,16 +38,25 @@ impl Machine {
             Some(conditions) if !kicked => conditions.steps([earlier, later], x)?,
             _ => kicked,
         };
-        if !steps {
+        let beside = self.balances_beside([earlier, later], x);
+        let felt = beside.as_ref().is_some_and(|beside| beside.jumps(ROUNDING));
+        if !steps && !felt && !self.carries_more((t, x), modes) {
             return Ok(None);
         }
+        let carried = beside.map_or_else(Vec::new, |beside| beside.carried);
         let mut blow = match &mut self.conditions {
-            Some(conditions) => conditions.struck((later, x), modes[0], closing, &kick)?,
+            Some(conditions) => conditions.struck((later, x), modes[0], closing, Some(Kick { impulses: &kick, carried: &carried }))?,
             None => self.kicked(t, x, modes[1], &kick)?,
         };
         let jump: Vec<f64> = rates.iter().zip(&x[n..2 * n]).map(|(before, after)| after - before).collect();
         self.hold([earlier, later], x, &jump, &mut blow);
         Ok(Some(blow))
+    }
+
+    /// Whether the energy of the prescribed motion alone jumps.
+    fn carries_more(&mut self, (t, x): (f64, &[f64]), modes: [&[Mode]; 2]) -> bool {
+        let [Some(before), Some(after)] = modes.map(|modes| self.kinetic(t, x, modes, &[])) else { return false };
+        (after - before).abs() > ROUNDING * before.abs().max(after.abs())
     }
 
     /// Rates after generalized impulses on a machine that nothing else acts on.
@@ -92,7 +102,7 @@ impl Machine {
     }
 
     /// M, row by row.
-    fn mass(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
+    pub(super) fn mass(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
         let n = self.n_coordinates();
         let rest = self.kinetic(t, x, modes, &[])?;
         let mut mass = vec![0.0; n * n];

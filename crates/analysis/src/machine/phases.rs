@@ -16,7 +16,8 @@
 //! *Source*: E. J. Routh, Dynamics of a System of Rigid Bodies, part 1, chapter 5; Y. Wang and M. T. Mason, Two-dimensional rigid-body collisions with
 //! friction, J. Appl. Mech. 59 (1992) 635-642; F. Pfeiffer and C. Glocker, Multibody Dynamics with Unilateral Contacts, chapter 8.
 
-use super::impact::{Goal, Law, Part, SILENT, Strike};
+use super::parts::{Goal, Part};
+use super::strike::{Law, SILENT, Strike};
 use crate::Fault;
 use symbolic::connections::Rebound;
 
@@ -42,11 +43,11 @@ impl Strike {
         let undetermined = || Fault::undetermined_impact(t);
         let closing: Vec<Goal> = set.iter().map(|&i| self.rebound_of(i)).collect();
         let first = self.solve(set, &closing).ok_or_else(undetermined)?;
-        self.take(set, &first);
+        self.reach((set, &closing), &first);
         let opening = |k: usize| if taking.contains(&set[k]) { self.restitution(set[k]) * first[k] } else { 0.0 };
         let goal: Vec<Goal> = (0..set.len()).map(|k| Goal { rate: 0.0, change: -self.rates[set[k]], impulse: opening(k) }).collect();
         let second = self.solve(set, &goal).ok_or_else(undetermined)?;
-        self.take(set, &second);
+        self.reach((set, &goal), &second);
         Ok(())
     }
 

@@ -12,9 +12,10 @@
 use program::{Behind, Point};
 
 use super::Machine;
+use super::bilateral::Bilateral;
 use super::conditions::{Conditions, Holds};
-use super::impact::Bilateral;
 use crate::{Fault, Mode, Tie};
+use algebra::lu::Lu;
 
 /// Digits that the linear solve loses beyond the rounding of its terms.
 const SOLVED: f64 = 16.0;
@@ -25,13 +26,42 @@ impl Machine {
     /// See [`crate::System::ties`].
     pub(super) fn rounding_of_contacts(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<(usize, Tie)>> {
         self.conditions.as_ref()?;
+        let off = self.rounding_of_balances(t, x, modes)?;
+        self.conditions.as_mut()?.ties(t, x, &off).ok()
+    }
+
+    /// See [`crate::System::rounding_of_accelerations`]: δ(q'') = Σ |dq'_i| δ_i over unit impulses on all coordinates.
+    pub(super) fn accelerations_by_rounding(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
+        let off = self.rounding_of_balances(t, x, modes)?;
+        let n = off.len();
+        let yields = self.yields(t, x, modes)?;
+        let sum = |i: usize| SOLVED * yields.iter().zip(&off).map(|(change, e)| change[i].abs() * e).sum::<f64>();
+        Some((0..n).map(sum).collect())
+    }
+
+    /// δ_i, rounding of the balance of each coordinate.
+    fn rounding_of_balances(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<f64>> {
         self.observing.set(modes, &self.bound);
         self.solve_forces(t, x).ok()?;
         self.accelerations.iter_mut().filter(|r| !r.is_finite()).for_each(|r| *r = 0.0);
         self.second.evaluate(&Point { time: t, states: x, accelerations: &self.accelerations, ..Point::default() }).ok()?;
         let mut off = Behind::default().rounding(&self.second, &[], &[], &mut Vec::new());
         off.iter_mut().filter(|e| !e.is_finite()).for_each(|e| *e = 0.0);
-        self.conditions.as_mut()?.ties(t, x, off.get(..self.bound.program().coordinates)?).ok()
+        Some(off.get(..self.bound.program().coordinates)?.to_vec())
+    }
+
+    /// Change of the rates under a unit impulse on each coordinate, connections kept.
+    fn yields(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<Vec<Vec<f64>>> {
+        let n = self.bound.program().coordinates;
+        let unit = |j: usize| (0..n).map(|i| if i == j { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
+        let Some(conditions) = &mut self.conditions else {
+            let lu = Lu::new(&self.mass(t, x, modes)?, n);
+            return (0..n).map(|j| lu.solve(&unit(j))).collect();
+        };
+        conditions.evaluate(t, x).ok()?;
+        let bilateral = Bilateral::new(conditions, t).ok()?;
+        let still = bilateral.unmoved();
+        (0..n).map(|j| Some(bilateral.response(conditions, &unit(j), &still).ok()?.0)).collect()
     }
 }
 

@@ -367,7 +367,7 @@ impl Run {
             works,
             struck: 0.0,
             friction: FrictionWork::default(),
-            touches: TouchLaws::default(),
+            touches: TouchLaws::new(options.tolerance),
             blows: BlowLaws::default(),
             contacts: Vec::new(),
             shared: Shared::default(),

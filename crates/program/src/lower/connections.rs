@@ -18,7 +18,9 @@
 //!
 //! Frictions whose sliding speeds are in a constant ratio r (two feet of a block, brakes of different radii on a shaft) stick and slide together: the first
 //! leads, the others share its guards. While they stick only the sum Σ r λ of what they do on the leader's motion is determined; it is compared with
-//! Σ |r| limit, and shared in proportion to the limits. Where normal forces from reactions make the limits unknown, the first takes all.
+//! Σ |r| limit, and shared in proportion to the limits. Where normal forces from reactions make the limits unknown, the first takes all: that is of no
+//! consequence where all of the group act alike. Where they do not (two drums on one rope, each pressed by a tension that the other changes) the limits depend
+//! on the shares; then each stands for itself, and the integrator finds shares that agree with all limits (`Share`, `Side`).
 
 use super::expressions::Lowering;
 use super::forms::Value;
@@ -420,7 +422,7 @@ pub(super) fn reserve(lowering: &mut Lowering, equations: &Equations, arrangemen
         numbers[reaction] = match &equations.reactions[reaction].law {
             Law::Contact { gap, .. } => Some(contact(lowering, reaction, *gap, shared)?),
             Law::Friction(friction) => {
-                let leader = leader(lowering, equations, arrangement, friction)?.unwrap_or(reaction);
+                let leader = leader(lowering, equations, arrangement, reaction)?;
                 Some(sliding(lowering, reaction, friction, (numbers[leader], shared))?)
             }
             Law::Rough { condition, contact } => {
@@ -440,17 +442,31 @@ fn friction_of(equations: &Equations, reaction: usize) -> Option<&Friction> {
     }
 }
 
-/// The first friction that slides in a constant ratio to this one, this one itself if there is none before it.
-fn leader(lowering: &mut Lowering, equations: &Equations, arrangement: &Arrangement, friction: &Friction) -> Result<Option<usize>, Fault> {
+/// The first friction that slides in a constant ratio to this one and acts like it, this one itself if there is none before it.
+fn leader(lowering: &mut Lowering, equations: &Equations, arrangement: &Arrangement, reaction: usize) -> Result<usize, Fault> {
+    let Some(friction) = friction_of(equations, reaction) else { return Ok(reaction) };
     let own = lowering.value(friction.sliding)?;
-    for r in &arrangement.solved {
+    for r in arrangement.solved.iter().filter(|r| alike(equations, **r, reaction)) {
         let Some(other) = friction_of(equations, *r) else { continue };
         let other = lowering.value(other.sliding)?;
         if moving(own).is_some_and(|own| moving(other).is_some_and(|other| own.1 == other.1)) {
-            return Ok(Some(*r));
+            return Ok(*r);
         }
     }
-    Ok(None)
+    Ok(reaction)
+}
+
+/// Whether a share that goes from one to the other leaves the limits of both as they are.
+fn alike(equations: &Equations, a: usize, b: usize) -> bool {
+    let Some(both) = friction_of(equations, a).zip(friction_of(equations, b)) else { return false };
+    let limits = |f: &Friction| f.normal.iter().chain(&f.across).flat_map(|normal| &normal.terms).map(|(k, _)| *k).collect::<Vec<usize>>();
+    let [own, other] = [limits(both.0), limits(both.1)];
+    let rubs = |k: &usize| friction_of(equations, *k).is_some();
+    if a == b || own.is_empty() && other.is_empty() {
+        return true;
+    }
+    let [first, second] = [a, b].map(|k| &equations.reactions[k]);
+    !own.iter().chain(&other).any(rubs) && first.forces == second.forces && first.released == second.released
 }
 
 /// Factor over parameters (none is 1) and the register that it multiplies.

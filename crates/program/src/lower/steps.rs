@@ -2,6 +2,8 @@
 //!
 //! ```text
 //! ∂T/∂q'_j at q' = 0        what prescribed origins and turns give to the momentum of coordinate j
+//! T at q' = 0               what they give to the energy of bodies that no coordinate moves along with them
+//! carried by a balance      momentum of a released body at q' = 0: its supports feel it, though no coordinate may
 //! rate of a condition       at q' = 0: what it wants of the motion
 //! ```
 //!
@@ -23,7 +25,8 @@ pub(super) fn steps(equations: &Equations) -> Option<(Graph, Vec<Expr>)> {
         graph.reachable(&roots).into_iter().any(|e| is_switch(graph.node(e)))
     };
     let may = |e: Expr| switches(&equations.graph, e);
-    if !may(equations.energy.kinetic) && !equations.conditions.iter().any(|c| may(c.rate)) {
+    let carried = || equations.balances.iter().filter_map(|balance| balance.carried);
+    if !may(equations.energy.kinetic) && !equations.conditions.iter().any(|c| may(c.rate)) && !carried().any(may) {
         return None;
     }
     let mut graph = equations.graph.clone();
@@ -34,8 +37,9 @@ pub(super) fn steps(equations: &Equations) -> Option<(Graph, Vec<Expr>)> {
         let momentum = graph.derivative(equations.energy.kinetic, coordinate.symbols[1]);
         list.push(still.apply(&mut graph, momentum));
     }
-    for condition in &equations.conditions {
-        list.push(still.apply(&mut graph, condition.rate));
+    list.push(still.apply(&mut graph, equations.energy.kinetic));
+    for rate in equations.conditions.iter().map(|condition| condition.rate).chain(carried()) {
+        list.push(still.apply(&mut graph, rate));
     }
     list.retain(|e| switches(&graph, *e));
     (!list.is_empty()).then_some((graph, list))

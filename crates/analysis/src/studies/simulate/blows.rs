@@ -11,14 +11,17 @@ use crate::taylor::Flow;
 use crate::{GuardKind, Mode, System};
 
 impl Run {
-    /// The laws of the impact of this instant; one that stands for infinitely many that follow has their momenta as well, one with a jump of prescribed
-    /// velocities those of the drives.
+    /// The laws of the impact of this instant; one that stands for infinitely many that follow has their momenta as well.
     pub(super) fn judge_blow<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) {
-        if flow.switches().iter().any(|s| matches!(s.change, Change::Rests { .. } | Change::Jolt)) {
+        if flow.switches().iter().any(|s| matches!(s.change, Change::Rests { .. })) {
             return;
         }
         let Some(blow) = flow.blow().cloned().filter(|blow| !blow.reactions.is_empty()) else { return };
         let (t, before, after, modes) = (flow.time(), flow.state_before(), flow.state().to_vec(), flow.modes_before().to_vec());
+        if flow.switches().iter().any(|s| s.change == Change::Jolt) {
+            let modes = flow.modes().to_vec();
+            return self.blows.look_at_jolt(t, [&before, &after], (flow.system(), &modes, &blow));
+        }
         self.blows.look(t, [&before, &after], (flow.system(), &modes, &blow));
     }
 
