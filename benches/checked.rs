@@ -3,7 +3,7 @@
 //! `cargo bench -p strutt --bench checked` prints for every machine the time of the bare integration (no outputs, no audits), its steps, those taken
 //! back, those shortened and the expansions, with the check and without; then the sums. Target: at most 10 % more time in all.
 
-use analysis::taylor::{Check, Flow, Options, Work};
+use analysis::integrate::taylor::{Check, Flow, Options, Work};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use strutt::pipeline::{self, Machine};

@@ -3,8 +3,8 @@
 #[path = "../tests/common/shaft.rs"]
 mod shaft;
 
+use analysis::integrate::taylor::{Flow, Options};
 use analysis::studies::simulate::{Grid, Simulate, simulate};
-use analysis::taylor::{Flow, Options};
 use std::time::Instant;
 
 /// Shortest of several runs, ms: what the machine needs when nobody disturbs it.

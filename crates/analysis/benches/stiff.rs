@@ -1,7 +1,7 @@
 //! Van der Pol's equation over two thousand (million) seconds by the implicit method: `cargo bench -p strutt-analysis --bench stiff`.
 
-use analysis::stiff::Method;
-use analysis::taylor::{Flow, Options};
+use analysis::integrate::stiff::Method;
+use analysis::integrate::taylor::{Flow, Options};
 use analysis::{Fault, Guard, Jacobian, Mode, Quantity, System};
 use std::time::Instant;
 

@@ -3,7 +3,6 @@
 use std::fmt;
 
 use symbolic::Expr;
-use words::explain::{Explanation, plain};
 use words::{Message, Notice, Text};
 
 pub mod connections;
@@ -136,104 +135,108 @@ const EXPLANATIONS: &[Explanation] = &[
 const CHATTERING_EN: &str = "A formula with sign, if, abs, min or max reached its switching surface, and on both sides of it the motion is driven back: the \
     machine would switch infinitely often. Physically this is sticking (a body held by dry friction) or an ideal relay without hysteresis; sign(v) alone \
     cannot describe it. Use the dry friction element, which has a sticking state with a bounded reaction, or give the relay hysteresis or a delay.";
-const CHATTERING_RU: &str = "Формула с sign, if, abs, min или max вышла на поверхность переключения, и с обеих сторон движение направлено обратно к ней: машина \
+pub(crate) const CHATTERING_RU: &str = "Формула с sign, if, abs, min или max вышла на поверхность переключения, и с обеих сторон движение направлено обратно к ней: машина \
     переключалась бы бесконечно часто. Физически это залипание (тело удерживается сухим трением) или идеальное реле без гистерезиса; одна функция sign(v) \
     этого не описывает. Примените элемент сухого трения, у которого есть состояние залипания с ограниченной реакцией, либо задайте реле гистерезис или \
     запаздывание.";
-const ACCUMULATION_EN: &str = "Switches follow one another at intervals that shrink to nothing (a ball whose rebound is written with if, a relay spiralling into \
+pub(crate) const ACCUMULATION_EN: &str = "Switches follow one another at intervals that shrink to nothing (a ball whose rebound is written with if, a relay spiralling into \
     its centre). After the accumulation point the model gives no motion; the impacts of [stops] are followed to their limit. Stop the run before it, or describe the contact by a spring with damping or by an \
     element with a resting state.";
-const ACCUMULATION_RU: &str = "Переключения следуют через промежутки, стремящиеся к нулю (шар, отскок которого записан через if, реле, входящее по спирали в центр). После \
+pub(crate) const ACCUMULATION_RU: &str = "Переключения следуют через промежутки, стремящиеся к нулю (шар, отскок которого записан через if, реле, входящее по спирали в центр). После \
     точки сгущения модель не определяет движения; удары упоров [stops] прослеживаются до предела. Остановите расчёт раньше или опишите контакт пружиной с демпфером либо элементом, имеющим состояние покоя.";
-const UNDERFLOW_EN: &str = "The step needed for the tolerance is below the resolution of time: the motion runs into a singularity (a force that grows without \
+pub(crate) const UNDERFLOW_EN: &str = "The step needed for the tolerance is below the resolution of time: the motion runs into a singularity (a force that grows without \
     bound, a distance that becomes zero, a mass matrix that loses rank, a square root at zero).";
-const UNDERFLOW_RU: &str = "Шаг, нужный для заданной точности, меньше разрешения времени: движение приходит в особую точку (неограниченно растущая сила, расстояние, \
+pub(crate) const UNDERFLOW_RU: &str = "Шаг, нужный для заданной точности, меньше разрешения времени: движение приходит в особую точку (неограниченно растущая сила, расстояние, \
     обращающееся в нуль, вырождение матрицы масс, корень в нуле).";
-const FINITE_EN: &str = "A value of the motion became infinite or undefined.";
-const FINITE_RU: &str = "Одна из величин стала бесконечной или неопределённой.";
-const MEMORY_EN: &str = "Times asked for x columns x 8 bytes is more than the limit. Ask for fewer times or outputs.";
-const MEMORY_RU: &str = "Число моментов времени x число столбцов x 8 байт превышает предел. Запросите меньше моментов времени или величин.";
-const OPTION_EN: &str = "An option of the study has a value that means nothing: a tolerance outside 1e-15 ... 1e-3, an end before the start, a grid step that is not positive.";
-const OPTION_RU: &str = "Параметр расчёта имеет бессмысленное значение: допустимая погрешность вне 1e-15 ... 1e-3, конец раньше начала, неположительный шаг сетки.";
-const NEWTON_EN: &str = "From no guess did Newton's method reach a state in which all generalized forces vanish. There may be no equilibrium, or the guesses are far from it.";
-const NEWTON_RU: &str = "Ни из одного начального приближения метод Ньютона не пришёл к состоянию, где все обобщённые силы равны нулю. Равновесия может не быть, или приближения далеки от него.";
-const NEUTRAL_EN: &str = "The stiffness matrix is singular: along some direction the machine moves freely, so equilibria are not isolated.";
-const NEUTRAL_RU: &str =
+pub(crate) const FINITE_EN: &str = "A value of the motion became infinite or undefined.";
+pub(crate) const FINITE_RU: &str = "Одна из величин стала бесконечной или неопределённой.";
+pub(crate) const MEMORY_EN: &str = "Times asked for x columns x 8 bytes is more than the limit. Ask for fewer times or outputs.";
+pub(crate) const MEMORY_RU: &str =
+    "Число моментов времени x число столбцов x 8 байт превышает предел. Запросите меньше моментов времени или величин.";
+pub(crate) const OPTION_EN: &str = "An option of the study has a value that means nothing: a tolerance outside 1e-15 ... 1e-3, an end before the start, a grid step that is not positive.";
+pub(crate) const OPTION_RU: &str = "Параметр расчёта имеет бессмысленное значение: допустимая погрешность вне 1e-15 ... 1e-3, конец раньше начала, неположительный шаг сетки.";
+pub(crate) const NEWTON_EN: &str = "From no guess did Newton's method reach a state in which all generalized forces vanish. There may be no equilibrium, or the guesses are far from it.";
+pub(crate) const NEWTON_RU: &str = "Ни из одного начального приближения метод Ньютона не пришёл к состоянию, где все обобщённые силы равны нулю. Равновесия может не быть, или приближения далеки от него.";
+pub(crate) const NEUTRAL_EN: &str =
+    "The stiffness matrix is singular: along some direction the machine moves freely, so equilibria are not isolated.";
+pub(crate) const NEUTRAL_RU: &str =
     "Матрица жёсткости вырождена: вдоль некоторого направления машина движется свободно, и положения равновесия не изолированы.";
-const OUTPUT_EN: &str = "The study asks for an output that the model does not define. Coordinates and rates are always available by name.";
-const OUTPUT_RU: &str = "Расчёт запрашивает величину, которой нет в модели. Координаты и скорости всегда доступны по имени.";
+pub(crate) const OUTPUT_EN: &str =
+    "The study asks for an output that the model does not define. Coordinates and rates are always available by name.";
+pub(crate) const OUTPUT_RU: &str = "Расчёт запрашивает величину, которой нет в модели. Координаты и скорости всегда доступны по имени.";
 
-const NOT_LINEAR_EN: &str = "The study transient solves M q'' + B q' + C q = f(t) in closed form; the coordinates and rates may enter the forces only to the first \
+pub(crate) const NOT_LINEAR_EN: &str = "The study transient solves M q'' + B q' + C q = f(t) in closed form; the coordinates and rates may enter the forces only to the first \
     power, and M must not depend on the position. The message shows the first term that does. Nothing is linearised silently: write the model for small \
     motions (x = l*phi instead of l*sin(phi)), or use the study simulate.";
-const NOT_LINEAR_RU: &str = "Расчёт transient решает M q'' + B q' + C q = f(t) в замкнутой форме; координаты и скорости могут входить в силы только в первой степени, а M не \
+pub(crate) const NOT_LINEAR_RU: &str = "Расчёт transient решает M q'' + B q' + C q = f(t) в замкнутой форме; координаты и скорости могут входить в силы только в первой степени, а M не \
     должна зависеть от положения. В сообщении показан первый член, где это не так. Молча ничего не линеаризуется: составьте модель для малых движений \
     (x = l*phi вместо l*sin(phi)) или примените расчёт simulate.";
-const VARYING_EN: &str = "A mass, a damping or a stiffness is a formula of time (parametric excitation, a rotating frame with unequal stiffnesses). Such systems have no closed \
+pub(crate) const VARYING_EN: &str = "A mass, a damping or a stiffness is a formula of time (parametric excitation, a rotating frame with unequal stiffnesses). Such systems have no closed \
     form. A change at the switches of phases is allowed.";
-const VARYING_RU: &str = "Масса, сопротивление или жёсткость — функция времени (параметрическое возбуждение, вращающаяся система с неравными жёсткостями). Замкнутого решения у \
+pub(crate) const VARYING_RU: &str = "Масса, сопротивление или жёсткость — функция времени (параметрическое возбуждение, вращающаяся система с неравными жёсткостями). Замкнутого решения у \
     таких систем нет. Изменение при переключении этапов допустимо.";
-const NOTHING_EN: &str = "Modes and responses are those of coordinates, and the model has none: its bodies stand where the file places them. Wrong: `strutt modes` of beams on \
+pub(crate) const NOTHING_EN: &str = "Modes and responses are those of coordinates, and the model has none: its bodies stand where the file places them. Wrong: `strutt modes` of beams on \
     supports. Right: `strutt statics`, or [coordinates] by which the bodies move.";
-const NOTHING_RU: &str = "Собственные формы и отклики относятся к координатам, а в модели их нет: тела стоят там, где их поместил файл. Неверно: `strutt modes` для балок на опорах. \
+pub(crate) const NOTHING_RU: &str = "Собственные формы и отклики относятся к координатам, а в модели их нет: тела стоят там, где их поместил файл. Неверно: `strutt modes` для балок на опорах. \
     Верно: `strutt statics` либо [coordinates], через которые тела движутся.";
-const OUTSIDE_EN: &str = "Least and greatest values are found along the whole motion, rows are single places of it: a row beyond them means that one of both belongs to another \
+pub(crate) const OUTSIDE_EN: &str = "Least and greatest values are found along the whole motion, rows are single places of it: a row beyond them means that one of both belongs to another \
     quantity or motion. It is no fault of the model; do not use the numbers, and report the file. Wrong: the result of this run. Right: a version of strutt that gives both alike.";
-const OUTSIDE_RU: &str = "Наименьшее и наибольшее значения ищутся вдоль всего движения, строки — отдельные его места: строка вне этих пределов означает, что одно из двух относится \
+pub(crate) const OUTSIDE_RU: &str = "Наименьшее и наибольшее значения ищутся вдоль всего движения, строки — отдельные его места: строка вне этих пределов означает, что одно из двух относится \
     к другой величине или движению. Модель в этом не виновата; не пользуйтесь числами и сообщите о файле. Неверно: результат этого запуска. Верно: версия strutt, в которой то и \
     другое согласуется.";
-const OVERFLOW_EN: &str = "A result is infinite or undefined where no infinity is meant. Parameters of extreme size overflow: a mass of 1e300 kg beside one of 1e-300 kg, a \
+pub(crate) const OVERFLOW_EN: &str = "A result is infinite or undefined where no infinity is meant. Parameters of extreme size overflow: a mass of 1e300 kg beside one of 1e-300 kg, a \
     growing motion followed for too long. Check the units of the parameters. Wrong: m = 1e300 kg. Right: numbers that a machine can have.";
-const OVERFLOW_RU: &str = "Результат бесконечен или не определён там, где бесконечности быть не может. Параметры крайней величины вызывают переполнение: масса 1e300 кг \
+pub(crate) const OVERFLOW_RU: &str = "Результат бесконечен или не определён там, где бесконечности быть не может. Параметры крайней величины вызывают переполнение: масса 1e300 кг \
     рядом с массой 1e-300 кг, слишком долго прослеженное нарастающее движение. Проверьте единицы параметров. Неверно: m = 1e300 kg. Верно: числа, возможные \
     для машины.";
-const REACTION_EN: &str = "The study `response` finds the amplitudes of reactions from the equations of motion and the balances of bodies, linear in small motions. Dry friction and \
+pub(crate) const REACTION_EN: &str = "The study `response` finds the amplitudes of reactions from the equations of motion and the balances of bodies, linear in small motions. Dry friction and \
     one-sided contacts have no part in these, and their forces have no amplitude; and a unit load on a coordinate (load = \"x\") acts at no point, so that reactions in \
     directions without a coordinate do not follow. Right: an output over a pin, rod, support; a load that is a force of the file.";
-const REACTION_RU: &str = "Расчёт `response` находит амплитуды реакций из уравнений движения и равновесия тел, линейных в малых движениях. Сухое трение и односторонние контакты \
+pub(crate) const REACTION_RU: &str = "Расчёт `response` находит амплитуды реакций из уравнений движения и равновесия тел, линейных в малых движениях. Сухое трение и односторонние контакты \
     в них не входят, и амплитуды их сил не существуют; единичная нагрузка по координате (load = \"x\") не приложена ни к какой точке, поэтому реакции в направлениях без \
     координаты из неё не следуют. Верно: величина с реакцией шарнира, стержня, опоры; нагрузка – сила из файла.";
-const PERIODIC_EN: &str = "The study `response` gives the steady oscillation under periodic loads. Time may stand in sines and cosines of p t + d, also inside sign, abs, \
+pub(crate) const PERIODIC_EN: &str = "The study `response` gives the steady oscillation under periodic loads. Time may stand in sines and cosines of p t + d, also inside sign, abs, \
     min, max, if, roots and powers; the frequencies within one such formula must have whole ratios. Wrong: F*exp(-a*t), F*sin(p*t^2). Right: F*sign(sin(p*t)).";
-const PERIODIC_RU: &str = "Расчёт `response` находит установившиеся колебания при периодических нагрузках. Время может входить в синусы и косинусы от p t + d, в том \
+pub(crate) const PERIODIC_RU: &str = "Расчёт `response` находит установившиеся колебания при периодических нагрузках. Время может входить в синусы и косинусы от p t + d, в том \
     числе внутри sign, abs, min, max, if, корней и степеней; частоты внутри одной такой формулы должны относиться как целые числа. Неверно: F*exp(-a*t), \
     F*sin(p*t^2). Верно: F*sign(sin(p*t)).";
-const LOAD_EN: &str = "Closed forms exist for loads made of constants, powers of t, sines and cosines of p t + d, exponentials of t, and products of these. A run-up \
+pub(crate) const LOAD_EN: &str = "Closed forms exist for loads made of constants, powers of t, sines and cosines of p t + d, exponentials of t, and products of these. A run-up \
     sin(e*t^2/2), an amplitude like 1/(1 + t), or a switch at instants that follow from a sine are not of this kind. Within a phase the frequency must be \
     constant; another phase may have another one.";
-const LOAD_RU: &str = "Замкнутое решение есть для нагрузок из постоянных, степеней t, синусов и косинусов от p t + d, экспонент и их произведений. Разгон sin(e*t^2/2), \
+pub(crate) const LOAD_RU: &str = "Замкнутое решение есть для нагрузок из постоянных, степеней t, синусов и косинусов от p t + d, экспонент и их произведений. Разгон sin(e*t^2/2), \
     амплитуда вида 1/(1 + t) и переключения по знаку синуса к ним не относятся. В пределах этапа частота должна быть постоянной; на другом этапе она \
     может быть другой.";
-const CONNECTED_EN: &str = "Pins, rods, stops, dry friction and motors keep reactions as unknowns beside the coordinates. The closed form is found for independent coordinates: \
+pub(crate) const CONNECTED_EN: &str = "Pins, rods, stops, dry friction and motors keep reactions as unknowns beside the coordinates. The closed form is found for independent coordinates: \
     place the bodies by formulas of these (origin = [\"0\", \"l*phi\"]), or use the study simulate.";
-const CONNECTED_RU: &str = "При шарнирах, стержнях, упорах, сухом трении и двигателях неизвестными, кроме координат, остаются реакции. Замкнутое решение находится для независимых \
+pub(crate) const CONNECTED_RU: &str = "При шарнирах, стержнях, упорах, сухом трении и двигателях неизвестными, кроме координат, остаются реакции. Замкнутое решение находится для независимых \
     координат: задайте через них положения тел (origin = [\"0\", \"l*phi\"]) или примените расчёт simulate.";
-const NOWHERE_EN: &str = "Small motions are motions about an equilibrium under the mean loads. From the start of the motion none was found, or the stiffness there is singular \
+pub(crate) const NOWHERE_EN: &str = "Small motions are motions about an equilibrium under the mean loads. From the start of the motion none was found, or the stiffness there is singular \
     (a free direction). The study equilibrium shows what there is.";
-const NOWHERE_RU: &str = "Малые движения — это движения около равновесия при средних нагрузках. От начала движения оно не найдено, или матрица жёсткости в нём вырождена \
+pub(crate) const NOWHERE_RU: &str = "Малые движения — это движения около равновесия при средних нагрузках. От начала движения оно не найдено, или матрица жёсткости в нём вырождена \
     (свободное направление). Расчёт equilibrium покажет, какие положения равновесия есть.";
-const MASSLESS_EN: &str =
+pub(crate) const MASSLESS_EN: &str =
     "Some change of the coordinates moves no mass, so its acceleration is undefined. Give it an inertia or remove the coordinate.";
-const MASSLESS_RU: &str =
+pub(crate) const MASSLESS_RU: &str =
     "При некотором изменении координат масса не движется, и ускорение не определено. Придайте инерцию или уберите координату.";
-const NAME_EN: &str = "A study names a load, a parameter or an output that the model does not have, or a parameter that is given by a formula and cannot be changed by itself.";
-const NAME_RU: &str = "В расчёте названа нагрузка, параметр или величина, которых нет в модели, либо параметр, заданный формулой: менять его отдельно нельзя.";
-const INERTIA_EN: &str = "The mass matrix is not positive definite at the equilibrium: some motion there moves no mass. Natural frequencies do not exist. Give the body a mass or an inertia, or take the coordinate out.";
-const INERTIA_RU: &str = "Матрица масс в положении равновесия не положительно определена: некоторое движение не перемещает массы. Собственных частот нет. Задайте массу или момент инерции либо уберите координату.";
-const EXCITES_EN: &str = "A frequency response needs a harmonic load: a force, a torque or a motion of a base of the form A sin(p*t) or A cos(p*t), an unbalance on a shaft of prescribed speed, or a unit load on a coordinate (load = \"x\").";
-const EXCITES_RU: &str = "Для частотной характеристики нужна гармоническая нагрузка: сила, момент или движение основания вида A sin(p*t) или A cos(p*t), дебаланс на валу с заданной скоростью либо единичная нагрузка по координате (load = \"x\").";
-const FREQUENCY_EN: &str = "The response is taken over the frequency of the load, which one parameter of the model must set, in proportion. Several parameters do, or the one that is named does not. Name it with `over`.";
-const FREQUENCY_RU: &str = "Отклик строится по частоте нагрузки; её должен пропорционально задавать один параметр модели. Таких параметров несколько, либо указанный её не задаёт. Укажите его ключом `over`.";
-const RANGE_EN: &str = "A range of frequencies ascends and is not negative; with logarithmic axes it begins above zero.";
-const RANGE_RU: &str = "Границы диапазона частот возрастают и неотрицательны; с логарифмическими осями диапазон начинается выше нуля.";
-const DRIVEN_EN: &str = "Natural oscillations are motions about rest. A drive that prescribes the motion of a coordinate leaves no rest to oscillate about; write the prescribed motion as a formula of t in place of the coordinate.";
-const DRIVEN_RU: &str = "Собственные колебания происходят около покоя. Привод, задающий движение координаты, покоя не оставляет; запишите заданное движение формулой от t вместо координаты.";
-const UNKNOWN_EN: &str = "The parameters in [unknowns] are found so that the start is a place of rest. The equations of statics have no solution for them (a force stays unbalanced that no unknown can balance), or do not decide them (changing them changes no force).";
-const UNKNOWN_RU: &str = "Параметры из [unknowns] находятся так, чтобы начальное положение было положением равновесия. Уравнения статики для них несовместны (остаётся сила, которую ни одно неизвестное не уравновешивает) либо их не определяют (их изменение не меняет сил).";
+pub(crate) const NAME_EN: &str = "A study names a load, a parameter or an output that the model does not have, or a parameter that is given by a formula and cannot be changed by itself.";
+pub(crate) const NAME_RU: &str = "В расчёте названа нагрузка, параметр или величина, которых нет в модели, либо параметр, заданный формулой: менять его отдельно нельзя.";
+pub(crate) const INERTIA_EN: &str = "The mass matrix is not positive definite at the equilibrium: some motion there moves no mass. Natural frequencies do not exist. Give the body a mass or an inertia, or take the coordinate out.";
+pub(crate) const INERTIA_RU: &str = "Матрица масс в положении равновесия не положительно определена: некоторое движение не перемещает массы. Собственных частот нет. Задайте массу или момент инерции либо уберите координату.";
+pub(crate) const EXCITES_EN: &str = "A frequency response needs a harmonic load: a force, a torque or a motion of a base of the form A sin(p*t) or A cos(p*t), an unbalance on a shaft of prescribed speed, or a unit load on a coordinate (load = \"x\").";
+pub(crate) const EXCITES_RU: &str = "Для частотной характеристики нужна гармоническая нагрузка: сила, момент или движение основания вида A sin(p*t) или A cos(p*t), дебаланс на валу с заданной скоростью либо единичная нагрузка по координате (load = \"x\").";
+pub(crate) const FREQUENCY_EN: &str = "The response is taken over the frequency of the load, which one parameter of the model must set, in proportion. Several parameters do, or the one that is named does not. Name it with `over`.";
+pub(crate) const FREQUENCY_RU: &str = "Отклик строится по частоте нагрузки; её должен пропорционально задавать один параметр модели. Таких параметров несколько, либо указанный её не задаёт. Укажите его ключом `over`.";
+pub(crate) const RANGE_EN: &str = "A range of frequencies ascends and is not negative; with logarithmic axes it begins above zero.";
+pub(crate) const RANGE_RU: &str =
+    "Границы диапазона частот возрастают и неотрицательны; с логарифмическими осями диапазон начинается выше нуля.";
+pub(crate) const DRIVEN_EN: &str = "Natural oscillations are motions about rest. A drive that prescribes the motion of a coordinate leaves no rest to oscillate about; write the prescribed motion as a formula of t in place of the coordinate.";
+pub(crate) const DRIVEN_RU: &str = "Собственные колебания происходят около покоя. Привод, задающий движение координаты, покоя не оставляет; запишите заданное движение формулой от t вместо координаты.";
+pub(crate) const UNKNOWN_EN: &str = "The parameters in [unknowns] are found so that the start is a place of rest. The equations of statics have no solution for them (a force stays unbalanced that no unknown can balance), or do not decide them (changing them changes no force).";
+pub(crate) const UNKNOWN_RU: &str = "Параметры из [unknowns] находятся так, чтобы начальное положение было положением равновесия. Уравнения статики для них несовместны (остаётся сила, которую ни одно неизвестное не уравновешивает) либо их не определяют (их изменение не меняет сил).";
 
-const STEPS_EN: &str = "The step follows the quickest part of the motion, even when that part has died out (a stiff system: the step is bounded by the \
+pub(crate) const STEPS_EN: &str = "The step follows the quickest part of the motion, even when that part has died out (a stiff system: the step is bounded by the \
     fastest decay, not by the accuracy). After some ten thousand steps the pace shows that more than 1e10 would be needed, hours to days.";
-const STEPS_RU: &str = "Шаг определяется самой быстрой частью движения, даже если она уже затухла (жёсткая система: шаг ограничен самым быстрым \
+pub(crate) const STEPS_RU: &str = "Шаг определяется самой быстрой частью движения, даже если она уже затухла (жёсткая система: шаг ограничен самым быстрым \
     затуханием, а не точностью). После десятка тысяч шагов видно, что их потребуется более 1e10, то есть часы и дни.";
 
 impl From<algebra::Trouble> for Fault {
@@ -477,17 +480,17 @@ impl Fault {
     }
 }
 
-const NO_REACTIONS_EN: &str =
+pub(crate) const NO_REACTIONS_EN: &str =
     "Statics finds the reactions of supports, pins, rods, ropes and other connections; the model has none. Name what holds the bodies.";
-const NO_REACTIONS_RU: &str =
+pub(crate) const NO_REACTIONS_RU: &str =
     "Статика определяет реакции опор, шарниров, стержней, нитей и других связей; в модели их нет. Назовите, что удерживает тела.";
-const WRONG_SIDE_EN: &str = "The balance of forces asks a rope to push, or a one-sided contact to pull. Neither can: the structure does not rest in this \
+pub(crate) const WRONG_SIDE_EN: &str = "The balance of forces asks a rope to push, or a one-sided contact to pull. Neither can: the structure does not rest in this \
      position under these loads. Turn the load, move the connection, or replace the rope by a rod.";
-const WRONG_SIDE_RU: &str = "Уравнения равновесия требуют, чтобы нить толкала или односторонний контакт тянул. Этого быть не может: под такими нагрузками \
+pub(crate) const WRONG_SIDE_RU: &str = "Уравнения равновесия требуют, чтобы нить толкала или односторонний контакт тянул. Этого быть не может: под такими нагрузками \
      конструкция в этом положении не покоится. Измените нагрузку, место связи или замените нить стержнем.";
-const UNREST_EN: &str = "Some displacement is prevented by nothing, and the loads do work in it: equilibrium is impossible. The message lists the \
+pub(crate) const UNREST_EN: &str = "Some displacement is prevented by nothing, and the loads do work in it: equilibrium is impossible. The message lists the \
      displacements that belong to it with their shares. Add a support, or a load that balances it.";
-const UNREST_RU: &str = "Некоторому перемещению ничто не препятствует, и нагрузки совершают на нём работу: равновесие невозможно. В сообщении \
+pub(crate) const UNREST_RU: &str = "Некоторому перемещению ничто не препятствует, и нагрузки совершают на нём работу: равновесие невозможно. В сообщении \
      перечислены входящие в него перемещения и их доли. Добавьте опору или уравновешивающую нагрузку.";
 
 /// A result, which must be a number.

@@ -7,17 +7,18 @@
 pub mod audits;
 pub mod connections;
 pub mod dataset;
-pub mod events;
+pub mod explain;
 pub mod fault;
+pub mod integrate;
 pub mod linear;
 pub mod machine;
 pub mod marks;
+mod naming;
+pub mod proxies;
 pub mod reduce;
 pub mod rest;
-pub mod stiff;
 pub mod studies;
 pub mod system;
-pub mod taylor;
 pub mod waveform;
 
 pub use dataset::Dataset;

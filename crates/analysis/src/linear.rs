@@ -15,7 +15,7 @@ use symbolic::linear::{About, Loads, Timing};
 use symbolic::{Derivation, Equations, Expr, Linear, SymbolId};
 use words::Text;
 
-use crate::machine::notation;
+use crate::naming::notation;
 use crate::rest::near::Near;
 use crate::studies::equilibrium::{Statics, rest_near};
 use crate::waveform::Shape;

@@ -9,7 +9,7 @@ mod hidden;
 mod impact;
 mod jolt;
 mod meaning;
-pub(crate) mod open;
+mod open;
 mod parts;
 mod phases;
 mod solved;
@@ -24,6 +24,7 @@ use symbolic::connections::Law;
 use words::Text;
 
 use crate::connections::{self, Assembly, assemble_with};
+use crate::naming::configuration;
 use crate::system::Layout;
 use crate::{Blow, Fault, Guard, Mode, Powers, Quantity, Supply, System, Tie, Touch};
 use conditions::Conditions;
@@ -31,7 +32,6 @@ use flows::Flows;
 use meaning::{
     Refusal, impulse, is_tie, kind, layout, outputs, placements, reads_accelerations, refused, returned, rubbing, states, translated,
 };
-pub(crate) use meaning::{configuration, notation};
 use solved::Solved;
 
 /// Within which the instant of an event is known, relative to it.

@@ -2,7 +2,7 @@
 
 mod common;
 
-use analysis::events::{Change, Switch};
+use analysis::integrate::events::{Change, Switch};
 use analysis::{GuardKind, Mode};
 use common::*;
 
@@ -94,7 +94,7 @@ fn ball_on_a_floor_starts_in_contact_and_is_thrown_off() {
     let (_, switches) = run(&mut ball(10.0, 0.0, 0.0, 1.0), &[0.0, 5.0], 3.0, 1e-12).unwrap();
     assert_eq!((switches.len(), switches[0].t, switches[0].after), (1, 1.0, Mode::Zero));
     let mut system = ball(10.0, 0.5, 0.0, 1.0);
-    let flow = analysis::taylor::Flow::start(&mut system, 0.0, &[0.0, -4.0], &Default::default()).unwrap();
+    let flow = analysis::integrate::taylor::Flow::start(&mut system, 0.0, &[0.0, -4.0], &Default::default()).unwrap();
     assert_eq!((flow.state(), &flow.state_before()[..], flow.switches().len()), (&[0.0, 2.0][..], &[0.0, -4.0][..], 1));
     // a shaken floor throws it off when a w^2 sin(w t) = g
     let (a, w, g) = (0.2_f64, 8.0_f64, 9.81);

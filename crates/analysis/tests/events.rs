@@ -93,8 +93,8 @@ fn dry_friction_by_sign_loses_its_amplitude_and_ends_in_a_named_fault() {
     // amplitude falls by 2 mu / w^2 each half period pi / w; rest within mu / w^2
     let (w, mu) = (3.0_f64, 0.9);
     let mut system = dry_oscillator(w, mu);
-    let options = analysis::taylor::Options::default();
-    let mut flow = analysis::taylor::Flow::start(&mut system, 0.0, &[1.05, 0.0], &options).unwrap();
+    let options = analysis::integrate::taylor::Options::default();
+    let mut flow = analysis::integrate::taylor::Flow::start(&mut system, 0.0, &[1.05, 0.0], &options).unwrap();
     let mut turns = vec![];
     let fault = loop {
         if let Err(fault) = flow.advance(100.0) {

@@ -2,7 +2,7 @@
 
 mod common;
 
-use analysis::events::Switch;
+use analysis::integrate::events::Switch;
 use analysis::{Fault, GuardKind, Mode};
 use common::*;
 

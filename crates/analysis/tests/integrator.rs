@@ -5,7 +5,7 @@ mod common;
 use std::f64::consts::PI;
 
 use analysis::System;
-use analysis::taylor::{Flow, Options};
+use analysis::integrate::taylor::{Flow, Options};
 use common::*;
 
 #[test]

@@ -4,8 +4,8 @@
 mod linkage;
 
 use analysis::Machine;
+use analysis::integrate::taylor::{Flow, Options};
 use analysis::studies::simulate::{Grid, Outcome, Simulate, simulate};
-use analysis::taylor::{Flow, Options};
 use linkage::*;
 
 fn assembled(b: &Build) -> Result<Machine, analysis::Fault> {
@@ -111,10 +111,10 @@ fn rod_of_a_pendulum_has_the_force_of_the_closed_form() {
 
 mod switching {
     use super::*;
-    use analysis::taylor::Options;
+    use analysis::integrate::taylor::Options;
 
     /// Switches until the end: (t, guard, before, after) and the final state.
-    fn follow(b: &Build, end: f64) -> (Vec<analysis::events::Switch>, Vec<f64>) {
+    fn follow(b: &Build, end: f64) -> (Vec<analysis::integrate::events::Switch>, Vec<f64>) {
         let mut machine = assembled(b).unwrap();
         let start = machine.start().unwrap();
         let options = Options { span: end, ..Options::default() };
@@ -329,7 +329,7 @@ mod switching {
         // hammer with u/16, which gives it e u/16 and takes 1.5 u/64 from the block
         let speed = 9.81 * fall;
         let rates: Vec<[f64; 2]> = (switches.iter().filter(|s| (s.t - fall).abs() < 1e-15))
-            .map(|s| if let analysis::events::Change::Impact { rates, .. } = s.change { rates } else { panic!("{switches:?}") })
+            .map(|s| if let analysis::integrate::events::Change::Impact { rates, .. } = s.change { rates } else { panic!("{switches:?}") })
             .collect();
         let wanted = [[0.0, 3.0 / 16.0 - 1.5 / 64.0], [-1.0, 1.0 / 32.0]];
         for (rates, wanted) in rates.iter().flatten().zip(wanted.iter().flatten()) {

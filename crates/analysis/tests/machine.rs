@@ -3,10 +3,10 @@
 #[path = "common/shaft.rs"]
 mod shaft;
 
-use analysis::stiff::Method;
+use analysis::integrate::stiff::Method;
+use analysis::integrate::taylor::{Flow, Options};
 use analysis::studies::equilibrium::{Equilibrium, equilibrium};
 use analysis::studies::simulate::{Grid, Outcome, Simulate, simulate};
-use analysis::taylor::{Flow, Options};
 use symbolic::{Expr, Function, Graph, Rational};
 
 /// phi(30 s) of card P3 at m = 0.01 kg.

@@ -5,8 +5,8 @@ mod linkage;
 #[path = "common/shaft.rs"]
 mod shaft;
 
-use analysis::stiff::Method;
-use analysis::taylor::{Flow, Options, Work};
+use analysis::integrate::stiff::Method;
+use analysis::integrate::taylor::{Flow, Options, Work};
 use analysis::{Fault, Guard, Jacobian, Machine, Mode, Quantity, System};
 
 /// x' = fast (g(t) - x), by the Taylor coefficients of g: x_(k+1) = fast (g_k - x_k)/(k + 1).

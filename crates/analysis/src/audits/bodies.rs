@@ -10,7 +10,7 @@ use words::Text;
 use super::frontier::Frontier;
 use crate::System;
 use crate::dataset::Audit;
-use crate::taylor::Step;
+use crate::integrate::Step;
 
 /// Share of the inertia forces that double the rates within a step below which a balance is rounding.
 const SMALL: f64 = 1e-4;

@@ -9,7 +9,7 @@ use words::Text;
 
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
-use crate::taylor::Step;
+use crate::integrate::Step;
 use crate::{Jacobian, System};
 use algebra::lu::Lu;
 

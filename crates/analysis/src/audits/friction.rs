@@ -9,7 +9,7 @@ use words::Text;
 use super::frontier::Frontier;
 use crate::System;
 use crate::dataset::Audit;
-use crate::taylor::Step;
+use crate::integrate::Step;
 
 /// Rounding of a speed beside the terms that meet in it.
 const LIMIT: f64 = 1e-9;

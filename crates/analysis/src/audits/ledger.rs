@@ -20,7 +20,7 @@ use words::Text;
 use super::damping::damping_alone;
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
-use crate::taylor::Step;
+use crate::integrate::Step;
 use crate::{Mode, Supply, System};
 use algebra::gauss::{FIVE, TWELVE};
 use algebra::sum::two_sum;

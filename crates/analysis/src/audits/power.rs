@@ -19,7 +19,7 @@ use words::Text;
 use super::damping::{damping_alone, places_alone};
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
-use crate::taylor::Step;
+use crate::integrate::Step;
 use crate::{Powers, System};
 
 /// Share of the powers of an instant, a hundredth of the least limit, up to which a residual is in order whatever else may be a scale.

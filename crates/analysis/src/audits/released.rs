@@ -22,8 +22,8 @@ use super::frontier::Frontier;
 use super::placements::{BODY, N, Placements, Vector, Wrench, cross, dot, length, minus};
 use super::virtual_work::VirtualWork;
 use crate::dataset::Audit;
+use crate::integrate::Step;
 use crate::system::Layout;
-use crate::taylor::Step;
 use crate::{Mode, System};
 
 /// Largest residual relative to the terms that meet. A forgotten term is seen at 1e-3 and more.

@@ -19,8 +19,8 @@ use words::Text;
 use super::ROUNDED;
 use super::frontier::{FLOOR, Frontier};
 use crate::dataset::Audit;
+use crate::integrate::Step;
 use crate::system::{Touch, TouchLaw};
-use crate::taylor::Step;
 use crate::{GuardKind, Mode, System};
 
 /// Where a step is looked at.

@@ -7,6 +7,7 @@
 mod apart;
 mod choice;
 mod closing;
+mod piecewise;
 mod rank;
 mod starts;
 
@@ -21,6 +22,7 @@ use words::Text;
 
 use crate::Fault;
 
+pub(crate) use piecewise::is_piecewise;
 pub use starts::settle_starts;
 
 /// A machine put together.

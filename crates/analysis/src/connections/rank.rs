@@ -200,7 +200,7 @@ impl Bench<'_> {
         let mut placed: Vec<(usize, usize)> = Vec::new();
         let mut best: Option<(Sorted, Vec<f64>)> = None;
         // what is shared in some places only has values in the others: the motion tells
-        let needed = if crate::machine::open::is_piecewise(self.equations) { places.len() } else { 1 };
+        let needed = if super::is_piecewise(self.equations) { places.len() } else { 1 };
         let (always, mut often) = (open.to_vec(), vec![0; reactions]);
         for x in places {
             let mut here = always.clone();

@@ -355,7 +355,7 @@ impl Conditions {
             let levers = self.levers[row].max(self.column(row).iter().map(|j| j.abs()).sum());
             let parted = |value: f64, size: f64| value.abs() > (CONTRADICTS * size).max(MOVED * levers);
             if parted(self.place(row), self.arms[row]) || parted(self.rate(row), self.slip_size(row, x)) {
-                return Err(Fault::contradiction(&self.names[row], &super::configuration(self.coordinates.iter().zip(x))));
+                return Err(Fault::contradiction(&self.names[row], &crate::naming::configuration(self.coordinates.iter().zip(x))));
             }
         }
         Ok(())

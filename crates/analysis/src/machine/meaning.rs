@@ -7,6 +7,7 @@ use symbolic::connections::{Law, Reaction};
 use words::Text;
 
 use crate::connections::Undetermined;
+use crate::naming::notation;
 use crate::system::Layout;
 use crate::{Fault, GuardKind, Mode, Quantity};
 
@@ -62,17 +63,6 @@ pub(super) fn returned(mode: program::Mode) -> Mode {
         program::Mode::Zero => Mode::Zero,
         program::Mode::Positive => Mode::Positive,
     }
-}
-
-/// `phi1 = 1.5708 rad, x = 0.3 m`.
-pub(crate) fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q f64)>) -> Text {
-    let (mut en, mut ru) = (Vec::new(), Vec::new());
-    for (state, value) in places {
-        let (n, unit) = (crate::fault::rounded(*value), Text::unit(&state.unit));
-        en.push(format!("{} = {} {}", state.name, n.en, unit.en));
-        ru.push(format!("{} = {} {}", state.name, n.ru, unit.ru));
-    }
-    Text::new(en.join(", "), ru.join(", "))
 }
 
 /// The released bodies without what acts on them.
@@ -175,11 +165,4 @@ pub(super) fn outputs(equations: &Equations) -> Vec<Quantity> {
         Quantity { name: o.name.clone(), symbol, unit: o.unit.clone(), label: o.label.clone(), display: o.display.clone() }
     };
     equations.outputs.iter().map(quantity).collect()
-}
-
-/// The user's symbol of a name, primes kept: `phi1'` is `φ_в'` where the file says so.
-pub(crate) fn notation(equations: &Equations, name: &str) -> String {
-    let bare = name.trim_end_matches('\'');
-    let shown = equations.notation.iter().find(|(n, _)| n == bare).map_or(bare, |(_, symbol)| symbol);
-    format!("{shown}{}", &name[bare.len()..])
 }

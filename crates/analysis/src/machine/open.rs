@@ -15,8 +15,8 @@ use algebra::elementary;
 use std::collections::BTreeMap;
 
 use program::{GuardKind, Mode, Point, Program};
+use symbolic::Equations;
 use symbolic::connections::{Law, Normal};
-use symbolic::{Equations, Expr, Function, Node};
 
 use super::Machine;
 use super::conditions::{Conditions, Holds};
@@ -50,7 +50,7 @@ pub(super) struct Sharing {
 
 impl Sharing {
     pub(super) fn new(equations: &Equations, program: &Program) -> Sharing {
-        let mut sharing = Sharing { piecewise: is_piecewise(equations), ..Sharing::default() };
+        let mut sharing = Sharing { piecewise: crate::connections::is_piecewise(equations), ..Sharing::default() };
         for (i, guard) in program.guards.iter().enumerate() {
             match guard.kind {
                 GuardKind::Share { of, .. } => sharing.shares.push([i, of]),
@@ -302,33 +302,6 @@ fn open_supports(hidden: &[usize], reactions: usize, shares: &[f64]) -> Option<O
     };
     let directions: Vec<Vec<f64>> = null_space(&columns).into_iter().map(whole).collect();
     (!directions.is_empty()).then_some(Open { acting: Vec::new(), directions })
-}
-
-/// Whether what supports do in the balances depends on formulas with switches. Other formulas are analytic: what they make dependent on a stretch they make
-/// dependent everywhere.
-pub(crate) fn is_piecewise(equations: &Equations) -> bool {
-    let graph = &equations.graph;
-    let hidden = equations.reactions.iter().filter(|r| r.law.is_hidden());
-    let own: Vec<Expr> = hidden.flat_map(|r| r.released.iter().map(|(_, e)| *e)).collect();
-    if own.is_empty() {
-        return false;
-    }
-    let mut roots = own;
-    let mut known = 0;
-    // names of formulas stand for them
-    while roots.len() > known {
-        known = roots.len();
-        let symbols = graph.symbols_in(&roots);
-        let named = equations.definitions.iter().filter(|d| symbols.contains(&d.symbol) && !roots.contains(&d.formula));
-        let more: Vec<Expr> = named.map(|d| d.formula).collect();
-        roots.extend(more);
-    }
-    let switches = |e: Expr| match graph.node(e) {
-        Node::Switch { .. } => true,
-        Node::Call { function, .. } => matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max),
-        _ => false,
-    };
-    graph.reachable(&roots).into_iter().any(switches)
 }
 
 /// A unit of a reaction with the frictions that slide under it.

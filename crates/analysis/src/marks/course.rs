@@ -2,8 +2,8 @@
 
 use super::bracketed;
 use super::crossings::{self, Bracket};
-use super::proxy::{Piece, Proxies, Source};
 use crate::dataset::{Extreme, Overall};
+use crate::proxies::proxy::{Piece, Proxies, Source};
 
 /// Share of the range by which a later value must be better: of equal ones the first counts.
 const TIE: f64 = 1e-13;

@@ -8,10 +8,10 @@
 //! times its length of every other piece. A jump has no length.
 
 use super::crossings::{self, Bracket};
-use super::proxy::{Piece, Proxies};
 use super::{Along, bracketed, unknown};
 use crate::System;
 use crate::dataset::{Extreme, Overall};
+use crate::proxies::proxy::{Piece, Proxies};
 use algebra::sum::two_sum;
 
 /// Error of a piece relative to its variation, with room to spare.

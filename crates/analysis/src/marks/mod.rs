@@ -6,21 +6,19 @@
 //! ([`crossings`]), so that none is missed down to the rounding of its coefficients; an instant is then polished on f itself. The same polynomials give
 //! integrals, hence means and works.
 
-pub(crate) mod behind;
 pub(crate) mod course;
 pub mod crossings;
 pub mod extremes;
 pub mod named;
-pub mod proxy;
 pub mod pushes;
 
 use std::sync::Arc;
 
 use program::Behind;
 
-use crate::taylor::Step;
+use crate::integrate::Step;
+use crate::proxies::proxy::Source;
 use crate::{System, dataset::Extreme};
-use proxy::Source;
 
 /// Samples of a step that are kept: those of its whole length.
 const KNOWN: usize = 17;

@@ -6,9 +6,9 @@
 //! counts as zero.
 
 use super::crossings::{self, Bracket};
-use super::proxy::{Piece, Proxies};
 use super::{Along, bracketed};
 use crate::System;
+use crate::proxies::proxy::{Piece, Proxies};
 
 /// Which changes of sign count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]

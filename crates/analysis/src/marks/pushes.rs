@@ -7,9 +7,9 @@ use words::Text;
 
 use super::Along;
 use super::named::{Direction, Named, Watcher};
-use super::proxy::Source;
 use crate::System;
 use crate::fault::rounded;
+use crate::proxies::proxy::Source;
 
 /// A normal force to be watched.
 #[derive(Clone, Debug, PartialEq)]

@@ -14,7 +14,7 @@
 //! ```
 //!
 //! where the dissipated power is taken at the accelerations of the uniform motion, from which the normal forces of dry frictions follow;
-//! and ∮ M dφ = 0 in a steady cycle. J, J', M and the power M φ' of each step are polynomials through Chebyshev's points ([`crate::marks::proxy`]); the
+//! and ∮ M dφ = 0 in a steady cycle. J, J', M and the power M φ' of each step are polynomials through Chebyshev's points ([`crate::proxies::proxy`]); the
 //! work A(φ) is the integral of the last, and its extremes lie where M passes zero, between steps and inside them.
 //!
 //! The running of the true motion from the start is that over one cycle of the angle, whatever time it takes: greatest and least rate from the dense
@@ -24,11 +24,12 @@
 use words::{Message, Text};
 
 use crate::dataset::{Audit, Column, Dataset, Extreme};
+use crate::integrate::Step;
+use crate::integrate::taylor::{Flow, Options};
 use crate::marks::crossings::{self, Bracket};
 use crate::marks::extremes::Extremes;
-use crate::marks::proxy::{Piece, Proxies, Values};
 use crate::marks::{Along, bracketed};
-use crate::taylor::{Flow, Options, Step};
+use crate::proxies::proxy::{Piece, Proxies, Values};
 use crate::{Fault, GuardKind, Mode, Quantity, System};
 use algebra::gauss::EIGHT;
 

@@ -17,16 +17,16 @@ use crate::audits::shared::{Shared, not_unique};
 use crate::audits::touches::TouchLaws;
 use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, released::ReleasedBalance, second::two_derivations};
 use crate::dataset::{Audit, Column, ContactChange, Counter, Dataset, Event, Missing, Standing};
-use crate::events::words::{change, describe, standing};
-use crate::events::{Change, Switch};
 use crate::fault::{number, rounded};
+use crate::integrate::events::words::{change, describe, standing};
+use crate::integrate::events::{Change, Switch};
+use crate::integrate::stiff::Method;
+use crate::integrate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance, order_for};
 use crate::marks::Along;
 use crate::marks::extremes::Extremes;
 use crate::marks::named::{Happened, Named, Watcher};
-use crate::marks::proxy::Source;
 use crate::marks::pushes::{Push, Pushes};
-use crate::stiff::Method;
-use crate::taylor::{Flow, Options, TOLERANCES, Work, check_tolerance, order_for};
+use crate::proxies::proxy::Source;
 use crate::{Fault, Mode, Quantity, System};
 
 /// Times at which results are wanted.
@@ -47,7 +47,7 @@ pub struct Simulate<'a> {
     pub until: f64,
     /// Times of the result.
     pub grid: Grid,
-    /// Relative tolerance of a step; see [`crate::taylor`]. Default 1e-12.
+    /// Relative tolerance of a step; see [`crate::integrate::taylor`]. Default 1e-12.
     pub tolerance: f64,
     /// Outputs by name; all when absent.
     pub outputs: Option<Vec<String>>,

@@ -31,7 +31,7 @@ pub struct Simulate {
     /// Relative tolerance.
     pub tolerance: f64,
     /// How the motion is integrated.
-    pub method: analysis::stiff::Method,
+    pub method: analysis::integrate::stiff::Method,
     /// Outputs wanted, by name (also coordinates and rates); empty means all.
     pub outputs: Vec<String>,
     /// Plots wanted.
@@ -45,7 +45,7 @@ impl Simulate {
             until: asked.number("until").unwrap_or(0.0),
             times: asked.times(),
             tolerance: asked.number("tolerance").unwrap_or(TOLERANCE),
-            method: asked.word("method").and_then(analysis::stiff::Method::named).unwrap_or_default(),
+            method: asked.word("method").and_then(analysis::integrate::stiff::Method::named).unwrap_or_default(),
             outputs: asked.words("outputs").to_vec(),
             plots: asked.plots().to_vec(),
         }

@@ -106,7 +106,7 @@ struct Command {
     verb: String,
     until: f64,
     tolerance: f64,
-    method: analysis::stiff::Method,
+    method: analysis::integrate::stiff::Method,
     set: Vec<(String, String)>,
     guess: Vec<(String, String)>,
     linearise: bool,
@@ -147,7 +147,9 @@ impl Command {
                 (None, "until") => command.until = quantity(value)?,
                 (None, "name") => value.clone_into(&mut command.name),
                 (None, "variant") => command.variant = Some(value.to_owned()),
-                (None, "method") => command.method = analysis::stiff::Method::named(value).ok_or_else(|| format!("no method: {value}"))?,
+                (None, "method") => {
+                    command.method = analysis::integrate::stiff::Method::named(value).ok_or_else(|| format!("no method: {value}"))?
+                }
                 (None, "tolerance") => command.tolerance = value.parse().map_err(|_| format!("not a number: {value}"))?,
                 (None, _) => return Err(format!("unknown option `{word}`")),
             }

@@ -1,6 +1,6 @@
 //! Least and greatest values along the way, between the places of the table too.
 //!
-//! Every quantity is a curve over the leading coordinate. It is replaced by polynomials through its values at Chebyshev's points ([`crate::marks::proxy`]); the
+//! Every quantity is a curve over the leading coordinate. It is replaced by polynomials through its values at Chebyshev's points ([`crate::proxies::proxy`]); the
 //! place of a value comes from the nearest place of the table. Extremes lie at the ends and where the derivative of a polynomial vanishes.
 
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use super::way::Stand;
 use super::{Observer, Place, Walk, turning};
 use crate::dataset::Extreme;
 use crate::marks::course::Course;
-use crate::marks::proxy::{Proxies, Source};
+use crate::proxies::proxy::{Proxies, Source};
 
 /// Pieces of a quantity that may fail: a kink takes about a hundred.
 const PIECES: i64 = 600;

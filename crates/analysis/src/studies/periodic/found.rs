@@ -7,7 +7,7 @@ use super::spectrum::Turn;
 use super::symmetry::{self, Symmetry};
 use super::{Periodic, closure, unsettled};
 use crate::dataset::Audit;
-use crate::taylor::Options;
+use crate::integrate::taylor::Options;
 use crate::{Fault, Mode, System};
 use algebra::qr::{DEPENDENT, Qr};
 use std::f64::consts::TAU;

@@ -12,7 +12,7 @@
 use super::listener::Listener;
 use super::orbit::{Jump, Orbit};
 use super::variation::{self, Chain, Stretch};
-use crate::events::{Change, Switch};
+use crate::integrate::events::{Change, Switch};
 use crate::{Fault, GuardKind, Mode, System};
 use algebra::elementary;
 

@@ -33,7 +33,7 @@ use words::{Message, Text};
 use super::simulate::{self, Grid};
 use crate::dataset::{Audit, Dataset};
 use crate::fault::{number, rounded};
-use crate::taylor::check_tolerance;
+use crate::integrate::taylor::check_tolerance;
 use crate::{Fault, System};
 
 /// What brings the motion back.

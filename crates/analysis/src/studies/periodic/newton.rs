@@ -7,7 +7,7 @@ use super::orbit::{Orbit, Section, follow};
 use super::rest::{self, Left};
 use super::symmetry::{self, Reach, Symmetry};
 use super::{Periodic, Return, driven, interrupted, no_return, unsettled};
-use crate::taylor::{Flow, Options};
+use crate::integrate::taylor::{Flow, Options};
 use crate::{Fault, System};
 use std::f64::consts::TAU;
 use words::Text;
@@ -346,7 +346,7 @@ fn prepare<'s, 'o, S: System + ?Sized>(
 
 /// Whether nothing moves in a frame.
 fn still(trial: &Orbit, frame: &[f64], scales: &[f64]) -> bool {
-    let moves = |s: &crate::taylor::Step, i: usize| (s.coefficients(i)[1] - frame[i]).abs() * trial.period > 1e-9 * scales[i];
+    let moves = |s: &crate::integrate::Step, i: usize| (s.coefficients(i)[1] - frame[i]).abs() * trial.period > 1e-9 * scales[i];
     trial.steps.iter().all(|s| (0..scales.len()).all(|i| !moves(s, i)))
 }
 

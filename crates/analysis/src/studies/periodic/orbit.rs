@@ -1,9 +1,10 @@
 //! One turn of the motion from a section back to it: its steps, the switches between them, the instant of return.
 
 use super::listener::{Listener, Stage};
-use crate::events::Switch;
-use crate::events::roots::RootFinder;
-use crate::taylor::{Flow, Options, Step};
+use crate::integrate::Step;
+use crate::integrate::events::Switch;
+use crate::integrate::events::roots::RootFinder;
+use crate::integrate::taylor::{Flow, Options};
 use crate::{Fault, Mode, System};
 
 /// Where a turn ends.

@@ -18,7 +18,7 @@
 use super::fundamental::{Square, slopes};
 use super::listener::{Listener, Stage};
 use super::orbit::Orbit;
-use crate::taylor::Step;
+use crate::integrate::Step;
 use crate::{Fault, System};
 use algebra::elementary;
 use algebra::gauss::EIGHT;
@@ -303,7 +303,7 @@ fn in_change_point<S: System + ?Sized>(system: &S, step: &Step) -> Fault {
     let mut x = vec![0.0; system.states().len()];
     step.state_at(t, &mut x);
     let n = system.n_coordinates();
-    Fault::varied_over_change_point(&crate::machine::configuration(system.states().iter().zip(&x).take(n)), t)
+    Fault::varied_over_change_point(&crate::naming::configuration(system.states().iter().zip(&x).take(n)), t)
 }
 
 /// Continues the chain over a stretch.

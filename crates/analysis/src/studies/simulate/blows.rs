@@ -5,9 +5,9 @@ use words::Text;
 use super::{Run, jumps};
 use crate::audits::impacts::relative;
 use crate::dataset::Impulse;
-use crate::events::{Change, Switch};
 use crate::fault::rounded;
-use crate::taylor::Flow;
+use crate::integrate::events::{Change, Switch};
+use crate::integrate::taylor::Flow;
 use crate::{GuardKind, Mode, System};
 
 impl Run {

@@ -1,7 +1,7 @@
 //! Rows that fall into a change point.
 
 use super::Run;
-use crate::taylor::Step;
+use crate::integrate::Step;
 use crate::{Fault, System};
 
 /// Where values around a change point are taken, in units of the stretch in which conditions are not closed.

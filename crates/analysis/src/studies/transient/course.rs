@@ -9,7 +9,7 @@ use super::{Phase, modes};
 use crate::System;
 use crate::dataset::{Extreme, Overall};
 use crate::marks::course::Course;
-use crate::marks::proxy::{Proxies, Source};
+use crate::proxies::proxy::{Proxies, Source};
 
 /// Extremes, integrals and last values of the chosen outputs; the names of those that could not be followed everywhere come third.
 pub(super) fn course<S: System + ?Sized>(system: &mut S, phases: &[Phase], chosen: &[usize]) -> (Vec<Extreme>, Vec<Overall>, Vec<String>) {

@@ -1,8 +1,9 @@
 //! Whether a step is accepted: it must be finite, longer than the resolution of time, and its end must satisfy the equations.
 
+use crate::integrate::step;
 use words::Text;
 
-use super::{Flow, step};
+use super::Flow;
 use crate::{Fault, System};
 use algebra::sum::Instant;
 
@@ -134,7 +135,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     pub(super) fn underflow(&self) -> Fault {
         let places = self.system.states().iter().zip(&self.x).take(self.system.n_coordinates());
-        Fault::underflow(&self.fastest(), self.now.high).in_configuration(&crate::machine::configuration(places))
+        Fault::underflow(&self.fastest(), self.now.high).in_configuration(&crate::naming::configuration(places))
     }
 
     /// Name of the state whose last coefficient limits the step most.

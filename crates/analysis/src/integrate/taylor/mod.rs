@@ -1,32 +1,29 @@
 //! Adaptive Taylor integrator with dense output and exact events.
 //!
 //! One expansion per step gives the polynomials of the states, hence the step length (`length.rs`), the dense output ([`Step`]) and
-//! polynomial event functions ([`crate::events::roots`]). The order starts from the tolerance and adapts to the motion. A step goes so:
+//! polynomial event functions ([`crate::integrate::events::roots`]). The order starts from the tolerance and adapts to the motion. A step goes so:
 //!
 //! 1. length from the last two coefficients, and the order of the next expansion; never across a scheduled instant, which is hit exactly, and never
 //!    across what an operation does beyond its polynomial ([`System::faithful`]);
 //! 2. first sign change of a guard on the step shortens it;
 //! 3. new state; the expansion there is the next step's, and its first coefficients, compared with the derivative of the old polynomials, measure the
 //!    defect of the step: a step that relied on accidental zeros among the last coefficients is taken back;
-//! 4. at an event the modes are decided anew ([`crate::events`]).
+//! 4. at an event the modes are decided anew ([`crate::integrate::events`]).
 
 mod accept;
 mod implicit;
 mod length;
 mod passage;
-mod step;
 mod switching;
 mod turns;
 
 use words::Text;
 
-pub use step::Step;
-pub(crate) use step::{Series, increment_and_slope};
-
-use crate::events::roots::RootFinder;
-use crate::events::{Hit, Switch};
+use super::{Step, step};
 use crate::fault::number;
-use crate::stiff::Method;
+use crate::integrate::events::roots::RootFinder;
+use crate::integrate::events::{Hit, Switch};
+use crate::integrate::stiff::Method;
 use crate::{Blow, Fault, Mode, System, Tie};
 use accept::Defect;
 use algebra::sum::{Instant, two_sum};
@@ -524,7 +521,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         }
         self.loads = self.largest_load(|i| self.trial.guards.row(i), self.natural);
         for (i, scale) in self.guard_scale.iter_mut().enumerate() {
-            *scale = scale.max(crate::events::size(self.trial.guards.row(i), self.natural));
+            *scale = scale.max(crate::integrate::events::size(self.trial.guards.row(i), self.natural));
         }
         Ok(())
     }

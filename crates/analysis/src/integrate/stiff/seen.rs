@@ -2,12 +2,12 @@
 //!
 //! The nodes of a step and the places halfway between them are blind to a force that begins and ends between two of them, and so is the Newton
 //! iteration. What the values do not show, the operands do: the operations of the equations and of the guards in force are recorded at Chebyshev's
-//! points of the step and judged as those behind an output are (`marks/behind.rs`, docs/theory/marks.md), with the tolerance of the motion for the error of
+//! points of the step and judged as those behind an output are (`proxies/behind.rs`, docs/theory/marks.md), with the tolerance of the motion for the error of
 //! their polynomials. States are known to a few tolerances inside a step, which a stiff force magnifies; that much of an operation is not looked at.
 
 use super::collocation::{Base, Collocation};
 use crate::System;
-use crate::marks::behind::Look;
+use crate::proxies::behind::Look;
 
 /// Error of the polynomials of operations, at least.
 const ERROR: f64 = 1e-11;
@@ -28,7 +28,7 @@ impl Collocation {
         for j in 0..=n {
             let tau = self.points.u[j] * h;
             for k in 0..base.x.len() {
-                let (z, _) = crate::taylor::increment_and_slope(self.powers.row(k), tau);
+                let (z, _) = crate::integrate::increment_and_slope(self.powers.row(k), tau);
                 self.point[k] = base.x[k] + (z + base.low[k]);
             }
             let mut row = Vec::with_capacity(behind.width());

@@ -13,7 +13,7 @@
 //! takes over again, and at each event it takes the first steps, because the modes are decided by derivatives.
 
 use super::{Flow, Options};
-use crate::stiff::{Base, Collocation, Method, Verdict};
+use crate::integrate::stiff::{Base, Collocation, Method, Verdict};
 use crate::{Fault, System};
 use algebra::sum::Instant;
 

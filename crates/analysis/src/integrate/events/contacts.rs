@@ -5,7 +5,7 @@
 //! are any, include some of exactly this kind (the corners of their polyhedron), so that nothing breaks away too early or too late.
 
 use super::modes::Verdict;
-use crate::taylor::Flow;
+use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System};
 
 /// Most trials of shares at one instant.

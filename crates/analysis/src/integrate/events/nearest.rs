@@ -5,7 +5,7 @@
 //! (`modes.rs`: everything else as before, what fired or struck closed and sticking), the sets nearer to it are tried too: some of the departures taken
 //! back, what fired in any of its modes. Preferred is the set with fewest departures among those that did not fire, then with fewest at all.
 
-use crate::taylor::Flow;
+use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System};
 
 use super::modes::Verdict;

@@ -61,7 +61,7 @@
 //! nothing. The lowest order is 8, the highest four above the rule and 26 at most, for the reasons above. A step that is taken back gets its
 //! order back. An order that the caller gives is kept. Acceptance does not depend on any of this.
 
-use super::step::Series;
+use crate::integrate::Series;
 use algebra::elementary;
 
 /// Lowest order.

@@ -12,8 +12,9 @@
 //!
 //! A singularity that is none, only near to one, has no zero of μ and is resolved by short steps as any other motion.
 
-use super::{Flow, step};
-use crate::taylor::step::Series;
+use super::Flow;
+use crate::integrate::Series;
+use crate::integrate::step;
 use crate::{Fault, System};
 use algebra::elementary;
 use algebra::sum::Instant;
@@ -391,7 +392,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
             c[0] + step::increment(c, to)
         };
         let x: Vec<f64> = (0..self.system.n_coordinates()).map(place).collect();
-        let places = crate::machine::configuration(self.system.states().iter().zip(&x));
+        let places = crate::naming::configuration(self.system.states().iter().zip(&x));
         Fault::change_point(&places, self.now.after(to).high)
     }
 }

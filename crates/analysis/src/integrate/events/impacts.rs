@@ -12,7 +12,7 @@
 //! When this, and every flight that begins now, is below [`REST`] of the time (or of the step that the motion would allow), the contacts close at once. A contact
 //! closes by itself where its rates are rounding of those of the bodies that meet and shrink no more.
 
-use crate::taylor::Flow;
+use crate::integrate::taylor::Flow;
 use crate::{Blow, Fault, GuardKind, Mode, System};
 use algebra::sum::Instant;
 

@@ -17,7 +17,7 @@
 //!
 //! Every trial begins from the state after the impacts and moves it exactly onto the conditions of its modes ([`System::project`]).
 
-use crate::taylor::Flow;
+use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System, Tie};
 
 use super::{Change, Switch, contacts};

@@ -33,7 +33,7 @@ impl Collocation {
         let n = base.x.len();
         let mut defect = vec![0.0; n];
         for (k, d) in defect.iter_mut().enumerate() {
-            let (z, slope) = crate::taylor::increment_and_slope(self.powers.row(k), tau);
+            let (z, slope) = crate::integrate::increment_and_slope(self.powers.row(k), tau);
             self.point[k] = base.x[k] + (z + base.low[k]);
             *d = slope;
         }
@@ -45,7 +45,7 @@ impl Collocation {
         let states = (0..n).fold(0.0, |m: f64, k| m.max(larger(defect[k].abs() / allowed(k))));
         let guards = (0..self.n_guards).fold(0.0, |m: f64, k| {
             let Some(&value) = system.guard(k).first() else { return m };
-            let off = (crate::taylor::increment_and_slope(self.guard_powers.row(k), tau).0 + self.guard_powers.row(k)[0] - value).abs();
+            let off = (crate::integrate::increment_and_slope(self.guard_powers.row(k), tau).0 + self.guard_powers.row(k)[0] - value).abs();
             m.max(larger(off / self.guard_allowance(k)))
         });
         Some(states.max(guards))

@@ -12,7 +12,7 @@
 //! | contact | closed | the force is not negative and does not become so | to open |
 //! | contact | open | the gap opens | to close |
 
-use crate::taylor::Flow;
+use crate::integrate::taylor::Flow;
 use crate::{Fault, GuardKind, Mode, System, Tie};
 
 use super::modes::opposite;

@@ -1,6 +1,6 @@
 //! One accepted step: the Taylor polynomials of all states, which are the dense output.
 
-use crate::stiff::Collocation;
+use crate::integrate::stiff::Collocation;
 use crate::{Mode, System};
 use algebra::sum::Instant;
 

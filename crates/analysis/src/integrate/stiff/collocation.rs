@@ -5,8 +5,8 @@ use super::newton::{Newton, Outcome, Stages};
 use super::radau::Tableau;
 use super::scales::Scales;
 use super::stages;
-use crate::marks::proxy::Points;
-use crate::taylor::Series;
+use crate::integrate::Series;
+use crate::proxies::proxy::Points;
 use crate::{Fault, Jacobian, Mode, System};
 use algebra::sum::Instant;
 
