@@ -1,5 +1,6 @@
 //! Every table of explanations of this crate: what `strutt explain` says of its codes.
 
+use structures::matrices;
 use words::explain::{Explanation, plain};
 
 use crate::fault::{
@@ -10,12 +11,11 @@ use crate::fault::{
     OVERFLOW_EN, OVERFLOW_RU, PERIODIC_EN, PERIODIC_RU, RANGE_EN, RANGE_RU, REACTION_EN, REACTION_RU, STEPS_EN, STEPS_RU, UNDERFLOW_EN,
     UNDERFLOW_RU, UNKNOWN_EN, UNKNOWN_RU, UNREST_EN, UNREST_RU, VARYING_EN, VARYING_RU, WRONG_SIDE_EN, WRONG_SIDE_RU, connections,
 };
-use crate::numerics::trouble;
 use crate::rest::faults as rest;
 use crate::studies::explain as studies;
 
 /// Every table of explanations of this crate.
-pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, connections::EXPLANATIONS, crate::structure::faults::EXPLANATIONS];
+pub const TABLES: &[&[Explanation]] = &[EXPLANATIONS, connections::EXPLANATIONS, structures::faults::EXPLANATIONS];
 
 const EXPLANATIONS: &[Explanation] = &[
     plain("S001", ("switch without a direction (chattering)", "переключение без направления (дребезг)"), (CHATTERING_EN, CHATTERING_RU)),
@@ -61,14 +61,22 @@ const EXPLANATIONS: &[Explanation] = &[
     studies::UNDETERMINED,
     studies::OVERDRIVEN,
     studies::BRANCHES,
-    plain("S021", ("mass matrix not positive definite", "матрица масс не положительно определена"), (trouble::MASS_EN, trouble::MASS_RU)),
+    plain("S021", ("mass matrix not positive definite", "матрица масс не положительно определена"), (matrices::MASS_EN, matrices::MASS_RU)),
     plain(
         "S022",
         ("stiffness matrix not positive definite", "матрица жёсткости не положительно определена"),
-        (trouble::SINGULAR_EN, trouble::SINGULAR_RU),
+        (matrices::SINGULAR_EN, matrices::SINGULAR_RU),
     ),
-    plain("S023", ("eigenvalues did not converge", "собственные значения не сошлись"), (trouble::CONVERGENCE_EN, trouble::CONVERGENCE_RU)),
-    plain("S024", ("matrix with an undefined entry", "матрица с неопределённым элементом"), (trouble::MALFORMED_EN, trouble::MALFORMED_RU)),
+    plain(
+        "S023",
+        ("eigenvalues did not converge", "собственные значения не сошлись"),
+        (matrices::CONVERGENCE_EN, matrices::CONVERGENCE_RU),
+    ),
+    plain(
+        "S024",
+        ("matrix with an undefined entry", "матрица с неопределённым элементом"),
+        (matrices::MALFORMED_EN, matrices::MALFORMED_RU),
+    ),
     plain("S070", ("no closed form: not linear", "нет замкнутого решения: нелинейность"), (NOT_LINEAR_EN, NOT_LINEAR_RU)),
     plain(
         "S071",
