@@ -469,6 +469,7 @@ impl System for Machine {
             Some(open) if matches!(open.law, Law::Transmission) => {
                 Fault::reaction_without_transmission(output, reaction, (&open.name, &open.label))
             }
+            Some(open) if matches!(open.law, Law::Tension) => Fault::reaction_without_tension(output, reaction, (&open.name, &open.label)),
             Some(open) => Fault::reaction_without_place(output, reaction, &open.name),
             None => Fault::open_reaction(output, reaction),
         })

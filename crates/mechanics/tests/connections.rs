@@ -2,7 +2,7 @@
 //! connections are closed there or not, and in time with d/dt of the conditions.
 
 use mechanics::derive::{Detail, derive_in};
-use mechanics::model::{Connection, ConnectionKind, FrameId, Model, PointId, PointRef, Rest, SupportDirection, Track, Wound};
+use mechanics::model::{Connection, ConnectionKind, FrameId, Model, PointId, PointRef, Rest, Strands, SupportDirection, Track, Wound};
 use symbolic::connections::Law;
 use symbolic::{Equations, Expr, SymbolId};
 
@@ -173,7 +173,8 @@ fn rods_ropes_and_wheels_agree() {
     model.connections.push(Connection { name: "R".into(), table: "rods", kind, unit: String::new(), span: 0..0 });
     for (table, opposite) in [("belts", false), ("belts", true), ("gears", true), ("gears", false)] {
         for carrier in [None, Some(FrameId::GROUND)] {
-            let kind = ConnectionKind::Wheels { between: [ONE, TWO], radii: [r, s], opposite, carrier };
+            let strands = if table == "gears" { Strands::Teeth } else { Strands::Slack { positive: opposite } };
+            let kind = ConnectionKind::Wheels { between: [ONE, TWO], radii: [r, s], opposite, carrier, strands };
             let equations = with(model.clone(), table, kind);
             assert!(wrong_derivatives(&equations, 0.7) < 1e-8);
             assert!(disagreement(&equations, 0.7) < 1e-12, "{table}");
@@ -186,7 +187,7 @@ fn rods_ropes_and_wheels_agree() {
 fn wheels_whose_axes_part_are_refused() {
     let mut model = read(BODIES);
     let r = number(&mut model, "0.3");
-    let kind = ConnectionKind::Wheels { between: [ONE, TWO], radii: [r, r], opposite: true, carrier: None };
+    let kind = ConnectionKind::Wheels { between: [ONE, TWO], radii: [r, r], opposite: true, carrier: None, strands: Strands::Teeth };
     model.connections.push(Connection { name: "K".into(), table: "gears", kind, unit: String::new(), span: 0..0 });
     let codes: Vec<&str> = derive_in(&model, Detail::Equations).unwrap_err().iter().map(|d| d.code).collect();
     assert_eq!(codes, ["M118"]);

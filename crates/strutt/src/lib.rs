@@ -31,6 +31,7 @@ pub mod sections;
 mod shelf;
 pub mod small;
 pub mod source;
+mod strands;
 pub mod structure;
 pub mod studies;
 pub mod system;

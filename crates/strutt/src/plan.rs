@@ -5,9 +5,9 @@ use crate::studies::equilibrium::Between;
 use crate::studies::simulate::Simulate;
 use crate::watch::Watch;
 use analysis::marks::named::{Direction, Named};
-use analysis::marks::pushes::Push;
+use analysis::marks::pushes::{Beyond, Push};
 use mechanics::Model;
-use mechanics::derive::{event_output, push_output};
+use mechanics::derive::{event_output, push_output, strand_output};
 use mechanics::model::{EventDecl, EventDirection, Plot, Times};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
@@ -98,14 +98,22 @@ pub fn events(model: &Model, equations: &Equations) -> Vec<Named> {
     model.events.iter().filter_map(named).collect()
 }
 
-/// Normal forces that only push, among the outputs.
+/// Normal forces that only push and strands that only pull, among the outputs.
 pub fn pushes(model: &Model, equations: &Equations) -> Vec<Push> {
     let watched = |name: &str| {
         let holder = push_output(name);
         let output = equations.outputs.iter().position(|o| o.name == holder)?;
-        Some(Push { name: format!("normal({name})"), label: equations.outputs[output].label.clone(), output })
+        let label = equations.outputs[output].label.clone();
+        Some(Push { name: format!("normal({name})"), label, output, beyond: Beyond::Noted })
     };
-    model.connections.iter().filter_map(|c| watched(&c.name)).collect()
+    let strand = |name: &str, k: usize| {
+        let holder = strand_output(name, k);
+        let output = equations.outputs.iter().position(|o| o.name == holder)?;
+        let label = equations.outputs[output].label.clone();
+        Some(Push { name: format!("slack_side({name})"), label, output, beyond: Beyond::Ends })
+    };
+    let of = |name: &str| watched(name).into_iter().chain((0..2).filter_map(|k| strand(name, k))).collect::<Vec<_>>();
+    model.connections.iter().flat_map(|c| of(&c.name)).collect()
 }
 
 /// A range of a coordinate by its index.

@@ -58,6 +58,9 @@ pub enum Law {
     /// No reaction either: a wrench by which a coordinate may move several bodies at once where no connection declares it; `name` is that of the
     /// coordinate, the label lists the bodies.
     Transmission,
+    /// No reaction either: the sum of the tensions of a belt or chain, which follows from no law; `name` is that of its table and its own, the forces are those on
+    /// coordinates that could change the distance of the axles.
+    Tension,
     /// One-sided: the force is not negative, and vanishes while the gap is open.
     Contact {
         /// Index in `Equations::conditions`.
@@ -255,12 +258,12 @@ impl Law {
 
     /// Whether it is a force of the machine and not an unknown of the balances alone.
     pub fn is_reaction(&self) -> bool {
-        !matches!(self, Law::Place | Law::Transmission)
+        !matches!(self, Law::Place | Law::Transmission | Law::Tension)
     }
 
     /// Whether it is an unknown of the balances of released bodies alone.
     pub fn is_hidden(&self) -> bool {
-        matches!(self, Law::Support | Law::Place | Law::Transmission)
+        matches!(self, Law::Support | Law::Place | Law::Transmission | Law::Tension)
     }
 
     /// The condition that the reaction owns.
@@ -268,7 +271,7 @@ impl Law {
         match self {
             Law::Ideal { condition } | Law::Contact { condition, .. } | Law::Rough { condition, .. } => Some(*condition),
             Law::Friction(friction) => Some(friction.condition),
-            Law::Support | Law::Motor | Law::Place | Law::Transmission => None,
+            Law::Support | Law::Motor | Law::Place | Law::Transmission | Law::Tension => None,
         }
     }
 }

@@ -34,7 +34,7 @@ impl Equations {
                         list.extend(normal.terms.iter().map(|(_, e)| *e));
                     }
                 }
-                Law::Ideal { .. } | Law::Rough { .. } | Law::Support | Law::Motor | Law::Place | Law::Transmission => {}
+                Law::Ideal { .. } | Law::Rough { .. } | Law::Support | Law::Motor | Law::Place | Law::Transmission | Law::Tension => {}
             }
         }
         for b in &self.balances {

@@ -244,6 +244,7 @@ impl Bench<'_> {
                     let (pressure, load) = (&self.equations.reactions[*r].name, &self.equations.reactions[*load]);
                     return Err(match load.law {
                         Law::Transmission => Fault::pressure_without_transmission(&reaction.name, pressure, (&load.name, &load.label)),
+                        Law::Tension => Fault::pressure_without_tension(&reaction.name, pressure, (&load.name, &load.label)),
                         _ => Fault::pressure_without_place(&reaction.name, pressure, &load.name),
                     });
                 }
@@ -365,6 +366,12 @@ fn without_place(reaction: &str, open: &Reaction) -> Text {
             format!(
                 "реакция {reaction} зависит от того, чем координата `{load}` приводит в движение сразу несколько тел ({ru}); такая связь не задана"
             ),
+        );
+    }
+    if matches!(open.law, Law::Tension) {
+        return Text::new(
+            format!("the reaction {reaction} depends on the sum of the tensions of `{load}`, which no law gives"),
+            format!("реакция {reaction} зависит от суммы натяжений ветвей `{load}`, которая ни из какого закона не следует"),
         );
     }
     Text::new(

@@ -35,6 +35,24 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ("friction pressed by a reaction without a value", "трение от неопределённой нормальной реакции"),
         (PRESSURE_EN, PRESSURE_RU),
     ),
+    plain(
+        "S114",
+        ("reaction that depends on the tension of a belt or chain", "реакция, зависящая от натяжения ремня или цепи"),
+        (TENSION_EN, TENSION_RU),
+    ),
+    plain(
+        "S115",
+        (
+            "friction pressed by a reaction that depends on the tension of a belt or chain",
+            "трение от реакции, зависящей от натяжения ремня или цепи",
+        ),
+        (TAUT_EN, TAUT_RU),
+    ),
+    plain(
+        "S116",
+        ("a strand of a belt or chain that would have to push", "ветвь ремня или цепи, которая должна была бы толкать"),
+        (STRAND_EN, STRAND_RU),
+    ),
     plain("S121", ("length measured at another start", "длина, измеренная в другом начальном положении"), (MOVED_EN, MOVED_RU)),
     plain("S122", ("periodic regime over a change point", "периодический режим через положение ветвления"), (VARIED_EN, VARIED_RU)),
     plain("S120", ("friction pressed by a reaction that is not unique", "трение от неединственной реакции"), (SHARED_EN, SHARED_RU)),
@@ -133,6 +151,22 @@ const PLACE_RU: &str = "Нагрузка, заданная формулой `alo
     точке и на какое тело она действует. Считается, что она направлена по собственному перемещению тела; её плечо, а если координата движет несколько тел, то и само \
     тело остаются неизвестными. Реакции, которые от этого не зависят, определены, эта – нет. Приложите нагрузку к точкам или телам (`between`, `at`, `on`) или \
     запишите её формулу через положения точек: along = \"x(P)\".";
+const TENSION_EN: &str = "A belt or chain turns its wheels by the difference of its tensions, which the motion gives. The axles feel the sum of both, too, and that follows from no law: \
+    a belt is stretched over its wheels with a pretension, the slack side of a chain carries nothing. Give the belt `pretension` (half the sum of the tensions: that of each \
+    strand when nothing is transmitted), or the chain `tight`, the sign of its force. What carries both axles does not feel the tensions and has its reactions without them.";
+const TENSION_RU: &str = "Ремень или цепь вращает колёса разностью натяжений ветвей, которая следует из движения. Но оси воспринимают и их сумму, а она ни из какого закона не следует: \
+    ремень надет с предварительным натяжением, ведомая ветвь цепи не нагружена. Задайте ремню `pretension` (полусумму натяжений: натяжение каждой ветви без нагрузки) \
+    или цепи `tight`, знак её усилия. Тело, несущее обе оси, натяжений не чувствует, и его реакции определены без них.";
+const TAUT_EN: &str = "The normal force of this friction is a reaction that depends on the sum of the tensions of a belt or chain. The friction, and with it the motion, would be arbitrary. \
+    Give the belt `pretension`, or the chain `tight`, or the friction a law of its own.";
+const TAUT_RU: &str = "Нормальная сила этого трения – реакция, зависящая от суммы натяжений ветвей ремня или цепи. Трение, а с ним и движение, было бы произвольным. \
+    Задайте ремню `pretension` или цепи `tight`, либо задайте трение собственным законом.";
+const STRAND_EN: &str = "With T1 - T2 = F and T1 + T2 = 2 F0 the slack side of a belt carries F0 - |F|/2: a force of more than twice the pretension would need a strand that pushes; \
+    a belt slips or leaves its wheel before. A chain with `tight` pulls one way only; where its force changes sign the other strand becomes the tight one. Forces of axles would be wrong \
+    from there on, so the motion ends.";
+const STRAND_RU: &str = "При T1 - T2 = F и T1 + T2 = 2 F0 ведомая ветвь ремня несёт F0 - |F|/2: усилие больше удвоенного предварительного натяжения потребовало бы толкающей ветви; \
+    раньше этого ремень проскальзывает или сходит. Цепь с ключом `tight` тянет только в одну сторону; если её усилие меняет знак, ведущей становится другая ветвь. Силы в осях \
+    с этого мгновения были бы неверны, поэтому расчёт кончается.";
 const PRESSURE_EN: &str = "The normal force of this friction is a reaction that depends on where a load acts, and the load is given by a formula that does not say it. The friction, \
     and with it the motion, would be arbitrary. Give the load a place, or the friction another normal force.";
 const PRESSURE_RU: &str = "Нормальная сила этого трения – реакция, зависящая от места приложения нагрузки, а нагрузка задана формулой, из которой место не следует. Трение, а с ним \
@@ -210,6 +244,54 @@ impl Fault {
         })
     }
 
+    /// An output over a reaction that depends on the sum of the tensions of a belt or chain.
+    pub fn reaction_without_tension(output: &str, reaction: &str, (drive, _): (&str, &Text)) -> Fault {
+        Fault::new(Message {
+            code: "S114",
+            what: Text::new(
+                format!("the output `{output}` uses the reaction `{reaction}`, which depends on the sum of the tensions of `{drive}`"),
+                format!("величина `{output}` использует реакцию `{reaction}`, которая зависит от суммы натяжений ветвей `{drive}`"),
+            ),
+            why: of_the_tensions(),
+            help: give_the_tension(drive),
+        })
+    }
+
+    /// A friction pressed by such a reaction.
+    pub fn pressure_without_tension(friction: &str, reaction: &str, (drive, _): (&str, &Text)) -> Fault {
+        Fault::new(Message {
+            code: "S115",
+            what: Text::new(
+                format!("`{friction}` is pressed by the reaction `{reaction}`, which depends on the sum of the tensions of `{drive}`"),
+                format!("`{friction}` прижимается реакцией `{reaction}`, которая зависит от суммы натяжений ветвей `{drive}`"),
+            ),
+            why: of_the_tensions(),
+            help: give_the_tension(drive),
+        })
+    }
+
+    /// A strand that would have to push, from an instant on or at rest.
+    pub fn strand_pushes(drive: &Text, t: Option<f64>) -> Fault {
+        let (from, since) = t.map(ten_digits).map_or(("at rest".to_owned(), "в покое".to_owned()), |n| {
+            (format!("from t = {} s on", n.en), format!("начиная с t = {} с", n.ru))
+        });
+        Fault::new(Message {
+            code: "S116",
+            what: Text::new(
+                format!("{}: {from} a strand would have to push", drive.en),
+                format!("{}: {since} одна из ветвей должна была бы толкать", drive.ru),
+            ),
+            why: Text::new(
+                "the force is more than twice the pretension of the belt, or it has the other sign than the `tight` of the chain",
+                "усилие больше удвоенного предварительного натяжения ремня или противоположно по знаку ключу `tight` цепи",
+            ),
+            help: Text::new(
+                "give the belt a larger `pretension`; give the chain the other `tight`, or take the reactions of its axles out where it changes its side",
+                "увеличьте `pretension` ремня; задайте цепи другой знак `tight` или уберите ключ и реакции осей, если ведущая ветвь меняется",
+            ),
+        })
+    }
+
     /// An output over a reaction that depends on where a load acts.
     pub fn reaction_without_place(output: &str, reaction: &str, load: &str) -> Fault {
         Fault::new(Message {
@@ -255,8 +337,8 @@ impl Fault {
                 "твёрдые тела удержаны здесь неоднократно, и распределение нагрузки между связями неопределимо: трение и движение были бы произвольными",
             ),
             help: Text::new(
-                "remove the redundant connection, replace it by a spring, or give the friction by a law of its own (`damping`, a torque by formula)",
-                "уберите лишнюю связь, замените её пружиной или задайте трение собственным законом (`damping`, момент по формуле)",
+                "remove the redundant connection, replace it by a spring, or give the friction by a law of its own (`damping`, a torque by formula); of a body whose `origin` is a formula of another body's angle or way: give the name of the point that carries it as `origin`",
+                "уберите лишнюю связь, замените её пружиной или задайте трение собственным законом (`damping`, момент по формуле); если `origin` тела – формула от угла или перемещения другого тела, укажите в `origin` имя несущей его точки",
             ),
         })
     }
@@ -657,6 +739,27 @@ fn declare(bodies: &Text) -> Text {
     Text::new(
         format!("declare what connects {} (a rod, rope, pin, rolling), or give each its own coordinate", bodies.en),
         format!("задайте, чем соединены {} (rods, ropes, pins, rolling), или дайте каждому телу свою координату", bodies.ru),
+    )
+}
+
+fn of_the_tensions() -> Text {
+    Text::new(
+        "the motion gives the difference of the tensions; their sum presses the axles and follows from no law of the machine",
+        "из движения следует разность натяжений ветвей; их сумма нагружает оси и ни из какого закона механизма не следует",
+    )
+}
+
+/// `drive` is the heading of the connection: `belts.S`.
+fn give_the_tension(drive: &str) -> Text {
+    if drive.starts_with("chains.") {
+        return Text::new(
+            format!("give [{drive}] the sign of its force: tight = \"+\" or \"-\"; or support the body that carries both axles"),
+            format!("задайте в [{drive}] знак усилия: tight = \"+\" или \"-\"; либо опирайте тело, несущее обе оси"),
+        );
+    }
+    Text::new(
+        format!("give [{drive}] pretension = \"...\", half the sum of its tensions; or support the body that carries both axles"),
+        format!("задайте в [{drive}] pretension = \"...\", полусумму натяжений ветвей; либо опирайте тело, несущее обе оси"),
     )
 }
 

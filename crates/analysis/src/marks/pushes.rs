@@ -20,6 +20,17 @@ pub struct Push {
     pub label: Text,
     /// Index of the output that it is.
     pub output: usize,
+    /// What follows.
+    pub beyond: Beyond,
+}
+
+/// What follows where a force has the wrong sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beyond {
+    /// The motion is that of the connection that holds both ways.
+    Noted,
+    /// Other forces are wrong from there on.
+    Ends,
 }
 
 /// A pull must exceed so many times the rounding of the force.
@@ -73,6 +84,12 @@ impl Pushes {
         value < 0.0 && along.rounding(tau).get(output).is_none_or(|rounding| value < -CERTAIN * rounding)
     }
 
+    /// The first force of the wrong sign after which nothing is right.
+    pub(crate) fn broken(&self) -> Option<(&Push, f64)> {
+        let ended = |(push, t): (_, &Option<f64>)| Some((push, (*t)?));
+        self.list.iter().zip(&self.pulled).filter(|(push, _)| push.beyond == Beyond::Ends).find_map(ended)
+    }
+
     /// What is watched.
     pub(crate) fn list(&self) -> &[Push] {
         &self.list
@@ -81,6 +98,9 @@ impl Pushes {
     /// Contacts that pulled, with the first instant.
     pub(crate) fn notes(&self) -> Vec<Text> {
         let note = |(push, t): (&Push, &Option<f64>)| {
+            if push.beyond == Beyond::Ends {
+                return None;
+            }
             let n = rounded((*t)?);
             let (en, ru) = (&push.label.en, &push.label.ru);
             Some(Text::new(

@@ -103,7 +103,7 @@ impl Parts {
                     parts.conditions.push(*condition);
                 }
                 Law::Contact { .. } | Law::Rough { .. } => {}
-                Law::Friction(_) | Law::Support | Law::Motor | Law::Place | Law::Transmission => parts.reactions.push(r),
+                Law::Friction(_) | Law::Support | Law::Motor | Law::Place | Law::Transmission | Law::Tension => parts.reactions.push(r),
             }
         }
         parts.conditions.extend((0..equations.conditions.len()).filter(|c| equations.conditions[*c].reaction.is_none()));
@@ -113,7 +113,7 @@ impl Parts {
 
     /// The same without dry friction and without supports, whose reactions act on no coordinate.
     pub fn smooth(mut self, equations: &Equations) -> Parts {
-        self.reactions.retain(|r| !matches!(equations.reactions[*r].law, Law::Friction(_) | Law::Support | Law::Place | Law::Transmission));
+        self.reactions.retain(|r| !matches!(equations.reactions[*r].law, Law::Friction(_)) && !equations.reactions[*r].law.is_hidden());
         self
     }
 }

@@ -27,7 +27,7 @@ use crate::marks::extremes::Extremes;
 use crate::marks::named::{Happened, Named, Watcher};
 use crate::marks::pushes::{Push, Pushes};
 use crate::proxies::proxy::Source;
-use crate::{Fault, Mode, Quantity, System};
+use crate::{Fault, GuardKind, Mode, Quantity, System};
 
 /// Times at which results are wanted.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -310,6 +310,26 @@ struct Run {
     pace: Pace,
 }
 
+/// Share of the last step before its end at which the sides of switches are looked at.
+const JUST_BEFORE: f64 = 1e-3;
+
+/// The switches at the end of the last step, without those that had their side before: a condition behind another one (`and`, an `if` in an `if`) is not watched
+/// while that one does not hold, and takes its side when it begins to count.
+fn crossed<S: System + ?Sized>(flow: &mut Flow<'_, S>, x: &mut [f64]) -> Vec<Switch> {
+    let mut switches = flow.switches().to_vec();
+    let (step, system) = flow.step_and_system();
+    if step.length == 0.0 || switches.len() < 2 {
+        return switches;
+    }
+    let t = step.instant((1.0 - JUST_BEFORE) * step.length).high;
+    step.state_at(t, x);
+    let Some(sides) = system.modes_by_value(t, x) else { return switches };
+    let guards = system.guards();
+    let plain = |s: &Switch| s.change == Change::Mode && guards[s.guard].kind == GuardKind::Switch && guards[s.guard].scheduled.is_none();
+    switches.retain(|s| !plain(s) || sides[s.guard] != s.after);
+    switches
+}
+
 /// Watches how far the run comes with its steps.
 #[derive(Clone, Debug, Default)]
 struct Pace {
@@ -413,6 +433,9 @@ impl Run {
                 return outcome;
             }
             let stop = self.look(flow);
+            if let Some((push, t)) = self.pushes.broken() {
+                return Err(Fault::strand_pushes(&push.label, Some(t)));
+            }
             self.sample(flow, options, stop)?;
             if let Some(stop) = stop {
                 return self.end_inside(flow, stop);
@@ -583,7 +606,7 @@ impl Run {
             self.struck += if flow.switches().is_empty() { 0.0 } else { f64::NAN };
             return Ok(());
         }
-        let switches = flow.switches().to_vec();
+        let switches = crossed(flow, &mut self.x);
         let states = [flow.state_before(), flow.state().to_vec()];
         let (before, after) = (flow.modes_before().to_vec(), flow.modes().to_vec());
         let t = flow.time();

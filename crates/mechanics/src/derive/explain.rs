@@ -162,19 +162,32 @@ pub const EXPLANATIONS: &[Explanation] = &[
          [points]\nO = { at = [0, 0] }\n[sliders.s]\npoint = \"A\"\nthrough = \"O\"\nturns = false",
     ),
     row(
-        "M157",
-        ("the force of an axle is without the pull of its belt", "сила в оси без натяжения ремня"),
+        "M129",
+        ("tensions without a direction", "натяжения без направления"),
         (
-            "Wheels of belts and chains get the couples of the tensions. Of the tensions the difference is known and not the sum, so a support or pin of one wheel alone has \
-             a force without the pull, and a journal in it too little friction. Support the body that carries both axles, or add the pull by hand.",
-            "Колёса ремней и цепей получают моменты натяжений. Известна разность натяжений ветвей, но не сумма, поэтому сила в опоре или шарнире одного колеса найдена без \
-             натяжения, а трение в цапфе занижено. Опирайте тело, несущее обе оси, либо прибавьте натяжение сами.",
+            "A belt with `pretension` and a chain with `tight` pull their axles towards each other along the line of the centres. Wheels that are drawn at one place \
+             because only their ratio counts have no such line. Give them their places.",
+            "Ремень с ключом `pretension` и цепь с ключом `tight` стягивают оси вдоль линии центров. У колёс, изображённых в одном месте, потому что важно лишь \
+             передаточное отношение, такой линии нет. Задайте их положения.",
         ),
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[bodies.B]\n\
+         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[belts.s]\nbetween = [\"A\", \"B\"]\nradii = [\"0.1 m\", \"0.2 m\"]\npretension = \"50 N\"",
         "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[bodies.B]\norigin = [\"2 m\", \"0\"]\n\
-         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[belts.s]\nbetween = [\"A\", \"B\"]\nradii = [\"0.1 m\", \"0.2 m\"]\n\
-         [supports.O]\nat = \"A\"\ndirections = [\"x\", \"y\"]",
-        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[bodies.B]\norigin = [\"2 m\", \"0\"]\n\
-         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[belts.s]\nbetween = [\"A\", \"B\"]\nradii = [\"0.1 m\", \"0.2 m\"]",
+         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[belts.s]\nbetween = [\"A\", \"B\"]\nradii = [\"0.1 m\", \"0.2 m\"]\npretension = \"50 N\"",
+    ),
+    row(
+        "M130",
+        ("circles that no belt fits", "окружности, на которые ремень не надеть"),
+        (
+            "The strands of a belt or chain touch both wheels: sin β = (r1 − r2)/d, for a crossed belt (r1 + r2)/d, with the distance d of the axes. There is no such line \
+             where the distance is not larger than that. Correct a radius or a place.",
+            "Ветви ремня или цепи касаются обоих колёс: sin β = (r1 − r2)/d, у перекрёстного ремня (r1 + r2)/d, где d – межосевое расстояние. Если расстояние не больше \
+             этой величины, такой прямой нет. Исправьте радиус или положение.",
+        ),
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[bodies.B]\norigin = [\"0.25 m\", \"0\"]\n\
+         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[belts.s]\nbetween = [\"A\", \"B\"]\nradii = [\"0.1 m\", \"0.2 m\"]\ncrossed = true\npretension = \"50 N\"",
+        "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.A]\nangle = \"a\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[bodies.B]\norigin = [\"0.5 m\", \"0\"]\n\
+         angle = \"b\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n[belts.s]\nbetween = [\"A\", \"B\"]\nradii = [\"0.1 m\", \"0.2 m\"]\ncrossed = true\npretension = \"50 N\"",
     ),
     row(
         "M158",

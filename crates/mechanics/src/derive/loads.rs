@@ -3,6 +3,7 @@
 //! Lagrange's way: potentials Π, dissipation function Φ, virtual power of the rest. Newton-Euler's way: every element is a pair of forces
 //! (or torques) projected with the velocities of the points (or bodies) it acts on.
 
+use super::connections::pretension;
 use super::kinematics::Kinematics;
 use super::pathways::{Given, located, resolve};
 use super::requests::Resolver;
@@ -64,6 +65,16 @@ pub fn collect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
     }
     errors.extend(free_forms(scene, kinematics, resolver, &mut loads).err().map(|d| *d));
     errors.extend(applied(scene, kinematics, resolver, &mut loads).err().map(|d| *d));
+    for connection in &model.connections {
+        match pretension(scene, kinematics, resolver, connection) {
+            Ok(None) => {}
+            Ok(Some(pull)) => {
+                loads.acts.extend(pull.acts);
+                loads.applied.push(pull.forces);
+            }
+            Err(fault) => errors.push(*fault),
+        }
+    }
     if errors.is_empty() { Ok(loads) } else { Err(errors) }
 }
 

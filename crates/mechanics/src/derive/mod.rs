@@ -511,12 +511,24 @@ fn pushes(scene: &mut Scene, resolver: &Resolver) -> Vec<Output> {
             formula,
         });
     }
+    for (i, connection) in scene.model.connections.iter().enumerate() {
+        for (k, (formula, label)) in connections::watched(scene, resolver, (i, connection)).into_iter().enumerate() {
+            let name = strand_output(&connection.name, k);
+            let symbol = scene.graph.symbol_id(&name, 0);
+            list.push(Output { name, symbol, unit: "N".to_owned(), display: None, label, role: Role::Event, formula });
+        }
+    }
     list
 }
 
 /// Name of the output that holds a normal force which only pushes.
 pub fn push_output(name: &str) -> String {
     format!("push({name})")
+}
+
+/// Name of the output that holds the tension of a strand, the first or the second.
+pub fn strand_output(name: &str, strand: usize) -> String {
+    format!("strand({name}, {})", strand + 1)
 }
 
 /// Name of the output that holds the formula of a named event; brackets keep it apart from the user's names.

@@ -265,15 +265,46 @@ pub const BELT: TableSpec = table(
         "Belts without slip. force is the tension difference, positive when it turns the second wheel in the positive direction.",
         "Ремни без проскальзывания. force — разность натяжений ветвей, положительна, если вращает второе колесо в положительную сторону.",
     ),
-    &[WHEELS, RADII, may("crossed", Type::Bool, "", "false", ("whether it is crossed", "перекрёстный ли"), "true"), CARRIER],
+    &[
+        WHEELS,
+        RADII,
+        may("crossed", Type::Bool, "", "false", ("whether it is crossed", "перекрёстный ли"), "true"),
+        may(
+            "pretension",
+            Type::Formula,
+            "N",
+            "not known",
+            (
+                "half the sum of the tensions, that of each strand when nothing is transmitted; then tight_side and slack_side are pretension ± abs(force)/2, and the axles feel them. Without it what an axle alone is held with has no value",
+                "полусумма натяжений ветвей: натяжение каждой ветви без нагрузки; тогда tight_side и slack_side равны pretension ± abs(force)/2, и оси их воспринимают. Без него реакции отдельной оси не определены",
+            ),
+            "\"300 N\"",
+        ),
+        CARRIER,
+    ],
     "[belts.S]\nbetween = [\"flywheel\", \"pulley\"]\nradii = [\"r1\", \"R4\"]\n",
 );
 
 /// `[chains.NAME]`.
 pub const CHAIN: TableSpec = table(
     "chains",
-    ("Chains: as open belts.", "Цепи: как открытые ремни."),
-    &[WHEELS, RADII, CARRIER],
+    ("Chains: as open belts, with a slack side that carries nothing.", "Цепи: как открытые ремни; ведомая ветвь не нагружена."),
+    &[
+        WHEELS,
+        RADII,
+        may(
+            "tight",
+            Type::String,
+            "",
+            "not known",
+            (
+                "sign of force: \"+\" or \"-\"; then tight_side is abs(force), slack_side 0, and the axles feel it. The motion ends where force has the other sign. Without it what an axle alone is held with has no value",
+                "знак force: \"+\" или \"-\"; тогда tight_side равно abs(force), slack_side — 0, и оси это воспринимают. Движение кончается там, где знак force другой. Без него реакции отдельной оси не определены",
+            ),
+            "\"+\"",
+        ),
+        CARRIER,
+    ],
     "[chains.X]\nbetween = [\"front\", \"rear\"]\nradii = [\"r1\", \"r2\"]\n",
 );
 

@@ -82,7 +82,7 @@ const ACCELERATION: Option<Dimension> = Some(Dimension::ACCELERATION);
 const ENERGY: Option<Dimension> = Some(Dimension::ENERGY);
 
 /// Every kinematic function.
-pub const FUNCTIONS: [KinematicFunction; 26] = {
+pub const FUNCTIONS: [KinematicFunction; 28] = {
     use Depends as D;
     use Takes::{Acting, BodyOrNothing, Element, Frame, Nothing, Point};
     use Where::{Forces, Outputs, Pathways, Reactions};
@@ -177,6 +177,16 @@ pub const FUNCTIONS: [KinematicFunction; 26] = {
             "tangential reaction of a rolling contact or a rack",
             "касательная реакция при качении или в рейке",
         ),
+        row(
+            "tight_side",
+            Acting,
+            FORCE,
+            D::REACTION,
+            Reactions,
+            "tension of the tight strand of a belt with pretension, of a chain that says which way it pulls",
+            "натяжение ведущей ветви ремня с предварительным натяжением или цепи с заданной стороной тяги",
+        ),
+        row("slack_side", Acting, FORCE, D::REACTION, Reactions, "the same of the slack strand", "то же для ведомой ветви"),
         row(
             "torque",
             Acting,

@@ -716,8 +716,8 @@ fn instead(name: &str) -> Option<(&'static str, &'static str)> {
         "pow" => ("write x^n", "напишите x^n"),
         "sqr" => ("write x^2", "напишите x^2"),
         "floor" | "ceil" | "round" | "mod" | "frac" | "int" => (
-            "functions that jump at every whole number are not known; write the pieces with if(t < t1, ..., ...), a wave by sin",
-            "функций со скачком в каждом целом числе нет; запишите участки через if(t < t1, ..., ...), волну — через sin",
+            "write the pieces with if(t < t1, ..., ...); a square wave is if(sin(2*pi*t/T) > 0, 1, -1), a triangular one asin(sin(2*pi*t/T))*2/pi",
+            "запишите участки через if(t < t1, ..., ...); прямоугольная волна — if(sin(2*pi*t/T) > 0, 1, -1), треугольная — asin(sin(2*pi*t/T))*2/pi",
         ),
         _ => return None,
     })
@@ -727,6 +727,13 @@ fn unknown_function(name: &str, span: Range<usize>) -> Notice {
     let known = Function::ALL.iter().map(|(_, n)| *n).chain(["sqrt", "if"]).chain(kinematic::FUNCTIONS.iter().map(|f| f.name));
     let fault = Notice::piece("M033", span, format!("unknown function `{name}`"), format!("неизвестная функция `{name}`"));
     if let Some((en, ru)) = instead(name) {
+        let fault = match name {
+            "floor" | "ceil" | "round" | "mod" | "frac" | "int" => fault.why(
+                "it jumps at every whole number: no jump may be stepped over, so each must stand in the formula as a condition that is located",
+                "она имеет скачок в каждом целом числе: ни один скачок нельзя перешагнуть, поэтому каждый должен быть записан условием, момент которого отыскивается",
+            ),
+            _ => fault,
+        };
         return fault.help(en, ru);
     }
     let other = match name {

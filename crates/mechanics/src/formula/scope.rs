@@ -284,6 +284,8 @@ fn component(function: &str, acting: &Acting, name: &str, span: &Range<usize>) -
                 "moment_y" => find(Part::MomentY),
                 "normal" => find(Part::Normal).or_else(|| find(Part::Force).filter(|_| matches!(acting.table, "sliders" | "slots"))),
                 "tangential" => find(Part::Tangential),
+                "tight_side" => find(Part::Tight),
+                "slack_side" => find(Part::Slack),
                 "torque" => find(Part::Moment).or_else(|| find(Part::Force).filter(|(_, kind)| moment(*kind))),
                 _ => find(Part::Force),
             };
@@ -307,6 +309,8 @@ fn part_name(part: Part) -> &'static str {
         Part::MomentY => "moment_y",
         Part::Normal => "normal",
         Part::Tangential => "tangential",
+        Part::Tight => "tight_side",
+        Part::Slack => "slack_side",
     }
 }
 

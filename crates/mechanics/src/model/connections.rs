@@ -82,6 +82,8 @@ pub enum ConnectionKind {
         opposite: bool,
         /// The frame that carries both axes; angles count from it. Without it they count from the line of centres.
         carrier: Option<FrameId>,
+        /// How its forces go from wheel to wheel.
+        strands: Strands,
     },
     /// A gear on a rack, or a wheel on a straight line, or on a circle: no slip at the contact point. `tangential` acts on the wheel along
     /// the line's direction, `normal` on the wheel away from the line (towards its side).
@@ -160,6 +162,22 @@ pub enum ConnectionKind {
         fixed: Option<Expr>,
         /// What it is a share of.
         normal: Pressing,
+    },
+}
+
+/// How two wheels pull at each other. With F the force of the connection and T₁, T₂ the tensions of the strands, T₁ − T₂ = F.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Strands {
+    /// By teeth that meet: there is no other force.
+    Teeth,
+    /// T₁ + T₂ is not known.
+    Open,
+    /// (T₁ + T₂)/2, the tension of both strands when nothing is transmitted.
+    Pretension(Expr),
+    /// The slack strand carries nothing; whether F is positive.
+    Slack {
+        /// T₁ = F, T₂ = 0; else T₁ = 0, T₂ = −F.
+        positive: bool,
     },
 }
 
@@ -299,4 +317,8 @@ pub enum Part {
     Normal,
     /// `tangential` of a rolling contact.
     Tangential,
+    /// `tight_side` of a belt or chain: the larger tension.
+    Tight,
+    /// `slack_side` of a belt or chain: the smaller one.
+    Slack,
 }

@@ -141,7 +141,6 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     let connections = connections::read(reader, &top, &space);
     let places_of = connections::Places { frames: &frames, points: &points, coordinates: &coordinates };
     connections::warn(reader, &connections, &places_of);
-    connections::warn_of_axles(reader, &connections, &places_of);
     let (resultants, places) = connections::distributed(reader, &top, &space, points.len());
     forces.extend(resultants);
     points.extend(places);

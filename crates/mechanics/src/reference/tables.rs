@@ -51,6 +51,7 @@ fn dimension(label: &'static str, language: Language) -> String {
 const DEFAULTS: &[(&str, &str)] = &[
     ("the place at the start", "положение в начале движения"),
     ("line of the centres", "линия центров"),
+    ("not known", "неизвестно"),
     ("value", "`value`"),
     ("the other", "текст на другом языке"),
     ("start", "начальное значение"),

@@ -1,6 +1,7 @@
 //! The machine once more, with the terms of the claims for its outputs.
 
 use crate::pipeline::{self, Machine};
+use analysis::{Fault, System};
 use mechanics::derive::{Detail, derive_in};
 use mechanics::model::{ClaimKind, Model, OutputDecl};
 use symbolic::{Expr, Graph, Node, Rational};
@@ -42,6 +43,15 @@ impl Terms {
 /// Name of an output that belongs to a claim.
 pub fn output_name(claim: usize, k: usize) -> String {
     format!("claim({claim},{k})")
+}
+
+impl Laid {
+    /// Why a claim cannot be judged: a reaction in it has no value, as in a motion that asks for it.
+    pub fn refusal(&self, claim: usize) -> Option<Fault> {
+        let system = &self.machine.system;
+        let place = |k: usize| system.outputs().iter().position(|q| q.name == output_name(claim, k));
+        (0..self.claims[claim].all().count()).filter_map(place).find_map(|i| system.refusal(i))
+    }
 }
 
 /// Derives the machine again with the terms of its claims.

@@ -17,7 +17,7 @@ use crate::pipeline::{Finding, Machine};
 use crate::provenance;
 use crate::studies::{Results, Rows};
 use crate::watch::Watch;
-use analysis::{Dataset, Quantity, dataset::Column};
+use analysis::{Dataset, Fault, Quantity, dataset::Column};
 use mechanics::model::ClaimKind;
 use words::Text;
 
@@ -55,7 +55,13 @@ pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Finding> {
     let mut verdicts: Vec<Verdict> = claims.iter().map(unjudged).collect();
     match laid::lay(machine) {
         Ok(mut laid) => {
-            for (i, claim) in claims.iter().enumerate() {
+            let refused: Vec<Option<Fault>> = (0..claims.len()).map(|i| laid.refusal(i)).collect();
+            for (verdict, fault) in verdicts.iter_mut().zip(&refused) {
+                fault.iter().for_each(|fault| verdict.words = coded(fault));
+            }
+            let judged: Vec<usize> = (0..claims.len()).filter(|i| refused[*i].is_none()).collect();
+            for &i in &judged {
+                let claim = &claims[i];
                 match &claim.kind {
                     ClaimKind::Equation { .. } | ClaimKind::Formula { .. } => terms::judge(&mut laid, (i, claim), &mut verdicts[i]),
                     ClaimKind::Frequency { mode, published } => {
@@ -64,7 +70,7 @@ pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Finding> {
                     ClaimKind::Value { .. } => {}
                 }
             }
-            values::judge(machine, &mut laid, (&claims, &mut verdicts), watch);
+            values::judge(machine, &mut laid, (&claims, &judged, &mut verdicts), watch);
         }
         Err(trouble) => results.trouble = Some(trouble),
     }
@@ -81,6 +87,10 @@ pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Finding> {
     results.words = verdicts.iter().filter(|v| !v.words.en.is_empty()).map(remark).collect();
     results.claims = verdicts;
     Some(Finding::Study(Box::new(results)))
+}
+
+fn coded(fault: &Fault) -> Text {
+    Text::new(format!("{} [{}]", fault.what.en, fault.code), format!("{} [{}]", fault.what.ru, fault.code))
 }
 
 fn remark(verdict: &Verdict) -> Text {

@@ -12,12 +12,17 @@ use analysis::{Dataset, System};
 use mechanics::model::{ClaimDecl, ClaimInstant, ClaimKind};
 use words::Text;
 
-/// Judges every claim of a value.
-pub fn judge(machine: &mut Machine, laid: &mut Laid, (claims, verdicts): (&[ClaimDecl], &mut [Verdict]), watch: &mut Watch) {
+/// Judges the claims of values among those that can be judged, by number.
+pub fn judge(
+    machine: &mut Machine,
+    laid: &mut Laid,
+    (claims, judged, verdicts): (&[ClaimDecl], &[usize], &mut [Verdict]),
+    watch: &mut Watch,
+) {
     let mut asked: Vec<(usize, f64)> = Vec::new();
     let mut resting: Vec<usize> = Vec::new();
-    for (i, claim) in claims.iter().enumerate() {
-        match &claim.kind {
+    for &i in judged {
+        match &claims[i].kind {
             ClaimKind::Value { at: ClaimInstant::At(t), .. } => asked.push((i, *t)),
             ClaimKind::Value { at: ClaimInstant::Rest, .. } => resting.push(i),
             _ => {}
@@ -41,7 +46,8 @@ fn motion(laid: &mut Laid, asked: &[(usize, f64)], verdicts: &mut [Verdict]) {
     let Some(until) = asked.iter().map(|a| a.1).reduce(f64::max) else { return };
     let names: Vec<String> = asked.iter().map(|(i, _)| output_name(*i, 0)).collect();
     let times: Vec<f64> = asked.iter().map(|a| a.1).collect();
-    let options = Simulate { grid: Grid::At(times.clone()), outputs: Some(names), ..Simulate::until(until) };
+    let pushes = crate::plan::pushes(&laid.machine.model, &laid.machine.equations);
+    let options = Simulate { grid: Grid::At(times.clone()), outputs: Some(names), pushes, ..Simulate::until(until) };
     let system = &mut laid.machine.system;
     let outcome = system.start().map(|start| simulate(system, &start, options));
     let outcome = match outcome {

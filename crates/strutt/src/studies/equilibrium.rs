@@ -119,6 +119,10 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
         let parameters = numbers_of(resting.equations());
         (analysis::rest::report::study(resting.equations(), &parameters, &start, &options), resting.timing, resting.equations().clone())
     };
+    let column = |name: &str| outcome.dataset.column(name).map(|c| c.values.clone()).unwrap_or_default();
+    if let Some(fault) = crate::strands::pushing(machine, column) {
+        return Err(fault);
+    }
     crate::small::add_roots(machine, &mut outcome.dataset);
     analysis::rest::observed::add(&equations, &numbers_of(&equations), timing.frozen, &mut outcome.dataset);
     outcome.dataset.notes.extend(crate::small::timing_notes(timing));

@@ -306,6 +306,7 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
             doing(in_progress(stage));
         }
     };
+    let pushes = plan::pushes(&machine.model, &machine.equations);
     let options = Options {
         by,
         returns,
@@ -314,6 +315,7 @@ pub fn from(machine: &mut Machine, study: &Periodic, start: &[f64], watch: &mut 
         tolerance: study.tolerance.min(1e-13),
         grid,
         outputs: Some(plotted),
+        pushes: &pushes,
         listener: Listener { interrupt: watch.interrupt, told: Some(&told) },
         ..Options::default()
     };

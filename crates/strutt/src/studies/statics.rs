@@ -39,7 +39,11 @@ impl Study for Statics {
 }
 
 fn of_bodies(machine: &mut Machine) -> Finding {
-    let results = match statics(&machine.equations) {
+    let judged = statics(&machine.equations).and_then(|found| {
+        let of = |name: &str| found.reactions.iter().filter(|r| r.quantity.name == name).filter_map(|r| r.value).collect();
+        crate::strands::pushing(machine, of).map_or(Ok(found), Err)
+    });
+    let results = match judged {
         Ok(found) => results(machine, &found),
         Err(fault) => Results { kind: "statics", heading: heading(), trouble: Some(Notice::from(fault)), ..Results::default() },
     };

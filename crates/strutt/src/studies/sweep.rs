@@ -80,7 +80,10 @@ static KIND: Kind = Kind::new("sweep", ("Repeat a study over values of parameter
         Key::new(
             "observe",
             Takes::Names,
-            ("results noted for each value; or one name", "результаты, записываемые для каждого значения; или одно имя"),
+            (
+                "results noted for each value; or one name: an output (its greatest and least value), max(..), min(..), mean(..), last(..), amplitude(..) of one, events (their number), or a number of the repeated study by its path in JSON, as period or multipliers.0.abs",
+                "результаты, записываемые для каждого значения; или одно имя: величина из [outputs] (её наибольшее и наименьшее значения), max(..), min(..), mean(..), last(..), amplitude(..) от неё, events (число событий) или число повторяемого расчёта по его пути в JSON: period, multipliers.0.abs",
+            ),
             "[\"period\"]",
         )
         .option(
@@ -182,7 +185,7 @@ pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Find
 }
 
 fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Notice> {
-    let wanted = wanted(machine, &study.observe)?;
+    let wanted = wanted(machine, study)?;
     let (base, of) = base(machine, study, &wanted)?;
     let count: usize = study.over.iter().map(|range| range.values.len()).product();
     let mut columns: Vec<Column> = study.over.iter().map(|range| column_of(machine, range)).collect();
@@ -313,7 +316,7 @@ fn column_of(machine: &Machine, range: &SweepRange) -> Column {
 }
 
 /// What the names in `observe` mean, with the columns they fill.
-fn wanted(machine: &Machine, observe: &[String]) -> Result<Vec<(Quantity, Wanted)>, Notice> {
+fn wanted(machine: &Machine, study: &Sweep) -> Result<Vec<(Quantity, Wanted)>, Notice> {
     let outputs = &machine.equations.outputs;
     let mut found = Vec::new();
     let add = |found: &mut Vec<(Quantity, Wanted)>, output: &symbolic::equations::Output, word: &str, reduction| {
@@ -326,7 +329,7 @@ fn wanted(machine: &Machine, observe: &[String]) -> Result<Vec<(Quantity, Wanted
         };
         found.push((quantity, Wanted::Column(output.name.clone(), reduction)));
     };
-    for name in observe {
+    for name in &study.observe {
         let name = name.trim();
         let reduced = name.strip_suffix(')').and_then(|n| n.split_once('('));
         let reduced = reduced.and_then(|(word, of)| Some((NAMES.iter().find(|(n, _)| *n == word)?, of.trim())));
@@ -342,6 +345,9 @@ fn wanted(machine: &Machine, observe: &[String]) -> Result<Vec<(Quantity, Wanted
         } else {
             found.push((Quantity::new(name, "1"), Wanted::Field(name.to_owned())));
         }
+    }
+    if let Some(of) = study.of.as_deref().filter(|of| found.is_empty() && *of != "periodic") {
+        return Err(nothing_observed(of));
     }
     if found.is_empty() {
         found.push((Quantity::new("period", "1"), Wanted::Field("period".into())));
@@ -489,7 +495,7 @@ fn number(finding: &Finding, wanted: &Wanted) -> Result<(f64, Option<Quantity>),
     Ok(match wanted {
         Wanted::Events => (finding.data().events.len() as f64, None),
         Wanted::Column(name, reduction) => match reduce(finding.data(), name, *reduction) {
-            None if finding.data().axis.is_some() => return Err(rows_only(name)),
+            None if finding.data().axis.is_some() || finding.data().column(name).is_none() => return Err(rows_only(name)),
             // a number that this place does not have is none
             found => (found.unwrap_or(f64::NAN), None),
         },
@@ -515,8 +521,27 @@ fn rows_only(name: &str) -> Notice {
         format!("повторяемый расчёт знает `{name}` лишь в строках таблицы или не знает вовсе"),
     )
     .help(
-        "repeat a study of a motion (of = \"simulate\"), or observe a number of the study itself",
-        "повторяйте расчёт движения (of = \"simulate\") или наблюдайте число самого расчёта",
+        "repeat a study of a motion (of = \"simulate\"), or observe a number of the study itself: of `statics` a reaction, as force(A)",
+        "повторяйте расчёт движения (of = \"simulate\") или наблюдайте число самого расчёта: у `statics` реакцию, например force(A)",
+    )
+}
+
+/// Only a periodic regime has a number of its own that is meant when none is named.
+fn nothing_observed(of: &str) -> Notice {
+    Notice::new(
+        "S085",
+        format!("the sweep does not say what to observe of the study `{of}`"),
+        format!("в серии не указано, что наблюдать в расчёте `{of}`"),
+    )
+    .help(format!("give observe = [...]: {}", observable().en), format!("задайте observe = [...]: {}", observable().ru))
+}
+
+/// What a sweep may observe besides the numbers of its study.
+fn observable() -> Text {
+    let of_columns = NAMES.iter().map(|(word, _)| format!("{word}(..)")).collect::<Vec<_>>().join(", ");
+    Text::new(
+        format!("an output by its name or by {of_columns}; the number of `events`; a number of the study's JSON"),
+        format!("величина из [outputs] по имени или через {of_columns}; число событий `events`; число из JSON расчёта"),
     )
 }
 
@@ -530,8 +555,12 @@ fn no_number(path: &str, fields: &Value) -> Notice {
             format!("в `{first}` элементов: {n}; как и в JSON расчёта, их счёт начинается с 0"),
         ),
         None => {
-            let names = fields.as_object().map(|o| o.keys().map(String::as_str).collect::<Vec<_>>().join(", ")).unwrap_or_default();
-            trouble.help(format!("it has: {names}"), format!("в нём есть: {names}"))
+            let names = fields
+                .as_object()
+                .map(|o| o.iter().filter(|(_, v)| !v.is_string()).map(|(k, _)| k.as_str()).collect::<Vec<_>>().join(", "))
+                .unwrap_or_default();
+            let more = observable();
+            trouble.help(format!("it has: {names}; or {}", more.en), format!("в нём есть: {names}; или {}", more.ru))
         }
     }
 }

@@ -13,6 +13,8 @@ use crate::dataset::Extreme;
 use crate::marks::course::Course;
 use crate::proxies::proxy::{Proxies, Source};
 
+/// Places that are kept along the whole way.
+const MOST: f64 = 2e4;
 /// Pieces of a quantity that may fail: a kink takes about a hundred.
 const PIECES: i64 = 600;
 
@@ -28,14 +30,19 @@ pub(super) fn extremes(walk: &mut Walk, stands: &[Stand], observer: &mut dyn Obs
     }
     let (from, span) = (first.s, last.s - first.s);
     let sign = span.signum();
-    course.add(&mut Curve { walk, stands, observer, from, sign }, span.abs(), &|tau| from + sign * tau);
+    let spacing = walk.linkage.stride().max(span.abs() / MOST);
+    let mut curve = Curve { walk, stands: stands.to_vec(), spacing, observer, from, sign };
+    course.add(&mut curve, span.abs(), &|tau| from + sign * tau);
     course.found()
 }
 
 /// The quantities over the way from its first place.
 struct Curve<'c, 'w, 'e> {
     walk: &'c mut Walk<'w, 'e>,
-    stands: &'c [Stand],
+    /// Places that values have been wanted at, in the order of the way: from the table alone the way to each value would grow with the range.
+    stands: Vec<Stand>,
+    /// Places nearer than this to a known one are not kept.
+    spacing: f64,
     observer: &'c mut dyn Observer,
     from: f64,
     sign: f64,
@@ -46,10 +53,19 @@ impl Curve<'_, '_, '_> {
         let after = self.stands.partition_point(|stand| (stand.s - s) * self.sign < 0.0).min(self.stands.len() - 1);
         let before = after.saturating_sub(1);
         let near = |k: usize| (self.stands[k].s - s).abs();
-        let nearest = self.stands[if near(before) < near(after) { before } else { after }].clone();
+        let nearest = if near(before) < near(after) { before } else { after };
+        let new = near(nearest) > self.spacing;
+        let nearest = self.stands[nearest].clone();
         match self.walk.at(&nearest, s) {
             Err(fault) if fault.code == turning::SINGULAR => self.walk.between(&nearest, s).ok(),
-            found => found.ok(),
+            Err(_) => None,
+            Ok((stand, place)) => {
+                if new {
+                    let place = self.stands.partition_point(|known| (known.s - s) * self.sign < 0.0);
+                    self.stands.insert(place, stand);
+                }
+                Some(place)
+            }
         }
     }
 }

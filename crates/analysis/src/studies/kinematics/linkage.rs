@@ -198,11 +198,12 @@ impl<'e> Linkage<'e> {
         self.approach = None;
     }
 
-    /// How large the terms are that meet in a condition's place: arms times angles of one radian, or the lengths themselves.
+    /// How large the terms are that meet in a condition's place: arms times angles of one radian, or the lengths themselves; at least what they are elsewhere, as the
+    /// arms of a condition that repeats others may all vanish here.
     fn size(&self, k: usize, at: &Spot) -> f64 {
         let largest = at[..self.n].iter().zip(&self.angles).filter(|(_, a)| !**a).fold(0.0_f64, |m, (q, _)| m.max(q.abs()));
         let terms: f64 = self.row(k).iter().zip(&self.angles).map(|(j, angle)| j.abs() * if *angle { 1.0 } else { largest }).sum();
-        terms.max(f64::MIN_POSITIVE)
+        terms.max(self.reach[k]).max(f64::MIN_POSITIVE)
     }
 
     /// Scales of the coordinates: 1 for lengths, 1/arm for angles.

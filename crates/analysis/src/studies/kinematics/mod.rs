@@ -251,10 +251,12 @@ impl Walk<'_, '_> {
     }
 
     /// The place at s, from one near it, without checks.
-    fn at(&mut self, near: &Stand, s: f64) -> Result<Place, Fault> {
-        let stand = self.linkage.advance(near, s, &mut self.doubts)?;
+    fn at(&mut self, near: &Stand, s: f64) -> Result<(Stand, Place), Fault> {
+        let mut stand = self.linkage.advance(near, s, &mut self.doubts)?;
         let (b, c) = self.derivatives(&stand)?;
-        Ok(self.made(s, &stand.at, b, c))
+        stand.integrated.clone_from(&b);
+        let place = self.made(s, &stand.at, b, c);
+        Ok((stand, place))
     }
 
     fn derivatives(&mut self, here: &Stand) -> Result<(Vec<f64>, Vec<f64>), Fault> {

@@ -34,6 +34,7 @@ use super::simulate::{self, Grid};
 use crate::dataset::{Audit, Dataset};
 use crate::fault::{number, rounded};
 use crate::integrate::taylor::check_tolerance;
+use crate::marks::pushes::Push;
 use crate::{Fault, System};
 
 /// What brings the motion back.
@@ -69,6 +70,8 @@ pub struct Periodic<'a> {
     pub grid: Grid,
     /// Outputs by name; all when absent.
     pub outputs: Option<Vec<String>>,
+    /// Forces that must keep their sign, as in a simulation.
+    pub pushes: &'a [Push],
     /// Told what the search does, and asked whether it is to end.
     pub listener: Listener<'a>,
     /// Seed of the audits.
@@ -86,6 +89,7 @@ impl Default for Periodic<'_> {
             tolerance: 1e-14,
             grid: Grid::Auto,
             outputs: None,
+            pushes: &[],
             listener: Listener::default(),
             seed: 1,
         }
@@ -174,6 +178,7 @@ fn search<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<
     let plan = simulate::Simulate {
         grid: options.grid.clone(),
         outputs: options.outputs.clone(),
+        pushes: options.pushes.to_vec(),
         tolerance: options.tolerance,
         interrupt: options.listener.interrupt,
         seed: options.seed,

@@ -2,6 +2,7 @@
 
 use super::axes::axes_of;
 use super::sliders::slider;
+use super::strands::Pull;
 use super::{Doubt, axles, drums, held, path, rubbing, tracks, wheels};
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::loads::at_start;
@@ -36,6 +37,10 @@ pub struct Component {
     pub nature: Nature,
     /// What must not move for the component to be true, and the fault when something does.
     pub doubts: Vec<Doubt>,
+    /// Generalized forces per unit of the reaction besides those of the condition.
+    pub beside: Columns<Expr>,
+    /// What the connection does by an unknown of its own.
+    pub open: Vec<Pull>,
 }
 
 /// When a component acts.
@@ -82,6 +87,8 @@ impl Component {
             acts,
             nature: Nature::Ideal,
             doubts: Vec::new(),
+            beside: Columns::new(),
+            open: Vec::new(),
         }
     }
 }
@@ -371,6 +378,8 @@ fn motion(scene: &mut Scene, name: &str, path: &Path, value: Expr, is_rate: bool
         acts: Vec::new(),
         nature: Nature::Motion,
         doubts: Vec::new(),
+        beside: Columns::new(),
+        open: Vec::new(),
     }
 }
 

@@ -107,6 +107,52 @@ pub fn no_mesh(connection: &Connection, opposite: bool, [axes, radii]: [f64; 2])
     Box::new(fault)
 }
 
+/// The pull of a belt or chain whose wheels are drawn at one place.
+pub fn no_way_of_pull(connection: &Connection) -> Box<Notice> {
+    let of = format!("{}.{}", connection.table, connection.name);
+    let fault = Notice::file(
+        "M129",
+        connection.span.clone(),
+        Text::new(
+            format!("the tensions of `{of}` have no direction: its wheels are drawn at one place"),
+            format!("натяжения `{of}` не имеют направления: его колёса изображены в одном месте"),
+        ),
+    )
+    .why("both strands pull the axles towards each other along the line of the centres", "обе ветви стягивают оси вдоль линии центров")
+    .help(
+        "give the wheels their places (`origin`), or drop `pretension` or `tight`",
+        "задайте положения колёс (`origin`) или уберите ключ `pretension` или `tight`",
+    );
+    Box::new(fault)
+}
+
+/// Circles that no belt fits, at the distance of their centres.
+pub fn no_belt(connection: &Connection, [axes, least]: [f64; 2]) -> Box<Notice> {
+    let of = format!("{}.{}", connection.table, connection.name);
+    let number = |x: f64| {
+        let x: f64 = format!("{x:.6e}").parse().unwrap_or(x);
+        Text::new(format!("{x}"), format!("{x}").replace('.', ","))
+    };
+    let (axes, least) = (number(axes), number(least));
+    let fault = Notice::file(
+        "M130",
+        connection.span.clone(),
+        Text::new(
+            format!(
+                "the strands of `{of}` have no straight part: the axes are {} m apart, the radii need more than {} m",
+                axes.en, least.en
+            ),
+            format!("у ветвей `{of}` нет прямого участка: межосевое расстояние {} м, а радиусам нужно больше {} м", axes.ru, least.ru),
+        ),
+    )
+    .why(
+        "a strand touches both circles, which needs a distance of more than |r1 − r2|, of a crossed belt more than r1 + r2",
+        "ветвь касается обеих окружностей: для этого расстояние должно быть больше |r1 − r2|, у перекрёстного ремня – больше r1 + r2",
+    )
+    .help("correct a radius or the place of a wheel", "исправьте радиус или положение колеса");
+    Box::new(fault)
+}
+
 /// A carrier that does not carry the axes.
 pub fn not_the_carrier(model: &Model, connection: &Connection, frame: FrameId) -> Box<Notice> {
     let name = &model.frames[frame.index()].name;

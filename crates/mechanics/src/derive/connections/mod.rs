@@ -17,6 +17,7 @@ mod held;
 mod release;
 mod rubbing;
 mod sliders;
+mod strands;
 mod tracks;
 mod transmissions;
 mod wheels;
@@ -39,6 +40,7 @@ use symbolic::{Expr, Substitution, SymbolId};
 use words::{Notice, Text};
 
 pub use release::is_spatial;
+pub use strands::{Pull, pretension, watched};
 
 /// What connections add to the equations.
 #[derive(Debug, Default)]
@@ -61,6 +63,8 @@ pub struct Connected {
     taken: BTreeSet<String>,
     /// With the conditions of the connection that has them.
     doubts: Vec<(Doubt, Range<usize>)>,
+    /// What belts and chains do by the unknown sum of their tensions, with the connection.
+    pulls: Vec<(usize, Pull)>,
 }
 
 /// A rate that must vanish for a connection to be what it says, though the connection does not demand it, and the fault when it does not.
@@ -86,6 +90,7 @@ pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
             Ok(list) => {
                 for mut component in list {
                     let (doubts, before) = (std::mem::take(&mut component.doubts), connected.conditions.len());
+                    connected.pulls.extend(std::mem::take(&mut component.open).into_iter().map(|pull| (i, pull)));
                     let added = connected.add(scene, kinematics, resolver, (i, connection, component));
                     errors.extend(added.err().map(|d| placed(*d, connection)));
                     let own = before..connected.conditions.len();
@@ -175,7 +180,10 @@ impl Connected {
                 let columns = generalized(scene, kinematics, &component.acts);
                 columns.into_iter().filter(|(j, _)| *j < scene.n()).collect()
             }
-            _ => signed(scene, &shape.columns, component.negative),
+            _ => {
+                let own = signed(scene, &shape.columns, component.negative);
+                beside(scene, own, &component.beside)
+            }
         };
         if law.condition().is_some() {
             self.condition(scene, (&component, shape), Some(acting));
@@ -184,6 +192,9 @@ impl Connected {
         let (Some(symbol), Some(part)) = (symbol, component.part) else { return Ok(()) };
         let value = scene.graph.symbol(symbol);
         resolver.reactions.insert((index, part), value);
+        for (part, tension) in strands::tensions(scene, kinematics, resolver, (connection, value))? {
+            resolver.reactions.insert((index, part), tension);
+        }
         // a friction at a wheel is its tangential force, the other way round
         if let ConnectionKind::Friction { slides: Slides::Contact { of, .. }, .. } = connection.kind {
             let tangential = scene.graph.neg(value);
@@ -318,6 +329,7 @@ impl Connected {
     /// The balances of released bodies, and what each reaction gives there; what loads by formulas leave open joins the reactions.
     pub fn balance(&mut self, scene: &mut Scene, kinematics: &mut Kinematics, loads: &Loads, inertial: &[Act]) {
         self.free = Released { bodies: free::bodies(scene, kinematics), ..Released::default() };
+        self.leave_pulls(scene, kinematics);
         if self.released.is_empty() {
             free::act(scene, kinematics, &loads.acts, inertial, self);
             return;
@@ -352,6 +364,24 @@ impl Connected {
         free::act(scene, kinematics, &every.acts, raw, self);
     }
 
+    /// The sums of tensions that are not known and that a released body or a coordinate feels.
+    fn leave_pulls(&mut self, scene: &mut Scene, kinematics: &Kinematics) {
+        let frames: Vec<FrameId> = self.released.iter().copied().collect();
+        for (of, pull) in std::mem::take(&mut self.pulls) {
+            let forces: Vec<(usize, Expr)> = pull.forces.range(..scene.n()).map(|(j, e)| (*j, *e)).collect();
+            if forces.is_empty() && !release::is_felt(scene, kinematics, &frames, &pull.acts) {
+                continue;
+            }
+            let connection = &scene.model.connections[of];
+            let symbol = self.name(scene, "T", &connection.name);
+            let name = format!("{}.{}", connection.table, connection.name);
+            let (unit, label) = ("N".to_owned(), wheels::label(connection));
+            self.reactions.push(Reaction { symbol, name, unit, label, forces, released: Vec::new(), law: Law::Tension });
+            self.geometric.push(Columns::new());
+            self.acts.push(pull.acts);
+        }
+    }
+
     /// An unknown of the balances that is no reaction.
     fn leave_open(&mut self, scene: &mut Scene, open: Open) {
         let symbol = self.name(scene, "place", open.of.name());
@@ -369,7 +399,7 @@ impl Connected {
     /// Σ λ · generalized force, by differentiation, on coordinate j.
     pub fn force(&self, scene: &mut Scene, j: usize) -> Expr {
         let mut terms = Vec::new();
-        for reaction in &self.reactions {
+        for reaction in self.reactions.iter().filter(|r| r.law.is_reaction()) {
             for (_, e) in reaction.forces.iter().filter(|(i, _)| *i == j) {
                 let symbol = scene.graph.symbol(reaction.symbol);
                 terms.push(scene.graph.mul(*e, symbol));
@@ -498,7 +528,7 @@ impl Connected {
                         list.extend(normal.terms.iter().map(|(_, e)| *e));
                     }
                 }
-                Law::Ideal { .. } | Law::Rough { .. } | Law::Support | Law::Motor | Law::Place | Law::Transmission => {}
+                Law::Ideal { .. } | Law::Rough { .. } | Law::Support | Law::Motor | Law::Place | Law::Transmission | Law::Tension => {}
             }
         }
         for balance in &self.balances {
@@ -548,6 +578,18 @@ fn signed(scene: &mut Scene, columns: &[(usize, Expr)], negative: bool) -> Vec<(
     columns.iter().map(|(j, e)| (*j, if negative { scene.graph.neg(*e) } else { *e })).collect()
 }
 
+/// With the generalized forces that no condition shows.
+fn beside(scene: &mut Scene, mut forces: Vec<(usize, Expr)>, more: &Columns<Expr>) -> Vec<(usize, Expr)> {
+    for (&j, &e) in more.range(..scene.n()) {
+        match forces.iter_mut().find(|(i, _)| *i == j) {
+            Some((_, sum)) => *sum = scene.graph.add(*sum, e),
+            None => forces.push((j, e)),
+        }
+    }
+    forces.sort_by_key(|(j, _)| *j);
+    forces
+}
+
 /// d(rate)/dt with q'' = 0.
 fn without_accelerations(scene: &mut Scene, rate: Expr) -> Expr {
     let derivative = scene.total(rate);
@@ -570,6 +612,8 @@ impl Part {
             Part::MomentY => "moment_y",
             Part::Normal => "normal",
             Part::Tangential => "tangential",
+            Part::Tight => "tight_side",
+            Part::Slack => "slack_side",
         }
     }
 }

@@ -9,7 +9,7 @@ use super::Connected;
 use super::release::{self, Displacement};
 use crate::derive::kinematics::Kinematics;
 use crate::derive::place::Placer;
-use crate::derive::scene::Scene;
+use crate::derive::scene::{Scene, Vector};
 use crate::derive::wrench::Act;
 use crate::model::FrameId;
 use symbolic::connections::Law;
@@ -28,10 +28,30 @@ pub fn leave_open(
     for j in 0..scene.n() {
         let carries = |f: &FrameId| acting.iter().any(|on| release::chain(scene, *on).contains(f));
         let moved: Vec<FrameId> = placer.moved(j).into_iter().filter(carries).collect();
+        let moved: Vec<FrameId> = moved.into_iter().filter(|f| !moves_freely(scene, placer, (*f, j))).collect();
         if moved.len() > 1 && !is_one_group(scene, kinematics, placer, (j, &moved), (connected, &declared)) {
             placer.transmit(scene, kinematics, (j, &moved));
         }
     }
+}
+
+/// Whether coordinates that move this body alone give it the same displacement: by their equations of motion nothing drives it along there, though the file may
+/// write its place over the other coordinate too (an angle that counts from the ground on a turning arm).
+fn moves_freely(scene: &mut Scene, placer: &Placer, (frame, j): (FrameId, usize)) -> bool {
+    let Some(own) = placer.own(frame).column(scene, j) else { return false };
+    let alone: Vec<usize> = placer.own(frame).coordinates().into_iter().filter(|k| *k != j && placer.moved(*k) == [frame]).collect();
+    let zero = scene.zero_vector();
+    let part = |(shift, turn): (Vector, Vector)| match (shift == zero, turn == zero) {
+        (true, _) => Some((true, turn)),
+        (_, true) => Some((false, shift)),
+        _ => None,
+    };
+    let Some((turns, way)) = part(own) else { return false };
+    let columns: Vec<(Vector, Vector)> = alone.into_iter().filter_map(|k| placer.own(frame).column(scene, k)).collect();
+    let mut ways: Vec<Vector> = columns.into_iter().filter_map(part).filter(|(turn, _)| *turn == turns).map(|(_, way)| way).collect();
+    let before = scene.rank(&ways);
+    ways.push(way);
+    before > 0 && scene.rank(&ways) == before
 }
 
 /// Whether declared reactions join all bodies that a coordinate moves.

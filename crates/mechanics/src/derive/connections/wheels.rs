@@ -7,28 +7,28 @@
 //! ```
 //!
 //! Nothing slips at the pitch point of teeth, and no belt gets longer; the sign is + where the wheels turn in opposite senses. A body that carries both axes
-//! turns like their line. Where the centres coincide in the model there is no line, and the body must be known.
+//! turns like their line. What belts and chains pull along the line stands in `strands.rs`. Where the centres coincide in the model there is no line, and the body must be known.
 
 use super::axes::{across, common};
 use super::components::Component;
 use super::drums::is_fixed;
-use super::{Doubt, faults};
+use super::{Doubt, faults, strands};
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::requests::Resolver;
 use crate::derive::scene::{Found, Scene, Vector};
 use crate::derive::wrench::{Act, carrier};
-use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef};
+use crate::model::{Connection, ConnectionKind, FrameId, Part, PointRef, Strands};
 use symbolic::Expr;
 use words::Text;
 
 /// Two wheels.
-struct Pair {
-    a: FrameId,
-    b: FrameId,
-    radii: [Expr; 2],
-    opposite: bool,
+pub struct Pair {
+    pub a: FrameId,
+    pub b: FrameId,
+    pub radii: [Expr; 2],
+    pub opposite: bool,
     /// Common axis, ground components.
-    axis: Vector,
+    pub axis: Vector,
 }
 
 /// What the turning counts from.
@@ -37,19 +37,25 @@ enum Base {
     Line,
 }
 
-/// r_2 (ω_2 - ω_l) ± r_1 (ω_1 - ω_l) = 0.
-pub fn wheels(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, connection: &Connection) -> Found<Component> {
-    let ConnectionKind::Wheels { between: [a, b], radii, opposite, carrier } = &connection.kind else {
-        return Ok(Component::ideal((Part::Force, "F", "N"), Text::default(), Vec::new()));
-    };
+/// The wheels of a connection, which have a common axis.
+pub fn pair(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, connection: &Connection) -> Found<Option<Pair>> {
+    let ConnectionKind::Wheels { between: [a, b], radii, opposite, .. } = &connection.kind else { return Ok(None) };
     let [ra, rb] = [radii[0], radii[1]].map(|e| resolver.resolve(scene, kinematics, e));
     let Some(axis) = common(scene, kinematics, [*a, *b]) else {
         return Err(faults::no_common_axis(scene.model, connection, [*a, *b]));
     };
-    let pair = Pair { a: *a, b: *b, radii: [ra?, rb?], opposite: *opposite, axis };
+    Ok(Some(Pair { a: *a, b: *b, radii: [ra?, rb?], opposite: *opposite, axis }))
+}
+
+/// r_2 (ω_2 - ω_l) ± r_1 (ω_1 - ω_l) = 0.
+pub fn wheels(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, connection: &Connection) -> Found<Component> {
+    let (Some(pair), ConnectionKind::Wheels { carrier, strands, .. }) = (pair(scene, kinematics, resolver, connection)?, &connection.kind)
+    else {
+        return Ok(Component::ideal((Part::Force, "F", "N"), Text::default(), Vec::new()));
+    };
     let line = Line::new(scene, kinematics, &pair);
     let mut doubts = Vec::new();
-    if let Some(line) = line.as_ref().filter(|_| connection.table == "gears") {
+    if let Some(line) = line.as_ref().filter(|_| *strands == Strands::Teeth) {
         line.meshes(scene, connection, &pair)?;
     }
     let base = match &line {
@@ -59,16 +65,17 @@ pub fn wheels(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Res
         }
         None => Base::Frame(standing(scene, kinematics, (connection, *carrier, &pair))?),
     };
-    let (rate, acts) = match (base, line) {
+    let (rate, acts) = match (base, &line) {
         (Base::Line, Some(line)) => line.drive(scene, kinematics, &pair),
-        (Base::Frame(frame), line) => frame_drive(scene, kinematics, (connection, &pair), (frame, line.as_ref())),
-        (Base::Line, None) => frame_drive(scene, kinematics, (connection, &pair), (FrameId::GROUND, None)),
+        (Base::Frame(frame), line) => frame_drive(scene, kinematics, (*strands, &pair), (frame, line.as_ref())),
+        (Base::Line, None) => frame_drive(scene, kinematics, (*strands, &pair), (FrameId::GROUND, None)),
     };
     let ideal = Component::ideal((Part::Force, "F", "N"), label(connection), acts);
-    Ok(Component { rate: Some(rate), doubts, ..ideal })
+    let component = Component { rate: Some(rate), doubts, ..ideal };
+    strands::along_the_line(scene, component, (connection, *strands), (&pair, line.as_ref()))
 }
 
-fn label(connection: &Connection) -> Text {
+pub fn label(connection: &Connection) -> Text {
     let name = &connection.name;
     match connection.table {
         "gears" => Text::new(format!("gears {name}, tangential force"), format!("зацепление {name}, окружное усилие")),
@@ -103,13 +110,13 @@ fn rounded(x: f64) -> f64 {
 }
 
 /// The line of centres.
-struct Line {
+pub struct Line {
     /// The place on the first wheel's axis opposite the second wheel.
-    foot: Vector,
+    pub foot: Vector,
     /// u.
-    between: Vector,
+    pub between: Vector,
     /// u².
-    square: Expr,
+    pub square: Expr,
     /// e × u / u².
     lever: Vector,
     /// ω_l.
@@ -118,7 +125,7 @@ struct Line {
 
 impl Line {
     /// None when the centres coincide.
-    fn new(scene: &mut Scene, kinematics: &Kinematics, pair: &Pair) -> Option<Line> {
+    pub fn new(scene: &mut Scene, kinematics: &Kinematics, pair: &Pair) -> Option<Line> {
         let (oa, ob) = (kinematics.frames[pair.a.index()].origin, kinematics.frames[pair.b.index()].origin);
         let between = scene.minus(&ob, &oa);
         let between = across(scene, &between, &pair.axis);
@@ -158,21 +165,27 @@ impl Line {
         (!scene.vanishes(rate)).then(|| Doubt { rate, fault: *faults::axes_part(connection) })
     }
 
-    /// Condition and actions that count from the line: moments on the wheels, and what their axles hold against.
+    /// Condition and actions that count from the line.
     fn drive(&self, scene: &mut Scene, kinematics: &Kinematics, pair: &Pair) -> (Expr, Vec<Act>) {
         let [of_a, of_b, of_line] = pair.factors(scene);
         let turning = [pair.a, pair.b].map(|f| pair.turning(scene, kinematics, f));
         let terms = [scene.graph.mul(of_a, turning[0]), scene.graph.mul(of_b, turning[1]), scene.graph.mul(of_line, self.rate)];
+        (scene.graph.sum(&terms), self.acts(scene, pair))
+    }
+
+    /// Moments on the wheels, and the forces across the line of centres that go with them: those of teeth, or of the strands of a belt less what they pull
+    /// along the line.
+    fn acts(&self, scene: &mut Scene, pair: &Pair) -> Vec<Act> {
+        let [of_a, of_b, of_line] = pair.factors(scene);
         let force = self.lever.map(|e| scene.graph.mul(of_line, e));
         let against = force.map(|e| scene.graph.neg(e));
         let moments = [of_a, of_b].map(|factor| pair.axis.map(|e| scene.graph.mul(factor, e)));
-        let acts = vec![
+        vec![
             Act::Turn { on: pair.a, moment: moments[0] },
             Act::Turn { on: pair.b, moment: moments[1] },
             Act::Point { point: PointRef::Origin(pair.b), force },
             Act::Place { on: pair.a, at: self.foot, force: against },
-        ];
-        (scene.graph.sum(&terms), acts)
+        ]
     }
 }
 
@@ -242,7 +255,7 @@ fn standing(
 fn frame_drive(
     scene: &mut Scene,
     kinematics: &mut Kinematics,
-    (connection, pair): (&Connection, &Pair),
+    (strands, pair): (Strands, &Pair),
     (frame, line): (FrameId, Option<&Line>),
 ) -> (Expr, Vec<Act>) {
     let factors = pair.factors(scene);
@@ -254,8 +267,9 @@ fn frame_drive(
             scene.graph.mul(*factor, turning)
         })
         .collect();
-    let acts = match line.filter(|_| connection.table == "gears") {
-        Some(line) => toothed(scene, kinematics, pair, line),
+    let acts = match line {
+        Some(line) if strands == Strands::Teeth => toothed(scene, kinematics, pair, line),
+        Some(line) => line.acts(scene, pair),
         None => parts.into_iter().map(|(on, factor)| Act::Turn { on, moment: pair.axis.map(|e| scene.graph.mul(factor, e)) }).collect(),
     };
     (scene.graph.sum(&terms), acts)

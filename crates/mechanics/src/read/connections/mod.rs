@@ -1,6 +1,5 @@
 //! Connections: everything with a reaction. One file for a few tables, one row in [`TABLES`] each.
 
-mod axles;
 mod common;
 mod conditions;
 mod contacts;
@@ -12,7 +11,6 @@ mod ties;
 mod tracks;
 mod wheels;
 
-pub(super) use axles::warn_of_axles;
 pub(super) use common::Space;
 pub(super) use contacts::impacts;
 pub(super) use distributed::distributed;
@@ -22,7 +20,7 @@ use super::reader::{Fields, Reader};
 use crate::fields::TableSpec;
 use crate::fields::connections as specs;
 use crate::formula::Kind;
-use crate::model::{Connection, ConnectionKind, Part, SupportDirection};
+use crate::model::{Connection, ConnectionKind, Part, Strands, SupportDirection};
 use crate::units::{Dimension, si_label};
 
 /// A connection that was read, and the dimension of its `force` where the pathway decides it.
@@ -126,6 +124,9 @@ fn parts(found: &Found) -> Vec<(Part, Kind)> {
         ConnectionKind::Rolling { held: false, .. } => vec![(Part::Force, force), (Part::Tangential, force)],
         ConnectionKind::Support { directions, .. } => support(directions),
         ConnectionKind::Motion { .. } => Vec::new(),
+        ConnectionKind::Wheels { strands: Strands::Pretension(_) | Strands::Slack { .. }, .. } => {
+            [Part::Force, Part::Tight, Part::Slack].map(|part| (part, force)).to_vec()
+        }
         ConnectionKind::Rod { .. }
         | ConnectionKind::Rope { .. }
         | ConnectionKind::Wheels { .. }

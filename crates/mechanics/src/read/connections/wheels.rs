@@ -1,9 +1,9 @@
 //! `[belts]`, `[chains]`, `[gears]`: two wheels that turn together.
 
 use super::Found;
-use super::common::{Space, flag, positive, same_thing};
+use super::common::{Space, choose, flag, positive, same_thing};
 use crate::formula::Context;
-use crate::model::{ConnectionKind, FrameId};
+use crate::model::{ConnectionKind, FrameId, Strands};
 use crate::read::frames::{frame_by_name, two_names};
 use crate::read::reader::{Fields, Reader, wrong_type};
 use crate::units::Dimension;
@@ -12,19 +12,43 @@ use words::Notice;
 
 pub(super) fn belt<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
     let crossed = flag(reader, fields, "crossed", false);
-    wheels(reader, fields, space, crossed)
+    let strands = match fields.has("pretension") {
+        true => Strands::Pretension(pretension(reader, fields)?),
+        false => Strands::Open,
+    };
+    wheels(reader, fields, space, (crossed, strands))
+}
+
+/// Half the sum of the tensions.
+fn pretension<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Expr> {
+    let value = fields.formula(reader, "pretension", &Context::CONSTANT, Some(&Dimension::FORCE))?;
+    let Some(number) = reader.number(&value).filter(|v| *v < 0.0) else { return value.good.then_some(value.expr) };
+    reader.fault(
+        Notice::piece(
+            "M074",
+            fields.span_of("pretension"),
+            format!("`pretension` is {number} N; it must not be negative"),
+            format!("`pretension` равно {number} Н; должно быть неотрицательным"),
+        )
+        .why("the strands of a belt pull", "ветви ремня тянут"),
+    );
+    None
 }
 
 pub(super) fn chain<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
-    wheels(reader, fields, space, false)
+    let strands = match fields.name(reader, "tight") {
+        Some((word, span)) => Strands::Slack { positive: choose(reader, &word, span, &["+", "-"])? == 0 },
+        None => Strands::Open,
+    };
+    wheels(reader, fields, space, (false, strands))
 }
 
 pub(super) fn gear<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
     let internal = flag(reader, fields, "internal", false);
-    wheels(reader, fields, space, !internal)
+    wheels(reader, fields, space, (!internal, Strands::Teeth))
 }
 
-fn wheels<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, opposite: bool) -> Option<Found> {
+fn wheels<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, (opposite, strands): (bool, Strands)) -> Option<Found> {
     let names = two_names(reader, fields, "between");
     let found = names.as_ref().map(|names| names.clone().map(|(name, span)| frame_by_name(reader, &name, span)));
     let radii = radii(reader, fields);
@@ -51,7 +75,7 @@ fn wheels<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, oppos
         );
         return None;
     }
-    Some(ConnectionKind::Wheels { between, radii: radii?, opposite, carrier }.into())
+    Some(ConnectionKind::Wheels { between, radii: radii?, opposite, carrier, strands }.into())
 }
 
 fn radii<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<[Expr; 2]> {
