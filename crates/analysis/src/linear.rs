@@ -657,7 +657,7 @@ impl Statics for LinearMachine {
 
 /// S092.
 fn undetermined(q: &[f64]) -> Fault {
-    let at = q.iter().map(|v| crate::fault::number(*v)).fold((String::new(), String::new()), |(en, ru), v| {
+    let at = q.iter().map(|v| words::digits::number(*v)).fold((String::new(), String::new()), |(en, ru), v| {
         let gap = if en.is_empty() { "" } else { "; " };
         (format!("{en}{gap}{}", v.en), format!("{ru}{gap}{}", v.ru))
     });

@@ -54,7 +54,7 @@ impl Fault {
     }
 
     pub(crate) fn about(code: &'static str, subject: impl Into<String>) -> Fault {
-        Fault::new(code, &Text::same(subject))
+        Fault::new(code, &named(subject.into()))
     }
 
     pub(crate) fn with(mut self, singular: Singular) -> Fault {
@@ -65,6 +65,17 @@ impl Fault {
     pub(crate) fn at(mut self, expression: Option<Expr>) -> Fault {
         self.0.expression = expression;
         self
+    }
+}
+
+/// What comes before the number of a root that only has to exist (`lower::equations::places`).
+pub(crate) const POSITION: &str = "position ";
+
+/// The name of a root in both languages: the user's own names stay as they are.
+fn named(name: String) -> Text {
+    match name.strip_prefix(POSITION) {
+        Some(number) => Text::new(name.as_str(), format!("положение {number}")),
+        None => Text::same(name),
     }
 }
 

@@ -22,4 +22,3 @@ pub use document::{Block, Document, Download};
 pub use figure::Figure;
 pub use table::{Cell, Table};
 pub use wording::Word;
-pub use words::{Language, Text};

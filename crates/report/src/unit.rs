@@ -3,47 +3,7 @@
 
 use crate::number::superscript;
 use words::Language;
-
-/// Unit names: ASCII label, English print, Russian print.
-pub const NAMES: &[(&str, &str, &str)] = &[
-    ("m", "m", "м"),
-    ("g", "g", "г"),
-    ("t", "t", "т"),
-    ("s", "s", "с"),
-    ("min", "min", "мин"),
-    ("h", "h", "ч"),
-    ("N", "N", "Н"),
-    ("J", "J", "Дж"),
-    ("W", "W", "Вт"),
-    ("Pa", "Pa", "Па"),
-    ("Hz", "Hz", "Гц"),
-    ("rad", "rad", "рад"),
-    ("deg", "°", "°"),
-    ("rev", "rev", "об"),
-    ("rpm", "rpm", "об/мин"),
-    ("A", "A", "А"),
-    ("V", "V", "В"),
-    ("K", "K", "К"),
-    ("mol", "mol", "моль"),
-    ("bar", "bar", "бар"),
-    ("dB", "dB", "дБ"),
-    ("%", "%", "%"),
-];
-
-/// SI prefixes: ASCII, English print, Russian print, power of ten.
-const PREFIXES: &[(&str, &str, &str, i32)] = &[
-    ("T", "T", "Т", 12),
-    ("G", "G", "Г", 9),
-    ("M", "M", "М", 6),
-    ("k", "k", "к", 3),
-    ("d", "d", "д", -1),
-    ("c", "c", "с", -2),
-    ("m", "m", "м", -3),
-    ("u", "µ", "мк", -6),
-    ("µ", "µ", "мк", -6),
-    ("n", "n", "н", -9),
-    ("p", "p", "п", -12),
-];
+use words::unit::{self, PREFIXES};
 
 /// The unit in print; the dimensionless unit `1` prints as nothing. What is not known is printed as it is.
 pub fn print(label: &str, language: Language) -> String {
@@ -56,7 +16,7 @@ pub fn print(label: &str, language: Language) -> String {
     while let Some(c) = rest.chars().next() {
         if c.is_alphabetic() || matches!(c, '%' | '°') {
             let end = rest.find(|c: char| !(c.is_alphabetic() || matches!(c, '%' | '°'))).unwrap_or(rest.len());
-            out.push_str(&print_name(&rest[..end], language));
+            out.push_str(&unit::print(&rest[..end], language));
             rest = &rest[end..];
         } else if let Some(power) = rest.strip_prefix('^') {
             let end = power.find(|c: char| !(c.is_ascii_digit() || c == '-')).unwrap_or(power.len());
@@ -77,19 +37,6 @@ pub fn beside_number(label: &str, language: Language) -> String {
         Some((name, power)) => print(&format!("{name}^-{power}"), language),
         None => print(label, language),
     }
-}
-
-fn print_name(name: &str, language: Language) -> String {
-    let find = |n: &str| NAMES.iter().find(|row| row.0 == n).map(|row| language.pick(row.1, row.2));
-    if let Some(print) = find(name) {
-        return print.into();
-    }
-    for (ascii, en, ru, _) in PREFIXES {
-        if let Some(base) = name.strip_prefix(ascii).and_then(find) {
-            return format!("{}{base}", language.pick(en, ru));
-        }
-    }
-    name.into()
 }
 
 /// How a column or an axis is shown: shown value = SI value / `size`, in the unit `label`.

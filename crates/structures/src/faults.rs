@@ -156,15 +156,15 @@ pub fn extreme(frame: &crate::Frame<f64>) -> Fault {
         (Some(low), Some(high)) => (*low, *high),
         _ => (("-", 0.0), ("-", 0.0)),
     };
-    let one = |(name, k): (&str, f64), unit: &str| format!("{name}: {k:.1e} {unit}");
+    let one = |(name, k): (&str, f64)| Text::new(format!("{name}: {k:.1e} N/m"), format!("{name}: {k:.1e} Н/м").replace('.', ","));
+    let (low, high) = (one(low), one(high));
     fault(
         "S063",
         Text::new(
-            format!("rounding decides whether the structure stands (softest rod {}, stiffest {})", one(low, "N/m"), one(high, "N/m")),
+            format!("rounding decides whether the structure stands (softest rod {}, stiffest {})", low.en, high.en),
             format!(
                 "неизменяемость конструкции определяется погрешностью округления (самый податливый стержень {}, самый жёсткий {})",
-                one(low, "Н/м"),
-                one(high, "Н/м")
+                low.ru, high.ru
             ),
         ),
         Text::new(

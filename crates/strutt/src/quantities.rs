@@ -106,11 +106,12 @@ pub fn overrides(list: &[String]) -> Result<Vec<(String, String)>, Failure> {
 fn has_unit(key: &str, text: &str, (number, unit): (&str, Option<&String>)) -> Result<(), Failure> {
     let bare = mechanics::units::parse_number_or_quantity(number).is_ok_and(|q| !q.has_unit && q.to_f64() != 0.0);
     let Some(unit) = unit.filter(|_| bare) else { return Ok(()) };
+    let unit = Text::unit(unit);
     let what = Text::new(
-        format!("a number without a unit, while the file gives it in {unit}"),
-        format!("число без единицы, хотя в файле величина задана в {unit}"),
+        format!("a number without a unit, while the file gives it in {}", unit.en),
+        format!("число без единицы, хотя в файле величина задана в {}", unit.ru),
     );
-    let help = Text::new(format!("write the unit: {number} {unit}"), format!("напишите единицу: {number} {unit}"));
+    let help = Text::new(format!("write the unit: {number} {}", unit.en), format!("напишите единицу: {number} {}", unit.ru));
     Err(bad(key, text, &what, &help))
 }
 

@@ -74,8 +74,8 @@ fn unit(label: &str, power: i32) -> String {
 /// The name of a section with what it is.
 pub fn title(section: &Section, language: Language) -> String {
     let label = language.text(&section.label);
-    let head = language.text(&Text::new("Section", "Сечение")).to_owned();
-    if label.is_empty() { format!("{head} {}", section.name) } else { format!("{head} {}: {label}", section.name) }
+    let head = language.pick(format!("Section {}", section.name), format!("Сечение «{}»", section.name));
+    if label.is_empty() { head } else { format!("{head}: {label}") }
 }
 
 /// Symbol, value, unit, meaning.

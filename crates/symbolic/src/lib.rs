@@ -33,4 +33,3 @@ pub use rational::Rational;
 pub use substitute::Substitution;
 pub use textbook::Textbook;
 pub use walk::Occurrence;
-pub use words::{Text, letters};

@@ -36,3 +36,31 @@ pub fn ten_digits(value: f64) -> Text {
     let en = if plain { format!("{short}") } else { format!("{short:e}") };
     Text { ru: en.replace('.', ","), en }
 }
+
+/// As it is typed in again: all digits, `-0.3` and `-0,3`.
+pub fn typed(value: f64) -> Text {
+    let en = format!("{value}");
+    Text { ru: en.replace('.', ","), en }
+}
+
+/// A value with its SI unit, as it is typed in again; `1` is no unit.
+pub fn quantity(value: f64, unit: &str) -> Text {
+    let (value, unit) = (typed(value), Text::unit(unit));
+    if unit.en.is_empty() || unit.en == "1" {
+        return value;
+    }
+    Text::new(format!("{} {}", value.en, unit.en), format!("{} {}", value.ru, unit.ru))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_the_mark_of_the_language() {
+        assert_eq!(quantity(-0.5, "N m/rad"), Text::new("-0.5 N m/rad", "-0,5 Н м/рад"));
+        assert_eq!(quantity(2.5, "1"), Text::new("2.5", "2,5"));
+        assert_eq!(rounded(1.2345e-7), Text::new("1.23·10⁻⁷", "1,23·10⁻⁷"));
+        assert_eq!(ten_digits(-0.25), Text::new("-0.25", "-0,25"));
+    }
+}

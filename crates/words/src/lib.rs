@@ -1,5 +1,5 @@
 //! What all rooms speak with: [`Text`] in two [`Language`]s, the one [`Notice`], explanations of its codes, tables of printed words,
-//! letters of names, the nearest of known names. It knows nothing else of strutt.
+//! numbers and units in sentences, letters of names, the nearest of known names. It knows nothing else of strutt.
 
 pub mod digits;
 pub mod explain;
@@ -9,6 +9,7 @@ mod near;
 pub mod notice;
 mod quantity;
 mod text;
+pub mod unit;
 
 pub use language::{Language, Printed};
 pub use near::{half_slips, nearest};

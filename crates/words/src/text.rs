@@ -1,5 +1,7 @@
 //! Wording in both languages.
 
+use crate::{Language, unit};
+
 /// A caption or sentence in English and Russian; whoever prints it picks one.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Text {
@@ -19,37 +21,29 @@ impl Text {
         let en: String = words.into();
         Text { ru: en.clone(), en }
     }
-    /// The label of an SI unit: `kg m^2`, `кг м^2`.
+    /// The label of a unit: `kg m^2`, `кг м^2`.
     pub fn unit(label: &str) -> Text {
         let mut ru = String::with_capacity(2 * label.len());
         let mut rest = label;
         while let Some(c) = rest.chars().next() {
             let end = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len()).max(c.len_utf8());
-            let word = &rest[..end];
-            ru.push_str(RUSSIAN.iter().find(|(latin, _)| *latin == word).map_or(word, |(_, russian)| russian));
+            ru.push_str(&unit::print(&rest[..end], Language::Ru));
             rest = &rest[end..];
         }
         Text { en: label.to_owned(), ru }
     }
 }
 
-const RUSSIAN: [(&str, &str); 18] = [
-    ("m", "м"),
-    ("kg", "кг"),
-    ("s", "с"),
-    ("A", "А"),
-    ("K", "К"),
-    ("mol", "моль"),
-    ("cd", "кд"),
-    ("rad", "рад"),
-    ("N", "Н"),
-    ("W", "Вт"),
-    ("Pa", "Па"),
-    ("C", "Кл"),
-    ("V", "В"),
-    ("Ohm", "Ом"),
-    ("F", "Ф"),
-    ("H", "Гн"),
-    ("Wb", "Вб"),
-    ("Hz", "Гц"),
-];
+#[cfg(test)]
+mod tests {
+    use super::Text;
+
+    #[test]
+    fn units_have_a_russian_label() {
+        for (label, russian) in
+            [("kg m^2", "кг м^2"), ("N m/rad", "Н м/рад"), ("kN/m", "кН/м"), ("1/s", "1/с"), ("mm", "мм"), ("Н м", "Н м")]
+        {
+            assert_eq!(Text::unit(label).ru, russian);
+        }
+    }
+}

@@ -8,7 +8,7 @@ use algebra::elementary;
 use words::Text;
 
 use crate::dataset::{Column, Dataset, Digits, Extreme, Held};
-use crate::fault::number;
+use words::digits::number;
 
 /// More digits than a number has are not claimed.
 const MOST: f64 = 15.0;
@@ -95,7 +95,7 @@ pub fn note(found: &Digits, data: &Dataset) -> Option<Text> {
     let few = found.columns.iter().filter(|c| c.digits < FEW).min_by_key(|c| c.digits)?;
     let quantity = data.columns.get(few.column)?;
     let name = &quantity.quantity.name;
-    let from = few.lost.map(crate::fault::rounded);
+    let from = few.lost.map(words::digits::rounded);
     let (en, ru) = match &from {
         Some(t) => (format!(" from t = {} s on", t.en), format!(" начиная с t = {} с", t.ru)),
         None => (String::new(), String::new()),

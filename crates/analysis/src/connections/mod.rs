@@ -266,7 +266,7 @@ impl<'e> Bench<'e> {
     fn configuration(&self) -> Text {
         let (mut en, mut ru) = (Vec::new(), Vec::new());
         for j in 0..self.n {
-            let value = crate::fault::rounded(self.x[j]);
+            let value = words::digits::rounded(self.x[j]);
             let (name, unit) = (self.coordinate(j), Text::unit(&self.equations.coordinates[j].unit));
             en.push(format!("{name} = {} {}", value.en, unit.en));
             ru.push(format!("{name} = {} {}", value.ru, unit.ru));

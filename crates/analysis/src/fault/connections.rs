@@ -2,7 +2,8 @@
 
 use words::{Message, Text};
 
-use super::{Fault, number, rounded, ten_digits};
+use super::Fault;
+use words::digits::{number, rounded, ten_digits};
 use words::explain::{Explanation, plain};
 
 /// Rows of friction, contacts and connections.

@@ -8,8 +8,8 @@ use words::Text;
 use super::Along;
 use super::named::{Direction, Named, Watcher};
 use crate::System;
-use crate::fault::rounded;
 use crate::proxies::proxy::Source;
+use words::digits::rounded;
 
 /// A normal force to be watched.
 #[derive(Clone, Debug, PartialEq)]

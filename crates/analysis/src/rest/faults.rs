@@ -5,7 +5,7 @@ use symbolic::connections::Law;
 use words::{Message, Text};
 
 use crate::Fault;
-use crate::fault::rounded;
+use words::digits::rounded;
 use words::explain::{Explanation, plain};
 
 /// S093.

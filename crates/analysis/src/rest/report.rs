@@ -21,12 +21,12 @@ use super::system::{Parts, RestSystem};
 use super::unknowns::Impending;
 use super::{closed_contacts, fault_of, hold, observed, path};
 use crate::dataset::{Audit, Column, Dataset, Missing};
-use crate::fault::number;
 use crate::linear::{LinearMachine, Place as Linearised};
 use crate::studies::equilibrium::{Equilibrium, Range, no_equilibrium, nothing_between};
 use crate::studies::modes::{Normalisation, modes};
 use crate::studies::simulate::Outcome;
 use crate::{Fault, Quantity};
+use words::digits::number;
 
 /// Remainder of the equations of statics that counts as none.
 const RESTS: f64 = 1e-9;

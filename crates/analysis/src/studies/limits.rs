@@ -7,10 +7,10 @@ use algebra::elementary;
 use words::{Message, Text};
 
 use crate::Fault;
-use crate::fault::rounded;
 use crate::linear::{LinearMachine, Matrices, Place, Seen, Values};
 use crate::studies::modes::Complex;
 use crate::studies::response::magnitude;
+use words::digits::rounded;
 use words::explain::{Explanation, plain};
 
 /// Forces from oscillating coefficients that may be left out, relative to the terms: without a word, and with one.

@@ -440,7 +440,7 @@ pub(super) fn remarks(list: &[Mode]) -> Vec<Text> {
         ));
     }
     for (i, mode) in list.iter().enumerate().filter(|(_, m)| m.grows()) {
-        let rate = crate::fault::rounded(mode.root.0);
+        let rate = words::digits::rounded(mode.root.0);
         let how = if mode.kind == Kind::Divergence {
             ("without oscillation", "без колебаний")
         } else {

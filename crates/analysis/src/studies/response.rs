@@ -18,11 +18,11 @@ use words::Text;
 use words::explain::{Explanation, plain};
 
 use crate::Fault;
-use crate::fault::rounded;
 use crate::linear::{LinearMachine, LoadParts, Matrices, Observer, Place, Seen, Values};
 use crate::studies::impedance::{Amplitudes, Gain, solve};
 use crate::studies::modes::Complex;
 use crate::waveform::LISTED;
+use words::digits::rounded;
 
 /// What excites.
 #[derive(Clone, Debug)]

@@ -17,7 +17,6 @@ use crate::audits::shared::{Shared, not_unique};
 use crate::audits::touches::TouchLaws;
 use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, released::ReleasedBalance, second::two_derivations};
 use crate::dataset::{Audit, Column, ContactChange, Counter, Dataset, Event, Missing, Standing};
-use crate::fault::{number, rounded};
 use crate::integrate::events::words::{change, describe, standing};
 use crate::integrate::events::{Change, Switch};
 use crate::integrate::stiff::Method;
@@ -28,6 +27,7 @@ use crate::marks::named::{Happened, Named, Watcher};
 use crate::marks::pushes::{Push, Pushes};
 use crate::proxies::proxy::Source;
 use crate::{Fault, GuardKind, Mode, Quantity, System};
+use words::digits::{number, rounded};
 
 /// Times at which results are wanted.
 #[derive(Clone, Debug, PartialEq, Default)]

@@ -224,9 +224,9 @@ impl Run<'_> {
             )
         };
         let one = |group: &[f64]| {
-            let value = crate::fault::ten_digits(group[group.len() / 2]);
-            let unit = if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) };
-            let (at, name) = (Text::new(format!("{}{unit}", value.en), format!("{}{unit}", value.ru)), &parameter.name);
+            let value = words::digits::ten_digits(group[group.len() / 2]);
+            let unit = Text::unit(&if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) });
+            let (at, name) = (Text::new(format!("{}{}", value.en, unit.en), format!("{}{}", value.ru, unit.ru)), &parameter.name);
             Text::new(
                 format!("no equilibrium was found at {name} = {} (it may run to infinity there); {}", at.en, roots.0),
                 format!("при {name} = {} равновесие не найдено (возможно, оно уходит там в бесконечность); {}", at.ru, roots.1),
@@ -364,7 +364,7 @@ impl Run<'_> {
 /// A remark where every speed of a range is critical.
 fn runs_along(ranges: &[[f64; 2]]) -> Option<Text> {
     let ends = ranges.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [a, b]| [low.min(*a), high.max(*b)]);
-    let [from, to] = ends.map(crate::fault::rounded);
+    let [from, to] = ends.map(words::digits::rounded);
     (!ranges.is_empty()).then(|| {
         Text::new(
             format!(
@@ -476,7 +476,7 @@ fn dataset(tracks: &Tracks, parameter: &Quantity, diverges: &[bool]) -> Dataset 
 
 /// A value of the parameter with its unit.
 fn written(value: f64, parameter: &Quantity) -> Text {
-    let v = crate::fault::rounded(value);
+    let v = words::digits::rounded(value);
     let unit = Text::unit(&if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) });
     Text::new(format!("{}{}", v.en, unit.en), format!("{}{}", v.ru, unit.ru))
 }

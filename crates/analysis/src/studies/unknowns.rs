@@ -7,10 +7,10 @@
 //! Gauss-Newton: ∂F/∂u is exact, the equations are scaled by rows and columns, dependent unknowns and forces that nothing balances are
 //! faults, never a least-squares compromise.
 
+use words::digits::{number, rounded};
 use words::{Message, Text};
 
 use crate::Fault;
-use crate::fault::{number, rounded};
 use crate::linear::{LinearMachine, Place};
 use algebra::qr::{DEPENDENT, Qr};
 

@@ -556,7 +556,7 @@ impl Parser<'_> {
         if matches!(wanted, Arity::Exactly(n) if got > n) {
             return fault.help(
                 "a comma separates arguments; the decimal mark in formulas is a point: 2.5",
-                "запятая разделяет аргументы; дробная часть отделяется точкой: 2.5",
+                "запятая разделяет аргументы; дробная часть отделяется точкой: `2.5`",
             );
         }
         fault

@@ -106,11 +106,12 @@ fn useful(reader: &mut Reader, fields: &Fields, key: &'static str, value: &Check
             format!("{key} в {} равно нулю: {} не действует", fields.path, kind.1),
         )
     } else {
+        let value = words::digits::typed(v);
         Notice::piece(
             "M056",
             fields.span_of(key),
-            format!("the {key} of {} is negative ({v})", fields.path),
-            format!("{key} в {} отрицательно ({v})", fields.path),
+            format!("the {key} of {} is negative ({})", fields.path, value.en),
+            format!("{key} в {} отрицательно ({})", fields.path, value.ru),
         )
         .why(
             "it feeds energy into the motion instead of restoring or damping it",

@@ -277,11 +277,12 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Mass> {
 }
 
 fn negative_mass(fields: &Fields, m: f64) -> Notice {
+    let mass = words::digits::quantity(m, "kg");
     Notice::piece(
         "M050",
         fields.span_of("mass"),
-        format!("the mass of {} is {m} kg", fields.path),
-        format!("масса {} равна {m} кг", fields.path),
+        format!("the mass of {} is {}", fields.path, mass.en),
+        format!("масса {} равна {}", fields.path, mass.ru),
     )
     .why(
         "no body has a negative mass; the value of a parameter is probably wrong",
@@ -364,13 +365,13 @@ fn default_gravity<'a>(reader: &mut Reader<'a>) -> Expr {
     if let Some(Kind::Known(d)) = reader.scope.get("g").filter(|_| is_parameter).map(|e| e.dimension)
         && !d.same(&Dimension::ACCELERATION)
     {
-        let got = crate::units::si_label(&d);
+        let (got, got_ru) = (crate::units::si_label(&d), crate::units::si_label_ru(&d));
         reader.fault(
             Notice::piece(
                 "M024",
                 span,
                 format!("`g` is {got}, but gravity needs an acceleration"),
-                format!("`g` имеет размерность {got}, а тяжести нужно ускорение"),
+                format!("`g` имеет размерность {got_ru}, а тяжести нужно ускорение"),
             )
             .help(
                 "rename this parameter, or set gravity = false or another formula",

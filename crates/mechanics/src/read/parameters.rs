@@ -12,8 +12,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
 use toml::de::DeValue;
-use words::Notice;
-use words::Text;
+use words::{Notice, Text};
 
 const RESERVED: [&str; 3] = ["pi", "π", "t"];
 
@@ -220,16 +219,18 @@ fn other_unit(p: &RawParameter, kind: Kind) -> Option<String> {
 
 /// The fault of a number without a unit for something that the file gives in another unit than the SI one.
 pub(super) fn without_unit(span: Range<usize>, (name, unit): (&str, &str), number: &str) -> Notice {
-    let si = crate::units::parse_unit(unit).map(|u| si_label(&u.dimension)).ok().filter(|si| si != unit && si != "1");
-    let (or, or_ru) =
-        si.map_or_else(Default::default, |si| (format!(", or in SI \"{number} {si}\""), format!(" или, в СИ, \"{number} {si}\"")));
+    let si =
+        crate::units::parse_unit(unit).map(|u| si_label(&u.dimension)).ok().filter(|si| si != unit && si != "1").map(|si| Text::unit(&si));
+    let (or, or_ru) = si
+        .map_or_else(Default::default, |si| (format!(", or in SI \"{number} {}\"", si.en), format!(" или, в СИ, \"{number} {}\"", si.ru)));
+    let unit = Text::unit(unit);
     Notice::piece(
         "M023",
         span,
-        format!("a number without a unit, while `{name}` is in {unit}"),
-        format!("число без единицы, хотя `{name}` задано в {unit}"),
+        format!("a number without a unit, while `{name}` is in {}", unit.en),
+        format!("число без единицы, хотя `{name}` задано в {}", unit.ru),
     )
-    .help(format!("write the unit: \"{number} {unit}\"{or}"), format!("напишите единицу: \"{number} {unit}\"{or_ru}"))
+    .help(format!("write the unit: \"{number} {}\"{or}", unit.en), format!("напишите единицу: \"{number} {}\"{or_ru}", unit.ru))
 }
 
 /// A value from the command line: a bare number is SI, and refused where the file uses another unit.

@@ -12,8 +12,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 use symbolic::{Expr, Rational, SymbolId};
 use toml::de::DeValue;
-use words::{Notice, Severity};
-use words::{Text, letters};
+use words::{Notice, Severity, Text, letters};
 
 /// The state of reading.
 pub(super) struct Reader<'a> {

@@ -178,12 +178,13 @@ fn positive(reader: &mut Reader, fields: &Fields, kind: &str, number: f64, span:
     if number > 0.0 {
         return true;
     }
+    let size = words::digits::quantity(number, "m");
     reader.fault(
         Notice::piece(
             "M051",
             span,
-            format!("a length of {kind} in {} is {number} m", fields.path),
-            format!("длина в {kind} ({}) равна {number} м", fields.path),
+            format!("a length of {kind} in {} is {}", fields.path, size.en),
+            format!("длина в {kind} ({}) равна {}", fields.path, size.ru),
         )
         .why("sizes are positive", "размеры положительны")
         .help(

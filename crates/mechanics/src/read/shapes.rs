@@ -104,12 +104,13 @@ fn negative(reader: &mut Reader, fields: &Fields, key: &'static str, value: &sup
     if let Some(v) = reader.number_for(value, Reliance::Sign)
         && v < 0.0
     {
+        let moment = words::digits::typed(v);
         reader.fault(
             Notice::piece(
                 "M055",
                 fields.span_of(key),
-                format!("the moment of inertia is {v} kg m^2"),
-                format!("момент инерции равен {v} кг м²"),
+                format!("the moment of inertia is {} kg m^2", moment.en),
+                format!("момент инерции равен {} кг м²", moment.ru),
             )
             .why("a moment of inertia is a sum of m r^2", "момент инерции — это сумма m r²"),
         );
@@ -121,12 +122,13 @@ fn positive(reader: &mut Reader, fields: &Fields, key: &'static str, value: &sup
     if let Some(v) = reader.number_for(value, Reliance::Sign)
         && v <= 0.0
     {
+        let size = words::digits::quantity(v, "m");
         reader.fault(
             Notice::piece(
                 "M051",
                 fields.span_of(key),
-                format!("a length of {key} in {} is {v} m", fields.path),
-                format!("длина в {key} ({}) равна {v} м", fields.path),
+                format!("a length of {key} in {} is {}", fields.path, size.en),
+                format!("длина в {key} ({}) равна {}", fields.path, size.ru),
             )
             .why("sizes are positive", "размеры положительны"),
         );

@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 use symbolic::{Expr, Rational, SymbolId};
 use toml::de::DeValue;
-use words::{Notice, Text};
+use words::{Notice, Text, digits};
 
 const BENDING: Dimension = Dimension::of(3, 1, -2);
 const PRESSURE: Dimension = Dimension::of(-1, 1, -2);
@@ -108,11 +108,12 @@ fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str,
 
 fn not_negative<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, value: &Checked, strict: bool) {
     let Some(number) = reader.number(value).filter(|v| *v < 0.0 || strict && *v == 0.0) else { return };
+    let given = digits::typed(number);
     let fault = Notice::piece(
         "M203",
         fields.span_of(key),
-        format!("{key} of {} is {number}", fields.path),
-        format!("{key} в {} равно {number}", fields.path),
+        format!("{key} of {} is {}", fields.path, given.en),
+        format!("{key} в {} равно {}", fields.path, given.ru),
     )
     .why(
         "stiffnesses and masses are positive; a parameter is probably wrong",
@@ -327,11 +328,12 @@ fn whole<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) ->
     if number.fract() == 0.0 && (1.0..=PARTS as f64).contains(&number) {
         return Some(number as i64);
     }
+    let given = digits::typed(number);
     let fault = Notice::piece(
         "M206",
         fields.span_of(key),
-        format!("{key} is {number}; it must be a whole number from 1 to {PARTS}"),
-        format!("{key} равно {number}; нужно целое число от 1 до {PARTS}"),
+        format!("{key} is {}; it must be a whole number from 1 to {PARTS}", given.en),
+        format!("{key} равно {}; нужно целое число от 1 до {PARTS}", given.ru),
     );
     reader.fault(fault);
     None

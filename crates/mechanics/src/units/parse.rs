@@ -130,7 +130,7 @@ pub(crate) fn doubtful_comma(text: &str) -> Option<Notice> {
             "M142",
             0..text.len(),
             format!("the comma is read as a decimal mark: {number}, not {grouped}"),
-            format!("запятая читается как десятичная: {number}, а не {grouped}"),
+            format!("запятая читается как десятичная: `{number}`, а не `{grouped}`"),
         )
         .help(format!("write `{number} {unit}` or `{grouped} {unit}`"), format!("напишите `{number} {unit}` или `{grouped} {unit}`"))
         .warning()

@@ -3,6 +3,7 @@
 use super::connections::{Arrangement, Connected, Numbers, Selection, fill, reserve, supports, surfaces};
 use super::expressions::{GuardTable, Inputs, Lowering, Switches};
 use super::steps::steps;
+use crate::fault::POSITION;
 use crate::passes::select;
 use crate::{ENERGY, Fault, Program, Register, Root, Tape};
 use std::collections::HashSet;
@@ -398,7 +399,7 @@ fn residual<'e>(
 
 /// What must exist wherever the machine goes.
 fn places(equations: &Equations) -> Result<Tape, Fault> {
-    let roots: Vec<(String, Expr)> = equations.places.iter().enumerate().map(|(i, e)| (format!("position {}", i + 1), *e)).collect();
+    let roots: Vec<(String, Expr)> = equations.places.iter().enumerate().map(|(i, e)| (format!("{POSITION}{}", i + 1), *e)).collect();
     Lowering::new(&equations.graph, &over_accelerations(equations), Switches::Value).tape("places", &roots)
 }
 

@@ -80,7 +80,7 @@ fn forces(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding
         return Finding::Study(Box::new(Results { kind: "inverse", heading: heading(), ..Results::default() }));
     };
     if motors.len() > 1 && data.struck != 0.0 && trouble.is_none() {
-        let n = analysis::fault::rounded(data.struck);
+        let n = words::digits::rounded(data.struck);
         data.notes.push(Text::new(
             format!("impulses of the motors do {} J more, together", n.en),
             format!("импульсы двигателей совершают ещё {} Дж, вместе", n.ru),

@@ -276,7 +276,7 @@ fn judged(failed: usize) -> Audit {
 
 /// The first run of which a check failed.
 fn doubt(values: &[(String, f64)], audit: &Audit) -> Text {
-    let shown: Vec<(String, Text)> = values.iter().map(|(name, value)| (name.clone(), analysis::fault::rounded(*value))).collect();
+    let shown: Vec<(String, Text)> = values.iter().map(|(name, value)| (name.clone(), words::digits::rounded(*value))).collect();
     let list =
         |pick: fn(&Text) -> &str| shown.iter().map(|(name, value)| format!("{name} = {}", pick(value))).collect::<Vec<_>>().join(", ");
     Text::new(

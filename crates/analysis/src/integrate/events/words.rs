@@ -4,8 +4,8 @@ use words::Text;
 
 use super::{Change, Switch};
 use crate::dataset::{ContactChange, Standing};
-use crate::fault::number;
 use crate::{Guard, GuardKind, Mode};
+use words::digits::number;
 
 /// One line for the table of events.
 pub fn describe(switch: &Switch, guard: &Guard) -> Text {

@@ -22,9 +22,9 @@ use words::Text;
 
 use crate::Fault;
 use crate::dataset::{Audit, Extreme};
-use crate::fault::{rounded, ten_digits};
 use linkage::{Drives, Linkage, Spot, spot};
 use way::{Doubts, Stand};
+use words::digits::{rounded, ten_digits};
 
 /// A place with the derivatives along the way.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -10,7 +10,7 @@ use super::extrapolation;
 use super::linkage::{Linkage, Spot};
 use super::way::Stand;
 use crate::Fault;
-use crate::fault::ten_digits;
+use words::digits::ten_digits;
 
 /// First step along the way, rad or arms.
 const STEP: f64 = 0.01;

@@ -32,10 +32,10 @@ use words::{Message, Text};
 
 use super::simulate::{self, Grid};
 use crate::dataset::{Audit, Dataset};
-use crate::fault::{number, rounded};
 use crate::integrate::taylor::check_tolerance;
 use crate::marks::pushes::Push;
 use crate::{Fault, System};
+use words::digits::{number, rounded};
 
 /// What brings the motion back.
 #[derive(Clone, Debug, Default, PartialEq)]

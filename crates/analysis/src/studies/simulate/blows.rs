@@ -5,10 +5,10 @@ use words::Text;
 use super::{Run, jumps};
 use crate::audits::impacts::relative;
 use crate::dataset::Impulse;
-use crate::fault::rounded;
 use crate::integrate::events::{Change, Switch};
 use crate::integrate::taylor::Flow;
 use crate::{GuardKind, Mode, System};
+use words::digits::rounded;
 
 impl Run {
     /// The laws of the impact of this instant; one that stands for infinitely many that follow has their momenta as well.

@@ -18,12 +18,12 @@ mod walk;
 
 use super::simulate::{self, Grid, Outcome, Simulate};
 use crate::dataset::{Audit, Column, Dataset, Event};
-use crate::fault::rounded;
 use crate::{Fault, Mode, Quantity, System};
 use form::Form;
 use motion::Motion;
 use symbolic::Equations;
 use words::Text;
+use words::digits::rounded;
 
 /// Options of the study.
 pub struct Transient<'a> {

@@ -26,7 +26,7 @@ impl Obstacle {
     /// As a fault of the study; `start` is the start of the phase.
     pub fn fault(self, start: f64) -> Fault {
         let Obstacle(reason, e) = self;
-        let at = crate::fault::number(start);
+        let at = words::digits::number(start);
         let message = match reason {
             Reason::NotLinear => Message {
                 code: "S070",

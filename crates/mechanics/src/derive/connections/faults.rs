@@ -1,6 +1,7 @@
 //! Faults of wheels, tracks, drums and supports.
 
 use crate::model::{Connection, FrameId, Model};
+use words::digits::typed;
 use words::{Notice, Text};
 
 /// Two wheels without parallel axes.
@@ -88,8 +89,7 @@ pub fn axes_part(connection: &Connection) -> Box<Notice> {
 /// Pitch circles that do not touch: distance of the axes and what the radii give, m.
 pub fn no_mesh(connection: &Connection, opposite: bool, [axes, radii]: [f64; 2]) -> Box<Notice> {
     let name = &connection.name;
-    let number = |x: f64| Text::new(format!("{x}"), format!("{x}").replace('.', ","));
-    let (axes, radii) = (number(axes), number(radii));
+    let (axes, radii) = (typed(axes), typed(radii));
     let (sum, sum_ru) = if opposite { ("r1 + r2", "r1 + r2") } else { ("|r1 − r2|", "|r1 − r2|") };
     let what = Text::new(
         format!("the pitch circles of `gears.{name}` do not touch: the axes are {} m apart, the radii give {} m", axes.en, radii.en),

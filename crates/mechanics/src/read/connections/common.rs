@@ -142,12 +142,13 @@ pub(super) fn size<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'stat
 /// Whether a size is good; reports one that is zero or negative.
 pub(super) fn positive(reader: &mut Reader, value: &Checked, key: &str, span: Range<usize>) -> bool {
     let Some(number) = reader.number_for(value, Reliance::Sign).filter(|v| *v <= 0.0) else { return value.good };
+    let size = words::digits::quantity(number, "m");
     reader.fault(
         Notice::piece(
             "M074",
             span,
-            format!("`{key}` is {number} m; it must be positive"),
-            format!("`{key}` равно {number} м; должно быть положительным"),
+            format!("`{key}` is {}; it must be positive", size.en),
+            format!("`{key}` равно {}; должно быть положительным", size.ru),
         )
         .why("the value of a parameter is probably wrong, or a sign", "вероятно, неверно значение параметра или знак"),
     );
@@ -237,12 +238,13 @@ pub(super) fn restitution<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> E
 pub(super) fn restitution_by<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Expr {
     let value = fields.formula_or_zero(reader, key, &Context::CONSTANT, Some(&Dimension::NONE));
     if let Some(number) = reader.number_for(&value, Reliance::Share).filter(|v| !(0.0..=1.0).contains(v)) {
+        let number = words::digits::typed(number);
         reader.fault(
             Notice::piece(
                 "M079",
                 fields.span_of(key),
-                format!("the restitution is {number}; it lies between 0 and 1"),
-                format!("коэффициент восстановления {number}; он от 0 до 1"),
+                format!("the restitution is {}; it lies between 0 and 1", number.en),
+                format!("коэффициент восстановления {}; он от 0 до 1", number.ru),
             )
             .why("above 1 an impact would create energy", "при значении больше 1 удар создавал бы энергию"),
         );

@@ -9,6 +9,7 @@ use crate::units::si_label;
 use symbolic::connections::{Impacts, Rebound};
 use symbolic::{Expr, Substitution, SymbolId};
 use words::Notice;
+use words::digits::quantity;
 
 pub(super) fn stop<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, _: &Space) -> Option<Found> {
     let path = pathway(reader, fields);
@@ -236,11 +237,12 @@ fn limits<'a>(
     let fixed = fixed.map(|(key, value)| (key, reader.number_for(value, Reliance::Sign)));
     let unit = if let Kind::Known(d) = kinetic.kind { si_label(&d) } else { String::new() };
     let negative = |key: &'static str, value: f64| {
+        let value = quantity(value, &unit);
         Notice::piece(
             "M086",
             fields.span_of(key),
-            format!("the friction `{key}` is {value} {unit}"),
-            format!("трение `{key}` равно {value} {unit}"),
+            format!("the friction `{key}` is {}", value.en),
+            format!("трение `{key}` равно {}", value.ru),
         )
         .why(
             "it would push a body on instead of holding it; the sign comes from the sliding",
@@ -257,12 +259,13 @@ fn limits<'a>(
         return false;
     }
     if let Some(value) = slow.filter(|v| limit < *v * (1.0 - 1e-12)) {
+        let [limit, value] = [limit, value].map(|x| quantity(x, &unit));
         reader.fault(
             Notice::piece(
                 "M086",
                 fields.span_of(key),
-                format!("friction at rest is {limit} {unit}, but {value} {unit} as soon as it slides"),
-                format!("трение покоя {limit} {unit}, а при начале скольжения {value} {unit}"),
+                format!("friction at rest is {}, but {} as soon as it slides", limit.en, value.en),
+                format!("трение покоя {}, а при начале скольжения {}", limit.ru, value.ru),
             )
             .why(
                 "a body that broke away would be stopped at once: the limit at rest is not below the friction while sliding",

@@ -9,7 +9,7 @@ use crate::read::frames::frame_by_name;
 use crate::read::reader::{Fields, Reader, wrong_type};
 use symbolic::Expr;
 use toml::de::DeValue;
-use words::Notice;
+use words::{Notice, digits};
 
 pub(super) fn rack<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
     let wheel = wheel(reader, fields, space, "gear");
@@ -128,12 +128,13 @@ fn circle<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, wheel
     let (center, radius) = (center?, radius?);
     let sizes = wheel.and_then(|w| w.size).zip(reader.number_of(radius));
     if let Some((small, large)) = sizes.filter(|(small, large)| inside && small >= large) {
+        let [small, large] = [small, large].map(|r| digits::quantity(r, "m"));
         reader.fault(
             Notice::piece(
                 "M074",
                 track.span_of("radius"),
-                format!("a wheel of radius {small} m does not fit into a circle of radius {large} m"),
-                format!("колесо радиуса {small} м не помещается в окружности радиуса {large} м"),
+                format!("a wheel of radius {} does not fit into a circle of radius {}", small.en, large.en),
+                format!("колесо радиуса {} не помещается в окружности радиуса {}", small.ru, large.ru),
             )
             .why("inside a circle the wheel is the smaller one", "внутри окружности колесо меньше неё"),
         );
