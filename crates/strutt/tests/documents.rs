@@ -2,6 +2,9 @@
 //!
 //! `UPDATE_DOCS=1 cargo test -p strutt --test documents` writes the generated ones anew.
 
+mod common;
+
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
@@ -193,4 +196,39 @@ fn every_code_of_a_diagnostic_is_in_the_book() {
     let missing: Vec<&str> =
         mechanics::explain::TABLES.iter().flat_map(|t| t.iter()).map(|e| e.code).filter(|c| !errors.contains(c)).collect();
     assert!(missing.is_empty(), "tests/book/errors.md shows nothing for {}", missing.join(", "));
+}
+
+/// The command lines that a text names: what follows `strutt ` after a backtick or a prompt.
+fn commands(text: &str) -> Vec<&str> {
+    let starts = text.match_indices("strutt ").map(|(i, _)| i).filter(|i| text[..*i].ends_with('`') || text[..*i].ends_with("$ "));
+    let lines = starts.map(|i| text[i + "strutt ".len()..].split(['`', '\n']).next().unwrap_or_default());
+    // `help` is of the command line itself and has no help of its own
+    lines.filter(|line| line.starts_with(|c: char| c.is_ascii_lowercase()) && !line.starts_with("help")).collect()
+}
+
+/// What of a command line the program does not know: its verb or an option.
+fn unknown<'a>(line: &'a str, helps: &mut BTreeMap<String, Option<String>>) -> Option<&'a str> {
+    let verb = line.split(|c: char| !c.is_ascii_lowercase()).next().unwrap_or_default();
+    let help = helps.entry(verb.to_owned()).or_insert_with(|| {
+        let output = common::strutt().args([verb, "--help"]).output().ok()?;
+        output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
+    });
+    let Some(help) = help else { return Some(verb) };
+    let options = line.split(' ').filter(|word| word.starts_with("--"));
+    let mut names = options.map(|word| word.split(|c: char| c != '-' && !c.is_ascii_lowercase()).next().unwrap_or(word));
+    names.find(|name| !help.split_whitespace().any(|word| word.trim_end_matches(',') == *name))
+}
+
+#[test]
+fn every_command_that_is_named_exists() {
+    let mut helps = BTreeMap::new();
+    let mut wrong = Vec::new();
+    // what has changed may name what is no more
+    for path in documents().into_iter().filter(|p| !p.ends_with("CHANGELOG.md")).chain(sources()) {
+        let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        let unknown = commands(&text).into_iter().filter_map(|line| unknown(line, &mut helps).map(|what| (line, what)));
+        wrong.extend(unknown.map(|(line, what)| format!("{}: `{what}` of `strutt {line}`", path.display())));
+    }
+    assert!(helps.len() > 8, "commands are found: {:?}", helps.keys());
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
