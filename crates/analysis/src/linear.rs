@@ -526,6 +526,27 @@ impl LinearMachine {
         linear.conditions.is_empty() && entries.copied().all(|e| !linear.graph.contains(e, place))
     }
 
+    /// Whether the equations are anything but linear in coordinates, rates and accelerations.
+    pub fn bends(&self) -> bool {
+        !self.same_everywhere() || self.linear.timing.bent
+    }
+
+    /// Whether M, B, C, the mean forces or the conditions depend on a parameter, directly or through definitions and waveforms.
+    pub fn depends_on(&self, parameter: usize) -> bool {
+        let linear = &self.linear;
+        let mut known = vec![self.equations.parameters[parameter].symbol];
+        let on = |known: &[SymbolId], e: Expr| linear.graph.contains(e, |s| known.contains(&s));
+        for (symbol, formula) in &linear.definitions {
+            if on(&known, *formula) {
+                known.push(*symbol);
+            }
+        }
+        let squares = [&linear.mass, &linear.damping, &linear.stiffness, &linear.jacobian, &linear.drift, &linear.reach];
+        let lists = [&linear.force, &linear.conditions, &linear.remainders];
+        let mut all = squares.into_iter().flat_map(|m| m.entries()).chain(lists.into_iter().flatten());
+        self.shapes.iter().any(|s| s.parameters.contains(&parameter)) || all.any(|e| on(&known, *e))
+    }
+
     /// Values of further expressions of [`Linear::graph`] at a place, with the parameters as they are now.
     ///
     /// *Errors*: one of them has no finite value.

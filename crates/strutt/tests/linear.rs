@@ -114,3 +114,22 @@ fn a_weak_spring_beside_a_strong_one_is_no_rounding() {
     close(&m.stiffness, &[1e9, 0.0, 0.0, 1e-4], 1e-15);
     assert!((m.stiffness[3] - 1e-4).abs() < 1e-18);
 }
+
+/// A gyroscope in a gimbal: the coupling Ja Ω θ' cos θ leaves its line with 1 - cos θ. Its largest share of the terms of the row over sixteen instants, by hand from
+/// the amplitudes of `response`: 7.796 %, of both rows the larger one.
+#[test]
+fn gyroscopic_terms_count_in_the_measure_of_the_straight_line() {
+    let book = include_str!("../../../tests/book/response.md");
+    let section = book.split("## How far the straight line holds").nth(1).expect("section");
+    let text = section.split("```toml").nth(1).and_then(|t| t.split("```").next()).expect("model");
+    let mut watch = Watch::default();
+    let mut machine = pipeline::build(&Source::new("model.toml", text), &[], &mut watch).expect("model");
+    let study = machine.model.studies.iter().find_map(|s| match &s.kind {
+        mechanics::model::StudyKind::Response(study) => Some(study.clone()),
+        _ => None,
+    });
+    let found = pipeline::response(&mut machine, &study.expect("study"), &mut watch);
+    let note = found.data().notes.iter().find(|n| n.en.contains("straight line by")).expect("note").en.clone();
+    let percent: f64 = note.split("straight line by ").nth(1).and_then(|t| t.split(' ').next()).expect("number").parse().unwrap();
+    assert!((percent - 7.796).abs() < 0.01, "{note}");
+}

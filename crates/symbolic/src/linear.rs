@@ -47,6 +47,8 @@ pub struct Linear {
     pub stiffness: Matrix,
     /// The mean of h - M q'': zero at an equilibrium.
     pub force: Vec<Expr>,
+    /// M q'' - h with the means of the loads and the reactions of ideal connections, as functions of the whole state.
+    pub bent: Vec<Expr>,
     /// Harmonic loads, by rate.
     pub loads: Vec<HarmonicLoad>,
     /// Waveforms of the loads and of what is observed.
@@ -176,6 +178,7 @@ impl Linear {
             damping: Matrix::zeros(&mut graph, n, n),
             stiffness: Matrix::zeros(&mut graph, n, n),
             force: Vec::new(),
+            bent: Vec::new(),
             loads: Vec::new(),
             shaped: Vec::new(),
             pulsation: Vec::new(),
@@ -277,6 +280,13 @@ impl Linear {
             }
         }
         for (i, h) in mean.iter().enumerate() {
+            let product = |j: usize| {
+                let acceleration = graph.symbol(self.coordinates[j][2]);
+                graph.mul(self.mass.get(i, j), acceleration)
+            };
+            let inertia: Vec<Expr> = (0..n).map(product).collect();
+            let inertia = graph.sum(&inertia);
+            self.bent.push(graph.sub(inertia, *h));
             let at_rest = rest.apply(graph, *h);
             let force = match self.about {
                 About::Rest => at_rest,
@@ -296,6 +306,8 @@ impl Linear {
                 terms.push(graph.mul(self.reach.get(i, k), multiplier));
             }
             let force = graph.sum(&terms);
+            let reached = graph.sum(&terms[1..]);
+            self.bent[i] = graph.sub(self.bent[i], reached);
             self.force.push(force);
         }
         for j in 0..n {

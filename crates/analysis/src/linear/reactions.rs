@@ -62,6 +62,8 @@ pub(super) struct Reactions {
 struct Row {
     mean: f64,
     by: [Vec<f64>; 3],
+    /// Bounds of the rounding in `by`.
+    roundings: [Vec<f64>; 3],
     /// The mean, sines and waveforms of what excites it.
     load: f64,
     waves: Vec<(f64, f64, f64)>,
@@ -239,12 +241,16 @@ impl LinearMachine {
                 continue;
             }
             solved.refuse_open(&share, |k| self.equations.reactions[prepared.unknowns[k]].name.as_str())?;
+            let mut doubt = Doubt::of(y);
             for (i, row) in rows.iter().enumerate() {
-                let gain: f64 = share.iter().enumerate().map(|(k, s)| s * solved.inverse[k * prepared.rows + i]).sum();
+                let part = |k: usize| share[k] * solved.inverse[k * prepared.rows + i];
+                let (gain, terms) = (0..share.len()).map(part).fold((0.0, 0.0), |(sum, terms), v| (sum + v, terms + v.abs()));
                 if gain != 0.0 {
                     row.add(gain, prepared.named, y);
                 }
+                doubt.add(row, terms);
             }
+            doubt.settle(y);
         }
         Ok(())
     }
@@ -252,34 +258,64 @@ impl LinearMachine {
     fn evaluate_rows(&self, prepared: &Reactions, place: &Place, values: &[f64]) -> Result<Evaluated, Fault> {
         let mut evaluator = Evaluator::new(&prepared.tape, &self.values)?;
         let states = self.states_with(place, prepared.forms, values);
-        let found = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
+        let found = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec();
+        let bounds = evaluator.root_roundings();
         let (n, k) = (self.names.len(), prepared.unknowns.len());
-        let mut rest = found;
+        let mut at = 0;
         let mut take = |count: usize| {
-            let (head, tail) = rest.split_at(count);
-            rest = tail;
-            head
+            at += count;
+            (&found[at - count..at], &bounds[at - count..at])
         };
         let mut matrix = vec![0.0; prepared.rows * k];
         for (row, column) in &prepared.entries {
-            matrix[row * k + column] += take(1)[0];
+            matrix[row * k + column] += take(1).0[0];
         }
         let mut rows = Vec::with_capacity(prepared.rows);
         for (waves, forms) in &prepared.waves {
-            let mean = take(1)[0];
-            let by = [take(n).to_vec(), take(n).to_vec(), take(n).to_vec()];
-            let load = take(1)[0];
-            let waves = (0..*waves).map(|_| take(3)).map(|w| (w[0], w[1], w[2])).collect();
-            let forms = forms.iter().map(|form| (*form, take(1)[0])).collect();
-            rows.push(Row { mean, by, load, waves, forms });
+            let mean = take(1).0[0];
+            let slopes = [take(n), take(n), take(n)];
+            let load = take(1).0[0];
+            let waves = (0..*waves).map(|_| take(3).0).map(|w| (w[0], w[1], w[2])).collect();
+            let forms = forms.iter().map(|form| (*form, take(1).0[0])).collect();
+            rows.push(Row { mean, by: slopes.map(|s| s.0.to_vec()), roundings: slopes.map(|s| s.1.to_vec()), load, waves, forms });
         }
-        let slopes = take(prepared.slopes.len()).to_vec();
+        let slopes = take(prepared.slopes.len()).0.to_vec();
         Ok((matrix, rows, slopes))
     }
 }
 
 /// The matrix of the balances, their rows, the slopes of the unknowns.
 type Evaluated = (Vec<f64>, Vec<Row>, Vec<f64>);
+
+/// Bounds of the rounding in the slopes of an output.
+struct Doubt([Vec<f64>; 3]);
+
+/// Share of the terms that sums over A⁺ lose at most.
+const LOST: f64 = 256.0 * f64::EPSILON;
+
+/// Rounding of the entries of A⁺.
+const UNKNOWN: f64 = 8.0 * f64::EPSILON;
+
+impl Doubt {
+    /// Of an output's own slopes.
+    fn of(y: &Seen) -> Doubt {
+        Doubt([&y.by_place, &y.by_rate, &y.by_acceleration].map(|v| v.iter().map(|v| LOST * v.abs()).collect()))
+    }
+
+    /// A row that enters with gains whose absolute values add up to `terms`.
+    fn add(&mut self, row: &Row, terms: f64) {
+        for ((sum, own), bounds) in self.0.iter_mut().zip(&row.by).zip(&row.roundings) {
+            sum.iter_mut().zip(own.iter().zip(bounds)).for_each(|(s, (v, b))| *s += terms * (LOST * v.abs() + b));
+        }
+    }
+
+    /// Slopes that may be rounding are zero.
+    fn settle(&self, y: &mut Seen) {
+        for (slopes, bounds) in [&mut y.by_place, &mut y.by_rate, &mut y.by_acceleration].into_iter().zip(&self.0) {
+            slopes.iter_mut().zip(bounds).filter(|(v, b)| v.abs() <= **b).for_each(|(v, _)| *v = 0.0);
+        }
+    }
+}
 
 impl Row {
     fn add(&self, gain: f64, named: bool, y: &mut Seen) {
@@ -306,13 +342,12 @@ impl Solved {
         let widths: Vec<f64> = (0..k).map(|c| size(&mut (0..m).map(|i| matrix[i * k + c] / heights[i]))).collect();
         let scaled: Vec<f64> = (0..m * k).map(|p| matrix[p] / heights[p / k] / widths[p % k]).collect();
         let qr = Qr::alike(&scaled, m, k, DEPENDENT);
-        let mut inverse = vec![0.0; k * m];
-        for i in 0..m {
-            let unit: Vec<f64> = (0..m).map(|p| if p == i { 1.0 / heights[i] } else { 0.0 }).collect();
-            for (c, x) in qr.least_squares(&unit).0.iter().enumerate() {
-                inverse[c * m + i] = x / widths[c];
-            }
-        }
+        let unit = |i: usize| (0..m).map(|p| f64::from(u8::from(p == i))).collect::<Vec<f64>>();
+        let columns: Vec<Vec<f64>> = (0..m).map(|i| qr.least_squares(&unit(i)).0).collect();
+        // entries of A⁺ are known to ε ‖A‖ ‖A⁺‖² with ‖A‖ about 1
+        let largest = columns.iter().flatten().fold(1.0_f64, |s, v| s.max(v.abs()));
+        let settled = |x: f64| if x.abs() <= UNKNOWN * largest * largest { 0.0 } else { x };
+        let inverse: Vec<f64> = (0..k * m).map(|e| settled(columns[e % m][e / m]) / widths[e / m] / heights[e % m]).collect();
         let values = (0..k).map(|c| rows.iter().enumerate().map(|(i, row)| inverse[c * m + i] * row.mean).sum()).collect();
         let unscaled = |v: Vec<f64>| v.iter().zip(&widths).map(|(v, w)| v / w).collect();
         Solved { values, inverse, open: qr.null_space().into_iter().map(unscaled).collect() }

@@ -4,6 +4,8 @@
 //! [`admissible`] decides what ropes, contacts and friction can hold.
 
 pub mod admissible;
+pub mod branch;
+pub mod changes;
 pub mod faults;
 mod limiting;
 pub mod mean;

@@ -10,7 +10,7 @@ use crate::Fault;
 use crate::connections::assemble;
 use crate::studies::equilibrium::no_equilibrium;
 
-/// Remainder of the equations where a place rests already.
+/// Remainder of the equations where a place rests as it is, when Newton's method makes it no better.
 const RESTS: f64 = 1e-12;
 
 /// Equations of rest with lasting connections; contacts and dry friction are left out.
@@ -50,9 +50,15 @@ impl Near {
         let mut z = self.system.z(q);
         balance(&mut self.system, &mut z)?;
         let rows = self.system.at(&z)?;
-        if worst(&rest_rows(&rows, &z), &z, n) > RESTS {
+        let remainder = worst(&rest_rows(&rows, &z), &z, n);
+        if remainder > 0.0 {
             let free: Vec<usize> = (0..self.system.width()).collect();
-            solve(&mut self.system, &mut z, &free, &rest_rows)?.ok_or_else(no_equilibrium)?;
+            let mut better = z.clone();
+            match solve(&mut self.system, &mut better, &free, &rest_rows)? {
+                Some(_) => z = better,
+                None if remainder <= RESTS => {}
+                None => return Err(no_equilibrium()),
+            }
         }
         let symbol = |r: &usize| self.resting.equations().reactions[*r].symbol;
         let reactions = self.system.reactions.iter().map(symbol).zip(z[n..].iter().copied()).collect();

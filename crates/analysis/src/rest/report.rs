@@ -7,6 +7,8 @@ use algebra::elementary;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use program::lower::{self, Inputs};
+use program::{Evaluator, Point};
 use symbolic::connections::Law;
 use symbolic::linear::About;
 use symbolic::{Equations, SymbolId};
@@ -43,17 +45,27 @@ struct Row {
     second: f64,
 }
 
+/// What is studied: the equations of rest, and those of motion, whose rates small motions need.
+#[derive(Clone, Copy)]
+pub struct Studied<'e> {
+    /// Loads by their means, rates zero.
+    pub rest: &'e Equations,
+    /// As they were derived.
+    pub motion: &'e Equations,
+}
+
 /// Places of rest of a machine whose equations have conditions, contacts, frictions or no coordinates at all.
 ///
 /// *Errors* beside what was found: S007 no place, S093 friction that is too weak, S062 a rope that would push.
-pub fn study(equations: &Equations, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Outcome {
-    match attempt(equations, parameters, start, options) {
+pub fn study(studied: Studied, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Outcome {
+    match attempt(studied, parameters, start, options) {
         Ok(outcome) => outcome,
         Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
     }
 }
 
-fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Result<Outcome, Fault> {
+fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equilibrium) -> Result<Outcome, Fault> {
+    let equations = studied.rest;
     if let Some(refused) = super::faults::journal(equations) {
         return Err(refused);
     }
@@ -76,7 +88,7 @@ fn attempt(equations: &Equations, parameters: &[f64], start: &[f64], options: &E
     let mut rows: Vec<Row> = Vec::new();
     for mut place in found.list {
         observed::complete(equations, (parameters, &place.q), &mut place.reactions);
-        rows.push(judged(equations, parameters, place)?);
+        rows.push(judged(studied, parameters, place)?);
     }
     let inside = options.over.is_none_or(|r| (r.from..=r.to).contains(&q[r.coordinate]));
     let mut fault = None;
@@ -229,12 +241,13 @@ fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Text {
     )
 }
 
-fn judged(equations: &Equations, parameters: &[f64], place: Place) -> Result<Row, Fault> {
+fn judged(studied: Studied, parameters: &[f64], place: Place) -> Result<Row, Fault> {
+    let equations = studied.rest;
     let second = second(equations, parameters, &place);
     let mut row = Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second };
     // a condition that is no surface (a skate, a circuit among the connections) has no small motions of this kind
     let strange = !path::all_places(equations, parameters, &row.place.q)?;
-    let closed = with_closed(equations, &row.place.closed);
+    let closed = with_closed(studied.motion, &row.place.closed);
     let Ok(mut linear) = LinearMachine::new(&Arc::new(closed), About::Rest) else { return Ok(row) };
     let of = |symbol: &SymbolId| {
         let r = equations.reactions.iter().position(|r| r.symbol == *symbol);
@@ -300,7 +313,7 @@ fn second(equations: &Equations, parameters: &[f64], place: &Place) -> f64 {
     }
     let at = |roots: &[symbolic::Expr]| graph.evaluate(roots, &|s| values.get(&s).copied().unwrap_or(0.0));
     let residuals = at(&equations.second[..n.min(equations.second.len())]);
-    let mut sizes: Vec<f64> = at(&equations.force).iter().map(|h| h.abs()).collect();
+    let mut sizes = terms(equations, &values);
     for (reaction, value) in equations.reactions.iter().zip(&place.reactions) {
         let list: Vec<symbolic::Expr> = reaction.forces.iter().map(|(_, e)| *e).collect();
         for ((j, _), e) in reaction.forces.iter().zip(at(&list)) {
@@ -311,6 +324,22 @@ fn second(equations: &Equations, parameters: &[f64], place: &Place) -> f64 {
     let of = |(r, s): (&f64, &f64)| if *r == 0.0 { 0.0 } else { r.abs() / s.max(1e-3 * largest).max(f64::MIN_POSITIVE) };
     // without any force there is nothing to compare but rounding
     if largest <= 1e-12 { 0.0 } else { residuals.iter().zip(&sizes).map(of).fold(0.0, f64::max) }
+}
+
+/// The size of the terms that add up to each force of rest, which cancel there: the bound of their rounding over the rounding of one operation.
+fn terms(equations: &Equations, values: &BTreeMap<SymbolId, f64>) -> Vec<f64> {
+    let graph = &equations.graph;
+    let symbols = graph.symbols_in(&equations.force);
+    let states: Vec<f64> = symbols.iter().map(|s| values.get(s).copied().unwrap_or(0.0)).collect();
+    let named: Vec<(String, symbolic::Expr)> = equations.force.iter().enumerate().map(|(i, e)| (format!("force {}", i + 1), *e)).collect();
+    let inputs = Inputs { states: symbols, ..Inputs::default() };
+    let found = lower::expressions(graph, "forces of rest", &inputs, &named).map(std::sync::Arc::new).and_then(|tape| {
+        let mut evaluator = Evaluator::new(&tape, &[])?;
+        evaluator.evaluate(&Point { states: &states, ..Point::default() })?;
+        Ok(evaluator.root_roundings().iter().map(|bound| bound / f64::EPSILON).collect())
+    });
+    let own = || graph.evaluate(&equations.force, &|s| values.get(&s).copied().unwrap_or(0.0)).iter().map(|h| h.abs()).collect();
+    found.unwrap_or_else(|_| own())
 }
 
 fn dataset(equations: &Equations, rows: &[Row], notes: Vec<Text>) -> Dataset {

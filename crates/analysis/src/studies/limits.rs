@@ -1,7 +1,7 @@
 //! How far the equations of small motions hold for an amplitude that they give.
 //!
-//! Two things are left out: what oscillates in the coefficients (M₁ cos νt beside M, which turns a motion at ω into forces at ω ± ν), and what the
-//! forces of places do beyond their straight line. Both are measured on the amplitudes X, relative to the terms of the equations.
+//! Two things are left out: what oscillates in the coefficients (M₁ cos νt beside M, which turns a motion at ω into forces at ω ± ν), and what
+//! M(q) q'' - h(q, q') does beyond its straight line M δq'' + B δq' + C δq. Both are measured on the amplitudes X, relative to the terms of the equations.
 
 use algebra::elementary;
 use words::{Message, Text};
@@ -112,26 +112,34 @@ fn terms(m: &Matrices, omega: f64, x: &[Complex]) -> Vec<f64> {
     (0..m.n).map(|i| (0..m.n).map(|j| entry(i * m.n + j) * magnitude(x[j])).sum()).collect()
 }
 
-/// A remark where the forces of places leave their straight line within the amplitudes X at ω.
+/// A remark where inertia, resistance and forces of places leave their straight line along the motion of the amplitudes X at ω.
 pub fn bent(machine: &mut LinearMachine, place: &Place, omega: f64, x: &[Complex]) -> Option<Text> {
     if x.iter().any(|z| !magnitude(*z).is_finite()) {
+        return None;
+    }
+    if !machine.bends() {
         return None;
     }
     let matrices = machine.at(place).ok()?;
     let whole = terms(&matrices, omega, x);
     let n = matrices.n;
-    let mut share = |s: f64| -> f64 {
+    let motion = machine.prepare(&machine.linear().bent).ok()?;
+    let rest = machine.values(&motion, place).ok()?;
+    let share = |s: f64| -> f64 {
         let mut worst = 0.0_f64;
-        for turn in 0..4 {
-            let (sin, cos) = elementary::sin_cos(std::f64::consts::FRAC_PI_2 * f64::from(turn));
+        for turn in 0..INSTANTS {
+            let (sin, cos) = elementary::sin_cos(std::f64::consts::TAU * f64::from(turn) / f64::from(INSTANTS));
             let away: Vec<f64> = x.iter().map(|z| s * (z.0 * cos - z.1 * sin)).collect();
-            let at = Place { q: place.q.iter().zip(&away).map(|(q, d)| q + d).collect(), ..place.clone() };
+            let rates: Vec<f64> = x.iter().map(|z| -s * omega * (z.0 * sin + z.1 * cos)).collect();
+            let accelerations: Vec<f64> = away.iter().map(|v| -omega * omega * v).collect();
+            let q = place.q.iter().zip(&away).map(|(q, d)| q + d).collect();
+            let at = Place { q, rates: rates.clone(), accelerations: accelerations.clone(), multipliers: place.multipliers.clone() };
             // beyond the domain of a formula nothing holds
-            let Ok(there) = machine.at(&at) else { return f64::INFINITY };
+            let Ok(there) = machine.values(&motion, &at) else { return f64::INFINITY };
             for (i, size) in whole.iter().enumerate().filter(|(_, size)| **size > 0.0) {
-                let line: f64 = (0..n).map(|j| matrices.stiffness[i * n + j] * away[j]).sum();
-                let off = (there.force[i] - matrices.force[i] + line).abs();
-                worst = worst.max(off / (s * size));
+                let row = |a: &[f64], v: &[f64]| (0..n).map(|j| a[i * n + j] * v[j]).sum::<f64>();
+                let line = row(&matrices.mass, &accelerations) + row(&matrices.damping, &rates) + row(&matrices.stiffness, &away);
+                worst = worst.max((there[i] - rest[i] - line).abs() / (s * size));
             }
         }
         worst
@@ -148,12 +156,12 @@ pub fn bent(machine: &mut LinearMachine, place: &Place, omega: f64, x: &[Complex
     let (omega, percent, up) = (rounded(omega), rounded(100.0 * found), rounded(100.0 * low));
     Some(Text::new(
         format!(
-            "the equations are not linear: at ω = {} rad/s the forces leave their straight line by {} % within the amplitudes found, and by less than 1 % only up to {} % of \
+            "the equations are not linear: at ω = {} rad/s the forces (of inertia, resistance and places) leave their straight line by {} % within the amplitudes found, and by less than 1 % only up to {} % of \
              these; use `periodic` or `simulate` beyond that",
             omega.en, percent.en, up.en
         ),
         format!(
-            "уравнения нелинейны: при ω = {} рад/с силы в пределах найденных амплитуд отклоняются от линейных на {} %, а менее чем на 1 % – лишь до {} % от них; дальше \
+            "уравнения нелинейны: при ω = {} рад/с силы (инерции, сопротивления и зависящие от положения) в пределах найденных амплитуд отклоняются от линейных на {} %, а менее чем на 1 % – лишь до {} % от них; дальше \
              применяйте `periodic` или `simulate`",
             omega.ru, percent.ru, up.ru
         ),

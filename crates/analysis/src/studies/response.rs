@@ -19,6 +19,8 @@ use words::explain::{Explanation, plain};
 
 use crate::Fault;
 use crate::linear::{LinearMachine, LoadParts, Matrices, Observer, Place, Seen, Values};
+use crate::rest::branch::Branch;
+use crate::studies::equilibrium::no_equilibrium;
 use crate::studies::impedance::{Amplitudes, Gain, solve};
 use crate::studies::modes::Complex;
 use crate::waveform::LISTED;
@@ -68,6 +70,8 @@ pub struct Component {
 pub struct Forced<'m> {
     pub(super) machine: &'m mut LinearMachine,
     pub(super) place: Place,
+    /// The place along the frequency.
+    branch: Option<Branch>,
     pub(super) observer: Observer,
     pub(super) source: Source,
     /// The outputs as functions of the whole state, where they can be lowered so.
@@ -96,6 +100,8 @@ pub struct Forced<'m> {
 pub struct Point {
     /// Frequency of the load, its order times ω.
     pub omega: f64,
+    /// The place of rest about which it moves.
+    pub place: Vec<f64>,
     /// Complex amplitudes of the coordinates; at a resonance without damping their real or imaginary parts, or both, are infinite.
     pub coordinates: Vec<Complex>,
     /// Complex amplitudes of the outputs.
@@ -130,12 +136,13 @@ const SAME: f64 = 1e-12;
 impl<'m> Forced<'m> {
     /// A machine at its place with a load, and formulas to observe.
     ///
-    /// `parameter` is the frequency; none when the load takes any frequency.
+    /// `parameter` is the frequency; none when the load takes any frequency. The place is followed along it; `starts` are where rest is sought when it
+    /// ends on the way.
     ///
     /// *Errors*: S033 when no rate of the load follows the parameter in proportion, S032 when the load vanishes.
     pub fn new(
         machine: &'m mut LinearMachine,
-        place: &Place,
+        (place, starts): (&Place, &[Vec<f64>]),
         source: Source,
         parameter: Option<usize>,
         formulas: &[Expr],
@@ -164,10 +171,12 @@ impl<'m> Forced<'m> {
             Source::Constant(..) | Source::Unit(_) => Vec::new(),
         };
         let whole = machine.over_time(&forces)?;
+        let branch = parameter.map(|p| Branch::new(machine, p, place, starts.to_vec()));
         let mut forced = Forced {
             whole,
             machine,
             place: place.clone(),
+            branch,
             observer,
             source,
             formulas: whole_formulas,
@@ -312,10 +321,31 @@ impl<'m> Forced<'m> {
     /// M, B, C at a frequency ω; the parameter follows it, and the equilibrium follows the parameter.
     pub fn matrices(&mut self, omega: f64) -> Result<Matrices, Fault> {
         if let Some((parameter, per)) = self.follows {
-            self.machine.set(parameter, omega * per)?;
-            self.place = self.machine.settle(&self.place.q)?;
+            let value = omega * per;
+            self.place = match &mut self.branch {
+                Some(branch) => branch.place(self.machine, value)?.ok_or_else(no_equilibrium)?,
+                None => {
+                    self.machine.set(parameter, value)?;
+                    self.place.clone()
+                }
+            };
         }
         self.machine.at(&self.place)
+    }
+
+    /// Follows the place of rest over a range of ω at once.
+    ///
+    /// *Errors*: formulas without a value.
+    pub fn cover(&mut self, ends: [f64; 2]) -> Result<(), Fault> {
+        match (self.follows, &mut self.branch) {
+            (Some((_, per)), Some(branch)) => branch.cover(self.machine, ends.map(|w| w * per)),
+            _ => Ok(()),
+        }
+    }
+
+    /// The place of rest along the parameter that is the frequency.
+    pub fn branch(&self) -> Option<&Branch> {
+        self.branch.as_ref()
     }
 
     /// The loads for the parameters as they are.
@@ -428,7 +458,7 @@ impl<'m> Forced<'m> {
         for z in outputs.iter().filter(|z| z.0.is_nan() || z.1.is_nan() || moving.poles.is_empty()) {
             crate::fault::finite(z.0 + z.1, "response")?;
         }
-        Ok(Point { omega, coordinates: moving.coordinates(), outputs, still, doubt })
+        Ok(Point { omega, place: self.place.q.clone(), coordinates: moving.coordinates(), outputs, still, doubt })
     }
 
     /// -i exp(iωt) is the sine of the wave that exp(iωt) stands for.

@@ -8,6 +8,9 @@ use words::Text;
 
 use crate::dataset::{Column, Dataset, Missing};
 use crate::linear::{LinearMachine, Place};
+use crate::rest::branch::{Branch, Change};
+use crate::rest::changes;
+use crate::studies::equilibrium::no_equilibrium;
 use crate::studies::modes::{self, Kind, Mode, Normalisation};
 use crate::studies::response::{Forced, Source};
 use crate::{Fault, Quantity};
@@ -35,6 +38,10 @@ pub struct Tracks {
     pub unstable: Vec<[f64; 2]>,
     /// Whether there are modes at each value: an equilibrium, or matrices that need none.
     pub known: Vec<bool>,
+    /// The place of rest at each value; none where there is none.
+    pub places: Vec<Option<Vec<f64>>>,
+    /// Where the place that is followed changes.
+    pub changes: Vec<Change>,
     /// The same as columns.
     pub data: Dataset,
 }
@@ -50,14 +57,18 @@ pub struct Critical {
     pub order: f64,
 }
 
-/// Follows the modes over equidistant values of a parameter.
+/// Follows the modes over equidistant values of a parameter, about the place of rest that is followed along it.
 ///
 /// *Errors*: no equilibrium at a value, a mass matrix that is not positive.
-pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], points: usize, place: &Place) -> Result<Tracks, Fault> {
+pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], points: usize) -> Result<Tracks, Fault> {
+    let parameter = branch.parameter();
+    let home = branch.home_place().clone();
     let quantity = machine.parameters()[parameter].clone();
     let is_speed = quantity.unit == "rad/s" || quantity.unit == "1/s";
-    let orders = if is_speed { orders(machine, parameter, ends[1], place)? } else { Vec::new() };
-    let mut run = Run { machine, parameter, place: place.clone(), along: Vec::new(), cells: 0, home: place.clone(), without: Vec::new() };
+    let orders = if is_speed { orders(machine, parameter, ends[1], &home)? } else { Vec::new() };
+    branch.cover(machine, ends)?;
+    let coordinates = machine.coordinates().to_vec();
+    let mut run = Run { machine, branch, place: home, along: Vec::new(), cells: 0, without: Vec::new() };
     let mut out = Tracks { parameter: quantity.name.clone(), orders, ..Tracks::default() };
     let mut slots: Vec<Vec<Option<Mode>>> = Vec::new();
     let (mut before, mut grows, mut diverges): (Vec<Option<Mode>>, Vec<bool>, Vec<bool>) = Default::default();
@@ -70,9 +81,11 @@ pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], poi
             diverges.push(false);
             slots.push(Vec::new());
             out.known.push(false);
+            out.places.push(None);
             continue;
         };
         out.known.push(true);
+        out.places.push((!run.without.contains(&value)).then(|| run.place.q.clone()));
         grows.push(growing(&list));
         diverges.push(list.iter().any(|m| m.kind == Kind::Divergence));
         let here =
@@ -91,6 +104,9 @@ pub fn tracks(machine: &mut LinearMachine, parameter: usize, ends: [f64; 2], poi
     out.unstable_from = out.unstable.first().map(|r| r[0]);
     out.critical = run.critical(&out, &slots)?;
     out.data = dataset(&out, &quantity, &diverges);
+    out.changes = run.branch.changes();
+    changes::add_columns(&mut out.data, &out.places, &coordinates);
+    out.data.notes.extend(changes::notes(run.branch, &quantity, &coordinates));
     out.data.notes.extend(runs_along(&run.along));
     out.data.notes.extend(run.missing(&quantity));
     if run.cells > CELLS {
@@ -135,7 +151,7 @@ fn orders(machine: &mut LinearMachine, parameter: usize, at: f64, place: &Place)
     let (own, angular) = (machine.value(parameter), machine.parameters()[parameter].unit == "rad/s");
     machine.set(parameter, at)?;
     // loads that do not follow the speed, or none, leave the first order alone
-    let found = Forced::new(machine, place, Source::OfEquations, Some(parameter), &[]);
+    let found = Forced::new(machine, (place, &[]), Source::OfEquations, Some(parameter), &[]);
     let per = |f: &Forced| f.own_frequency().map(|w| w / at.abs()).filter(|w| w.is_finite() && *w > 0.0);
     let list = found.map(|f| per(&f).map(|axis| f.components().iter().map(|c| c.order * axis).collect::<Vec<f64>>()));
     machine.set(parameter, own)?;
@@ -166,12 +182,11 @@ type Found = (Vec<Mode>, Vec<f64>);
 
 struct Run<'m> {
     machine: &'m mut LinearMachine,
-    parameter: usize,
+    branch: &'m mut Branch,
+    /// The last place.
     place: Place,
     /// Ranges of the speed in which a mode runs along a line ω = order·Ω.
     along: Vec<[f64; 2]>,
-    /// Where the search for an equilibrium begins again when it is lost on the way.
-    home: Place,
     /// Values at which there was none.
     without: Vec<f64>,
     /// Cells halved so far.
@@ -190,22 +205,17 @@ impl Run<'_> {
         }
     }
 
-    /// An equilibrium, from the last one or from the first. Where there is none, as at a value at which det K = 0 and the equilibrium runs away, the last
-    /// place serves for a machine whose matrices are the same everywhere.
+    /// The place of rest at a value. Where there is none, as at a value at which det K = 0 and the equilibrium runs away, the last place serves for a machine
+    /// whose matrices are the same everywhere.
     fn settle(&mut self, value: f64) -> Result<(), Fault> {
-        let found = self.machine.settle(&self.place.q).or_else(|fault| match fault.code {
-            LOST => self.machine.settle(&self.home.q),
-            _ => Err(fault),
-        });
-        match found {
-            Ok(place) => self.place = place,
-            Err(fault) if fault.code == LOST => {
+        match self.branch.place(self.machine, value)? {
+            Some(place) => self.place = place,
+            None => {
                 self.without.push(value);
                 if !self.machine.same_everywhere() {
-                    return Err(fault);
+                    return Err(no_equilibrium());
                 }
             }
-            Err(fault) => return Err(fault),
         }
         Ok(())
     }
@@ -237,7 +247,6 @@ impl Run<'_> {
 
     /// The modes at a value of the parameter, and M.
     fn modes(&mut self, value: f64) -> Result<Found, Fault> {
-        self.machine.set(self.parameter, value)?;
         self.settle(value)?;
         let matrices = self.machine.at(&self.place)?;
         let names = self.machine.coordinates().to_vec();
@@ -474,13 +483,6 @@ fn dataset(tracks: &Tracks, parameter: &Quantity, diverges: &[bool]) -> Dataset 
     data
 }
 
-/// A value of the parameter with its unit.
-fn written(value: f64, parameter: &Quantity) -> Text {
-    let v = words::digits::rounded(value);
-    let unit = Text::unit(&if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) });
-    Text::new(format!("{}{}", v.en, unit.en), format!("{}{}", v.ru, unit.ru))
-}
-
 /// Where a mode does not oscillate.
 fn still(tracks: &Tracks, j: usize, parameter: &Quantity, diverges: &[bool]) -> Vec<Text> {
     let absent: Vec<bool> = tracks.omega[j].iter().zip(&tracks.known).map(|(w, known)| *known && w.is_nan()).collect();
@@ -496,7 +498,7 @@ fn still(tracks: &Tracks, j: usize, parameter: &Quantity, diverges: &[bool]) -> 
             } else {
                 ("the motion dies out there without oscillation", "движение там затухает без колебаний")
             };
-            let [from, to] = [tracks.values[k], tracks.values[last]].map(|v| written(v, parameter));
+            let [from, to] = [tracks.values[k], tracks.values[last]].map(|v| changes::written(v, parameter));
             let (name, number) = (&parameter.name, j + 1);
             notes.push(Text::new(
                 format!(
@@ -516,7 +518,7 @@ fn growths(tracks: &Tracks, parameter: &Quantity) -> Vec<Text> {
     let last = tracks.values.last().copied().unwrap_or(f64::NAN);
     let name = &parameter.name;
     let one = |[from, to]: &[f64; 2]| {
-        let [v, w] = [*from, *to].map(|v| written(v, parameter));
+        let [v, w] = [*from, *to].map(|v| changes::written(v, parameter));
         if *to == last {
             Text::new(format!("from {name} = {} on a motion grows", v.en), format!("начиная с {name} = {} движение растёт", v.ru))
         } else {

@@ -10,6 +10,7 @@ pub mod show;
 use crate::pipeline::Machine;
 use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
+use analysis::rest::branch::Branch;
 use analysis::rest::closed_contacts;
 use analysis::rest::mean::Resting;
 use analysis::rest::stability::with_closed;
@@ -28,6 +29,15 @@ pub struct Small {
     pub machine: LinearMachine,
     /// About where.
     pub place: Place,
+    /// Where rest is sought: at the guess of the study, else at those of the file's equilibria, the start and zero.
+    pub starts: Vec<Vec<f64>>,
+}
+
+impl Small {
+    /// The place of rest along a parameter.
+    pub fn branch(&self, parameter: usize) -> Branch {
+        Branch::new(&self.machine, parameter, &self.place, self.starts.clone())
+    }
 }
 
 /// Linearises a machine about the equilibrium that is meant.
@@ -39,8 +49,10 @@ pub fn about_rest(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small,
         return connected(machine, guess);
     }
     let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest)?;
-    let place = rest(machine, &mut linear, guess)?;
-    Ok(Small { machine: linear, place })
+    let start = machine.system.start()?;
+    let starts = candidates(machine, &start, guess);
+    let place = rest(&mut linear, &starts)?;
+    Ok(Small { machine: linear, place, starts })
 }
 
 /// The same with connections: at the places of rest that the study `equilibrium` finds, ropes and stops that are closed there as lasting connections.
@@ -70,9 +82,9 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
         let multipliers = linear.linear().multipliers.iter().map(of).collect();
         let at = Place { multipliers, ..Place::rest(&place.q) };
         if !guess.is_empty() || stable(&mut linear, &at) {
-            return Ok(Small { machine: linear, place: at });
+            return Ok(Small { machine: linear, place: at, starts: guesses });
         }
-        first.get_or_insert(Small { machine: linear, place: at });
+        first.get_or_insert(Small { machine: linear, place: at, starts: guesses.clone() });
     }
     first.ok_or_else(analysis::studies::equilibrium::no_equilibrium)
 }
@@ -100,16 +112,13 @@ pub fn about_start(machine: &Machine) -> Result<Small, Fault> {
     } else {
         place = linear.moving(&place)?;
     }
-    Ok(Small { machine: linear, place })
+    Ok(Small { machine: linear, place, starts: Vec::new() })
 }
 
-/// From the guess of the study, else from that of the file's equilibrium, the start and zero: the first stable equilibrium, or the first.
-fn rest(machine: &Machine, linear: &mut LinearMachine, guess: &[(SymbolId, f64)]) -> Result<Place, Fault> {
-    let start = machine.system.start()?;
-    let n = machine.system.n_coordinates();
-    let candidates = candidates(machine, &start[..n], guess);
+/// From where rest is sought: the first stable equilibrium, or the first.
+fn rest(linear: &mut LinearMachine, starts: &[Vec<f64>]) -> Result<Place, Fault> {
     let (mut first, mut fault) = (None, None);
-    for candidate in &candidates {
+    for candidate in starts {
         match linear.settle(candidate) {
             Ok(place) => {
                 if stable(linear, &place) {
@@ -125,7 +134,7 @@ fn rest(machine: &Machine, linear: &mut LinearMachine, guess: &[(SymbolId, f64)]
     match (first, fault) {
         (Some(place), _) => Ok(place),
         (None, Some(fault)) => Err(fault),
-        (None, None) => Ok(Place::rest(&start[..n])),
+        (None, None) => Err(analysis::studies::equilibrium::no_equilibrium()),
     }
 }
 

@@ -8,6 +8,7 @@ use crate::small::{Small, about_rest, about_start, timing_notes};
 use crate::studies::modes::{Modes as Study, ParameterRange, Scale};
 use analysis::dataset::{Column, Missing};
 use analysis::linear::Matrices;
+use analysis::rest::branch::Change;
 use analysis::studies::modes::{self, Damping, Kind, Modes, Normalisation};
 use analysis::studies::tracks::{self, Tracks};
 use analysis::{Dataset, Fault, Quantity};
@@ -88,7 +89,8 @@ fn along(small: &mut Small, sweep: &ParameterRange) -> Result<Tracks, Fault> {
         return Err(Fault::unknown(what, &names));
     };
     let own = small.machine.value(parameter);
-    let tracks = tracks::tracks(&mut small.machine, parameter, [sweep.from, sweep.to], sweep.points, &small.place);
+    let mut branch = small.branch(parameter);
+    let tracks = tracks::tracks(&mut small.machine, &mut branch, [sweep.from, sweep.to], sweep.points);
     small.machine.set(parameter, own)?;
     tracks
 }
@@ -241,7 +243,7 @@ pub fn to_json(found: &ModesFound) -> Map<String, Value> {
     let m = &f.matrices;
     own.insert("matrices".into(), json!({"mass": rows(&m.mass), "damping": rows(&m.damping), "stiffness": rows(&m.stiffness)}));
     if let Some(tracks) = &f.tracks {
-        own.insert("tracks".into(), tracks_json(tracks));
+        own.insert("tracks".into(), tracks_json(tracks, names));
     }
     own
 }
@@ -261,9 +263,18 @@ fn mode(m: &modes::Mode, names: &[Quantity], complex: bool) -> Value {
     out
 }
 
-fn tracks_json(tracks: &Tracks) -> Value {
+fn tracks_json(tracks: &Tracks, names: &[Quantity]) -> Value {
+    let place =
+        |q: &Vec<f64>| -> Value { names.iter().zip(q).map(|(n, v)| (n.name.clone(), json!(v))).collect::<Map<String, Value>>().into() };
+    let places: Vec<Option<Value>> = tracks.places.iter().map(|p| p.as_ref().map(place)).collect();
     let critical: Vec<Value> = tracks.critical.iter().map(|c| json!({"mode": c.mode + 1, "value": c.value, "order": c.order})).collect();
     json!({"parameter": tracks.parameter, "values": tracks.values, "omega": tracks.omega, "omega_d": tracks.damped,
         "damping_ratio": tracks.ratio, "orders": tracks.orders, "critical": critical,
-        "unstable_from": tracks.unstable_from, "unstable": tracks.unstable})
+        "unstable_from": tracks.unstable_from, "unstable": tracks.unstable, "equilibrium": places,
+        "changes": changes_json(&tracks.changes)})
+}
+
+/// Where the place of rest that is followed changes.
+pub fn changes_json(changes: &[Change]) -> Vec<Value> {
+    changes.iter().map(|c| json!({"value": c.value, "upwards": c.upwards, "event": c.event.key()})).collect()
 }

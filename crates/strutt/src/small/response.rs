@@ -8,6 +8,8 @@ use analysis::System;
 use analysis::dataset::Audit;
 use analysis::dataset::{Column, Missing};
 use analysis::linear::LoadParts;
+use analysis::rest::branch::{Branch, Change};
+use analysis::rest::changes;
 use analysis::studies::extremes::{Antiresonance, Resonance, extremes};
 use analysis::studies::modes::{Complex, Kind, Modes, Normalisation, modes};
 use analysis::studies::response::{self as forced, Forced, Point, Source, magnitude, phase};
@@ -72,6 +74,8 @@ pub struct ResponseFound {
     pub resonance_orders: Vec<f64>,
     /// Order of each antiresonance.
     pub antiresonance_orders: Vec<f64>,
+    /// Where the place of rest changes along the frequency's parameter.
+    pub changes: Vec<Change>,
     /// Motions at the frequencies asked for.
     pub shapes: Vec<Point>,
     /// The coordinates.
@@ -98,6 +102,7 @@ pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
         superposed: None,
         resonance_orders: Vec::new(),
         antiresonance_orders: Vec::new(),
+        changes: Vec::new(),
         shapes: Vec::new(),
         coordinates: Vec::new(),
         bodies: bodies(machine),
@@ -146,13 +151,15 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
         None if small.machine.timing().bent => notes.push(bent_by_rates()),
         None => {}
     }
+    let parameters = small.machine.parameters().to_vec();
     let own_value = parameter.map(|p| small.machine.value(p));
-    let mut forced = Forced::new(&mut small.machine, &small.place, source, parameter, &formulas)?;
+    let mut forced = Forced::new(&mut small.machine, (&small.place, &small.starts), source, parameter, &formulas)?;
     let own = forced.own_frequency().filter(|w| *w > 0.0);
     let omegas = grid(study, &found, own)?;
+    forced.cover([omegas[0], omegas[omegas.len() - 1]])?;
     let main = forced.current();
     out.main = forced.components().get(main).map_or(1.0, |c| c.order);
-    forced.refer(own.unwrap_or(omegas[0]))?;
+    refer(&mut forced, own, &omegas)?;
     let points = over(&mut forced, &omegas)?;
     let doubt = points.iter().map(|p| p.doubt).fold(0.0, f64::max);
     out.shapes = over(&mut forced, &study.shapes)?;
@@ -180,6 +187,13 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
         forced.restore(value)?;
     }
     let from_sine = forced.from_sine();
+    let branch = forced.branch().cloned();
+    let places: Vec<Option<Vec<f64>>> = points.iter().map(|p| Some(p.place.clone())).collect();
+    changes::add_columns(&mut out.data, &places, &names);
+    if let Some(branch) = &branch {
+        out.changes = branch.changes();
+        out.data.notes.extend(changes::notes(branch, &parameters[branch.parameter()], &names));
+    }
     out.data.notes.extend(found.notes.iter().cloned());
     out.data.notes.push(reference(from_sine, !out.orders.is_empty()));
     out.data.notes.extend(doubtful(doubt));
@@ -190,8 +204,8 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.data.notes.extend(curved.iter().map(|(k, share)| not_straight(&quantities[*k].name, *share)));
     out.data.notes.extend(not_shown(study, &machine.equations));
     quantities.iter().for_each(|q| state(&mut out.data, &q.name));
-    if let Some(parameter) = parameter {
-        out.data.notes.extend(growing(&mut small, parameter, &omegas)?);
+    if let Some(mut branch) = branch {
+        out.data.notes.extend(growing(&mut small, &mut branch, &omegas)?);
     }
     out.coordinates = names;
     out.outputs = quantities;
@@ -199,18 +213,32 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     Ok(())
 }
 
+/// Phases count from the load at the frequency of the file, or where that has no hold on the machine, at one along the range.
+fn refer(forced: &mut Forced, own: Option<f64>, omegas: &[f64]) -> Result<(), Fault> {
+    let along = [omegas[0], omegas[omegas.len() / 2], omegas[omegas.len() - 1]];
+    let mut first = None;
+    for omega in own.into_iter().chain(along) {
+        match forced.refer(omega) {
+            Ok(()) => return Ok(()),
+            Err(fault) => drop(first.get_or_insert(fault)),
+        }
+    }
+    first.map_or(Ok(()), Err)
+}
+
 /// Where a free motion grows along the frequencies: no amplitude is ever reached there.
-fn growing(small: &mut Small, parameter: usize, omegas: &[f64]) -> Result<Option<Text>, Fault> {
+fn growing(small: &mut Small, branch: &mut Branch, omegas: &[f64]) -> Result<Option<Text>, Fault> {
     let ends = [omegas[0], omegas[omegas.len() - 1]];
+    let parameter = branch.parameter();
     let own = small.machine.value(parameter);
     let mut at = |value: f64| -> Result<_, Fault> {
-        small.machine.set(parameter, value)?;
-        small.machine.at(&small.place).map(|m| [m.mass, m.damping, m.stiffness])
+        let place = branch.place(&mut small.machine, value)?;
+        small.machine.at(place.as_ref().unwrap_or(&small.place)).map(|m| [m.mass, m.damping, m.stiffness])
     };
     let first = at(ends[0])?;
     let changes = at(ends[1])? != first || at(0.5 * (ends[0] + ends[1]))? != first;
     let found = match changes && ends[1] > ends[0] {
-        true => tracks(&mut small.machine, parameter, ends, TRACKED, &small.place).ok(),
+        true => tracks(&mut small.machine, branch, ends, TRACKED).ok(),
         false => None,
     };
     small.machine.set(parameter, own)?;
@@ -692,6 +720,9 @@ pub fn to_json(found: &ResponseFound) -> Map<String, Value> {
     own.insert("at_frequency".into(), found.own.as_ref().map_or(Value::Null, |p| point(found, p)));
     own.insert("orders".into(), found.orders.iter().map(|o| order_json(found, o)).collect());
     own.insert("superposed".into(), found.superposed.as_ref().map_or(Value::Null, |s| superposed_json(found, s)));
+    if !found.changes.is_empty() {
+        own.insert("changes".into(), json!(super::modes::changes_json(&found.changes)));
+    }
     own.insert("shapes".into(), found.shapes.iter().map(|p| point(found, p)).collect());
     own
 }
@@ -727,5 +758,6 @@ fn point(found: &ResponseFound, p: &Point) -> Value {
         })
         .collect();
     let shape: Map<String, Value> = found.coordinates.iter().zip(&p.coordinates).map(|(q, z)| (q.name.clone(), complex(*z))).collect();
-    json!({"omega": p.omega, "f": p.omega / TAU, "outputs": outputs, "shape": shape})
+    let place: Map<String, Value> = found.coordinates.iter().zip(&p.place).map(|(q, v)| (q.name.clone(), json!(v))).collect();
+    json!({"omega": p.omega, "f": p.omega / TAU, "outputs": outputs, "shape": shape, "equilibrium": place})
 }

@@ -13,6 +13,8 @@ use words::Language;
 
 /// Significant digits.
 const DIGITS: usize = 6;
+/// Coordinates of a place that fit into a line.
+const SHORT: usize = 8;
 /// Orders of a waveform that a table shows.
 const ORDERS: usize = 9;
 
@@ -52,12 +54,16 @@ fn cells(name: &str, values: &[f64], language: Language) -> Vec<Cell> {
 
 /// The equilibrium about which the motions are small, in one line.
 pub fn place(found: &Found, language: Language) -> String {
+    place_of(found.small.machine.coordinates(), &found.small.place.q, language)
+}
+
+fn place_of(coordinates: &[analysis::Quantity], q: &[f64], language: Language) -> String {
     let value = |(q, v): (&analysis::Quantity, &f64)| {
         let unit = report::unit::print(&q.unit, language);
         let number = report::number::short(*v, 4, language);
         format!("{} = {}", report::symbol::plain(&q.symbol, language), report::number::with_unit(&number, &unit))
     };
-    let list: Vec<String> = found.small.machine.coordinates().iter().zip(&found.small.place.q).map(value).collect();
+    let list: Vec<String> = coordinates.iter().zip(q).map(value).collect();
     format!("{}: {}", language.word(Word::Equilibrium), list.join(", "))
 }
 
@@ -132,7 +138,17 @@ pub fn legend(columns: &[analysis::dataset::Column], language: Language) -> Stri
         ("error", "Δ = (ω − ω_e)/ω_e", "Δ = (ω − ω_e)/ω_e"),
     ];
     let shown = words.iter().filter(|(name, ..)| columns.iter().any(|c| c.quantity.name == *name));
-    shown.map(|(_, en, ru)| language.pick(*en, *ru)).collect::<Vec<_>>().join("; ")
+    let mut words: Vec<&str> = shown.map(|(_, en, ru)| language.pick(*en, *ru)).collect();
+    let of = |name: &str| columns.iter().find(|c| c.quantity.name == name).map(|c| c.values.as_slice());
+    if let (Some(omega), Some(growth)) = (of("omega"), of("growth"))
+        && omega.iter().zip(growth).any(|(w, g)| *w == 0.0 && *g > 0.0)
+    {
+        words.push(language.pick(
+            "a motion that grows without oscillation has no frequency, ω = 0",
+            "у движения, растущего без колебаний, частоты нет, ω = 0",
+        ));
+    }
+    words.join("; ")
 }
 
 /// Frequencies over the parameter, with damping where there is any, and the lines ω = k Ω of the orders of a speed.
@@ -177,6 +193,9 @@ fn thinned(data: &Dataset) -> Vec<analysis::dataset::Column> {
 pub fn response(found: &ResponseFound, language: Language, page: bool) -> Vec<Block> {
     let mut blocks = vec![Block::paragraph(format!("{}: {}", language.pick("Load", "Нагрузка"), language.text(&found.load)))];
     if let Some(own) = &found.own {
+        if own.place.len() <= SHORT && own.place.iter().any(|q| *q != 0.0) {
+            blocks.push(Block::paragraph(place_of(&found.coordinates, &own.place, language)));
+        }
         blocks.push(Block::Table(own_table(found, own, language)));
     }
     if !found.orders.is_empty() {

@@ -117,7 +117,8 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
     } else {
         let resting = Resting::new(&machine.equations)?;
         let parameters = numbers_of(resting.equations());
-        (analysis::rest::report::study(resting.equations(), &parameters, &start, &options), resting.timing, resting.equations().clone())
+        let studied = analysis::rest::report::Studied { rest: resting.equations(), motion: &machine.equations };
+        (analysis::rest::report::study(studied, &parameters, &start, &options), resting.timing, resting.equations().clone())
     };
     let column = |name: &str| outcome.dataset.column(name).map(|c| c.values.clone()).unwrap_or_default();
     if let Some(fault) = crate::strands::pushing(machine, column) {

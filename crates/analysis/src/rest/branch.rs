@@ -1,0 +1,507 @@
+//! A place of rest followed along a parameter p: h(q, p) = 0 from the value that the file gives outwards.
+//!
+//! ```text
+//! q(p) smooth:        a chord and the places at its quarters agree, else the step is halved (natural continuation)
+//! one real root -> 0: the number of growing motions without oscillation changes; p* by bisection
+//! beyond p*:          q = q(p*) ± s v + ..., v the shape of that motion; s ~ √|p - p*| (pitchfork) or |p - p*| (exchange of stability)
+//! ```
+//!
+//! Where a stable place becomes unstable so, the stable place that parts from it is followed. Where halving does not make a step smooth, the place joins
+//! another one there (its distance shrinks with the step) or ends (a fold). What a machine is at p does not depend on the order of questions.
+//!
+//! *Source*: R. Seydel, Practical Bifurcation and Stability Analysis, ch. 2 and 5.
+
+use crate::Fault;
+use crate::linear::{LinearMachine, Place, parts};
+use algebra::cholesky::positive_definite;
+use crate::studies::modes::{Kind, Mode, Normalisation, modes};
+
+/// What becomes of the place at a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Event {
+    /// It becomes unstable, and a stable one that parts from it is followed; how many stable ones part there.
+    Forks(usize),
+    /// It becomes unstable, and no stable one parts from it.
+    Loses,
+    /// It joins another one, which is followed.
+    Joins,
+    /// It ends, and another one is taken, where there is one.
+    Ends,
+}
+
+impl Event {
+    /// Name in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Event::Forks(_) => "forks",
+            Event::Loses => "loses_stability",
+            Event::Joins => "joins",
+            Event::Ends => "ends",
+        }
+    }
+}
+
+/// A change of the place that is followed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// Value of the parameter.
+    pub value: f64,
+    /// Whether the walk goes upwards there.
+    pub upwards: bool,
+    /// What happens.
+    pub event: Event,
+    /// q where it happens.
+    pub at: Vec<f64>,
+    /// q behind it as far as was looked, with the value there; none where there is no place.
+    pub behind: Option<(f64, Vec<f64>)>,
+}
+
+/// A place with the number of motions that grow there without oscillation.
+#[derive(Clone, Debug)]
+struct Spot {
+    place: Place,
+    unstable: usize,
+}
+
+#[derive(Clone, Debug)]
+struct Station {
+    value: f64,
+    spot: Option<Spot>,
+    /// Whether the way from the last station is not smooth.
+    parted: bool,
+}
+
+/// How the place depends on the parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Way {
+    /// Not at all, nor do the matrices.
+    Fixed,
+    /// Linear equations: one place for each value, and the matrices are the same in all places.
+    Linear,
+    /// It is followed.
+    Followed,
+}
+
+/// A place of rest along a parameter.
+#[derive(Clone, Debug)]
+pub struct Branch {
+    parameter: usize,
+    home: f64,
+    place: Place,
+    way: Way,
+    starts: Vec<Vec<f64>>,
+    /// Downwards and upwards from home, each beginning there.
+    arms: [Vec<Station>; 2],
+    /// How far each coordinate has gone from home.
+    reach: Vec<f64>,
+    changes: Vec<Change>,
+    /// Steps tried so far.
+    steps: usize,
+}
+
+/// Pieces into which a range is cut at first.
+const PIECES: usize = 32;
+/// The same for a value beyond the range.
+const FURTHER: usize = 4;
+/// Distance of a place from its chord, relative to the chord, that is smooth.
+const SMOOTH: f64 = 0.05;
+/// The same relative to all that a coordinate has gone, and in its unit: what is smaller is nothing to halve for.
+const SLIGHT: f64 = 1e-8;
+const NOTHING: f64 = 1e-10;
+/// Distance over a narrow step, relative to what the coordinate has gone, that is rounding: a root's is 1e-6.
+const NOISE: f64 = 1e-8;
+/// Places that are sought on the way at most; beyond that steps count as smooth.
+const MOST: usize = 20_000;
+/// Width of a step, relative to the values, that is not halved any more.
+const NARROW: f64 = 1e-12;
+/// Share of the way from home to which a fork is located, and below which its value is zero.
+const ZERO: f64 = 1e-15;
+/// Values that differ by less than this share are those of one change.
+const ONE: f64 = 1e-9;
+/// Distance over such a step, relative to what the coordinate has gone, that is a root's and not a leap's.
+const JOINED: f64 = 1e-2;
+/// How far behind a fork, relative to the way from home, the places that part from it are sought.
+const BEHIND: f64 = 1e-5;
+
+impl Branch {
+    /// The place at the value that the machine has now; `starts` are where rest is sought when it ends.
+    pub fn new(machine: &LinearMachine, parameter: usize, place: &Place, starts: Vec<Vec<f64>>) -> Branch {
+        let way = match () {
+            () if !machine.depends_on(parameter) => Way::Fixed,
+            () if machine.same_everywhere() => Way::Linear,
+            () => Way::Followed,
+        };
+        let reach = vec![0.0; place.q.len()];
+        let (home, place) = (machine.value(parameter), place.clone());
+        Branch { parameter, home, place, way, starts, arms: Default::default(), reach, changes: Vec::new(), steps: 0 }
+    }
+
+    /// Index of the parameter.
+    pub fn parameter(&self) -> usize {
+        self.parameter
+    }
+
+    /// The value from which the place is followed.
+    pub fn home(&self) -> f64 {
+        self.home
+    }
+
+    /// The place there.
+    pub fn home_place(&self) -> &Place {
+        &self.place
+    }
+
+    /// Changes on the way, by value.
+    pub fn changes(&self) -> Vec<Change> {
+        let mut list = self.changes.clone();
+        for change in &mut list {
+            let arm = &self.arms[usize::from(change.upwards)];
+            let next = self.changes.iter().filter(|c| c.upwards == change.upwards && between(change.value, c.value, change.upwards));
+            let end = next.map(|c| c.value).min_by(|a, b| (a - change.value).abs().total_cmp(&(b - change.value).abs()));
+            let behind = arm.iter().filter(|s| between(change.value, s.value, change.upwards));
+            let last = behind.take_while(|s| end.is_none_or(|e| !between(e, s.value, change.upwards))).last();
+            change.behind = last.and_then(|s| s.spot.as_ref().map(|spot| (s.value, spot.place.q.clone())));
+        }
+        list.sort_by(|a, b| a.value.total_cmp(&b.value));
+        list
+    }
+
+    /// Follows the place over a range at once.
+    ///
+    /// *Errors*: formulas without a value.
+    pub fn cover(&mut self, machine: &mut LinearMachine, ends: [f64; 2]) -> Result<(), Fault> {
+        if self.way == Way::Followed {
+            for end in ends {
+                self.extend(machine, end, PIECES)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The place at a value, which the machine has from then on; none where there is none.
+    ///
+    /// *Errors*: formulas without a value.
+    pub fn place(&mut self, machine: &mut LinearMachine, value: f64) -> Result<Option<Place>, Fault> {
+        match self.way {
+            Way::Fixed => {
+                machine.set(self.parameter, value)?;
+                return Ok(Some(self.place.clone()));
+            }
+            Way::Linear => return self.settled(machine, value, &self.place.q),
+            Way::Followed => {}
+        }
+        self.extend(machine, value, FURTHER)?;
+        let arm = &self.arms[usize::from(value > self.home)];
+        let k = arm.iter().position(|s| s.value == value || !between(s.value, value, value > self.home)).unwrap_or(arm.len() - 1);
+        let station = &arm[k];
+        if station.value == value {
+            machine.set(self.parameter, value)?;
+            return Ok(station.spot.as_ref().map(|s| s.place.clone()));
+        }
+        let Some(outer) = &station.spot else {
+            machine.set(self.parameter, value)?;
+            return Ok(None);
+        };
+        let inner = arm[k - 1].spot.as_ref().filter(|_| !station.parted);
+        let share = (value - arm[k - 1].value) / (station.value - arm[k - 1].value);
+        let guess = inner.map_or(outer.place.q.clone(), |inner| mixed(&inner.place.q, &outer.place.q, share));
+        self.settled(machine, value, &guess)
+    }
+
+    /// Whether the matrices or the place depend on the parameter.
+    pub fn moves(&self) -> bool {
+        self.way != Way::Fixed
+    }
+
+    fn settled(&self, machine: &mut LinearMachine, value: f64, guess: &[f64]) -> Result<Option<Place>, Fault> {
+        machine.set(self.parameter, value)?;
+        match machine.settle(guess) {
+            Ok(place) => Ok(Some(place)),
+            Err(fault) if fault.code == LOST => Ok(None),
+            Err(fault) => Err(fault),
+        }
+    }
+
+    fn spot(&self, machine: &mut LinearMachine, value: f64, guess: &[f64]) -> Result<Option<Spot>, Fault> {
+        let Some(place) = self.settled(machine, value, guess)? else { return Ok(None) };
+        let unstable = diverging(machine, &place)?.len();
+        Ok(Some(Spot { place, unstable }))
+    }
+
+    /// Walks outwards to a value, at first in pieces.
+    fn extend(&mut self, machine: &mut LinearMachine, to: f64, pieces: usize) -> Result<(), Fault> {
+        let side = usize::from(to > self.home);
+        if self.arms[side].is_empty() {
+            let spot = self.spot(machine, self.home, &self.place.q)?;
+            self.arms[side].push(Station { value: self.home, spot, parted: false });
+        }
+        let from = self.last(side).value;
+        if !between(from, to, side == 1) {
+            return Ok(());
+        }
+        for k in 1..=pieces {
+            let value = if k == pieces { to } else { from + (to - from) * k as f64 / pieces as f64 };
+            if between(self.last(side).value, value, side == 1) {
+                self.cell(machine, side, value)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn last(&self, side: usize) -> Station {
+        self.arms[side].last().cloned().unwrap_or(Station { value: self.home, spot: None, parted: false })
+    }
+
+    /// From the last station to a value, halved until it is smooth or narrow.
+    fn cell(&mut self, machine: &mut LinearMachine, side: usize, to: f64) -> Result<(), Fault> {
+        self.steps += 1;
+        let a = self.last(side);
+        let Some(here) = &a.spot else {
+            let spot = self.anew(machine, to, None)?;
+            self.push(side, Station { value: to, spot, parted: true });
+            return Ok(());
+        };
+        let there = self.spot(machine, to, &here.place.q)?;
+        let middle = 0.5 * (a.value + to);
+        if (to - a.value).abs() <= NARROW * to.abs().max(a.value.abs()).max((to - self.home).abs()) || middle == a.value || middle == to {
+            return self.singular(machine, side, Station { value: to, spot: there, parted: true });
+        }
+        if let Some(spot) = there
+            && (self.steps > MOST || self.smooth(machine, here, (&spot, to), a.value)?)
+        {
+            if here.unstable == 0 && spot.unstable > 0 {
+                return self.fork(machine, side, Station { value: to, spot: Some(spot), parted: false });
+            }
+            self.push(side, Station { value: to, spot: Some(spot), parted: false });
+            return Ok(());
+        }
+        self.cell(machine, side, middle)?;
+        while between(self.last(side).value, to, side == 1) {
+            self.cell(machine, side, to)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the places at the quarters lie where the chord has its own. A root √p that begins within the step meets the chord at one of them, not at all.
+    fn smooth(&mut self, machine: &mut LinearMachine, a: &Spot, (b, to): (&Spot, f64), from: f64) -> Result<bool, Fault> {
+        for share in [0.5, 0.75, 0.25] {
+            let chord = mixed(&a.place.q, &b.place.q, share);
+            let Some(m) = self.spot(machine, from + share * (to - from), &chord)? else { return Ok(false) };
+            if m.unstable != a.unstable && m.unstable != b.unstable {
+                return Ok(false);
+            }
+            let (a, b, m) = (&a.place.q, &b.place.q, &m.place.q);
+            let within = |i: usize| {
+                let gone = self.reach[i].max((b[i] - a[i]).abs()).max((m[i] - a[i]).abs());
+                (m[i] - chord[i]).abs() <= SMOOTH * (b[i] - a[i]).abs() + SLIGHT * gone + NOTHING
+            };
+            if !(0..a.len()).all(within) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    fn push(&mut self, side: usize, station: Station) {
+        if let Some(spot) = &station.spot {
+            self.reach.iter_mut().zip(spot.place.q.iter().zip(&self.place.q)).for_each(|(r, (q, home))| *r = r.max((q - home).abs()));
+        }
+        self.arms[side].push(station);
+    }
+
+    fn change(&mut self, side: usize, value: f64, event: Event, at: &[f64]) {
+        let gone = self.arms[side].last().map_or(0.0, |s| (s.value - self.home).abs()).max(self.home.abs());
+        let value = if value.abs() <= 2.0 * ZERO * gone { 0.0 } else { value };
+        self.changes.push(Change { value, upwards: side == 1, event, at: at.to_vec(), behind: None });
+    }
+
+    /// A narrow step that is not smooth: the place joins another one, or ends.
+    fn singular(&mut self, machine: &mut LinearMachine, side: usize, to: Station) -> Result<(), Fault> {
+        let a = self.last(side);
+        let here = a.spot.map(|s| s.place.q).unwrap_or_default();
+        let within = |spot: &Spot, share: f64, least: f64| {
+            (0..here.len()).all(|i| (spot.place.q[i] - here[i]).abs() <= share * self.reach[i] + least)
+        };
+        if let Some(spot) = to.spot.as_ref().filter(|s| within(s, JOINED, 1e3 * NOTHING)) {
+            let (far, real) = (spot.place.q.clone(), !within(spot, NOISE, NOTHING));
+            match self.known(side, to.value, Event::Joins) {
+                Some(known) => known.at = far,
+                None if real => self.change(side, to.value, Event::Joins, &far),
+                None => {}
+            }
+            self.push(side, to);
+            return Ok(());
+        }
+        // the last narrow step before a fold looks like that onto another place
+        if let Some(at) = self.known(side, to.value, Event::Joins).map(|c| c.value) {
+            self.changes.retain(|c| c.value != at || c.event != Event::Joins);
+        }
+        if self.known(side, to.value, Event::Ends).is_none() {
+            self.change(side, to.value, Event::Ends, &here);
+        }
+        let spot = self.anew(machine, to.value, to.spot)?;
+        self.push(side, Station { spot, ..to });
+        Ok(())
+    }
+
+    /// The same change, met at a value that differs by rounding.
+    fn known(&mut self, side: usize, value: f64, event: Event) -> Option<&mut Change> {
+        let near = ONE * value.abs().max((value - self.home).abs());
+        self.changes.iter_mut().find(|c| c.upwards == (side == 1) && c.event == event && (c.value - value).abs() <= near)
+    }
+
+    /// Rest from the starts of the file: the first stable place, or the first.
+    fn anew(&self, machine: &mut LinearMachine, value: f64, other: Option<Spot>) -> Result<Option<Spot>, Fault> {
+        let mut first = None;
+        for start in &self.starts {
+            match self.spot(machine, value, start)? {
+                Some(spot) if spot.unstable == 0 => return Ok(Some(spot)),
+                Some(spot) => drop(first.get_or_insert(spot)),
+                None => {}
+            }
+        }
+        Ok(other.filter(|o| o.unstable == 0).or(first))
+    }
+
+    /// A smooth step on which a stable place becomes unstable by a real root.
+    fn fork(&mut self, machine: &mut LinearMachine, side: usize, to: Station) -> Result<(), Fault> {
+        let (mut low, mut high) = (self.last(side), to.clone());
+        for _ in 0..100 {
+            let middle = 0.5 * (low.value + high.value);
+            let (Some(a), Some(b)) = (&low.spot, &high.spot) else { break };
+            if middle == low.value || middle == high.value || (high.value - low.value).abs() <= ZERO * (to.value - self.home).abs() {
+                break;
+            }
+            let Some(spot) = self.spot(machine, middle, &mixed(&a.place.q, &b.place.q, 0.5))? else { break };
+            let station = |spot| Station { value: middle, spot: Some(spot), parted: false };
+            if spot.unstable > 0 { high = station(spot) } else { low = station(spot) }
+        }
+        let at = high.spot.as_ref().map(|s| s.place.q.clone()).unwrap_or_default();
+        let step = BEHIND * (to.value - self.home);
+        let found = self.parting(machine, high.value, step, &at)?;
+        let Some(chosen) = self.preferred(&found, &at) else {
+            self.change(side, high.value, Event::Loses, &at);
+            self.push(side, high);
+            self.push(side, to);
+            return Ok(());
+        };
+        self.change(side, high.value, Event::Forks(found.len()), &at);
+        self.push(side, Station { parted: false, ..low });
+        let mut parted = true;
+        for station in found[chosen].iter().filter(|s| !between(to.value, s.value, side == 1)) {
+            self.push(side, Station { parted, ..station.clone() });
+            parted = false;
+        }
+        if parted {
+            let near = found[chosen][0].spot.as_ref().map(|s| s.place.q.clone()).unwrap_or_default();
+            let spot = self.spot(machine, to.value, &near)?;
+            self.push(side, Station { value: to.value, spot, parted });
+        }
+        while between(self.last(side).value, to.value, side == 1) {
+            self.cell(machine, side, to.value)?;
+        }
+        Ok(())
+    }
+
+    /// The stable places that part from an unstable one behind p*, each as stations outwards.
+    fn parting(&self, machine: &mut LinearMachine, fork: f64, step: f64, at: &[f64]) -> Result<Vec<Vec<Station>>, Fault> {
+        let Some(own) = self.spot(machine, fork + step, at)? else { return Ok(Vec::new()) };
+        let slowest = diverging(machine, &own.place)?.into_iter().min_by(|a, b| a.root.0.total_cmp(&b.root.0));
+        let Some(shape) = slowest.map(|m| m.shape.iter().map(|z| z.0).collect::<Vec<f64>>()) else { return Ok(Vec::new()) };
+        let mut found: Vec<Vec<Station>> = Vec::new();
+        for k in 0..=SEEDS {
+            for sign in [1.0, -1.0] {
+                let away = sign * 3.0_f64.powi(-k);
+                let guess: Vec<f64> = own.place.q.iter().zip(&shape).map(|(q, v)| q + away * v).collect();
+                let Some(spot) = self.spot(machine, fork + step, &guess)? else { continue };
+                let known = found.iter().filter_map(|f| f.last()?.spot.as_ref()).any(|other| same(&other.place.q, &spot.place.q));
+                if spot.unstable > 0 || known || same(&spot.place.q, &own.place.q) {
+                    continue;
+                }
+                found.extend(self.inwards(machine, (fork, step), &own, spot)?);
+            }
+        }
+        Ok(found)
+    }
+
+    /// A place followed back towards p*; none where it does not join the other one there.
+    fn inwards(
+        &self,
+        machine: &mut LinearMachine,
+        (fork, step): (f64, f64),
+        own: &Spot,
+        spot: Spot,
+    ) -> Result<Option<Vec<Station>>, Fault> {
+        let first = distance(&spot.place.q, &own.place.q);
+        let mut list = vec![Station { value: fork + step, spot: Some(spot), parted: false }];
+        let mut trunk = own.clone();
+        for part in [0.25, 0.0625] {
+            let value = fork + part * step;
+            let Some(next) = self.spot(machine, value, &trunk.place.q)? else { return Ok(None) };
+            let Some(last) = list.last().and_then(|s| s.spot.as_ref()) else { return Ok(None) };
+            let guess: Vec<f64> = (0..next.place.q.len()).map(|i| next.place.q[i] + 0.5 * (last.place.q[i] - trunk.place.q[i])).collect();
+            let Some(spot) = self.spot(machine, value, &guess)? else { return Ok(None) };
+            trunk = next;
+            list.push(Station { value, spot: Some(spot), parted: false });
+        }
+        let last = list.last().and_then(|s| s.spot.as_ref()).map_or(f64::NAN, |s| distance(&s.place.q, &trunk.place.q));
+        list.reverse();
+        Ok((last > 0.0 && last <= 0.5 * first).then_some(list))
+    }
+
+    /// Of places that part from `at`, that on the side of the file's start; of two alike the one where the coordinate that moves most grows.
+    fn preferred(&self, found: &[Vec<Station>], at: &[f64]) -> Option<usize> {
+        let moved = |list: &Vec<Station>| -> Vec<f64> {
+            let q = list.last().and_then(|s| s.spot.as_ref()).map_or(Vec::new(), |s| s.place.q.clone());
+            q.iter().zip(at).map(|(a, b)| a - b).collect()
+        };
+        let towards = |d: &[f64]| self.starts.first().map_or(0.0, |s| s.iter().zip(at).zip(d).map(|((s, a), d)| (s - a) * d).sum::<f64>());
+        let grows = |d: &[f64]| d.iter().fold(0.0_f64, |m, v| if v.abs() > m.abs() * (1.0 + 1e-9) { *v } else { m });
+        let rank = |list: &Vec<Station>| {
+            let d = moved(list);
+            let along = towards(&d);
+            (if along.abs() <= 1e-9 * distance(&d, &vec![0.0; d.len()]) { 0.0 } else { along.signum() }, grows(&d).signum())
+        };
+        (0..found.len()).max_by(|i, j| {
+            let (a, b) = (rank(&found[*i]), rank(&found[*j]));
+            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)).then(j.cmp(i))
+        })
+    }
+}
+
+/// Guesses beside a fork, each a third of the last: down to 3^-16 = 2e-8 of the unit.
+const SEEDS: i32 = 16;
+
+/// Code of an equilibrium that is not found.
+const LOST: &str = "S007";
+
+/// Motions that grow without oscillation at a place, with the parameters as they are.
+fn diverging(machine: &mut LinearMachine, place: &Place) -> Result<Vec<Mode>, Fault> {
+    let matrices = machine.at(place)?;
+    if matrices.drift.is_empty() {
+        let along = matrices.allowed().map_or_else(|| matrices.clone(), |(z, k)| matrices.reduced(&z, k));
+        if along.n == 0 || positive_definite(&parts(&along.stiffness, along.n).0, along.n) == Some(true) {
+            return Ok(Vec::new());
+        }
+    }
+    // bodies without mass have no roots, and nothing to say here
+    let found = modes(&matrices, machine.coordinates(), Normalisation::Largest);
+    Ok(found.map_or(Vec::new(), |f| f.modes.into_iter().filter(|m| m.kind == Kind::Divergence).collect()))
+}
+
+/// Whether `b` lies strictly behind `a` on the way.
+fn between(a: f64, b: f64, upwards: bool) -> bool {
+    if upwards { b > a } else { b < a }
+}
+
+fn mixed(a: &[f64], b: &[f64], share: f64) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + share * (b - a)).collect()
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+}
+
+fn same(a: &[f64], b: &[f64]) -> bool {
+    distance(a, b) <= 1e-9 * (1.0 + a.iter().chain(b).fold(0.0_f64, |m, v| m.max(v.abs())))
+}
