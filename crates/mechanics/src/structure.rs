@@ -210,6 +210,18 @@ pub const EXPLANATIONS: &[Explanation] = &[
         "[rods.AB]\nbetween = [\"A\", \"B\"]\nEI = \"20 kN m^2\"",
     ),
     row(
+        "M106",
+        ("a section whose axes are not principal", "сечение с неглавными осями"),
+        (
+            "A rod takes I_x about the section's central axis x and bends in the plane of the frame. Where I_xy is not zero that needs something that holds it against bending across the plane; a rod that is free to do so \
+             bends askew, with I_x - I_xy^2/I_y. Turn the section into its principal axes, or give I or EI of the bending that is meant.",
+            "Стержень берёт I_x относительно центральной оси x сечения и изгибается в плоскости рамы. Если I_xy не равен нулю, для этого изгиб из плоскости должен быть стеснён; свободный стержень испытывает косой изгиб, \
+             которому отвечает I_x − I_xy²/I_y. Поверните сечение в главные оси либо задайте I или EI того изгиба, который имеется в виду.",
+        ),
+        "[nodes]\nA = { at = [\"0\", \"0\"] }\nB = { at = [\"1 m\", \"0\"], mass = \"2 kg\" }\n[sections.r]\nrectangle = [\"6 cm\", \"14 cm\"]\nangle = \"30 deg\"\n[rods.AB]\nbetween = [\"A\", \"B\"]\nE = \"210 GPa\"\nsection = \"r\"\n[supports.A]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]",
+        "[nodes]\nA = { at = [\"0\", \"0\"] }\nB = { at = [\"1 m\", \"0\"], mass = \"2 kg\" }\n[sections.r]\nrectangle = [\"6 cm\", \"14 cm\"]\n[rods.AB]\nbetween = [\"A\", \"B\"]\nE = \"210 GPa\"\nsection = \"r\"\n[supports.A]\nat = \"A\"\ndirections = [\"x\", \"y\", \"turn\"]",
+    ),
+    row(
         "M202",
         ("no such node or rod", "нет такого узла или стержня"),
         (

@@ -124,11 +124,8 @@ fn gyroscopic_terms_count_in_the_measure_of_the_straight_line() {
     let text = section.split("```toml").nth(1).and_then(|t| t.split("```").next()).expect("model");
     let mut watch = Watch::default();
     let mut machine = pipeline::build(&Source::new("model.toml", text), &[], &mut watch).expect("model");
-    let study = machine.model.studies.iter().find_map(|s| match &s.kind {
-        mechanics::model::StudyKind::Response(study) => Some(study.clone()),
-        _ => None,
-    });
-    let found = pipeline::response(&mut machine, &study.expect("study"), &mut watch);
+    let asked = machine.model.studies[0].clone();
+    let found = pipeline::study(&mut machine, &asked, &mut watch).expect("study");
     let note = found.data().notes.iter().find(|n| n.en.contains("straight line by")).expect("note").en.clone();
     let percent: f64 = note.split("straight line by ").nth(1).and_then(|t| t.split(' ').next()).expect("number").parse().unwrap();
     assert!((percent - 7.796).abs() < 0.01, "{note}");

@@ -13,8 +13,8 @@
 
 use crate::Fault;
 use crate::linear::{LinearMachine, Place, parts};
-use algebra::cholesky::positive_definite;
 use crate::studies::modes::{Kind, Mode, Normalisation, modes};
+use algebra::cholesky::positive_definite;
 
 /// What becomes of the place at a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,6 +116,8 @@ const MOST: usize = 20_000;
 const NARROW: f64 = 1e-12;
 /// Share of the way from home to which a fork is located, and below which its value is zero.
 const ZERO: f64 = 1e-15;
+/// Coordinates that are zero: metres, radians.
+const NOUGHT: f64 = 1e-20;
 /// Values that differ by less than this share are those of one change.
 const ONE: f64 = 1e-9;
 /// Distance over such a step, relative to what the coordinate has gone, that is a root's and not a leap's.
@@ -216,7 +218,11 @@ impl Branch {
     fn settled(&self, machine: &mut LinearMachine, value: f64, guess: &[f64]) -> Result<Option<Place>, Fault> {
         machine.set(self.parameter, value)?;
         match machine.settle(guess) {
-            Ok(place) => Ok(Some(place)),
+            Ok(mut place) => {
+                // Newton's method closes in on a triple root at zero without end
+                place.q.iter_mut().filter(|q| q.abs() <= NOUGHT).for_each(|q| *q = 0.0);
+                Ok(Some(place))
+            }
             Err(fault) if fault.code == LOST => Ok(None),
             Err(fault) => Err(fault),
         }
@@ -409,9 +415,9 @@ impl Branch {
         let slowest = diverging(machine, &own.place)?.into_iter().min_by(|a, b| a.root.0.total_cmp(&b.root.0));
         let Some(shape) = slowest.map(|m| m.shape.iter().map(|z| z.0).collect::<Vec<f64>>()) else { return Ok(Vec::new()) };
         let mut found: Vec<Vec<Station>> = Vec::new();
-        for k in 0..=SEEDS {
+        for size in std::iter::successors(Some(1.0), |s| Some(s / 3.0)).take(SEEDS) {
             for sign in [1.0, -1.0] {
-                let away = sign * 3.0_f64.powi(-k);
+                let away = sign * size;
                 let guess: Vec<f64> = own.place.q.iter().zip(&shape).map(|(q, v)| q + away * v).collect();
                 let Some(spot) = self.spot(machine, fork + step, &guess)? else { continue };
                 let known = found.iter().filter_map(|f| f.last()?.spot.as_ref()).any(|other| same(&other.place.q, &spot.place.q));
@@ -470,7 +476,7 @@ impl Branch {
 }
 
 /// Guesses beside a fork, each a third of the last: down to 3^-16 = 2e-8 of the unit.
-const SEEDS: i32 = 16;
+const SEEDS: usize = 17;
 
 /// Code of an equilibrium that is not found.
 const LOST: &str = "S007";
@@ -499,7 +505,7 @@ fn mixed(a: &[f64], b: &[f64], share: f64) -> Vec<f64> {
 }
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }
 
 fn same(a: &[f64], b: &[f64]) -> bool {

@@ -1,6 +1,6 @@
 //! What is said about a place of rest that changes along a parameter.
 
-use symbolic::Text;
+use words::Text;
 
 use super::branch::{Branch, Change, Event};
 use crate::Quantity;

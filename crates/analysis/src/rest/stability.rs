@@ -5,7 +5,8 @@
 //! | one with positive real part | unstable |
 //! | all with negative real parts | stable (Lyapunov's first method) |
 //! | on the axis; C symmetric and positive definite, B without negative damping | stable (Lagrange, Dirichlet: the energy is a minimum) |
-//! | on the axis; C singular | neutral to first order: small motions do not decide |
+//! | on the axis; C symmetric with a negative direction, no gyroscopic forces | unstable (Kelvin, Chetaev) |
+//! | on the axis; C singular otherwise | neutral to first order: small motions do not decide |
 //! | on the axis; held by gyroscopic or circulatory forces alone | small motions do not decide |
 //!
 //! Where bodies without mass leave no roots the energy decides alone. *Source*: D. R. Merkin, Introduction to the Theory of Stability, ch. 3 and 6.
@@ -15,7 +16,7 @@ use symbolic::connections::Law;
 
 use crate::linear::{Matrices, largest, parts};
 use algebra::cholesky::positive_definite;
-use algebra::qr;
+use algebra::{eigen, qr};
 
 /// Real parts below this share of the largest root count as none.
 const AXIS: f64 = 1e-9;
@@ -50,6 +51,9 @@ pub fn verdict(along: &Matrices, growth: f64, fastest: f64) -> Option<bool> {
     let (even, odd) = parts(&along.stiffness, n);
     let (damping, gyroscopic) = parts(&along.damping, n);
     let scale = largest(&along.stiffness);
+    if scale > 0.0 && largest(&odd) <= AXIS * scale && largest(&gyroscopic) == 0.0 && falls(&even, n) {
+        return Some(false);
+    }
     if scale == 0.0 || largest(&odd) > AXIS * scale || free_directions(along) > 0 {
         return None;
     }
@@ -58,6 +62,14 @@ pub fn verdict(along: &Matrices, growth: f64, fastest: f64) -> Option<bool> {
         Some(false) if largest(&gyroscopic) == 0.0 => Some(false),
         _ => None,
     }
+}
+
+/// Whether the energy falls in some direction, free ones beside it or not.
+fn falls(even: &[f64], n: usize) -> bool {
+    let unit: Vec<f64> = (0..n * n).map(|p| f64::from(u8::from(p / n == p % n))).collect();
+    let Ok(found) = eigen::symmetric(n, even, &unit) else { return false };
+    let largest = found.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    found.values.iter().any(|v| *v < -AXIS * largest)
 }
 
 /// Directions along the surface that no stiffness resists.

@@ -72,8 +72,8 @@ pub const CLAIM: TableSpec = TableSpec {
             "1",
             "",
             (
-                "largest relative deviation: 1e-6 for equations and formulas, half of the last written digit for values",
-                "наибольшее относительное расхождение: 1e-6 для уравнений и формул, половина последней цифры для значений",
+                "largest deviation, relative to what strutt finds: 1e-6 for equations and formulas; values: half of the last written digit",
+                "наибольшее расхождение относительно найденного: 1e-6 для уравнений и формул; для значений – половина последней цифры",
             ),
             "0.001",
         ),

@@ -44,7 +44,17 @@ pub const ROD: TableSpec = TableSpec {
         may("E", Type::Formula, "Pa", "", ("Young's modulus", "модуль упругости"), "\"2e11 Pa\""),
         may("I", Type::Formula, "m^4", "", ("second moment of the section", "момент инерции сечения"), "\"0.5677 cm^4\""),
         may("A", Type::Formula, "m^2", "", ("area of the section", "площадь сечения"), "\"4 cm^2\""),
-        may("section", Type::Name, "", "", ("section that gives A and I", "сечение, из которого берутся A и I"), "\"girder\""),
+        may(
+            "section",
+            Type::Name,
+            "",
+            "",
+            (
+                "section that gives A, and as I its I_x about the central axis x",
+                "сечение, из которого берутся A и, в качестве I, его I_x относительно центральной оси x",
+            ),
+            "\"girder\"",
+        ),
         may(
             "stretch",
             Type::Bool,

@@ -15,6 +15,8 @@ pub struct ClaimDecl {
     pub kind: ClaimKind,
     /// Largest relative deviation with which it holds.
     pub tolerance: f64,
+    /// Whether the file states the tolerance; half a written digit is counted on the published value, a stated one on the value found.
+    pub stated: bool,
     /// SI unit label of what is compared.
     pub unit: String,
     /// What is wrong with its dimensions; empty when nothing is.

@@ -68,6 +68,7 @@ fn claim<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, number: usize) -> Opt
         source,
         kind: compared.kind,
         tolerance: tolerance.filter(|t| *t > 0.0).unwrap_or(compared.tolerance),
+        stated: tolerance.is_some_and(|t| t > 0.0),
         unit: compared.unit,
         dimensions: compared.dimensions,
         span: fields.span.clone(),

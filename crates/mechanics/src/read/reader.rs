@@ -126,6 +126,10 @@ impl<'a> Reader<'a> {
     pub(super) fn report(&mut self, diagnostic: Notice) {
         self.diagnostics.push(diagnostic);
     }
+    /// How many errors were reported.
+    pub(super) fn errors(&self) -> usize {
+        self.diagnostics.iter().filter(|d| d.severity == Severity::Error).count()
+    }
     /// Reports a fault whose range counts from the start of the file.
     pub(super) fn fault(&mut self, fault: Notice) {
         self.diagnostics.push(Site::Literal(0).diagnose(fault));

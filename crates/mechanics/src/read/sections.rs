@@ -30,11 +30,24 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Section
     let mut sections = Vec::new();
     for (name, fields) in top.entries(reader, "sections", &fields::SECTION) {
         let label = fields.text(reader, "label").unwrap_or_default();
-        if let Some(drafts) = drafts(reader, &fields) {
-            sections.extend(together(reader, name, label, &fields, drafts));
-        }
+        let found = drafts(reader, &fields).and_then(|drafts| together(reader, (name.clone(), label.clone()), &fields, drafts));
+        // what is wrong is said; rods that name the section have no fault of their own
+        sections.extend(found.or_else(|| {
+            let disc = disc(reader, &fields);
+            together(reader, (name, label), &fields, vec![disc])
+        }));
     }
     sections
+}
+
+/// Stands for a section that is wrong.
+fn disc(reader: &mut Reader, fields: &Fields) -> Draft {
+    let graph = &mut reader.builder.graph;
+    let (form, zero) = (Form::Circle(graph.one()), graph.zero());
+    let moments = section::of_form(graph, &form, [zero, zero], zero);
+    let mut number = |e: Expr| reader.values.of(&reader.builder.graph, e);
+    let (outline, area) = (outline(&form, &mut number), number(moments.area));
+    Draft { part: Part { kind: "circle", outline, area, centroid: [0.0; 2], removed: false, span: fields.span.clone() }, moments }
 }
 
 /// The parts; none when one of them is faulty.
@@ -102,9 +115,13 @@ fn draft<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, spec: &'static TableS
         return None;
     };
     let form = form(reader, fields, kind)?;
+    let before = reader.errors();
     let at = fields.vector(reader, "at", &Context::CONSTANT, &Dimension::LENGTH);
     let angle = fields.formula_or_zero(reader, "angle", &Context::CONSTANT, Some(&Dimension::ANGLE));
     let removed = spec.field("remove").is_some() && fields.get("remove").is_some_and(|v| removal(reader, v));
+    if reader.errors() > before {
+        return None;
+    }
     let moments = section::of_form(&mut reader.builder.graph, &form, [at[0], at[1]], angle.expr);
     let mut number = |e: Expr| reader.values.of(&reader.builder.graph, e);
     let (place, turn) = ([number(at[0]), number(at[1])], number(angle.expr));
@@ -366,7 +383,7 @@ fn empty(reader: &mut Reader, path: &str, span: Range<usize>) {
 }
 
 /// Checks what covers what and sums up.
-fn together(reader: &mut Reader, name: String, label: words::Text, fields: &Fields, drafts: Vec<Draft>) -> Option<Section> {
+fn together(reader: &mut Reader, (name, label): (String, words::Text), fields: &Fields, drafts: Vec<Draft>) -> Option<Section> {
     let moments: Vec<(Moments, bool)> = drafts.iter().map(|d| (d.moments, d.part.removed)).collect();
     let parts: Vec<Part> = drafts.into_iter().map(|d| d.part).collect();
     let coverage = section::cover(&parts);

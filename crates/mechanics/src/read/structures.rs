@@ -39,11 +39,21 @@ pub(super) struct Draft {
     pub(super) loads: Vec<Load>,
     /// Area and second moment by name.
     sections: HashMap<String, (Expr, Expr)>,
+    /// I_x, I_y and I_xy about central axes, m⁴, of sections whose axes x, y are not principal.
+    skew: HashMap<String, [f64; 3]>,
 }
+
+/// Share of I_x that free skew bending takes away in a section whose axes are not principal.
+const SKEW: f64 = 1e-3;
 
 /// `[nodes]`.
 pub(super) fn nodes<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, sections: &[Section]) {
     reader.structure.sections = sections.iter().map(|s| (s.name.clone(), (s.area(), s.inertia()))).collect();
+    let skew = |s: &&Section| {
+        let [xx, yy, xy] = s.properties.central;
+        xy * xy > SKEW * xx * yy
+    };
+    reader.structure.skew = sections.iter().filter(skew).map(|s| (s.name.clone(), s.properties.central)).collect();
     for (name, fields) in top.entries(reader, "nodes", &fields::structures::NODE) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
@@ -169,6 +179,9 @@ fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usiz
     let (young, second) = (get(reader, "E", &PRESSURE), get(reader, "I", &SECOND_MOMENT));
     let area = get(reader, "A", &AREA);
     let of_section = section(reader, fields);
+    if second.is_none() && !rigid && !fields.has("EI") {
+        leans(reader, fields);
+    }
     let (area, second) = (area.or(of_section.map(|s| s.0)), second.or(of_section.map(|s| s.1)));
     let bending = get(reader, "EI", &BENDING).or_else(|| Some(reader.builder.graph.mul(young?, second?)));
     let stretches = flag(reader, fields, "stretch");
@@ -195,6 +208,36 @@ fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usiz
     let axial = axial.filter(|_| !rigid);
     let (name, span) = (name.to_owned(), fields.span.clone());
     Some(Rod { name, ends, length, rigid, bending, axial, mass, rotary, section_inertia, rotary_of_nothing, hinged, divisions, span })
+}
+
+/// A warning where the axes of the section are not principal: the rod bends in its plane only.
+fn leans<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) {
+    let Some((name, span)) = fields.name(reader, "section") else { return };
+    let Some([xx, yy, xy]) = reader.structure.skew.get(&name).copied() else { return };
+    let shown = |v: f64| format!("{:.3e}", v * 1e8).parse::<f64>().unwrap_or(v);
+    let [xx, free, xy] = [xx, xx - xy * xy / yy, xy].map(shown);
+    let comma = |v: f64| format!("{v}").replace('.', ",");
+    reader.fault(
+        Notice::piece(
+            "M106",
+            span,
+            format!("the axes x, y of section `{}` are not principal: I_xy = {xy} cm^4", short(&name)),
+            format!("оси x, y сечения `{}` не главные: I_xy = {} см⁴", short(&name), comma(xy)),
+        )
+        .why(
+            format!("the rod bends in the plane of the frame with I_x = {xx} cm^4, as if held against skew bending; left to itself it would bend with I_x - I_xy^2/I_y = {free} cm^4"),
+            format!(
+                "стержень изгибается в плоскости рамы с I_x = {} см⁴, как если бы косой изгиб был стеснён; без стеснения жёсткости отвечало бы I_x − I_xy²/I_y = {} см⁴",
+                comma(xx),
+                comma(free)
+            ),
+        )
+        .help(
+            "turn the section into its principal axes, or give I or EI of the bending that is meant",
+            "поверните сечение в главные оси либо задайте I или EI того изгиба, который имеется в виду",
+        )
+        .warning(),
+    );
 }
 
 /// Area and second moment of the section named under a key.

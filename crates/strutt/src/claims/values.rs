@@ -36,7 +36,8 @@ pub fn judge(
             let difference = (verdict.value - published).abs();
             verdict.deviation = if verdict.value == 0.0 { difference } else { difference / verdict.value.abs() };
             // half a digit is half a digit: rounding of the product may not decide
-            verdict.ok = difference <= claim.tolerance * published.abs() * (1.0 + 1e-12);
+            let (off, of) = if claim.stated { (verdict.deviation, 1.0) } else { (difference, published.abs()) };
+            verdict.ok = off <= claim.tolerance * of * (1.0 + 1e-12);
         }
     }
 }

@@ -485,7 +485,7 @@ fn source(study: &Study, small: &mut Small) -> Result<(Source, Option<usize>), F
         return Ok((Source::Unit(i), None));
     }
     let equations = small.machine.equations().clone();
-    let Some(applied) = equations.applied.iter().find(|a| a.name == *name) else {
+    let Some(applied) = whole(&equations, name) else {
         let mut names: Vec<String> = equations.applied.iter().map(|a| a.name.clone()).collect();
         names.extend(small.machine.coordinates().iter().map(|q| q.name.clone()));
         let what = Text::new(format!("there is no load `{name}`"), format!("нет нагрузки `{name}`"));
@@ -496,12 +496,23 @@ fn source(study: &Study, small: &mut Small) -> Result<(Source, Option<usize>), F
         // a constant force takes any frequency with its value as amplitude
         let sines = small.machine.zeros();
         let values = mean.into_iter().chain(sines).take(small.machine.coordinates().len()).collect();
-        return Ok((Source::Constant(values, parts(applied)), None));
+        return Ok((Source::Constant(values, parts(&applied)), None));
     }
     let linear = small.machine.linear();
     let rates = waves.iter().map(|l| l.rate).chain(shaped.iter().map(|(form, _)| linear.forms[*form].wave.rate));
     let parameter = choose(study, small, &rates.collect::<Vec<_>>())?;
-    Ok((Source::Given { waves, shaped, parts: parts(applied) }, parameter))
+    Ok((Source::Given { waves, shaped, parts: parts(&applied) }, parameter))
+}
+
+/// A load with all its parts: one inside a rod of a frame is a generalised force on many coordinates, each applied by itself.
+fn whole(equations: &Equations, name: &str) -> Option<Applied> {
+    let mut parts = equations.applied.iter().filter(|a| a.name == name).cloned();
+    let first = parts.next()?;
+    Some(parts.fold(first, |mut all, part| {
+        all.forces.extend(part.forces);
+        all.released.extend(part.released);
+        all
+    }))
 }
 
 fn parts(applied: &Applied) -> LoadParts {
