@@ -3,11 +3,10 @@
 use std::fmt;
 
 use symbolic::Expr;
+use words::digits::{number, rounded};
 use words::{Message, Notice, Text};
 
 pub mod connections;
-
-pub use words::digits::{number, rounded, seven_digits, ten_digits};
 
 /// A study cannot go on: its notice, and the expression that failed. Results found before the fault are kept beside it. Boxed, so that
 /// results stay small.

@@ -4,7 +4,7 @@ use symbolic::Equations;
 use words::Text;
 
 use crate::Quantity;
-use crate::fault::rounded;
+use words::digits::rounded;
 
 /// `phi1 = 1.5708 rad, x = 0.3 m`.
 pub(crate) fn configuration<'q>(places: impl Iterator<Item = (&'q Quantity, &'q f64)>) -> Text {

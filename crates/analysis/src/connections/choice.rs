@@ -14,9 +14,9 @@ use super::closing::CLOSED;
 use super::rank::sort;
 use super::{Bench, listed};
 use crate::Fault;
-use crate::fault::{rounded, seven_digits};
 use algebra::random::Random;
 use words::Text;
+use words::digits::{rounded, seven_digits};
 
 /// Sets of defaults of one size that are tried one after another.
 const SETS: usize = 300;

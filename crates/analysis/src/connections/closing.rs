@@ -17,9 +17,9 @@ use super::{Bench, listed};
 use symbolic::connections::Law;
 
 use crate::Fault;
-use crate::fault::number;
 use algebra::qr::{Qr, norm};
 use algebra::random::Random;
+use words::digits::number;
 
 /// Largest relative violation of a closed loop.
 pub(super) const CLOSED: f64 = 1e-12;

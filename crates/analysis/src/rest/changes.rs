@@ -5,7 +5,7 @@ use words::Text;
 use super::branch::{Branch, Change, Event};
 use crate::Quantity;
 use crate::dataset::{Column, Dataset, Missing};
-use crate::fault::{rounded, ten_digits};
+use words::digits::{rounded, ten_digits};
 
 /// Coordinates that a remark names at most.
 const NAMED: usize = 3;

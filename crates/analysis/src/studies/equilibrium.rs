@@ -7,11 +7,11 @@
 use words::{Message, Text};
 
 use crate::dataset::{Audit, Column, Counter, Dataset, Missing};
-use crate::fault::rounded;
 use crate::{Fault, Quantity, System};
 use algebra::cholesky::positive_definite;
 use algebra::lu::Lu;
 use algebra::qr::{DEPENDENT, Qr};
+use words::digits::rounded;
 
 use super::peaks;
 use super::simulate::Outcome;

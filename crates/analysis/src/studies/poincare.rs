@@ -134,7 +134,7 @@ fn points_alone(data: &mut Dataset) {
 }
 
 fn too_few(found: usize, wanted: usize, until: f64) -> Fault {
-    let t = crate::fault::rounded(until);
+    let t = words::digits::rounded(until);
     Fault::new(Message {
         code: "S117",
         what: Text::new(

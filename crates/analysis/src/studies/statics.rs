@@ -19,12 +19,12 @@ use symbolic::{Equations, Expr};
 use words::Text;
 
 use crate::connections::assemble;
-use crate::fault::rounded;
 use crate::rest::admissible::{Hold, Holds, Limit};
 use crate::rest::fault_of;
 use crate::rest::numbers::Numbers;
 use crate::{Fault, Quantity};
 use algebra::qr::{Qr, norm};
+use words::digits::rounded;
 
 /// Share below which a remainder counts as nothing.
 const NOTHING: f64 = 1e-9;

@@ -20,7 +20,6 @@ mod turns;
 use words::Text;
 
 use super::{Step, step};
-use crate::fault::number;
 use crate::integrate::events::roots::RootFinder;
 use crate::integrate::events::{Hit, Switch};
 use crate::integrate::stiff::Method;
@@ -32,6 +31,7 @@ use length::Rule;
 pub use length::{HIGHEST_ORDER, order_for};
 use passage::{AWAY, Passage};
 use switching::Crowd;
+use words::digits::number;
 
 /// Smallest and largest tolerance accepted.
 pub const TOLERANCES: (f64, f64) = (1e-15, 1e-3);

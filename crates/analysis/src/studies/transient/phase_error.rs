@@ -9,8 +9,8 @@
 
 use super::Phase;
 use crate::Fault;
-use crate::fault::rounded;
 use algebra::elementary;
+use words::digits::rounded;
 use words::explain::{Explanation, plain};
 use words::{Message, Text};
 

@@ -1,0 +1,317 @@
+//! The rules of the house (ARCHITECTURE.md), held against the sources: arrows between crates run down the street, no import circle ties folders of a crate or
+//! more than a few files, and every chapter, code and example that a table promises is there.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The street, ground floor first: a crate may use those before it.
+const STREET: [&str; 9] = ["words", "algebra", "symbolic", "structures", "mechanics", "program", "analysis", "report", "strutt"];
+/// Arrows that the street would allow and the house does not: who must not know whom.
+const STRANGERS: [(&str, &str); 9] = [
+    ("algebra", "words"),
+    ("program", "structures"),
+    ("structures", "program"),
+    ("program", "mechanics"),
+    ("analysis", "mechanics"),
+    ("report", "mechanics"),
+    ("report", "program"),
+    ("mechanics", "analysis"),
+    ("mechanics", "report"),
+];
+/// More files than this in a circle are a knot.
+const FILES: usize = 4;
+/// Circles that stand: crate, a member of it, and how many members at most. One that is gone or smaller must be taken off.
+const FOLDER_CIRCLES: [(&str, &str, usize); 7] = [
+    ("analysis", "studies", 4),
+    ("mechanics", "formula", 2),
+    ("program", "guard", 3),
+    ("program", "jets", 4),
+    ("program", "spare", 2),
+    ("report", "figure", 3),
+    ("strutt", "pipeline", 10),
+];
+/// The same for files.
+const FILE_CIRCLES: [(&str, &str, usize); 9] = [
+    ("analysis", "integrate::step", 6),
+    ("analysis", "integrate::taylor", 10),
+    ("analysis", "numerics::eigen", 6),
+    ("analysis", "studies::modes", 10),
+    ("analysis", "studies::periodic", 6),
+    ("mechanics", "derive::connections", 8),
+    ("mechanics", "formula::parse", 8),
+    ("mechanics", "read", 11),
+    ("report", "figure", 5),
+];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// The path of a module, `["derive", "loads"]`; empty for the crate's root.
+type Module = Vec<String>;
+
+/// Imports of the files of one crate.
+struct Crate {
+    /// What each file says, without comments and tests.
+    files: BTreeMap<Module, String>,
+    /// Names that a module hands on, and what they are.
+    handed: BTreeMap<Module, BTreeMap<String, Module>>,
+}
+
+impl Crate {
+    fn open(name: &str) -> Crate {
+        let source = root().join("crates").join(name).join("src");
+        let mut files = BTreeMap::new();
+        let mut folders = vec![source.clone()];
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(&folder).expect("a folder").map(|e| e.expect("an entry").path()) {
+                if entry.is_dir() {
+                    folders.push(entry);
+                } else if entry.extension().is_some_and(|e| e == "rs") {
+                    files.insert(module(&source, &entry), bare(&read(&entry)));
+                }
+            }
+        }
+        let mut found = Crate { files, handed: BTreeMap::new() };
+        let names: Vec<Module> = found.files.keys().cloned().collect();
+        for name in names {
+            let handed = found.imports(&name, true).into_iter().map(|(path, alias)| (alias, path)).collect();
+            found.handed.insert(name, handed);
+        }
+        found
+    }
+
+    /// What a file imports: the path from the crate's root and the name it gets.
+    fn imports(&self, from: &Module, handed_on: bool) -> Vec<(Module, String)> {
+        let mut found = Vec::new();
+        let mut previous = "";
+        for statement in self.files[from].split(';') {
+            let Some(at) = statement.rfind("use ") else { continue };
+            let head = statement[..at].trim_end();
+            let is_public = head.ends_with("pub") || head.ends_with(')') && head.rfind("pub(").is_some_and(|p| !head[p..].contains('\n'));
+            let is_statement = head.is_empty() || head.ends_with(['}', ']', ';', '\n']) || is_public || statement[..at].ends_with('\n');
+            previous = if is_statement { &statement[at + 4..] } else { previous };
+            if is_statement && (is_public || !handed_on) {
+                found.extend(leaves(previous).into_iter().filter_map(|(path, alias)| Some((self.absolute(from, &path)?, alias))));
+            }
+        }
+        found
+    }
+
+    /// Paths written out in a file, `crate::a::b` and `super::b`.
+    fn mentions(&self, from: &Module) -> Vec<Module> {
+        let text = &self.files[from];
+        let starts = ["crate::", "super::"].into_iter().flat_map(|word| text.match_indices(word).map(|(i, _)| i));
+        let path = |i: usize| -> Module {
+            let end = text[i..].find(|c: char| !c.is_alphanumeric() && c != '_' && c != ':').map_or(text.len(), |n| i + n);
+            text[i..end].trim_end_matches(':').split("::").map(str::to_owned).collect()
+        };
+        starts.filter_map(|i| self.absolute(from, &path(i))).collect()
+    }
+
+    /// A path from the crate's root; none into other crates.
+    fn absolute(&self, from: &Module, path: &[String]) -> Option<Module> {
+        let mut at = match path.first()?.as_str() {
+            "crate" => Vec::new(),
+            "self" | "super" => from.clone(),
+            own => {
+                let child: Module = from.iter().cloned().chain([own.to_owned()]).collect();
+                return self.files.contains_key(&child).then(|| from.iter().cloned().chain(path.iter().cloned()).collect());
+            }
+        };
+        for step in path {
+            match step.as_str() {
+                "crate" | "self" => {}
+                "super" => {
+                    at.pop();
+                }
+                name => at.push(name.to_owned()),
+            }
+        }
+        Some(at)
+    }
+
+    /// The file in which a path ends, through names that are handed on.
+    fn home(&self, path: &Module, depth: usize) -> Option<Module> {
+        let known = (0..=path.len()).rev().find(|k| self.files.contains_key(&path[..*k]))?;
+        let (file, rest) = (&path[..known], &path[known..]);
+        match rest.first().and_then(|name| self.handed.get(file)?.get(name)) {
+            Some(next) if depth < 8 && next != path => {
+                let next: Module = next.iter().cloned().chain(rest[1..].iter().cloned()).collect();
+                self.home(&next, depth + 1)
+            }
+            _ => Some(file.to_vec()),
+        }
+    }
+
+    fn arrows(&self) -> BTreeSet<(Module, Module)> {
+        let of = |from: &Module| {
+            let imported = self.imports(from, false).into_iter().map(|(path, _)| path);
+            let to: Vec<Module> = imported.chain(self.mentions(from)).filter_map(|path| self.home(&path, 0)).collect();
+            to.into_iter().filter(|to| to != from).map(|to| (from.clone(), to)).collect::<Vec<_>>()
+        };
+        self.files.keys().flat_map(of).collect()
+    }
+}
+
+fn module(source: &Path, file: &Path) -> Module {
+    let mut path: Module =
+        file.strip_prefix(source).expect("a file of the crate").with_extension("").iter().map(|p| p.to_string_lossy().into_owned()).collect();
+    path.pop_if(|last| ["mod", "lib", "main"].contains(&last.as_str()));
+    path
+}
+
+/// Without comments and without the tests at the end.
+fn bare(text: &str) -> String {
+    let text = &text[..text.find("#[cfg(test)]").unwrap_or(text.len())];
+    text.lines().map(|line| line.find("//").map_or(line, |i| &line[..i])).collect::<Vec<_>>().join("\n")
+}
+
+/// The paths of `a::{b, c::{d as e}}`, each with the name it gets.
+fn leaves(tree: &str) -> Vec<(Module, String)> {
+    let tree = tree.trim();
+    let Some(open) = tree.find('{') else {
+        let (path, alias) = tree.split_once(" as ").unwrap_or((tree, ""));
+        let mut path: Module = path.split("::").map(|p| p.trim().to_owned()).filter(|p| !p.is_empty()).collect();
+        path.pop_if(|last| last == "self");
+        let last = path.last().cloned().unwrap_or_default();
+        return if path.is_empty() { Vec::new() } else { vec![(path, if alias.is_empty() { last } else { alias.trim().to_owned() })] };
+    };
+    let head: Module = tree[..open].split("::").map(|p| p.trim().to_owned()).filter(|p| !p.is_empty()).collect();
+    let inner = &tree[open + 1..tree.rfind('}').unwrap_or(tree.len())];
+    let (mut depth, mut from, mut parts) = (0_i32, 0, Vec::new());
+    for (i, c) in inner.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            ',' if depth == 0 => {
+                parts.push(&inner[from..i]);
+                from = i + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&inner[from..]);
+    let joined = |(path, alias): (Module, String)| (head.iter().cloned().chain(path).collect(), alias);
+    parts.into_iter().flat_map(leaves).map(joined).collect()
+}
+
+/// Sets of nodes that reach one another, with two members at least.
+fn circles(arrows: &BTreeSet<(Module, Module)>) -> Vec<BTreeSet<Module>> {
+    let mut next: BTreeMap<&Module, Vec<&Module>> = BTreeMap::new();
+    arrows.iter().for_each(|(a, b)| next.entry(a).or_default().push(b));
+    let reach = |from: &Module| -> BTreeSet<Module> {
+        let (mut seen, mut stack) = (BTreeSet::new(), vec![from]);
+        while let Some(at) = stack.pop() {
+            for to in next.get(at).into_iter().flatten() {
+                if seen.insert((*to).clone()) {
+                    stack.push(to);
+                }
+            }
+        }
+        seen
+    };
+    let reached: BTreeMap<&Module, BTreeSet<Module>> = next.keys().map(|node| (*node, reach(node))).collect();
+    let mut found: Vec<BTreeSet<Module>> = Vec::new();
+    for (node, to) in &reached {
+        let both: BTreeSet<Module> = to.iter().filter(|other| reached.get(other).is_some_and(|back| back.contains(*node))).cloned().collect();
+        if both.len() > 1 && !found.contains(&both) {
+            found.push(both);
+        }
+    }
+    found
+}
+
+/// Compares circles with those that are known to stand.
+fn hold(name: &str, found: &[BTreeSet<Module>], known: &[(&str, &str, usize)]) -> Vec<String> {
+    let shown = |circle: &BTreeSet<Module>| circle.iter().map(|m| m.join("::")).collect::<Vec<_>>().join(", ");
+    let known: Vec<_> = known.iter().filter(|k| k.0 == name).collect();
+    let is_in = |circle: &BTreeSet<Module>, member: &str| circle.iter().any(|m| m.join("::") == member);
+    let mut wrong: Vec<String> = Vec::new();
+    for circle in found {
+        match known.iter().find(|k| is_in(circle, k.1)) {
+            None => wrong.push(format!("{name}: a circle of {}: {}", circle.len(), shown(circle))),
+            Some(k) if circle.len() > k.2 => wrong.push(format!("{name}: the circle of {} has grown to {}: {}", k.1, circle.len(), shown(circle))),
+            Some(k) if circle.len() < k.2 => wrong.push(format!("{name}: the circle of {} has only {} members: say so here", k.1, circle.len())),
+            Some(_) => {}
+        }
+    }
+    let gone = known.iter().filter(|k| !found.iter().any(|circle| is_in(circle, k.1)));
+    wrong.extend(gone.map(|k| format!("{name}: the circle of {} is gone: take it off the list", k.1)));
+    wrong
+}
+
+#[test]
+fn arrows_between_crates_run_down_the_street() {
+    let crates: BTreeSet<String> =
+        fs::read_dir(root().join("crates")).expect("crates").map(|e| e.expect("a crate").file_name().to_string_lossy().into_owned()).collect();
+    assert_eq!(crates, STREET.iter().map(|s| (*s).to_owned()).collect(), "the street and the folder `crates`");
+    for (floor, name) in STREET.iter().enumerate() {
+        let manifest = read(&root().join("crates").join(name).join("Cargo.toml"));
+        let own = manifest.split("[dependencies]").nth(1).unwrap_or_default();
+        let own = own.split("\n[").next().unwrap_or_default();
+        for used in own.lines().filter_map(|line| line.split(['.', ' ', '=']).next()) {
+            let Some(other) = STREET.iter().position(|s| *s == used) else { continue };
+            assert!(other < floor, "{name} uses {used}, which stands above it");
+            assert!(!STRANGERS.contains(&(*name, used)), "{name} must not know {used}");
+        }
+    }
+}
+
+#[test]
+fn no_circle_ties_folders_or_many_files() {
+    let mut wrong = Vec::new();
+    for name in STREET {
+        let arrows = Crate::open(name).arrows();
+        let folder = |m: &Module| m.first().cloned().map(|f| vec![f]);
+        // what the root hands on is for other crates
+        let between: BTreeSet<(Module, Module)> =
+            arrows.iter().filter_map(|(a, b)| Some((folder(a)?, folder(b)?))).filter(|(a, b)| a != b).collect();
+        wrong.extend(hold(name, &circles(&between), &FOLDER_CIRCLES));
+        let inner: BTreeSet<(Module, Module)> = arrows.into_iter().filter(|(a, b)| !a.is_empty() && !b.is_empty()).collect();
+        let large: Vec<BTreeSet<Module>> = circles(&inner).into_iter().filter(|c| c.len() > FILES).collect();
+        wrong.extend(hold(name, &large, &FILE_CIRCLES));
+    }
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+/// Every file of the library begins with what it is.
+#[test]
+fn every_file_says_what_it_is() {
+    for name in STREET {
+        let crate_ = root().join("crates").join(name).join("src");
+        let mut folders = vec![crate_];
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(&folder).expect("a folder").map(|e| e.expect("an entry").path()) {
+                if entry.is_dir() {
+                    folders.push(entry);
+                } else if entry.extension().is_some_and(|e| e == "rs") {
+                    assert!(read(&entry).starts_with("//! "), "{} does not say what it is", entry.display());
+                }
+            }
+        }
+    }
+}
+
+/// The circles are found at all: a small house with one.
+#[test]
+fn a_circle_is_seen() {
+    let mut small = Crate { files: BTreeMap::new(), handed: BTreeMap::new() };
+    let file = |name: &str| -> Module { vec![name.to_owned()] };
+    small.files.insert(file("a"), "use crate::b::{B, self as other};\n".into());
+    small.files.insert(file("b"), "pub use crate::c::C;\n".into());
+    small.files.insert(file("c"), "fn f() { super::a::g() }\n".into());
+    small.files.insert(file("d"), "use crate::a::A;\n".into());
+    let names: Vec<Module> = small.files.keys().cloned().collect();
+    for name in names {
+        let handed = small.imports(&name, true).into_iter().map(|(path, alias)| (alias, path)).collect();
+        small.handed.insert(name, handed);
+    }
+    let found = circles(&small.arrows());
+    assert_eq!(found, [["a", "b", "c"].iter().map(|n| file(n)).collect::<BTreeSet<_>>()]);
+}
