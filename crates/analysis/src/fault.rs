@@ -7,6 +7,7 @@ use words::digits::{number, rounded};
 use words::{Message, Notice, Text};
 
 pub mod connections;
+pub mod loads;
 
 /// A study cannot go on: its notice, and the expression that failed. Results found before the fault are kept beside it. Boxed, so that
 /// results stay small.

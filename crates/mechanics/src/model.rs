@@ -389,6 +389,8 @@ pub struct Damper {
 pub struct Force {
     /// Name.
     pub name: String,
+    /// Table and name of the load of the file that it is, or is a part of: `forces.f`, `distributed.q`.
+    pub load: String,
     /// How it acts.
     pub action: Action,
     /// Place in the file (its name).

@@ -149,8 +149,17 @@ pub struct Displacement {
 pub struct Load {
     /// Name.
     pub name: String,
+    /// Table and name in the file: `forces.f`; of a weight, those of its node or rod.
+    pub path: String,
     /// What it does.
     pub action: Action,
+}
+
+impl Load {
+    /// The load `name` of a table of the file.
+    pub fn of(table: &str, name: &str, action: Action) -> Load {
+        Load { name: name.to_owned(), path: format!("{table}.{name}"), action }
+    }
 }
 
 /// What a load does; values may depend on time.

@@ -160,8 +160,13 @@ impl Crate {
 }
 
 fn module(source: &Path, file: &Path) -> Module {
-    let mut path: Module =
-        file.strip_prefix(source).expect("a file of the crate").with_extension("").iter().map(|p| p.to_string_lossy().into_owned()).collect();
+    let mut path: Module = file
+        .strip_prefix(source)
+        .expect("a file of the crate")
+        .with_extension("")
+        .iter()
+        .map(|p| p.to_string_lossy().into_owned())
+        .collect();
     path.pop_if(|last| ["mod", "lib", "main"].contains(&last.as_str()));
     path
 }
@@ -219,7 +224,8 @@ fn circles(arrows: &BTreeSet<(Module, Module)>) -> Vec<BTreeSet<Module>> {
     let reached: BTreeMap<&Module, BTreeSet<Module>> = next.keys().map(|node| (*node, reach(node))).collect();
     let mut found: Vec<BTreeSet<Module>> = Vec::new();
     for (node, to) in &reached {
-        let both: BTreeSet<Module> = to.iter().filter(|other| reached.get(other).is_some_and(|back| back.contains(*node))).cloned().collect();
+        let both: BTreeSet<Module> =
+            to.iter().filter(|other| reached.get(other).is_some_and(|back| back.contains(*node))).cloned().collect();
         if both.len() > 1 && !found.contains(&both) {
             found.push(both);
         }
@@ -236,8 +242,12 @@ fn hold(name: &str, found: &[BTreeSet<Module>], known: &[(&str, &str, usize)]) -
     for circle in found {
         match known.iter().find(|k| is_in(circle, k.1)) {
             None => wrong.push(format!("{name}: a circle of {}: {}", circle.len(), shown(circle))),
-            Some(k) if circle.len() > k.2 => wrong.push(format!("{name}: the circle of {} has grown to {}: {}", k.1, circle.len(), shown(circle))),
-            Some(k) if circle.len() < k.2 => wrong.push(format!("{name}: the circle of {} has only {} members: say so here", k.1, circle.len())),
+            Some(k) if circle.len() > k.2 => {
+                wrong.push(format!("{name}: the circle of {} has grown to {}: {}", k.1, circle.len(), shown(circle)))
+            }
+            Some(k) if circle.len() < k.2 => {
+                wrong.push(format!("{name}: the circle of {} has only {} members: say so here", k.1, circle.len()))
+            }
             Some(_) => {}
         }
     }
@@ -248,8 +258,10 @@ fn hold(name: &str, found: &[BTreeSet<Module>], known: &[(&str, &str, usize)]) -
 
 #[test]
 fn arrows_between_crates_run_down_the_street() {
-    let crates: BTreeSet<String> =
-        fs::read_dir(root().join("crates")).expect("crates").map(|e| e.expect("a crate").file_name().to_string_lossy().into_owned()).collect();
+    let crates: BTreeSet<String> = fs::read_dir(root().join("crates"))
+        .expect("crates")
+        .map(|e| e.expect("a crate").file_name().to_string_lossy().into_owned())
+        .collect();
     assert_eq!(crates, STREET.iter().map(|s| (*s).to_owned()).collect(), "the street and the folder `crates`");
     for (floor, name) in STREET.iter().enumerate() {
         let manifest = read(&root().join("crates").join(name).join("Cargo.toml"));

@@ -57,7 +57,7 @@ pub struct Equations {
     /// What places the machine and has a value only within limits (an inverse sine, a root): the equations may stay real beyond them,
     /// because only derivatives enter, but the machine cannot be there.
     pub places: Vec<Expr>,
-    /// Generalized forces of each applied force and torque, by its name; parts of `force`.
+    /// Generalized forces of each load, parts of `force`.
     pub applied: Vec<Applied>,
     /// Energies and powers.
     pub energy: Energy,
@@ -77,15 +77,22 @@ impl Equations {
     }
 }
 
-/// An applied force or torque.
+/// A load of the file: an applied force or torque, or a distributed load, with all that it is made of.
 #[derive(Clone, Debug)]
 pub struct Applied {
-    /// Its name in the file.
-    pub name: String,
+    /// Its table and name in the file, as `forces.f`.
+    pub path: String,
     /// (index of a coordinate, generalized force).
     pub forces: Vec<(usize, Expr)>,
     /// (index of a balance, work there).
     pub released: Vec<(usize, Expr)>,
+}
+
+impl Applied {
+    /// Its name without its table.
+    pub fn name(&self) -> &str {
+        self.path.rsplit_once('.').map_or(&self.path, |(_, name)| name)
+    }
 }
 
 /// A generalized coordinate with its initial data.

@@ -10,6 +10,7 @@ use super::requests::Resolver;
 use super::scene::{Columns, Found, Scene, Vector};
 use super::wrench::Act;
 use crate::model::{Action, PointRef, Rest};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use symbolic::equations::Applied;
 use symbolic::{Expr, Rational, Substitution, SymbolId};
@@ -33,7 +34,7 @@ pub struct Loads {
     pub dissipations: Vec<Term>,
     /// Generalized forces of all other loads, per direction.
     pub applied: Vec<Columns<Expr>>,
-    /// Name of each force and torque, its rows in `applied`, its actions in `acts`.
+    /// Load of the file that each force and torque is a part of, its rows in `applied`, its actions in `acts`.
     pub named: Vec<(String, Range<usize>, Range<usize>)>,
     /// Newton-Euler: generalized forces of gravity and elements with a potential, per direction.
     pub conservative: Vec<Columns<Expr>>,
@@ -270,7 +271,7 @@ fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
             }
         };
         loads.applied.push(columns);
-        loads.named.push((force.name.clone(), loads.applied.len() - 1..loads.applied.len(), acting..loads.acts.len()));
+        loads.named.push((force.load.clone(), loads.applied.len() - 1..loads.applied.len(), acting..loads.acts.len()));
     }
     for torque in &model.torques {
         let (first, acting) = (loads.applied.len(), loads.acts.len());
@@ -287,7 +288,7 @@ fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolv
             loads.acts.push(Act::Turn { on: body, moment: opposite });
             loads.applied.push(reaction);
         }
-        loads.named.push((torque.name.clone(), first..loads.applied.len(), acting..loads.acts.len()));
+        loads.named.push((format!("torques.{}", torque.name), first..loads.applied.len(), acting..loads.acts.len()));
     }
     Ok(())
 }
@@ -298,16 +299,29 @@ fn resolve_vector(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut
 }
 
 impl Loads {
-    /// The generalized forces of each force and torque, and their work in the balances.
+    /// The generalized forces of each load, and their work in the balances. A load may be made of several forces: resultants of a distributed one, what one on
+    /// a frame gives to each of its coordinates.
     pub fn by_name(&self, scene: &mut Scene, released: &[Vec<(usize, Expr)>]) -> Vec<Applied> {
+        let mut paths: Vec<&String> = Vec::new();
+        for (path, _, _) in &self.named {
+            if !paths.contains(&path) {
+                paths.push(path);
+            }
+        }
         let n = scene.n();
-        let one = |(k, (name, rows, _)): (usize, &(String, Range<usize>, Range<usize>))| {
-            let rows = &self.applied[rows.clone()];
-            let forces = (0..n).map(|j| (j, Loads::in_direction(scene, rows, j))).collect::<Vec<_>>();
+        let one = |path: &String| {
+            let parts: Vec<usize> = (0..self.named.len()).filter(|k| self.named[*k].0 == *path).collect();
+            let rows: Vec<Columns<Expr>> = parts.iter().flat_map(|k| self.applied[self.named[*k].1.clone()].iter().cloned()).collect();
+            let forces: Vec<(usize, Expr)> = (0..n).map(|j| (j, Loads::in_direction(scene, &rows, j))).collect();
             let forces = forces.into_iter().filter(|(_, e)| !scene.graph.is_zero(*e)).collect();
-            Applied { name: name.clone(), forces, released: released.get(k).cloned().unwrap_or_default() }
+            let mut works: BTreeMap<usize, Vec<Expr>> = BTreeMap::new();
+            for (balance, work) in parts.iter().filter_map(|k| released.get(*k)).flatten() {
+                works.entry(*balance).or_default().push(*work);
+            }
+            let released = works.into_iter().map(|(balance, works)| (balance, scene.graph.sum(&works))).collect();
+            Applied { path: path.clone(), forces, released }
         };
-        self.named.iter().enumerate().map(one).collect()
+        paths.into_iter().map(one).collect()
     }
     /// Notes actions times a factor.
     fn act(&mut self, scene: &mut Scene, factor: Expr, acts: &[Act]) {

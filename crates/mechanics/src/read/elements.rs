@@ -234,7 +234,8 @@ pub(super) fn forces<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Force
             && !super::structures::force(reader, &name, &fields)
             && let Some(action) = action(reader, &fields)
         {
-            found.push(Force { name, action, span: fields.span.clone() });
+            let load = format!("forces.{name}");
+            found.push(Force { name, load, action, span: fields.span.clone() });
         }
     }
     found

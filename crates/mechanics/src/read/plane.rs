@@ -64,10 +64,11 @@ pub(super) fn weight<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, gravity: [Ex
     for (i, (name, mass)) in nodes.into_iter().enumerate().filter(|(_, n)| !reader.builder.graph.is_zero(n.1)).collect::<Vec<_>>() {
         let [x, y] = force(reader, mass);
         let action = Action::Point { site: Site::Node(i), value: [x, y, zero] };
-        reader.structure.loads.push(Load { name: format!("weight_{name}"), action });
+        reader.structure.loads.push(Load::of("nodes", &format!("weight_{name}"), action));
     }
     for (rod, (name, mass)) in rods.into_iter().enumerate().filter(|(_, r)| !reader.builder.graph.is_zero(r.1)).collect::<Vec<_>>() {
         let value = force(reader, mass);
-        reader.structure.loads.push(Load { name: format!("weight_{name}"), action: Action::Distributed { rod, value: [value, value] } });
+        let action = Action::Distributed { rod, value: [value, value] };
+        reader.structure.loads.push(Load::of("rods", &format!("weight_{name}"), action));
     }
 }

@@ -421,7 +421,7 @@ pub(super) fn force<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>
         let parts = components(reader, value, &Context::TIME, &Dimension::FORCE);
         let [x, y] = plane::along(reader, value, parts);
         let zero = reader.builder.graph.zero();
-        reader.structure.loads.push(Load { name: name.to_owned(), action: Action::Point { site, value: [x, y, zero] } });
+        reader.structure.loads.push(Load::of("forces", name, Action::Point { site, value: [x, y, zero] }));
     }
     true
 }
@@ -440,7 +440,7 @@ pub(super) fn torque<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a
             _ => fields.formula_or_zero(reader, "value", &Context::TIME, Some(&Dimension::ENERGY)).expr,
         };
         let zero = reader.builder.graph.zero();
-        reader.structure.loads.push(Load { name: name.to_owned(), action: Action::Point { site, value: [zero, zero, couple] } });
+        reader.structure.loads.push(Load::of("torques", name, Action::Point { site, value: [zero, zero, couple] }));
     }
     true
 }
@@ -492,7 +492,7 @@ fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
         };
         let start = plane_vector(reader, &fields, "value", &Context::TIME, &per_length);
         let end = if fields.has("value_end") { plane_vector(reader, &fields, "value_end", &Context::TIME, &per_length) } else { start };
-        reader.structure.loads.push(Load { name, action: Action::Distributed { rod, value: [start, end] } });
+        reader.structure.loads.push(Load::of("distributed", &name, Action::Distributed { rod, value: [start, end] }));
     }
 }
 

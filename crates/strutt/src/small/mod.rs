@@ -3,6 +3,7 @@
 pub mod bent;
 pub mod equation;
 pub mod formulas;
+pub mod load;
 pub mod modes;
 pub mod response;
 pub mod show;

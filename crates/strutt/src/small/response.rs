@@ -2,6 +2,7 @@
 
 use crate::pipeline::Machine;
 use crate::provenance;
+use crate::small::load::{self, Meant};
 use crate::small::{Small, about_rest, timing_notes};
 use crate::studies::response::Response as Study;
 use analysis::System;
@@ -141,7 +142,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
         return Err(forced::through_connections());
     }
     let found = modes(&matrices, &names, Normalisation::Largest)?;
-    let (source, parameter) = source(study, &mut small)?;
+    let (source, parameter) = source(machine, study, &mut small)?;
     out.load = load_name(study, &small, &source, parameter);
     let (quantities, formulas) = observed(study, &machine.equations);
     refuse_open(machine, &quantities)?;
@@ -471,7 +472,7 @@ fn reference(from_sine: bool, orders: bool) -> Text {
 }
 
 /// The load and the parameter that is its frequency.
-fn source(study: &Study, small: &mut Small) -> Result<(Source, Option<usize>), Fault> {
+fn source(machine: &Machine, study: &Study, small: &mut Small) -> Result<(Source, Option<usize>), Fault> {
     let Some(name) = &study.load else {
         if small.machine.timing().frozen {
             return Err(forced::no_period());
@@ -481,38 +482,22 @@ fn source(study: &Study, small: &mut Small) -> Result<(Source, Option<usize>), F
         let rates: Vec<Expr> = waves.chain(linear.shaped.iter().map(|(form, _)| linear.forms[*form].wave.rate)).collect();
         return Ok((Source::OfEquations, choose(study, small, &rates)?));
     };
-    if let Some(i) = small.machine.coordinates().iter().position(|q| q.name == *name) {
-        return Ok((Source::Unit(i), None));
-    }
     let equations = small.machine.equations().clone();
-    let Some(applied) = whole(&equations, name) else {
-        let mut names: Vec<String> = equations.applied.iter().map(|a| a.name.clone()).collect();
-        names.extend(small.machine.coordinates().iter().map(|q| q.name.clone()));
-        let what = Text::new(format!("there is no load `{name}`"), format!("нет нагрузки `{name}`"));
-        return Err(Fault::unknown(what, &names));
+    let applied = match load::named(&machine.model, small, name)? {
+        Meant::Coordinate(i) => return Ok((Source::Unit(i), None)),
+        Meant::Load(k) => &equations.applied[k],
     };
     let Some((mean, waves, shaped)) = small.machine.harmonics_of(&applied.forces)? else { return Err(forced::no_period()) };
     if waves.is_empty() && shaped.is_empty() {
         // a constant force takes any frequency with its value as amplitude
         let sines = small.machine.zeros();
         let values = mean.into_iter().chain(sines).take(small.machine.coordinates().len()).collect();
-        return Ok((Source::Constant(values, parts(&applied)), None));
+        return Ok((Source::Constant(values, parts(applied)), None));
     }
     let linear = small.machine.linear();
     let rates = waves.iter().map(|l| l.rate).chain(shaped.iter().map(|(form, _)| linear.forms[*form].wave.rate));
     let parameter = choose(study, small, &rates.collect::<Vec<_>>())?;
-    Ok((Source::Given { waves, shaped, parts: parts(&applied) }, parameter))
-}
-
-/// A load with all its parts: one inside a rod of a frame is a generalised force on many coordinates, each applied by itself.
-fn whole(equations: &Equations, name: &str) -> Option<Applied> {
-    let mut parts = equations.applied.iter().filter(|a| a.name == name).cloned();
-    let first = parts.next()?;
-    Some(parts.fold(first, |mut all, part| {
-        all.forces.extend(part.forces);
-        all.released.extend(part.released);
-        all
-    }))
+    Ok((Source::Given { waves, shaped, parts: parts(applied) }, parameter))
 }
 
 fn parts(applied: &Applied) -> LoadParts {

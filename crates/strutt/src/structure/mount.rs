@@ -284,7 +284,7 @@ fn loads(model: &mut Model, structure: &file::Structure, bound: &Bound, found: &
             let value = model.graph.sum(terms);
             let along = model.graph.symbol(model.coordinates[first + i].symbols[0]);
             let action = model::Action::OnPathway { pathway: Pathway::Along(along, model::Measure::Other), value };
-            model.forces.push(Force { name: load.name.clone(), action, span: 0..0 });
+            model.forces.push(Force { name: load.name.clone(), load: load.path.clone(), action, span: 0..0 });
         }
     }
 }

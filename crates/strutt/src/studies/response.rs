@@ -59,14 +59,14 @@ static KIND: Kind = Kind::new(
         "load",
         Takes::Name,
         (
-            "load of the response: a force or torque, or a coordinate for a unit load; the harmonic loads of the file without it",
-            "нагрузка: сила, момент или координата (единичная нагрузка); без ключа — гармонические нагрузки файла",
+            "load of the response: a force, torque or distributed load, or a coordinate for a unit load, with its table where the name has two meanings (`forces.f`); the harmonic loads of the file without it",
+            "нагрузка: сила, момент, распределённая нагрузка или координата (единичная нагрузка), при двух значениях имени – вместе с таблицей (`forces.f`); без ключа — гармонические нагрузки файла",
         ),
         "\"drive\"",
     )
     .option(
-        "The load: a force, a torque, or a coordinate for a unit load; otherwise the harmonic loads of the file",
-        "Нагрузка: сила, момент или координата (единичная нагрузка); иначе гармонические нагрузки файла",
+        "The load: a force, torque or distributed load, or a coordinate for a unit load (f, or forces.f); otherwise the harmonic loads of the file",
+        "Нагрузка: сила, момент, распределённая нагрузка или координата (единичная нагрузка), f или forces.f; иначе гармонические нагрузки файла",
     ),
     Key::new("over", Takes::Varied, ("the parameter that is the frequency", "параметр, задающий частоту"), "\"Omega\"")
         .option("The parameter that is the frequency", "Параметр, задающий частоту"),

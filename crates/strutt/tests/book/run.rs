@@ -366,6 +366,7 @@ impl Outcome {
                 tolerance.check(name, found, *expected)
             }
             (Outcome::Study(results), claim) => study_claim(results, claim),
+            (Outcome::Rest(data), claim @ (Claim::Audit { .. } | Claim::AuditFails(_) | Claim::AuditsOk)) => motion(&[], data, claim),
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
                 let column = data.column(name).ok_or_else(|| no_column(data, name))?;
                 // several equilibria may be found; the claim is about the nearest

@@ -24,12 +24,13 @@ pub(in crate::read) fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>
             continue;
         }
         let Some(load) = load(reader, &fields, space) else { continue };
+        let whole = format!("distributed.{name}");
         for (part, (at, value)) in resultants(reader, &load).into_iter().enumerate() {
             let name = if load.end.is_none() { name.clone() } else { format!("{name}{}", part + 1) };
             let id = PointId(known + found.1.len());
             found.1.push(Point { name: name.clone(), on: load.on, at, span: fields.span.clone() });
             let action = Action::AtPoint { at: PointRef::Point(id), value, axes: load.axes };
-            found.0.push(Force { name, action, span: fields.span.clone() });
+            found.0.push(Force { name, load: whole.clone(), action, span: fields.span.clone() });
         }
     }
     found
