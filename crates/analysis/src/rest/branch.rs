@@ -328,6 +328,11 @@ impl Branch {
         let within = |spot: &Spot, share: f64, least: f64| {
             (0..here.len()).all(|i| (spot.place.q[i] - here[i]).abs() <= share * self.reach[i] + least)
         };
+        // where Newton's method fails in the singular place itself, another start may lead beside it
+        let to = match to.spot {
+            None => Station { spot: self.anew(machine, to.value, None)?, ..to },
+            Some(_) => to,
+        };
         if let Some(spot) = to.spot.as_ref().filter(|s| within(s, JOINED, 1e3 * NOTHING)) {
             let (far, real) = (spot.place.q.clone(), !within(spot, NOISE, NOTHING));
             match self.known(side, to.value, Event::Joins) {
