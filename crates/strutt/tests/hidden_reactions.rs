@@ -303,7 +303,7 @@ fn released_balance_passes_on_the_right_law() {
 #[test]
 fn released_balance_sees_a_load_left_out_of_every_balance() {
     let found = audits(|e| {
-        let work = e.applied.iter().find(|a| a.name == "F").unwrap().released.clone();
+        let work = e.applied.iter().find(|a| a.name() == "F").unwrap().released.clone();
         assert!(!work.is_empty());
         for (row, w) in work {
             let against = e.graph.neg(w);
