@@ -5,18 +5,6 @@ use words::explain::{Explanation, row};
 /// The codes of the studies of small motions.
 pub const LINEAR: &[Explanation] = &[
     row(
-        "M090",
-        ("unknown scale of mode shapes", "неизвестная нормировка форм"),
-        (
-            "A shape is known up to a factor. `normalise` says how it is chosen: `largest` makes the largest entry 1, `first` the entry of the first \
-             coordinate, `mass` makes xT M x = 1.",
-            "Форма колебаний определена с точностью до множителя. Ключ `normalise` задаёт его: `largest` — наибольшая компонента равна 1, `first` — \
-             компонента первой координаты равна 1, `mass` — xT M x = 1.",
-        ),
-        "normalise = \"max\"",
-        "normalise = \"largest\"",
-    ),
-    row(
         "M091",
         ("unknown of the frequency equation", "неизвестное частотного уравнения"),
         (
@@ -58,16 +46,6 @@ pub const LINEAR: &[Explanation] = &[
         ),
         "[unknowns]\nM = \"m*g*l\"",
         "[unknowns]\nM = \"2 N m\"",
-    ),
-    row(
-        "M095",
-        ("about what motions are small", "около чего движения малы"),
-        (
-            "Modes belong to a state: a place of rest (`rest`), or the motion as it is at the start (`start`), for example a steady rotation.",
-            "Собственные формы относятся к состоянию: положению покоя (`rest`) или движению в начальный момент (`start`), например равномерному вращению.",
-        ),
-        "about = \"middle\"",
-        "about = \"start\"",
     ),
     row(
         "M109",

@@ -92,6 +92,31 @@ static SCALES: Choice = Choice {
     help: ("largest, first or mass", "largest, first или mass"),
 };
 
+static EXPLANATIONS: &[Explanation] = &[
+    row(
+        "M090",
+        ("unknown scale of mode shapes", "неизвестная нормировка форм"),
+        (
+            "A shape is known up to a factor. `normalise` says how it is chosen: `largest` makes the largest entry 1, `first` the entry of the first \
+             coordinate, `mass` makes xT M x = 1.",
+            "Форма колебаний определена с точностью до множителя. Ключ `normalise` задаёт его: `largest` — наибольшая компонента равна 1, `first` — \
+             компонента первой координаты равна 1, `mass` — xT M x = 1.",
+        ),
+        "normalise = \"max\"",
+        "normalise = \"largest\"",
+    ),
+    row(
+        "M095",
+        ("about what motions are small", "около чего движения малы"),
+        (
+            "Modes belong to a state: a place of rest (`rest`), or the motion as it is at the start (`start`), for example a steady rotation.",
+            "Собственные формы относятся к состоянию: положению покоя (`rest`) или движению в начальный момент (`start`), например равномерному вращению.",
+        ),
+        "about = \"middle\"",
+        "about = \"start\"",
+    ),
+];
+
 /// The study.
 pub struct Natural;
 
@@ -161,6 +186,9 @@ static KIND: Kind =
         });
 
 impl Study for Natural {
+    fn explanations(&self) -> &'static [Explanation] {
+        EXPLANATIONS
+    }
     fn kind(&self) -> &'static Kind {
         &KIND
     }
