@@ -10,6 +10,7 @@ use crate::wording::Word;
 use mechanics::asked::{Asked, Choice, Key, Kind, Takes, Value};
 use mechanics::model::FrequencyVariable;
 use symbolic::SymbolId;
+use words::explain::{Explanation, row};
 
 /// Values of a followed parameter where nobody says how many.
 const POINTS: usize = 101;
