@@ -75,7 +75,7 @@ fn series(w: &[Complex]) -> Complex {
     for z in w {
         let d = *z - mean;
         for k in 1..TERMS {
-            h[k] = h[k] + d * h[k - 1];
+            h[k] += d * h[k - 1];
         }
     }
     let m = w.len() - 1;

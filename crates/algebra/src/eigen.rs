@@ -98,8 +98,7 @@ const SPREAD: f64 = 1e6;
 /// All solutions by M = L Lᵀ: values ascending, vectors with xᵀ M x = 1; each value errs by some 1e-16 of the largest.
 fn pencil(n: usize, k: &[f64], m: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Trouble> {
     let lower = Cholesky::new(m, n).map_err(|weak| Trouble::Massless(weak.row))?;
-    let (values, mut vectors) =
-        kernels::self_adjoint(n, &reduced(n, &lower, k)).ok_or_else(|| Trouble::Unconverged { found: 0, wanted: n })?;
+    let (values, mut vectors) = kernels::self_adjoint(n, &reduced(n, &lower, k)).ok_or(Trouble::Unconverged { found: 0, wanted: n })?;
     vectors.chunks_mut(n.max(1)).for_each(|x| lower.backward(x));
     Ok((values, vectors))
 }
@@ -161,7 +160,7 @@ fn reduced(n: usize, l: &Cholesky, k: &[f64]) -> Vec<f64> {
 pub fn general(n: usize, a: &[f64]) -> Result<ComplexModes, Trouble> {
     check(n, a, "A")?;
     let (balanced, scales) = balance(n, a);
-    let (values, vectors) = kernels::nonsymmetric(n, &balanced).ok_or_else(|| Trouble::Unconverged { found: 0, wanted: n })?;
+    let (values, vectors) = kernels::nonsymmetric(n, &balanced).ok_or(Trouble::Unconverged { found: 0, wanted: n })?;
     // one of each pair, so that both partners are conjugate to the last bit
     let mut first: Vec<usize> = (0..n).filter(|&j| values[j].im >= 0.0).collect();
     let magnitude = |j: usize| complex::abs(values[j]);

@@ -58,7 +58,7 @@ pub struct Lu<T = f64> {
 const PIVOT: f64 = 1e-12;
 
 impl<T: Number> Lu<T> {
-    /// Factors a row-major n x n matrix, which counts as singular below [`PIVOT`].
+    /// Factors a row-major n x n matrix, which counts as singular below `PIVOT`.
     pub fn new(matrix: &[T], n: usize) -> Lu<T> {
         Lu::factored(matrix, n, PIVOT)
     }

@@ -203,7 +203,7 @@ impl Machine {
 
     /// Puts a machine together, with or without connections; `guard_names` gives the names of the guards of a program.
     ///
-    /// *Errors*: those of [`assemble`] and of [`Machine::new`], and a number of motors that does not match.
+    /// *Errors*: those of [`connections::assemble`] and of [`Machine::new`], and a number of motors that does not match.
     pub fn assembled(equations: &Equations, parameters: &[f64], guard_names: &dyn Fn(&Program) -> Vec<Text>) -> Result<Machine, Fault> {
         let conditions = connections::conditions(equations)?;
         let assembly = assemble_with(&conditions, equations, parameters)?;

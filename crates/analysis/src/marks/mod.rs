@@ -1,7 +1,7 @@
 //! What a motion does between the rows of its table: least and greatest values, and instants at which a formula passes zero.
 //!
 //! Both look at the dense output after a step is accepted and leave the motion alone. A state is a polynomial of the step. Any other quantity f is
-//! sampled along the step and replaced by the polynomial through its values at Chebyshev's points ([`proxy`]), on parts so short that no operation
+//! sampled along the step and replaced by the polynomial through its values at Chebyshev's points ([`crate::proxies::proxy`]), on parts so short that no operation
 //! behind f hides anything between the points (`behind.rs`); sign changes of the polynomial, or of its derivative, are isolated in Bernstein's form
 //! ([`crossings`]), so that none is missed down to the rounding of its coefficients; an instant is then polished on f itself. The same polynomials give
 //! integrals, hence means and works.

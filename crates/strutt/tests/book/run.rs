@@ -162,7 +162,7 @@ impl Command {
         let mut all = Vec::new();
         if let Some(variant) = &self.variant {
             let reading =
-                studies::read(&source, &[]).map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
+                studies::read(source, &[]).map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
             all = strutt::variants::overrides(&reading.model, source, variant)?;
         }
         all.extend(self.set.iter().cloned());

@@ -228,7 +228,7 @@ impl Newton {
         for (eigen, factor) in tableau.eigen.iter().zip(&self.factors) {
             self.right.fill(Complex::ZERO);
             for (i, weight) in eigen.row.iter().enumerate() {
-                self.right.iter_mut().zip(self.residual.row(i)).for_each(|(b, r)| *b = *b - weight.scale(*r));
+                self.right.iter_mut().zip(self.residual.row(i)).for_each(|(b, r)| *b -= weight.scale(*r));
             }
             let change = factor.solve(&self.right).unwrap_or_default();
             for (i, weight) in eigen.column.iter().enumerate() {
