@@ -1,0 +1,102 @@
+//! What is looked at along each accepted step: named events, contacts that begin to pull, extremes, and the checks.
+
+use words::Text;
+
+use super::{EVENTS, Run};
+use crate::dataset::{ContactChange, Event};
+use crate::integrate::taylor::Flow;
+use crate::marks::Along;
+use crate::marks::named::Happened;
+use crate::proxies::proxy::Source;
+use crate::{Fault, System};
+
+impl Run {
+    /// Named events, extremes and checks along the last step. How far into the step the motion goes when an event ends it.
+    pub(super) fn look<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Option<f64> {
+        let (step, system) = flow.step_and_system();
+        let mut along = Along::new(step, system, step.length);
+        let found = self.named.look(&mut along);
+        self.look_at_pushes(&mut along);
+        let stop = found.last().filter(|last| self.named.stops(last) && step.instant(last.tau).high > 0.0).cloned();
+        for happened in &found {
+            self.name_event(happened, &mut along);
+        }
+        let length = stop.as_ref().map_or(step.length, |stop| stop.tau);
+        along.length = length;
+        self.extremes.look(&mut along);
+        if let Some(largest) = &mut self.rounding {
+            let here = along.rounding(length);
+            let of = |i: &usize| here.get(*i).copied().filter(|r| r.is_finite()).unwrap_or(0.0);
+            largest.iter_mut().zip(&self.chosen).for_each(|(r, i)| *r = r.max(of(i)));
+        }
+        self.power.look(step, system);
+        self.bodies.look(step, system);
+        self.released.look(step, system);
+        self.defect.look(step, system);
+        self.ledger.look(step, system, length);
+        self.friction.look(step, system, length);
+        self.touches.look(step, system, length);
+        self.shared.look(system, &step.modes);
+        if let Some(stop) = &stop {
+            self.ended = Some((step.instant(stop.tau).high, stop.event));
+        }
+        stop.map(|stop| stop.tau)
+    }
+
+    /// Lists where a contact that only pushes begins to pull.
+    fn look_at_pushes<S: System + ?Sized>(&mut self, along: &mut Along<'_, S>) {
+        for (i, tau) in self.pushes.look(along) {
+            let push = &self.pushes.list()[i];
+            let what = Text::new(
+                format!("{}: the normal force becomes negative", push.label.en),
+                format!("{}: нормальная реакция становится отрицательной", push.label.ru),
+            );
+            let (name, contact) = (push.name.clone(), push.label.en.rsplit(' ').next().unwrap_or_default().to_owned());
+            self.list_inside((name, what), [1.0, -1.0], tau, along);
+            if let Some(event) = self.events.last_mut() {
+                event.contact = Some(ContactChange { contact, from: "pushes", to: "pulls", impulse: None });
+            }
+        }
+    }
+
+    /// Lists a named event with the outputs at its instant.
+    fn name_event<S: System + ?Sized>(&mut self, happened: &Happened, along: &mut Along<'_, S>) {
+        let name = self.named.events()[happened.event].name.clone();
+        let (en, ru) = if happened.sign > 0.0 {
+            ("rises through zero", "проходит нуль снизу")
+        } else {
+            ("falls through zero", "проходит нуль сверху")
+        };
+        let what = Text::new(format!("{name}: {en}"), format!("{name}: {ru}"));
+        self.list_inside((name, what), [-happened.sign, happened.sign], happened.tau, along);
+    }
+
+    /// Lists an event inside a step.
+    fn list_inside<S: System + ?Sized>(&mut self, (name, what): (String, Text), sides: [f64; 2], tau: f64, along: &mut Along<'_, S>) {
+        if self.events.len() >= EVENTS {
+            return;
+        }
+        let all = along.outputs(tau).to_vec();
+        let outputs: Vec<f64> = self.chosen.iter().map(|&i| all[i]).collect();
+        let state = along.whole_state(tau);
+        let t = along.time(tau);
+        let both = [outputs.clone(), outputs];
+        let states = [state.clone(), state];
+        self.events.push(Event { t, name, what, guard: usize::MAX, sides, states, outputs: both, contact: None, impulses: Vec::new() });
+    }
+
+    /// The last row, at the instant of the event that ends the motion.
+    pub(super) fn end_inside<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, tau: f64) -> Result<(), Fault> {
+        let (step, system) = flow.step_and_system();
+        let t = step.instant(tau).high;
+        step.state_after(tau, &mut self.x);
+        let row = self.times.len();
+        self.times.truncate(self.next);
+        self.times.push((t, row));
+        self.table.resize((row + 1) * self.chosen.len(), f64::NAN);
+        self.fill(system, t, row, &step.modes)?;
+        self.next += 1;
+        self.close(system, t, &step.modes);
+        Ok(())
+    }
+}
