@@ -6,6 +6,7 @@ use crate::read::parameters::names;
 use crate::read::reader::{Fields, Reader, short};
 use crate::read::syntax::Value;
 use crate::snippet::nearest;
+use crate::units::Dimension;
 use std::ops::Range;
 use symbolic::{Expr, SymbolId};
 use words::Notice;
@@ -68,23 +69,31 @@ pub(super) fn constant_parameter<'a>(reader: &mut Reader<'a>, fields: &Fields<'a
     None
 }
 
+/// The rows of a table by coordinates: q, its dimension, what stands there.
+fn by_coordinate<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Vec<(SymbolId, Option<Dimension>, &'a Value<'a>)> {
+    let mut found = Vec::new();
+    for (name, span, value) in fields.rows(reader, key) {
+        match reader.scope.get(name).map(|e| (e.kind, e.dimension)) {
+            Some((EntryKind::Coordinate(symbols), kind)) => {
+                let dimension = if let Kind::Known(d) = kind { Some(d) } else { None };
+                found.push((symbols[0], dimension, value));
+            }
+            _ => {
+                let fault = no_coordinate(reader, name, span);
+                reader.fault(fault);
+            }
+        }
+    }
+    found
+}
+
 /// Values of coordinates by name.
 pub(super) fn guess<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Vec<(SymbolId, f64)> {
     let mut found = Vec::new();
-    for (name, span, value) in fields.rows(reader, key) {
-        let entry = reader.scope.get(name).map(|e| (e.kind, e.dimension));
-        let Some((EntryKind::Coordinate(symbols), kind)) = entry else {
-            let fault = no_coordinate(reader, name, span);
-            reader.fault(fault);
-            continue;
-        };
-        let wanted = match kind {
-            Kind::Known(d) => Some(d),
-            _ => None,
-        };
+    for (symbol, wanted, value) in by_coordinate(reader, fields, key) {
         if let Some(raw) = reader.raw(value) {
             let guess = reader.value(&raw, &Context::CONSTANT, wanted.as_ref());
-            found.extend(reader.number(&guess).map(|v| (symbols[0], v)));
+            found.extend(reader.number(&guess).map(|v| (symbol, v)));
         }
     }
     found
@@ -118,22 +127,12 @@ pub(super) fn driven_too<'a>(
     (key, over): (&'static str, Option<SymbolId>),
 ) -> Vec<(SymbolId, Expr)> {
     let mut found = Vec::new();
-    for (name, span, value) in fields.rows(reader, key) {
-        let entry = reader.scope.get(name).map(|e| (e.kind, e.dimension));
-        let Some((EntryKind::Coordinate(symbols), kind)) = entry else {
-            let fault = no_coordinate(reader, name, span);
-            reader.fault(fault);
-            continue;
-        };
-        let wanted = match kind {
-            Kind::Known(d) => Some(d),
-            _ => None,
-        };
+    for (symbol, wanted, value) in by_coordinate(reader, fields, key) {
         let Some(raw) = reader.raw(value) else { continue };
         let formula = reader.value(&raw, &Context::GEOMETRY, wanted.as_ref());
         let allowed = |s: &SymbolId| Some(*s) == over;
         let of_others = reader.coordinates_in(formula.expr).iter().any(|s| !allowed(s));
-        if Some(symbols[0]) == over || formula.good && of_others {
+        if Some(symbol) == over || formula.good && of_others {
             reader.fault(
                 Notice::piece(
                     "M071",
@@ -145,7 +144,7 @@ pub(super) fn driven_too<'a>(
             );
             continue;
         }
-        found.push((symbols[0], formula.expr));
+        found.push((symbol, formula.expr));
     }
     found
 }
