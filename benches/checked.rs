@@ -6,9 +6,9 @@
 use analysis::integrate::taylor::{Check, Flow, Options, Work};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use strutt::pipeline::{self, Machine};
-use strutt::studies::simulate;
-use strutt::{Source, Watch};
+use studies::pipeline::{self, Machine};
+use studies::simulate;
+use studies::{Source, Watch};
 
 /// Least time of so many runs counts.
 const RUNS: usize = 15;

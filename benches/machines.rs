@@ -8,9 +8,9 @@
 use mechanics::asked::{Asked, Value};
 use std::path::Path;
 use std::time::Instant;
-use strutt::pipeline::{self, Finding, Machine};
-use strutt::studies::simulate;
-use strutt::{Source, Watch};
+use studies::pipeline::{self, Finding, Machine};
+use studies::simulate;
+use studies::{Source, Watch};
 
 /// Medians over this many runs.
 const RUNS: usize = 101;

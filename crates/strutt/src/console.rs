@@ -8,8 +8,10 @@ use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use strutt::diagnostics::{self, Style};
+use strutt::system;
 use strutt::wording::{Word, say};
-use strutt::{Failure, Source, Watch, system};
+use studies::watch::Lap;
+use studies::{Failure, Source, Watch};
 use words::{Language, Notice, Text};
 
 /// Set by Ctrl+C and by requests to end (SIGTERM, SIGHUP).
@@ -137,7 +139,7 @@ impl Console {
                 json!({"ok": false, "file": source.path, "findings": diagnostics::to_json(diagnostics, source, language)})
             }
             Failure::Trouble(t) | Failure::Misuse(t) if as_json => {
-                json!({"ok": false, "findings": [diagnostics::trouble_to_json(t, language)]})
+                json!({"ok": false, "findings": [studies::fields::trouble_to_json(t, language)]})
             }
             Failure::Findings { source, diagnostics } => {
                 complain(&diagnostics::render(diagnostics, source, self.style()));
@@ -159,15 +161,22 @@ impl Console {
         let bar = RefCell::new(Bar::new(self.quiet, self.language));
         let mut tell = |share: f64| bar.borrow_mut().tell(share);
         let mut say = |words: Text| bar.borrow_mut().say(&words);
+        let (mut laps, mut last) = (Vec::new(), Instant::now());
+        let mut note = |lap: Lap| {
+            let now = Instant::now();
+            add(&mut laps, word_of(lap), now - last);
+            last = now;
+        };
         let mut watch = Watch::default();
         watch.interrupt = Some(&INTERRUPTED);
         watch.progress = Some(&mut tell);
         watch.doing = Some(&mut say);
+        watch.ended = Some(&mut note);
         CALCULATING.store(true, Ordering::Relaxed);
         let result = calculate(&mut watch);
         CALCULATING.store(false, Ordering::Relaxed);
-        if let Some(laps) = &mut self.laps {
-            laps.extend(watch.laps());
+        if let Some(all) = &mut self.laps {
+            all.extend(laps);
         }
         bar.into_inner().end();
         result
@@ -190,6 +199,23 @@ impl Console {
         let mut out: String = laps.iter().map(|(phase, time)| line(self.say(*phase), *time)).collect();
         out.push_str(&line(self.say(Word::TimeTotal), self.started.elapsed()));
         complain(&out);
+    }
+}
+
+/// Adds the time of a phase; equal phases are one.
+fn add(laps: &mut Vec<(Word, Duration)>, phase: Word, time: Duration) {
+    match laps.iter_mut().find(|(p, _)| *p == phase) {
+        Some((_, sum)) => *sum += time,
+        None => laps.push((phase, time)),
+    }
+}
+
+fn word_of(lap: Lap) -> Word {
+    match lap {
+        Lap::Read => Word::TimeRead,
+        Lap::Derive => Word::TimeDerive,
+        Lap::Lower => Word::TimeLower,
+        Lap::Run => Word::TimeRun,
     }
 }
 

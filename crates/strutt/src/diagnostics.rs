@@ -1,10 +1,10 @@
 //! Findings as text: the user's line with a caret for people, one line for editors, JSON for machines.
 
-use crate::source::Source;
 use crate::wording::{Word, say};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet, normalize_untrusted_str as clean};
 use serde_json::{Value, json};
 use std::ops::Range;
+use studies::Source;
 use words::{Language, Notice, Place, Severity};
 
 /// How findings are shown.
@@ -180,12 +180,6 @@ pub fn to_json(diagnostics: &[Notice], source: &Source, language: Language) -> V
         value
     };
     Value::Array(diagnostics.iter().map(one).collect())
-}
-
-/// A trouble as JSON.
-pub fn trouble_to_json(trouble: &Notice, language: Language) -> Value {
-    json!({"code": trouble.code, "severity": "error", "what": language.text(&trouble.what), "why": language.text(&trouble.why),
-        "help": language.text(&trouble.help)})
 }
 
 /// The range cut to the text and to whole characters.

@@ -1,20 +1,18 @@
 //! The folder of results: tables, plots and the page.
 
-use crate::diagnostics;
-use crate::document::{self, Extent};
-use crate::pipeline::{self, Calculation, Finding};
 use crate::shelf::Shelf;
-use crate::source::Source;
 use crate::variants;
 use crate::wording::Word;
-use analysis::Dataset;
-use analysis::dataset::Column;
 use mechanics::Model;
 use mechanics::section::Section;
 use report::{Figure, csv, json, page};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use words::{Language, Notice};
+use studies::document::{self, Extent};
+use studies::fields::own_fields;
+use studies::pipeline::{self, Calculation, Finding};
+use studies::{Source, VERSION};
+use words::{Language, Notice, Printed};
 
 /// Writes everything about a calculation into a folder; returns the paths, the page last.
 ///
@@ -40,7 +38,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
             for figure in document::figures(calculation, study, data, language) {
                 plot(&mut shelf, &figure, &number, language)?;
             }
-            if let Some(bands) = crate::contacts::bands(data, language) {
+            if let Some(bands) = studies::contacts::bands(data, language) {
                 let svg = report::figure::bands::write(&bands, true, language);
                 shelf.put(&format!("{}{number}.svg", bands.name), Word::Vector, svg.as_bytes())?;
             }
@@ -50,7 +48,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
         }
     }
     section_files(&mut shelf, &calculation.machine.model.sections, language)?;
-    calculation.files = shelf.names.clone();
+    calculation.files = shelf.names.iter().map(|(name, what)| (name.clone(), what.text())).collect();
     let document = pipeline::document(calculation, Extent::Page, language);
     shelf.put(
         "index.html",
@@ -80,9 +78,9 @@ fn section_files(shelf: &mut Shelf, sections: &[Section], language: Language) ->
     if sections.is_empty() {
         return Ok(());
     }
-    shelf.put("sections.csv", Word::SectionTable, crate::sections::to_csv(sections).as_bytes())?;
+    shelf.put("sections.csv", Word::SectionTable, studies::sections::to_csv(sections).as_bytes())?;
     for section in sections {
-        plot(shelf, &crate::sections::figure(section, language), "", language)?;
+        plot(shelf, &studies::sections::figure(section, language), "", language)?;
     }
     Ok(())
 }
@@ -108,86 +106,9 @@ fn plot(shelf: &mut Shelf, figure: &Figure, number: &str, language: Language) ->
     shelf.put(&format!("{stem}.png"), Word::Picture, &png)
 }
 
-/// The fields of a study that are not common to all.
-pub fn own_fields(finding: &Finding) -> Map<String, Value> {
-    let mut own = Map::new();
-    match finding {
-        Finding::Motion(study, ..) => {
-            own.insert("study".into(), json!("simulate"));
-            own.insert("until".into(), json!(study.until));
-            own.insert("tolerance".into(), json!(study.tolerance));
-            own.insert("method".into(), json!(study.method.name()));
-        }
-        Finding::Transient(study, _, phases, _) => {
-            own.insert("study".into(), json!("transient"));
-            own.insert("until".into(), json!(study.until));
-            own.insert("phases".into(), crate::phases::to_json(phases));
-        }
-        Finding::Equilibrium(..) => {
-            own.insert("study".into(), json!("equilibrium"));
-            own.insert("equilibria".into(), equilibria(finding.data()));
-        }
-        Finding::Study(results) => own = results.fields(),
-        Finding::Response(found) => own = crate::small::response::to_json(found),
-        Finding::Modes(found) => own = crate::small::modes::to_json(found),
-        Finding::Structure(found) => own = crate::structure::fields(found),
-    }
-    if let Some(trouble) = finding.trouble() {
-        own.insert("fault".into(), diagnostics::trouble_to_json(trouble, Language::En));
-    }
-    own
-}
-
-/// `{coordinates: {phi: 0.1}, stable: true, residual: 1e-16, outputs: {N: 3}}` for each; `stable` is null where linearisation does not decide.
-fn equilibria(data: &Dataset) -> Value {
-    let n = data.columns.first().map_or(0, |c| c.values.len());
-    // what is not there is null
-    let at = |name: &str, row: usize| data.column(name).map_or(f64::NAN, |c| c.values[row]);
-    // coordinates and reactions come first, then the residual, then what follows from them
-    let first = data.columns.iter().position(|c| c.quantity.name == "residual").unwrap_or(data.columns.len());
-    let listed = |columns: &[Column], row: usize| -> Map<String, Value> {
-        let own = columns.iter().filter(|c| !is_verdict(&c.quantity.name) && !is_reaction(&c.quantity.name));
-        own.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect()
-    };
-    let place = |row: usize| {
-        let coordinates = listed(&data.columns[..first], row);
-        let stable = at("stable", row);
-        let stable = if stable.is_nan() { Value::Null } else { json!(stable != 0.0) };
-        let mut out = json!({"coordinates": coordinates, "stable": stable, "residual": at("residual", row)});
-        let outputs = listed(&data.columns[first..], row);
-        if !outputs.is_empty() {
-            out["outputs"] = json!(outputs);
-        }
-        let reactions = data.columns[..first].iter().filter(|c| is_reaction(&c.quantity.name));
-        let reactions: Map<String, Value> = reactions.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect();
-        if !reactions.is_empty() {
-            out["reactions"] = json!(reactions);
-        }
-        if data.column("growth").is_some() {
-            let (growth, negative) = (at("growth", row), at("negative_directions", row));
-            out["growth"] = json!(growth);
-            out["negative_directions"] = json!(negative);
-            out["stable_by_energy"] = if negative.is_nan() { Value::Null } else { json!(negative == 0.0) };
-            out["stable_by_eigenvalues"] = if growth.is_nan() { Value::Null } else { json!(growth <= 1e-9) };
-        }
-        out
-    };
-    (0..n).map(place).collect()
-}
-
-/// Columns of an equilibrium that are reactions: `force(AB)`.
-fn is_reaction(name: &str) -> bool {
-    name.contains('(')
-}
-
-/// Columns of an equilibrium that are no coordinates.
-pub fn is_verdict(name: &str) -> bool {
-    matches!(name, "residual" | "stable" | "growth" | "negative_directions")
-}
-
 fn with_sections(mut head: Value, sections: &[Section], language: Language) -> Value {
     if !sections.is_empty() {
-        head["sections"] = sections.iter().map(|s| crate::sections::to_json(s, language)).collect();
+        head["sections"] = sections.iter().map(|s| studies::sections::to_json(s, language)).collect();
     }
     head
 }
@@ -195,7 +116,7 @@ fn with_sections(mut head: Value, sections: &[Section], language: Language) -> V
 /// All studies as one JSON object: the common fields, then each study as it would be written alone.
 pub fn calculation_to_json(calculation: &Calculation, language: Language) -> Vec<u8> {
     let machine = &calculation.machine;
-    let head = json!({"title": language.text(&machine.model.title), "version": crate::VERSION, "model_hash": machine.model_hash,
+    let head = json!({"title": language.text(&machine.model.title), "version": VERSION, "model_hash": machine.model_hash,
         "degrees_of_freedom": machine.equations.coordinates.len()});
     let head = with_sections(head, &machine.model.sections, language);
     let mut out = head.to_string().into_bytes();

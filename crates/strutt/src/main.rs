@@ -28,8 +28,7 @@ fn main() -> ExitCode {
         Err(error) => return wrong_use(&error, language),
     };
     let mut console = Console::new(&global, language);
-    let asked =
-        matches.subcommand().and_then(|(name, of_study)| Some((strutt::studies::find(name).filter(|s| s.has_command())?, of_study)));
+    let asked = matches.subcommand().and_then(|(name, of_study)| Some((studies::find(name).filter(|s| s.has_command())?, of_study)));
     let result = match asked {
         Some((study, of_study)) => commands::study::run(study, of_study, &mut console),
         None => match args::Cli::from_arg_matches(&matches) {

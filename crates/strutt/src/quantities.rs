@@ -1,8 +1,8 @@
 //! Values of command-line keys: quantities, lists of times, `name=quantity`.
 
 use mechanics::units::{Dimension, parse_angular_rate, parse_quantity};
-use strutt::Failure;
-use strutt::failure::Misuse;
+use studies::Failure;
+use studies::failure::Misuse;
 use words::{Notice, Text};
 
 /// `30`, `30s`, `2 min`: seconds.
@@ -116,12 +116,12 @@ fn has_unit(key: &str, text: &str, (number, unit): (&str, Option<&String>)) -> R
 }
 
 /// `phi=0.1` pairs for coordinates of a model.
-pub fn guess(list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec<(symbolic::SymbolId, f64)>, Failure> {
+pub fn guess(list: &[String], machine: &studies::pipeline::Machine) -> Result<Vec<(symbolic::SymbolId, f64)>, Failure> {
     coordinates("--guess", list, machine)
 }
 
 /// Values of coordinates, given by this key of the command line.
-fn coordinates(key: &str, list: &[String], machine: &strutt::pipeline::Machine) -> Result<Vec<(symbolic::SymbolId, f64)>, Failure> {
+fn coordinates(key: &str, list: &[String], machine: &studies::pipeline::Machine) -> Result<Vec<(symbolic::SymbolId, f64)>, Failure> {
     let mut found = Vec::new();
     for text in list {
         let (name, value) = text.split_once('=').unwrap_or((text, ""));
@@ -145,7 +145,7 @@ fn coordinates(key: &str, list: &[String], machine: &strutt::pipeline::Machine) 
 }
 
 /// The ends of a parameter's range in its unit.
-pub fn parameter_range(name: &str, text: &str, machine: &strutt::pipeline::Machine) -> Result<[f64; 2], Failure> {
+pub fn parameter_range(name: &str, text: &str, machine: &studies::pipeline::Machine) -> Result<[f64; 2], Failure> {
     let Some(parameter) = machine.model.parameters.iter().find(|p| p.name == name) else {
         let what = Text::new(format!("`{name}` is no parameter"), format!("`{name}` — не параметр"));
         return Err(bad("--over", name, &what, &Text::default()));
@@ -167,7 +167,7 @@ pub fn parameter_range(name: &str, text: &str, machine: &strutt::pipeline::Machi
 }
 
 /// What is no coordinate, with those that there are.
-pub fn no_coordinate(key: &str, name: &str, machine: &strutt::pipeline::Machine) -> Failure {
+pub fn no_coordinate(key: &str, name: &str, machine: &studies::pipeline::Machine) -> Failure {
     let names: Vec<&str> = machine.model.coordinates.iter().map(|c| c.name.as_str()).collect();
     let what = Text::new(format!("`{name}` is no coordinate"), format!("`{name}` — не координата"));
     let help = Text::new(format!("one of: {}", names.join(", ")), format!("одна из: {}", names.join(", ")));
@@ -175,7 +175,7 @@ pub fn no_coordinate(key: &str, name: &str, machine: &strutt::pipeline::Machine)
 }
 
 /// The ends of a coordinate's range, `-180 deg,180 deg`.
-pub fn between(name: &str, text: &str, machine: &strutt::pipeline::Machine) -> Result<[f64; 2], Failure> {
+pub fn between(name: &str, text: &str, machine: &studies::pipeline::Machine) -> Result<[f64; 2], Failure> {
     let separator = if text.contains(';') { ';' } else { ',' };
     let ends: Vec<String> = text.split(separator).map(|end| format!("{}={}", name, end.trim())).collect();
     let values = coordinates("--range", &ends, machine)?;

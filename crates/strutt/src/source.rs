@@ -1,86 +1,40 @@
-//! The model file as text: from a path, a folder with model.toml, or standard input.
+//! The model file: from a path, a folder with model.toml, or standard input.
 
 use crate::gallery;
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
+use studies::Source;
 use words::{Notice, nearest};
 
 /// Largest model file, bytes; the reader of the model has the same limit.
 const LARGEST: u64 = mechanics::MAX_FILE as u64;
 
-/// A model file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Source {
-    /// As messages name it.
-    pub path: String,
-    /// Its text.
-    pub text: String,
+/// Reads `path`; a folder stands for the model.toml in it, `-` for standard input.
+///
+/// # Errors
+/// A file that is missing, unreadable, too large or not UTF-8 (C001 ... C004).
+pub fn open(path: &str) -> Result<Source, Box<Notice>> {
+    if path == "-" {
+        return from_reader(std::io::stdin().lock(), "stdin");
+    }
+    let mut path = path.to_owned();
+    if Path::new(&path).is_dir() {
+        path = Path::new(&path).join("model.toml").to_string_lossy().into_owned();
+    }
+    let file = File::open(&path).map_err(|error| Box::new(cannot_open(&path, &error)))?;
+    from_reader(file, &path)
 }
 
-impl Source {
-    /// Reads `path`; a folder stands for the model.toml in it, `-` for standard input.
-    ///
-    /// # Errors
-    /// A file that is missing, unreadable, too large or not UTF-8 (C001 ... C004).
-    pub fn open(path: &str) -> Result<Source, Box<Notice>> {
-        if path == "-" {
-            return Source::from_reader(std::io::stdin().lock(), "stdin");
-        }
-        let mut path = path.to_owned();
-        if Path::new(&path).is_dir() {
-            path = Path::new(&path).join("model.toml").to_string_lossy().into_owned();
-        }
-        let file = File::open(&path).map_err(|error| Box::new(cannot_open(&path, &error)))?;
-        Source::from_reader(file, &path)
+fn from_reader(reader: impl Read, path: &str) -> Result<Source, Box<Notice>> {
+    let mut bytes = Vec::new();
+    // one byte more than allowed tells a file at the limit from an endless device
+    reader.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| Box::new(unreadable(path, &error)))?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(Box::new(too_large(path)));
     }
-
-    /// A text with a name.
-    pub fn new(path: &str, text: &str) -> Source {
-        Source { path: path.into(), text: text.into() }
-    }
-
-    fn from_reader(reader: impl Read, path: &str) -> Result<Source, Box<Notice>> {
-        let mut bytes = Vec::new();
-        // one byte more than allowed tells a file at the limit from an endless device
-        reader.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| Box::new(unreadable(path, &error)))?;
-        if bytes.len() as u64 > LARGEST {
-            return Err(Box::new(too_large(path)));
-        }
-        let text =
-            String::from_utf8(bytes).map_err(|error| Box::new(not_utf8(path, error.as_bytes(), error.utf8_error().valid_up_to())))?;
-        Ok(Source { path: path.into(), text })
-    }
-
-    /// Name of the machine for folders: `gallery/top/model.toml` is top, `wheel.toml` is wheel.
-    pub fn name(&self) -> String {
-        let path = Path::new(&self.path);
-        let stem = path.file_stem().map_or_else(String::new, |s| s.to_string_lossy().into_owned());
-        let folder = path.parent().and_then(Path::file_name).map(|s| s.to_string_lossy().into_owned());
-        match folder {
-            Some(folder) if stem == "model" => folder,
-            _ if stem.is_empty() => "model".into(),
-            _ => stem,
-        }
-    }
-
-    /// Hash of the text and the overrides, the same on every machine: FNV-1a, 64 bits (Fowler, Noll, Vo), in hexadecimal digits.
-    pub fn hash(&self, overrides: &[(String, String)]) -> String {
-        let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-        let mut feed = |bytes: &[u8]| {
-            for byte in bytes {
-                hash = (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
-            }
-        };
-        feed(self.text.as_bytes());
-        for (name, value) in overrides {
-            feed(b"\0");
-            feed(name.as_bytes());
-            feed(b"=");
-            feed(value.as_bytes());
-        }
-        format!("{hash:016x}")
-    }
+    let text = String::from_utf8(bytes).map_err(|error| Box::new(not_utf8(path, error.as_bytes(), error.utf8_error().valid_up_to())))?;
+    Ok(Source { path: path.into(), text })
 }
 
 fn cannot_open(path: &str, error: &std::io::Error) -> Notice {
@@ -157,31 +111,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_hash_is_fnv_1a() {
-        // test vectors of the authors, draft-eastlake-fnv
-        assert_eq!(Source::new("", "").hash(&[]), "cbf29ce484222325");
-        assert_eq!(Source::new("", "foobar").hash(&[]), "85944171f73967e8");
-        assert_ne!(Source::new("", "a").hash(&[]), Source::new("", "a").hash(&[("m".into(), "1 kg".into())]));
-    }
-
-    #[test]
-    fn a_folder_names_its_model() {
-        assert_eq!(Source::new("gallery/top/model.toml", "").name(), "top");
-        assert_eq!(Source::new("wheel.toml", "").name(), "wheel");
-        assert_eq!(Source::new("model.toml", "").name(), "model");
-        assert_eq!(Source::new("stdin", "").name(), "stdin");
-    }
-
-    #[test]
     fn text_in_windows_1251_is_named_as_such() {
         let bytes = b"title = \"\xcc\xe0\xff\xf2\xed\xe8\xea\"";
-        let trouble = Source::from_reader(&bytes[..], "a.toml").unwrap_err();
+        let trouble = from_reader(&bytes[..], "a.toml").unwrap_err();
         assert_eq!(trouble.code, "C004");
         assert!(trouble.why.en.contains("1251"), "{trouble:?}");
     }
 
     #[test]
     fn an_endless_device_is_refused() {
-        assert_eq!(Source::from_reader(std::io::repeat(b'#'), "zero").unwrap_err().code, "C003");
+        assert_eq!(from_reader(std::io::repeat(b'#'), "zero").unwrap_err().code, "C003");
     }
 }

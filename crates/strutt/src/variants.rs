@@ -1,11 +1,11 @@
 //! `--variant NAME`: a row of the table that the model file names, as values that replace those of the file.
 
-use crate::failure::Failure;
-use crate::failure::Misuse;
-use crate::source::Source;
 use mechanics::Model;
 use mechanics::model::{VariantTable, Variants};
 use std::path::Path;
+use studies::Source;
+use studies::failure::Failure;
+use studies::failure::Misuse;
 use words::{Notice, Place, Severity, nearest};
 
 /// A table of variants.
@@ -107,7 +107,7 @@ fn named_once(sheet: &Sheet, used: &[usize]) -> Result<(), Failure> {
 
 /// A cell is read as --set would read it; what is wrong with it is said of its place in the table.
 fn cell_fits(sheet: &Sheet, line: usize, pair: &(String, String), source: &Source) -> Result<(), Failure> {
-    let Err(found) = crate::studies::read(source, std::slice::from_ref(pair)) else { return Ok(()) };
+    let Err(found) = studies::read(source, std::slice::from_ref(pair)) else { return Ok(()) };
     let own = found.into_iter().find(|d| d.severity == Severity::Error && matches!(d.place, Place::Override { .. }));
     let Some(wrong) = own else { return Ok(()) };
     let (place, column, what) = (&sheet.place, &pair.0, &wrong.what);
@@ -141,7 +141,7 @@ fn sheet(variants: &Variants, source: &Source) -> Result<Sheet, Failure> {
         VariantTable::Text(text) => (source.path.clone(), text.clone()),
         VariantTable::File(file) => {
             let path = beside(source, file);
-            (path.clone(), Source::open(&path)?.text)
+            (path.clone(), crate::source::open(&path)?.text)
         }
     };
     parse(place, &text, variants.key.as_deref())

@@ -1,4 +1,4 @@
-//! The words of the command line in both languages; what results are called stands in `report::wording`.
+//! The words of the command line in both languages; what results are called stands in `studies::wording` and `report::wording`.
 
 use words::Language;
 
@@ -28,29 +28,7 @@ words::table! {
     Picture: "plot, picture", "график, растровый";
     Page: "page", "страница";
     SectionTable: "properties of the sections", "характеристики сечений";
-    Modes: "Natural oscillations", "Собственные колебания";
-    Response: "Forced oscillations", "Вынужденные колебания";
-    Stability: "Stability", "Устойчивость";
-    Stable: "stable", "устойчиво";
-    Unstable: "unstable", "неустойчиво";
-    Undecided: "not decided by linearisation", "по линейному приближению не определяется";
-    Residual: "Residual force", "Невязка сил";
-    KineticEnergy: "Kinetic energy", "Кинетическая энергия";
-    PotentialEnergy: "Potential energy", "Потенциальная энергия";
-    DissipationFunction: "Dissipation function", "Диссипативная функция";
-    WhereText: "where", "где";
-    Connections: "Equations of the connections", "Уравнения связей";
-    Reactions: "Reactions", "Реакции";
-    OtherReactions: "Other reactions, from the balances of the released bodies", "Прочие реакции, из уравнений освобождённых тел";
-    ReactionsReleased: "Reactions, from the balances of the released bodies", "Реакции, из уравнений освобождённых тел";
-    FrictionLaws: "Dry friction: the force while it slides, its limit while it sticks", "Сухое трение: сила при скольжении и предел при покое";
-    Columns: "Quantities", "Величины";
-    ClosedForm: "Motion in closed form", "Движение в замкнутой форме";
-    AtStart: "at the start", "в начале";
-    WhenTaken: "at t", "при t";
-    NamedEvents: "Named events", "Именованные события";
     EventTable: "events, 17 digits", "события, 17 знаков";
-    Copied: "ready to run", "готово к запуску";
     TimeRead: "read", "чтение";
     TimeDerive: "derive", "вывод уравнений";
     TimeLower: "lower", "составление программы";

@@ -1,12 +1,13 @@
 //! What files ask: the keys of every kind of study, read and checked.
 
 use mechanics::asked::Asked;
-use strutt::studies::cycle::Cycle;
-use strutt::studies::kinematics::{Kinematics, KinematicsEnd};
-use strutt::studies::periodic::{Periodic, Section};
-use strutt::studies::sweep::Sweep;
-use strutt::studies::{self, TABLE, simulate::Simulate};
-use strutt::{Source, gallery};
+use strutt::gallery;
+use studies::Source;
+use studies::cycle::Cycle;
+use studies::kinematics::{Kinematics, KinematicsEnd};
+use studies::periodic::{Periodic, Section};
+use studies::sweep::Sweep;
+use studies::{TABLE, simulate::Simulate};
 
 const PENDULUM: &str = r#"
 [parameters]

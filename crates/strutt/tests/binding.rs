@@ -1,9 +1,9 @@
 //! A machine with other values is the one that reading the file with them gives, to the last bit.
 
 use mechanics::asked::{Asked, Value};
-use strutt::pipeline::{self, Machine};
-use strutt::studies::Binding;
-use strutt::{Source, Watch};
+use studies::Binding;
+use studies::pipeline::{self, Machine};
+use studies::{Source, Watch};
 
 fn machine(name: &str) -> Machine {
     let text = strutt::gallery::find(name).expect("an example").text;

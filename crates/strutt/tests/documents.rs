@@ -33,7 +33,7 @@ fn reference() -> &'static [mechanics::reference::Page] {
     PAGES.get_or_init(|| {
         let pages: Vec<_> = [words::Language::En, words::Language::Ru]
             .into_iter()
-            .flat_map(|language| mechanics::reference::pages(language, strutt::studies::kinds()))
+            .flat_map(|language| mechanics::reference::pages(language, studies::kinds()))
             .collect();
         if std::env::var_os("UPDATE_DOCS").is_some() {
             write(&pages);

@@ -1,7 +1,8 @@
 //! `strutt explain`: every code in the sources has its entry, and the wrong examples raise the code that they stand for.
 
 use std::path::Path;
-use strutt::{Failure, Source, Watch, explain, pipeline};
+use strutt::explain;
+use studies::{Failure, Source, Watch, pipeline};
 
 /// A small machine for examples that are a fragment of one.
 const MACHINE: &str = "[coordinates]\nx = \"m\"\nphi = \"rad\"\n\

@@ -7,8 +7,8 @@
 use std::fmt::Write;
 
 use analysis::System;
-use strutt::pipeline::{self, Machine};
-use strutt::{Source, Watch};
+use studies::pipeline::{self, Machine};
+use studies::{Source, Watch};
 
 /// Machines that are compared.
 const MACHINES: u64 = 110;

@@ -3,7 +3,8 @@
 use analysis::System;
 use analysis::linear::{LinearMachine, Place, parts};
 use std::sync::Arc;
-use strutt::{Source, Watch, gallery, pipeline};
+use strutt::gallery;
+use studies::{Source, Watch, pipeline};
 use symbolic::linear::About;
 
 fn machine(name: &str) -> (pipeline::Machine, LinearMachine) {

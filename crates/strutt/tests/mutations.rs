@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use strutt::diagnostics::{self, Style};
-use strutt::{Failure, Source, Watch, gallery, pipeline};
+use strutt::gallery;
+use studies::{Failure, Source, Watch, pipeline};
 
 /// Pieces that users and fuzzers put into files.
 const PIECES: &[&str] = &[

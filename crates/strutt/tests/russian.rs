@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use strutt::{Failure, Source, Watch, pipeline};
+use studies::{Failure, Source, Watch, pipeline};
 use toml::de::{DeTable, DeValue};
 
 /// Functions and signs of formulas, indices of symbols.

@@ -4,9 +4,9 @@
 //! coordinates for each bar and pins; with angles and a load on the last bar that a support holds, against the same load without a support. The largest real
 //! part of a root is the same for all writings, by both studies.
 
-use strutt::pipeline::{self, Finding, Machine};
-use strutt::studies::{equilibrium, modes};
-use strutt::{Source, Watch};
+use studies::pipeline::{self, Finding, Machine};
+use studies::{Source, Watch};
+use studies::{equilibrium, modes};
 
 /// Relative to the fastest root.
 const CLOSE: f64 = 1e-9;

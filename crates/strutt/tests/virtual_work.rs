@@ -1,7 +1,7 @@
 //! The audit of virtual work sees mistakes that both derivations of the equations share: it knows placements, loads and reactions only.
 
-use strutt::pipeline;
-use strutt::{Source, Watch};
+use studies::pipeline;
+use studies::{Source, Watch};
 use symbolic::{Equations, Expr};
 
 /// A crank, a coupler and a rocker closed by a pin, driven by a torque and held by a spring.

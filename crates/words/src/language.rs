@@ -55,6 +55,15 @@ impl Language {
 pub trait Printed {
     /// The row, English and Russian.
     fn wording(self) -> (&'static str, &'static str);
+
+    /// The word in both languages.
+    fn text(self) -> Text
+    where
+        Self: Sized,
+    {
+        let (en, ru) = self.wording();
+        Text::new(en, ru)
+    }
 }
 
 /// A table of printed words: `Key: "English", "Russian";` rows become the enum `Word` and the table `WORDS` where it stands.

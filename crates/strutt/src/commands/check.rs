@@ -4,9 +4,10 @@ use super::{Exit, inputs};
 use crate::args::{self, Format};
 use crate::console::{Console, Shape, quoted};
 use serde_json::json;
-use strutt::pipeline::{self, Machine};
+use strutt::diagnostics;
 use strutt::wording::Word;
-use strutt::{Failure, diagnostics};
+use studies::Failure;
+use studies::pipeline::{self, Machine};
 
 pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {
     let (source, overrides) = inputs(&args.model)?;

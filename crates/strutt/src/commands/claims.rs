@@ -5,10 +5,10 @@ use super::{Exit, open};
 use crate::args;
 use crate::console::Console;
 use mechanics::derive::Detail;
-use strutt::failure::Misuse;
-use strutt::pipeline::Finding;
-use strutt::studies::Alone;
-use strutt::{Failure, claims};
+use studies::Alone;
+use studies::failure::Misuse;
+use studies::pipeline::Finding;
+use studies::{Failure, claims};
 use words::Notice;
 
 pub fn run(args: &args::Claims, console: &mut Console) -> Result<Exit, Failure> {

@@ -3,7 +3,7 @@
 use super::Exit;
 use crate::console::Console;
 use crate::{args, localize};
-use strutt::Failure;
+use studies::Failure;
 
 pub fn run(args: &args::Completions, console: &mut Console) -> Result<Exit, Failure> {
     let mut script = Vec::new();

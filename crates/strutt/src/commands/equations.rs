@@ -6,11 +6,11 @@ use crate::console::{Console, Shape, quoted};
 use report::Word as Title;
 use report::formula::{self, Printer};
 use serde_json::{Value, json};
-use strutt::Failure;
-use strutt::document;
-use strutt::frictions;
-use strutt::pipeline::Machine;
-use strutt::wording::{Word, say};
+use studies::Failure;
+use studies::document;
+use studies::frictions;
+use studies::pipeline::Machine;
+use studies::wording::{Word, say};
 use symbolic::Equations;
 use words::Language;
 
@@ -217,6 +217,6 @@ pub fn to_json(machine: &Machine, language: Language) -> Value {
     for (key, e) in ["kinetic", "potential", "dissipation"].into_iter().zip(document::energies(equations)) {
         own.insert(key.into(), energy(e.2));
     }
-    let data = strutt::pipeline::no_numbers(machine);
+    let data = studies::pipeline::no_numbers(machine);
     serde_json::from_slice(&report::json::write(&data, &own, language)).unwrap_or(Value::Null)
 }

@@ -4,8 +4,9 @@ use super::Exit;
 use crate::args;
 use crate::console::{Console, Shape};
 use serde_json::json;
-use strutt::failure::Misuse;
-use strutt::{Failure, Source, gallery};
+use strutt::gallery;
+use studies::failure::Misuse;
+use studies::{Failure, Source};
 use words::{Notice, nearest};
 
 pub fn run(args: &args::Examples, console: &mut Console) -> Result<Exit, Failure> {
@@ -44,6 +45,6 @@ fn list(console: &Console) -> Result<(), Failure> {
 
 fn title(example: &gallery::Example, console: &Console) -> String {
     let source = Source::new(example.name, example.text);
-    let reading = strutt::studies::read(&source, &[]);
+    let reading = studies::read(&source, &[]);
     reading.map_or_else(|_| String::new(), |r| console.language.text(&r.model.title).to_owned())
 }

@@ -4,8 +4,9 @@ use super::Exit;
 use crate::args;
 use crate::console::{Console, Shape};
 use serde_json::json;
-use strutt::failure::Misuse;
-use strutt::{Failure, explain};
+use strutt::explain;
+use studies::Failure;
+use studies::failure::Misuse;
 use words::Notice;
 use words::explain::Explanation;
 

@@ -6,9 +6,9 @@ use clap::{Arg, ArgAction, ArgMatches, Args, Command, value_parser};
 use mechanics::asked::{Asked, Key, Like, Named, Takes, Value, Way};
 use mechanics::units::{Dimension, parse_unit};
 use std::path::PathBuf;
-use strutt::pipeline::Machine;
-use strutt::studies::{Extra, Study, TABLE};
-use strutt::{Failure, plan};
+use studies::pipeline::Machine;
+use studies::{Extra, Study, TABLE};
+use studies::{Failure, plan};
 use words::Language;
 
 /// `strutt NAME` of every study, in the order of the table.

@@ -17,9 +17,9 @@ use crate::console::{Console, INTERRUPTED};
 use crate::quantities;
 use mechanics::derive::Detail;
 use std::sync::atomic::Ordering;
-use strutt::pipeline::{self, Finding, Machine};
 use strutt::wording::Word;
-use strutt::{Failure, Source};
+use studies::pipeline::{self, Finding, Machine};
+use studies::{Failure, Source};
 
 /// How a command ended that did not fail outright.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,10 +50,9 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
 /// The file, and the values of the command line that replace those in it: the variant's, then those set by hand.
 fn inputs(model: &crate::args::Model) -> Result<(Source, Vec<(String, String)>), Failure> {
     let set = quantities::overrides(&model.overrides)?;
-    let source = Source::open(&model.file)?;
+    let source = strutt::source::open(&model.file)?;
     let Some(variant) = &model.variant else { return Ok((source, set)) };
-    let reading =
-        strutt::studies::read(&source, &[]).map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
+    let reading = studies::read(&source, &[]).map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
     let mut all = strutt::variants::overrides(&reading.model, &source, variant)?;
     all.extend(set);
     Ok((source, all))

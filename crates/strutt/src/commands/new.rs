@@ -4,9 +4,10 @@ use super::{Exit, examples};
 use crate::args;
 use crate::console::{Console, quoted};
 use std::path::{Path, PathBuf};
-use strutt::failure::Misuse;
 use strutt::wording::Word;
-use strutt::{Failure, chain, files, gallery};
+use strutt::{chain, files, gallery};
+use studies::Failure;
+use studies::failure::Misuse;
 use words::Notice;
 
 /// What a name that is no example begins with.

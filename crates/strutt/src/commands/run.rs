@@ -5,10 +5,11 @@ use crate::args;
 use crate::console::{Console, INTERRUPTED, Shape, listen_to_interrupts, quoted};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
-use strutt::document::Extent;
-use strutt::pipeline::{self, Calculation};
+use strutt::folder;
 use strutt::wording::Word;
-use strutt::{Failure, folder};
+use studies::Failure;
+use studies::document::Extent;
+use studies::pipeline::{self, Calculation};
 
 pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts(console.language);

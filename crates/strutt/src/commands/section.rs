@@ -6,15 +6,16 @@ use crate::console::{Console, Shape, quoted};
 use crate::quantities;
 use mechanics::section::Section;
 use serde_json::json;
+use strutt::folder;
 use strutt::wording::Word;
-use strutt::{Failure, Source, folder, sections};
+use studies::{Failure, sections};
 use words::Notice;
 
 pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure> {
     let overrides = quantities::overrides(&args.model.overrides)?;
-    let source = Source::open(&args.model.file)?;
-    let reading = strutt::studies::read(&source, &overrides)
-        .map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
+    let source = strutt::source::open(&args.model.file)?;
+    let reading =
+        studies::read(&source, &overrides).map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
     console.warn(&reading.warnings, &source);
     let all = &reading.model.sections;
     let chosen: Vec<Section> = match &args.name {
@@ -28,7 +29,7 @@ pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure>
     match console.shape {
         Shape::Json => {
             let list: Vec<_> = chosen.iter().map(|s| sections::to_json(s, language)).collect();
-            let value = json!({"title": language.text(&reading.model.title), "version": strutt::VERSION,
+            let value = json!({"title": language.text(&reading.model.title), "version": studies::VERSION,
                 "model_hash": source.hash(&overrides), "sections": list});
             console.out(format!("{value}\n"))?;
         }

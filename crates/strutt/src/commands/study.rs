@@ -9,11 +9,13 @@ use mechanics::asked::Asked;
 use mechanics::derive::Detail;
 use report::Document;
 use std::path::{Path, PathBuf};
-use strutt::document::Extent;
-use strutt::pipeline::{self, Calculation, Finding, Machine};
-use strutt::studies::{Alone, Extra, Given, Interrupts, Study};
+use strutt::folder;
 use strutt::wording::Word;
-use strutt::{Failure, Source, document, folder, small, structure};
+use studies::document::Extent;
+use studies::fields::own_fields;
+use studies::pipeline::{self, Calculation, Finding, Machine};
+use studies::{Alone, Extra, Given, Interrupts, Study};
+use studies::{Failure, Source, document, small, structure};
 use words::{Notice, Place};
 
 /// Runs the command of a study.
@@ -176,7 +178,7 @@ fn write(machine: Machine, finding: Finding, out: &Path, console: &mut Console) 
 fn show((machine, alone): (&Machine, Alone), finding: &Finding, view: &View, console: &Console) -> Result<(), Failure> {
     let (data, language) = (finding.data(), console.language);
     match (console.shape, alone) {
-        (Shape::Json, _) => console.out(report::json::write(data, &folder::own_fields(finding), language)),
+        (Shape::Json, _) => console.out(report::json::write(data, &own_fields(finding), language)),
         (Shape::Csv, _) => console.out(report::csv::write(data, report::csv::Dialect::Plain)),
         (Shape::Text, _) if view.out.is_some() && !console.terminal => Ok(()),
         // a study that failed before it found anything leaves no empty heading
@@ -226,7 +228,7 @@ fn solution(machine: &Machine, finding: &Finding, (view, next): (&View, &str), c
             title: language.text(&machine.model.title).to_owned(),
             description: String::new(),
             blocks,
-            version: strutt::VERSION.into(),
+            version: studies::VERSION.into(),
             model_hash: machine.model_hash.clone(),
         };
         console.out(report::terminal::write(&document, console.width()))?;
@@ -246,7 +248,7 @@ fn table(finding: &Finding, view: &View, console: &Console) -> Result<(), Failur
         return Ok(());
     }
     match console.shape {
-        Shape::Json => console.out(report::json::write(data, &folder::own_fields(finding), console.language)),
+        Shape::Json => console.out(report::json::write(data, &own_fields(finding), console.language)),
         _ if view.events => console.out(report::csv::write_events(data, report::csv::Dialect::Plain, console.language)),
         Shape::Text if view.out.is_some() => Ok(()),
         _ if view.switches => console.out(report::csv::write(&data.with_switches(), report::csv::Dialect::Plain)),
@@ -271,6 +273,6 @@ fn tell_checks(finding: &Finding, console: &Console) {
 }
 
 fn is_nothing(finding: &Finding) -> bool {
-    let empty = |r: &strutt::studies::Results| r.facts.is_empty() && r.words.is_empty() && r.data.columns.is_empty() && r.claims.is_empty();
+    let empty = |r: &studies::Results| r.facts.is_empty() && r.words.is_empty() && r.data.columns.is_empty() && r.claims.is_empty();
     matches!(finding, Finding::Study(results) if results.trouble.is_some() && empty(results))
 }

@@ -7,9 +7,9 @@ use analysis::studies::simulate::{Grid, Simulate, simulate};
 use mechanics::asked::Asked;
 use mechanics::model::Times;
 use report::formula::{Form, Printer};
-use strutt::pipeline::{self, Finding, Machine, Phases};
-use strutt::studies::{self, Results};
-use strutt::{Failure, Source, Watch};
+use studies::Results;
+use studies::pipeline::{self, Finding, Machine, Phases};
+use studies::{Failure, Source, Watch};
 use symbolic::SymbolId;
 use words::{Language, Notice};
 
@@ -184,10 +184,10 @@ impl Command {
         };
         match self.verb.as_str() {
             "simulate" => self.simulate(&mut machine, claims),
-            "claims" => match strutt::claims::run(&mut machine, &mut Watch::default()) {
+            "claims" => match studies::claims::run(&mut machine, &mut Watch::default()) {
                 Some(finding) => Ok(match finding.trouble() {
                     Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
-                    None => Outcome::Fields { own: strutt::folder::own_fields(&finding).into(), data: finding.data().clone() },
+                    None => Outcome::Fields { own: studies::fields::own_fields(&finding).into(), data: finding.data().clone() },
                 }),
                 None => Err("the model has no claims".into()),
             },
@@ -250,8 +250,8 @@ impl Command {
         });
         let fails = claims.iter().any(|claim| matches!(claim, Claim::Fails { .. }));
         let outputs = if fails { None } else { Some(wanted.collect()) };
-        let events = strutt::plan::events(&machine.model, &machine.equations);
-        let pushes = strutt::plan::pushes(&machine.model, &machine.equations);
+        let events = studies::plan::events(&machine.model, &machine.equations);
+        let pushes = studies::plan::pushes(&machine.model, &machine.equations);
         let options = Simulate {
             grid: Grid::At(times.clone()),
             tolerance: self.tolerance,
@@ -284,7 +284,7 @@ impl Command {
                 Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
                 None => {
                     let data = finding.data().clone();
-                    let mut own = strutt::folder::own_fields(&finding);
+                    let mut own = studies::fields::own_fields(&finding);
                     let parameters: serde_json::Map<String, serde_json::Value> =
                         data.provenance.parameters.iter().map(|p| (p.quantity.name.clone(), p.value.into())).collect();
                     own.insert("parameters".into(), parameters.into());
@@ -362,7 +362,7 @@ impl Outcome {
             (Outcome::Closed { times, data, .. }, claim) => motion(times, data, claim),
             (Outcome::Machine(machine), claim) => equations(machine, claim),
             (Outcome::Section(section), Claim::Rest { name, expected, tolerance }) => {
-                let found = strutt::sections::property(section, name).ok_or_else(|| format!("no property `{name}`"))?;
+                let found = studies::sections::property(section, name).ok_or_else(|| format!("no property `{name}`"))?;
                 tolerance.check(name, found, *expected)
             }
             (Outcome::Study(results), claim) => study_claim(results, claim),

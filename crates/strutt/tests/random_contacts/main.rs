@@ -14,9 +14,9 @@ mod stepping;
 use mechanics::asked::Value;
 use scene::Impacts;
 use stepping::End;
-use strutt::pipeline::{self, Finding};
-use strutt::studies::simulate;
-use strutt::{Source, Watch};
+use studies::pipeline::{self, Finding};
+use studies::simulate;
+use studies::{Source, Watch};
 
 /// Scenes of a usual run.
 const SCENES: u64 = 40;

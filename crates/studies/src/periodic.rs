@@ -6,8 +6,7 @@ use super::{Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle,
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine, explained};
 use crate::plan;
-use crate::watch::Watch;
-use crate::wording::Word;
+use crate::watch::{Lap, Watch};
 use crate::{Failure, provenance};
 use analysis::studies::periodic::{Listener, Multiplier, Outcome, Periodic as Options, Regime, Return, Stage};
 use analysis::studies::simulate::Grid;
@@ -212,7 +211,7 @@ pub fn exact(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Find
         None => Ok((regime(machine, study, watch), None)),
         Some((name, wanted)) => tuned(machine, study, name, *wanted, watch),
     };
-    watch.lap(Word::TimeRun);
+    watch.lap(Lap::Run);
     checked(Finding::Study(Box::new(match found {
         Ok((outcome, tuning)) => results(machine, study, outcome, tuning),
         Err(trouble) => Results { kind: "periodic", heading: heading(), trouble: Some(trouble), ..Results::default() },

@@ -4,8 +4,8 @@
 //! its words. Whatever else is not finite overflowed on the way, and the study fails with S077. Least and greatest values that leave out a row belong to
 //! another quantity: S083.
 
+use crate::Results;
 use crate::pipeline::Finding;
-use crate::studies::Results;
 use analysis::Dataset;
 use words::Notice;
 

@@ -2,7 +2,7 @@
 //! nothing itself.
 
 use crate::pipeline::{Calculation, Finding, Phases};
-use crate::studies::simulate::Simulate;
+use crate::simulate::Simulate;
 use crate::wording::{Word as Say, say};
 use analysis::Dataset;
 use analysis::dataset::{Audit, Event, Extreme};
@@ -441,9 +441,9 @@ impl Writer<'_> {
         if files.is_empty() {
             return Vec::new();
         }
-        let download = |(name, label): &(String, Say)| Download {
+        let download = |(name, label): &(String, words::Text)| Download {
             name: name.clone(),
-            label: say(self.language, *label).into(),
+            label: self.language.text(label).into(),
             content: Content::Beside,
         };
         vec![self.heading(Word::Downloads), Block::Downloads(files.iter().map(download).collect())]
@@ -510,7 +510,7 @@ fn named_events(data: &Dataset, captions: bool, language: Language) -> Vec<Block
 }
 
 /// The results of a study, without plots.
-pub fn of_results(results: &crate::studies::Results, captions: bool, language: Language) -> Vec<Block> {
+pub fn of_results(results: &crate::Results, captions: bool, language: Language) -> Vec<Block> {
     let mut blocks = results.blocks(captions, language);
     blocks.extend(notes(&results.data, language));
     blocks.extend(events(&results.data, captions, language));

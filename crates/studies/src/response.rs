@@ -4,8 +4,7 @@ use super::keys::{GUESS, OUTPUTS};
 use super::{Alone, Found, Study};
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine};
-use crate::watch::Watch;
-use crate::wording::Word;
+use crate::watch::{Lap, Watch};
 use mechanics::asked::{Asked, Key, Kind, Takes};
 use symbolic::SymbolId;
 
@@ -105,7 +104,7 @@ impl Study for Forced {
     }
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let found = crate::small::response::find(machine, &Response::of(asked));
-        watch.lap(Word::TimeRun);
+        watch.lap(Lap::Run);
         Some(checked(Finding::Response(Box::new(found))))
     }
     fn alone(&self) -> Alone {

@@ -15,8 +15,8 @@ pub use show::{table, to_json};
 
 use crate::pipeline::{Finding, Machine};
 use crate::provenance;
-use crate::studies::{Results, Rows};
 use crate::watch::Watch;
+use crate::{Results, Rows};
 use analysis::{Dataset, Fault, Quantity, dataset::Column};
 use mechanics::model::ClaimKind;
 use words::Text;

@@ -2,10 +2,9 @@
 
 use super::Verdict;
 use super::laid::{Laid, output_name};
+use crate::equilibrium::Between;
+use crate::modes::Modes;
 use crate::pipeline::Machine;
-use crate::studies;
-use crate::studies::equilibrium::Between;
-use crate::studies::modes::Modes;
 use crate::watch::Watch;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use analysis::{Dataset, System};
@@ -72,8 +71,8 @@ fn rest(machine: &Machine, laid: &mut Laid, (resting, claims): (&[usize], &[Clai
     if resting.is_empty() {
         return;
     }
-    let asked = studies::of_file(machine, &["equilibrium"]).cloned().unwrap_or_default();
-    let finding = studies::equilibrium::places(&mut laid.machine, asked.guess(), Between::of(&asked), watch);
+    let asked = crate::of_file(machine, &["equilibrium"]).cloned().unwrap_or_default();
+    let finding = crate::equilibrium::places(&mut laid.machine, asked.guess(), Between::of(&asked), watch);
     if let Some(trouble) = finding.trouble() {
         return say(resting.iter().copied(), verdicts, &trouble.what);
     }
@@ -114,14 +113,14 @@ fn observed(laid: &mut Laid, data: &Dataset) -> Vec<Vec<f64>> {
 
 /// A natural frequency, as the study `modes` finds it.
 pub fn frequency(machine: &mut Machine, (mode, published): (usize, f64), verdict: &mut Verdict, watch: &mut Watch) {
-    let asked = studies::of_file(machine, &["modes"]).cloned().unwrap_or_default();
-    let finding = studies::modes::natural(machine, &Modes::of(&asked), watch);
+    let asked = crate::of_file(machine, &["modes"]).cloned().unwrap_or_default();
+    let finding = crate::modes::natural(machine, &Modes::of(&asked), watch);
     verdict.published = published;
     if let Some(trouble) = finding.trouble() {
         verdict.words = trouble.what.clone();
         return;
     }
-    let fields = crate::folder::own_fields(&finding);
+    let fields = crate::fields::own_fields(&finding);
     let found = fields.get("modes").and_then(|m| m.get(mode - 1)).and_then(|m| m.get("omega")).and_then(serde_json::Value::as_f64);
     verdict.value = found.unwrap_or(f64::NAN);
     if found.is_none() {

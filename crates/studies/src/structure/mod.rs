@@ -48,7 +48,7 @@ pub fn of(model: &Model) -> Option<&Structure> {
 }
 
 /// Natural oscillations of the structure; none when the model has none.
-pub fn modes(machine: &Machine, study: &crate::studies::modes::Modes) -> Option<Finding> {
+pub fn modes(machine: &Machine, study: &crate::modes::Modes) -> Option<Finding> {
     // with bodies on it the frame is part of the machine
     let structure = of(&machine.model).filter(|_| mount::is_bare(&machine.model))?;
     let found = match ignored(study) {
@@ -59,7 +59,7 @@ pub fn modes(machine: &Machine, study: &crate::studies::modes::Modes) -> Option<
 }
 
 /// A wish that has no meaning for a structure alone.
-fn ignored(study: &crate::studies::modes::Modes) -> Option<&'static str> {
+fn ignored(study: &crate::modes::Modes) -> Option<&'static str> {
     match study {
         study if study.over.is_some() => Some("over"),
         study if study.about_start => Some("about = \"start\""),

@@ -1,11 +1,11 @@
 //! The study `modes`: natural frequencies, shapes, the frequency equation, modes followed along a parameter.
 
+use crate::modes::{Modes as Study, ParameterRange, Scale};
 use crate::pipeline::Machine;
 use crate::provenance;
 use crate::small::equation::{self, FrequencyEquation};
 use crate::small::formulas::{self, Written};
 use crate::small::{Small, about_rest, about_start, timing_notes};
-use crate::studies::modes::{Modes as Study, ParameterRange, Scale};
 use analysis::dataset::{Column, Missing};
 use analysis::linear::Matrices;
 use analysis::rest::branch::Change;

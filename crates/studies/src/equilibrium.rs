@@ -5,8 +5,7 @@ use super::{Alone, Found, Given, Repeats, Study, overlaid};
 use crate::failure::Failure;
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine, explained};
-use crate::watch::Watch;
-use crate::wording::Word;
+use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
 use analysis::linear::LinearMachine;
 use analysis::rest::mean::Resting;
@@ -96,7 +95,7 @@ impl Study for Rest {
 /// Positions of equilibrium, from the start of the motion and from a guess, or all with a coordinate between two values.
 pub fn places(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>, watch: &mut Watch) -> Finding {
     let outcome = at_rest(machine, guess, over).unwrap_or_else(|fault| Outcome { dataset: Dataset::default(), fault: Some(fault) });
-    watch.lap(Word::TimeRun);
+    watch.lap(Lap::Run);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     checked(Finding::Equilibrium(data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
 }

@@ -6,8 +6,7 @@ use super::{Found, Given, Interrupts, Results, Rows, Study, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine, explained};
-use crate::watch::Watch;
-use crate::wording::Word;
+use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
 use analysis::marks::named::{Direction, Named};
 use analysis::studies::poincare::{Poincare, Section, poincare};
@@ -161,7 +160,7 @@ impl Study for SectionPoints {
         if let Err(trouble) = points(machine, asked, &mut results, watch) {
             results.trouble = Some(trouble);
         }
-        watch.lap(Word::TimeRun);
+        watch.lap(Lap::Run);
         Some(checked(Finding::Study(Box::new(results))))
     }
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {

@@ -5,8 +5,7 @@ use super::{Alone, Extra, Found, Given, Interrupts, Repeats, Study, overlaid};
 use crate::failure::{Failure, Misuse};
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine, explained};
-use crate::watch::Watch;
-use crate::wording::Word;
+use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
 use analysis::Dataset;
 use analysis::studies;
@@ -178,7 +177,7 @@ fn confirm(machine: &mut Machine, finding: Finding, watch: &mut Watch) -> Findin
         options.events = plan::events(&machine.model, &machine.equations);
         options.pushes = plan::pushes(&machine.model, &machine.equations);
         studies::simulate::confirm(&mut machine.system, &start, &mut options, &mut data);
-        watch.lap(Word::TimeRun);
+        watch.lap(Lap::Run);
     }
     Finding::Motion(study, data, trouble)
 }
@@ -198,7 +197,7 @@ pub fn with_works(machine: &mut Machine, study: &Simulate, works: &[String], wat
         Ok(start) => studies::simulate::simulate(&mut machine.system, &start, options),
         Err(fault) => Outcome { dataset: Dataset::default(), fault: Some(fault) },
     };
-    watch.lap(Word::TimeRun);
+    watch.lap(Lap::Run);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
     checked(Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
 }

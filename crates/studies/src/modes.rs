@@ -5,8 +5,7 @@ use super::keys::GUESS;
 use super::{Alone, Found, Study};
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine};
-use crate::watch::Watch;
-use crate::wording::Word;
+use crate::watch::{Lap, Watch};
 use mechanics::asked::{Asked, Choice, Key, Kind, Takes, Value};
 use mechanics::model::FrequencyVariable;
 use symbolic::SymbolId;
@@ -204,10 +203,10 @@ impl Study for Natural {
 /// Natural frequencies and shapes.
 pub fn natural(machine: &mut Machine, study: &Modes, watch: &mut Watch) -> Finding {
     if let Some(finding) = crate::structure::modes(machine, study) {
-        watch.lap(Word::TimeRun);
+        watch.lap(Lap::Run);
         return finding;
     }
     let found = crate::small::modes::find(machine, study);
-    watch.lap(Word::TimeRun);
+    watch.lap(Lap::Run);
     checked(Finding::Modes(Box::new(found)))
 }

@@ -7,8 +7,7 @@ use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine, explained};
 use crate::provenance;
 use crate::source::Source;
-use crate::watch::Watch;
-use crate::wording::Word;
+use crate::watch::{Lap, Watch};
 use analysis::dataset::{Column, Extreme, Missing};
 use analysis::studies::kinematics::{Observer, Place, Way, follow};
 use analysis::{Dataset, Quantity, System};
@@ -218,7 +217,7 @@ pub fn followed(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) ->
         ..Results::default()
     };
     fill(machine, study, &mut results);
-    watch.lap(Word::TimeRun);
+    watch.lap(Lap::Run);
     checked(Finding::Study(Box::new(results)))
 }
 

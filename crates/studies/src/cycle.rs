@@ -7,8 +7,7 @@ use crate::failure::{Failure, Misuse};
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine, explained};
 use crate::provenance;
-use crate::watch::Watch;
-use crate::wording::Word;
+use crate::watch::{Lap, Watch};
 use analysis::studies::cycle::{Balance, Cycle as Options, Running, cycle};
 use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Way};
 use mechanics::model::Plot;
@@ -189,7 +188,7 @@ pub fn balanced(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Find
     if let Err(trouble) = fill(machine, study, &mut results) {
         results.trouble = Some(trouble);
     }
-    watch.lap(Word::TimeRun);
+    watch.lap(Lap::Run);
     checked(Finding::Study(Box::new(results)))
 }
 

@@ -2,13 +2,12 @@
 
 use crate::document::{self, Extent};
 use crate::failure::Failure;
+use crate::simulate::Simulate;
 use crate::small::modes::ModesFound;
 use crate::small::response::ResponseFound;
 use crate::source::Source;
-use crate::studies::simulate::Simulate;
-use crate::studies::{self, Origin, Results};
-use crate::watch::Watch;
-use crate::wording::Word;
+use crate::watch::{Lap, Watch};
+use crate::{Origin, Results};
 use crate::{guards, provenance};
 use analysis::Dataset;
 use analysis::dataset::Audit;
@@ -19,7 +18,7 @@ use mechanics::derive::Detail;
 use report::Document;
 use report::formula::{Form, Printer};
 use symbolic::Equations;
-use words::{Language, Notice};
+use words::{Language, Notice, Text};
 
 /// A machine ready for studies.
 #[derive(Clone, Debug)]
@@ -91,7 +90,7 @@ pub struct Calculation {
     /// Results in the order of the studies.
     pub findings: Vec<Finding>,
     /// Files beside the page: name and what it is.
-    pub files: Vec<(String, Word)>,
+    pub files: Vec<(String, Text)>,
 }
 
 /// From a file to all results.
@@ -127,15 +126,15 @@ pub fn build(source: &Source, overrides: &[(String, String)], watch: &mut Watch)
 /// Findings about the model.
 pub fn build_in(source: &Source, overrides: &[(String, String)], detail: Detail, watch: &mut Watch) -> Result<Machine, Failure> {
     let findings = |diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics };
-    let mut reading = studies::read(source, overrides).map_err(findings)?;
+    let mut reading = crate::read(source, overrides).map_err(findings)?;
     reading.warnings.extend(crate::letters::printed_alike(&reading.model));
     reading.warnings.extend(crate::structure::mount::mount(&mut reading.model)?);
-    watch.lap(Word::TimeRead);
+    watch.lap(Lap::Read);
     let mut equations = mechanics::derive::derive_in(&reading.model, detail).map_err(findings)?;
     number(&reading.model, &mut equations).map_err(Notice::from)?;
-    watch.lap(Word::TimeDerive);
+    watch.lap(Lap::Derive);
     let system = lower(&equations).map_err(Notice::from)?;
-    watch.lap(Word::TimeLower);
+    watch.lap(Lap::Lower);
     let origin = Origin { source: source.clone(), overrides: overrides.to_vec() };
     Ok(Machine { model: reading.model, warnings: reading.warnings, equations, system, model_hash: source.hash(overrides), origin })
 }
@@ -162,7 +161,7 @@ pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault
 
 /// One study of the file; none where it computes no numbers.
 pub fn study(machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Option<Finding> {
-    studies::find(asked.kind)?.run(machine, asked, watch)
+    crate::find(asked.kind)?.run(machine, asked, watch)
 }
 
 /// A fault with the expression that failed in the user's symbols.

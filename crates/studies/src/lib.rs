@@ -6,36 +6,60 @@
 // a study fails once: what it says may be large
 #![allow(clippy::result_large_err)]
 
+pub mod claims;
+pub mod contacts;
 pub mod cycle;
+pub mod document;
 pub mod equations;
 pub mod equilibrium;
+pub mod failure;
+pub mod fields;
+pub mod finite;
+pub mod frictions;
+pub mod guards;
 pub mod inverse;
 mod keys;
 pub mod kinematics;
+mod letters;
 pub mod modes;
 mod origin;
 pub mod periodic;
+pub mod phases;
+pub mod pipeline;
+pub mod plan;
 pub mod poincare;
+mod provenance;
 pub mod response;
 mod results;
 mod section;
+pub mod sections;
 pub mod simulate;
+pub mod small;
+pub mod source;
 pub mod statics;
+mod strands;
+pub mod structure;
 pub mod sweep;
 pub mod transient;
+pub mod watch;
+pub mod wording;
 
+pub use failure::Failure;
 pub use origin::{Binding, Origin};
 pub use results::{Fact, Results, Rows};
+pub use source::Source;
+pub use watch::Watch;
 
-use crate::failure::{Failure, Misuse};
+use crate::failure::Misuse;
 use crate::pipeline::{Finding, Machine};
-use crate::source::Source;
-use crate::watch::Watch;
 use mechanics::Reading;
 use mechanics::asked::{Asked, Key, Kind, Kinds, Value};
 use std::sync::LazyLock;
 use words::explain::Explanation;
 use words::{Notice, Text};
+
+/// Version of strutt.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Every study, in the order of help and reference.
 pub static TABLE: &[&dyn Study] = &[

@@ -1,8 +1,8 @@
 //! From what is asked to the options of `analysis`: columns, times, events, ranges.
 
+use crate::equilibrium::Between;
 use crate::failure::{Failure, Misuse};
-use crate::studies::equilibrium::Between;
-use crate::studies::simulate::Simulate;
+use crate::simulate::Simulate;
 use crate::watch::Watch;
 use analysis::marks::named::{Direction, Named};
 use analysis::marks::pushes::{Beyond, Push};

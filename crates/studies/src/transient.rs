@@ -6,8 +6,7 @@ use super::{Alone, Extra, Found, Given, Interrupts, Repeats, Study};
 use crate::failure::Failure;
 use crate::finite::checked;
 use crate::pipeline::{Finding, Machine, Phases};
-use crate::watch::Watch;
-use crate::wording::Word;
+use crate::watch::{Lap, Watch};
 use crate::{phases, plan, provenance};
 use analysis::Dataset;
 use analysis::studies::simulate::Outcome;
@@ -97,7 +96,7 @@ pub fn closed_form(machine: &mut Machine, study: &Transient, watch: &mut Watch) 
         Ok(start) => analysis::studies::transient::transient(&mut machine.system, &machine.equations, &start, options),
         Err(fault) => Closed { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },
     };
-    watch.lap(Word::TimeRun);
+    watch.lap(Lap::Run);
     let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
     let trouble = found.outcome.fault.map(Notice::from);
     let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations), restarts: machine.model.restarts.clone() };

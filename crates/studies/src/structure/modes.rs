@@ -4,7 +4,7 @@ use super::bind::{Bound, Factor, Numbers, bind};
 use super::compare::Level;
 use super::equation;
 use super::rayleigh::Reduced as Reduction;
-use crate::studies::modes::{Modes as Study, Scale};
+use crate::modes::{Modes as Study, Scale};
 use analysis::studies::structure_modes::{self, Modes, Normalise, StructureModes};
 use mechanics::Model;
 use mechanics::model;

@@ -8,9 +8,8 @@ use super::{Found, Given, Interrupts, Repeats, Results, Rows, Study, TABLE, find
 use crate::failure::{Failure, Misuse};
 use crate::finite::checked;
 use crate::pipeline::{self, Finding, Machine};
-use crate::watch::Watch;
-use crate::wording::Word;
-use crate::{folder, provenance};
+use crate::watch::{Lap, Watch};
+use crate::{fields, provenance};
 use analysis::dataset::{Audit, Column, Missing};
 use analysis::reduce::{NAMES, Reduction, reduce};
 use analysis::{Dataset, Quantity};
@@ -180,7 +179,7 @@ pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Find
             results.trouble = Some(trouble);
         }
     }
-    watch.lap(Word::TimeRun);
+    watch.lap(Lap::Run);
     checked(Finding::Study(Box::new(results)))
 }
 
@@ -500,7 +499,7 @@ fn number(finding: &Finding, wanted: &Wanted) -> Result<(f64, Option<Quantity>),
             found => (found.unwrap_or(f64::NAN), None),
         },
         Wanted::Field(path) => {
-            let fields = Value::Object(folder::own_fields(finding));
+            let fields = Value::Object(fields::own_fields(finding));
             let described = match finding {
                 Finding::Study(results) => results.facts.iter().find(|f| f.quantity.name == *path).map(|f| f.quantity.clone()),
                 _ => None,

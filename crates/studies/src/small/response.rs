@@ -2,9 +2,9 @@
 
 use crate::pipeline::Machine;
 use crate::provenance;
+use crate::response::Response as Study;
 use crate::small::load::{self, Meant};
 use crate::small::{Small, about_rest, timing_notes};
-use crate::studies::response::Response as Study;
 use analysis::System;
 use analysis::dataset::Audit;
 use analysis::dataset::{Column, Missing};
