@@ -49,7 +49,7 @@ pub fn certify(k: &Sparse, m: &Sparse, modes: &Modes, wanted: usize) -> Result<C
     let (factor, shift) = positive(k, m, &mut Default::default())?;
     let masses = Factored::new(m, None)?;
     let masses = masses.defect().is_none().then_some(masses);
-    let residuals = (0..wanted).map(|j| residual(k, m, modes, j, (&factor, shift), masses.as_ref())).collect();
+    let residuals = (0..wanted).map(|j| residual((k, m), modes, j, (&factor, shift), masses.as_ref())).collect();
     let limits = limits(&modes.values, wanted, shift, modes.n);
     let count = limits.into_iter().find_map(|(limit, expected)| Some((expected, below(k, m, limit, &factor)?)));
     Ok(Certificate { residuals, count })
@@ -67,7 +67,7 @@ fn below(k: &Sparse, m: &Sparse, limit: f64, plan: &Factored) -> Option<usize> {
 }
 
 /// The smaller of both bounds, relative to the distance from the shift.
-fn residual(k: &Sparse, m: &Sparse, modes: &Modes, j: usize, (factor, shift): (&Factored, f64), masses: Option<&Factored>) -> f64 {
+fn residual((k, m): (&Sparse, &Sparse), modes: &Modes, j: usize, (factor, shift): (&Factored, f64), masses: Option<&Factored>) -> f64 {
     let (x, value) = (modes.shape(j), modes.values[j]);
     let rest = k.defect(m, value, x);
     let length = dot(x, &m.product(x)).max(0.0).sqrt();

@@ -221,13 +221,13 @@ impl<'a> Search<'a> {
             }
         }
         for (c, own) in coefficients.iter_mut().enumerate() {
-            self.append_one(&mut block, &mut masses, c, before[c], own);
+            self.append_one((&mut block, &mut masses), c, before[c], own);
         }
         coefficients.iter_mut().for_each(|c| c.truncate(self.size));
     }
 
     /// The c-th vector of a block: orthogonal to the new ones before it, then of length 1.
-    fn append_one(&mut self, block: &mut [f64], masses: &mut [f64], c: usize, before: f64, coefficients: &mut [f64]) {
+    fn append_one(&mut self, (block, masses): (&mut [f64], &mut [f64]), c: usize, before: f64, coefficients: &mut [f64]) {
         let n = self.n;
         let first_waiting = self.size - self.waiting.len() / n;
         let (own, own_masses) = (&mut block[c * n..(c + 1) * n], &mut masses[c * n..(c + 1) * n]);
@@ -341,7 +341,7 @@ impl<'a> Search<'a> {
         let mut coefficients = vec![0.0; count + 1];
         for j in 0..count {
             let before = kernels::dot(&inverse[j * n..][..n], &masses[j * n..][..n]).max(0.0).sqrt();
-            self.append_one(&mut inverse, &mut masses, j, before, &mut coefficients);
+            self.append_one((&mut inverse, &mut masses), j, before, &mut coefficients);
         }
         self.counters.basis = ritz.size;
         if self.size < count {

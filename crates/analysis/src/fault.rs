@@ -355,21 +355,25 @@ impl Fault {
         })
     }
 
-    /// Equilibrium that needs a rope to push or a contact to pull.
-    pub fn wrong_side(name: &str, value: f64, unit: &str, tie: bool) -> Fault {
+    /// Equilibrium that needs a rope to push.
+    pub fn rope_pushes(name: &str, value: f64, unit: &str) -> Fault {
+        Fault::wrong_side((name, value, unit), Text::new("a rope cannot push", "нить не может толкать"))
+    }
+
+    /// Equilibrium that needs a contact to pull.
+    pub fn contact_pulls(name: &str, value: f64, unit: &str) -> Fault {
+        Fault::wrong_side((name, value, unit), Text::new("a contact cannot pull", "контакт не может тянуть"))
+    }
+
+    fn wrong_side((name, value, unit): (&str, f64, &str), why: Text) -> Fault {
         let (n, unit) = (rounded(value), Text::unit(unit));
-        let (en, ru) = if tie {
-            ("a rope cannot push", "нить не может толкать")
-        } else {
-            ("a contact cannot pull", "контакт не может тянуть")
-        };
         Fault::new(Message {
             code: "S062",
             what: Text::new(
                 format!("equilibrium needs {name} = {} {}", n.en, unit.en),
                 format!("для равновесия требуется {name} = {} {}", n.ru, unit.ru),
             ),
-            why: Text::new(en, ru),
+            why,
             help: Text::new(
                 "the structure does not rest like this: change the loads or the place of the connection, or use a rod, which also pushes",
                 "в таком положении конструкция не покоится: измените нагрузки или место связи либо примените стержень, который может и толкать",

@@ -505,7 +505,7 @@ impl System for Machine {
         Ok(())
     }
 
-    fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode], residuals: &mut [f64]) -> bool {
+    fn second(&mut self, (t, x): (f64, &[f64]), accelerations: &[f64], modes: &[Mode], residuals: &mut [f64]) -> bool {
         self.observing.set(modes, &self.bound);
         if self.take_accelerations(t, x, accelerations).is_err() {
             return false;

@@ -500,7 +500,7 @@ pub trait System {
     }
 
     /// Residuals of the second derivation at (t, x) with given accelerations, linear in these; false when there is no second derivation.
-    fn second(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode], residuals: &mut [f64]) -> bool {
+    fn second(&mut self, (t, x): (f64, &[f64]), accelerations: &[f64], modes: &[Mode], residuals: &mut [f64]) -> bool {
         let _ = (t, x, accelerations, modes, residuals);
         false
     }

@@ -7,7 +7,7 @@ use analysis::integrate::stiff::Method;
 use analysis::integrate::taylor::{Flow, Options};
 use analysis::studies::equilibrium::{Equilibrium, equilibrium};
 use analysis::studies::simulate::{Grid, Outcome, Simulate, simulate};
-use symbolic::{Expr, Function, Graph, Rational};
+use symbolic::{Edge, Expr, Function, Graph, Rational};
 
 /// phi(30 s) of card P3 at m = 0.01 kg.
 const TURNED: f64 = 5133.26080494;
@@ -63,7 +63,7 @@ fn equilibrium_lies_on_the_active_branch_of_a_switch() {
         let beyond = g.sub(x, gap);
         let pull = g.mul(hundred, beyond);
         let zero = g.zero();
-        let spring = g.switch(beyond, true, pull, zero);
+        let spring = g.switch(beyond, Edge::Open, pull, zero);
         (one, g.add(spring, one))
     });
     // from beyond the gap Newton finds 0.1 + 1/100; inside the gap nothing resists

@@ -119,19 +119,11 @@ impl Tangent {
                 self.add(-y / square, *b);
             }
             Operation::SinCos(a) => {
-                let cosine = self.values.value(Register(instruction.into.0 + 1));
-                self.add(cosine, *a);
-                self.put(into);
-                self.add(-own, *a);
-                self.put(into + 1);
+                self.pair(instruction.into, *a, -own);
                 return Ok(());
             }
             Operation::SinhCosh(a) => {
-                let cosh = self.values.value(Register(instruction.into.0 + 1));
-                self.add(cosh, *a);
-                self.put(into);
-                self.add(own, *a);
-                self.put(into + 1);
+                self.pair(instruction.into, *a, own);
                 return Ok(());
             }
             Operation::Choose { by, sides } => {
@@ -139,6 +131,29 @@ impl Tangent {
                     self.add(1.0, sides[mode.side()]);
                 }
             }
+            Operation::Solve { .. } | Operation::System { .. } => {
+                self.solved(instruction);
+                return Ok(());
+            }
+        }
+        self.put(into);
+        Ok(())
+    }
+
+    /// A function beside its derivative, whose own derivative is `second`.
+    fn pair(&mut self, first: Register, of: Register, second: f64) {
+        let into = first.index();
+        let slope = self.values.value(Register(first.0 + 1));
+        self.add(slope, of);
+        self.put(into);
+        self.add(second, of);
+        self.put(into + 1);
+    }
+
+    /// Unknowns of a linear system, whose rows are put at once.
+    fn solved(&mut self, instruction: &Instruction) {
+        let into = instruction.into.index();
+        match &instruction.operation {
             Operation::Solve { matrix, right } => {
                 let values = &self.values;
                 self.factor.load(right.len(), matrix.iter().map(|r| r.map_or(0.0, |r| values.value(r))));
@@ -147,7 +162,6 @@ impl Tangent {
                     let place = |i: usize, j: usize| matrix[if i >= j { i * (i + 1) / 2 + j } else { j * (j + 1) / 2 + i }];
                     self.system(into, right, &place, &|t: &mut Tangent, b: &mut [f64]| t.factor.solve(b));
                 }
-                return Ok(());
             }
             Operation::System { matrix, right, spare } => {
                 let values = &self.values;
@@ -156,11 +170,9 @@ impl Tangent {
                     let n = right.len();
                     self.system(into, right, &|i, j| matrix[i * n + j], &|t: &mut Tangent, b: &mut [f64]| t.general.solve_refined(b));
                 }
-                return Ok(());
             }
+            _ => {}
         }
-        self.put(into);
-        Ok(())
     }
 
     /// A x' = b' - A' x, column by column.

@@ -22,7 +22,8 @@ pub fn verify(tape: &Tape) -> Result<(), Fault> {
             return Err(place("register out of sequence"));
         }
         check_operands(instruction).map_err(place)?;
-        check_section(instruction, position < tape.prologue.len(), constants).map_err(place)?;
+        let part = if position < tape.prologue.len() { Part::Prologue } else { Part::Body };
+        check_section(instruction, part, constants).map_err(place)?;
         check_slots(tape, instruction).map_err(place)?;
         next += instruction.operation.width();
     }
@@ -45,7 +46,15 @@ fn check_operands(instruction: &Instruction) -> Broken {
     if early { Err("operand is read before it is written") } else { Ok(()) }
 }
 
-fn check_section(instruction: &Instruction, prologue: bool, constants: usize) -> Broken {
+/// The parts of a tape: what no state changes, and the rest.
+#[derive(Clone, Copy, PartialEq)]
+enum Part {
+    Prologue,
+    Body,
+}
+
+fn check_section(instruction: &Instruction, part: Part, constants: usize) -> Broken {
+    let prologue = part == Part::Prologue;
     let state = matches!(
         instruction.operation,
         Operation::Time

@@ -99,7 +99,7 @@ fn connected(steps: &[(u8, usize, usize)]) -> (Bound, usize) {
     let sliding = g.add(v, quarter);
     let rail = connection(&mut e, "rail", place, 1);
     let normal = Normal { constant: a, terms: vec![(rail, factor)] };
-    let rubbing = friction(&mut e, "rail", sliding, [kinetic, fixed], fixed, Some(normal));
+    let rubbing = friction(&mut e, "rail", sliding, ([kinetic, fixed], fixed), Some(normal));
     for (i, c) in e.conditions.clone().iter().enumerate() {
         let mut terms = vec![c.remainder];
         for (j, entry) in &c.columns {

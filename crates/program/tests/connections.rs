@@ -181,7 +181,7 @@ fn held_parts_pass_their_rest_on_exactly() {
     let mut e = atwood(3.0, 2.0);
     let v = e.graph.symbol(e.coordinates[1].symbols[1]);
     let fifty = e.graph.int(50);
-    friction(&mut e, "brake", v, [fifty, fifty], fifty, None);
+    friction(&mut e, "brake", v, ([fifty, fifty], fifty), None);
     let mut bound = bind(&e);
     let modes = bound.modes(0.0, &[1.0, 2.0, 0.0, 0.0]).unwrap();
     let rates = bound.rates(0.0, &[1.0, 2.0, 0.0, 0.0], &modes).unwrap();
@@ -232,7 +232,7 @@ fn pressed(pull: f64) -> Equations {
     e.force = vec![f, e.graph.sub(p, weight)];
     let floor = connection(&mut e, "floor", y, 1);
     let normal = Normal { constant: e.graph.zero(), terms: vec![(floor, e.graph.one())] };
-    friction(&mut e, "floor", v, [mu, mu], mu_0, Some(normal));
+    friction(&mut e, "floor", v, ([mu, mu], mu_0), Some(normal));
     e
 }
 
@@ -276,7 +276,7 @@ fn friction_pressed_by_a_support_joins_the_balances() {
     let wall = reaction(&mut e, "force_z(floor)", vec![], Law::Support);
     let one = e.graph.one();
     let normal = Normal { constant: e.graph.zero(), terms: vec![(floor, one)] };
-    friction(&mut e, "floor", v, [mu, mu], mu, Some(normal));
+    friction(&mut e, "floor", v, ([mu, mu], mu), Some(normal));
     let weight = e.graph.mul(m, g);
     let rest = e.graph.neg(weight);
     let (half, zero) = (e.graph.number(ratio(1, 2)), e.graph.zero());
@@ -371,8 +371,8 @@ fn frictions_of_one_speed_stick_and_slide_together() {
         let (_, v) = coordinate(&mut e, "x");
         masses(&mut e, &[m]);
         e.force = vec![f];
-        friction(&mut e, "first", v, [k, k], a, None);
-        friction(&mut e, "second", v, [k, a], b, None);
+        friction(&mut e, "first", v, ([k, k], a), None);
+        friction(&mut e, "second", v, ([k, a], b), None);
         for special in [false, true] {
             let mut bound = bind(&e);
             if special {
@@ -407,9 +407,9 @@ fn brakes_of_different_radii_stick_and_slide_together() {
     let (fast, slow) = (e.graph.mul(big, w), e.graph.mul(small, w));
     let back = e.graph.neg(slow);
     let (half_a, half_b) = (e.graph.mul(k, a), e.graph.mul(k, b));
-    friction(&mut e, "bearing", w, [own, own], own, None);
-    friction(&mut e, "rim", fast, [half_a, a], a, None);
-    friction(&mut e, "hub", back, [half_b, b], b, None);
+    friction(&mut e, "bearing", w, ([own, own], own), None);
+    friction(&mut e, "rim", fast, ([half_a, a], a), None);
+    friction(&mut e, "hub", back, ([half_b, b], b), None);
     for special in [false, true] {
         let mut bound = bind(&e);
         if special {
@@ -439,7 +439,7 @@ fn modes_are_known_where_the_reactions_are_not() {
     let fifty = e.graph.int(50);
     for i in 0..2 {
         let v = e.graph.symbol(e.coordinates[i].symbols[1]);
-        friction(&mut e, &format!("brake {i}"), v, [fifty, fifty], fifty, None);
+        friction(&mut e, &format!("brake {i}"), v, ([fifty, fifty], fifty), None);
     }
     let mut bound = bind(&e);
     let modes = bound.modes(0.0, &[1.0, 2.0, 0.0, 0.0]).unwrap();

@@ -4,7 +4,7 @@ mod common;
 use common::*;
 use program::{Bound, Mode, lower};
 use std::sync::Arc;
-use symbolic::{Equations, Expr, Function, Graph};
+use symbolic::{Edge, Equations, Expr, Function, Graph};
 
 fn bind(e: &Equations) -> Bound {
     let program = Arc::new(lower::equations(e).unwrap());
@@ -260,7 +260,7 @@ fn inactive_branch_does_not_poison_and_guard_polynomial_is_exact() {
     let zero = e.graph.zero();
     let rest = e.graph.sub(one, t);
     let root = e.graph.sqrt(rest);
-    let rate = e.graph.switch(rest, false, root, zero);
+    let rate = e.graph.switch(rest, Edge::Closed, root, zero);
     auxiliary(&mut e, "s", rate);
     let mut bound = bind(&e);
     assert_eq!(bound.scheduled(), vec![(0, 1.0)]);

@@ -5,7 +5,7 @@ use common::*;
 use program::{Bound, Evaluator, Mode, Operation, Point, Tape, lower, text};
 use proptest::prelude::*;
 use std::sync::Arc;
-use symbolic::{Expr, Function, Graph, SymbolId};
+use symbolic::{Edge, Expr, Function, Graph, SymbolId};
 
 /// A recipe for a random expression over p (parameter), t, x, y.
 #[derive(Clone, Debug)]
@@ -71,7 +71,7 @@ fn build(g: &mut Graph, symbols: &[SymbolId], r: &Recipe) -> Expr {
         }
         Recipe::If(c, s, x, y) => {
             let (c, x, y) = (build(g, symbols, c), build(g, symbols, x), build(g, symbols, y));
-            g.switch(c, *s, x, y)
+            g.switch(c, if *s { Edge::Open } else { Edge::Closed }, x, y)
         }
     }
 }
@@ -91,12 +91,12 @@ fn direct(g: &Graph, values: &[f64], e: Expr) -> f64 {
         Node::Sum { constant, terms } => terms.iter().fold(constant.to_f64(), |s, (t, f)| s + f.to_f64() * at(t)),
         Node::Product { coefficient, factors } => factors.iter().fold(coefficient.to_f64(), |p, (b, x)| p * power(at(b), x)),
         Node::Power { base, exponent } => at(base).powf(at(exponent)),
-        Node::Switch { guard, strict, then, otherwise } => {
+        Node::Switch { guard, edge, then, otherwise } => {
             let v = at(guard);
             if v.is_nan() {
                 return v;
             }
-            if v > 0.0 || !strict && v == 0.0 { at(then) } else { at(otherwise) }
+            if v > 0.0 || *edge == symbolic::Edge::Closed && v == 0.0 { at(then) } else { at(otherwise) }
         }
         Node::Call { function, arguments } => {
             let x = at(&arguments[0]);
@@ -223,7 +223,7 @@ fn guards_are_shared_up_to_sign_and_scale() {
     let abs = e.graph.call(Function::Abs, &[s]);
     let minus = e.graph.scale(s, &ratio(-2, 1));
     let (one, two) = (e.graph.int(1), e.graph.int(2));
-    let branch = e.graph.switch(minus, true, one, two);
+    let branch = e.graph.switch(minus, Edge::Open, one, two);
     let rate = e.graph.sum(&[sign, abs, branch]);
     auxiliary(&mut e, "s", rate);
     output(&mut e, "o", rate);
@@ -252,7 +252,7 @@ fn nested_guard_is_active_only_in_its_branch() {
     let (one, zero) = (e.graph.one(), e.graph.zero());
     let outer = e.graph.sub(t, one);
     let sign = e.graph.call(Function::Sign, &[s]);
-    let rate = e.graph.switch(outer, false, sign, zero);
+    let rate = e.graph.switch(outer, Edge::Closed, sign, zero);
     auxiliary(&mut e, "s", rate);
     let p = Arc::new(lower::equations(&e).unwrap());
     let bound = Bound::new(&p, &[]).unwrap();

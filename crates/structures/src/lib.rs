@@ -14,7 +14,7 @@
 //! [`faults`], [`matrices`] (what can be wrong, in words).
 
 // the same bits on every machine: see clippy.toml
-#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
 pub mod assembly;
 pub mod constraints;

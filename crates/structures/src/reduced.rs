@@ -60,8 +60,16 @@ pub fn quantity<S>(d: &Displacement<S>) -> Quantity {
     Quantity { symbol: d.symbol.clone(), label: d.label.clone(), ..Quantity::new(&d.name, unit) }
 }
 
-/// Independent freedoms that stay when turns are condensed.
-fn masters<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, turns: bool, massive: &[bool]) -> Vec<usize> {
+/// What becomes of turns without inertia.
+#[derive(Clone, Copy, PartialEq)]
+enum Turns {
+    Kept,
+    Condensed,
+}
+
+/// Independent freedoms that stay.
+fn masters<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, turns: Turns, massive: &[bool]) -> Vec<usize> {
+    let turns = turns == Turns::Condensed;
     let mut firm = vec![false; assembly.freedoms.meaning.len()];
     for part in assembly.freedoms.parts.iter().filter(|p| matches!(frame.rods[p.rod].kind, RodKind::Rigid)) {
         [2, 5].into_iter().for_each(|k| firm[part.freedoms[k]] = true);
@@ -90,11 +98,11 @@ pub fn reduce<S: Scalar>(frame: &Frame<S>, assembly: &Assembly<S>, condensation:
     }
     let divided = frame.rods.iter().any(|r| r.divisions > 1);
     let turns = match condensation {
-        Condensation::Automatic => !divided,
-        Condensation::Turns => true,
-        Condensation::Massless => false,
+        Condensation::Automatic if divided => Turns::Kept,
+        Condensation::Massless => Turns::Kept,
+        Condensation::Automatic | Condensation::Turns => Turns::Condensed,
     };
-    let all = masters(frame, assembly, false, &massive);
+    let all = masters(frame, assembly, Turns::Kept, &massive);
     let mut keep = masters(frame, assembly, turns, &massive);
     if keep.is_empty() {
         keep = all.clone();

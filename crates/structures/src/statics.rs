@@ -196,7 +196,7 @@ impl<S: Scalar> Statics<S> {
                 let pieces = if carried.distributed.is_empty() { 1 } else { between + 1 };
                 for k in 0..=pieces {
                     let x = from.add(&cut.sub(&from).mul(&S::ratio(k as i64, pieces as i64)));
-                    let mut station = self.section(i, carried, &x, passed, &part.length);
+                    let mut station = self.section(i, carried, (&x, &part.length), passed);
                     station.s = part.from.add(&x);
                     if out.last() != Some(&station) {
                         out.push(station);
@@ -208,8 +208,8 @@ impl<S: Scalar> Statics<S> {
         out
     }
 
-    /// Section forces of a part at x behind the first `passed` concentrated loads (by distance).
-    fn section(&self, i_part: usize, carried: &Carried<S>, x: &S, passed: usize, length: &S) -> Station<S> {
+    /// Section forces of a part at x of its length behind the first `passed` concentrated loads (by distance).
+    fn section(&self, i_part: usize, carried: &Carried<S>, (x, length): (&S, &S), passed: usize) -> Station<S> {
         let e = &self.ends[i_part];
         let mut normal = e[0].neg();
         let mut shear = e[1].clone();
@@ -250,7 +250,7 @@ impl Statics<f64> {
             let mut from = 0.0;
             for (passed, cut) in cuts.into_iter().enumerate() {
                 for x in self.turning(i, [from, cut], passed, part.length) {
-                    let mut station = self.section(i, &self.carried[i], &x, passed, &part.length);
+                    let mut station = self.section(i, &self.carried[i], (&x, &part.length), passed);
                     station.s = part.from + x;
                     let at = out.partition_point(|s| s.s <= station.s);
                     let near = |s: &Station<f64>| (s.s - station.s).abs() <= 1e-12 * part.length;
@@ -270,7 +270,7 @@ impl Statics<f64> {
         let sum = |end: usize| carried.distributed.iter().map(|q| q[end][1]).sum::<f64>();
         let slope = (sum(1) - sum(0)) / length;
         let here = sum(0) + slope * from;
-        let shear = self.section(i_part, carried, &from, passed, &length).shear;
+        let shear = self.section(i_part, carried, (&from, &length), passed).shear;
         let mut steps = vec![-here / slope];
         // V + q s + q' s²/2 = 0, the form without cancellation
         let root = here * here - 2.0 * slope * shear;

@@ -135,7 +135,7 @@ fn section(frame: &Frame<f64>, assembly: &Assembly<f64>, statics: &Statics<f64>,
                 continue;
             }
             let about = meeting(frame, second, third);
-            let found = equation(frame, assembly, statics, &cut, &nodes, about);
+            let found = equation(frame, assembly, statics, (&cut, &nodes), about);
             if found.is_some() {
                 return found;
             }
@@ -181,8 +181,7 @@ fn equation(
     frame: &Frame<f64>,
     assembly: &Assembly<f64>,
     statics: &Statics<f64>,
-    cut: &[usize; 3],
-    nodes: &[usize],
+    (cut, nodes): (&[usize; 3], &[usize]),
     about: Option<[f64; 2]>,
 ) -> Option<Section> {
     // coefficient of a force along x (k = 0) or y at a place

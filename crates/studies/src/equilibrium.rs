@@ -124,7 +124,7 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
         return Err(fault);
     }
     crate::small::add_roots(machine, &mut outcome.dataset);
-    analysis::rest::observed::add(&equations, &numbers_of(&equations), timing.frozen, &mut outcome.dataset);
+    analysis::rest::observed::add(&equations, &numbers_of(&equations), timing, &mut outcome.dataset);
     outcome.dataset.notes.extend(crate::small::timing_notes(timing));
     outcome.dataset.notes.extend(crate::small::unknown_notes(machine));
     Ok(outcome)

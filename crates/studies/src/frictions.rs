@@ -3,7 +3,7 @@
 use report::formula::{Form, Printer};
 use symbolic::connections::{Friction, Law, Normal};
 use symbolic::equations::Equality;
-use symbolic::{Equations, Expr, Function, Graph, SymbolId};
+use symbolic::{Edge, Equations, Expr, Function, Graph, SymbolId};
 
 /// Two lines a friction: λ = μ |N| sign v while it slides, |λ| ≤ μ₀ |N| while it sticks. Nothing when the equations are not shown.
 pub fn laws(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
@@ -30,7 +30,7 @@ fn law(equations: &Equations, graph: &mut Graph, friction: &Friction, symbol: Sy
         graph.mul(forth, sign)
     } else {
         let against = graph.neg(back);
-        graph.switch(friction.sliding, true, forth, against)
+        graph.switch(friction.sliding, Edge::Open, forth, against)
     };
     let force = graph.symbol(symbol);
     let limit = graph.mul(friction.fixed, size);

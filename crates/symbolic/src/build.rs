@@ -5,7 +5,7 @@
 //! positive; odd and even functions carry no leading minus; multiples of π/2 are shifted out of sines and cosines. Nothing else is
 //! expanded: `k (a - b)` and `(l - x)^2` stay as the user wrote them.
 
-use crate::{Expr, Function, Graph, Node, Rational, SymbolId};
+use crate::{Edge, Expr, Function, Graph, Node, Rational, SymbolId};
 
 impl Graph {
     /// An exact number.
@@ -426,15 +426,15 @@ impl Graph {
         }
     }
 
-    /// `then` where guard >= 0 (or guard > 0 when `strict`), else `otherwise`.
-    pub fn switch(&mut self, guard: Expr, strict: bool, then: Expr, otherwise: Expr) -> Expr {
+    /// `then` on the side of the guard above its edge, else `otherwise`.
+    pub fn switch(&mut self, guard: Expr, edge: Edge, then: Expr, otherwise: Expr) -> Expr {
         if then == otherwise {
             return then;
         }
         if let Some(r) = self.as_number(guard) {
-            return if r.is_negative() || strict && r.is_zero() { otherwise } else { then };
+            return if r.is_negative() || edge == Edge::Open && r.is_zero() { otherwise } else { then };
         }
-        self.intern(Node::Switch { guard, strict, then, otherwise })
+        self.intern(Node::Switch { guard, edge, then, otherwise })
     }
 }
 

@@ -3,7 +3,7 @@
 //! One rule serves partial and total derivatives: a derivation D is known on symbols, and on everything else by linearity, the product
 //! rule and the chain rule. ∂/∂q is the derivation with D q = 1 and D of all other symbols 0; d/dt has D t = 1, D q = q', D q' = q''.
 
-use crate::{Expr, Function, Graph, Node, Rational, SymbolId};
+use crate::{Edge, Expr, Function, Graph, Node, Rational, SymbolId};
 use rustc_hash::FxHashMap;
 
 /// A derivation; remembers its results, so apply one derivation to many expressions.
@@ -48,7 +48,7 @@ impl Derivation {
             Node::Product { coefficient, factors } => self.product(graph, &coefficient, &factors),
             Node::Power { base, exponent } => self.power(graph, e, base, exponent),
             Node::Call { function, arguments } => self.call(graph, e, function, &arguments),
-            Node::Switch { guard, strict, then, otherwise } => graph.switch(guard, strict, self.memo[&then], self.memo[&otherwise]),
+            Node::Switch { guard, edge, then, otherwise } => graph.switch(guard, edge, self.memo[&then], self.memo[&otherwise]),
         }
     }
 
@@ -158,11 +158,11 @@ fn binary(graph: &mut Graph, function: Function, (x, y): (Expr, Expr), (dx, dy):
         }
         Function::Min => {
             let guard = graph.sub(y, x);
-            graph.switch(guard, false, dx, dy)
+            graph.switch(guard, Edge::Closed, dx, dy)
         }
         _ => {
             let guard = graph.sub(x, y);
-            graph.switch(guard, false, dx, dy)
+            graph.switch(guard, Edge::Closed, dx, dy)
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Evaluation in machine numbers: the plain definition of what an expression means, the oracle for every faster way.
 
-use crate::{Expr, Function, Graph, Node, SymbolId};
+use crate::{Edge, Expr, Function, Graph, Node, SymbolId};
 use algebra::elementary;
 use rustc_hash::FxHashMap;
 
@@ -32,12 +32,12 @@ impl Graph {
                 let x = known(arguments[0]);
                 function.value(x, arguments.get(1).map_or(0.0, |y| known(*y)))
             }
-            Node::Switch { guard, strict, then, otherwise } => {
+            Node::Switch { guard, edge, then, otherwise } => {
                 let g = known(*guard);
                 if g.is_nan() {
                     return f64::NAN;
                 }
-                known(if g > 0.0 || g == 0.0 && !strict { *then } else { *otherwise })
+                known(if g > 0.0 || g == 0.0 && *edge == Edge::Closed { *then } else { *otherwise })
             }
         }
     }

@@ -148,17 +148,26 @@ pub enum Node {
         /// Arguments, as many as [`Function::arity`].
         arguments: Box<[Expr]>,
     },
-    /// `then` where guard >= 0 (guard > 0 when `strict`), else `otherwise`.
+    /// `then` where guard >= 0 (guard > 0 with an open edge), else `otherwise`.
     Switch {
         /// The switching function.
         guard: Expr,
-        /// Whether guard = 0 belongs to `otherwise`.
-        strict: bool,
+        /// Which side guard = 0 belongs to.
+        edge: Edge,
         /// Value on the positive side.
         then: Expr,
         /// Value on the other side.
         otherwise: Expr,
     },
+}
+
+/// Which side of a switch its edge, guard = 0, belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Edge {
+    /// To the side above: guard >= 0.
+    Closed,
+    /// To the side below: guard > 0.
+    Open,
 }
 
 /// The owner of expressions.

@@ -110,11 +110,11 @@ impl<'d> Decomposition<'d> {
 
     /// A periodic guard between two sides free of time: otherwise + (then - otherwise) χ with χ = 1 while the guard holds, else 0.
     fn chopped(&mut self, graph: &mut Graph, e: Expr) -> Option<Harmonics> {
-        let Node::Switch { guard, strict, then, otherwise } = graph.node(e).clone() else { return None };
+        let Node::Switch { guard, edge, then, otherwise } = graph.node(e).clone() else { return None };
         let side = |e: Expr| self.memo.get(&e)?.as_ref().filter(|h| h.is_still()).map(|h| h.mean);
         let (then, otherwise) = (side(then)?, side(otherwise)?);
         let (zero, one) = (graph.zero(), graph.one());
-        let switch = graph.switch(guard, strict, one, zero);
+        let switch = graph.switch(guard, edge, one, zero);
         let mut found = self.form(graph, switch)?;
         let difference = graph.sub(then, otherwise);
         found.forms.iter_mut().for_each(|f| f.1 = difference);

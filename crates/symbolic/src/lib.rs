@@ -2,7 +2,7 @@
 //! hand-over from mechanics to numerics. It knows no bodies, no files, no output format.
 
 // the same bits on every machine: see clippy.toml
-#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
 mod build;
 mod characteristic;
@@ -26,7 +26,7 @@ pub mod waveform;
 pub use characteristic::characteristic;
 pub use derivative::Derivation;
 pub use equations::Equations;
-pub use graph::{Expr, Function, Graph, Node, Symbol, SymbolId};
+pub use graph::{Edge, Expr, Function, Graph, Node, Symbol, SymbolId};
 pub use linear::Linear;
 pub use matrix::Matrix;
 pub use rational::Rational;

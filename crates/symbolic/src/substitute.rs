@@ -51,7 +51,7 @@ impl Graph {
                 let arguments: Vec<Expr> = arguments.iter().map(|a| replace(*a)).collect();
                 self.call(function, &arguments)
             }
-            Node::Switch { guard, strict, then, otherwise } => self.switch(replace(guard), strict, replace(then), replace(otherwise)),
+            Node::Switch { guard, edge, then, otherwise } => self.switch(replace(guard), edge, replace(then), replace(otherwise)),
         }
     }
 }

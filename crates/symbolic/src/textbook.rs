@@ -215,11 +215,11 @@ fn joined(graph: &mut Graph, monomial: &Monomial) -> Expr {
 /// The product of two switches of one guard.
 fn merged(graph: &mut Graph, [a, b]: [Expr; 2], depth: usize) -> Option<Expr> {
     let cases = |e: Expr| match graph.node(e) {
-        Node::Switch { guard, strict, then, otherwise } => Some(((*guard, *strict), [*then, *otherwise])),
+        Node::Switch { guard, edge, then, otherwise } => Some(((*guard, *edge), [*then, *otherwise])),
         _ => None,
     };
-    let (((guard, strict), [t, o]), (other, [u, p])) = (cases(a)?, cases(b)?);
-    if (guard, strict) != other || depth == 0 {
+    let (((guard, edge), [t, o]), (other, [u, p])) = (cases(a)?, cases(b)?);
+    if (guard, edge) != other || depth == 0 {
         return None;
     }
     let mut multiplied = |x: Expr, y: Expr| {
@@ -229,7 +229,7 @@ fn merged(graph: &mut Graph, [a, b]: [Expr; 2], depth: usize) -> Option<Expr> {
         })
     };
     let (then, otherwise) = (multiplied(t, u), multiplied(o, p));
-    Some(graph.switch(guard, strict, then, otherwise))
+    Some(graph.switch(guard, edge, then, otherwise))
 }
 
 /// Σ terms = front·shape: front is the common monomial times the first coefficient.
@@ -315,7 +315,7 @@ impl Graph {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Function;
+    use crate::{Edge, Function};
 
     struct Desk {
         g: Graph,
@@ -393,8 +393,8 @@ mod tests {
         let (above, below) = (d.g.sub(x, h), d.g.add(x, h));
         let low = d.g.neg(below);
         let chain = |d: &mut Desk, a: Expr, b: Expr| {
-            let inner = d.g.switch(low, true, b, zero);
-            d.g.switch(above, true, a, inner)
+            let inner = d.g.switch(low, Edge::Open, b, zero);
+            d.g.switch(above, Edge::Open, a, inner)
         };
         let (gap, slope) = (chain(&mut d, above, low), chain(&mut d, one, minus));
         let force = d.g.product(&[c, gap, slope]);
@@ -404,7 +404,7 @@ mod tests {
         };
         assert_eq!(d.t.tidy(&mut d.g, force), expected);
         // other cases stay a product
-        let other = d.g.switch(x, true, one, zero);
+        let other = d.g.switch(x, Edge::Open, one, zero);
         let mixed = d.g.product(&[gap, other]);
         assert_eq!(d.t.tidy(&mut d.g, mixed), mixed);
     }

@@ -1,7 +1,7 @@
 //! Rewriting never changes a value: random expressions, built through the canonical constructors, against plain arithmetic.
 
 use proptest::prelude::*;
-use symbolic::{Derivation, Expr, Function, Graph, Rational, Substitution, Textbook};
+use symbolic::{Derivation, Edge, Expr, Function, Graph, Rational, Substitution, Textbook};
 
 /// A recipe for an expression, evaluated once by plain arithmetic and once through the graph.
 #[derive(Clone, Debug)]
@@ -87,7 +87,7 @@ fn build(g: &mut Graph, r: &Recipe) -> Expr {
         }
         If(a, b, c) => {
             let (a, b, c) = (build(g, a), build(g, b), build(g, c));
-            g.switch(a, false, b, c)
+            g.switch(a, Edge::Closed, b, c)
         }
     }
 }

@@ -110,7 +110,7 @@ impl Sample {
 
     fn residuals<S: System + ?Sized>(&self, system: &mut S, accelerations: &[f64]) -> Option<Vec<f64>> {
         let mut residuals = vec![0.0; accelerations.len()];
-        let known = system.second(self.t, &self.x, accelerations, &self.modes, &mut residuals);
+        let known = system.second((self.t, &self.x), accelerations, &self.modes, &mut residuals);
         (known && residuals.iter().all(|r| r.is_finite())).then_some(residuals)
     }
 }

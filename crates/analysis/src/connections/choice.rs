@@ -24,6 +24,15 @@ const SETS: usize = 300;
 const FEW: usize = 14;
 
 /// What is to be closed.
+/// How coordinates that close rows are sought.
+#[derive(Clone, Copy)]
+enum Search {
+    /// From several places about the guess.
+    Around,
+    /// From the guess alone.
+    AtOnce,
+}
+
 struct Trial<'t> {
     guess: &'t [f64],
     rows: &'t [usize],
@@ -60,13 +69,13 @@ impl Bench<'_> {
             }
         }
         let free = with(&sought, needed.iter().copied());
-        if let Some(x) = self.closed(guess, rows, &free, level, true)? {
+        if let Some(x) = self.closed(guess, rows, &free, (level, Search::Around))? {
             return Ok(Some(x));
         }
         if let Some(x) = self.closed_by(&Trial { guess, rows, open: &open, level }, &sought, &defaults, needed.len())? {
             return Ok(Some(x));
         }
-        self.closed(guess, rows, &with(&sought, defaults.into_iter()), level, true)
+        self.closed(guess, rows, &with(&sought, defaults.into_iter()), (level, Search::Around))
     }
 
     /// The first set of this size that closes the rows at once, while the sets are few.
@@ -79,7 +88,7 @@ impl Bench<'_> {
             if !self.touches(trial.open, &free) {
                 continue;
             }
-            if let Some(x) = self.closed(trial.guess, trial.rows, &free, trial.level, false)? {
+            if let Some(x) = self.closed(trial.guess, trial.rows, &free, (trial.level, Search::AtOnce))? {
                 return Ok(Some(x));
             }
         }
@@ -96,11 +105,11 @@ impl Bench<'_> {
         Ok(rows.iter().copied().filter(open).collect())
     }
 
-    fn closed(&mut self, guess: &[f64], rows: &[usize], free: &[usize], level: Level, around: bool) -> Result<Option<Vec<f64>>, Fault> {
+    fn closed(&mut self, guess: &[f64], rows: &[usize], free: &[usize], level: (Level, Search)) -> Result<Option<Vec<f64>>, Fault> {
         match level {
-            Level::Rate => self.rates_from(guess, rows, free),
-            Level::Place if around => self.closed_from(guess, rows, free),
-            Level::Place => self.closed_at_once(guess, rows, free),
+            (Level::Rate, _) => self.rates_from(guess, rows, free),
+            (Level::Place, Search::Around) => self.closed_from(guess, rows, free),
+            (Level::Place, Search::AtOnce) => self.closed_at_once(guess, rows, free),
         }
     }
 

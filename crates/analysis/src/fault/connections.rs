@@ -394,20 +394,23 @@ impl Fault {
         })
     }
 
-    /// A gap that is negative at the start; of a rope it is the length that is missing.
-    pub fn penetrates(guard: &Text, tie: bool, gap: f64, t: f64) -> Fault {
+    /// A rope whose length is missing at the start.
+    pub fn too_short(guard: &Text, gap: f64, t: f64) -> Fault {
         let (t, gap) = (number(t), number(gap));
-        if tie {
-            return Fault::new(Message {
-                code: "S012",
-                what: Text::new(
-                    format!("`{}` is too short at t = {} s: length less distance is {} m", guard.en, t.en, gap.en),
-                    format!("`{}` коротка при t = {} с: длина минус расстояние равна {} м", guard.ru, t.ru, gap.ru),
-                ),
-                why: Text::new("a rope is never longer than its length", "нить не бывает длиннее своей длины"),
-                help: Text::new("change the start values or the length", "измените начальные значения или длину"),
-            });
-        }
+        Fault::new(Message {
+            code: "S012",
+            what: Text::new(
+                format!("`{}` is too short at t = {} s: length less distance is {} m", guard.en, t.en, gap.en),
+                format!("`{}` коротка при t = {} с: длина минус расстояние равна {} м", guard.ru, t.ru, gap.ru),
+            ),
+            why: Text::new("a rope is never longer than its length", "нить не бывает длиннее своей длины"),
+            help: Text::new("change the start values or the length", "измените начальные значения или длину"),
+        })
+    }
+
+    /// A gap that is negative at the start.
+    pub fn penetrates(guard: &Text, gap: f64, t: f64) -> Fault {
+        let (t, gap) = (number(t), number(gap));
         Fault::new(Message {
             code: "S012",
             what: Text::new(

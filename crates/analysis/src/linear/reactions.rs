@@ -136,23 +136,7 @@ impl LinearMachine {
                 sums[row].push(graph.neg(force));
             }
         }
-        for (row, sum) in sums.iter_mut().enumerate() {
-            let graph = &mut self.linear.graph;
-            if row < n {
-                for (j, c) in equations.coordinates.iter().enumerate() {
-                    let a = graph.symbol(c.symbols[2]);
-                    sum.push(graph.mul(equations.mass.get(row, j), a));
-                }
-                sum.push(graph.neg(equations.force[row]));
-            } else {
-                let balance = &equations.balances[row - n];
-                for (j, e) in &balance.columns {
-                    let a = graph.symbol(equations.coordinates[*j].symbols[2]);
-                    sum.push(graph.mul(*e, a));
-                }
-                sum.push(graph.neg(balance.rest));
-            }
-        }
+        self.add_balances(&mut sums);
         let mut waves = Vec::new();
         for (row, sum) in sums.iter().enumerate() {
             let formula = self.linear.graph.sum(sum);
@@ -177,6 +161,39 @@ impl LinearMachine {
             roots.extend(excited.forms.iter().map(|(_, factor)| (format!("factor {row}"), *factor)));
             waves.push((excited.waves.len(), excited.forms.iter().map(|f| f.0).collect()));
         }
+        let slopes = self.slopes_by_reactions(formulas, &mut roots);
+        self.learn()?;
+        let inputs = self.with_reactions();
+        let tape = Arc::new(lower::expressions(&self.linear.graph, "reactions", &inputs, &roots)?);
+        Ok(Some(Reactions { unknowns, rows, tape, forms: self.shapes.len(), entries, waves, slopes, named: load.is_some() }))
+    }
+
+    /// Adds the inertia and the loads of each equation of motion and of each balance to its sum.
+    fn add_balances(&mut self, sums: &mut [Vec<Expr>]) {
+        let equations = Arc::clone(&self.equations);
+        let n = equations.coordinates.len();
+        for (row, sum) in sums.iter_mut().enumerate() {
+            let graph = &mut self.linear.graph;
+            if row < n {
+                for (j, c) in equations.coordinates.iter().enumerate() {
+                    let a = graph.symbol(c.symbols[2]);
+                    sum.push(graph.mul(equations.mass.get(row, j), a));
+                }
+                sum.push(graph.neg(equations.force[row]));
+            } else {
+                let balance = &equations.balances[row - n];
+                for (j, e) in &balance.columns {
+                    let a = graph.symbol(equations.coordinates[*j].symbols[2]);
+                    sum.push(graph.mul(*e, a));
+                }
+                sum.push(graph.neg(balance.rest));
+            }
+        }
+    }
+
+    /// How formulas depend on reactions: (formula, reaction), each with a root of its own.
+    fn slopes_by_reactions(&mut self, formulas: &[Expr], roots: &mut Vec<(String, Expr)>) -> Vec<(usize, usize)> {
+        let equations = Arc::clone(&self.equations);
         let mut slopes = Vec::new();
         for (output, formula) in formulas.iter().enumerate() {
             for (r, reaction) in equations.reactions.iter().enumerate() {
@@ -187,10 +204,7 @@ impl LinearMachine {
                 }
             }
         }
-        self.learn()?;
-        let inputs = self.with_reactions();
-        let tape = Arc::new(lower::expressions(&self.linear.graph, "reactions", &inputs, &roots)?);
-        Ok(Some(Reactions { unknowns, rows, tape, forms: self.shapes.len(), entries, waves, slopes, named: load.is_some() }))
+        slopes
     }
 
     /// The inputs of tapes that read reactions: those of all tapes, then the reactions.
@@ -246,7 +260,10 @@ impl LinearMachine {
                 let part = |k: usize| share[k] * solved.inverse[k * prepared.rows + i];
                 let (gain, terms) = (0..share.len()).map(part).fold((0.0, 0.0), |(sum, terms), v| (sum + v, terms + v.abs()));
                 if gain != 0.0 {
-                    row.add(gain, prepared.named, y);
+                    row.add(gain, y);
+                    if prepared.named {
+                        y.constant += gain * row.load;
+                    }
                 }
                 doubt.add(row, terms);
             }
@@ -318,15 +335,12 @@ impl Doubt {
 }
 
 impl Row {
-    fn add(&self, gain: f64, named: bool, y: &mut Seen) {
+    fn add(&self, gain: f64, y: &mut Seen) {
         for (sum, own) in [&mut y.by_place, &mut y.by_rate, &mut y.by_acceleration].into_iter().zip(&self.by) {
             sum.iter_mut().zip(own).for_each(|(s, v)| *s += gain * v);
         }
         y.waves.extend(self.waves.iter().map(|(rate, c, s)| (*rate, gain * c, gain * s)));
         y.forms.extend(self.forms.iter().map(|(form, factor)| (*form, gain * factor)));
-        if named {
-            y.constant += gain * self.load;
-        }
     }
 }
 

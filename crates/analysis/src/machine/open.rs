@@ -167,11 +167,11 @@ impl Machine {
         let shown = self.shown.clone();
         let known = values.to_vec();
         for direction in &open.directions {
-            let whole = self.outputs_beside(t, x, &base, direction, unit)?;
+            let whole = self.outputs_beside((t, x), &base, direction, unit)?;
             let mut terms = vec![0.0; shown.len()];
             for r in (0..count).filter(|r| direction[*r] != 0.0) {
                 let alone: Vec<f64> = (0..count).map(|k| if k == r { direction[k] } else { 0.0 }).collect();
-                let changed = self.outputs_beside(t, x, &base, &alone, unit)?;
+                let changed = self.outputs_beside((t, x), &base, &alone, unit)?;
                 terms.iter_mut().zip(changed).zip(&shown).for_each(|((sum, v), &i)| *sum += (v - known[i]).abs());
             }
             let guards: Vec<usize> = open.acting.iter().filter(|a| direction[a.reaction] != 0.0).filter_map(|a| a.guard).collect();
@@ -190,7 +190,7 @@ impl Machine {
     }
 
     /// The shown outputs with the reactions a step along a direction.
-    fn outputs_beside(&mut self, t: f64, x: &[f64], base: &[f64], direction: &[f64], unit: f64) -> Result<Vec<f64>, Fault> {
+    fn outputs_beside(&mut self, (t, x): (f64, &[f64]), base: &[f64], direction: &[f64], unit: f64) -> Result<Vec<f64>, Fault> {
         let n = self.bound.program().coordinates;
         let mut inputs = base.to_vec();
         inputs[n..].iter_mut().zip(direction).filter(|(_, d)| **d != 0.0).for_each(|(v, d)| *v += unit * d);

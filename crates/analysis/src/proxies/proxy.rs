@@ -192,19 +192,19 @@ impl Proxies {
             let coarse = self.values(8, source, &part, &[]);
             self.remember(&coarse);
             self.leave_out(&coarse, &mut part);
-            self.take(&coarse, &behind, &[], &mut part, &mut out);
+            self.take((&coarse, &[]), &behind, &mut part, &mut out);
             if part.left.is_empty() {
                 continue;
             }
             let fine = self.values(16, source, &part, &coarse);
             self.remember(&fine);
-            self.take(&fine, &behind, &[], &mut part, &mut out);
+            self.take((&fine, &[]), &behind, &mut part, &mut out);
             if part.left.is_empty() {
                 continue;
             }
             let rounding = source.rounding(part.to);
             if !rounding.is_empty() {
-                self.take(&fine, &behind, &rounding, &mut part, &mut out);
+                self.take((&fine, &rounding), &behind, &mut part, &mut out);
             }
             if part.to - part.from <= shortest {
                 self.end(&fine, &part, &mut out);
@@ -254,7 +254,7 @@ impl Proxies {
     }
 
     /// Adds the pieces of the quantities that are exact enough, and takes them off the part.
-    fn take(&self, rows: &[Vec<f64>], (first, behind): &(usize, Arc<Behind>), rounding: &[f64], part: &mut Part, out: &mut Vec<Piece>) {
+    fn take(&self, (rows, rounding): (&[Vec<f64>], &[f64]), (first, behind): &(usize, Arc<Behind>), part: &mut Part, out: &mut Vec<Piece>) {
         let points = if rows.len() == self.coarse.n + 1 { &self.coarse } else { &self.fine };
         let noise = |i: usize| (ROUNDING * self.largest[i]).max(rounding.get(i).copied().filter(|r| r.is_finite()).unwrap_or(0.0));
         let mut look = Look::new(points, rows, behind, *first, ERROR);

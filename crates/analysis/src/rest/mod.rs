@@ -74,8 +74,8 @@ pub(crate) fn fault_of(equations: &Equations, reactions: &[usize], hold: &Hold, 
         Holds::Between(_) => None,
         Holds::WrongSide(c) => {
             let reaction = &equations.reactions[reactions[*c]];
-            let tie = matches!(reaction.law, Law::Contact { tie: true, .. });
-            Some(Fault::wrong_side(&reaction.name, hold.some[*c], &reaction.unit, tie))
+            let fault = if matches!(reaction.law, Law::Contact { tie: true, .. }) { Fault::rope_pushes } else { Fault::contact_pulls };
+            Some(fault(&reaction.name, hold.some[*c], &reaction.unit))
         }
         Holds::Slips(times) => {
             let names: Vec<&str> = hold.limits.iter().map(|l| equations.reactions[reactions[l.column]].name.as_str()).collect();

@@ -10,6 +10,7 @@
 
 use symbolic::connections::Reaction;
 use symbolic::equations::Role;
+use symbolic::linear::Timing;
 use symbolic::{Equations, Expr, SymbolId};
 use words::Text;
 
@@ -86,8 +87,8 @@ fn depends_on_time(equations: &Equations, formula: Expr) -> bool {
 }
 
 /// Adds the outputs of the file at each place of the result, one row of which is a place: columns of coordinates and reactions by their names.
-/// Outputs that change with time by themselves have no value at rest unless all loads stand still at t = 0 (`frozen`).
-pub fn add(equations: &Equations, parameters: &[f64], frozen: bool, data: &mut Dataset) {
+/// Outputs that change with time by themselves have no value at rest unless all loads stand still at t = 0.
+pub fn add(equations: &Equations, parameters: &[f64], timing: Timing, data: &mut Dataset) {
     let symbol_of = |name: &str| {
         let coordinate = equations.coordinates.iter().map(|c| c.symbols[0]).find(|s| equations.graph.symbol_info(*s).name == name);
         coordinate.or_else(|| equations.reactions.iter().find(|r| r.name == name).map(|r| r.symbol))
@@ -105,7 +106,7 @@ pub fn add(equations: &Equations, parameters: &[f64], frozen: bool, data: &mut D
     let rows: Vec<Numbers> = (0..places).map(row).collect();
     let mut columns = Vec::new();
     for output in equations.outputs.iter().filter(|o| o.role == Role::Named) {
-        let moves = !frozen && depends_on_time(equations, output.formula);
+        let moves = !timing.frozen && depends_on_time(equations, output.formula);
         let value = |numbers: &Numbers| if moves { f64::NAN } else { numbers.evaluate(&[output.formula])[0] };
         let symbol = equations.graph.symbol_info(output.symbol).name.clone();
         let display = output.display.clone();

@@ -390,7 +390,7 @@ impl Sum {
         }
         let (mut now, before) = (0.0, self.work);
         for piece in pieces.iter().filter(|p| p.of == POWER) {
-            self.rows(machine, step, (piece, before + now), &place, options)?;
+            self.rows((machine, step), (piece, before + now), &place, options)?;
             now += self.working(piece, before + now, &place);
         }
         self.work = before + now;
@@ -426,8 +426,7 @@ impl Sum {
     /// Rows whose angle lies in a piece of the power, before which the work is `before`.
     fn rows<S: System + ?Sized>(
         &mut self,
-        machine: &mut Pair<'_, S>,
-        step: &Step,
+        (machine, step): (&mut Pair<'_, S>, &Step),
         (piece, before): (&Piece, f64),
         place: &dyn Fn(f64) -> f64,
         options: &Cycle,

@@ -215,7 +215,7 @@ impl Search<'_, '_> {
                 let value = magnitude(self.value(omega));
                 // a change of sign through a pole grows, through zero it shrinks
                 if value <= 1e-6 * a.abs().max(b.abs()) {
-                    found.push(self.antiresonance(omega, 0.0, true)?);
+                    found.push(Antiresonance { exact: true, ..self.antiresonance(omega, 0.0)? });
                 }
             }
             return Ok(found);
@@ -229,7 +229,7 @@ impl Search<'_, '_> {
             if !exact && !self.leads(&least) {
                 continue;
             }
-            found.push(self.antiresonance(least.omega, least.amplitude, exact)?);
+            found.push(Antiresonance { exact, ..self.antiresonance(least.omega, least.amplitude)? });
         }
         Ok(found)
     }
@@ -241,7 +241,7 @@ impl Search<'_, '_> {
         a.0 * b.1 - a.1 * b.0 > 0.0
     }
 
-    fn antiresonance(&mut self, omega: f64, amplitude: f64, exact: bool) -> Result<Antiresonance, Fault> {
+    fn antiresonance(&mut self, omega: f64, amplitude: f64) -> Result<Antiresonance, Fault> {
         let matrices = self.forced.matrices(omega)?;
         let point = self.forced.at(omega)?;
         let n = matrices.n;
@@ -251,7 +251,7 @@ impl Search<'_, '_> {
         let total: f64 = (0..n).map(row).sum();
         let mut absorbs: Vec<(usize, f64)> = (0..n).map(|i| (i, row(i) / total)).filter(|(_, s)| *s > SHARE).collect();
         absorbs.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-        Ok(Antiresonance { output: self.k, omega, amplitude, exact, absorbs })
+        Ok(Antiresonance { output: self.k, omega, amplitude, exact: false, absorbs })
     }
 }
 

@@ -332,7 +332,7 @@ fn general(system: &Matrices, basis: &Basis, values: &[f64]) -> Result<Vec<Mode>
             None if elementary::hypot(root.0, root.1) <= LOST * fastest => return Err(lost()),
             None => (*root, shape),
         };
-        let root = &settled_root(root, largest(&system.damping) == 0.0);
+        let root = &settled_root(root, if largest(&system.damping) == 0.0 { UNDAMPED } else { POLISHED });
         let omega = elementary::hypot(root.0, root.1);
         let kind = match () {
             () if root.1 > 0.0 => Kind::Oscillation,
@@ -356,9 +356,8 @@ const POLISHED: f64 = 1e-28;
 /// The same where nothing depends on rates: λ² are roots of a real polynomial, imaginary λ leave rounding only.
 const UNDAMPED: f64 = 1e-14;
 
-/// A root whose real part is rounding neither grows nor decays.
-fn settled_root(root: Complex, no_rates: bool) -> Complex {
-    let noise = if no_rates { UNDAMPED } else { POLISHED };
+/// A root whose real part is rounding, a share `noise` of the root at most, neither grows nor decays.
+fn settled_root(root: Complex, noise: f64) -> Complex {
     if root.1 != 0.0 && root.0.abs() <= noise * root.1.abs() { (0.0, root.1) } else { root }
 }
 

@@ -180,6 +180,13 @@ fn worth_following(mode: &Mode) -> bool {
 /// Modes, and M.
 type Found = (Vec<Mode>, Vec<f64>);
 
+/// Which end of a range of growth is sought.
+#[derive(Clone, Copy, PartialEq)]
+enum Growth {
+    Begins,
+    Ends,
+}
+
 struct Run<'m> {
     machine: &'m mut LinearMachine,
     branch: &'m mut Branch,
@@ -261,11 +268,11 @@ impl Run<'_> {
             let before = k > 0 && grows[k - 1];
             match (before, *here) {
                 (false, true) => {
-                    let start = if k == 0 { values[0] } else { self.threshold([values[k - 1], values[k]], false)? };
+                    let start = if k == 0 { values[0] } else { self.threshold([values[k - 1], values[k]], Growth::Begins)? };
                     ranges.push([start, values[values.len() - 1]]);
                 }
                 (true, false) => {
-                    let end = self.threshold([values[k - 1], values[k]], true)?;
+                    let end = self.threshold([values[k - 1], values[k]], Growth::Ends)?;
                     ranges.iter_mut().rev().take(1).for_each(|r| r[1] = end);
                 }
                 _ => {}
@@ -276,7 +283,8 @@ impl Run<'_> {
 
     /// The end of a range of growth, to rounding: the sign of Re λ decides where it is sure on the quiet side, an amount beyond rounding where
     /// oscillations there neither grow nor decay.
-    fn threshold(&mut self, [mut a, mut b]: [f64; 2], at_a: bool) -> Result<f64, Fault> {
+    fn threshold(&mut self, [mut a, mut b]: [f64; 2], growth: Growth) -> Result<f64, Fault> {
+        let at_a = growth == Growth::Ends;
         let quiet = self.modes(if at_a { b } else { a })?.0;
         let sure = quiet.iter().all(|m| m.kind == Kind::RigidBody || m.root.0 < 0.0);
         let growing = |list: &[Mode]| if sure { list.iter().any(Mode::grows) } else { growing(list) };

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use analysis::Machine;
 use symbolic::equations::{Coordinate, Energy, Output, Parameter, Role};
-use symbolic::{Equations, Expr, Function, Graph, Matrix, Rational};
+use symbolic::{Edge, Equations, Expr, Function, Graph, Matrix, Rational};
 use words::Text;
 
 fn blank(graph: Graph) -> Equations {
@@ -95,7 +95,7 @@ pub fn shaft(m: f64) -> Machine {
     let number = |graph: &mut Graph, n| graph.number(Rational::new(n, 1).unwrap());
     let (ten, thirty, top) = (number(graph, 10), number(graph, 30), number(graph, 300));
     let (late, ramp) = (graph.sub(t, ten), graph.mul(thirty, t));
-    let omega = graph.switch(late, false, top, ramp);
+    let omega = graph.switch(late, Edge::Closed, top, ramp);
     let ml = graph.mul(m, l);
     let entries = [big_m, zero, graph.mul(ml, cos), big_m, graph.mul(ml, sin), graph.mul(ml, l)];
     for (n, (i, j)) in [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].into_iter().enumerate() {

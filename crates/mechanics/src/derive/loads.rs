@@ -13,7 +13,7 @@ use crate::model::{Action, PointRef, Rest};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use symbolic::equations::Applied;
-use symbolic::{Expr, Rational, Substitution, SymbolId};
+use symbolic::{Edge, Expr, Rational, Substitution, SymbolId};
 use words::Notice;
 
 /// A named term of an energy.
@@ -152,8 +152,8 @@ fn beyond_play(scene: &mut Scene, extension: Expr, play: Expr) -> Expr {
     let half = graph.scale(play, &Rational::HALF);
     let (above, below, zero) = (graph.sub(extension, half), graph.add(extension, half), graph.zero());
     let under = graph.neg(below);
-    let otherwise = graph.switch(under, true, below, zero);
-    graph.switch(above, true, above, otherwise)
+    let otherwise = graph.switch(under, Edge::Open, below, zero);
+    graph.switch(above, Edge::Open, above, otherwise)
 }
 
 /// factor·gradient.

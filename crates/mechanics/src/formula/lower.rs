@@ -7,7 +7,7 @@ use crate::model::{Request, RequestKind};
 use crate::units::{Dimension, si_label};
 use std::collections::HashSet;
 use std::ops::Range;
-use symbolic::{Expr, Graph, Node, Rational, SymbolId};
+use symbolic::{Edge, Expr, Graph, Node, Rational, SymbolId};
 use words::Notice;
 
 /// Exact numbers of formulas may not need more bits than machine numbers span.
@@ -91,8 +91,8 @@ fn build(node: &Ast, span: &Range<usize>, values: &[Expr], scope: &Scope, builde
             builder.request(&name, 0, kind, &dimension.or_none())
         }
         Ast::If { comparison, left, right, then, otherwise } => {
-            let (guard, strict) = switching(*comparison, values, *left, *right, graph);
-            graph.switch(guard, strict, values[*then], values[*otherwise])
+            let (guard, edge) = switching(*comparison, values, *left, *right, graph);
+            graph.switch(guard, edge, values[*then], values[*otherwise])
         }
     })
 }
@@ -111,14 +111,14 @@ fn shown_argument(kind: RequestKind, names: &[String], scope: &Scope) -> String 
     }
 }
 
-/// The guard of a condition and whether it is strict: a <= b holds where b - a >= 0, a < b where b - a > 0.
-fn switching(comparison: Comparison, values: &[Expr], left: NodeId, right: NodeId, graph: &mut Graph) -> (Expr, bool) {
+/// The guard of a condition and its edge: a <= b holds where b - a >= 0, a < b where b - a > 0.
+fn switching(comparison: Comparison, values: &[Expr], left: NodeId, right: NodeId, graph: &mut Graph) -> (Expr, Edge) {
     let (a, b) = (values[left], values[right]);
     match comparison {
-        Comparison::Less => (graph.sub(b, a), true),
-        Comparison::LessEqual => (graph.sub(b, a), false),
-        Comparison::Greater => (graph.sub(a, b), true),
-        Comparison::GreaterEqual => (graph.sub(a, b), false),
+        Comparison::Less => (graph.sub(b, a), Edge::Open),
+        Comparison::LessEqual => (graph.sub(b, a), Edge::Closed),
+        Comparison::Greater => (graph.sub(a, b), Edge::Open),
+        Comparison::GreaterEqual => (graph.sub(a, b), Edge::Closed),
     }
 }
 

@@ -14,7 +14,7 @@ use crate::structure;
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
-use symbolic::{Expr, Substitution, SymbolId};
+use symbolic::{Edge, Expr, Substitution, SymbolId};
 use toml::de::DeValue;
 use words::{Notice, Text};
 
@@ -200,7 +200,7 @@ impl<'a> Schedule<'a> {
         before.iter().zip(&ends).rev().fold(last, |later, (value, end)| match end {
             Some(end) => {
                 let guard = graph.sub(*end, time);
-                graph.switch(guard, true, *value, later)
+                graph.switch(guard, Edge::Open, *value, later)
             }
             None => later,
         })

@@ -329,10 +329,10 @@ impl Memory {
         for (value, row) in h.iter_mut().zip(&system.right) {
             *value = self.get(*row, 0);
         }
-        self.finish_solve(first, index, system.size, 0, h);
+        self.finish_solve(first, (index, system.size), 0, h);
     }
 
-    fn finish_solve(&mut self, first: Row, index: usize, size: usize, k: usize, mut h: Vec<f64>) {
+    fn finish_solve(&mut self, first: Row, (index, size): (usize, usize), k: usize, mut h: Vec<f64>) {
         self.factors[index].solve(&mut h[..size]);
         for (i, value) in (0..).zip(&h[..size]) {
             self.put(first + i, k, *value);
@@ -353,7 +353,7 @@ impl Memory {
             Step::Square { a, .. } => self.cauchy(a, 0, a, k),
             Step::Divide { row, a, b } => (self.get(a, k) - self.partial(row, 0, b, k)) / self.get(b, 0),
             Step::SquareRoot { row, a } => self.square_root(row, a, k),
-            Step::Power { row, a, p, weighted } => self.power(row, a, p, weighted, k),
+            Step::Power { row, a, p, weighted } => self.power(row, (a, p), weighted, k),
             Step::Exp { row, a, weighted } => {
                 self.weigh(weighted, a, k);
                 self.cauchy(weighted, 0, row, k - 1) / k as f64
@@ -402,7 +402,7 @@ impl Memory {
     }
 
     /// Both weighted rows: of a, then of c.
-    fn power(&mut self, row: Row, a: Row, p: f64, weighted: Row, k: usize) -> f64 {
+    fn power(&mut self, row: Row, (a, p): (Row, f64), weighted: Row, k: usize) -> f64 {
         if self.get(a, 0) == 0.0 || self.is_at_zero(row) {
             return 0.0;
         }
@@ -467,7 +467,7 @@ impl Memory {
                 h[*j as usize] -= self.cauchy(*entry, 1, first + i, k - 1);
             }
         }
-        self.finish_solve(first, index, system.size, k, h);
+        self.finish_solve(first, (index, system.size), k, h);
     }
 
     /// A_0 x_0 = b_0, factored for all orders.

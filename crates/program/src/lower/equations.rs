@@ -9,7 +9,7 @@ use crate::{ENERGY, Fault, Program, Register, Root, Tape};
 use std::collections::HashSet;
 use std::sync::Arc;
 use symbolic::connections::{Friction, Law};
-use symbolic::{Derivation, Equations, Expr, Graph, Substitution, SymbolId};
+use symbolic::{Derivation, Edge, Equations, Expr, Graph, Substitution, SymbolId};
 
 /// Lowers equations of motion in which all connections take part.
 ///
@@ -277,7 +277,7 @@ fn laws(equations: &Equations, balances: &[usize]) -> Result<Tape, Fault> {
     let count = equations.reactions.len();
     for friction in frictions(equations) {
         let [back, forth] = friction.kinetic;
-        let kinetic = graph.switch(friction.sliding, false, forth, back);
+        let kinetic = graph.switch(friction.sliding, Edge::Closed, forth, back);
         roots.extend([kinetic, friction.fixed].map(|e| ("law of friction".to_owned(), e)));
         for normal in [&friction.normal, &friction.across] {
             let terms = normal.as_ref().map_or(&[][..], |n| &n.terms);
@@ -349,12 +349,12 @@ fn second(equations: &Equations) -> Result<Tape, Fault> {
     for i in 0..n {
         let inertia: Vec<(usize, Expr)> = (0..n).map(|j| (j, equations.mass.get(i.max(j), i.min(j)))).collect();
         let loads = equations.reactions.iter().map(|r| &r.forces[..]);
-        let register = residual(&mut lowering, &inertia, equations.force[i], n, loads, i)?;
+        let register = residual(&mut lowering, (&inertia, equations.force[i]), n, loads, i)?;
         roots.push(Root { name: format!("first {}", i + 1), register });
     }
     for (i, balance) in equations.balances.iter().enumerate() {
         let loads = equations.reactions.iter().map(|r| &r.released[..]);
-        let register = residual(&mut lowering, &balance.columns, balance.rest, n, loads, i)?;
+        let register = residual(&mut lowering, (&balance.columns, balance.rest), n, loads, i)?;
         roots.push(Root { name: format!("balance {}", i + 1), register });
     }
     Ok(lowering.finish("second", roots)?.0)
@@ -371,8 +371,7 @@ fn released(equations: &Equations) -> Result<Tape, Fault> {
 /// Σ inertia q'' - force - Σ load λ, with λ behind the n accelerations; loads are lists by row, of which `row` is taken.
 fn residual<'e>(
     lowering: &mut Lowering,
-    inertia: &[(usize, Expr)],
-    force: Expr,
+    (inertia, force): (&[(usize, Expr)], Expr),
     n: usize,
     loads: impl Iterator<Item = &'e [(usize, Expr)]>,
     row: usize,

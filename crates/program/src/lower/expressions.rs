@@ -7,7 +7,7 @@ use crate::verify::verified;
 use crate::{Bounded, By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Spare, Tape, Unary};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
-use symbolic::{Expr, Function, Graph, Node, Rational, SymbolId};
+use symbolic::{Edge, Expr, Function, Graph, Node, Rational, SymbolId};
 
 /// What the symbols of the expressions are. A symbol may be in one list only.
 #[derive(Clone, Debug, Default)]
@@ -309,9 +309,9 @@ impl<'g, 't> Lowering<'g, 't> {
             }
             Node::Power { base, exponent } => self.builder.general_power(self.known(*base), self.known(*exponent)),
             Node::Call { function, arguments } => self.call(*function, arguments),
-            Node::Switch { guard, strict, then, otherwise } => {
+            Node::Switch { guard, edge, then, otherwise } => {
                 let (then, otherwise) = (self.known(*then), self.known(*otherwise));
-                let middle = if *strict { otherwise } else { then };
+                let middle = if *edge == Edge::Open { otherwise } else { then };
                 self.switch(GuardKind::If, (*guard, None), [otherwise, middle, then])
             }
         }

@@ -71,7 +71,7 @@ pub fn connection(e: &mut Equations, name: &str, place: Expr, scale: i64) -> usi
     reaction(e, &format!("force({name})"), forces, Law::Ideal { condition })
 }
 
-pub fn friction(e: &mut Equations, name: &str, sliding: Expr, [back, forth]: [Expr; 2], fixed: Expr, normal: Option<Normal>) -> usize {
+pub fn friction(e: &mut Equations, name: &str, sliding: Expr, ([back, forth], fixed): ([Expr; 2], Expr), normal: Option<Normal>) -> usize {
     let condition = rate_condition(e, name, None, sliding);
     let forces = e.conditions[condition].columns.clone();
     let forces = forces.into_iter().map(|(j, c)| (j, e.graph.neg(c))).collect();
@@ -185,7 +185,7 @@ pub fn block() -> Equations {
     masses(&mut e, &[m]);
     let sine = e.graph.call(Function::Sin, &[a]);
     e.force = vec![e.graph.product(&[m, g, sine])];
-    friction(&mut e, "block", v, [kinetic, kinetic], fixed, None);
+    friction(&mut e, "block", v, ([kinetic, kinetic], fixed), None);
     e
 }
 

@@ -4,7 +4,7 @@ use super::compose::Composer;
 use super::language;
 use super::layout::{Layout, Relation, Row};
 use super::order::Side;
-use symbolic::{Expr, Node, Rational};
+use symbolic::{Edge, Expr, Node, Rational};
 
 /// Longer chains end with an ellipsis.
 const ROWS: usize = 40;
@@ -17,12 +17,12 @@ impl Composer<'_> {
         let mut rows = vec![];
         let mut last = e;
         let mut only = None;
-        while let Node::Switch { guard, strict, then, otherwise } = graph.node(last) {
+        while let Node::Switch { guard, edge, then, otherwise } = graph.node(last) {
             if rows.len() == ROWS {
                 rows.push(Row { value: Layout::Words("…".into()), condition: Layout::Words("…".into()) });
                 return Layout::Cases(rows);
             }
-            let relation = if *strict { Relation::Greater } else { Relation::GreaterEqual };
+            let relation = if *edge == Edge::Open { Relation::Greater } else { Relation::GreaterEqual };
             let value = self.compose(*then, false, Side::Plain);
             rows.push(Row { value, condition: self.condition(*guard, relation) });
             only = Some((*guard, relation));

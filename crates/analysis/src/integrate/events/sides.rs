@@ -116,7 +116,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
             self.touched[i] = value.abs() <= noise;
             self.modes[i] = if self.touched[i] && !contact { Mode::Zero } else { Mode::of(value) };
             if contact && value < -noise {
-                return Err(Fault::penetrates(&guard.name, guard.tie, value, self.now.high));
+                let fault = if guard.tie { Fault::too_short } else { Fault::penetrates };
+                return Err(fault(&guard.name, value, self.now.high));
             }
             if contact && self.touched[i] {
                 // closed, unless an impact or the flow opens it

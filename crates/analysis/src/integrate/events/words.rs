@@ -12,7 +12,7 @@ pub fn describe(switch: &Switch, guard: &Guard) -> Text {
     let name = &guard.name;
     let told = |en: String, ru: String| Text::new(format!("{}: {en}", name.en), format!("{}: {ru}", name.ru));
     match (&guard.kind, switch.change) {
-        (_, Change::Impact { rates, .. }) => impact(switch, rates, guard.tie, told),
+        (_, Change::Impact { rates, .. }) => impact(switch, rates, guard, told),
         (_, Change::Rests { limit }) => {
             let n = number(limit);
             told(
@@ -92,12 +92,12 @@ pub fn standing(guards: &[Guard], modes: &[Mode]) -> Vec<Standing> {
     guards.iter().zip(modes).enumerate().filter_map(one).collect()
 }
 
-fn impact(switch: &Switch, rates: [f64; 2], tie: bool, told: impl Fn(String, String) -> Text) -> Text {
+fn impact(switch: &Switch, rates: [f64; 2], guard: &Guard, told: impl Fn(String, String) -> Text) -> Text {
     let [before, after] = rates.map(short);
-    let word = if tie { ("catches", "рывок") } else { ("impact", "удар") };
+    let word = if guard.tie { ("catches", "рывок") } else { ("impact", "удар") };
     let mut en = format!("{}, rate {} → {}", word.0, before.en, after.en);
     let mut ru = format!("{}, скорость {} → {}", word.1, before.ru, after.ru);
-    if switch.after == Mode::Zero && tie {
+    if switch.after == Mode::Zero && guard.tie {
         en += ", stays taut";
         ru += ", остаётся натянутой";
     } else if switch.after == Mode::Zero {

@@ -157,7 +157,7 @@ impl Collocation {
             return Verdict::Shorter(0.25);
         }
         let (mut stages, mut scales) = (std::mem::take(&mut self.stages), self.scales.clone());
-        let outcome = self.newton.solve(system, base, (&self.tableau, h), &mut stages, (&mut scales, &mut self.counts));
+        let outcome = self.newton.solve(system, base, (&self.tableau, h), (&mut stages, &mut scales, &mut self.counts));
         (self.stages, self.scales) = (stages, scales);
         if outcome == Outcome::Failed {
             return Verdict::Shorter(0.4);

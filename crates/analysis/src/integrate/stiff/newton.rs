@@ -118,8 +118,7 @@ impl Newton {
         system: &mut S,
         base: &Base<'_>,
         (tableau, h): (&Tableau, f64),
-        stages: &mut Stages,
-        (scales, counts): (&mut Scales, &mut Counts),
+        (stages, scales, counts): (&mut Stages, &mut Scales, &mut Counts),
     ) -> Outcome {
         scales.noise.fill(0.0);
         let (mut before, mut ratio) = (f64::INFINITY, 1.0_f64);

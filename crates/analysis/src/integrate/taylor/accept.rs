@@ -3,7 +3,7 @@
 use crate::integrate::step;
 use words::Text;
 
-use super::Flow;
+use super::{Ending, Flow};
 use crate::{Fault, System};
 use algebra::sum::Instant;
 
@@ -77,8 +77,8 @@ impl Defect {
 
 impl<S: System + ?Sized> Flow<'_, S> {
     /// Expansion at the next state in the old modes; of order 1 when the modes are about to change.
-    pub(super) fn probe(&mut self, at: Instant, event: bool) -> Result<(), Fault> {
-        if event {
+    pub(super) fn probe(&mut self, at: Instant, ending: Ending) -> Result<(), Fault> {
+        if ending == Ending::Event {
             self.work.probes += 1;
             self.system.expand(at.high, &self.next_x, &self.modes, 1)?;
         } else {

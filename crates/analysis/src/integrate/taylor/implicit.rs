@@ -12,7 +12,7 @@
 //! recognised. A trial step is [`WORTH`] Taylor steps long or more; where the accepted steps become shorter than half of that, the Taylor series
 //! takes over again, and at each event it takes the first steps, because the modes are decided by derivatives.
 
-use super::{Flow, Options};
+use super::{Ending, Flow, Options};
 use crate::integrate::stiff::{Base, Collocation, Method, Verdict};
 use crate::{Fault, System};
 use algebra::sum::Instant;
@@ -240,16 +240,16 @@ impl<S: System + ?Sized> Flow<'_, S> {
     fn land(&mut self, engine: &mut Collocation, (h, growth): (f64, f64), target: f64) -> Result<Landing, Fault> {
         self.step.take_implicit(engine, &self.x);
         let full = h >= self.now.until(target);
-        let (length, event) = self.shorten_to_event(h);
+        let (length, ending) = self.shorten_to_event(h);
         self.evaluate(length);
-        if !event {
+        if ending == Ending::Plain {
             // the stage itself has digits that the powers lose
             for (i, change) in engine.change().iter().enumerate() {
                 (self.next_x[i], self.next_low[i]) = algebra::sum::two_sum(self.x[i], change + self.low[i]);
             }
         }
-        let lands = if full && !event { Instant::at(target) } else { self.now.after(length) };
-        if self.correct(lands, length).and_then(|()| self.probe(lands, event)).is_err() {
+        let lands = if full && ending == Ending::Plain { Instant::at(target) } else { self.now.after(length) };
+        if self.correct(lands, length).and_then(|()| self.probe(lands, ending)).is_err() {
             self.work.rejected += 1;
             return Ok(Landing::OutOfReach);
         }
@@ -262,7 +262,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         engine.keep();
         self.implicit.next = Some(h * growth);
         self.implicit.taken = 0;
-        let arrived = self.arrive(lands, event);
+        let arrived = self.arrive(lands, ending);
         if self.implicit.next.is_none() {
             engine.forget();
         }

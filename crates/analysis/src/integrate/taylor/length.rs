@@ -183,11 +183,13 @@ impl Rule {
         }
     }
 
-    /// Takes note of the values of the states; at an event old values lose half of their weight.
-    pub(super) fn note_reach(&mut self, x: &[f64], event: bool) {
-        if event {
-            self.reach.iter_mut().for_each(|reach| *reach *= 0.5);
-        }
+    /// Old values of the states lose half of their weight.
+    pub(super) fn fade_reach(&mut self) {
+        self.reach.iter_mut().for_each(|reach| *reach *= 0.5);
+    }
+
+    /// Takes note of the values of the states.
+    pub(super) fn note_reach(&mut self, x: &[f64]) {
         for (x, group) in x.iter().zip(&self.group) {
             self.reach[*group] = self.reach[*group].max(x.abs());
         }

@@ -189,22 +189,32 @@ pub struct Flow<'s, S: System + ?Sized> {
     pub(crate) work: Work,
 }
 
+/// What stands at the end of a step.
+#[derive(Clone, Copy, PartialEq)]
+enum Ending {
+    Event,
+    Plain,
+}
+
+fn check_start<S: System + ?Sized>(system: &S, t: f64, x: &[f64]) -> Result<(), Fault> {
+    match system.states().iter().zip(x).find(|(_, value)| !value.is_finite()) {
+        Some((state, _)) => Err(Fault::not_finite(&Text::same(&state.name), t)),
+        None => Ok(()),
+    }
+}
+
 impl<'s, S: System + ?Sized> Flow<'s, S> {
     /// Prepares the motion from a state; modes are decided from the flow itself.
     ///
     /// *Errors*: tolerance out of range, a start that is not finite or singular, a start on a switch from which no mode leads away.
     pub fn start(system: &'s mut S, t: f64, x: &[f64], options: &Options) -> Result<Flow<'s, S>, Fault> {
         check_tolerance(options.tolerance)?;
+        check_start(system, t, x)?;
+        let (n_x, n_g) = (x.len(), system.guards().len());
         let units: Vec<&str> = system.states().iter().map(|q| q.unit.as_str()).collect();
         let mut rule = Rule::new(options.tolerance, options.order, &units);
-        let implicit = Implicit::new(options, &units, system.guards().len());
-        for (value, state) in x.iter().zip(system.states()) {
-            if !value.is_finite() {
-                return Err(Fault::not_finite(&Text::same(&state.name), t));
-            }
-        }
-        let (n_x, n_g) = (x.len(), system.guards().len());
-        rule.note_reach(x, false);
+        let implicit = Implicit::new(options, &units, n_g);
+        rule.note_reach(x);
         let mut flow = Flow {
             system,
             rule,
@@ -256,8 +266,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         flow.take_turns_off();
         flow.decide_at_start()?;
         flow.show_turns();
-        flow.expanded = true;
-        flow.crowd.last = flow.now;
+        (flow.expanded, flow.crowd.last) = (true, flow.now);
         Ok(flow)
     }
 
@@ -282,12 +291,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
         {
             return Ok(());
         }
-        if h < limit {
-            self.rule.adapt(&self.step.states);
-        }
-        h = self.trusted(&self.step, h);
-        h = self.faithful(h);
-        h = self.clear(h, limit)?;
+        h = self.believed(h, limit)?;
         let mut defect = Defect::after(self.rough);
         if self.system.holds_powers() {
             self.rule.rescale(&self.step.states, h);
@@ -300,7 +304,8 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
                 self.check_length(h)?;
             }
             let full = h >= limit;
-            let (length, event) = self.shorten_to_event(h);
+            let (length, ending) = self.shorten_to_event(h);
+            let event = ending == Ending::Event;
             self.refuse_switch_in_passage(event.then_some(length))?;
             self.evaluate(length);
             if !full && !event && self.ends_near(length) {
@@ -314,7 +319,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             let full = full || there;
             // an event within rounding of the end is at the end: a step of one unit of the last place behind it would hold nothing but rounding
             let lands = if full && !event || there && target == end { Instant::at(target) } else { lands };
-            let probe = if !finite { Err(self.not_finite()) } else { self.correct(lands, length).and_then(|()| self.probe(lands, event)) };
+            let probe = if !finite { Err(self.not_finite()) } else { self.correct(lands, length).and_then(|()| self.probe(lands, ending)) };
             let passes = probe.is_ok() && (event || self.passes(length) != Some(false));
             if !passes && let Some(shorter) = self.give_up_passage() {
                 h = shorter?;
@@ -329,14 +334,29 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
                     self.refuse_switch_in_passage(Some(length))?;
                 }
                 self.rough = defect.stayed;
-                (self.step.length, self.step.ends) = (length, lands);
-                self.note_passage(length);
-                self.note_taylor_step(lands);
-                let arrived = self.arrive(lands, event);
-                self.show_turns();
-                return arrived;
+                return self.accept(length, lands, ending);
             }
         }
+    }
+
+    /// The part of a length over which all polynomials stand for what they are of.
+    fn believed(&mut self, h: f64, limit: f64) -> Result<f64, Fault> {
+        if h < limit {
+            self.rule.adapt(&self.step.states);
+        }
+        let trusted = self.trusted(&self.step, h);
+        let faithful = self.faithful(trusted);
+        self.clear(faithful, limit)
+    }
+
+    /// A Taylor step of the length found is taken.
+    fn accept(&mut self, length: f64, lands: Instant, ending: Ending) -> Result<(), Fault> {
+        (self.step.length, self.step.ends) = (length, lands);
+        self.note_passage(length);
+        self.note_taylor_step(lands);
+        let arrived = self.arrive(lands, ending);
+        self.show_turns();
+        arrived
     }
 
     /// Whether `t` has been reached.
@@ -481,11 +501,15 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     }
 
     /// Moves to the end of the step and decides the modes there.
-    fn arrive(&mut self, at: Instant, event: bool) -> Result<(), Fault> {
+    fn arrive(&mut self, at: Instant, ending: Ending) -> Result<(), Fault> {
         self.now = at;
         std::mem::swap(&mut self.x, &mut self.next_x);
         std::mem::swap(&mut self.low, &mut self.next_low);
-        self.rule.note_reach(&self.x, event);
+        let event = ending == Ending::Event;
+        if event {
+            self.rule.fade_reach();
+        }
+        self.rule.note_reach(&self.x);
         self.deflation.fill(0);
         self.work.projections += u64::from(self.removed > 0.0);
         self.drift = self.drift.max(self.removed);

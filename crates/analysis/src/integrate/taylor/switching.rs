@@ -1,6 +1,6 @@
 //! Switches on the way: the first crossing inside a step, what is on its surface at the end, and when switches come too close.
 
-use super::Flow;
+use super::{Ending, Flow};
 use crate::integrate::Step;
 use crate::integrate::events::roots::surely_no_root;
 use crate::integrate::events::{BoundState, Change, opposite};
@@ -54,7 +54,7 @@ fn convergent(c: &[f64], mut h: f64, tolerance: f64) -> f64 {
 
 impl<S: System + ?Sized> Flow<'_, S> {
     /// The step up to the first sign change of a guard; marks the guards that change there.
-    pub(super) fn shorten_to_event(&mut self, h: f64) -> (f64, bool) {
+    pub(super) fn shorten_to_event(&mut self, h: f64) -> (f64, Ending) {
         self.touched.fill(false);
         self.weighed = false;
         let (mut first, mut whose) = (f64::INFINITY, 0);
@@ -66,14 +66,14 @@ impl<S: System + ?Sized> Flow<'_, S> {
             }
         }
         if first > h {
-            return (h, false);
+            return (h, Ending::Plain);
         }
         // what lies within rounding of the first root happens together with it
         let together = first + 4.0 * f64::EPSILON * self.now.high.abs() + 1e-14 * h;
         for i in 0..self.modes.len() {
             self.touched[i] = i == whose || self.crossing(i, together.min(h)).is_some();
         }
-        (first, true)
+        (first, Ending::Event)
     }
 
     /// The step on which the polynomials of the guards can be trusted. Where the motion is a polynomial (free flight) the step is as long as the run,

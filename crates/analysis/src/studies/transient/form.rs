@@ -10,7 +10,7 @@ use super::obstacle::{Obstacle, Reason, Result, connected};
 use super::value::{Value, slope};
 use crate::Fault;
 use std::collections::HashMap;
-use symbolic::{Equations, Expr, Function, Node, SymbolId};
+use symbolic::{Edge, Equations, Expr, Function, Node, SymbolId};
 
 /// M q'' + B q' + C q = f(t) within a phase; matrices row-major.
 #[derive(Clone, Debug, PartialEq)]
@@ -189,9 +189,9 @@ impl<'e> Walk<'e> {
                 let arguments: Vec<Value> = arguments.iter().map(|a| self.known(*a)).collect::<Result<_>>()?;
                 self.call(*function, &arguments).map_err(|r| Obstacle(r, e))
             }
-            Node::Switch { guard, strict, then, otherwise } => {
+            Node::Switch { guard, edge, then, otherwise } => {
                 let side = self.decide(&self.known(*guard)?).map_err(|r| Obstacle(r, e))?;
-                self.known(if side > 0.0 || side == 0.0 && !strict { *then } else { *otherwise })
+                self.known(if side > 0.0 || side == 0.0 && *edge == Edge::Closed { *then } else { *otherwise })
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::book::shaft;
 use crate::formula::{Form, Printer};
-use symbolic::{Expr, Function, Graph, Rational};
+use symbolic::{Edge, Expr, Function, Graph, Rational};
 use words::Language;
 
 /// xorshift64*: the seed is fixed, so a failure repeats.
@@ -47,7 +47,7 @@ pub fn grow(graph: &mut Graph, dice: &mut Dice, pool: &[Expr]) -> Expr {
             let exponent = Rational::new(dice.roll(9) as i64 - 4, dice.roll(4) as i64 + 1).unwrap();
             graph.pow(a, &exponent)
         }
-        9 => graph.switch(a, dice.roll(2) == 0, b, a),
+        9 => graph.switch(a, if dice.roll(2) == 0 { Edge::Open } else { Edge::Closed }, b, a),
         10 if !graph.is_zero(a) && graph.as_number(b).is_none() => graph.power(a, b),
         _ => graph.pi(),
     }

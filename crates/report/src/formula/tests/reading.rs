@@ -1,6 +1,6 @@
 //! A small reader of formulas, so that the tests can state them as text.
 
-use symbolic::{Expr, Function, Graph, Rational};
+use symbolic::{Edge, Expr, Function, Graph, Rational};
 
 pub fn read(graph: &mut Graph, text: &str) -> Expr {
     let mut reader = Reader { graph, rest: text };
@@ -109,8 +109,8 @@ impl Reader<'_> {
             let arguments = self.arguments();
             return match (name.as_str(), &arguments[..]) {
                 ("sqrt", [x]) => self.graph.sqrt(*x),
-                ("switch", [guard, then, otherwise]) => self.graph.switch(*guard, false, *then, *otherwise),
-                ("strict", [guard, then, otherwise]) => self.graph.switch(*guard, true, *then, *otherwise),
+                ("switch", [guard, then, otherwise]) => self.graph.switch(*guard, Edge::Closed, *then, *otherwise),
+                ("strict", [guard, then, otherwise]) => self.graph.switch(*guard, Edge::Open, *then, *otherwise),
                 _ => self.graph.call(Function::from_name(&name).unwrap(), &arguments),
             };
         }
