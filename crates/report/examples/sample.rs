@@ -3,8 +3,9 @@
 use analysis::Dataset;
 use analysis::Quantity;
 use analysis::dataset::{Column, Event};
-use report::document::{Content, Formula, Inline, Rich};
+use report::document::{Content, Inline, Rich};
 use report::figure::{Happening, Mark, png, svg};
+use report::formula::{Bare, Bracket, Layout, Printer, Relation, Sign};
 use report::{Block, Cell, Document, Download, Figure, Table, Word, csv, json, page, table, terminal};
 use words::{Language, Text};
 
@@ -120,14 +121,21 @@ fn document(data: &Dataset, language: Language) -> Document {
     for (time, event) in times.into_iter().zip(&data.events) {
         events.row(vec![time, Cell::words(language.text(&event.what))]);
     }
-    let formula = Formula {
-        mathml: "<math display=\"block\"><mrow><mi>m</mi><msup><mi>l</mi><mn>2</mn></msup><mover accent=\"true\"><mi mathvariant=\"normal\">φ</mi><mo>¨</mo></mover><mo>+</mo><mi>m</mi><mi>g</mi><mi>l</mi><mi>sin</mi><mo>&#x2061;</mo><mi mathvariant=\"normal\">φ</mi><mo>=</mo><mo>−</mo><mi>k</mi><mrow><mo>(</mo><mover accent=\"true\"><mi mathvariant=\"normal\">φ</mi><mo>˙</mo></mover><mo>−</mo><mi mathvariant=\"normal\">ω</mi><mo>)</mo></mrow></mrow></math>".into(),
-        text: "m l² φ″ + m g l sin φ = −k (φ′ − ω)".into(),
-    };
-    let small = Formula {
-        mathml: "<math><mi>T</mi><mo>=</mo><mfrac><mn>1</mn><mn>2</mn></mfrac><mi>m</mi><msup><mi>v</mi><mn>2</mn></msup></math>".into(),
-        text: "T = m v²/2".into(),
-    };
+    let printer = Printer::new(language);
+    let letter = |name: &str| Layout::Symbol(printer.named(name));
+    let sine = Layout::Call { name: "sin", power: None, argument: Box::new(letter("phi")), bare: Bare::Always };
+    let square = |name: &str| Layout::Power(Box::new(letter(name)), Box::new(Layout::Words("2".into())));
+    let left = Layout::Sum(vec![
+        (Sign::Plus, Layout::Product(vec![letter("m"), square("l"), letter("phi''")])),
+        (Sign::Plus, Layout::Product(vec![letter("m"), letter("g"), letter("l"), sine])),
+    ]);
+    let slip = Layout::Sum(vec![(Sign::Plus, letter("phi'")), (Sign::Minus, letter("omega"))]);
+    let slip = Layout::Fence(Bracket::Round, Box::new(slip));
+    let right = Layout::Sum(vec![(Sign::Minus, Layout::Product(vec![letter("k"), slip]))]);
+    let equal = |left, right| Layout::Related(Box::new(left), Relation::Equal, Box::new(right));
+    let formula = printer.block(equal(left, right));
+    let half = Layout::Fraction(Box::new(Layout::Words("1".into())), Box::new(Layout::Words("2".into())));
+    let small = printer.block(equal(letter("T"), Layout::Product(vec![half, letter("m"), square("v")])));
     let mut blocks = vec![
         Block::heading(1, word(Word::Coordinates)),
         Block::Paragraph(Rich(vec![

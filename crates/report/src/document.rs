@@ -8,6 +8,9 @@ use crate::figure::bands::Bands;
 use crate::table::Table;
 use words::Language;
 
+pub use crate::formula::Formula;
+pub use crate::rich::{Inline, Rich};
+
 /// A document: title, blocks, and where it came from.
 #[derive(Clone, Debug)]
 pub struct Document {
@@ -72,66 +75,6 @@ impl Block {
     /// A paragraph.
     pub fn paragraph(rich: impl Into<Rich>) -> Block {
         Block::Paragraph(rich.into())
-    }
-}
-
-/// A formula in the forms that the writers need.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Formula {
-    /// A `<math>` element. It is trusted: whoever makes it escapes the user's names in it.
-    pub mathml: String,
-    /// The same as Unicode text; it may have several lines.
-    pub text: String,
-}
-
-/// Words with formulas and symbols among them.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Rich(pub Vec<Inline>);
-
-/// A piece of [`Rich`].
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Inline {
-    /// Plain words.
-    Words(String),
-    /// A formula within the line.
-    Formula(Formula),
-    /// A name of the model, shown as a symbol (`c_x`, `phi'`).
-    Symbol(String),
-}
-
-impl Rich {
-    /// A name of the model, shown as a symbol.
-    pub fn symbol(name: impl Into<String>) -> Rich {
-        Rich(vec![Inline::Symbol(name.into())])
-    }
-
-    /// A formula.
-    pub fn formula(formula: Formula) -> Rich {
-        Rich(vec![Inline::Formula(formula)])
-    }
-}
-
-impl Rich {
-    /// All of it as plain text.
-    pub fn plain(&self, language: Language) -> String {
-        let pieces = self.0.iter().map(|piece| match piece {
-            Inline::Words(words) => words.clone(),
-            Inline::Formula(formula) => formula.text.clone(),
-            Inline::Symbol(name) => crate::symbol::plain(name, language),
-        });
-        pieces.collect()
-    }
-}
-
-impl From<&str> for Rich {
-    fn from(words: &str) -> Rich {
-        Rich(vec![Inline::Words(words.into())])
-    }
-}
-
-impl From<String> for Rich {
-    fn from(words: String) -> Rich {
-        Rich(vec![Inline::Words(words)])
     }
 }
 

@@ -12,6 +12,7 @@ pub mod formula;
 pub mod json;
 pub mod number;
 pub mod page;
+mod rich;
 pub mod symbol;
 pub mod table;
 pub mod terminal;

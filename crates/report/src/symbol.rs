@@ -56,7 +56,8 @@ pub fn mathml(name: &str, language: Language) -> String {
     written(name, language, Form::MathMl)
 }
 
-fn written(name: &str, language: Language, form: Form) -> String {
+/// The symbol in a written form.
+pub(crate) fn written(name: &str, language: Language, form: Form) -> String {
     let printer = Printer::new(language);
     printer.write(&Layout::Symbol(printer.named(name)), form, Placement::Inline)
 }

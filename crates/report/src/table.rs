@@ -1,7 +1,7 @@
 //! Tables: columns with heads, cells, and the alignment on the decimal mark that both writers share.
 
-use crate::document::Rich;
 use crate::number::Format;
+use crate::rich::Rich;
 use crate::unit;
 use words::Language;
 

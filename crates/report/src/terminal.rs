@@ -122,7 +122,7 @@ impl Writer {
                 self.line(&rule.repeat(text.chars().count().min(self.width)));
             }
             Block::Paragraph(rich) => self.paragraph(&rich.plain(self.language)),
-            Block::Equation { formula, numbered } => self.equation(&formula.text, *numbered),
+            Block::Equation { formula, numbered } => self.equation(&formula.text(), *numbered),
             Block::Table(content) => {
                 if let Some(caption) = &content.caption {
                     self.tables += 1;

@@ -4,6 +4,7 @@ use analysis::dataset::{Column, Event};
 use analysis::{Dataset, Quantity};
 use report::document::{Content, Formula, Rich};
 use report::figure::{png, svg};
+use report::formula::Layout;
 use report::{Block, Cell, Document, Download, Figure, Table, page, table, terminal};
 use words::{Language, Text};
 
@@ -29,8 +30,8 @@ fn document(language: Language) -> Document {
     let blocks = vec![
         Block::heading(1, NASTY),
         Block::paragraph(NASTY),
-        Block::Equation { formula: Formula { mathml: "<math><mi>x</mi></math>".into(), text: "x".into() }, numbered: true },
-        Block::Equation { formula: Formula { mathml: String::new(), text: NASTY.into() }, numbered: false },
+        Block::Equation { formula: Formula::inline(Layout::Words("x".into())), numbered: true },
+        Block::Equation { formula: Formula::inline(Layout::Words(NASTY.into())), numbered: false },
         Block::Table(cells),
         Block::Figure(Figure::over_axis(&data, &[NASTY, "x"], language).unwrap()),
         Block::Details { summary: NASTY.into(), blocks: vec![Block::Figure(Figure::in_plane(&data, "x", &[NASTY], language).unwrap())] },

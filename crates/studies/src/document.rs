@@ -8,7 +8,7 @@ use analysis::Dataset;
 use analysis::dataset::{Audit, Event, Extreme};
 use mechanics::model::Plot;
 use report::document::{Content, Formula, Inline, Rich};
-use report::formula::{Form, Printer};
+use report::formula::{Layout, Printer};
 use report::table::Column;
 use report::{Block, Cell, Document, Download, Figure, Table, Word};
 use symbolic::connections::{Law, Reaction};
@@ -196,8 +196,7 @@ impl Writer<'_> {
     }
 
     fn symbol(&self, printer: &Printer, symbol: symbolic::SymbolId) -> Formula {
-        let graph = &self.equations.graph;
-        Formula { mathml: printer.symbol(graph, symbol, Form::MathMl), text: printer.symbol(graph, symbol, Form::Text) }
+        Formula::inline(printer.symbol_layout(&self.equations.graph, symbol))
     }
 
     fn equations(&self) -> Vec<Block> {
@@ -213,43 +212,30 @@ impl Writer<'_> {
             Err(reason) => blocks.push(Block::paragraph(self.language.text(reason))),
             Ok(equalities) => {
                 for (i, equality) in equalities.iter().enumerate() {
-                    let write = |form| printer.equality(graph, *equality, Some(i), form);
-                    let formula = Formula { mathml: write(Form::MathMl), text: write(Form::Text) };
+                    let formula = printer.block(printer.equality_layout(graph, *equality, Some(i)));
                     blocks.push(Block::Equation { formula, numbered: true });
                 }
             }
         }
         blocks.extend(self.connections(&printer));
-        let mathml = definitions(self.equations, &printer, Form::MathMl);
-        let text = definitions(self.equations, &printer, Form::Text);
-        if !text.is_empty() {
-            blocks.push(Block::paragraph(say(self.language, Say::WhereText)));
-        }
-        for (mathml, text) in mathml.into_iter().zip(text) {
-            blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
-        }
+        let definitions = definitions(self.equations, &printer);
+        blocks.extend((!definitions.is_empty()).then(|| Block::paragraph(say(self.language, Say::WhereText))));
+        blocks.extend(definitions.into_iter().map(|layout| unnumbered(&printer, layout)));
         blocks
     }
 
     /// What the connections demand, and what the letters of their reactions mean.
     fn connections(&self, printer: &Printer) -> Vec<Block> {
-        let [mathml, text] = [Form::MathMl, Form::Text].map(|form| conditions(self.equations, printer, form));
+        let conditions = conditions(self.equations, printer);
         let mut blocks = Vec::new();
-        if !text.is_empty() {
-            blocks.push(Block::paragraph(say(self.language, Say::Connections)));
-        }
-        let holding = holding(self.equations, self.language);
-        for ((mathml, text), when) in mathml.into_iter().zip(text).zip(holding) {
+        blocks.extend((!conditions.is_empty()).then(|| Block::paragraph(say(self.language, Say::Connections))));
+        for (layout, when) in conditions.into_iter().zip(holding(self.equations, self.language)) {
             blocks.extend(when.map(|words| Block::paragraph(format!("{words}:"))));
-            blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
+            blocks.push(unnumbered(printer, layout));
         }
-        let [mathml, text] = [Form::MathMl, Form::Text].map(|form| crate::frictions::laws(self.equations, printer, form));
-        if !text.is_empty() {
-            blocks.push(Block::paragraph(say(self.language, Say::FrictionLaws)));
-        }
-        for (mathml, text) in mathml.into_iter().zip(text) {
-            blocks.push(Block::Equation { formula: Formula { mathml, text }, numbered: false });
-        }
+        let laws = crate::frictions::laws(self.equations, printer);
+        blocks.extend((!laws.is_empty()).then(|| Block::paragraph(say(self.language, Say::FrictionLaws))));
+        blocks.extend(laws.into_iter().map(|layout| unnumbered(printer, layout)));
         blocks.extend(self.reactions(printer));
         blocks
     }
@@ -292,13 +278,11 @@ impl Writer<'_> {
         let graph = &self.equations.graph;
         let is = |o: &&symbolic::equations::Output| matches!(graph.node(o.formula), symbolic::Node::Symbol(s) if *s == reaction.symbol);
         let output = self.equations.outputs.iter().find(is)?;
-        let written = |name: &str, form| {
-            let shown = self.equations.notation.iter().find(|(n, _)| n == name).map_or(name, |(_, symbol)| symbol.as_str());
-            printer.write(&report::formula::Layout::Symbol(printer.named(shown)), form, report::formula::Placement::Inline)
-        };
-        let text = written(&output.name, Form::Text);
-        let own = printer.symbol(graph, reaction.symbol, Form::Text);
-        (text != own).then(|| Formula { mathml: written(&output.name, Form::MathMl), text })
+        let name = &output.name;
+        let shown = self.equations.notation.iter().find(|(n, _)| n == name).map_or(name, |(_, symbol)| symbol);
+        let written = Formula::inline(Layout::Symbol(printer.named(shown)));
+        let own = self.symbol(printer, reaction.symbol);
+        (written.text() != own.text()).then_some(written)
     }
 
     fn derivation(&self) -> Vec<Block> {
@@ -525,13 +509,13 @@ pub fn in_terminal(title: &str, blocks: Vec<Block>, language: Language, width: u
 }
 
 /// What stands behind "where": definitions, and the rates of prescribed turning angles, ψ' = ω. Nothing when the equations are not shown.
-pub fn definitions(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
+pub fn definitions(equations: &Equations, printer: &Printer) -> Vec<Layout> {
     let Ok(shown_equations) = &equations.textbook else { return Vec::new() };
     let graph = &equations.graph;
     let sides: Vec<symbolic::Expr> = shown_equations.iter().flat_map(|e| [e.left, e.right]).collect();
     let occurring = graph.symbols_in(&sides);
     let shown = equations.definitions.iter().filter(|d| d.shown);
-    let mut out: Vec<String> = shown.map(|d| printer.definition(graph, d.symbol, d.formula, form)).collect();
+    let mut out: Vec<Layout> = shown.map(|d| printer.definition(graph, d.symbol, d.formula)).collect();
     let turning: Vec<_> = equations.auxiliaries.iter().filter(|a| occurring.binary_search(&a.symbol).is_ok()).collect();
     if !turning.is_empty() {
         // the symbol of the rate is made for print only
@@ -539,7 +523,7 @@ pub fn definitions(equations: &Equations, printer: &Printer, form: Form) -> Vec<
         for a in turning {
             let name = graph.symbol_info(a.symbol).name.clone();
             let rate = graph.symbol_id(&name, 1);
-            out.push(printer.definition(&graph, rate, a.rate, form));
+            out.push(printer.definition(&graph, rate, a.rate));
         }
     }
     out
@@ -547,7 +531,7 @@ pub fn definitions(equations: &Equations, printer: &Printer, form: Form) -> Vec<
 
 /// The conditions of connections, `... = 0`: on positions where they exist, else on rates. Those of frictions, which hold only at rest, stand with
 /// their laws. Nothing when the equations are not shown.
-pub fn conditions(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
+pub fn conditions(equations: &Equations, printer: &Printer) -> Vec<Layout> {
     if equations.textbook.is_err() {
         return Vec::new();
     }
@@ -555,7 +539,7 @@ pub fn conditions(equations: &Equations, printer: &Printer, form: Form) -> Vec<S
     let right = graph.zero();
     let write = |c: &symbolic::connections::Condition| {
         let equality = symbolic::equations::Equality { left: c.place.unwrap_or(c.rate), right };
-        printer.equality(&graph, equality, None, form)
+        printer.equality_layout(&graph, equality, None)
     };
     let rubs = |c: &symbolic::connections::Condition| c.reaction.is_some_and(|r| matches!(equations.reactions[r].law, Law::Friction(_)));
     equations.conditions.iter().filter(|c| !rubs(c)).map(write).collect()
@@ -578,6 +562,10 @@ pub fn holding(equations: &Equations, language: Language) -> Vec<Option<String>>
     equations.conditions.iter().map(one).collect()
 }
 
+fn unnumbered(printer: &Printer, layout: Layout) -> Block {
+    Block::Equation { formula: printer.block(layout), numbered: false }
+}
+
 /// The written derivation as blocks.
 pub fn steps(equations: &Equations, printer: &Printer, language: Language) -> Vec<Block> {
     let mut blocks = Vec::new();
@@ -588,8 +576,7 @@ pub fn steps(equations: &Equations, printer: &Printer, language: Language) -> Ve
             blocks.push(Block::paragraph(words));
         }
         for formula in &step.formulas {
-            let write = |form| printer.step(&equations.graph, formula, form);
-            blocks.push(Block::Equation { formula: Formula { mathml: write(Form::MathMl), text: write(Form::Text) }, numbered: false });
+            blocks.push(unnumbered(printer, printer.step(&equations.graph, formula)));
         }
     }
     blocks

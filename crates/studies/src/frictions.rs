@@ -1,12 +1,12 @@
 //! The laws of dry friction as formulas: what each force is while it slides, and its limit at rest.
 
-use report::formula::{Form, Printer};
+use report::formula::{Layout, Printer};
 use symbolic::connections::{Friction, Law, Normal};
 use symbolic::equations::Equality;
 use symbolic::{Edge, Equations, Expr, Function, Graph, SymbolId};
 
 /// Two lines a friction: λ = μ |N| sign v while it slides, |λ| ≤ μ₀ |N| while it sticks. Nothing when the equations are not shown.
-pub fn laws(equations: &Equations, printer: &Printer, form: Form) -> Vec<String> {
+pub fn laws(equations: &Equations, printer: &Printer) -> Vec<Layout> {
     if equations.textbook.is_err() {
         return Vec::new();
     }
@@ -15,8 +15,8 @@ pub fn laws(equations: &Equations, printer: &Printer, form: Form) -> Vec<String>
     for reaction in &equations.reactions {
         if let Law::Friction(friction) = &reaction.law {
             let [sliding, sticking] = law(equations, &mut graph, friction, reaction.symbol);
-            lines.push(printer.equality(&graph, sliding, None, form));
-            lines.push(printer.at_most(&graph, sticking, form));
+            lines.push(printer.equality_layout(&graph, sliding, None));
+            lines.push(printer.at_most(&graph, sticking));
         }
     }
     lines

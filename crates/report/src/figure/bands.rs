@@ -2,8 +2,8 @@
 
 use super::layout::{LEGEND_ROW, TEXT, text_width};
 use super::ticks;
-use crate::document::Rich;
 use crate::escape::markup;
+use crate::rich::Rich;
 use crate::unit::Scale;
 use crate::wording::Word;
 use std::fmt::Write;

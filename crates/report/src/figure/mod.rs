@@ -12,7 +12,7 @@ pub mod png;
 pub mod svg;
 pub mod ticks;
 
-use crate::document::{Inline, Rich};
+use crate::rich::{Inline, Rich};
 use crate::symbol;
 use crate::unit::Scale;
 use crate::wording::Word;

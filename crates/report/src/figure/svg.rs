@@ -5,8 +5,8 @@
 
 use super::layout::{LEGEND_ROW, Layout, STRIP, TEXT, lay, text_width};
 use super::{Axis, Figure, Kind, Mark, Pen, decimate, style};
-use crate::document::Inline;
 use crate::escape::markup;
+use crate::rich::Inline;
 use crate::symbol;
 use crate::wording::Word;
 use std::fmt::Write;
@@ -64,7 +64,7 @@ impl Draw<'_> {
         for piece in &self.figure.title.0 {
             match piece {
                 Inline::Words(words) => self.out.push_str(&markup(words)),
-                Inline::Formula(formula) => self.out.push_str(&markup(&formula.text)),
+                Inline::Formula(formula) => self.out.push_str(&markup(&formula.text())),
                 Inline::Symbol(name) => self.symbol(name),
             }
         }

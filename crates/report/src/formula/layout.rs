@@ -4,7 +4,7 @@
 //! deciding: where plain text needs brackets that a fraction bar makes superfluous, and which space goes where.
 
 /// A formula as boxes.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Layout {
     /// A number: mantissa with the decimal mark of the language (may be `3/2` in an exponent), and a power of ten.
     Number {
@@ -57,8 +57,17 @@ pub enum Layout {
     Cases(Vec<Row>),
 }
 
+/// Where a formula stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Placement {
+    /// On its own line.
+    Block,
+    /// Within a sentence or a table cell.
+    Inline,
+}
+
 /// One row of [`Layout::Cases`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
     /// The value.
     pub value: Layout,
@@ -163,7 +172,7 @@ pub enum Shape {
 }
 
 /// A letter or word with dots and a subscript.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Identifier {
     /// Letter or word.
     pub base: String,
@@ -176,7 +185,7 @@ pub struct Identifier {
 }
 
 /// A piece of a subscript.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Index {
     /// Letters, digits or a comma.
     pub text: String,

@@ -3,9 +3,8 @@
 //! Dots are an `mover` over the letter inside `msub`, so that they sit on the letter and not on letter and subscript together.
 //! Nothing relies on `mathvariant` but its value `normal`, the only one browsers honour.
 
-use super::layout::{Bare, Bracket, Identifier, Layout, Row, Shape, Sign};
+use super::layout::{Bare, Bracket, Identifier, Layout, Placement, Row, Shape, Sign};
 use super::lines::{Joint, Lines, Piece};
-use super::printer::Placement;
 
 /// Space around a named function, as TeX sets it.
 const THIN: &str = "<mspace width=\"0.167em\"/>";

@@ -1,11 +1,11 @@
 //! Printing of symbolic expressions and equations the way a textbook sets them.
 //!
 //! ```text
-//! Expr --compose--> Layout --text / latex / mathml--> String
+//! Expr --compose--> Layout --text / latex / mathml / typst--> String
 //!         ^ names (`phi1` -> φ₁), order of factors and terms, signs, fractions, numbers
 //! ```
 //!
-//! One layout serves the three writers, so the forms never disagree about order or signs. All choices of taste live in two files:
+//! One layout serves the four writers, so the forms never disagree about order or signs. All choices of taste live in two files:
 //! `order.rs` (what stands before what) and `product.rs` (signs, fractions, functions). Start with [`Printer::of`].
 
 mod classes;
@@ -21,15 +21,18 @@ mod numeral;
 mod order;
 mod printer;
 mod product;
+mod set;
 mod steps;
 mod switch;
 #[cfg(test)]
 mod tests;
 mod text;
+mod typst;
 
 pub use classes::SymbolClass;
-pub use layout::{Bare, Bracket, Identifier, Index, Layout, Relation, Row, Shape, Sign};
-pub use printer::{Form, Placement, Printer};
+pub use layout::{Bare, Bracket, Identifier, Index, Layout, Placement, Relation, Row, Shape, Sign};
+pub use printer::Printer;
+pub use set::{Form, Formula};
 pub use words::Language;
 
 /// A math font for pages (WOFF2, 32 kB): without one, browsers lose the dots over letters and the growing brackets of MathML.

@@ -2,33 +2,13 @@
 
 use super::classes::Classes;
 use super::compose::Composer;
-use super::layout::{Identifier, Layout, Relation, Shape};
-use super::lines::Room;
+use super::layout::{Identifier, Layout, Placement, Relation, Shape};
 use super::order::Side;
-use super::{SymbolClass, latex, lines, mathml, measure, names, text};
+use super::set::{self, Form, Formula};
+use super::{SymbolClass, names, text};
 use symbolic::equations::{Equality, StepFormula};
 use symbolic::{Equations, Expr, Graph, Symbol, SymbolId};
 use words::Language;
-
-/// A written form.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// Unicode on one line, or on several of limited width: `m l² φ''`.
-    Text,
-    /// LaTeX for math mode with amsmath, without delimiters.
-    Latex,
-    /// MathML Core, a complete `<math>` element.
-    MathMl,
-}
-
-/// Where a formula stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Placement {
-    /// On its own line.
-    Block,
-    /// Within a sentence or a table cell.
-    Inline,
-}
 
 /// Prints expressions of one graph.
 #[derive(Clone, Debug)]
@@ -100,30 +80,33 @@ impl Printer {
     }
 
     /// A bound: `|F| ≤ F₁`.
-    pub fn at_most(&self, graph: &Graph, bound: Equality, form: Form) -> String {
-        let layout = match self.equality_layout(graph, bound, None) {
+    pub fn at_most(&self, graph: &Graph, bound: Equality) -> Layout {
+        match self.equality_layout(graph, bound, None) {
             Layout::Related(left, _, right) => Layout::Related(left, Relation::LessEqual, right),
             other => other,
-        };
-        self.write(&layout, form, Placement::Block)
+        }
     }
 
     /// symbol = formula.
-    pub fn definition(&self, graph: &Graph, symbol: SymbolId, formula: Expr, form: Form) -> String {
-        let left = Layout::Symbol(self.identifier(graph.symbol_info(symbol)));
-        self.write(&equation(left, self.layout(graph, formula)), form, Placement::Block)
+    pub fn definition(&self, graph: &Graph, symbol: SymbolId, formula: Expr) -> Layout {
+        equation(self.symbol_layout(graph, symbol), self.layout(graph, formula))
     }
 
     /// A formula of the written derivation: `∂T/∂φ' = ...`.
-    pub fn step(&self, graph: &Graph, formula: &StepFormula, form: Form) -> String {
+    pub fn step(&self, graph: &Graph, formula: &StepFormula) -> Layout {
         let left = self.step_name(graph, &formula.left);
         let right = Composer::new(graph, self).compose(formula.right, false, self.step_side(graph, &formula.left));
-        self.write(&equation(left, right), form, Placement::Block)
+        equation(left, right)
     }
 
     /// A symbol alone.
     pub fn symbol(&self, graph: &Graph, symbol: SymbolId, form: Form) -> String {
-        self.write(&Layout::Symbol(self.identifier(graph.symbol_info(symbol))), form, Placement::Inline)
+        self.write(&self.symbol_layout(graph, symbol), form, Placement::Inline)
+    }
+
+    /// The layout of a symbol.
+    pub fn symbol_layout(&self, graph: &Graph, symbol: SymbolId) -> Layout {
+        Layout::Symbol(self.identifier(graph.symbol_info(symbol)))
     }
 
     /// A symbol for the axis of a plot: plain Unicode with dots above, `φ̇₁`.
@@ -150,16 +133,12 @@ impl Printer {
 
     /// Writes a layout.
     pub fn write(&self, layout: &Layout, form: Form, placement: Placement) -> String {
-        let room = match form {
-            Form::Text => Room { piece: text::piece_length, aligned: false },
-            Form::Latex | Form::MathMl => Room { piece: measure::piece_length, aligned: true },
-        };
-        let lines = lines::split(layout, if placement == Placement::Block { self.width } else { None }, room);
-        match form {
-            Form::Text => text::lines(&lines),
-            Form::Latex => latex::lines(&lines),
-            Form::MathMl => mathml::lines(&lines, placement),
-        }
+        set::write(layout, form, placement, self.width)
+    }
+
+    /// A layout on lines of its own, of the printer's width.
+    pub fn block(&self, layout: Layout) -> Formula {
+        Formula { layout, placement: Placement::Block, width: self.width }
     }
 
     /// A symbol as letter, dots and subscript.

@@ -1,10 +1,10 @@
 //! The blocks of a document as HTML.
 
-use crate::document::{Block, Content, Download, Formula, Inline, Rich};
+use crate::document::{Block, Content, Download, Rich};
 use crate::escape::markup;
 use crate::figure::bands::{self, Bands};
 use crate::figure::{Figure, svg};
-use crate::symbol;
+use crate::formula::{Form, Formula};
 use crate::table::{Cell, Table, split_number};
 use crate::terminal::figure_summary;
 use crate::wording::Word;
@@ -63,9 +63,9 @@ impl Writer {
     }
 
     fn equation(&mut self, formula: &Formula, numbered: bool) {
-        let shown = if formula.mathml.is_empty() { format!("<pre>{}</pre>", markup(&formula.text)) } else { formula.mathml.clone() };
+        let shown = formula.write(Form::MathMl);
         // the number stands at the last line of a broken formula
-        let class = if formula.mathml.contains(BROKEN) { "equation long" } else { "equation" };
+        let class = if shown.contains(BROKEN) { "equation long" } else { "equation" };
         self.push(&format!("<div class=\"{class}\"><div class=\"formula\">{shown}</div>"));
         if numbered {
             self.equations += 1;
@@ -163,13 +163,7 @@ impl Writer {
 
     /// Words with formulas and symbols as HTML.
     fn rich(&self, content: &Rich) -> String {
-        let pieces = content.0.iter().map(|piece| match piece {
-            Inline::Words(words) => markup(words),
-            Inline::Formula(formula) if formula.mathml.is_empty() => markup(&formula.text),
-            Inline::Formula(formula) => formula.mathml.clone(),
-            Inline::Symbol(name) => symbol::mathml(name, self.language),
-        });
-        pieces.collect()
+        content.write(Form::MathMl, self.language, (markup, |formula| formula))
     }
 
     fn downloads(&mut self, files: &[Download]) {

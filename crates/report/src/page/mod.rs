@@ -1,8 +1,7 @@
 //! A [`Document`] as one HTML file that needs nothing else: opened from a disk without a network it shows everything.
 //!
 //! Styles, script, plotting library (uPlot, MIT) and data are inside; a content security policy forbids requests. Without scripts the
-//! page still shows all text, tables and static pictures; print always takes these. User text is escaped; only [`Formula::mathml`]
-//! is trusted.
+//! page still shows all text, tables and static pictures; print always takes these. User text is escaped.
 
 mod blocks;
 mod data;
@@ -20,9 +19,6 @@ const PLANE_SCRIPT: &str = include_str!("plane.js");
 const UPLOT: &str = include_str!("../../assets/uplot/uPlot.iife.min.js");
 const UPLOT_STYLE: &str = include_str!("../../assets/uplot/uPlot.min.css");
 const UPLOT_LICENSE: &str = include_str!("../../assets/uplot/LICENSE");
-
-#[cfg(doc)]
-use crate::document::Formula;
 
 /// What a page may carry besides the document.
 #[derive(Clone, Copy, Debug)]

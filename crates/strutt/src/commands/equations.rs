@@ -4,7 +4,7 @@ use super::{Exit, open};
 use crate::args::{self, Form};
 use crate::console::{Console, Shape, quoted};
 use report::Word as Title;
-use report::formula::{self, Printer};
+use report::formula::{self, Layout, Placement, Printer};
 use serde_json::{Value, json};
 use studies::Failure;
 use studies::document;
@@ -75,6 +75,10 @@ impl<'a> Writer<'a> {
         }
     }
 
+    fn written(&self, layout: &Layout) -> String {
+        self.printer.write(layout, self.form(), Placement::Block)
+    }
+
     /// A formula on lines of its own, with its number behind it in text.
     fn formula(&self, formula: &str, number: Option<usize>) -> String {
         match self.form {
@@ -102,7 +106,7 @@ impl<'a> Writer<'a> {
             let left = symbolic::equations::StepName::Quantity { letter: letter.into(), index: String::new() };
             let step = symbolic::equations::StepFormula { left, right: e };
             out.push_str(&self.words(say(self.language, word)));
-            out.push_str(&self.formula(&self.printer.step(graph, &step, self.form()), None));
+            out.push_str(&self.formula(&self.written(&self.printer.step(graph, &step)), None));
         }
         out.push('\n');
         out
@@ -117,7 +121,7 @@ impl<'a> Writer<'a> {
                 out.push_str(&self.words(words));
             }
             for formula in &step.formulas {
-                out.push_str(&self.formula(&self.printer.step(&self.equations.graph, formula, self.form()), None));
+                out.push_str(&self.formula(&self.written(&self.printer.step(&self.equations.graph, formula)), None));
             }
             out.push('\n');
         }
@@ -140,7 +144,7 @@ impl<'a> Writer<'a> {
 
     /// Conditions and what the letters of reactions mean.
     fn connections(&self) -> String {
-        let conditions = document::conditions(self.equations, &self.printer, self.form());
+        let conditions = document::conditions(self.equations, &self.printer);
         let mut out = String::new();
         if !conditions.is_empty() {
             out.push('\n');
@@ -148,14 +152,14 @@ impl<'a> Writer<'a> {
             for (line, when) in conditions.iter().zip(document::holding(self.equations, self.language)) {
                 let when = when.map(|words| self.words(&format!("{words}:"))).unwrap_or_default();
                 out.push_str(&when);
-                out.push_str(&self.formula(line, None));
+                out.push_str(&self.formula(&self.written(line), None));
             }
         }
-        let laws = frictions::laws(self.equations, &self.printer, self.form());
+        let laws = frictions::laws(self.equations, &self.printer);
         if !laws.is_empty() {
             out.push('\n');
             out.push_str(&self.words(say(self.language, Word::FrictionLaws)));
-            out.extend(laws.iter().map(|line| self.formula(line, None)));
+            out.extend(laws.iter().map(|line| self.formula(&self.written(line), None)));
         }
         if self.equations.reactions.iter().any(|r| r.law.is_reaction()) {
             out.push('\n');
@@ -170,11 +174,11 @@ impl<'a> Writer<'a> {
     }
 
     fn definitions(&self) -> String {
-        let lines = document::definitions(self.equations, &self.printer, self.form());
+        let lines = document::definitions(self.equations, &self.printer);
         if lines.is_empty() {
             return String::new();
         }
-        let formulas: String = lines.iter().map(|line| self.formula(line, None)).collect();
+        let formulas: String = lines.iter().map(|line| self.formula(&self.written(line), None)).collect();
         self.words(say(self.language, Word::WhereText)) + &formulas
     }
 }
@@ -190,15 +194,12 @@ pub fn to_json(machine: &Machine, language: Language) -> Value {
         Err(_) => Vec::new(),
     };
     let reason = equations.textbook.as_ref().err().map(|r| language.text(r));
-    let [text, latex, mathml] =
-        [formula::Form::Text, formula::Form::Latex, formula::Form::MathMl].map(|form| document::definitions(equations, &printer, form));
-    let definitions: Vec<Value> = (0..text.len()).map(|i| json!({"text": text[i], "latex": latex[i], "mathml": mathml[i]})).collect();
-    let [text, latex, mathml] =
-        [formula::Form::Text, formula::Form::Latex, formula::Form::MathMl].map(|form| document::conditions(equations, &printer, form));
-    let conditions: Vec<Value> = (0..text.len()).map(|i| json!({"text": text[i], "latex": latex[i], "mathml": mathml[i]})).collect();
-    let [text, latex, mathml] =
-        [formula::Form::Text, formula::Form::Latex, formula::Form::MathMl].map(|form| frictions::laws(equations, &printer, form));
-    let laws: Vec<Value> = (0..text.len()).map(|i| json!({"text": text[i], "latex": latex[i], "mathml": mathml[i]})).collect();
+    let all = |layouts: Vec<Layout>| -> Vec<Value> {
+        layouts.iter().map(|layout| three(&|form| printer.write(layout, form, Placement::Block))).collect()
+    };
+    let definitions = all(document::definitions(equations, &printer));
+    let conditions = all(document::conditions(equations, &printer));
+    let laws = all(frictions::laws(equations, &printer));
     let reactions: Vec<Value> = equations
         .reactions
         .iter()

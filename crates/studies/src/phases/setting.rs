@@ -1,7 +1,7 @@
 //! Small pieces of formulas with numbers in them: what [`steps`](super::steps) sets its lines from.
 
 use report::document::Formula;
-use report::formula::{Bracket, Form, Layout, Placement, Printer, Relation, Sign};
+use report::formula::{Bracket, Layout, Printer, Relation, Sign};
 use words::Language;
 
 /// Significant digits of substituted numbers and results.
@@ -44,13 +44,12 @@ impl Setting {
         if unit.is_empty() { self.number(x) } else { Layout::Row(vec![self.number(x), Layout::Words(format!(" {unit}"))]) }
     }
 
-    /// The forms that documents need, of a chain left = a = b = ...
+    /// A chain left = a = b = ...
     pub fn chain(&self, parts: Vec<Layout>) -> Formula {
         let mut parts = parts.into_iter();
         let first = parts.next().unwrap_or(Layout::Row(vec![]));
         let whole = parts.fold(first, |left, right| Layout::Related(Box::new(left), Relation::Equal, Box::new(right)));
-        let write = |form| self.printer.write(&whole, form, Placement::Block);
-        Formula { mathml: write(Form::MathMl), text: write(Form::Text) }
+        self.printer.block(whole)
     }
 
     /// sin or cos of an argument that needs brackets when it is a sum.

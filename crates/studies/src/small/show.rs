@@ -3,9 +3,8 @@
 use crate::small::modes::{Found, ModesFound, columns};
 use crate::small::response::ResponseFound;
 use analysis::Dataset;
-use report::document::{Formula, Rich};
+use report::document::Rich;
 use report::figure::{Axis, Kind, Mark, Pen, Series};
-use report::formula::Form;
 use report::table::Column;
 use report::unit::Scale;
 use report::{Block, Cell, Figure, Table, Word};
@@ -77,8 +76,7 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
         blocks.push(Block::paragraph(words));
         let printer = crate::document::printer(f.small.machine.equations(), language, 90);
         for (i, equality) in written.equations.iter().enumerate() {
-            let write = |form| printer.equality(&written.graph, *equality, Some(i), form);
-            let formula = Formula { mathml: write(Form::MathMl), text: write(Form::Text) };
+            let formula = printer.block(printer.equality_layout(&written.graph, *equality, Some(i)));
             blocks.push(Block::Equation { formula, numbered: false });
         }
     }

@@ -2,7 +2,7 @@
 
 use super::random::{arity_holds, well_formed};
 use super::reading::read;
-use crate::formula::{Form, Printer};
+use crate::formula::{Form, Placement, Printer};
 use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Parameter, StepFormula, StepName};
 use symbolic::{Equations, Expr, Graph, Matrix};
 use words::{Language, Text};
@@ -141,9 +141,11 @@ fn steps_of_a_derivation() {
     ] {
         let printer = Printer::of(&m, Language::En);
         let formula = StepFormula { left, right };
-        assert_eq!(printer.step(&m.graph, &formula, Form::Text), text);
-        assert_eq!(printer.step(&m.graph, &formula, Form::Latex), latex);
-        let mathml = printer.step(&m.graph, &formula, Form::MathMl);
+        let layout = printer.step(&m.graph, &formula);
+        let written = |form| printer.write(&layout, form, Placement::Block);
+        assert_eq!(written(Form::Text), text);
+        assert_eq!(written(Form::Latex), latex);
+        let mathml = written(Form::MathMl);
         well_formed(&mathml);
         arity_holds(&mathml);
     }
