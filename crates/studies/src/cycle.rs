@@ -210,8 +210,10 @@ fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(
     }
     tried.set(&values)?;
     let (balance, speed) = tried.balance(study)?;
+    let pulling = tried.pulling(study)?;
     let mut changed = tried.machine;
     results.data = provenance::stamp(balance.dataset.clone(), &changed.equations, &machine.model_hash);
+    results.data.notes.extend(pulling);
     results.words.extend(formula);
     if study.unknown.is_some() {
         let name = Text::new(
@@ -280,6 +282,21 @@ impl Tried {
         let found = cycle(&mut machine.system, lead, &start, &options).map_err(|fault| explained(fault, &machine.equations))?;
         Ok((found, rate))
     }
+
+    /// What is to be said of tracks that would have to pull in the uniform running that [`Tried::balance`] is about; S116 for strands.
+    fn pulling(&self, study: &Cycle) -> Result<Vec<Text>, Notice> {
+        let Some((_, Some(held))) = &self.held else { return Ok(Vec::new()) };
+        let mut held = held.clone();
+        pulling(&mut held, study).map_err(|fault| explained(fault, &held.equations))
+    }
+}
+
+/// The same for the motion of a machine from its start.
+fn pulling(machine: &mut Machine, study: &Cycle) -> Result<Vec<Text>, analysis::Fault> {
+    let start = machine.system.start()?;
+    let pushes = crate::plan::pushes(&machine.model, &machine.equations);
+    let options = turning(machine, study, &start);
+    analysis::studies::pushed::over_cycle(&mut machine.system, &start, &options, &pushes)
 }
 
 /// The machine with its shaft held to the uniform rate by one more condition, so that ropes are taut and contacts closed as they are in uniform
@@ -407,12 +424,17 @@ fn flywheel(
 /// The running of the motion over one cycle of the angle from the start.
 fn turned(machine: &mut Machine, study: &Cycle) -> Result<Running, Notice> {
     let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
+    let options = turning(machine, study, &start);
+    analysis::studies::cycle::running(&mut machine.system, &start, &options).map_err(|fault| explained(fault, &machine.equations))
+}
+
+/// The cycle of the machine's own motion from a start.
+fn turning(machine: &Machine, study: &Cycle, start: &[f64]) -> Options {
     let n = machine.equations.coordinates.len();
     let angle = machine.equations.coordinates.iter().position(|c| c.symbols[0] == study.angle).unwrap_or(0);
     let rate = if start[n + angle] == 0.0 { study.speed.unwrap_or(0.0) } else { start[n + angle] };
     let range = TAU * study.turns.abs() * rate.signum();
-    let options = Options { angle, range, rate, points: study.points, tolerance: 1e-14 };
-    analysis::studies::cycle::running(&mut machine.system, &start, &options).map_err(|fault| explained(fault, &machine.equations))
+    Options { angle, range, rate, points: study.points, tolerance: 1e-14 }
 }
 
 /// The work over the cycle; zero where rounding of its parts is left.
@@ -449,8 +471,25 @@ fn facts(results: &mut Results, machine: &Machine, balance: &Balance, speed: f64
     results.own.insert("values".into(), json!(values.iter().map(|(n, v)| (n.clone(), json!(v))).collect::<serde_json::Map<_, _>>()));
 }
 
+fn of_the_start(note: &Text) -> Text {
+    Text::new(format!("the motion from the start: {}", note.en), format!("движение из заданного начала: {}", note.ru))
+}
+
 /// Irregularity of the true motion over the cycle.
 fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Result<(), Notice> {
+    match pulling(&mut machine.clone(), study) {
+        Ok(notes) => results.data.notes.extend(notes.into_iter().map(|note| of_the_start(&note))),
+        Err(fault) if fault.code == "S116" => {
+            results.words.push(of_the_start(&fault.message.what));
+            results.words.push(Text::new(
+                "Nothing is said of the irregularity of that motion.",
+                "О неравномерности хода этого движения ничего не сказано.",
+            ));
+            return Ok(());
+        }
+        // told where the motion itself is computed
+        Err(_) => {}
+    }
     let Running { greatest: high, least: low, mean, .. } = match turned(machine, study) {
         Err(trouble) if trouble.code == "S046" => {
             results.words.push(Text::new(

@@ -2,6 +2,7 @@
 
 use crate::pipeline::Machine;
 use analysis::Fault;
+use analysis::fault::connections::Since;
 use mechanics::derive::strand_output;
 use symbolic::SymbolId;
 
@@ -25,7 +26,7 @@ pub fn pushing(machine: &Machine, values: impl Fn(&str) -> Vec<f64>) -> Option<F
                 equations.graph.evaluate(&[output.formula], &of)[0]
             };
             if values(&reaction).into_iter().any(|value| tension(value) < -ROUNDING * value.abs()) {
-                return Some(Fault::strand_pushes(&output.label, None));
+                return Some(Fault::strand_pushes(&output.label, Since::Rest));
             }
         }
     }

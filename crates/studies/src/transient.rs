@@ -91,7 +91,8 @@ impl Study for ClosedForm {
 /// A motion in closed form.
 pub fn closed_form(machine: &mut Machine, study: &Transient, watch: &mut Watch) -> Finding {
     let twin = plan::options(&study.motion, watch);
-    let options = analysis::studies::transient::Transient { twin, ends: machine.model.phases.clone(), linearise: study.linearise };
+    let pushes = plan::pushes(&machine.model, &machine.equations);
+    let options = analysis::studies::transient::Transient { twin, ends: machine.model.phases.clone(), linearise: study.linearise, pushes };
     let found = match moving(&machine.equations).and_then(|()| machine.system.start()) {
         Ok(start) => analysis::studies::transient::transient(&mut machine.system, &machine.equations, &start, options),
         Err(fault) => Closed { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },

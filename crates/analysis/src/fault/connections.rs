@@ -206,6 +206,33 @@ const DRIVEN_EN: &str = "The normal force of this friction is a reaction that de
 const DRIVEN_RU: &str = "Нормальная сила этого трения – реакция, зависящая от того, чем одна координата приводит в движение несколько тел, а такая связь не задана. Трение, а с ним и \
     движение, было бы произвольным. Задайте то, что передаёт движение от тела к телу (шатун, нить, шарнир), или дайте каждому телу свою координату.";
 
+/// From where on a force has the wrong sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Since<'n> {
+    /// At a place of rest.
+    Rest,
+    /// From an instant, s.
+    Time(f64),
+    /// From a place of the coordinate that describes a cycle, rad.
+    Angle(&'n str, f64),
+}
+
+impl Since<'_> {
+    pub(crate) fn words(self) -> Text {
+        match self {
+            Since::Rest => Text::new("at rest", "в покое"),
+            Since::Time(t) => {
+                let n = ten_digits(t);
+                Text::new(format!("from t = {} s on", n.en), format!("начиная с t = {} с", n.ru))
+            }
+            Since::Angle(name, value) => {
+                let n = ten_digits(value);
+                Text::new(format!("from {name} = {} rad on", n.en), format!("начиная с {name} = {} рад", n.ru))
+            }
+        }
+    }
+}
+
 impl Fault {
     /// An output over a reaction that depends on how a coordinate moves several bodies.
     pub fn reaction_without_transmission(output: &str, reaction: &str, (coordinate, bodies): (&str, &Text)) -> Fault {
@@ -271,11 +298,9 @@ impl Fault {
         })
     }
 
-    /// A strand that would have to push, from an instant on or at rest.
-    pub fn strand_pushes(drive: &Text, t: Option<f64>) -> Fault {
-        let (from, since) = t.map(ten_digits).map_or(("at rest".to_owned(), "в покое".to_owned()), |n| {
-            (format!("from t = {} s on", n.en), format!("начиная с t = {} с", n.ru))
-        });
+    /// A strand that would have to push.
+    pub fn strand_pushes(drive: &Text, since: Since<'_>) -> Fault {
+        let Text { en: from, ru: since } = since.words();
         Fault::new(Message {
             code: "S116",
             what: Text::new(

@@ -8,8 +8,8 @@ use words::Text;
 use super::Along;
 use super::named::{Direction, Named, Watcher};
 use crate::System;
+use crate::fault::connections::Since;
 use crate::proxies::proxy::Source;
-use words::digits::rounded;
 
 /// A normal force to be watched.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,25 +95,26 @@ impl Pushes {
         &self.list
     }
 
-    /// Contacts that pulled, with the first instant.
-    pub(crate) fn notes(&self) -> Vec<Text> {
-        let note = |(push, t): (&Push, &Option<f64>)| {
-            if push.beyond == Beyond::Ends {
-                return None;
-            }
-            let n = rounded((*t)?);
-            let (en, ru) = (&push.label.en, &push.label.ru);
-            Some(Text::new(
-                format!(
-                    "{en}: from t = {} s on the normal force is negative at times; a track only pushes: with leaves = true the wheel would lift off there",
-                    n.en
-                ),
-                format!(
-                    "{ru}: начиная с t = {} с нормальная реакция временами отрицательна; опора только давит: с leaves = true колесо здесь оторвалось бы",
-                    n.ru
-                ),
-            ))
-        };
-        self.list.iter().zip(&self.pulled).filter_map(note).collect()
+    /// Contacts that pulled, with where each first did.
+    pub(crate) fn notes<'n>(&self, since: impl Fn(f64) -> Since<'n>) -> Vec<Text> {
+        let noted = |(push, t): (&Push, &Option<f64>)| Some(push.pulling(since((*t)?)));
+        self.list.iter().zip(&self.pulled).filter(|(push, _)| push.beyond == Beyond::Noted).filter_map(noted).collect()
+    }
+}
+
+impl Push {
+    /// What is said of a contact that would have to pull.
+    pub(crate) fn pulling(&self, since: Since<'_>) -> Text {
+        let (from, Text { en, ru }) = (since.words(), &self.label);
+        Text::new(
+            format!(
+                "{en}: {} the normal force is negative at times; a track only pushes: with leaves = true the wheel would lift off there",
+                from.en
+            ),
+            format!(
+                "{ru}: {} нормальная реакция временами отрицательна; опора только давит: с leaves = true колесо здесь оторвалось бы",
+                from.ru
+            ),
+        )
     }
 }

@@ -229,7 +229,7 @@ fn same_work<S: System + ?Sized>(
 }
 
 /// The steps of the motion through the cycle, each with the part of it that counts.
-fn turn<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Cycle, quicker: f64) -> Result<Vec<(Step, f64)>, Fault> {
+pub(super) fn turn<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Cycle, quicker: f64) -> Result<Vec<(Step, f64)>, Fault> {
     let j = options.angle;
     let n = system.n_coordinates();
     let mut x = start.to_vec();
@@ -261,7 +261,7 @@ fn turn<S: System + ?Sized>(system: &mut S, start: &[f64], options: &Cycle, quic
 }
 
 /// A coordinate at tau in a step, with its whole turns.
-fn place(step: &Step, j: usize, tau: f64) -> f64 {
+pub(super) fn place(step: &Step, j: usize, tau: f64) -> f64 {
     step.start_value(j) + step.coefficients(j)[1..].iter().rev().fold(0.0, |sum, c| (sum + c) * tau)
 }
 

@@ -18,6 +18,7 @@ use crate::audits::shared::{Shared, not_unique};
 use crate::audits::touches::TouchLaws;
 use crate::audits::{digits, halving::tolerance_halving, power::PowerBalance, released::ReleasedBalance, second::two_derivations};
 use crate::dataset::{Audit, Column, Counter, Dataset, Event, Missing, Standing};
+use crate::fault::connections::Since;
 use crate::integrate::events::words::{change, describe, standing};
 use crate::integrate::events::{Change, Switch};
 use crate::integrate::stiff::Method;
@@ -433,7 +434,7 @@ impl Run {
             }
             let stop = self.look(flow);
             if let Some((push, t)) = self.pushes.broken() {
-                return Err(Fault::strand_pushes(&push.label, Some(t)));
+                return Err(Fault::strand_pushes(&push.label, Since::Time(t)));
             }
             self.sample(flow, options, stop)?;
             if let Some(stop) = stop {
@@ -619,7 +620,7 @@ impl Run {
             ));
         }
         notes.extend(self.shared.note(system));
-        notes.extend(self.pushes.notes());
+        notes.extend(self.pushes.notes(Since::Time));
         let mut counters = counters(&self.work, &self.impacts);
         let samples = self.extremes.samples() + self.named.samples();
         if samples > 0 {

@@ -7,6 +7,7 @@ pub mod load;
 pub mod modes;
 pub mod response;
 pub mod show;
+mod strands;
 
 use crate::pipeline::Machine;
 use analysis::dataset::Column;
@@ -83,6 +84,13 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
         let multipliers = linear.linear().multipliers.iter().map(of).collect();
         let at = Place { multipliers, ..Place::rest(&place.q) };
         if !guess.is_empty() || stable(&mut linear, &at) {
+            let reaction = |name: &str| {
+                let r = equations.reactions.iter().position(|r| r.name == name);
+                r.and_then(|r| place.reactions[r]).into_iter().collect()
+            };
+            if let Some(fault) = crate::strands::pushing(machine, reaction) {
+                return Err(fault);
+            }
             return Ok(Small { machine: linear, place: at, starts: guesses });
         }
         first.get_or_insert(Small { machine: linear, place: at, starts: guesses.clone() });

@@ -4,6 +4,7 @@ use crate::pipeline::Machine;
 use crate::provenance;
 use crate::response::Response as Study;
 use crate::small::load::{self, Meant};
+use crate::small::strands::{self, Slack};
 use crate::small::{Small, about_rest, timing_notes};
 use analysis::System;
 use analysis::dataset::Audit;
@@ -77,6 +78,8 @@ pub struct ResponseFound {
     pub antiresonance_orders: Vec<f64>,
     /// Where the place of rest changes along the frequency's parameter.
     pub changes: Vec<Change>,
+    /// Strands that would have to push, tracks that would have to pull.
+    pub slack: Vec<Slack>,
     /// Motions at the frequencies asked for.
     pub shapes: Vec<Point>,
     /// The coordinates.
@@ -104,6 +107,7 @@ pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
         resonance_orders: Vec::new(),
         antiresonance_orders: Vec::new(),
         changes: Vec::new(),
+        slack: Vec::new(),
         shapes: Vec::new(),
         coordinates: Vec::new(),
         bodies: bodies(machine),
@@ -154,6 +158,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     }
     let parameters = small.machine.parameters().to_vec();
     let own_value = parameter.map(|p| small.machine.value(p));
+    let load = (source.clone(), parameter);
     let mut forced = Forced::new(&mut small.machine, (&small.place, &small.starts), source, parameter, &formulas)?;
     let own = forced.own_frequency().filter(|w| *w > 0.0);
     let omegas = grid(study, &found, own)?;
@@ -208,6 +213,11 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     if let Some(mut branch) = branch {
         out.data.notes.extend(growing(&mut small, &mut branch, &omegas)?);
     }
+    let peaks = out.resonances.iter().zip(&out.resonance_orders).map(|(r, order)| r.omega / order);
+    let natural = found.modes.iter().map(|m| m.omega / out.main);
+    let places: Vec<f64> = omegas.iter().copied().chain(own).chain(peaks).chain(natural).collect();
+    out.slack = strands::slack(machine, &mut small, load, ([omegas[0], omegas[omegas.len() - 1]], &places))?;
+    out.data.notes.extend(out.slack.iter().map(|slack| slack.remark.clone()));
     out.coordinates = names;
     out.outputs = quantities;
     out.modes = Some(found);
@@ -719,6 +729,8 @@ pub fn to_json(found: &ResponseFound) -> Map<String, Value> {
     if !found.changes.is_empty() {
         own.insert("changes".into(), json!(super::modes::changes_json(&found.changes)));
     }
+    let slack = |s: &Slack| s.bands.iter().map(|[from, to]| json!({"of": s.name, "from": from, "to": to})).collect::<Vec<_>>();
+    own.insert("slack".into(), json!(found.slack.iter().flat_map(slack).collect::<Vec<_>>()));
     own.insert("shapes".into(), found.shapes.iter().map(|p| point(found, p)).collect());
     own
 }

@@ -26,11 +26,11 @@ pub(super) fn course<S: System + ?Sized>(system: &mut S, phases: &[Phase], chose
 }
 
 /// The closed form of a phase.
-struct Closed<'c, S: ?Sized> {
-    system: &'c mut S,
-    phase: &'c Phase,
-    chosen: &'c [usize],
-    walk: Walk<'c>,
+pub(super) struct Closed<'c, S: ?Sized> {
+    pub(super) system: &'c mut S,
+    pub(super) phase: &'c Phase,
+    pub(super) chosen: &'c [usize],
+    pub(super) walk: Walk<'c>,
 }
 
 impl<S: System + ?Sized> Source for Closed<'_, S> {

@@ -12,12 +12,14 @@ pub mod motion;
 mod obstacle;
 pub mod oscillator;
 pub(crate) mod phase_error;
+mod pushes;
 mod rest;
 mod value;
 mod walk;
 
 use super::simulate::{self, Grid, Outcome, Simulate};
 use crate::dataset::{Audit, Column, Dataset, Event};
+use crate::marks::pushes::Push;
 use crate::{Fault, Mode, Quantity, System};
 use form::Form;
 use motion::Motion;
@@ -33,6 +35,8 @@ pub struct Transient<'a> {
     pub ends: Vec<f64>,
     /// Small motions about the equilibrium next to the start, instead of a fault, when the system is not linear.
     pub linearise: bool,
+    /// Strands that only pull and tracks that only push.
+    pub pushes: Vec<Push>,
 }
 
 /// One phase of the motion.
@@ -100,8 +104,10 @@ fn solve<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64
     };
     let phases = phases(equations, &start[..2 * system.n_coordinates()], &instants, &options.ends, rest.as_deref())?;
     let blurred = phase_error::check(&phases, times.iter().copied().fold(0.0, f64::max))?;
+    let pulling = pushes::watch(system, &phases, &options.pushes)?;
     let mut dataset = table(system, &phases, &times, options)?;
     dataset.notes.extend(blurred);
+    dataset.notes.extend(pulling);
     if let Some(q) = &rest {
         dataset.notes.push(linearised(system, q));
     }

@@ -1,0 +1,126 @@
+//! Strands of belts that only pull and tracks that only push, in forced oscillations: at which frequencies the motion asks for more.
+
+use super::Small;
+use crate::pipeline::Machine;
+use crate::plan;
+use analysis::marks::pushes::{Beyond, Push};
+use analysis::studies::least::{Least, least};
+use analysis::studies::response::{Forced, Source};
+use analysis::{Fault, System};
+use symbolic::Expr;
+use words::{Language, Text};
+
+/// A force of the wrong sign below this share of its size is rounding.
+const ROUNDING: f64 = 1e-9;
+/// Halvings of an interval in which a bound lies.
+const HALVINGS: usize = 40;
+
+/// A force that has the wrong sign at times.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slack {
+    /// `slack_side(S)` or `normal(F)`.
+    pub name: String,
+    /// Frequencies from and to, rad/s.
+    pub bands: Vec<[f64; 2]>,
+    /// In words.
+    pub remark: Text,
+}
+
+/// Forces of the wrong sign at frequencies in `ends`; `places` are where it is looked, in any order, also outside.
+///
+/// # Errors
+/// A formula has no value at one of the frequencies.
+pub fn slack(
+    machine: &Machine,
+    small: &mut Small,
+    (source, parameter): (Source, Option<usize>),
+    (ends, places): ([f64; 2], &[f64]),
+) -> Result<Vec<Slack>, Fault> {
+    // a unit load has no size
+    if matches!(source, Source::Unit(_)) {
+        return Ok(Vec::new());
+    }
+    let known = |push: &Push| machine.system.refusal(push.output).is_none();
+    let pushes: Vec<Push> = plan::pushes(&machine.model, &machine.equations).into_iter().filter(known).collect();
+    if pushes.is_empty() {
+        return Ok(Vec::new());
+    }
+    let formulas: Vec<Expr> = pushes.iter().map(|push| machine.equations.outputs[push.output].formula).collect();
+    let own = parameter.map(|p| small.machine.value(p));
+    let mut forced = Forced::new(&mut small.machine, (&small.place, &small.starts), source, parameter, &formulas)?;
+    forced.cover(ends)?;
+    let mut omegas: Vec<f64> = places.iter().copied().filter(|w| (ends[0]..=ends[1]).contains(w)).collect();
+    omegas.sort_by(f64::total_cmp);
+    omegas.dedup();
+    let rows = omegas.iter().map(|w| least(&mut forced, *w)).collect::<Result<Vec<_>, _>>()?;
+    let mut list = Vec::new();
+    // both strands of a belt are one name
+    for both in pushes.chunk_by(|a, b| a.name == b.name) {
+        let first = pushes.iter().position(|push| push.name == both[0].name).unwrap_or(0);
+        let wrong = |row: &[Least]| row[first..first + both.len()].iter().any(is_wrong);
+        let holds: Vec<bool> = rows.iter().map(|row| wrong(row)).collect();
+        let found = bands(&omegas, &holds, |w| Ok(wrong(&least(&mut forced, w)?)))?;
+        if !found.is_empty() {
+            list.push(Slack { name: both[0].name.clone(), remark: remark(&both[0], &found), bands: found });
+        }
+    }
+    own.map_or(Ok(()), |value| forced.restore(value))?;
+    Ok(list)
+}
+
+fn is_wrong(force: &Least) -> bool {
+    force.least < -ROUNDING * force.mean.abs()
+}
+
+/// Intervals of the frequencies for which something holds, their bounds halved in.
+fn bands(omegas: &[f64], holds: &[bool], mut at: impl FnMut(f64) -> Result<bool, Fault>) -> Result<Vec<[f64; 2]>, Fault> {
+    let mut found: Vec<[f64; 2]> = Vec::new();
+    for (i, omega) in omegas.iter().enumerate().filter(|(i, _)| holds[*i]) {
+        let before = i.checked_sub(1);
+        match (before, found.last_mut()) {
+            (Some(j), Some(band)) if holds[j] => band[1] = *omega,
+            (Some(j), _) => found.push([bound(omegas[j], *omega, &mut at)?, *omega]),
+            (None, _) => found.push([*omega; 2]),
+        }
+        if let (Some(next), Some(band)) = (omegas.get(i + 1).filter(|_| !holds[i + 1]), found.last_mut()) {
+            band[1] = bound(*next, *omega, &mut at)?;
+        }
+    }
+    Ok(found)
+}
+
+/// Where it begins to hold between two frequencies; it does at the second.
+fn bound(mut not: f64, mut held: f64, at: &mut impl FnMut(f64) -> Result<bool, Fault>) -> Result<f64, Fault> {
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (not + held);
+        *(if at(middle)? { &mut held } else { &mut not }) = middle;
+    }
+    Ok(held)
+}
+
+fn remark(push: &Push, bands: &[[f64; 2]]) -> Text {
+    let list = |language| {
+        let number = |x| report::number::short(x, 6, language);
+        let band = |[a, b]: &[f64; 2]| if a == b { number(*a) } else { format!("{} … {}", number(*a), number(*b)) };
+        bands.iter().map(band).collect::<Vec<_>>().join("; ")
+    };
+    let (en, ru, Text { en: name, ru: name_ru }) = (list(Language::En), list(Language::Ru), &push.label);
+    match push.beyond {
+        Beyond::Ends => Text::new(
+            format!(
+                "{name}: a strand would have to push at ω = {en} rad/s; it goes slack there, and the amplitudes of the table are not those of the machine"
+            ),
+            format!(
+                "{name_ru}: при ω = {ru} рад/с одна из ветвей должна была бы толкать; она провисает, и амплитуды таблицы там не относятся к машине"
+            ),
+        ),
+        Beyond::Noted => Text::new(
+            format!(
+                "{name}: the normal force is negative at times at ω = {en} rad/s; a track only pushes, and the wheel would lift off there"
+            ),
+            format!(
+                "{name_ru}: при ω = {ru} рад/с нормальная реакция временами отрицательна; опора только давит, и колесо там оторвалось бы"
+            ),
+        ),
+    }
+}
