@@ -1,6 +1,7 @@
 //! The study `response`: forced oscillations over the frequency of periodic loads.
 
 use crate::pipeline::Machine;
+use crate::plan;
 use crate::provenance;
 use crate::response::Response as Study;
 use crate::small::load::{self, Meant};
@@ -10,6 +11,7 @@ use analysis::System;
 use analysis::dataset::Audit;
 use analysis::dataset::{Column, Missing};
 use analysis::linear::LoadParts;
+use analysis::marks::pushes::Push;
 use analysis::rest::branch::{Branch, Change};
 use analysis::rest::changes;
 use analysis::studies::extremes::{Antiresonance, Resonance, extremes};
@@ -216,7 +218,11 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let peaks = out.resonances.iter().zip(&out.resonance_orders).map(|(r, order)| r.omega / order);
     let natural = found.modes.iter().map(|m| m.omega / out.main);
     let places: Vec<f64> = omegas.iter().copied().chain(own).chain(peaks).chain(natural).collect();
-    out.slack = strands::slack(machine, &mut small, load, ([omegas[0], omegas[omegas.len() - 1]], &places))?;
+    let known = |push: &Push| machine.system.refusal(push.output).is_none();
+    let pushes = plan::pushes(&machine.model, &machine.equations).into_iter().filter(known);
+    let pushes: Vec<(Push, Expr)> = pushes.map(|push| (push.clone(), machine.equations.outputs[push.output].formula)).collect();
+    let rest = (&small.place, small.starts.as_slice());
+    out.slack = strands::slack(&mut small.machine, rest, &pushes, load, ([omegas[0], omegas[omegas.len() - 1]], &places))?;
     out.data.notes.extend(out.slack.iter().map(|slack| slack.remark.clone()));
     out.coordinates = names;
     out.outputs = quantities;

@@ -1,12 +1,10 @@
 //! Strands of belts that only pull and tracks that only push, in forced oscillations: at which frequencies the motion asks for more.
 
-use super::Small;
-use crate::pipeline::Machine;
-use crate::plan;
+use analysis::Fault;
+use analysis::linear::{LinearMachine, Place};
 use analysis::marks::pushes::{Beyond, Push};
 use analysis::studies::least::{Least, least};
 use analysis::studies::response::{Forced, Source};
-use analysis::{Fault, System};
 use symbolic::Expr;
 use words::{Language, Text};
 
@@ -26,28 +24,24 @@ pub struct Slack {
     pub remark: Text,
 }
 
-/// Forces of the wrong sign at frequencies in `ends`; `places` are where it is looked, in any order, also outside.
+/// Forces of the wrong sign at frequencies in `ends`; `places` are where it is looked, in any order, also outside. `pushes` come with their formulas.
 ///
 /// # Errors
 /// A formula has no value at one of the frequencies.
 pub fn slack(
-    machine: &Machine,
-    small: &mut Small,
+    machine: &mut LinearMachine,
+    rest: (&Place, &[Vec<f64>]),
+    pushes: &[(Push, Expr)],
     (source, parameter): (Source, Option<usize>),
     (ends, places): ([f64; 2], &[f64]),
 ) -> Result<Vec<Slack>, Fault> {
     // a unit load has no size
-    if matches!(source, Source::Unit(_)) {
+    if pushes.is_empty() || matches!(source, Source::Unit(_)) {
         return Ok(Vec::new());
     }
-    let known = |push: &Push| machine.system.refusal(push.output).is_none();
-    let pushes: Vec<Push> = plan::pushes(&machine.model, &machine.equations).into_iter().filter(known).collect();
-    if pushes.is_empty() {
-        return Ok(Vec::new());
-    }
-    let formulas: Vec<Expr> = pushes.iter().map(|push| machine.equations.outputs[push.output].formula).collect();
-    let own = parameter.map(|p| small.machine.value(p));
-    let mut forced = Forced::new(&mut small.machine, (&small.place, &small.starts), source, parameter, &formulas)?;
+    let (pushes, formulas): (Vec<&Push>, Vec<Expr>) = pushes.iter().map(|(push, formula)| (push, *formula)).unzip();
+    let own = parameter.map(|p| machine.value(p));
+    let mut forced = Forced::new(machine, rest, source, parameter, &formulas)?;
     forced.cover(ends)?;
     let mut omegas: Vec<f64> = places.iter().copied().filter(|w| (ends[0]..=ends[1]).contains(w)).collect();
     omegas.sort_by(f64::total_cmp);
@@ -61,7 +55,7 @@ pub fn slack(
         let holds: Vec<bool> = rows.iter().map(|row| wrong(row)).collect();
         let found = bands(&omegas, &holds, |w| Ok(wrong(&least(&mut forced, w)?)))?;
         if !found.is_empty() {
-            list.push(Slack { name: both[0].name.clone(), remark: remark(&both[0], &found), bands: found });
+            list.push(Slack { name: both[0].name.clone(), remark: remark(both[0], &found), bands: found });
         }
     }
     own.map_or(Ok(()), |value| forced.restore(value))?;
