@@ -8,6 +8,7 @@ use words::{Message, Notice, Text};
 
 pub mod connections;
 pub mod loads;
+pub(crate) mod small;
 
 /// A study cannot go on: its notice, and the expression that failed. Results found before the fault are kept beside it. Boxed, so that
 /// results stay small.

@@ -311,6 +311,20 @@ impl LinearMachine {
         Ok(())
     }
 
+    /// The numbers of all parameters.
+    pub fn numbers(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Gives all parameters other numbers.
+    ///
+    /// *Errors*: a formula over parameters has no value for them.
+    pub fn renumber(&mut self, values: &[f64]) -> Result<(), Fault> {
+        self.values = values.to_vec();
+        self.evaluator = Evaluator::new(&self.tape, &self.values)?;
+        self.shapes.iter_mut().try_for_each(|shape| shape.bind(&self.values))
+    }
+
     /// The waveforms of loads and observed quantities for the parameters as they are.
     pub fn shapes(&self) -> &[Shape] {
         &self.shapes
@@ -686,7 +700,7 @@ fn undetermined(q: &[f64]) -> Fault {
         format!("no accelerations and reactions satisfy the equations there (q = {})", at.0),
         format!("никакие ускорения и реакции не удовлетворяют там уравнениям (q = {})", at.1),
     );
-    crate::studies::rolling::refused(Text::new(why.0, why.1))
+    crate::fault::small::refused(Text::new(why.0, why.1))
 }
 
 /// S035.

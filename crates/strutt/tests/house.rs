@@ -39,7 +39,7 @@ const FILE_CIRCLES: [(&str, &str, usize); 10] = [
     ("algebra", "eigen", 6),
     ("analysis", "integrate::step", 6),
     ("analysis", "integrate::taylor", 10),
-    ("analysis", "studies::modes", 11),
+    ("analysis", "studies::modes", 5),
     ("analysis", "studies::periodic", 6),
     ("mechanics", "derive::connections", 16),
     ("mechanics", "fields", 8),

@@ -1,5 +1,7 @@
 //! The study `sweep`: another study repeated over values of parameters, starts or starting rates. The solution found before is the next guess.
 
+mod rests;
+
 use super::keys::OWN_PLOT;
 use super::origin::Binding;
 use super::periodic::Periodic;
@@ -195,6 +197,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     let mut without: Vec<(String, Text)> = Vec::new();
     let (mut changed, mut anew) = (machine.clone(), 0);
     let (mut checked_runs, mut doubtful) = (0, Vec::new());
+    let mut stands: Vec<(f64, rests::Stands)> = Vec::new();
     for row in 0..count {
         if watch.interrupt.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
             data.partial = true;
@@ -203,6 +206,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         }
         let values = place(&study.over, row);
         let outcome = one((&mut changed, &mut anew), &Repeated { base: &base, of, inner: &study.inner }, &values, &mut guess, watch);
+        stands.push((values[0].1, outcome.as_ref().ok().and_then(|finding| rests::stands(machine, finding.data()))));
         if let Ok(finding) = &outcome {
             let audits = &finding.data().audits;
             checked_runs += usize::from(!audits.is_empty());
@@ -247,6 +251,13 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         if failed == count {
             results.trouble = Some(trouble);
         }
+    }
+    if base.kind == "equilibrium" && study.over.len() == 1 {
+        let repeated = Repeated { base: &base, of, inner: &study.inner };
+        let changes = rests::remarks(&mut changed, &repeated, &columns[0].quantity, &stands);
+        let list: Vec<Value> = changes.iter().map(|(value, what)| json!({"value": value, "what": what.en})).collect();
+        results.own.insert("changes".into(), json!(list));
+        data.notes.extend(changes.into_iter().map(|c| c.1));
     }
     results.own.insert("of".into(), json!(base.kind));
     results.own.insert("read_anew".into(), json!(anew));

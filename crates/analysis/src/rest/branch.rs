@@ -4,13 +4,16 @@
 //! q(p) smooth:        a chord and the places at its quarters agree, else the step is halved (natural continuation)
 //! one real root -> 0: the number of growing motions without oscillation changes; p* by bisection
 //! beyond p*:          q = q(p*) ± s v + ..., v the shape of that motion; s ~ √|p - p*| (pitchfork) or |p - p*| (exchange of stability)
+//! gap or force -> 0:  a contact closes or opens; p* by bisection, beyond it the place that continues with another set of closed contacts
 //! ```
 //!
 //! Where a stable place becomes unstable so, the stable place that parts from it is followed. Where halving does not make a step smooth, the place joins
-//! another one there (its distance shrinks with the step) or ends (a fold). What a machine is at p does not depend on the order of questions.
+//! another one there (its distance shrinks with the step) or ends (a fold); the machine falls from there to another place. What a machine is at p does not depend on the order of questions.
 //!
 //! *Source*: R. Seydel, Practical Bifurcation and Stability Analysis, ch. 2 and 5.
 
+use super::contacts::{Contacts, Margin};
+use super::fall::fall;
 use crate::Fault;
 use crate::linear::{LinearMachine, Place, parts};
 use crate::studies::modes::{Kind, Mode, Normalisation, modes};
@@ -25,6 +28,10 @@ pub enum Event {
     Loses,
     /// It joins another one, which is followed.
     Joins,
+    /// Contacts close or open.
+    Touches,
+    /// It ends, and the machine falls from there to another one, which is followed.
+    Falls,
     /// It ends, and another one is taken, where there is one.
     Ends,
 }
@@ -36,6 +43,8 @@ impl Event {
             Event::Forks(_) => "forks",
             Event::Loses => "loses_stability",
             Event::Joins => "joins",
+            Event::Touches => "contacts",
+            Event::Falls => "falls",
             Event::Ends => "ends",
         }
     }
@@ -54,6 +63,19 @@ pub struct Change {
     pub at: Vec<f64>,
     /// q behind it as far as was looked, with the value there; none where there is no place.
     pub behind: Option<(f64, Vec<f64>)>,
+    /// Reactions of contacts that close there.
+    pub closes: Vec<String>,
+    /// Reactions of contacts that open there.
+    pub opens: Vec<String>,
+}
+
+/// What becomes of the way where other contacts close or open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beyond {
+    /// It is followed with the equations of the other set.
+    Followed,
+    /// It ends there.
+    Ends,
 }
 
 /// A place with the number of motions that grow there without oscillation.
@@ -61,6 +83,10 @@ pub struct Change {
 struct Spot {
     place: Place,
     unstable: usize,
+    /// Contacts that are closed.
+    closed: Vec<usize>,
+    /// Contacts that cannot stand so.
+    violated: Vec<usize>,
 }
 
 #[derive(Clone, Debug)]
@@ -97,6 +123,11 @@ pub struct Branch {
     changes: Vec<Change>,
     /// Steps tried so far.
     steps: usize,
+    contacts: Option<Contacts>,
+    beyond: Beyond,
+    /// Contacts that are closed at home, and where the walk is now.
+    own: Vec<usize>,
+    closed: Vec<usize>,
 }
 
 /// Pieces into which a range is cut at first.
@@ -135,7 +166,48 @@ impl Branch {
         };
         let reach = vec![0.0; place.q.len()];
         let (home, place) = (machine.value(parameter), place.clone());
-        Branch { parameter, home, place, way, starts, arms: Default::default(), reach, changes: Vec::new(), steps: 0 }
+        Branch {
+            parameter,
+            home,
+            place,
+            way,
+            starts,
+            arms: Default::default(),
+            reach,
+            changes: Vec::new(),
+            steps: 0,
+            contacts: None,
+            beyond: Beyond::Followed,
+            own: Vec::new(),
+            closed: Vec::new(),
+        }
+    }
+
+    /// The same with the contacts of the machine, which has those closed that hold at home.
+    pub fn with_contacts(mut self, contacts: Option<Contacts>, beyond: Beyond) -> Branch {
+        self.own = contacts.as_ref().map(|c| c.held().to_vec()).unwrap_or_default();
+        self.closed = self.own.clone();
+        if contacts.is_some() {
+            // the place need not move for a gap to close
+            self.way = Way::Followed;
+        }
+        (self.contacts, self.beyond) = (contacts, beyond);
+        self
+    }
+
+    /// Gives the machine the contacts that are closed at home.
+    ///
+    /// *Errors*: none that was not met before.
+    pub fn leave(&mut self, machine: &mut LinearMachine) -> Result<(), Fault> {
+        self.closed = self.own.clone();
+        self.hold(machine)
+    }
+
+    fn hold(&mut self, machine: &mut LinearMachine) -> Result<(), Fault> {
+        match &mut self.contacts {
+            Some(contacts) => contacts.hold(machine, &self.closed),
+            None => Ok(()),
+        }
     }
 
     /// Index of the parameter.
@@ -189,21 +261,24 @@ impl Branch {
                 machine.set(self.parameter, value)?;
                 return Ok(Some(self.place.clone()));
             }
-            Way::Linear => return self.settled(machine, value, &self.place.q),
+            Way::Linear => return self.settled(machine, value, &self.place.q.clone()),
             Way::Followed => {}
         }
         self.extend(machine, value, FURTHER)?;
         let arm = &self.arms[usize::from(value > self.home)];
         let k = arm.iter().position(|s| s.value == value || !between(s.value, value, value > self.home)).unwrap_or(arm.len() - 1);
-        let station = &arm[k];
-        if station.value == value {
-            machine.set(self.parameter, value)?;
-            return Ok(station.spot.as_ref().map(|s| s.place.clone()));
-        }
+        let station = arm[k].clone();
         let Some(outer) = &station.spot else {
             machine.set(self.parameter, value)?;
             return Ok(None);
         };
+        self.closed = outer.closed.clone();
+        if station.value == value {
+            self.hold(machine)?;
+            machine.set(self.parameter, value)?;
+            return Ok(Some(outer.place.clone()));
+        }
+        let arm = &self.arms[usize::from(value > self.home)];
         let inner = arm[k - 1].spot.as_ref().filter(|_| !station.parted);
         let share = (value - arm[k - 1].value) / (station.value - arm[k - 1].value);
         let guess = inner.map_or(outer.place.q.clone(), |inner| mixed(&inner.place.q, &outer.place.q, share));
@@ -215,7 +290,8 @@ impl Branch {
         self.way != Way::Fixed
     }
 
-    fn settled(&self, machine: &mut LinearMachine, value: f64, guess: &[f64]) -> Result<Option<Place>, Fault> {
+    fn settled(&mut self, machine: &mut LinearMachine, value: f64, guess: &[f64]) -> Result<Option<Place>, Fault> {
+        self.hold(machine)?;
         machine.set(self.parameter, value)?;
         match machine.settle(guess) {
             Ok(mut place) => {
@@ -228,17 +304,29 @@ impl Branch {
         }
     }
 
-    fn spot(&self, machine: &mut LinearMachine, value: f64, guess: &[f64]) -> Result<Option<Spot>, Fault> {
+    fn spot(&mut self, machine: &mut LinearMachine, value: f64, guess: &[f64]) -> Result<Option<Spot>, Fault> {
         let Some(place) = self.settled(machine, value, guess)? else { return Ok(None) };
         let unstable = diverging(machine, &place)?.len();
-        Ok(Some(Spot { place, unstable }))
+        let margins = self.margins(machine, &place)?;
+        let violated = margins.iter().filter(|m| m.is_violated()).map(|m| m.contact).collect();
+        Ok(Some(Spot { place, unstable, closed: self.closed.clone(), violated }))
+    }
+
+    fn margins(&mut self, machine: &mut LinearMachine, place: &Place) -> Result<Vec<Margin>, Fault> {
+        match &mut self.contacts {
+            Some(contacts) => contacts.margins(machine, place),
+            None => Ok(Vec::new()),
+        }
     }
 
     /// Walks outwards to a value, at first in pieces.
     fn extend(&mut self, machine: &mut LinearMachine, to: f64, pieces: usize) -> Result<(), Fault> {
         let side = usize::from(to > self.home);
         if self.arms[side].is_empty() {
-            let spot = self.spot(machine, self.home, &self.place.q)?;
+            self.closed = self.own.clone();
+            let spot = self.spot(machine, self.home, &self.place.q.clone())?;
+            // contacts that the place itself leaves in doubt stand as they were found
+            let spot = spot.map(|s| Spot { violated: Vec::new(), ..s });
             self.arms[side].push(Station { value: self.home, spot, parted: false });
         }
         let from = self.last(side).value;
@@ -263,10 +351,11 @@ impl Branch {
         self.steps += 1;
         let a = self.last(side);
         let Some(here) = &a.spot else {
-            let spot = self.anew(machine, to, None)?;
+            let spot = if self.has_ended(side) { None } else { self.anew(machine, to, (None, None))?.0 };
             self.push(side, Station { value: to, spot, parted: true });
             return Ok(());
         };
+        self.closed = here.closed.clone();
         let there = self.spot(machine, to, &here.place.q)?;
         let middle = 0.5 * (a.value + to);
         if (to - a.value).abs() <= NARROW * to.abs().max(a.value.abs()).max((to - self.home).abs()) || middle == a.value || middle == to {
@@ -275,6 +364,9 @@ impl Branch {
         if let Some(spot) = there
             && (self.steps > MOST || self.smooth(machine, here, (&spot, to), a.value)?)
         {
+            if !spot.violated.is_empty() {
+                return self.touch(machine, side, Station { value: to, spot: Some(spot), parted: false });
+            }
             if here.unstable == 0 && spot.unstable > 0 {
                 return self.fork(machine, side, Station { value: to, spot: Some(spot), parted: false });
             }
@@ -282,10 +374,7 @@ impl Branch {
             return Ok(());
         }
         self.cell(machine, side, middle)?;
-        while between(self.last(side).value, to, side == 1) {
-            self.cell(machine, side, to)?;
-        }
-        Ok(())
+        self.walk(machine, side, to)
     }
 
     /// Whether the places at the quarters lie where the chord has its own. A root √p that begins within the step meets the chord at one of them, not at all.
@@ -293,7 +382,7 @@ impl Branch {
         for share in [0.5, 0.75, 0.25] {
             let chord = mixed(&a.place.q, &b.place.q, share);
             let Some(m) = self.spot(machine, from + share * (to - from), &chord)? else { return Ok(false) };
-            if m.unstable != a.unstable && m.unstable != b.unstable {
+            if m.unstable != a.unstable && m.unstable != b.unstable || b.violated.is_empty() && !m.violated.is_empty() {
                 return Ok(false);
             }
             let (a, b, m) = (&a.place.q, &b.place.q, &m.place.q);
@@ -318,19 +407,129 @@ impl Branch {
     fn change(&mut self, side: usize, value: f64, event: Event, at: &[f64]) {
         let gone = self.arms[side].last().map_or(0.0, |s| (s.value - self.home).abs()).max(self.home.abs());
         let value = if value.abs() <= 2.0 * ZERO * gone { 0.0 } else { value };
-        self.changes.push(Change { value, upwards: side == 1, event, at: at.to_vec(), behind: None });
+        let (closes, opens) = Default::default();
+        self.changes.push(Change { value, upwards: side == 1, event, at: at.to_vec(), behind: None, closes, opens });
+    }
+
+    /// Whether the way ended where other contacts close or open.
+    fn has_ended(&self, side: usize) -> bool {
+        self.beyond == Beyond::Ends && self.changes.iter().any(|c| c.upwards == (side == 1) && c.event == Event::Touches)
+    }
+
+    /// A smooth step at the end of which contacts cannot stand as they do.
+    fn touch(&mut self, machine: &mut LinearMachine, side: usize, to: Station) -> Result<(), Fault> {
+        let (mut low, mut high) = (self.last(side), to.clone());
+        let wanted = to.spot.as_ref().map(|s| s.violated.clone()).unwrap_or_default();
+        let mut margins = Vec::new();
+        for _ in 0..100 {
+            let middle = 0.5 * (low.value + high.value);
+            let (Some(a), Some(b)) = (&low.spot, &high.spot) else { break };
+            if middle == low.value || middle == high.value || (high.value - low.value).abs() <= ZERO * (to.value - self.home).abs() {
+                break;
+            }
+            let Some(spot) = self.spot(machine, middle, &mixed(&a.place.q, &b.place.q, 0.5))? else { break };
+            let found = self.margins(machine, &spot.place)?;
+            let gone = found.iter().any(|m| m.value < 0.0 && (m.is_violated() || wanted.contains(&m.contact)));
+            let station = Station { value: middle, spot: Some(spot), parted: false };
+            if gone { (high, margins) = (station, found) } else { low = station }
+        }
+        let here = low.spot.as_ref().map(|s| s.place.q.clone()).unwrap_or_default();
+        if between(self.last(side).value, low.value, side == 1) {
+            // a fork may lie on the way there
+            self.push_or_walk(machine, side, low.clone())?;
+            if self.last(side).spot.is_none_or(|s| !same(&s.place.q, &here)) {
+                return self.walk(machine, side, to.value);
+            }
+        }
+        let violated: Vec<usize> = match margins
+            .iter()
+            .filter(|m| m.value < 0.0 && (m.is_violated() || wanted.contains(&m.contact)))
+            .map(|m| m.contact)
+            .collect::<Vec<_>>()
+        {
+            list if list.is_empty() => wanted,
+            list => list,
+        };
+        self.retouch(machine, (side, &to), (high.value, &here), (&margins, &violated))
+    }
+
+    /// Behind p*, where contacts cannot stand as they did: the place that continues with others, or another one.
+    fn retouch(
+        &mut self,
+        machine: &mut LinearMachine,
+        (side, to): (usize, &Station),
+        (value, here): (f64, &[f64]),
+        (margins, violated): (&[Margin], &[usize]),
+    ) -> Result<(), Fault> {
+        let before = self.closed.clone();
+        let step = BEHIND * (to.value - self.home);
+        let sets = self.contacts.as_ref().map(|c| c.successors(margins, violated)).unwrap_or_default();
+        let reach = self.reach.clone();
+        let near = |spot: &Spot| (0..here.len()).all(|i| (spot.place.q[i] - here[i]).abs() <= JOINED * reach[i] + BEHIND);
+        for set in sets {
+            self.closed = set;
+            let Some(spot) = self.spot(machine, value + step, here)? else { continue };
+            if !spot.violated.is_empty() || !near(&spot) {
+                continue;
+            }
+            self.touched(side, value, here, &before);
+            if self.beyond == Beyond::Ends {
+                self.closed = before;
+                self.push(side, Station { value, spot: None, parted: true });
+                self.push(side, Station { value: to.value, spot: None, parted: true });
+                return Ok(());
+            }
+            let there = self.spot(machine, value, here)?.map(|s| Spot { violated: Vec::new(), ..s });
+            self.push(side, Station { value, spot: there.or(Some(spot)), parted: false });
+            return self.walk(machine, side, to.value);
+        }
+        self.closed = before;
+        self.change(side, value, Event::Ends, here);
+        let (spot, _) = self.anew(machine, value + step, (None, None))?;
+        self.push(side, Station { value: value + step, spot, parted: true });
+        self.walk(machine, side, to.value)
+    }
+
+    /// Notes which contacts close and open.
+    fn touched(&mut self, side: usize, value: f64, at: &[f64], before: &[usize]) {
+        self.change(side, value, Event::Touches, at);
+        let Some(contacts) = &self.contacts else { return };
+        let names =
+            |of: &[usize], other: &[usize]| of.iter().filter(|c| !other.contains(c)).map(|c| contacts.name(*c).to_owned()).collect();
+        let (closes, opens) = (names(&self.closed, before), names(before, &self.closed));
+        if let Some(change) = self.changes.last_mut() {
+            (change.closes, change.opens) = (closes, opens);
+        }
+    }
+
+    /// On to a value.
+    fn walk(&mut self, machine: &mut LinearMachine, side: usize, to: f64) -> Result<(), Fault> {
+        while between(self.last(side).value, to, side == 1) {
+            self.cell(machine, side, to)?;
+        }
+        Ok(())
+    }
+
+    /// A smooth step without contacts that change, through a fork if there is one.
+    fn push_or_walk(&mut self, machine: &mut LinearMachine, side: usize, to: Station) -> Result<(), Fault> {
+        let stable = |s: &Station| s.spot.as_ref().is_some_and(|s| s.unstable == 0);
+        if stable(&self.last(side)) && !stable(&to) {
+            return self.fork(machine, side, to);
+        }
+        self.push(side, Station { spot: to.spot.map(|s| Spot { violated: Vec::new(), ..s }), ..to });
+        Ok(())
     }
 
     /// A narrow step that is not smooth: the place joins another one, or ends.
     fn singular(&mut self, machine: &mut LinearMachine, side: usize, to: Station) -> Result<(), Fault> {
         let a = self.last(side);
         let here = a.spot.map(|s| s.place.q).unwrap_or_default();
-        let within = |spot: &Spot, share: f64, least: f64| {
-            (0..here.len()).all(|i| (spot.place.q[i] - here[i]).abs() <= share * self.reach[i] + least)
-        };
+        let reach = self.reach.clone();
+        let within =
+            |spot: &Spot, share: f64, least: f64| (0..here.len()).all(|i| (spot.place.q[i] - here[i]).abs() <= share * reach[i] + least);
         // where Newton's method fails in the singular place itself, another start may lead beside it
         let to = match to.spot {
-            None => Station { spot: self.anew(machine, to.value, None)?, ..to },
+            None => Station { spot: self.anew(machine, to.value, (None, None))?.0, ..to },
             Some(_) => to,
         };
         if let Some(spot) = to.spot.as_ref().filter(|s| within(s, JOINED, 1e3 * NOTHING)) {
@@ -347,10 +546,10 @@ impl Branch {
         if let Some(at) = self.known(side, to.value, Event::Joins).map(|c| c.value) {
             self.changes.retain(|c| c.value != at || c.event != Event::Joins);
         }
-        if self.known(side, to.value, Event::Ends).is_none() {
-            self.change(side, to.value, Event::Ends, &here);
+        let (spot, event) = self.anew(machine, to.value, (Some(&here), to.spot))?;
+        if self.known(side, to.value, Event::Ends).is_none() && self.known(side, to.value, Event::Falls).is_none() {
+            self.change(side, to.value, event, &here);
         }
-        let spot = self.anew(machine, to.value, to.spot)?;
         self.push(side, Station { spot, ..to });
         Ok(())
     }
@@ -361,17 +560,40 @@ impl Branch {
         self.changes.iter_mut().find(|c| c.upwards == (side == 1) && c.event == event && (c.value - value).abs() <= near)
     }
 
-    /// Rest from the starts of the file: the first stable place, or the first.
-    fn anew(&self, machine: &mut LinearMachine, value: f64, other: Option<Spot>) -> Result<Option<Spot>, Fault> {
-        let mut first = None;
-        for start in &self.starts {
-            match self.spot(machine, value, start)? {
-                Some(spot) if spot.unstable == 0 => return Ok(Some(spot)),
+    /// Where the machine falls from `here`, else rest from the starts of the file: the first stable place, or the first.
+    fn anew(
+        &mut self,
+        machine: &mut LinearMachine,
+        value: f64,
+        (here, other): (Option<&[f64]>, Option<Spot>),
+    ) -> Result<(Option<Spot>, Event), Fault> {
+        if let Some(spot) = here.map(|here| self.fallen(machine, value, here)).transpose()?.flatten() {
+            return Ok((Some(spot), Event::Falls));
+        }
+        let (mut first, own) = (None, self.closed.clone());
+        let sets = self.contacts.as_ref().map_or(vec![own.clone()], Contacts::all);
+        let starts = self.starts.clone();
+        for (set, start) in sets.into_iter().flat_map(|set| starts.clone().into_iter().map(move |start| (set.clone(), start))) {
+            self.closed = set;
+            match self.spot(machine, value, &start)?.filter(|s| s.violated.is_empty()) {
+                Some(spot) if spot.unstable == 0 => return Ok((Some(spot), Event::Ends)),
                 Some(spot) => drop(first.get_or_insert(spot)),
                 None => {}
             }
         }
-        Ok(other.filter(|o| o.unstable == 0).or(first))
+        self.closed = own;
+        Ok((other.filter(|o| o.unstable == 0 && o.violated.is_empty()).or(first), Event::Ends))
+    }
+
+    /// The stable place to which the machine falls from `here`, where it is pushed off a little behind the value.
+    fn fallen(&mut self, machine: &mut LinearMachine, value: f64, here: &[f64]) -> Result<Option<Spot>, Fault> {
+        self.hold(machine)?;
+        let behind = value + BEHIND * (value - self.home);
+        machine.set(self.parameter, behind)?;
+        let Some(guess) = fall(machine, here) else { return Ok(None) };
+        let Some(far) = self.spot(machine, behind, &guess)? else { return Ok(None) };
+        let spot = self.spot(machine, value, &far.place.q)?;
+        Ok(spot.filter(|s| s.unstable == 0 && s.violated.is_empty()))
     }
 
     /// A smooth step on which a stable place becomes unstable by a real root.
@@ -408,14 +630,11 @@ impl Branch {
             let spot = self.spot(machine, to.value, &near)?;
             self.push(side, Station { value: to.value, spot, parted });
         }
-        while between(self.last(side).value, to.value, side == 1) {
-            self.cell(machine, side, to.value)?;
-        }
-        Ok(())
+        self.walk(machine, side, to.value)
     }
 
     /// The stable places that part from an unstable one behind p*, each as stations outwards.
-    fn parting(&self, machine: &mut LinearMachine, fork: f64, step: f64, at: &[f64]) -> Result<Vec<Vec<Station>>, Fault> {
+    fn parting(&mut self, machine: &mut LinearMachine, fork: f64, step: f64, at: &[f64]) -> Result<Vec<Vec<Station>>, Fault> {
         let Some(own) = self.spot(machine, fork + step, at)? else { return Ok(Vec::new()) };
         let slowest = diverging(machine, &own.place)?.into_iter().min_by(|a, b| a.root.0.total_cmp(&b.root.0));
         let Some(shape) = slowest.map(|m| m.shape.iter().map(|z| z.0).collect::<Vec<f64>>()) else { return Ok(Vec::new()) };
@@ -437,7 +656,7 @@ impl Branch {
 
     /// A place followed back towards p*; none where it does not join the other one there.
     fn inwards(
-        &self,
+        &mut self,
         machine: &mut LinearMachine,
         (fork, step): (f64, f64),
         own: &Spot,

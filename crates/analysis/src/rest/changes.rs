@@ -96,6 +96,17 @@ fn note(change: &Change, (parameter, home): (&Quantity, f64), coordinates: &[Qua
                 at.ru, here.ru, side.1
             ),
         ),
+        (Event::Touches, behind) => touches(change, (&at, name), &here, behind.as_ref()),
+        (Event::Falls, Some(behind)) => Text::new(
+            format!(
+                "at {name} = {} the place of rest ends ({}); {} it the numbers are about the place to which the machine falls from there ({})",
+                at.en, here.en, side.0, behind.en
+            ),
+            format!(
+                "при {name} = {} положение равновесия исчезает ({}); {} результаты относятся к положению, в которое машина оттуда переходит ({})",
+                at.ru, here.ru, side.1, behind.ru
+            ),
+        ),
         (_, Some(behind)) => {
             let from = written(home, parameter);
             Text::new(
@@ -113,6 +124,47 @@ fn note(change: &Change, (parameter, home): (&Quantity, f64), coordinates: &[Qua
         (_, None) => Text::new(
             format!("the place of rest ends at {name} = {} ({}); {} it no place of rest was found", at.en, here.en, side.0),
             format!("положение равновесия исчезает при {name} = {} ({}); {} положений равновесия не найдено", at.ru, here.ru, side.1),
+        ),
+    }
+}
+
+/// Contacts that close and open.
+fn touches(change: &Change, (at, name): (&Text, &str), here: &Text, behind: Option<&Text>) -> Text {
+    let side = if change.upwards { ("above", "выше") } else { ("below", "ниже") };
+    let plain = |name: &String| name.split_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).unwrap_or(name).to_owned();
+    let list = |names: &[String]| names.iter().map(plain).collect::<Vec<_>>().join(", ");
+    let verb = |names: &[String], one: &'static str, more: &'static str| if names.len() == 1 { one } else { more };
+    let mut events = Text::default();
+    let (closes, opens) = (&change.closes, &change.opens);
+    let gap = if closes.is_empty() || opens.is_empty() { "" } else { "; " };
+    if !closes.is_empty() {
+        events.en += &format!("{} {}", list(closes), verb(closes, "closes", "close"));
+        events.ru += &format!("{} {}", verb(closes, "замыкается", "замыкаются"), list(closes));
+    }
+    if !opens.is_empty() {
+        events.en += &format!("{gap}{} {}", list(opens), verb(opens, "opens", "open"));
+        events.ru += &format!("{gap}{} {}", verb(opens, "размыкается", "размыкаются"), list(opens));
+    }
+    match behind {
+        Some(behind) => Text::new(
+            format!(
+                "at {name} = {} {} ({}); {} it the numbers are about the place with these contacts ({})",
+                at.en, events.en, here.en, side.0, behind.en
+            ),
+            format!(
+                "при {name} = {} {} ({}); {} результаты относятся к положению с таким набором контактов ({})",
+                at.ru, events.ru, here.ru, side.1, behind.ru
+            ),
+        ),
+        None => Text::new(
+            format!(
+                "at {name} = {} {} ({}); {} it the equations are others, and no rows are given: ask for them with a value of {name} from there",
+                at.en, events.en, here.en, side.0
+            ),
+            format!(
+                "при {name} = {} {} ({}); {} уравнения другие, и строки не приводятся: задайте для них значение {name} из той области",
+                at.ru, events.ru, here.ru, side.1
+            ),
         ),
     }
 }

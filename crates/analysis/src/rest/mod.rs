@@ -6,6 +6,8 @@
 pub mod admissible;
 pub mod branch;
 pub mod changes;
+pub mod contacts;
+pub mod fall;
 pub mod faults;
 mod limiting;
 pub mod mean;

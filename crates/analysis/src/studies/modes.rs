@@ -362,7 +362,7 @@ fn settled_root(root: Complex, noise: f64) -> Complex {
 }
 
 fn lost() -> Fault {
-    super::response::rounded_away(Text::new(
+    crate::fault::small::rounded_away(Text::new(
         "a slow root of the small motions hangs on rounding",
         "медленный корень уравнений малых движений определяется округлением",
     ))

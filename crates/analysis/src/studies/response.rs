@@ -18,8 +18,10 @@ use words::Text;
 use words::explain::{Explanation, plain};
 
 use crate::Fault;
+use crate::fault::small::{refused, rounded_away};
 use crate::linear::{LinearMachine, LoadParts, Matrices, Observer, Place, Seen, Values};
-use crate::rest::branch::Branch;
+use crate::rest::branch::{Beyond, Branch};
+use crate::rest::contacts::Contacts;
 use crate::studies::equilibrium::no_equilibrium;
 use crate::studies::impedance::{Amplitudes, Gain, solve};
 use crate::studies::modes::Complex;
@@ -192,6 +194,31 @@ impl<'m> Forced<'m> {
         };
         forced.arrange(parameter)?;
         Ok(forced)
+    }
+
+    /// The same for a machine with one-sided contacts, which are as at the place: the way ends where others close or open.
+    pub fn with_contacts(mut self, contacts: Option<Contacts>) -> Forced<'m> {
+        self.branch = self.branch.map(|b| b.with_contacts(contacts, Beyond::Ends));
+        self
+    }
+
+    /// Of ascending frequencies those that lie on one way with the place, from the first to the last without a gap.
+    ///
+    /// *Errors*: formulas without a value.
+    pub fn reached(&mut self, omegas: &[f64]) -> Result<Vec<f64>, Fault> {
+        let (Some((_, per)), Some(branch)) = (self.follows, &mut self.branch) else { return Ok(omegas.to_vec()) };
+        let mut found = Vec::new();
+        for omega in omegas {
+            found.push(branch.place(self.machine, omega * per)?.is_some());
+        }
+        let home = branch.home() / per;
+        let away = |i: &usize| (omegas[*i] - home).abs();
+        let Some(nearest) = (0..omegas.len()).filter(|i| found[*i]).min_by(|a, b| away(a).total_cmp(&away(b))) else {
+            return Err(no_equilibrium());
+        };
+        let below = (0..nearest).rev().take_while(|i| found[*i]).last().unwrap_or(nearest);
+        let above = (nearest..omegas.len()).take_while(|i| found[*i]).last().unwrap_or(nearest);
+        Ok(omegas[below..=above].to_vec())
     }
 
     /// Orders of the loads that follow the parameter.
@@ -554,22 +581,6 @@ pub(super) fn hangs_on_rounding(omega: f64) -> Fault {
 }
 
 /// S066.
-pub(super) fn rounded_away(what: Text) -> Fault {
-    Fault::new(Message {
-        code: "S066",
-        what,
-        why: Text::new(
-            "stiffnesses, dampings or masses lie more than some 10^13 apart, so that their sums keep too few digits of the small ones",
-            "жёсткости, сопротивления или массы различаются более чем в 10^13 раз, и в их суммах остаётся слишком мало цифр меньших",
-        ),
-        help: Text::new(
-            "replace the strong part by a rigid connection, or leave out the weak one",
-            "замените жёсткую часть жёсткой связью или исключите слабую",
-        ),
-    })
-}
-
-/// S066.
 pub const ROUNDED: Explanation =
     plain("S066", ("a result that hangs on rounding", "результат, определяемый округлением"), (ROUNDED_EN, ROUNDED_RU));
 
@@ -650,7 +661,7 @@ fn not_proportional(name: &str) -> Fault {
 
 /// A connection that changes with time moves the machine.
 pub fn through_connections() -> Fault {
-    super::rolling::refused(Text::new(
+    refused(Text::new(
         "a connection changes with time: it moves the machine through reactions, which the loads of the linear equations do not hold",
         "связь меняется со временем: она движет машину через реакции, которых нет среди нагрузок линейных уравнений",
     ))

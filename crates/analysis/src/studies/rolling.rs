@@ -14,9 +14,10 @@
 //! *Source*: Ju. I. Neimark, N. A. Fufaev, Dynamics of Nonholonomic Systems, ch. V and VI.
 
 use algebra::elementary;
-use words::{Message, Text};
+use words::Text;
 
 use crate::dataset::Audit;
+use crate::fault::small::refused;
 use crate::linear::{Matrices, largest, parts};
 use crate::studies::impedance::{Amplitudes, SINGULAR};
 use crate::studies::modes::{Complex, Damping, Kind, Mode, Modes, Normalisation, check_mass, normalise, pairs, remarks};
@@ -41,19 +42,6 @@ const REFUSED_EN: &str = "Small motions need equations whose coefficients are co
 const REFUSED_RU: &str = "Для малых движений нужны уравнения с постоянными коэффициентами, дающие все ускорения и реакции. Здесь связи на скорости противоречат друг другу \
     вблизи положения (их комбинация ограничивает не скорость, а само положение), либо уравнения не дают ускорений в начале движения. Неверно: zero_rate двух колёс, которые не могут \
     катиться по одной окружности. Верно: уберите связь, повторяющую другую, или проследите движение в `simulate` либо `periodic`.";
-
-/// S092.
-pub(crate) fn refused(why: Text) -> Fault {
-    Fault::new(Message {
-        code: "S092",
-        what: Text::new("no linear equations of small motions here", "линейных уравнений малых движений здесь нет"),
-        why,
-        help: Text::new(
-            "leave out conditions that repeat others, or use `simulate` or `periodic`",
-            "уберите связи, повторяющие другие, либо примените `simulate` или `periodic`",
-        ),
-    })
-}
 
 /// y' = P y + N u of scaled coordinates δq_i = scale_i Σ z_ic y_c; matrices row-major.
 struct Form {

@@ -42,6 +42,8 @@ pub struct Tracks {
     pub places: Vec<Option<Vec<f64>>>,
     /// Where the place that is followed changes.
     pub changes: Vec<Change>,
+    /// Number of motions that connections and closed contacts leave at each value.
+    pub freedom: Vec<usize>,
     /// The same as columns.
     pub data: Dataset,
 }
@@ -68,7 +70,7 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
     let orders = if is_speed { orders(machine, parameter, ends[1], &home)? } else { Vec::new() };
     branch.cover(machine, ends)?;
     let coordinates = machine.coordinates().to_vec();
-    let mut run = Run { machine, branch, place: home, along: Vec::new(), cells: 0, without: Vec::new() };
+    let mut run = Run { machine, branch, place: home, along: Vec::new(), cells: 0, without: Vec::new(), freedom: 0 };
     let mut out = Tracks { parameter: quantity.name.clone(), orders, ..Tracks::default() };
     let mut slots: Vec<Vec<Option<Mode>>> = Vec::new();
     let (mut before, mut grows, mut diverges): (Vec<Option<Mode>>, Vec<bool>, Vec<bool>) = Default::default();
@@ -76,6 +78,7 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
         let value = ends[0] + (ends[1] - ends[0]) * k as f64 / (points - 1).max(1) as f64;
         out.values.push(value);
         let Some((list, mass)) = run.known(value)? else {
+            out.freedom.push(0);
             // nothing is known here: the tracks go on behind it
             grows.push(grows.last().copied().unwrap_or(false));
             diverges.push(false);
@@ -85,6 +88,7 @@ pub fn tracks(machine: &mut LinearMachine, branch: &mut Branch, ends: [f64; 2], 
             continue;
         };
         out.known.push(true);
+        out.freedom.push(run.freedom);
         out.places.push((!run.without.contains(&value)).then(|| run.place.q.clone()));
         grows.push(growing(&list));
         diverges.push(list.iter().any(|m| m.kind == Kind::Divergence));
@@ -198,6 +202,8 @@ struct Run<'m> {
     without: Vec<f64>,
     /// Cells halved so far.
     cells: usize,
+    /// Motions that are left at the last value.
+    freedom: usize,
 }
 
 /// Values that differ by less than this share are one place without an equilibrium.
@@ -256,6 +262,7 @@ impl Run<'_> {
     fn modes(&mut self, value: f64) -> Result<Found, Fault> {
         self.settle(value)?;
         let matrices = self.machine.at(&self.place)?;
+        self.freedom = matrices.allowed().map_or(matrices.n, |(_, k)| k);
         let names = self.machine.coordinates().to_vec();
         let found = modes::modes(&matrices, &names, Normalisation::Largest)?;
         Ok((found.modes, matrices.mass))
@@ -321,6 +328,7 @@ impl Run<'_> {
                 let cell = Cell { order: *order, depth: DEEPEST };
                 self.cell([tracks.values[k - 1], tracks.values[k]], [counts[k - 1], counts[k]], cell, &mut places)?;
             }
+            places.retain(|v| !self.leaps(*v, *order));
             places.sort_by(f64::total_cmp);
             places.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * b.abs());
             for value in places {
@@ -328,6 +336,14 @@ impl Run<'_> {
             }
         }
         Ok(out)
+    }
+
+    /// Whether a frequency leaps over the line where the place changes, and meets it nowhere.
+    fn leaps(&mut self, speed: f64, order: f64) -> bool {
+        let changes = self.branch.changes();
+        let there = |c: &Change| (c.value - speed).abs() <= 1e-9 * speed.abs();
+        let met = |count: Count| count.nearest <= 1e-6 * order * speed.abs();
+        changes.iter().any(there) && !self.above(speed, order).ok().flatten().is_some_and(met)
     }
 
     /// The track that meets the line ω = order·Ω at a speed: the modes there are matched with those at the neighbouring value by their shapes.
@@ -481,8 +497,8 @@ fn dataset(tracks: &Tracks, parameter: &Quantity, diverges: &[bool]) -> Dataset 
     let names: Vec<String> = data.columns[1..].iter().map(|c| c.quantity.name.clone()).collect();
     for name in names {
         let words = Text::new(
-            "the mode does not oscillate here: its roots are real, or there is no equilibrium (the notes say where)",
-            "здесь движение по этой форме без колебаний: корни вещественные, либо равновесия нет (где именно, сказано в примечаниях)",
+            "the mode does not oscillate here: its roots are real, closed contacts hold it, or there is no equilibrium (the notes say where)",
+            "здесь движение по этой форме без колебаний: корни вещественные, её удерживают замкнутые контакты либо равновесия нет (где именно, сказано в примечаниях)",
         );
         data.state(&name, Missing::Absent, words);
     }
@@ -500,14 +516,29 @@ fn still(tracks: &Tracks, j: usize, parameter: &Quantity, diverges: &[bool]) -> 
         let length = absent[k..].iter().take_while(|a| **a).count();
         if length > 0 {
             let last = k + length - 1;
+            let most = tracks.freedom.iter().copied().max().unwrap_or(0);
+            let [from, to] = [tracks.values[k], tracks.values[last]].map(|v| changes::written(v, parameter));
+            let (name, number) = (&parameter.name, j + 1);
+            if (k..=last).all(|row| tracks.freedom[row] < most) {
+                notes.push(Text::new(
+                    format!(
+                        "there is no mode {number} from {name} = {} to {} of the values: closed contacts leave fewer motions there",
+                        from.en, to.en
+                    ),
+                    format!(
+                        "формы {number} при значениях {name} от {} до {} нет: замкнутые контакты оставляют там меньше движений",
+                        from.ru, to.ru
+                    ),
+                ));
+                k += length;
+                continue;
+            }
             let grows = diverges[k..=last].iter().any(|d| *d);
             let how = if grows {
                 ("a motion grows there without oscillation", "движение там растёт без колебаний")
             } else {
                 ("the motion dies out there without oscillation", "движение там затухает без колебаний")
             };
-            let [from, to] = [tracks.values[k], tracks.values[last]].map(|v| changes::written(v, parameter));
-            let (name, number) = (&parameter.name, j + 1);
             notes.push(Text::new(
                 format!(
                     "mode {number} has no frequency from {name} = {} to {} of the values: its roots are real, {}",

@@ -12,8 +12,9 @@ mod strands;
 use crate::pipeline::Machine;
 use analysis::dataset::Column;
 use analysis::linear::{LinearMachine, Place};
-use analysis::rest::branch::Branch;
+use analysis::rest::branch::{Beyond, Branch};
 use analysis::rest::closed_contacts;
+use analysis::rest::contacts::Contacts;
 use analysis::rest::mean::Resting;
 use analysis::rest::stability::with_closed;
 use analysis::studies::equilibrium::Equilibrium;
@@ -33,12 +34,14 @@ pub struct Small {
     pub place: Place,
     /// Where rest is sought: at the guess of the study, else at those of the file's equilibria, the start and zero.
     pub starts: Vec<Vec<f64>>,
+    /// One-sided contacts, where there are some.
+    pub contacts: Option<Contacts>,
 }
 
 impl Small {
     /// The place of rest along a parameter.
     pub fn branch(&self, parameter: usize) -> Branch {
-        Branch::new(&self.machine, parameter, &self.place, self.starts.clone())
+        Branch::new(&self.machine, parameter, &self.place, self.starts.clone()).with_contacts(self.contacts.clone(), Beyond::Followed)
     }
 }
 
@@ -54,7 +57,7 @@ pub fn about_rest(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small,
     let start = machine.system.start()?;
     let starts = candidates(machine, &start, guess);
     let place = rest(&mut linear, &starts)?;
-    Ok(Small { machine: linear, place, starts })
+    Ok(Small { machine: linear, place, starts, contacts: None })
 }
 
 /// The same with connections: at the places of rest that the study `equilibrium` finds, ropes and stops that are closed there as lasting connections.
@@ -91,11 +94,18 @@ fn connected(machine: &Machine, guess: &[(SymbolId, f64)]) -> Result<Small, Faul
             if let Some(fault) = crate::strands::pushing(machine, reaction) {
                 return Err(fault);
             }
-            return Ok(Small { machine: linear, place: at, starts: guesses });
+            return held(machine, (linear, at), guesses, &place.closed);
         }
-        first.get_or_insert(Small { machine: linear, place: at, starts: guesses.clone() });
+        first.get_or_insert((linear, at, place.closed));
     }
-    first.ok_or_else(analysis::studies::equilibrium::no_equilibrium)
+    let (linear, at, closed) = first.ok_or_else(analysis::studies::equilibrium::no_equilibrium)?;
+    held(machine, (linear, at), guesses, &closed)
+}
+
+/// With the contacts that are closed at the place.
+fn held(machine: &Machine, (linear, place): (LinearMachine, Place), starts: Vec<Vec<f64>>, closed: &[usize]) -> Result<Small, Fault> {
+    let contacts = Contacts::new(&machine.equations, closed)?;
+    Ok(Small { machine: linear, place, starts, contacts })
 }
 
 /// Linearises a machine about the motion that it has at the start.
@@ -121,7 +131,7 @@ pub fn about_start(machine: &Machine) -> Result<Small, Fault> {
     } else {
         place = linear.moving(&place)?;
     }
-    Ok(Small { machine: linear, place, starts: Vec::new() })
+    Ok(Small { machine: linear, place, starts: Vec::new(), contacts: None })
 }
 
 /// From where rest is sought: the first stable equilibrium, or the first.
@@ -142,9 +152,16 @@ fn rest(linear: &mut LinearMachine, starts: &[Vec<f64>]) -> Result<Place, Fault>
     }
     match (first, fault) {
         (Some(place), _) => Ok(place),
+        (None, Some(fault)) if fault.code == "S007" => fallen(linear, starts).ok_or(fault),
         (None, Some(fault)) => Err(fault),
         (None, None) => Err(analysis::studies::equilibrium::no_equilibrium()),
     }
+}
+
+/// Where Newton's method finds nothing: the stable place to which the machine falls from where it is sought.
+fn fallen(linear: &mut LinearMachine, starts: &[Vec<f64>]) -> Option<Place> {
+    let place = starts.iter().find_map(|start| analysis::rest::fall::fall(linear, start).and_then(|q| linear.settle(&q).ok()))?;
+    stable(linear, &place).then_some(place)
 }
 
 /// Where to look for rest: at the guess of the study, else at those of the file's equilibria, the start and zero.

@@ -91,6 +91,7 @@ fn along(small: &mut Small, sweep: &ParameterRange) -> Result<Tracks, Fault> {
     let own = small.machine.value(parameter);
     let mut branch = small.branch(parameter);
     let tracks = tracks::tracks(&mut small.machine, &mut branch, [sweep.from, sweep.to], sweep.points);
+    branch.leave(&mut small.machine)?;
     small.machine.set(parameter, own)?;
     tracks
 }
@@ -276,5 +277,12 @@ fn tracks_json(tracks: &Tracks, names: &[Quantity]) -> Value {
 
 /// Where the place of rest that is followed changes.
 pub fn changes_json(changes: &[Change]) -> Vec<Value> {
-    changes.iter().map(|c| json!({"value": c.value, "upwards": c.upwards, "event": c.event.key()})).collect()
+    let one = |c: &Change| {
+        let mut value = json!({"value": c.value, "upwards": c.upwards, "event": c.event.key()});
+        if !(c.closes.is_empty() && c.opens.is_empty()) {
+            (value["closes"], value["opens"]) = (json!(c.closes), json!(c.opens));
+        }
+        value
+    };
+    changes.iter().map(one).collect()
 }

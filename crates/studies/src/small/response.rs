@@ -161,10 +161,12 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let parameters = small.machine.parameters().to_vec();
     let own_value = parameter.map(|p| small.machine.value(p));
     let load = (source.clone(), parameter);
-    let mut forced = Forced::new(&mut small.machine, (&small.place, &small.starts), source, parameter, &formulas)?;
+    let contacts = small.contacts.clone();
+    let mut forced = Forced::new(&mut small.machine, (&small.place, &small.starts), source, parameter, &formulas)?.with_contacts(contacts);
     let own = forced.own_frequency().filter(|w| *w > 0.0);
-    let omegas = grid(study, &found, own)?;
-    forced.cover([omegas[0], omegas[omegas.len() - 1]])?;
+    let asked = grid(study, &found, own)?;
+    forced.cover([asked[0], asked[asked.len() - 1]])?;
+    let omegas = forced.reached(&asked)?;
     let main = forced.current();
     out.main = forced.components().get(main).map_or(1.0, |c| c.order);
     refer(&mut forced, own, &omegas)?;
@@ -202,6 +204,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
         out.changes = branch.changes();
         out.data.notes.extend(changes::notes(branch, &parameters[branch.parameter()], &names));
     }
+    out.data.notes.extend(cut(asked.len(), &omegas));
     out.data.notes.extend(found.notes.iter().cloned());
     out.data.notes.push(reference(from_sine, !out.orders.is_empty()));
     out.data.notes.extend(doubtful(doubt));
@@ -228,6 +231,22 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     out.outputs = quantities;
     out.modes = Some(found);
     Ok(())
+}
+
+/// Rows that have no place of rest.
+fn cut(asked: usize, omegas: &[f64]) -> Option<Text> {
+    let ends = [omegas[0], omegas[omegas.len() - 1]];
+    let list = |language| ends.map(|w| report::number::short(w, 6, language));
+    let ([a, b], [c, d]) = (list(words::Language::En), list(words::Language::Ru));
+    (omegas.len() < asked).then(|| {
+        Text::new(
+            format!("rows from ω = {a} to {b} rad/s only, {} of {asked}: beyond them the place of rest that the machine has here is lost", omegas.len()),
+            format!(
+                "приведены только строки от ω = {c} до {d} рад/с, {} из {asked}: дальше положения равновесия, занимаемого машиной здесь, нет",
+                omegas.len()
+            ),
+        )
+    })
 }
 
 /// Phases count from the load at the frequency of the file, or where that has no hold on the machine, at one along the range.

@@ -1,0 +1,113 @@
+//! Where places of rest change between neighbouring values of a sweep: other contacts are closed, another verdict, other places.
+
+use super::{Repeated, one};
+use crate::pipeline::Machine;
+use crate::watch::Watch;
+use analysis::rest::changes::written;
+use analysis::{Dataset, Quantity};
+use symbolic::connections::Law;
+use words::Text;
+
+/// Force of a contact, relative to the largest reaction, that counts as none.
+const SLACK: f64 = 1e-9;
+/// Changes that are located at most.
+const MOST: usize = 12;
+/// Halvings between two values.
+const HALVINGS: usize = 60;
+
+/// What is known of one place.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Stand {
+    /// Contacts that press.
+    closed: Vec<String>,
+    /// 1 stable, 0 unstable, none undecided.
+    stable: Option<bool>,
+}
+
+/// The places at one value; none where none was found.
+pub(super) type Stands = Option<Vec<Stand>>;
+
+/// How the places that were found stand.
+pub(super) fn stands(machine: &Machine, data: &Dataset) -> Stands {
+    let rows = data.columns.first().map_or(0, |c| c.values.len());
+    let value = |name: &str, row: usize| data.column(name).and_then(|c| c.values.get(row).copied()).filter(|v| v.is_finite());
+    let reactions = &machine.equations.reactions;
+    let one = |row: usize| {
+        let largest = reactions.iter().filter_map(|r| value(&r.name, row)).fold(0.0_f64, |m, v| m.max(v.abs()));
+        let presses = |name: &str| value(name, row).is_some_and(|v| v > SLACK * largest);
+        let contacts = reactions.iter().filter(|r| matches!(r.law, Law::Contact { .. }) && presses(&r.name));
+        let plain = |name: &str| name.split_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).unwrap_or(name).to_owned();
+        Stand { closed: contacts.map(|r| plain(&r.name)).collect(), stable: value("stable", row).map(|v| v != 0.0) }
+    };
+    (rows > 0).then(|| (0..rows).map(one).collect())
+}
+
+/// Remarks on what changes between neighbouring values of the only parameter of a sweep, located by halving.
+pub(super) fn remarks(machine: &mut Machine, repeated: &Repeated<'_>, parameter: &Quantity, seen: &[(f64, Stands)]) -> Vec<(f64, Text)> {
+    let pairs = seen.windows(2).filter(|pair| pair[0].1 != pair[1].1).take(MOST);
+    pairs.map(|pair| remark(machine, repeated, parameter, pair)).collect()
+}
+
+fn remark(machine: &mut Machine, repeated: &Repeated<'_>, parameter: &Quantity, pair: &[(f64, Stands)]) -> (f64, Text) {
+    let (mut low, mut high) = (pair[0].clone(), pair[1].clone());
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low.0 + high.0);
+        if middle == low.0 || middle == high.0 {
+            break;
+        }
+        let finding = one((machine, &mut 0), repeated, &[(parameter.name.clone(), middle)], &mut None, &mut Watch::default());
+        let there = finding.ok().and_then(|f| stands(machine, f.data()));
+        if there == low.1 { low.0 = middle } else { high = (middle, there) }
+    }
+    // a contact that is about to close presses by less than rounding still
+    let at = 0.5 * (low.0 + high.0);
+    let value = written(at, parameter);
+    let (what, name) = (difference(&low.1, &high.1), &parameter.name);
+    (at, Text::new(format!("at {name} = {}: {}", value.en, what.en), format!("при {name} = {}: {}", value.ru, what.ru)))
+}
+
+fn difference(before: &Stands, after: &Stands) -> Text {
+    let (a, b) = match (before, after) {
+        (Some(a), Some(b)) => (a, b),
+        (Some(_), None) => return Text::new("the place of rest that was found ends", "найденное положение равновесия исчезает"),
+        _ => return Text::new("a place of rest appears", "появляется положение равновесия"),
+    };
+    if a.len() != b.len() {
+        return Text::new(
+            format!("places of rest that are found: {} before, {} behind", a.len(), b.len()),
+            format!("найденных положений равновесия до этого значения {}, после него {}", a.len(), b.len()),
+        );
+    }
+    let mut list: Vec<Text> = Vec::new();
+    for (x, y) in a.iter().zip(b) {
+        let names =
+            |of: &Stand, other: &Stand| of.closed.iter().filter(|c| !other.closed.contains(c)).cloned().collect::<Vec<_>>().join(", ");
+        let (closes, opens) = (names(y, x), names(x, y));
+        let mut say = |en: String, ru: String| {
+            let text = Text::new(en, ru);
+            if !list.contains(&text) {
+                list.push(text);
+            }
+        };
+        if !closes.is_empty() {
+            say(format!("contacts that close: {closes}"), format!("замыкаются контакты: {closes}"));
+        }
+        if !opens.is_empty() {
+            say(format!("contacts that open: {opens}"), format!("размыкаются контакты: {opens}"));
+        }
+        if x.stable != y.stable {
+            let word = |stable: Option<bool>| match stable {
+                Some(true) => ("stable", "устойчивое"),
+                Some(false) => ("unstable", "неустойчивое"),
+                None => ("not decided", "устойчивость не определена"),
+            };
+            let (x, y) = (word(x.stable), word(y.stable));
+            say(
+                format!("the place of rest is {} before and {} behind", x.0, y.0),
+                format!("положение равновесия: до – {}, после – {}", x.1, y.1),
+            );
+        }
+    }
+    let join = |pick: fn(&Text) -> &str| list.iter().map(pick).collect::<Vec<_>>().join("; ");
+    Text::new(join(|t| &t.en), join(|t| &t.ru))
+}
