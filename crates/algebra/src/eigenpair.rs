@@ -3,8 +3,8 @@
 //! *Source*: J. J. Dongarra, C. B. Moler, J. H. Wilkinson, Improving the accuracy of computed eigenvalues, SIAM J. Numer. Anal. 20 (1983).
 
 use crate::complex::{self, Complex};
+use crate::double::Double;
 use crate::lu::Lu;
-use crate::refine::Double;
 
 /// Larger matrices are left alone: each pair costs a factorisation.
 pub(super) const LARGEST: usize = 64;

@@ -84,3 +84,26 @@ impl Factored {
         scaled(b);
     }
 }
+
+impl Sparse {
+    /// Factors the matrix for static problems: L D Lᵀ of the scaled matrix.
+    ///
+    /// *Errors*: the first pivot that vanishes or is negative, with its row and the free motion.
+    pub fn factor(&self) -> Result<Factored, Trouble> {
+        let factored = Factored::new(self, None)?;
+        match factored.defect() {
+            Some(pivot) => Err(Trouble::Pivot(pivot)),
+            None => Ok(factored),
+        }
+    }
+
+    /// Solution of A x = b for a positive definite matrix. *Errors*: as [`Sparse::factor`].
+    pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>, Trouble> {
+        if b.len() != self.size() || b.iter().any(|v| !v.is_finite()) {
+            return Err(Trouble::Malformed("b"));
+        }
+        let mut x = b.to_vec();
+        self.factor()?.solve(&mut x, 1);
+        Ok(x)
+    }
+}

@@ -6,10 +6,10 @@
 //! A shifted block Lanczos algorithm, SIAM J. Matrix Anal. Appl. 15 (1994); B. N. Parlett, The Symmetric Eigenvalue Problem, 13.
 
 use crate::Trouble;
-use crate::eigen::{Modes, orient};
 use crate::elementary;
 use crate::factor::Factored;
 use crate::kernels;
+use crate::modes::{Modes, orient};
 use crate::random::Random;
 use crate::refine::sharpen;
 use crate::sparse::Sparse;

@@ -3,8 +3,8 @@
 //!
 //! It knows no mechanics and no time, no words for users and no files: what goes wrong is a [`Trouble`], which its callers put into words.
 //!
-//! Rooms, in order of reading: [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`refine`] (twice the digits) - [`lu`], [`cholesky`], [`qr`],
-//! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`] - [`eigen`], [`lanczos`], [`certify`] (eigenproblems) -
+//! Rooms, in order of reading: [`elementary`], [`complex`] (the same bits on every machine) - [`sum`], [`double`] (twice the digits) - [`lu`], [`cholesky`], [`qr`],
+//! [`refined`] (small dense systems) - `kernels` (the only file that knows faer), [`sparse`], [`factor`] - [`refine`], [`lanczos`], [`eigen`], [`certify`] (eigenproblems) -
 //! [`divided`], [`expm`] (exponentials) - [`gauss`], [`simplex`], [`random`].
 
 // the same bits on every machine: see clippy.toml
@@ -14,6 +14,7 @@ pub mod certify;
 pub mod cholesky;
 pub mod complex;
 pub mod divided;
+pub mod double;
 pub mod eigen;
 mod eigenpair;
 pub mod elementary;
@@ -23,6 +24,7 @@ pub mod gauss;
 mod kernels;
 pub mod lanczos;
 pub mod lu;
+mod modes;
 pub mod qr;
 pub mod random;
 pub mod refine;

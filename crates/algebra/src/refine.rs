@@ -3,59 +3,10 @@
 //! r = K x_i - lambda_i M x_i,  x_i <- x_i - sum over j of x_j (x_j . r) / (lambda_j - lambda_i),  lambda_i = Rayleigh's quotient.
 //! *Source*: after T. Ogita, K. Aishima, Iterative refinement for symmetric eigenvalue decomposition, Japan J. Indust. Appl. Math. 35 (2018).
 
-use crate::eigen::Modes;
+use crate::double::{Double, dot};
 use crate::kernels;
+use crate::modes::Modes;
 use crate::sparse::Sparse;
-use crate::sum::two_sum;
-
-/// A sum in twice the digits.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Double {
-    high: f64,
-    low: f64,
-}
-
-/// a b = product + error exactly. *Source*: T. J. Dekker, A floating-point technique, Numer. Math. 18 (1971).
-#[inline]
-fn two_product(a: f64, b: f64) -> (f64, f64) {
-    const SPLIT: f64 = 134_217_729.0; // 2^27 + 1
-    let product = a * b;
-    let (a_big, b_big) = (SPLIT * a, SPLIT * b);
-    let (a_high, b_high) = (a_big - (a_big - a), b_big - (b_big - b));
-    let (a_low, b_low) = (a - a_high, b - b_high);
-    (product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low)
-}
-
-impl Double {
-    /// self + a b.
-    #[inline]
-    pub fn add(self, a: f64, b: f64) -> Double {
-        let (product, error) = two_product(a, b);
-        let (sum, rest) = two_sum(self.high, product);
-        let (high, low) = two_sum(sum, self.low + error + rest);
-        Double { high, low }
-    }
-    /// self + b other.
-    pub fn add_times(self, b: f64, other: Double) -> Double {
-        let sum = self.add(b, other.high);
-        Double { high: sum.high, low: sum.low + b * other.low }
-    }
-    /// self / other.
-    pub fn over(self, other: Double) -> Double {
-        let high = self.high / other.high;
-        let rest = self.add_times(-high, other);
-        Double { high, low: (rest.high + rest.low) / other.high }
-    }
-    /// Nearest number.
-    pub fn round(self) -> f64 {
-        self.high + self.low
-    }
-}
-
-/// Sum of products in twice the digits.
-pub(super) fn dot(a: impl Iterator<Item = (f64, f64)>) -> Double {
-    a.fold(Double::default(), |sum, (x, y)| sum.add(x, y))
-}
 
 /// Sum of x_i y_i with y in twice the digits.
 fn dot_double(x: &[f64], y: &[Double]) -> Double {

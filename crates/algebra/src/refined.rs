@@ -3,9 +3,9 @@
 //! x ← x + A⁻¹ (b - A x) with A⁻¹ by plain elimination converges while elimination keeps one digit. *Source*: N. J. Higham, Accuracy and Stability of
 //! Numerical Algorithms, ch. 12.
 
+use super::double::Double;
 use super::lu::Lu;
 use super::qr::Qr;
-use super::refine::Double;
 
 /// Corrections below this share are those of the last digits.
 const ENDED: f64 = 1e-12;

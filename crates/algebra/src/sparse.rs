@@ -1,8 +1,7 @@
 //! Sparse symmetric matrices: assembly, products, static solution.
 
-use crate::factor::Factored;
+use crate::double::{self, Double};
 use crate::kernels::{Columns, dot};
-use crate::refine::{self, Double};
 use crate::trouble::Trouble;
 
 /// A symmetric matrix, stored by columns of its lower triangle: rows ascending, the diagonal always present.
@@ -143,27 +142,6 @@ impl Sparse {
         }
     }
 
-    /// Factors the matrix for static problems: L D Lᵀ of the scaled matrix.
-    ///
-    /// *Errors*: the first pivot that vanishes or is negative, with its row and the free motion.
-    pub fn factor(&self) -> Result<Factored, Trouble> {
-        let factored = Factored::new(self, None)?;
-        match factored.defect() {
-            Some(pivot) => Err(Trouble::Pivot(pivot)),
-            None => Ok(factored),
-        }
-    }
-
-    /// Solution of A x = b for a positive definite matrix. *Errors*: as [`Sparse::factor`].
-    pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>, Trouble> {
-        if b.len() != self.n || b.iter().any(|v| !v.is_finite()) {
-            return Err(Trouble::Malformed("b"));
-        }
-        let mut x = b.to_vec();
-        self.factor()?.solve(&mut x, 1);
-        Ok(x)
-    }
-
     /// xᵀ A x / xᵀ M x, small problems in twice the digits.
     pub(super) fn quotient(&self, mass: &Sparse, x: &[f64]) -> f64 {
         if self.stored() + mass.stored() > 400_000 {
@@ -198,7 +176,7 @@ impl Sparse {
     fn form(&self, x: &[f64]) -> Double {
         let mut sum = Double::default();
         for j in 0..self.n {
-            let column = refine::dot(self.column(j).map(|(i, v)| (if i == j { v } else { 2.0 * v }, x[i])));
+            let column = double::dot(self.column(j).map(|(i, v)| (if i == j { v } else { 2.0 * v }, x[i])));
             sum = sum.add_times(x[j], column);
         }
         sum

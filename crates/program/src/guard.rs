@@ -7,37 +7,9 @@
 //! A guard matters only when the branch in which it stands is taken: [`crate::Bound::active`] finds the ones that matter by a backward
 //! walk from the results through the branches taken.
 
+use crate::mode::Mode;
 use crate::{By, Evaluator, Operation, Register};
 use symbolic::Expr;
-
-/// Sign of a guard function.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
-pub enum Mode {
-    /// Below zero.
-    Negative,
-    /// Zero for a while: sign and abs are 0, `>=` holds, `>` does not.
-    Zero,
-    /// Above zero.
-    #[default]
-    Positive,
-}
-
-impl Mode {
-    /// The mode of a value; not-a-number counts as positive.
-    pub fn of(value: f64) -> Mode {
-        if value < 0.0 {
-            Mode::Negative
-        } else if value == 0.0 {
-            Mode::Zero
-        } else {
-            Mode::Positive
-        }
-    }
-    /// Position among the sides of a choice.
-    pub fn side(self) -> usize {
-        self as usize
-    }
-}
 
 /// The construct that a guard came from first. Reactions are numbered as in `Equations::reactions`, guards as in `Program::guards`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]

@@ -106,7 +106,7 @@ impl Evaluator {
     }
     /// Value of a coefficient.
     pub fn coefficient(&self, c: Coefficient) -> f64 {
-        resolve(c, &self.registers)
+        c.among(&self.registers)
     }
 
     /// The side that a choice took in the last evaluation; none when what decides is no number.
@@ -257,13 +257,6 @@ pub(crate) fn domain_code(operation: &Operation, registers: &[f64]) -> &'static 
     }
 }
 
-pub(crate) fn resolve(c: Coefficient, registers: &[f64]) -> f64 {
-    match c {
-        Coefficient::Number(v) => v.0,
-        Coefficient::Register(r) => registers[r.index()],
-    }
-}
-
 /// Which side a choice takes, or the register that cannot decide because it holds no number.
 fn decide(by: By, registers: &[f64], point: &Point, tape: &Tape) -> Result<Mode, Register> {
     let register = match (by, point.modes) {
@@ -308,12 +301,12 @@ fn value(instruction: &Instruction, registers: &mut [f64], (point, parameters): 
         Operation::State(slot) => point.states[*slot as usize],
         Operation::Acceleration(slot) => point.accelerations[*slot as usize],
         Operation::Linear { constant, terms } => {
-            terms.iter().fold(resolve(*constant, registers), |sum, (c, r)| sum + resolve(*c, registers) * at(r))
+            terms.iter().fold(constant.among(registers), |sum, (c, r)| sum + c.among(registers) * at(r))
         }
         Operation::Multiply(a, b) => at(a) * at(b),
         Operation::Square(a) => at(a) * at(a),
         Operation::Divide(a, b) => at(a) / at(b),
-        Operation::Power(a, p) => elementary::pow(rounding::radicand((tape, off), registers, *a), resolve(*p, registers)),
+        Operation::Power(a, p) => elementary::pow(rounding::radicand((tape, off), registers, *a), p.among(registers)),
         Operation::Unary(Unary::SquareRoot, a) => rounding::radicand((tape, off), registers, *a).sqrt(),
         Operation::Unary(f, a) => f.apply(at(a)),
         Operation::Atan2(a, b) => elementary::atan2(at(a), at(b)),

@@ -54,6 +54,7 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
 mod behind;
+mod builder;
 pub mod curve;
 mod fault;
 mod general;
@@ -61,8 +62,10 @@ mod guard;
 mod interpret;
 mod jets;
 pub mod lower;
+mod mode;
 pub mod passes;
 mod program;
+mod real;
 mod rounding;
 mod solve;
 mod spare;
@@ -73,11 +76,13 @@ mod verify;
 
 pub use behind::{Acting, Behind, HELD, Node, Seen};
 pub use fault::{Details, EXPLANATIONS, Fault, Singular};
-pub use guard::{Guard, GuardKind, Mode};
+pub use guard::{Guard, GuardKind};
 pub use interpret::{Evaluator, Point};
 pub use jets::Jets;
+pub use mode::Mode;
 pub use program::{Bound, ConnectionRoots, ENERGY, LawRoots, Program, RestRoots, TouchRoots};
+pub use real::Real;
 pub use spare::Spare;
 pub use tangent::Tangent;
-pub use tape::{Bounded, By, Coefficient, Instruction, Operation, Real, Register, Root, Shape, Tape, Unary};
+pub use tape::{Bounded, By, Coefficient, Instruction, Operation, Register, Root, Shape, Tape, Unary};
 pub use verify::verify;

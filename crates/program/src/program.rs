@@ -1,6 +1,6 @@
 //! A machine's equations as tapes, and the same with numbers for the parameters.
 
-use crate::{Evaluator, Fault, Guard, GuardKind, Jets, Mode, Point, Tape, passes};
+use crate::{Evaluator, Fault, Guard, GuardKind, Mode, Point, Tape, passes};
 use std::ops::Range;
 use std::sync::Arc;
 use words::Text;
@@ -259,10 +259,6 @@ impl Bound {
     /// An evaluator of one of the program's tapes with these parameters.
     pub fn evaluator(&self, tape: &Arc<Tape>) -> Result<Evaluator, Fault> {
         Evaluator::new(tape, &self.parameters)
-    }
-    /// A Taylor expander of the dynamics for orders up to `order`.
-    pub fn jets(&self, order: usize) -> Jets {
-        Jets::new(self, order)
     }
     /// x at the start.
     pub fn start(&self) -> Result<Vec<f64>, Fault> {

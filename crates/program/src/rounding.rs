@@ -107,7 +107,7 @@ fn error(operation: &Operation, into: usize, registers: &[f64], errors: &[f64]) 
     let (x, e) = (|r: &Register| registers[r.index()], |r: &Register| errors[r.index()]);
     match operation {
         Operation::Linear { constant, terms } => {
-            let factor = |c: &Coefficient| crate::interpret::resolve(*c, registers);
+            let factor = |c: &Coefficient| c.among(registers);
             let start = UNIT * factor(constant).abs();
             terms.iter().fold(start, |sum, (c, r)| sum + factor(c).abs() * (e(r) + UNIT * x(r).abs()))
         }
@@ -115,7 +115,7 @@ fn error(operation: &Operation, into: usize, registers: &[f64], errors: &[f64]) 
         Operation::Square(a) => 2.0 * x(a).abs() * e(a) + e(a) * e(a),
         Operation::Divide(a, b) => (e(a) + x(a).abs() * e(b) / x(b).abs()) / x(b).abs(),
         Operation::Power(a, p) => {
-            let p = crate::interpret::resolve(*p, registers);
+            let p = p.among(registers);
             if x(a) > e(a) { (p * registers[into] / x(a)).abs() * e(a) } else { elementary::pow(e(a), p) }
         }
         Operation::Unary(f, a) => unary(*f, x(a), e(a), registers[into]),

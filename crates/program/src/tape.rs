@@ -7,7 +7,8 @@
 use algebra::elementary;
 use std::sync::Arc;
 
-use crate::Spare;
+use crate::real::Real;
+use crate::spare::Spare;
 use symbolic::Expr;
 
 /// A value: the number of the register that holds it.
@@ -18,22 +19,6 @@ impl Register {
     /// Position in tables of length [`Tape::registers`].
     pub fn index(self) -> usize {
         self.0 as usize
-    }
-}
-
-/// A literal number, compared by its bits.
-#[derive(Clone, Copy, Debug)]
-pub struct Real(pub f64);
-
-impl PartialEq for Real {
-    fn eq(&self, other: &Real) -> bool {
-        self.0.to_bits() == other.0.to_bits()
-    }
-}
-impl Eq for Real {}
-impl std::hash::Hash for Real {
-    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
-        self.0.to_bits().hash(state);
     }
 }
 
@@ -50,6 +35,14 @@ impl Coefficient {
     /// The literal `value`.
     pub fn number(value: f64) -> Coefficient {
         Coefficient::Number(Real(value))
+    }
+
+    /// Its value among those of the registers.
+    pub(crate) fn among(self, registers: &[f64]) -> f64 {
+        match self {
+            Coefficient::Number(v) => v.0,
+            Coefficient::Register(r) => registers[r.index()],
+        }
     }
 }
 

@@ -8,11 +8,13 @@ pub mod letters;
 mod near;
 pub mod notice;
 mod quantity;
+mod table;
 mod text;
 pub mod unit;
 
-pub use language::{Language, Printed};
+pub use language::Language;
 pub use near::{half_slips, nearest};
 pub use notice::{Message, Notice, Place, Severity};
 pub use quantity::Quantity;
+pub use table::Printed;
 pub use text::Text;

@@ -11,6 +11,14 @@ pub struct Text {
     pub ru: String,
 }
 
+impl Language {
+    /// The wording of a [`Text`]; an empty wording falls back to the other language.
+    pub fn text(self, text: &Text) -> &str {
+        let (first, second) = self.pick((&text.en, &text.ru), (&text.ru, &text.en));
+        if first.is_empty() { second } else { first }
+    }
+}
+
 impl Text {
     /// Both wordings.
     pub fn new(en: impl Into<String>, ru: impl Into<String>) -> Text {
@@ -45,5 +53,10 @@ mod tests {
         {
             assert_eq!(Text::unit(label).ru, russian);
         }
+    }
+
+    #[test]
+    fn a_missing_wording_falls_back() {
+        assert_eq!(Language::Ru.text(&Text::new("only", "")), "only");
     }
 }

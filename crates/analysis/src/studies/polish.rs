@@ -10,8 +10,8 @@
 
 use super::modes::Complex;
 use crate::linear::Matrices;
+use algebra::double::Double;
 use algebra::elementary;
-use algebra::refine::Double;
 use algebra::refined::Factors;
 
 /// Steps of Newton's method.

@@ -42,6 +42,13 @@ pub struct Jets {
     largest: usize,
 }
 
+impl Bound {
+    /// A Taylor expander of the dynamics for orders up to `order`.
+    pub fn jets(&self, order: usize) -> Jets {
+        Jets::new(self, order)
+    }
+}
+
 impl Jets {
     /// An expander with room for `order`; it makes more room when asked for a higher one. Memory that fits the order stays in the cache.
     pub fn new(bound: &Bound, order: usize) -> Jets {

@@ -1,8 +1,8 @@
 //! Any expressions into a tape, by an iterative walk: the depth of the graph is bounded by memory, not by the stack.
 
-use super::builder::Builder;
 use super::connections::Numbers;
 use super::forms::Value;
+use crate::builder::Builder;
 use crate::verify::verified;
 use crate::{Bounded, By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Spare, Tape, Unary};
 use rustc_hash::FxHashMap;

@@ -5,7 +5,7 @@
 //! more. Division by a parameter becomes multiplication by a prologue value: x/m is x·(1/m), one rounding more than the division (an
 //! error of at most 1.5 units in the last place instead of 0.5), and a x/m is x·(a/m), no more roundings than before.
 
-use super::builder::Builder;
+use crate::builder::Builder;
 use crate::{By, Coefficient, Mode, Operation, Register, Unary};
 use rustc_hash::FxHashMap;
 use symbolic::{Function, Rational};

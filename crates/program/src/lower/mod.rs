@@ -1,6 +1,5 @@
 //! Lowering: from the expression graph to tapes.
 
-pub(crate) mod builder;
 mod connections;
 mod equations;
 mod expressions;

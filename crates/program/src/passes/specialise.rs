@@ -7,7 +7,7 @@
 //! The motion is the same up to rounding: constants are added in another order. At a state where a factor of such a zero is not finite
 //! the specialised tape has the limit 0 where the original has no value.
 
-use crate::lower::builder::Builder;
+use crate::builder::Builder;
 use crate::verify::verified;
 use crate::{By, Coefficient, Evaluator, Fault, Mode, Operation, Register, Tape};
 use std::sync::Arc;
