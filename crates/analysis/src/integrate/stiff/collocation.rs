@@ -1,46 +1,13 @@
 //! One attempt at an implicit step.
 
 use super::dense::{Dense, ahead};
-use super::newton::{Newton, Outcome, Stages};
-use super::radau::Tableau;
+use super::newton::{Newton, Outcome};
+use super::nodes::{Base, Counts, Stages};
+use super::radau::{Tableau, stages};
 use super::scales::Scales;
-use super::stages;
 use crate::integrate::Series;
 use crate::proxies::proxy::Points;
-use crate::{Fault, Jacobian, Mode, System};
-use algebra::sum::Instant;
-
-/// Where a step begins.
-pub(crate) struct Base<'a> {
-    pub(crate) start: Instant,
-    pub(crate) x: &'a [f64],
-    pub(crate) low: &'a [f64],
-    pub(crate) modes: &'a [Mode],
-}
-
-impl Base<'_> {
-    pub(super) fn time(&self, tau: f64) -> f64 {
-        self.start.after(tau).high
-    }
-    pub(super) fn state(&self, change: &[f64], x: &mut [f64]) {
-        x.iter_mut().enumerate().for_each(|(k, x)| *x = self.x[k] + (change[k] + self.low[k]));
-    }
-}
-
-/// Work of the implicit method.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
-    /// Attempts at a step.
-    pub attempts: u64,
-    /// Jacobians.
-    pub jacobians: u64,
-    /// Factorisations of a matrix of the size of the state.
-    pub factorisations: u64,
-    /// Newton iterations; each evaluates the rates at all nodes.
-    pub newton: u64,
-    /// Rates between nodes, for the defect.
-    pub rates: u64,
-}
+use crate::{Fault, Jacobian, System};
 
 /// What an attempt has shown.
 #[derive(Clone, Copy, Debug, PartialEq)]

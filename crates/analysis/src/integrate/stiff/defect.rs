@@ -8,7 +8,8 @@
 //!
 //! so a force that acts only between two nodes is seen, and so is a guard that bends there.
 
-use super::collocation::{Base, Collocation};
+use super::collocation::Collocation;
+use super::nodes::Base;
 use crate::System;
 
 /// How far the error found between nodes may exceed the tolerance: derivative and interpolation multiply the truncation error of s

@@ -13,17 +13,17 @@
 //!
 //! *Source*: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, Springer 1996, IV.8; the control of the whole polynomial is ours.
 
-use algebra::elementary;
-
 mod collocation;
 mod defect;
 mod dense;
 mod newton;
+mod nodes;
 pub mod radau;
 mod scales;
 mod seen;
 
-pub(crate) use collocation::{Base, Collocation, Verdict};
+pub(crate) use collocation::{Collocation, Verdict};
+pub(crate) use nodes::Base;
 
 /// How a motion is integrated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,10 +50,4 @@ impl Method {
     pub fn named(name: &str) -> Option<Method> {
         Method::ALL.iter().find(|row| row.1 == name).map(|row| row.0)
     }
-}
-
-/// Stages for a tolerance: each Legendre coefficient is then about a tenth of the one before, 5 ... 15.
-pub(crate) fn stages(tolerance: f64) -> usize {
-    let digits = -elementary::log10(tolerance);
-    (2 * (0.5 * digits).round() as usize + 1).clamp(5, 15)
 }

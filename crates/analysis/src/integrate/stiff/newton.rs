@@ -8,7 +8,7 @@
 //! still missing lies below a hundredth of what the step may err, or below the rounding of f: rho_k = eps (sum_j |J_kj| |x_j| + |f_k| + |t ∂f_k/∂t|), which as an
 //! error of the states is |(1/(h mu) - J)^-1| rho. *Source*: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8.
 
-use super::collocation::{Base, Counts};
+use super::nodes::{Base, Counts, Stages};
 use super::radau::Tableau;
 use super::scales::{NOTHING, Scales};
 use crate::System;
@@ -24,29 +24,6 @@ const MOST: usize = 14;
 const APART: f64 = 1e-3;
 /// Rounding of r, in units of its own estimate.
 const ROUNDING: f64 = 4.0;
-
-/// Values at the nodes, node by node.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Stages {
-    n: usize,
-    pub(super) values: Vec<f64>,
-}
-
-impl Stages {
-    pub(super) fn new(stages: usize, n: usize) -> Stages {
-        Stages { n, values: vec![0.0; stages * n] }
-    }
-    pub(super) fn row(&self, i: usize) -> &[f64] {
-        &self.values[i * self.n..(i + 1) * self.n]
-    }
-    pub(super) fn row_mut(&mut self, i: usize) -> &mut [f64] {
-        &mut self.values[i * self.n..(i + 1) * self.n]
-    }
-    /// One state at all nodes.
-    pub(super) fn column(&self, k: usize) -> impl Iterator<Item = f64> + '_ {
-        self.values.iter().skip(k).step_by(self.n.max(1)).copied()
-    }
-}
 
 /// What became of an iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]

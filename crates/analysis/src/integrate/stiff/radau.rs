@@ -191,6 +191,12 @@ fn powers(s: usize) -> Vec<f64> {
     rows
 }
 
+/// Stages for a tolerance: each Legendre coefficient is then about a tenth of the one before, 5 ... 15.
+pub(crate) fn stages(tolerance: f64) -> usize {
+    let digits = -elementary::log10(tolerance);
+    (2 * (0.5 * digits).round() as usize + 1).clamp(5, 15)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

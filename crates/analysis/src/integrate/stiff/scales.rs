@@ -6,7 +6,7 @@
 //!
 //! noise_i is the rounding of f (`newton.rs`): large forces that cancel leave it in the rates of fast states.
 
-use super::newton::Stages;
+use super::nodes::Stages;
 
 /// Share of the largest change of a unit below which a smaller one is not resolved relatively.
 const UNIT_SHARE: f64 = 1e-8;

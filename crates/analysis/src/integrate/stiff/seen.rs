@@ -5,7 +5,8 @@
 //! points of the step and judged as those behind an output are (`proxies/behind.rs`, docs/theory/marks.md), with the tolerance of the motion for the error of
 //! their polynomials. States are known to a few tolerances inside a step, which a stiff force magnifies; that much of an operation is not looked at.
 
-use super::collocation::{Base, Collocation};
+use super::collocation::Collocation;
+use super::nodes::Base;
 use crate::System;
 use crate::proxies::behind::Look;
 
