@@ -23,21 +23,10 @@ const STRANGERS: [(&str, &str); 9] = [
 /// More files than this in a circle are a knot.
 const FILES: usize = 4;
 /// Circles that stand: crate, a member of it, and how many members at most. One that is gone or smaller must be taken off.
-const FOLDER_CIRCLES: [(&str, &str, usize); 9] = [
-    ("algebra", "eigen", 6),
-    ("analysis", "studies", 3),
-    ("mechanics", "formula", 4),
-    ("program", "guard", 3),
-    ("program", "jets", 4),
-    ("program", "spare", 2),
-    ("strutt", "commands", 2),
-    ("studies", "pipeline", 17),
-    ("words", "text", 3),
-];
+const FOLDER_CIRCLES: &[(&str, &str, usize)] =
+    &[("analysis", "studies", 3), ("mechanics", "formula", 4), ("strutt", "commands", 2), ("studies", "pipeline", 17)];
 /// The same for files.
-const FILE_CIRCLES: [(&str, &str, usize); 10] = [
-    ("algebra", "eigen", 6),
-    ("analysis", "integrate::step", 6),
+const FILE_CIRCLES: &[(&str, &str, usize)] = &[
     ("analysis", "integrate::taylor", 10),
     ("analysis", "studies::modes", 5),
     ("analysis", "studies::periodic", 6),
@@ -295,10 +284,10 @@ fn no_circle_ties_folders_or_many_files() {
         // what the root hands on is for other crates
         let between: BTreeSet<(Module, Module)> =
             arrows.iter().filter_map(|(a, b)| Some((folder(a)?, folder(b)?))).filter(|(a, b)| a != b).collect();
-        wrong.extend(hold(name, &circles(&between), &FOLDER_CIRCLES));
+        wrong.extend(hold(name, &circles(&between), FOLDER_CIRCLES));
         let inner: BTreeSet<(Module, Module)> = arrows.into_iter().filter(|(a, b)| !a.is_empty() && !b.is_empty()).collect();
         let large: Vec<BTreeSet<Module>> = circles(&inner).into_iter().filter(|c| c.len() > FILES).collect();
-        wrong.extend(hold(name, &large, &FILE_CIRCLES));
+        wrong.extend(hold(name, &large, FILE_CIRCLES));
     }
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
