@@ -73,8 +73,8 @@ pub fn count(frame: &Frame<f64>, assembly: &Assembly<f64>, omega: f64) -> Option
         let inertia = [node.mass, node.mass, node.inertia];
         (0..3).map(move |k| (3 * i + k, node.springs[k] - square * inertia[k]))
     });
-    let stiffness = assembly.gather(frame, &|part| dynamic(&frame.rods[part.rod], omega), lumped.collect());
-    let clamped: usize = frame.rods.iter().map(|rod| clamped(rod, omega)).sum();
+    let stiffness = assembly.gather(frame, &|part| dynamic(&frame.rods[part.rod], part.length, omega), lumped.collect());
+    let clamped: usize = assembly.freedoms.parts.iter().map(|part| clamped(&frame.rods[part.rod], part.length, omega)).sum();
     if n == 0 {
         return Some(clamped);
     }
@@ -88,18 +88,18 @@ pub fn count(frame: &Frame<f64>, assembly: &Assembly<f64>, omega: f64) -> Option
 }
 
 /// λ of bending and of stretching; none for rods that do not move so.
-fn wave(rod: &Rod<f64>, omega: f64) -> [Option<f64>; 2] {
+fn wave(rod: &Rod<f64>, length: f64, omega: f64) -> [Option<f64>; 2] {
     let RodKind::Beam { bending, axial } = &rod.kind else { return [None, None] };
     if rod.mass == 0.0 {
         return [None, None];
     }
-    let across = rod.length * (rod.mass * omega * omega / bending).sqrt().sqrt();
-    [Some(across), axial.map(|ea| rod.length * omega * (rod.mass / ea).sqrt())]
+    let across = length * (rod.mass * omega * omega / bending).sqrt().sqrt();
+    [Some(across), axial.map(|ea| length * omega * (rod.mass / ea).sqrt())]
 }
 
-/// Natural frequencies below ω of the rod with clamped ends.
-fn clamped(rod: &Rod<f64>, omega: f64) -> usize {
-    let [across, along] = wave(rod, omega);
+/// Natural frequencies below ω of a part of a rod with clamped ends.
+fn clamped(rod: &Rod<f64>, length: f64, omega: f64) -> usize {
+    let [across, along] = wave(rod, length, omega);
     let bending = across.filter(|x| *x > SMALL).map_or(0, |x| {
         let i = (x / PI).floor();
         // 1 - cos λ cosh λ divided by cosh λ
@@ -110,13 +110,12 @@ fn clamped(rod: &Rod<f64>, omega: f64) -> usize {
     bending + along.map_or(0, |x| (x / PI).floor() as usize)
 }
 
-/// Dynamic stiffness of a rod, 6 x 6 in its own axes.
-fn dynamic(rod: &Rod<f64>, omega: f64) -> Vec<f64> {
-    let l = rod.length;
+/// Dynamic stiffness of a part of a rod, 6 x 6 in its own axes.
+fn dynamic(rod: &Rod<f64>, l: f64, omega: f64) -> Vec<f64> {
     let (k, m) = (elements::stiffness(rod, &l), elements::mass(rod, &l));
     let mut out: Vec<f64> = k.iter().zip(&m).map(|(k, m)| k - omega * omega * m).collect();
     let RodKind::Beam { bending, axial } = &rod.kind else { return out };
-    let [across, along] = wave(rod, omega);
+    let [across, along] = wave(rod, l, omega);
     if let Some(x) = across.filter(|x| *x > SMALL) {
         let [vv, vt, tt, vw, vs, ts] = functions(x);
         let e = bending / elementary::powi(l, 3);

@@ -178,7 +178,24 @@ pub fn extreme(frame: &crate::Frame<f64>) -> Fault {
     )
 }
 
-/// Modes that their residuals or Sturm's count do not confirm, or that are not as accurate as wanted.
+/// Frequencies that are not as accurate as wanted.
+pub fn not_reached(error: f64, wanted: f64) -> Fault {
+    let (e, w) = (words::digits::rounded(error), words::digits::rounded(wanted));
+    fault(
+        "S064",
+        Text::new(
+            format!("the frame does not reach the `accuracy` {}: its frequencies are known to {}", w.en, e.en),
+            format!("рама не достигает точности `accuracy` {}: её частоты известны до {}", w.ru, e.ru),
+        ),
+        Text::new(
+            "with the finest division of the rods the error of the frequencies is still larger; where rods stretch (EA) it falls only with the square of the parts",
+            "при самом подробном делении стержней погрешность частот ещё больше; там, где стержни растягиваются (EA), она убывает лишь как квадрат длины частей",
+        ),
+        Text::new("ask for a lower `accuracy` or fewer `modes`", "уменьшите требование `accuracy` или число `modes`"),
+    )
+}
+
+/// Modes that their residuals or Sturm's count do not confirm.
 pub fn unconfirmed(residual: f64, missing: f64) -> Fault {
     let n = words::digits::rounded(residual);
     fault(

@@ -347,24 +347,25 @@ fn scale(shape: &[f64], freedoms: &[f64], normalise: Normalise) -> f64 {
     }
 }
 
-/// The same frequencies with finer and finer division until they change less than wanted, the last change divided by 15: the error of the
-/// frequencies falls with the fourth power of the length of a part.
+/// The same frequencies with finer and finer division until what is left of their error is less than wanted.
 fn refined(frame: &Frame<f64>, options: &Modes, wanted: f64) -> Result<StructureModes, Fault> {
     let longest = frame.rods.iter().map(|r| r.divisions).max().unwrap_or(1).max(2);
     let mut divisions = longest;
     let mut last = plain(&frame.divided(divisions), None, options)?;
+    let mut before: Vec<f64> = Vec::new();
     loop {
         divisions *= 2;
         let next = plain(&frame.divided(divisions), None, options)?;
         // a coarse division may have fewer modes than are wanted
         let all = last.modes.len() == next.modes.len();
-        let change = last.modes.iter().zip(&next.modes).map(|(a, b)| (a.omega / b.omega - 1.0).abs() / 15.0);
-        let change = change.fold(if all { 0.0 } else { 1.0 }, f64::max);
-        last = next;
-        if change <= wanted || divisions >= 256 {
+        let changes: Vec<f64> = last.modes.iter().zip(&next.modes).map(|(a, b)| (a.omega / b.omega - 1.0).abs()).collect();
+        let errors = changes.iter().enumerate().map(|(i, c)| left(*c, before.get(i).copied()));
+        let error = errors.fold(if all { 0.0 } else { 1.0 }, f64::max);
+        (last, before) = (next, changes);
+        if error <= wanted || divisions >= FINEST {
             let name =
                 Text::new("error of frequencies by halving the parts of rods", "погрешность частот по удвоению числа частей стержней");
-            last.dataset.audits.push(Audit::at_most("refinement", name, change, wanted));
+            last.dataset.audits.push(Audit::at_most("refinement", name, error, wanted));
             last.dataset.notes.push(Text::new(
                 format!("each elastic rod in {divisions} parts"),
                 format!("каждый упругий стержень разделён на частей: {divisions}"),
@@ -372,6 +373,16 @@ fn refined(frame: &Frame<f64>, options: &Modes, wanted: f64) -> Result<Structure
             return Ok(last);
         }
     }
+}
+
+/// Parts of a rod at most.
+const FINEST: usize = 256;
+
+/// The error that is left after a change by halving the parts, of which the halving before made `before`: it falls to a sixteenth where rods bend, to a
+/// fourth where they stretch, and to what was seen.
+fn left(change: f64, before: Option<f64>) -> f64 {
+    let falls = before.map_or(4.0, |b| (b / change).clamp(4.0, 16.0));
+    if change == 0.0 { 0.0 } else { change / (falls - 1.0) }
 }
 
 fn dataset(modes: &[Mode], coordinates: &[Quantity], orthogonality: f64, n: usize) -> Dataset {

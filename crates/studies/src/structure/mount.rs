@@ -112,7 +112,11 @@ fn coordinates(
         return Ok((Some(found), modes.and_then(|modes| structure_modes::coarse(&bound.frame, &options, &modes))));
     }
     let refined = structure_modes::modes(&bound.frame, None, &options)?;
-    if let Some(audit) = refined.dataset.audits.iter().find(|a| !a.ok) {
+    let failed = |refinement: bool| refined.dataset.audits.iter().find(|a| !a.ok && (a.key == "refinement") == refinement);
+    if let Some(audit) = failed(true).filter(|_| speaks(model)) {
+        return Err(structures::faults::not_reached(audit.value, audit.limit).into());
+    }
+    if let Some(audit) = failed(false) {
         return Err(structures::faults::unconfirmed(audit.value, 0.0).into());
     }
     *bound = Bound { frame: refined.frame, exact: None };
