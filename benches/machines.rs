@@ -8,9 +8,9 @@
 use mechanics::asked::{Asked, Value};
 use std::path::Path;
 use std::time::Instant;
-use studies::pipeline::{self, Finding, Machine};
+use studies::pipeline::{self, Machine};
 use studies::simulate;
-use studies::{Source, Watch};
+use studies::{Results, Source, Watch};
 
 /// Medians over this many runs.
 const RUNS: usize = 101;
@@ -172,8 +172,8 @@ fn motion(mut machine: Machine, (until, rows): (f64, usize), runs: usize) -> (f6
     (times[runs / 2], work)
 }
 
-fn counted(finding: &Finding) -> String {
-    let data = finding.data();
+fn counted(results: &Results) -> String {
+    let data = &results.data;
     let of = |key: &str| data.counter(key).unwrap_or(0.0);
     format!("{} steps, {} back, {} expansions, {} switches", of("steps"), of("rejected"), of("evaluations"), of("events"))
 }

@@ -139,7 +139,7 @@ impl Console {
                 json!({"ok": false, "file": source.path, "findings": diagnostics::to_json(diagnostics, source, language)})
             }
             Failure::Trouble(t) | Failure::Misuse(t) if as_json => {
-                json!({"ok": false, "findings": [studies::fields::trouble_to_json(t, language)]})
+                json!({"ok": false, "findings": [studies::results::trouble_to_json(t, language)]})
             }
             Failure::Findings { source, diagnostics } => {
                 complain(&diagnostics::render(diagnostics, source, self.style()));

@@ -8,10 +8,8 @@ use mechanics::section::Section;
 use report::{Figure, csv, json, page};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use studies::document::{self, Extent};
-use studies::fields::own_fields;
-use studies::pipeline::{self, Calculation, Finding};
-use studies::{Source, VERSION};
+use studies::pipeline::{self, Calculation};
+use studies::{Extent, Results, Source, VERSION};
 use words::{Language, Notice, Printed};
 
 /// Writes everything about a calculation into a folder; returns the paths, the page last.
@@ -21,30 +19,16 @@ use words::{Language, Notice, Printed};
 pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -> Result<Vec<PathBuf>, Box<Notice>> {
     let inputs = inputs(&calculation.machine.origin.source, &calculation.machine.model);
     let mut shelf = Shelf::open(folder, &inputs)?;
-    let several = calculation.findings.len() > 1;
-    for (i, finding) in calculation.findings.iter().enumerate() {
+    let several = calculation.results.len() > 1;
+    for (i, results) in calculation.results.iter().enumerate() {
         let number = if several { format!("-{}", i + 1) } else { String::new() };
-        let stem = match finding {
-            Finding::Motion(..) => format!("motion{number}"),
-            Finding::Transient(..) => format!("transient{number}"),
-            Finding::Equilibrium(..) => format!("equilibrium{number}"),
-            Finding::Study(results) => format!("{}{number}", results.kind),
-            Finding::Modes(..) => format!("modes{number}"),
-            Finding::Structure(found) => format!("{}{number}", found.study),
-            Finding::Response(..) => format!("response{number}"),
-        };
-        tables(&mut shelf, finding, &stem, language)?;
-        if let Finding::Motion(study, data, _) | Finding::Transient(study, data, ..) = finding {
-            for figure in document::figures(calculation, study, data, language) {
-                plot(&mut shelf, &figure, &number, language)?;
-            }
-            if let Some(bands) = studies::contacts::bands(data, language) {
-                let svg = report::figure::bands::write(&bands, true, language);
-                shelf.put(&format!("{}{number}.svg", bands.name), Word::Vector, svg.as_bytes())?;
-            }
-        }
-        for figure in document::other_figures(finding, language) {
+        tables(&mut shelf, results, &format!("{}{number}", results.stem()), language)?;
+        for figure in results.figures(language) {
             plot(&mut shelf, &figure, &number, language)?;
+        }
+        if let Some(bands) = results.bands(language) {
+            let svg = report::figure::bands::write(&bands, true, language);
+            shelf.put(&format!("{}{number}.svg", bands.name), Word::Vector, svg.as_bytes())?;
         }
     }
     section_files(&mut shelf, &calculation.machine.model.sections, language)?;
@@ -85,8 +69,8 @@ fn section_files(shelf: &mut Shelf, sections: &[Section], language: Language) ->
     Ok(())
 }
 
-fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) -> Result<(), Box<Notice>> {
-    let data = finding.data();
+fn tables(shelf: &mut Shelf, results: &Results, stem: &str, language: Language) -> Result<(), Box<Notice>> {
+    let data = &results.data;
     shelf.put(&format!("{stem}.csv"), Word::Table, &csv::write(data, csv::Dialect::Plain))?;
     if data.events.iter().any(|e| !e.name.is_empty()) {
         shelf.put(&format!("{stem}-events.csv"), Word::EventTable, &csv::write_events(data, csv::Dialect::Plain, language))?;
@@ -94,7 +78,7 @@ fn tables(shelf: &mut Shelf, finding: &Finding, stem: &str, language: Language) 
     if language == Language::Ru {
         shelf.put(&format!("{stem}-excel.csv"), Word::TableRu, &csv::write(data, csv::Dialect::Ru))?;
     }
-    shelf.put(&format!("{stem}.json"), Word::AllData, &json::write(data, &own_fields(finding), language))
+    shelf.put(&format!("{stem}.json"), Word::AllData, &json::write(data, &results.fields(), language))
 }
 
 fn plot(shelf: &mut Shelf, figure: &Figure, number: &str, language: Language) -> Result<(), Box<Notice>> {
@@ -122,11 +106,11 @@ pub fn calculation_to_json(calculation: &Calculation, language: Language) -> Vec
     let mut out = head.to_string().into_bytes();
     out.pop();
     out.extend_from_slice(b",\"studies\":[\n");
-    for (i, finding) in calculation.findings.iter().enumerate() {
+    for (i, results) in calculation.results.iter().enumerate() {
         if i > 0 {
             out.extend_from_slice(b",\n");
         }
-        out.extend_from_slice(&json::write(finding.data(), &own_fields(finding), language));
+        out.extend_from_slice(&json::write(&results.data, &results.fields(), language));
     }
     out.extend_from_slice(b"]}\n");
     out

@@ -20,9 +20,9 @@ fn whole(machine: &Machine) -> String {
 
 /// The columns of a study, bit by bit.
 fn columns(machine: &mut Machine, asked: &Asked) -> Vec<(String, Vec<u64>)> {
-    let Some(finding) = pipeline::study(machine, asked, &mut Watch::default()) else { return Vec::new() };
+    let Some(results) = pipeline::study(machine, asked, &mut Watch::default()) else { return Vec::new() };
     let column = |c: &analysis::dataset::Column| (c.quantity.name.clone(), c.values.iter().map(|v| v.to_bits()).collect());
-    finding.data().columns.iter().map(column).collect()
+    results.data.columns.iter().map(column).collect()
 }
 
 /// Compares the machine bound to value after value with the machine read anew.
@@ -131,7 +131,7 @@ fn a_sweep_reads_its_file_once() {
     let text = text + "[[study]]\nkind = \"sweep\"\nover = [\"m = linspace(2 g, 60 g, 20)\"]\nobserve = [\"max(phi)\"]\n";
     let mut machine = pipeline::build(&Source::new("sweep.toml", &text), &[], &mut Watch::default()).expect("a machine");
     let sweep = machine.model.studies.iter().find(|asked| asked.kind == "sweep").cloned().expect("a sweep");
-    let Some(pipeline::Finding::Study(results)) = pipeline::study(&mut machine, &sweep, &mut Watch::default()) else { panic!("a study") };
+    let results = pipeline::study(&mut machine, &sweep, &mut Watch::default()).expect("a study");
     assert_eq!(results.data.columns[1].values.len(), 20);
     assert_eq!(results.own["read_anew"], 1);
 }

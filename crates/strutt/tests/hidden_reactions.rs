@@ -275,7 +275,7 @@ fn audits(spoil: impl Fn(&mut symbolic::Equations)) -> Vec<(String, bool)> {
     machine.system = pipeline::lower(&machine.equations).unwrap();
     let study = machine.model.studies[0].clone();
     let finding = pipeline::study(&mut machine, &study, &mut Watch::default()).unwrap();
-    let data = finding.data();
+    let data = &finding.data;
     data.audits.iter().map(|a| (a.key.clone(), a.ok)).collect()
 }
 

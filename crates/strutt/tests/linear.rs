@@ -127,7 +127,7 @@ fn gyroscopic_terms_count_in_the_measure_of_the_straight_line() {
     let mut machine = pipeline::build(&Source::new("model.toml", text), &[], &mut watch).expect("model");
     let asked = machine.model.studies[0].clone();
     let found = pipeline::study(&mut machine, &asked, &mut watch).expect("study");
-    let note = found.data().notes.iter().find(|n| n.en.contains("straight line by")).expect("note").en.clone();
+    let note = found.data.notes.iter().find(|n| n.en.contains("straight line by")).expect("note").en.clone();
     let percent: f64 = note.split("straight line by ").nth(1).and_then(|t| t.split(' ').next()).expect("number").parse().unwrap();
     assert!((percent - 7.796).abs() < 0.01, "{note}");
 }

@@ -4,9 +4,11 @@
 //! coordinates for each bar and pins; with angles and a load on the last bar that a support holds, against the same load without a support. The largest real
 //! part of a root is the same for all writings, by both studies.
 
-use studies::pipeline::{self, Finding, Machine};
-use studies::{Source, Watch};
-use studies::{equilibrium, modes};
+use studies::equilibrium;
+use studies::modes::Modes;
+use studies::pipeline::{self, Machine};
+use studies::small::modes::at_place;
+use studies::{Results, Source, Watch};
 
 /// Relative to the fastest root.
 const CLOSE: f64 = 1e-9;
@@ -98,14 +100,11 @@ fn built(text: &str) -> Machine {
 
 /// Verdict and largest real part by `equilibrium`, largest real part and fastest root by `modes`.
 fn judged(text: &str) -> (f64, f64, f64, f64) {
-    let Finding::Equilibrium(data, None) = equilibrium::places(&mut built(text), &[], None, &mut Watch::default()) else {
+    let Results { data, trouble: None, .. } = equilibrium::places(&mut built(text), &[], None, &mut Watch::default()) else {
         panic!("no equilibrium:\n{text}")
     };
     let first = |name: &str| data.column(name).map_or(f64::NAN, |c| c.values[0]);
-    let Finding::Modes(found) = modes::natural(&mut built(text), &modes::Modes::default(), &mut Watch::default()) else {
-        panic!("no modes:\n{text}")
-    };
-    let small = &found.found.as_ref().unwrap_or_else(|| panic!("no place:\n{text}")).modes;
+    let small = at_place(&built(text), &Modes::default()).unwrap_or_else(|fault| panic!("no modes: {fault:?}\n{text}")).modes;
     let growth = small.modes.iter().map(|m| m.root.0).fold(f64::NEG_INFINITY, f64::max);
     let fastest = small.modes.iter().map(|m| m.root.0.hypot(m.root.1)).fold(0.0, f64::max);
     (first("stable"), first("growth"), growth, fastest)

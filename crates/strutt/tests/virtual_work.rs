@@ -55,7 +55,7 @@ fn audits(model: &str, spoil: impl Fn(&mut Equations)) -> Vec<(String, bool)> {
     machine.system = pipeline::lower(&machine.equations).unwrap_or_else(|f| panic!("{f:?}"));
     let study = machine.model.studies[0].clone();
     let finding = pipeline::study(&mut machine, &study, &mut Watch::default()).unwrap_or_else(|| panic!("no study"));
-    finding.data().audits.iter().map(|a| (a.key.clone(), a.ok)).collect()
+    finding.data.audits.iter().map(|a| (a.key.clone(), a.ok)).collect()
 }
 
 fn passes(list: &[(String, bool)], key: &str) -> bool {

@@ -4,9 +4,9 @@ use super::keys::{OWN_PLOT, POINTS};
 use super::periodic::{in_words, value_of};
 use super::{Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::finite::checked;
-use crate::pipeline::{self, Finding, Machine, explained};
+use crate::pipeline::{self, Machine, explained};
 use crate::provenance;
+use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use analysis::studies::cycle::{Balance, Cycle as Options, Running, cycle};
 use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Way};
@@ -176,7 +176,7 @@ fn no_angle() -> Failure {
 }
 
 /// The balance, the drive that closes it and the flywheel.
-pub fn balanced(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Finding {
+pub fn balanced(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Results {
     let mut results = Results {
         kind: "cycle",
         heading: Text::new("Cycle of the machine", "Цикл машины"),
@@ -189,7 +189,7 @@ pub fn balanced(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Find
         results.trouble = Some(trouble);
     }
     watch.lap(Lap::Run);
-    checked(Finding::Study(Box::new(results)))
+    checked(results)
 }
 
 fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(), Notice> {

@@ -1,39 +1,21 @@
 //! The written calculation of a machine: title, coordinates, equations, checks, results. It arranges what was computed and computes
 //! nothing itself.
 
-use crate::pipeline::{Calculation, Finding, Phases};
-use crate::simulate::Simulate;
+use crate::pipeline::Calculation;
+use crate::results::{Extent, Results, View};
 use crate::wording::{Word as Say, say};
 use analysis::Dataset;
-use analysis::dataset::{Audit, Event, Extreme};
-use mechanics::model::Plot;
+use analysis::dataset::Audit;
 use report::document::{Content, Formula, Inline, Rich};
 use report::formula::{Layout, Printer};
 use report::table::Column;
-use report::{Block, Cell, Document, Download, Figure, Table, Word};
+use report::{Block, Cell, Document, Download, Table, Word};
 use symbolic::connections::{Law, Reaction};
-use symbolic::equations::Role;
 use symbolic::{Equations, Expr};
 use words::Language;
 
 /// Significant digits of numbers in tables.
 const DIGITS: usize = 4;
-/// Rows of events that are listed.
-const EVENTS: usize = 50;
-/// Width of a formula on the page, in characters of its text form.
-const PAGE_WIDTH: usize = 90;
-
-/// How much a document says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extent {
-    /// Everything: for the page.
-    Page,
-    /// What fits a terminal of a width: no parameters, no derivation, no plots.
-    Terminal {
-        /// Characters on a line.
-        width: usize,
-    },
-}
 
 /// The document of a calculation.
 pub fn compose(calculation: &Calculation, extent: Extent, language: Language) -> Document {
@@ -50,8 +32,8 @@ pub fn compose(calculation: &Calculation, extent: Extent, language: Language) ->
         blocks.extend(writer.parameters());
     }
     blocks.extend(writer.checks());
-    for finding in &calculation.findings {
-        blocks.extend(writer.finding(finding));
+    for results in &calculation.results {
+        blocks.extend(writer.result(results));
     }
     blocks.extend(crate::sections::blocks(sections, extent == Extent::Page, language));
     if extent == Extent::Page {
@@ -67,67 +49,6 @@ pub fn compose(calculation: &Calculation, extent: Extent, language: Language) ->
         version: crate::VERSION.into(),
         model_hash: calculation.machine.model_hash.clone(),
     }
-}
-
-/// A printer of formulas in the user's symbols.
-pub fn printer(equations: &Equations, language: Language, width: usize) -> Printer {
-    Printer::of(equations, language).with_width(width)
-}
-
-/// Figures of a simulation: those the file asks for, otherwise one per coordinate. Their names differ.
-pub fn figures(calculation: &Calculation, study: &Simulate, data: &Dataset, language: Language) -> Vec<Figure> {
-    if study.plots.is_empty() {
-        let coordinates = calculation.machine.equations.outputs.iter().filter(|o| o.role == Role::Coordinate);
-        distinct(coordinates.filter_map(|o| Figure::over_axis(data, &[&o.name], language)).collect())
-    } else {
-        plots(&study.plots, data, language)
-    }
-}
-
-/// Figures that a study asks for. Their names differ.
-pub fn plots(plots: &[Plot], data: &Dataset, language: Language) -> Vec<Figure> {
-    distinct(plots.iter().filter_map(|plot| figure(plot, data, language)).collect())
-}
-
-fn distinct(mut figures: Vec<Figure>) -> Vec<Figure> {
-    for i in 1..figures.len() {
-        let (before, rest) = figures.split_at_mut(i);
-        if before.iter().any(|f| f.name == rest[0].name) {
-            rest[0].name = format!("{}-{}", rest[0].name, i + 1);
-        }
-    }
-    figures
-}
-
-/// Figures of findings other than motions.
-pub fn other_figures(finding: &Finding, language: Language) -> Vec<Figure> {
-    match finding {
-        Finding::Structure(found) => crate::structure::figures(found, language),
-        Finding::Response(found) => crate::small::show::response_figures(found, language),
-        Finding::Study(results) => results.figures(language),
-        Finding::Modes(found) => {
-            let orders = found.found.as_ref().and_then(|f| f.tracks.as_ref()).map_or(&[][..], |t| &t.orders);
-            crate::small::show::campbell(&found.data, orders, language).into_iter().collect()
-        }
-        _ => Vec::new(),
-    }
-}
-
-fn figure(plot: &Plot, data: &Dataset, language: Language) -> Option<Figure> {
-    let names: Vec<&str> = plot.y.iter().map(String::as_str).collect();
-    let mut figure = match plot.x.as_deref() {
-        None | Some("t") => Figure::over_axis(data, &names, language)?,
-        Some(x) => {
-            let mut figure = Figure::in_plane(data, x, &names, language)?;
-            figure.name = format!("{}-{}", report::escape::file_name(&x.replace('\'', "_rate")), figure.name);
-            figure
-        }
-    };
-    let title = language.text(&plot.title);
-    if !title.is_empty() {
-        figure.title = title.into();
-    }
-    Some(figure)
 }
 
 struct Writer<'a> {
@@ -153,11 +74,11 @@ impl Writer<'_> {
 
     fn printer(&self) -> Printer {
         let width = match self.extent {
-            Extent::Page => PAGE_WIDTH,
+            Extent::Page => self.view().width(),
             // the number of the equation stands behind it
             Extent::Terminal { width } => width.saturating_sub(8),
         };
-        printer(self.equations, self.language, width)
+        Printer::of(self.equations, self.language).with_width(width)
     }
 
     fn coordinates(&self) -> Vec<Block> {
@@ -342,75 +263,16 @@ impl Writer<'_> {
         format!("{verdict}: {}: {value} ({} {limit})", self.language.text(&audit.name), self.word(Word::Limit).to_lowercase())
     }
 
-    fn finding(&self, finding: &Finding) -> Vec<Block> {
-        match finding {
-            Finding::Equilibrium(data, _) => {
-                let mut blocks = vec![self.heading(Word::Equilibrium)];
-                if !data.columns.is_empty() {
-                    blocks.push(self.table(equilibria(data, self.language), Word::Equilibrium));
-                }
-                blocks.extend(self.notes(data));
-                blocks
-            }
-            Finding::Structure(found) => {
-                let heading = crate::structure::heading(found, self.language);
-                let mut blocks = vec![Block::heading(1, heading)];
-                blocks.extend(crate::structure::blocks(found, self.language, self.extent == Extent::Page));
-                blocks
-            }
-            Finding::Study(results) => {
-                let mut blocks = of_results(results, self.extent == Extent::Page, self.language);
-                if self.extent == Extent::Page {
-                    blocks.extend(results.figures(self.language).into_iter().map(Block::Figure));
-                }
-                blocks.extend(self.counters(&results.data));
-                blocks
-            }
-            Finding::Response(found) => {
-                let mut blocks = vec![Block::heading(1, say(self.language, Say::Response))];
-                blocks.extend(crate::small::show::response(found, self.language, self.extent == Extent::Page));
-                blocks
-            }
-            Finding::Modes(found) => {
-                let mut blocks = vec![Block::heading(1, say(self.language, Say::Modes))];
-                blocks.extend(crate::small::show::modes(found, self.language, self.extent == Extent::Page));
-                blocks
-            }
-            Finding::Motion(study, data, _) | Finding::Transient(study, data, ..) => {
-                let mut blocks = vec![self.heading(Word::Simulation)];
-                if let Finding::Transient(_, _, phases, _) = finding {
-                    blocks = self.phases(phases);
-                }
-                blocks.push(self.table(results(data, self.language), Word::Results));
-                blocks.extend(self.notes(data));
-                blocks.extend(self.events(data));
-                if self.extent == Extent::Page {
-                    blocks.extend(figures(self.calculation, study, data, self.language).into_iter().map(Block::Figure));
-                    blocks.extend(crate::contacts::bands(data, self.language).map(Block::Bands));
-                }
-                blocks.extend(self.counters(data));
-                blocks
-            }
+    fn result(&self, results: &Results) -> Vec<Block> {
+        let mut blocks = results.told(&self.view());
+        if results.tells_work() {
+            blocks.extend(self.counters(&results.data));
         }
-    }
-
-    /// The written solution phase by phase.
-    fn phases(&self, phases: &Phases) -> Vec<Block> {
-        let width = match self.extent {
-            Extent::Page => PAGE_WIDTH,
-            Extent::Terminal { width } => width,
-        };
-        let mut blocks = vec![Block::heading(1, say(self.language, Say::ClosedForm))];
-        blocks.extend(crate::phases::steps::blocks(self.equations, phases, self.language, width));
         blocks
     }
 
-    fn notes(&self, data: &Dataset) -> Vec<Block> {
-        notes(data, self.language)
-    }
-
-    fn events(&self, data: &Dataset) -> Vec<Block> {
-        events(data, self.extent == Extent::Page, self.language)
+    fn view(&self) -> View<'_> {
+        View { equations: self.equations, extent: self.extent, language: self.language }
     }
 
     fn counters(&self, data: &Dataset) -> Vec<Block> {
@@ -432,73 +294,6 @@ impl Writer<'_> {
         };
         vec![self.heading(Word::Downloads), Block::Downloads(files.iter().map(download).collect())]
     }
-}
-
-/// Remarks beside a result.
-fn notes(data: &Dataset, language: Language) -> Vec<Block> {
-    data.notes.iter().map(|note| Block::paragraph(language.text(note))).collect()
-}
-
-/// What happened, and when.
-fn events(data: &Dataset, captions: bool, language: Language) -> Vec<Block> {
-    let mut blocks = named_events(data, captions, language);
-    let switches: Vec<&Event> = data.events.iter().filter(|e| e.name.is_empty()).collect();
-    if switches.is_empty() {
-        return blocks;
-    }
-    let [time, event] = [Column::with_unit(language.word(Word::Time), "s", language), Column::new(language.word(Word::Event))];
-    let listed = &switches[..switches.len().min(EVENTS)];
-    // a terminal has no room for columns that say again what the words do
-    let contacts = captions && listed.iter().any(|e| e.contact.is_some());
-    let mut table = if contacts { crate::contacts::table(time, event, language) } else { Table::new(vec![time, event]) };
-    let between = if contacts { crate::contacts::cells(listed, language) } else { vec![Vec::new(); listed.len()] };
-    let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
-    for ((time, event), between) in Cell::column(&times, 6, language).into_iter().zip(listed).zip(between) {
-        let what = Cell::words(language.text(&event.what));
-        table.row(std::iter::once(time).chain(between).chain(std::iter::once(what)).collect());
-    }
-    blocks.push(Block::Table(if captions { table.with_caption(language.word(Word::Events)) } else { table }));
-    blocks.extend(more_events(switches.len() - listed.len(), language));
-    blocks
-}
-
-fn more_events(more: usize, language: Language) -> Option<Block> {
-    let (en, ru) = (format!("and {more} more events: see the JSON file"), format!("и ещё событий: {more}, см. файл JSON"));
-    (more > 0).then(|| Block::paragraph(language.pick(en, ru)))
-}
-
-/// The events that the file names, with the quantities at their instants.
-fn named_events(data: &Dataset, captions: bool, language: Language) -> Vec<Block> {
-    let named: Vec<&Event> = data.events.iter().filter(|e| !e.name.is_empty()).collect();
-    let listed = &named[..named.len().min(EVENTS)];
-    if listed.is_empty() {
-        return Vec::new();
-    }
-    let quantities: Vec<_> = data.columns.iter().enumerate().filter(|(i, _)| Some(*i) != data.axis).map(|(_, c)| &c.quantity).collect();
-    let mut columns = vec![Column::new(language.word(Word::Event)), Column::with_unit(language.word(Word::Time), "s", language)];
-    let times: Vec<f64> = listed.iter().map(|e| e.t).collect();
-    let mut cells = vec![Cell::column(&times, 6, language)];
-    for (j, quantity) in quantities.iter().enumerate() {
-        let values: Vec<f64> = listed.iter().map(|e| e.outputs[1].get(j).copied().unwrap_or(f64::NAN)).collect();
-        let scale = scale(quantity, values.iter().fold(0.0, |m: f64, v| m.max(v.abs())));
-        columns.push(Column { head: report::document::Rich::symbol(&quantity.symbol), unit: scale.print(language) });
-        cells.push(Cell::column(&values.iter().map(|v| v / scale.size).collect::<Vec<_>>(), DIGITS, language));
-    }
-    let mut table = Table::new(columns);
-    for (k, event) in listed.iter().enumerate() {
-        let row = std::iter::once(Cell::words(&event.name)).chain(cells.iter().map(|column| column[k].clone()));
-        table.row(row.collect());
-    }
-    let table = Block::Table(if captions { table.with_caption(say(language, Say::NamedEvents)) } else { table });
-    std::iter::once(table).chain(more_events(named.len() - listed.len(), language)).collect()
-}
-
-/// The results of a study, without plots.
-pub fn of_results(results: &crate::Results, captions: bool, language: Language) -> Vec<Block> {
-    let mut blocks = results.blocks(captions, language);
-    blocks.extend(notes(&results.data, language));
-    blocks.extend(events(&results.data, captions, language));
-    blocks
 }
 
 /// Blocks as text for a terminal, below the title of the machine.
@@ -586,134 +381,6 @@ pub fn steps(equations: &Equations, printer: &Printer, language: Language) -> Ve
 pub fn energies(equations: &Equations) -> [(Say, &'static str, Expr); 3] {
     let e = &equations.energy;
     [(Say::KineticEnergy, "T", e.kinetic), (Say::PotentialEnergy, "Π", e.potential), (Say::DissipationFunction, "Φ", e.dissipation)]
-}
-
-/// What became of each quantity: at the start, least, largest, at the end. Least and greatest values are those of the motion, with their places on the
-/// axis; a quantity that could not be followed between the rows has none.
-pub fn results(data: &Dataset, language: Language) -> Table {
-    let heads = [Word::Symbol, Word::Unit].map(|w| Column::new(language.word(w)));
-    let axis = data.axis.and_then(|a| data.columns.get(a)).map(|c| &c.quantity);
-    let timed = !data.extremes.is_empty();
-    let mut columns: Vec<Column> = heads.into();
-    columns.push(Column::new(say(language, Say::AtStart)));
-    for word in [Word::Minimum, Word::Maximum] {
-        columns.push(Column::new(language.word(word)));
-        columns.extend(timed.then(|| taken_at(axis, language)));
-    }
-    columns.push(Column::new(language.word(Word::Final)));
-    columns.push(Column::new(language.word(Word::Description)));
-    let mut table = Table::new(columns);
-    for (i, column) in data.columns.iter().enumerate() {
-        if Some(i) == data.axis || column.values.is_empty() {
-            continue;
-        }
-        let (first, last) = (column.values[0], column.values[column.values.len() - 1]);
-        let known = extreme_of(data, i);
-        if known.is_none() && !column.values.iter().any(|v| v.is_finite()) {
-            continue;
-        }
-        let none = Extreme { min: f64::NAN, t_min: f64::NAN, max: f64::NAN, t_max: f64::NAN, column: i };
-        let e = known.unwrap_or(none);
-        let size = [first, e.min, e.max, last].iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
-        let held = data.digits.as_ref().and_then(|d| d.columns.iter().find(|h| h.column == i));
-        // what is rounding alone is a zero
-        let noise = held.map_or(0.0, |h| h.noise);
-        let scale = scale(&column.quantity, if size <= noise { 0.0 } else { size });
-        let shown = [first, e.min, e.max, last].map(|v| if v.abs() <= noise { 0.0 } else { v / scale.size });
-        let mut cells = with_digits(&shown, held.map(|h| h.deviations.map(|d| d / scale.size)), language).into_iter();
-        let nothing = e.min.abs().max(e.max.abs()) <= noise && noise > 0.0;
-        let instants = if nothing { [f64::NAN; 2] } else { [e.t_min, e.t_max] };
-        let mut instants = with_digits(&instants, held.map(|h| h.instants), language).into_iter();
-        let mut row = vec![Cell::symbol(&column.quantity.symbol), Cell::words(scale.print(language))];
-        row.extend(cells.next());
-        for _ in 0..2 {
-            row.extend(cells.next());
-            row.extend(instants.next().filter(|_| timed));
-        }
-        row.extend(cells);
-        row.push(Cell::words(language.text(&column.quantity.label)));
-        table.row(row);
-    }
-    table
-}
-
-/// Head of the column of places: "at, s" over time, the driven coordinate otherwise.
-fn taken_at(axis: Option<&analysis::Quantity>, language: Language) -> Column {
-    match axis.filter(|q| q.name != "t") {
-        None => Column::with_unit(say(language, Say::WhenTaken), "s", language),
-        Some(q) => {
-            Column::with_unit(format!("{} {}", language.pick("at", "при"), report::symbol::plain(&q.symbol, language)), &q.unit, language)
-        }
-    }
-}
-
-/// Least and greatest value of a column: those of the motion; of results that stand beside one another, those of the list.
-fn extreme_of(data: &Dataset, i: usize) -> Option<Extreme> {
-    if let Some(found) = data.extremes.iter().find(|e| e.column == i) {
-        return Some(found.clone());
-    }
-    let finite = data.columns[i].values.iter().copied().filter(|v| v.is_finite() && data.axis.is_none());
-    let (min, max) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
-    (min <= max).then_some(Extreme { column: i, min, max, ..Extreme::default() })
-}
-
-/// Cells of a row of numbers. Where a repetition deviates, only the digits that it confirms; a dash where not even the first holds.
-fn with_digits<const N: usize>(values: &[f64; N], deviations: Option<[f64; N]>, language: Language) -> Vec<Cell> {
-    let held = deviations.map(|d| std::array::from_fn::<i32, N, _>(|k| analysis::audits::digits::digits(values[k].abs(), d[k])));
-    let few = |k: usize| held.is_some_and(|h| h[k] < DIGITS as i32 && values[k] != 0.0);
-    if !(0..N).any(few) {
-        let finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
-        let mut printed = Cell::column(&finite, DIGITS, language).into_iter();
-        return values.iter().map(|v| if v.is_finite() { printed.next().unwrap_or(Cell::Empty) } else { Cell::Empty }).collect();
-    }
-    let cell = |k: usize| match held {
-        Some(h) if few(k) && h[k] < 1 => Cell::words("–"),
-        Some(h) if few(k) => Cell::number(values[k], h[k] as usize, language),
-        _ => Cell::number(values[k], DIGITS, language),
-    };
-    (0..N).map(cell).collect()
-}
-
-/// The user's unit of display, otherwise SI with a prefix.
-pub fn scale(quantity: &analysis::Quantity, largest: f64) -> report::unit::Scale {
-    match &quantity.display {
-        Some((label, size)) => report::unit::Scale { size: *size, label: label.clone() },
-        None => report::unit::Scale::of_column(&quantity.unit, largest),
-    }
-}
-
-/// One row per quantity, one column per equilibrium.
-pub fn equilibria(data: &Dataset, language: Language) -> Table {
-    let n = data.columns.first().map_or(0, |c| c.values.len());
-    let mut columns = vec![Column::new(language.word(Word::Symbol)), Column::new(language.word(Word::Unit))];
-    columns.extend((1..=n).map(|i| if n == 1 { language.word(Word::Value).to_owned() } else { i.to_string() }).map(Column::new));
-    columns.push(Column::new(language.word(Word::Description)));
-    let mut table = Table::new(columns);
-    for column in &data.columns {
-        if column.quantity.name == "stable" {
-            let verdict = |v: &f64| match v {
-                v if v.is_nan() => Say::Undecided,
-                v if *v == 0.0 => Say::Unstable,
-                _ => Say::Stable,
-            };
-            let mut row = vec![Cell::words(say(language, Say::Stability)), Cell::Empty];
-            row.extend(column.values.iter().map(|v| Cell::words(say(language, verdict(v)))));
-            table.row(row);
-            continue;
-        }
-        if matches!(column.quantity.name.as_str(), "residual" | "negative_directions") {
-            continue;
-        }
-        let largest = column.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let scale = scale(&column.quantity, largest);
-        let shown: Vec<f64> = column.values.iter().map(|v| v / scale.size).collect();
-        let symbol = if column.quantity.name == "growth" { Cell::words("Re λ") } else { Cell::symbol(&column.quantity.symbol) };
-        let mut row = vec![symbol, Cell::words(scale.print(language))];
-        row.extend(Cell::column(&shown, DIGITS, language));
-        row.push(Cell::words(language.text(&column.quantity.label)));
-        table.row(row);
-    }
-    table
 }
 
 /// A quantity as the user wrote it, with the decimal mark of the language.

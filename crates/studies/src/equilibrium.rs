@@ -1,20 +1,24 @@
 //! The study `equilibrium`: places of rest, their stability, from guesses or all in a range of a coordinate.
 
 use super::keys::GUESS;
-use super::{Alone, Found, Given, Repeats, Study, overlaid};
+use super::{Found, Given, Repeats, Results, Study, overlaid};
 use crate::failure::Failure;
-use crate::finite::checked;
-use crate::pipeline::{Finding, Machine, explained};
+use crate::pipeline::{Machine, explained};
+use crate::results::finite::checked;
+use crate::results::{Alone, Rows, fields};
 use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
+use analysis::dataset::Column;
 use analysis::linear::LinearMachine;
 use analysis::rest::mean::Resting;
 use analysis::studies::simulate::Outcome;
 use analysis::{Dataset, System};
 use mechanics::asked::{Asked, Key, Kind, Objection, Takes};
+use serde_json::{Map, Value, json};
 use std::sync::Arc;
 use symbolic::linear::About;
 use symbolic::{Equations, SymbolId};
+use words::Printed;
 
 /// A coordinate between two values, SI.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -84,20 +88,26 @@ impl Study for Rest {
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
         Ok(overlaid(given.of_file.unwrap_or_else(|| Asked::new("equilibrium")), given.line))
     }
-    fn alone(&self) -> Alone {
-        Alone::Places
-    }
     fn repeats(&self) -> Repeats {
         Repeats::Rest
     }
 }
 
 /// Positions of equilibrium, from the start of the motion and from a guess, or all with a coordinate between two values.
-pub fn places(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>, watch: &mut Watch) -> Finding {
+pub fn places(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>, watch: &mut Watch) -> Results {
     let outcome = at_rest(machine, guess, over).unwrap_or_else(|fault| Outcome { dataset: Dataset::default(), fault: Some(fault) });
     watch.lap(Lap::Run);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
-    checked(Finding::Equilibrium(data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
+    checked(Results {
+        kind: "equilibrium",
+        alone: Alone::Places,
+        heading: report::Word::Equilibrium.text(),
+        rows: Rows::Beside,
+        own: fields(json!({"equilibria": listed(&data)})),
+        data,
+        trouble: outcome.fault.map(|fault| explained(fault, &machine.equations)),
+        ..Results::default()
+    })
 }
 
 fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>) -> Result<Outcome, analysis::Fault> {
@@ -132,4 +142,51 @@ fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Betwee
 
 fn numbers_of(equations: &Equations) -> Vec<f64> {
     equations.parameters.iter().map(|p| p.value).collect()
+}
+
+/// `{coordinates: {phi: 0.1}, stable: true, residual: 1e-16, outputs: {N: 3}}` for each; `stable` is null where linearisation does not decide.
+fn listed(data: &Dataset) -> Value {
+    let n = data.columns.first().map_or(0, |c| c.values.len());
+    // what is not there is null
+    let at = |name: &str, row: usize| data.column(name).map_or(f64::NAN, |c| c.values[row]);
+    // coordinates and reactions come first, then the residual, then what follows from them
+    let first = data.columns.iter().position(|c| c.quantity.name == "residual").unwrap_or(data.columns.len());
+    let values = |columns: &[Column], row: usize| -> Map<String, Value> {
+        let own = columns.iter().filter(|c| !is_verdict(&c.quantity.name) && !is_reaction(&c.quantity.name));
+        own.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect()
+    };
+    let place = |row: usize| {
+        let coordinates = values(&data.columns[..first], row);
+        let stable = at("stable", row);
+        let stable = if stable.is_nan() { Value::Null } else { json!(stable != 0.0) };
+        let mut out = json!({"coordinates": coordinates, "stable": stable, "residual": at("residual", row)});
+        let outputs = values(&data.columns[first..], row);
+        if !outputs.is_empty() {
+            out["outputs"] = json!(outputs);
+        }
+        let reactions = data.columns[..first].iter().filter(|c| is_reaction(&c.quantity.name));
+        let reactions: Map<String, Value> = reactions.map(|c| (c.quantity.name.clone(), json!(c.values[row]))).collect();
+        if !reactions.is_empty() {
+            out["reactions"] = json!(reactions);
+        }
+        if data.column("growth").is_some() {
+            let (growth, negative) = (at("growth", row), at("negative_directions", row));
+            out["growth"] = json!(growth);
+            out["negative_directions"] = json!(negative);
+            out["stable_by_energy"] = if negative.is_nan() { Value::Null } else { json!(negative == 0.0) };
+            out["stable_by_eigenvalues"] = if growth.is_nan() { Value::Null } else { json!(growth <= 1e-9) };
+        }
+        out
+    };
+    (0..n).map(place).collect()
+}
+
+/// Columns of an equilibrium that are reactions: `force(AB)`.
+fn is_reaction(name: &str) -> bool {
+    name.contains('(')
+}
+
+/// Columns of an equilibrium that are no coordinates.
+fn is_verdict(name: &str) -> bool {
+    matches!(name, "residual" | "stable" | "growth" | "negative_directions")
 }

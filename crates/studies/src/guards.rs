@@ -1,8 +1,7 @@
 //! Names of switching functions, as the user would write them.
 
-use crate::document::printer;
 use program::Program;
-use report::formula::Form;
+use report::formula::{Form, Printer};
 use symbolic::Equations;
 use words::{Language, Text};
 
@@ -11,7 +10,7 @@ const LONGEST: usize = 48;
 
 /// The name of each guard of a program.
 pub fn names(equations: &Equations, program: &Program) -> Vec<Text> {
-    let [en, ru] = [Language::En, Language::Ru].map(|language| printer(equations, language, usize::MAX));
+    let [en, ru] = [Language::En, Language::Ru].map(|language| Printer::of(equations, language).with_width(usize::MAX));
     let graph = &equations.graph;
     let name = |guard: &program::Guard| {
         if let Some(reaction) = reaction(guard.kind).and_then(|r| equations.reactions.get(r)) {

@@ -7,8 +7,8 @@ use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
 use super::simulate::{Simulate, merged, with_works};
 use super::{Extra, Fact, Found, Given, Interrupts, Repeats, Results, Study};
 use crate::failure::Failure;
-use crate::finite::checked;
-use crate::pipeline::{Finding, Machine};
+use crate::pipeline::Machine;
+use crate::results::finite::checked;
 use crate::watch::Watch;
 use analysis::Dataset;
 use mechanics::asked::{Asked, Kind};
@@ -66,19 +66,17 @@ impl Study for Inverse {
     }
 }
 
-fn forces(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
+fn forces(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Results {
     let study = study.with_plots(&machine.equations);
     let motors = motors(machine);
     if motors.is_empty() {
-        return Finding::Study(Box::new(Results { kind: "inverse", heading: heading(), trouble: Some(no_motor()), ..Results::default() }));
+        return Results::failed("inverse", heading(), no_motor());
     }
     let powers: Vec<String> = motors.iter().map(|m| m.power.clone()).collect();
     let shown = study.outputs.len();
     let mut asked = study.clone();
     asked.outputs.extend(powers.iter().filter(|p| !study.outputs.contains(p)).cloned());
-    let Finding::Motion(_, mut data, trouble) = with_works(machine, &asked, &powers, watch) else {
-        return Finding::Study(Box::new(Results { kind: "inverse", heading: heading(), ..Results::default() }));
-    };
+    let Results { mut data, trouble, .. } = with_works(machine, &asked, &powers, watch);
     if motors.len() > 1 && data.struck != 0.0 && trouble.is_none() {
         let n = words::digits::rounded(data.struck);
         data.notes.push(Text::new(
@@ -95,7 +93,7 @@ fn forces(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding
     results.own.insert("until".into(), json!(study.until));
     results.own.insert("tolerance".into(), json!(study.tolerance));
     results.own.insert("work".into(), work);
-    checked(Finding::Study(Box::new(results)))
+    checked(results)
 }
 
 fn heading() -> Text {

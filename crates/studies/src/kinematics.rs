@@ -3,9 +3,9 @@
 use super::keys::{OUTPUTS, OWN_PLOT, POINTS};
 use super::{Found, Given, Interrupts, Repeats, Results, Rows, Study, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::finite::checked;
-use crate::pipeline::{self, Finding, Machine, explained};
+use crate::pipeline::{self, Machine, explained};
 use crate::provenance;
+use crate::results::finite::checked;
 use crate::source::Source;
 use crate::watch::{Lap, Watch};
 use analysis::dataset::{Column, Extreme, Missing};
@@ -208,7 +208,7 @@ fn nothing_followed() -> Failure {
 }
 
 /// The linkage at every position.
-pub fn followed(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) -> Finding {
+pub fn followed(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) -> Results {
     let mut results = Results {
         kind: "kinematics",
         heading: Text::new("Kinematics of the linkage", "Кинематика механизма"),
@@ -218,7 +218,7 @@ pub fn followed(machine: &mut Machine, study: &Kinematics, watch: &mut Watch) ->
     };
     fill(machine, study, &mut results);
     watch.lap(Lap::Run);
-    checked(Finding::Study(Box::new(results)))
+    checked(results)
 }
 
 /// Columns that the study adds to the outputs of the file: transfer functions and instantaneous centres.

@@ -7,22 +7,19 @@
 #![allow(clippy::result_large_err)]
 
 pub mod claims;
-pub mod contacts;
 pub mod cycle;
 pub mod document;
 pub mod equations;
 pub mod equilibrium;
 pub mod failure;
-pub mod fields;
-pub mod finite;
 pub mod frictions;
 pub mod guards;
 pub mod inverse;
 mod keys;
 pub mod kinematics;
 mod letters;
+mod machine;
 pub mod modes;
-mod origin;
 pub mod periodic;
 pub mod phases;
 pub mod pipeline;
@@ -30,7 +27,7 @@ pub mod plan;
 pub mod poincare;
 mod provenance;
 pub mod response;
-mod results;
+pub mod results;
 mod section;
 pub mod sections;
 pub mod simulate;
@@ -45,13 +42,13 @@ pub mod watch;
 pub mod wording;
 
 pub use failure::Failure;
-pub use origin::{Binding, Origin};
-pub use results::{Fact, Results, Rows};
+pub use machine::origin::{Binding, Origin};
+pub use results::{Alone, Extent, Fact, Results, Rows, View};
 pub use source::Source;
 pub use watch::Watch;
 
 use crate::failure::Misuse;
-use crate::pipeline::{Finding, Machine};
+use crate::pipeline::Machine;
 use mechanics::Reading;
 use mechanics::asked::{Asked, Key, Kind, Kinds, Value};
 use std::sync::LazyLock;
@@ -79,7 +76,7 @@ pub static TABLE: &[&dyn Study] = &[
 ];
 
 /// What a study found; none where it computes no numbers.
-pub type Found = Option<Finding>;
+pub type Found = Option<Results>;
 
 /// A study.
 pub trait Study: Sync {
@@ -122,11 +119,6 @@ pub trait Study: Sync {
         Vec::new()
     }
 
-    /// How its result is shown alone.
-    fn alone(&self) -> Alone {
-        Alone::Titled
-    }
-
     /// Options of its command that are no keys.
     fn extras(&self) -> &'static [Extra] {
         &[]
@@ -158,24 +150,6 @@ pub struct Given<'a> {
     pub line: &'a Asked,
     /// Whether plots are drawn.
     pub drawn: bool,
-}
-
-/// How a result is shown when nothing else is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Alone {
-    /// The title of the machine, the heading, tables.
-    Titled,
-    /// The title of the machine and what was found, without a heading; then the command that a user is likely to want.
-    Written {
-        /// `run`, or the study itself with its numbers.
-        next: &'static str,
-    },
-    /// The table of places.
-    Places,
-    /// CSV in pipes, a summary on terminals.
-    Table,
-    /// The written solution on terminals, CSV in pipes.
-    WrittenOrTable,
 }
 
 /// An option of a command that is no key of the study.

@@ -2,9 +2,9 @@
 
 use super::equilibrium::no_range;
 use super::keys::GUESS;
-use super::{Alone, Found, Study};
-use crate::finite::checked;
-use crate::pipeline::{Finding, Machine};
+use super::{Found, Results, Study};
+use crate::pipeline::Machine;
+use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use mechanics::asked::{Asked, Choice, Key, Kind, Takes, Value};
 use mechanics::model::FrequencyVariable;
@@ -195,18 +195,15 @@ impl Study for Natural {
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         Some(natural(machine, &Modes::of(asked), watch))
     }
-    fn alone(&self) -> Alone {
-        Alone::Written { next: "run" }
-    }
 }
 
 /// Natural frequencies and shapes.
-pub fn natural(machine: &mut Machine, study: &Modes, watch: &mut Watch) -> Finding {
+pub fn natural(machine: &mut Machine, study: &Modes, watch: &mut Watch) -> Results {
     if let Some(finding) = crate::structure::modes(machine, study) {
         watch.lap(Lap::Run);
         return finding;
     }
     let found = crate::small::modes::find(machine, study);
     watch.lap(Lap::Run);
-    checked(Finding::Modes(Box::new(found)))
+    checked(found)
 }

@@ -3,9 +3,9 @@
 use super::keys::{AT, EVERY, OUTPUTS, PLOT, SETTLE, TOLERANCE};
 use super::section::of_state;
 use super::{Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
-use crate::finite::checked;
-use crate::pipeline::{Finding, Machine, explained};
+use crate::pipeline::{Machine, explained};
 use crate::plan;
+use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use crate::{Failure, provenance};
 use analysis::studies::periodic::{Listener, Multiplier, Outcome, Periodic as Options, Regime, Return, Stage};
@@ -206,16 +206,16 @@ impl Study for Regimes {
 }
 
 /// Runs the study. `tuned` changes the machine to the value found.
-pub fn exact(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Finding {
+pub fn exact(machine: &mut Machine, study: &Periodic, watch: &mut Watch) -> Results {
     let found = match &study.tuned {
         None => Ok((regime(machine, study, watch), None)),
         Some((name, wanted)) => tuned(machine, study, name, *wanted, watch),
     };
     watch.lap(Lap::Run);
-    checked(Finding::Study(Box::new(match found {
+    checked(match found {
         Ok((outcome, tuning)) => results(machine, study, outcome, tuning),
-        Err(trouble) => Results { kind: "periodic", heading: heading(), trouble: Some(trouble), ..Results::default() },
-    })))
+        Err(trouble) => Results::failed("periodic", heading(), trouble),
+    })
 }
 
 /// Times of ordinary motion tried before the search when the start leads to no regime, s.

@@ -1,17 +1,13 @@
 //! strutt from top to bottom: read -> derive -> lower -> study -> dataset -> document. Each verb is one call into one room.
 
-use crate::document::{self, Extent};
+use crate::document;
 use crate::failure::Failure;
-use crate::simulate::Simulate;
-use crate::small::modes::ModesFound;
-use crate::small::response::ResponseFound;
 use crate::source::Source;
 use crate::watch::{Lap, Watch};
-use crate::{Origin, Results};
+use crate::{Extent, Origin, Results};
 use crate::{guards, provenance};
 use analysis::Dataset;
 use analysis::dataset::Audit;
-use analysis::studies::transient::Phase;
 use mechanics::Model;
 use mechanics::asked::Asked;
 use mechanics::derive::Detail;
@@ -45,50 +41,13 @@ impl Machine {
     }
 }
 
-/// What a study found, and what ended it early, if anything did.
-#[derive(Clone, Debug)]
-pub enum Finding {
-    /// Positions of equilibrium: a column per coordinate, a row per equilibrium.
-    Equilibrium(Dataset, Option<Notice>),
-    /// A motion, and the study that asked for it.
-    Motion(Simulate, Dataset, Option<Notice>),
-    /// A motion in closed form, its phases, and the study that asked for it.
-    Transient(Simulate, Dataset, Phases, Option<Notice>),
-    /// Any other study.
-    Study(Box<Results>),
-    /// Natural frequencies and shapes.
-    Modes(Box<ModesFound>),
-    /// A study of a frame or truss.
-    Structure(Box<crate::structure::StructureFound>),
-    /// Forced oscillations over the frequency.
-    Response(Box<ResponseFound>),
-}
-
-/// Phases of a motion, and the names of its state.
-#[derive(Clone, Debug)]
-pub struct Phases {
-    /// In order of time.
-    pub list: Vec<Phase>,
-    /// Coordinates, then rates.
-    pub names: Vec<String>,
-    /// Instants at which the loads begin anew.
-    pub restarts: Vec<f64>,
-}
-
-impl Phases {
-    /// Whether the loads begin anew at the start of a phase.
-    pub fn restarts(&self, phase: &Phase) -> bool {
-        self.restarts.iter().any(|t| (t - phase.start).abs() <= 1e-12 * t.abs())
-    }
-}
-
 /// Everything a file asks for.
 #[derive(Clone, Debug)]
 pub struct Calculation {
     /// The machine.
     pub machine: Machine,
     /// Results in the order of the studies.
-    pub findings: Vec<Finding>,
+    pub results: Vec<Results>,
     /// Files beside the page: name and what it is.
     pub files: Vec<(String, Text)>,
 }
@@ -99,17 +58,17 @@ pub struct Calculation {
 /// Findings about the model. What ends a study early stands beside its results.
 pub fn run(source: &Source, overrides: &[(String, String)], watch: &mut Watch) -> Result<Calculation, Failure> {
     let mut machine = build_in(source, overrides, Detail::Steps, watch)?;
-    let mut findings: Vec<Finding> = Vec::new();
+    let mut results: Vec<Results> = Vec::new();
     for asked in &machine.model.studies.clone() {
         if watch.is_interrupted() {
             break;
         }
-        findings.extend(study(&mut machine, asked, watch));
+        results.extend(study(&mut machine, asked, watch));
     }
     if !watch.is_interrupted() {
-        findings.extend(crate::claims::run(&mut machine, watch));
+        results.extend(crate::claims::run(&mut machine, watch));
     }
-    Ok(Calculation { machine, findings, files: Vec::new() })
+    Ok(Calculation { machine, results, files: Vec::new() })
 }
 
 /// From a file to a machine, without the written derivation.
@@ -160,7 +119,7 @@ pub fn lower(equations: &Equations) -> Result<analysis::Machine, analysis::Fault
 }
 
 /// One study of the file; none where it computes no numbers.
-pub fn study(machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Option<Finding> {
+pub fn study(machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Option<Results> {
     crate::find(asked.kind)?.run(machine, asked, watch)
 }
 
@@ -185,48 +144,11 @@ pub fn document(calculation: &Calculation, extent: Extent, language: Language) -
     document::compose(calculation, extent, language)
 }
 
-impl Finding {
-    /// The numbers.
-    pub fn data(&self) -> &Dataset {
-        match self {
-            Finding::Equilibrium(data, _) | Finding::Motion(_, data, _) | Finding::Transient(_, data, ..) => data,
-            Finding::Study(results) => &results.data,
-            Finding::Modes(found) => &found.data,
-            Finding::Structure(found) => &found.data,
-            Finding::Response(found) => &found.data,
-        }
-    }
-    /// Ends the study with a trouble.
-    pub fn fail(&mut self, why: Notice) {
-        let (data, trouble) = match self {
-            Finding::Equilibrium(data, trouble) | Finding::Motion(_, data, trouble) | Finding::Transient(_, data, _, trouble) => {
-                (data, trouble)
-            }
-            Finding::Study(results) => (&mut results.data, &mut results.trouble),
-            Finding::Modes(found) => (&mut found.data, &mut found.trouble),
-            Finding::Structure(found) => (&mut found.data, &mut found.trouble),
-            Finding::Response(found) => (&mut found.data, &mut found.trouble),
-        };
-        data.partial = true;
-        *trouble = Some(why);
-    }
-    /// What ended the study early.
-    pub fn trouble(&self) -> Option<&Notice> {
-        match self {
-            Finding::Equilibrium(_, trouble) | Finding::Motion(_, _, trouble) | Finding::Transient(_, _, _, trouble) => trouble.as_ref(),
-            Finding::Study(results) => results.trouble.as_ref(),
-            Finding::Modes(found) => found.trouble.as_ref(),
-            Finding::Structure(found) => found.trouble.as_ref(),
-            Finding::Response(found) => found.trouble.as_ref(),
-        }
-    }
-}
-
 impl Calculation {
     /// All checks of all studies, equal ones once.
     pub fn audits(&self) -> Vec<&Audit> {
         let mut out: Vec<&Audit> = Vec::new();
-        for audit in self.findings.iter().flat_map(|f| &f.data().audits) {
+        for audit in self.results.iter().flat_map(|f| &f.data.audits) {
             if !out.contains(&audit) {
                 out.push(audit);
             }

@@ -4,8 +4,8 @@ use super::keys::{METHOD, OUTPUTS, PLOT, SETTLE, TOLERANCE_OF_MOTION, UNTIL};
 use super::simulate::{Simulate, moving};
 use super::{Found, Given, Interrupts, Results, Rows, Study, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::finite::checked;
-use crate::pipeline::{self, Finding, Machine, explained};
+use crate::pipeline::{self, Machine, explained};
+use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
 use analysis::marks::named::{Direction, Named};
@@ -161,7 +161,7 @@ impl Study for SectionPoints {
             results.trouble = Some(trouble);
         }
         watch.lap(Lap::Run);
-        Some(checked(Finding::Study(Box::new(results))))
+        Some(checked(results))
     }
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
         Ok(overlaid(given.written.or(given.of_file).ok_or_else(no_section)?, given.line))

@@ -1,9 +1,9 @@
 //! The study `response`: forced oscillations over the frequency of periodic loads.
 
 use super::keys::{GUESS, OUTPUTS};
-use super::{Alone, Found, Study};
-use crate::finite::checked;
-use crate::pipeline::{Finding, Machine};
+use super::{Found, Study};
+use crate::pipeline::Machine;
+use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use mechanics::asked::{Asked, Key, Kind, Takes};
 use symbolic::SymbolId;
@@ -105,9 +105,6 @@ impl Study for Forced {
     fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         let found = crate::small::response::find(machine, &Response::of(asked));
         watch.lap(Lap::Run);
-        Some(checked(Finding::Response(Box::new(found))))
-    }
-    fn alone(&self) -> Alone {
-        Alone::Written { next: "response" }
+        Some(checked(found))
     }
 }

@@ -1,10 +1,11 @@
 //! The study `simulate`: a motion from its start, as a table, with events, checks and the digits that a repetition confirms.
 
 use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
-use super::{Alone, Extra, Found, Given, Interrupts, Repeats, Study, overlaid};
+use super::{Extra, Found, Given, Interrupts, Repeats, Results, Study, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::finite::checked;
-use crate::pipeline::{Finding, Machine, explained};
+use crate::pipeline::{Machine, explained};
+use crate::results::finite::checked;
+use crate::results::{Alone, Strips, fields, figures};
 use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
 use analysis::Dataset;
@@ -12,8 +13,9 @@ use analysis::studies;
 use analysis::studies::simulate::Outcome;
 use mechanics::asked::{Asked, Kind, Value};
 use mechanics::model::{Plot, Times};
+use serde_json::json;
 use symbolic::Equations;
-use words::Notice;
+use words::{Notice, Printed};
 
 /// A step of the integrator spans about a radian of the quickest oscillation.
 const POINTS_A_STEP: f64 = 4.0;
@@ -87,11 +89,11 @@ impl Study for Motion {
         let study = Simulate::of(asked).with_plots(&machine.equations);
         let finding = motion(machine, &study, watch);
         // plots need several points on every swing; how many swings there are shows in the steps
-        let finding = match study.finer(finding.data()) {
-            Some(finer) => motion(machine, &finer, watch),
-            None => finding,
+        let (study, finding) = match study.finer(&finding.data) {
+            Some(finer) => (finer.clone(), motion(machine, &finer, watch)),
+            None => (study, finding),
         };
-        Some(confirm(machine, finding, watch))
+        Some(confirm(machine, &study, finding, watch))
     }
     fn command(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
         Some(motion(machine, &Simulate::of(asked), watch))
@@ -101,9 +103,6 @@ impl Study for Motion {
     }
     fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
         merged("simulate", &machine.equations, given)
-    }
-    fn alone(&self) -> Alone {
-        Alone::Table
     }
     fn extras(&self) -> &'static [Extra] {
         &[Extra::HalveTolerance, Extra::Check, Extra::Events, Extra::Switches]
@@ -170,25 +169,30 @@ fn no_end(name: &str) -> Failure {
 }
 
 /// A motion with the digits that a repetition confirms.
-fn confirm(machine: &mut Machine, finding: Finding, watch: &mut Watch) -> Finding {
-    let Finding::Motion(study, mut data, trouble) = finding else { return finding };
-    if let (false, Ok(start)) = (data.partial, machine.system.start()) {
-        let mut options = plan::options(&study, watch);
+fn confirm(machine: &mut Machine, study: &Simulate, mut results: Results, watch: &mut Watch) -> Results {
+    if let (false, Ok(start)) = (results.data.partial, machine.system.start()) {
+        let mut options = plan::options(study, watch);
         options.events = plan::events(&machine.model, &machine.equations);
         options.pushes = plan::pushes(&machine.model, &machine.equations);
-        studies::simulate::confirm(&mut machine.system, &start, &mut options, &mut data);
+        studies::simulate::confirm(&mut machine.system, &start, &mut options, &mut results.data);
         watch.lap(Lap::Run);
     }
-    Finding::Motion(study, data, trouble)
+    results
+}
+
+/// A motion with its plots, those of the file or one for each coordinate, and what contacts did.
+pub fn drawn(machine: &Machine, study: &Simulate, data: Dataset) -> Results {
+    let plots = if study.plots.is_empty() { figures::of_coordinates(&machine.equations) } else { study.plots.clone() };
+    Results { data, plots, strips: Strips::Drawn, ..Results::default() }
 }
 
 /// A motion.
-pub fn motion(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Finding {
+pub fn motion(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Results {
     with_works(machine, study, &[], watch)
 }
 
 /// A motion; the integrals of `works`, outputs of the study that are powers, are compared with the energy.
-pub fn with_works(machine: &mut Machine, study: &Simulate, works: &[String], watch: &mut Watch) -> Finding {
+pub fn with_works(machine: &mut Machine, study: &Simulate, works: &[String], watch: &mut Watch) -> Results {
     let mut options = plan::options(study, watch);
     options.works = works.to_vec();
     options.events = plan::events(&machine.model, &machine.equations);
@@ -199,7 +203,16 @@ pub fn with_works(machine: &mut Machine, study: &Simulate, works: &[String], wat
     };
     watch.lap(Lap::Run);
     let data = provenance::stamp(outcome.dataset, &machine.equations, &machine.model_hash);
-    checked(Finding::Motion(study.clone(), data, outcome.fault.map(|fault| explained(fault, &machine.equations))))
+    let own = json!({"until": study.until, "tolerance": study.tolerance, "method": study.method.name()});
+    checked(Results {
+        kind: "simulate",
+        stem: "motion",
+        alone: Alone::Table,
+        heading: report::Word::Simulation.text(),
+        own: fields(own),
+        trouble: outcome.fault.map(|fault| explained(fault, &machine.equations)),
+        ..drawn(machine, study, data)
+    })
 }
 
 /// S084 where no coordinate moves and no formula changes with time: every row would be the first.

@@ -1,9 +1,9 @@
 //! The study `statics` of bodies: reactions, equations of equilibrium, what is open or free.
 
-use super::{Alone, Fact, Found, Repeats, Results, Study};
-use crate::finite::checked;
-use crate::pipeline::{Finding, Machine};
+use super::{Fact, Found, Repeats, Results, Study};
+use crate::pipeline::Machine;
 use crate::provenance;
+use crate::results::finite::checked;
 use crate::watch::Watch;
 use analysis::Dataset;
 use analysis::dataset::Audit;
@@ -30,24 +30,21 @@ impl Study for Statics {
     fn run(&self, machine: &mut Machine, _: &Asked, _: &mut Watch) -> Found {
         crate::structure::statics(machine).or_else(|| Some(of_bodies(machine)))
     }
-    fn alone(&self) -> Alone {
-        Alone::Written { next: "run" }
-    }
     fn repeats(&self) -> Repeats {
         Repeats::Rest
     }
 }
 
-fn of_bodies(machine: &mut Machine) -> Finding {
+fn of_bodies(machine: &mut Machine) -> Results {
     let judged = statics(&machine.equations).and_then(|found| {
         let of = |name: &str| found.reactions.iter().filter(|r| r.quantity.name == name).filter_map(|r| r.value).collect();
         crate::strands::pushing(machine, of).map_or(Ok(found), Err)
     });
     let results = match judged {
         Ok(found) => results(machine, &found),
-        Err(fault) => Results { kind: "statics", heading: heading(), trouble: Some(Notice::from(fault)), ..Results::default() },
+        Err(fault) => Results::failed("statics", heading(), Notice::from(fault)),
     };
-    checked(Finding::Study(Box::new(results)))
+    checked(results)
 }
 
 fn heading() -> Text {

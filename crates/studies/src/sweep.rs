@@ -3,15 +3,15 @@
 mod rests;
 
 use super::keys::OWN_PLOT;
-use super::origin::Binding;
 use super::periodic::Periodic;
 use super::periodic::{self, in_words};
 use super::{Found, Given, Interrupts, Repeats, Results, Rows, Study, TABLE, find, idle, observing, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::finite::checked;
-use crate::pipeline::{self, Finding, Machine};
+use crate::machine::origin::Binding;
+use crate::pipeline::{self, Machine};
+use crate::provenance;
+use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
-use crate::{fields, provenance};
 use analysis::dataset::{Audit, Column, Missing};
 use analysis::reduce::{NAMES, Reduction, reduce};
 use analysis::{Dataset, Quantity};
@@ -166,7 +166,7 @@ enum Wanted {
 }
 
 /// The study for every combination of the values.
-pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Finding {
+pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Results {
     let mut results = Results {
         kind: "sweep",
         heading: Text::new("Sweep", "Серия расчётов"),
@@ -182,7 +182,7 @@ pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Find
         }
     }
     watch.lap(Lap::Run);
-    checked(Finding::Study(Box::new(results)))
+    checked(results)
 }
 
 fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Notice> {
@@ -206,9 +206,9 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         }
         let values = place(&study.over, row);
         let outcome = one((&mut changed, &mut anew), &Repeated { base: &base, of, inner: &study.inner }, &values, &mut guess, watch);
-        stands.push((values[0].1, outcome.as_ref().ok().and_then(|finding| rests::stands(machine, finding.data()))));
+        stands.push((values[0].1, outcome.as_ref().ok().and_then(|finding| rests::stands(machine, &finding.data))));
         if let Ok(finding) = &outcome {
-            let audits = &finding.data().audits;
+            let audits = &finding.data.audits;
             checked_runs += usize::from(!audits.is_empty());
             doubtful.extend(audits.iter().find(|a| !a.ok).map(|audit| (values.clone(), audit.clone())));
         }
@@ -465,7 +465,7 @@ fn one(
     values: &[(String, f64)],
     guess: &mut Option<Vec<f64>>,
     watch: &mut Watch,
-) -> Result<Finding, Notice> {
+) -> Result<Results, Notice> {
     let values: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     *anew += usize::from(machine.bind(&values).map_err(in_words)? == Binding::Anew);
     let base = &repeated.at(machine)?;
@@ -480,41 +480,38 @@ fn one(
         let outcome = periodic::from(machine, &Periodic { settle: 0.0, ..study.clone() }, x, &mut inner);
         if outcome.fault.is_none() {
             *guess = Some(outcome.regime.start.clone());
-            return Ok(Finding::Study(Box::new(periodic::results(machine, study, outcome, None))));
+            return Ok(periodic::results(machine, study, outcome, None));
         }
     }
     let finding = match &study {
         Some(study) => {
             let outcome = periodic::regime(machine, study, &mut inner);
             *guess = outcome.fault.is_none().then(|| outcome.regime.start.clone());
-            Finding::Study(Box::new(periodic::results(machine, study, outcome, None)))
+            periodic::results(machine, study, outcome, None)
         }
         None => match pipeline::study(machine, base, &mut inner) {
             Some(finding) => finding,
             None => return Err(Notice::new("C032", "this study cannot be repeated", "этот расчёт повторять нельзя")),
         },
     };
-    match finding.trouble() {
+    match &finding.trouble {
         Some(trouble) => Err(trouble.clone()),
         None => Ok(finding),
     }
 }
 
 /// The number, and what it is where the study itself says so.
-fn number(finding: &Finding, wanted: &Wanted) -> Result<(f64, Option<Quantity>), Notice> {
+fn number(finding: &Results, wanted: &Wanted) -> Result<(f64, Option<Quantity>), Notice> {
     Ok(match wanted {
-        Wanted::Events => (finding.data().events.len() as f64, None),
-        Wanted::Column(name, reduction) => match reduce(finding.data(), name, *reduction) {
-            None if finding.data().axis.is_some() || finding.data().column(name).is_none() => return Err(rows_only(name)),
+        Wanted::Events => (finding.data.events.len() as f64, None),
+        Wanted::Column(name, reduction) => match reduce(&finding.data, name, *reduction) {
+            None if finding.data.axis.is_some() || finding.data.column(name).is_none() => return Err(rows_only(name)),
             // a number that this place does not have is none
             found => (found.unwrap_or(f64::NAN), None),
         },
         Wanted::Field(path) => {
-            let fields = Value::Object(fields::own_fields(finding));
-            let described = match finding {
-                Finding::Study(results) => results.facts.iter().find(|f| f.quantity.name == *path).map(|f| f.quantity.clone()),
-                _ => None,
-            };
+            let fields = Value::Object(finding.fields());
+            let described = finding.facts.iter().find(|f| f.quantity.name == *path).map(|f| f.quantity.clone());
             match at_path(&fields, path) {
                 Some(value) => (value, described),
                 None => return Err(no_number(path, &fields)),

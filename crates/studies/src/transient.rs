@@ -1,18 +1,23 @@
 //! The study `transient`: the motion of a linear system in closed form, phase by phase.
 
 use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
-use super::simulate::{Simulate, merged, moving};
-use super::{Alone, Extra, Found, Given, Interrupts, Repeats, Study};
+use super::simulate::{Simulate, drawn, merged, moving};
+use super::{Extra, Found, Given, Interrupts, Repeats, Results, Study};
 use crate::failure::Failure;
-use crate::finite::checked;
-use crate::pipeline::{Finding, Machine, Phases};
+use crate::phases::{self, Phases};
+use crate::pipeline::Machine;
+use crate::results::finite::checked;
+use crate::results::{Alone, Body, fields};
 use crate::watch::{Lap, Watch};
-use crate::{phases, plan, provenance};
+use crate::wording::Word as Say;
+use crate::{plan, provenance};
 use analysis::Dataset;
 use analysis::studies::simulate::Outcome;
 use analysis::studies::transient::Found as Closed;
 use mechanics::asked::{Asked, Key, Kind, Takes};
-use words::Notice;
+use serde_json::json;
+use std::sync::Arc;
+use words::{Notice, Printed};
 
 /// A motion in closed form.
 #[derive(Clone, Debug)]
@@ -59,7 +64,7 @@ impl Study for ClosedForm {
         let linearise = asked.flag("linearise");
         let motion = Simulate::of(asked).with_plots(&machine.equations);
         let finding = closed_form(machine, &Transient { motion: motion.clone(), linearise }, watch);
-        Some(match motion.finer(finding.data()) {
+        Some(match motion.finer(&finding.data) {
             Some(motion) => closed_form(machine, &Transient { motion, linearise }, watch),
             None => finding,
         })
@@ -74,9 +79,6 @@ impl Study for ClosedForm {
     fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
         merged("transient", &machine.equations, given)
     }
-    fn alone(&self) -> Alone {
-        Alone::WrittenOrTable
-    }
     fn extras(&self) -> &'static [Extra] {
         &[Extra::HalveTolerance, Extra::Check, Extra::Events, Extra::Switches]
     }
@@ -89,7 +91,13 @@ impl Study for ClosedForm {
 }
 
 /// A motion in closed form.
-pub fn closed_form(machine: &mut Machine, study: &Transient, watch: &mut Watch) -> Finding {
+pub fn closed_form(machine: &mut Machine, study: &Transient, watch: &mut Watch) -> Results {
+    let (results, phases) = solved(machine, study, watch);
+    checked(Results { body: Body::After(Arc::new(phases)), ..results })
+}
+
+/// A motion in closed form, and its phases.
+pub fn solved(machine: &mut Machine, study: &Transient, watch: &mut Watch) -> (Results, Phases) {
     let twin = plan::options(&study.motion, watch);
     let pushes = plan::pushes(&machine.model, &machine.equations);
     let options = analysis::studies::transient::Transient { twin, ends: machine.model.phases.clone(), linearise: study.linearise, pushes };
@@ -98,8 +106,17 @@ pub fn closed_form(machine: &mut Machine, study: &Transient, watch: &mut Watch) 
         Err(fault) => Closed { outcome: Outcome { dataset: Dataset::default(), fault: Some(fault) }, phases: Vec::new() },
     };
     watch.lap(Lap::Run);
-    let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
     let trouble = found.outcome.fault.map(Notice::from);
     let phases = Phases { list: found.phases, names: phases::state_names(&machine.equations), restarts: machine.model.restarts.clone() };
-    checked(Finding::Transient(study.motion.clone(), data, phases, trouble))
+    let data = provenance::stamp(found.outcome.dataset, &machine.equations, &machine.model_hash);
+    let own = fields(json!({"until": study.motion.until, "phases": phases::to_json(&phases)}));
+    let results = Results {
+        kind: "transient",
+        alone: Alone::WrittenOrTable,
+        heading: Say::ClosedForm.text(),
+        own,
+        trouble,
+        ..drawn(machine, &study.motion, data)
+    };
+    (results, phases)
 }

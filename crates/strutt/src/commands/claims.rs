@@ -5,17 +5,15 @@ use super::{Exit, open};
 use crate::args;
 use crate::console::Console;
 use mechanics::derive::Detail;
-use studies::Alone;
 use studies::failure::Misuse;
-use studies::pipeline::Finding;
 use studies::{Failure, claims};
 use words::Notice;
 
 pub fn run(args: &args::Claims, console: &mut Console) -> Result<Exit, Failure> {
     let (_, mut machine) = open(&args.model, Detail::Equations, console)?;
     let finding = console.watched(|watch| claims::run(&mut machine, watch)).ok_or_else(none)?;
-    let fails = matches!(&finding, Finding::Study(results) if results.claims.iter().any(|c| !c.ok));
-    let view = View { name: "claims", alone: Alone::Titled, file: &args.model.file, out: None, events: false, switches: false };
+    let fails = finding.data.column("ok").is_some_and(|c| c.values.contains(&0.0));
+    let view = View { name: "claims", file: &args.model.file, out: None, events: false, switches: false };
     let exit = finish(machine, finding, &view, console)?;
     Ok(if args.strict && fails { exit.worse(Exit::Failed) } else { exit })
 }

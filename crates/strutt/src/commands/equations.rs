@@ -48,7 +48,12 @@ impl<'a> Writer<'a> {
     fn new(equations: &'a Equations, form: Form, console: &Console) -> Writer<'a> {
         // LaTeX and MathML break lines where the text form of this width would
         let width = if form == Form::Text { console.width().saturating_sub(8) } else { 90 };
-        Writer { equations, printer: document::printer(equations, console.language, width), form, language: console.language }
+        Writer {
+            equations,
+            printer: report::formula::Printer::of(equations, console.language).with_width(width),
+            form,
+            language: console.language,
+        }
     }
 
     fn form(&self) -> formula::Form {

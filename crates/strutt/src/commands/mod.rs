@@ -18,8 +18,8 @@ use crate::quantities;
 use mechanics::derive::Detail;
 use std::sync::atomic::Ordering;
 use strutt::wording::Word;
-use studies::pipeline::{self, Finding, Machine};
-use studies::{Failure, Source};
+use studies::pipeline::{self, Machine};
+use studies::{Failure, Results, Source};
 
 /// How a command ended that did not fail outright.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,20 +72,20 @@ fn has_numbers(machine: &Machine) -> bool {
 }
 
 /// Says what ended a study early and which checks failed; decides the exit code.
-fn judge(finding: &Finding, console: &Console) -> Exit {
-    let data = finding.data();
+fn judge(results: &Results, console: &Console) -> Exit {
+    let data = &results.data;
     for audit in data.audits.iter().filter(|a| !a.ok) {
         let (name, number) = (console.language.text(&audit.name), |x| report::number::short(x, 2, console.language));
         let failed = console.say(Word::AuditFailed);
         console.complain(&format!("{failed} {name}: {} > {}\n", number(audit.value), number(audit.limit)));
     }
     let interrupted = INTERRUPTED.load(Ordering::Relaxed);
-    if interrupted && (data.partial || finding.trouble().is_some()) {
+    if interrupted && (data.partial || results.trouble.is_some()) {
         // what an interrupted search lacks is no fault of the model
         console.complain(&format!("{}\n", console.say(Word::Interrupted)));
         return Exit::Interrupted;
     }
-    if let Some(trouble) = finding.trouble() {
+    if let Some(trouble) = &results.trouble {
         console.trouble(trouble);
         return Exit::Failed;
     }

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use strutt::folder;
 use strutt::wording::Word;
+use studies::Extent;
 use studies::Failure;
-use studies::document::Extent;
 use studies::pipeline::{self, Calculation};
 
 pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
@@ -26,15 +26,15 @@ pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
     tell(&calculation, &paths, &args.model.file, console);
     // studies that were left out are no finding of their own
     let least = if INTERRUPTED.load(Ordering::Relaxed) { Exit::Interrupted } else { Exit::Done };
-    Ok(calculation.findings.iter().fold(least, |exit, finding| exit.worse(judge(finding, console))))
+    Ok(calculation.results.iter().fold(least, |exit, results| exit.worse(judge(results, console))))
 }
 
 fn show(calculation: &Calculation, console: &Console) -> Result<(), Failure> {
     let language = console.language;
     match console.shape {
         Shape::Json => console.out(folder::calculation_to_json(calculation, language)),
-        Shape::Csv => match calculation.findings.first() {
-            Some(finding) => console.out(report::csv::write(finding.data(), report::csv::Dialect::Plain)),
+        Shape::Csv => match calculation.results.first() {
+            Some(results) => console.out(report::csv::write(&results.data, report::csv::Dialect::Plain)),
             None => Ok(()),
         },
         Shape::Text => {
@@ -46,7 +46,7 @@ fn show(calculation: &Calculation, console: &Console) -> Result<(), Failure> {
 }
 
 fn tell(calculation: &Calculation, paths: &[PathBuf], file: &str, console: &Console) {
-    let partial = calculation.findings.iter().any(|f| f.data().partial);
+    let partial = calculation.results.iter().any(|r| r.data.partial);
     let heading = console.say(if partial { Word::WrittenPartly } else { Word::Written });
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
     console.talk(&format!("\n{heading}{list}"));

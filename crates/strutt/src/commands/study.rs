@@ -11,11 +11,9 @@ use report::Document;
 use std::path::{Path, PathBuf};
 use strutt::folder;
 use strutt::wording::Word;
-use studies::document::Extent;
-use studies::fields::own_fields;
-use studies::pipeline::{self, Calculation, Finding, Machine};
+use studies::pipeline::{self, Calculation, Machine};
 use studies::{Alone, Extra, Given, Interrupts, Study};
-use studies::{Failure, Source, document, small, structure};
+use studies::{Extent, Failure, Results, Source, document};
 use words::{Notice, Place};
 
 /// Runs the command of a study.
@@ -37,21 +35,20 @@ pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Re
     let values = line.values(&machine, (&base, fresh))?;
     let asked = study.merge(&machine, Given { written, of_file, line: &values, drawn: out.is_some() })?;
     let wants = |extra: Extra| study.extras().contains(&extra) && matches.get_flag(name_of(extra));
-    let finding = console.watched(|watch| {
+    let results = console.watched(|watch| {
         watch.halve_tolerance = wants(Extra::HalveTolerance);
         watch.check = wants(Extra::Check);
         study.command(&mut machine, &asked, watch)
     });
-    let Some(finding) = finding else { return Ok(Exit::Done) };
+    let Some(results) = results else { return Ok(Exit::Done) };
     let view = View {
         name: study.kind().name,
-        alone: study.alone(),
         file: &model.file,
         out: out.as_deref(),
         events: wants(Extra::Events),
         switches: wants(Extra::Switches),
     };
-    finish(machine, finding, &view, console)
+    finish(machine, results, &view, console)
 }
 
 fn name_of(extra: Extra) -> &'static str {
@@ -119,8 +116,6 @@ fn place(diagnostic: &mut Notice, file: &Source, extended: &Source) {
 pub struct View<'a> {
     /// Name of the study.
     pub name: &'static str,
-    /// How it is shown when nothing else is.
-    pub alone: Alone,
     /// The file, as the user wrote it.
     pub file: &'a str,
     /// Where the folder of results goes.
@@ -132,42 +127,33 @@ pub struct View<'a> {
 }
 
 /// Shows what was found, writes the folder when one is wanted, decides the exit code.
-pub fn finish(machine: Machine, finding: Finding, view: &View, console: &mut Console) -> Result<Exit, Failure> {
-    let alone = alone(view, &finding);
-    if alone == Alone::WrittenOrTable
-        && console.shape == Shape::Text
-        && console.terminal
-        && view.out.is_none()
-        && finding.trouble().is_none()
+pub fn finish(machine: Machine, results: Results, view: &View, console: &mut Console) -> Result<Exit, Failure> {
+    let alone = results.alone;
+    if alone == Alone::WrittenOrTable && console.shape == Shape::Text && console.terminal && view.out.is_none() && results.trouble.is_none()
     {
-        let exit = judge(&finding, console);
-        let calculation = Calculation { machine, findings: vec![finding], files: Vec::new() };
+        let exit = judge(&results, console);
+        let calculation = Calculation { machine, results: vec![results], files: Vec::new() };
         let width = console.width();
         let document = pipeline::document(&calculation, Extent::Terminal { width }, console.language);
         console.out(report::terminal::write(&document, width))?;
         return Ok(exit);
     }
     console.timed(Word::TimeWrite, |console| match alone {
-        Alone::Table | Alone::WrittenOrTable => table(&finding, view, console),
-        _ => show((&machine, alone), &finding, view, console),
+        Alone::Table | Alone::WrittenOrTable => table(&results, view, console),
+        _ => show(&machine, &results, view, console),
     })?;
     if matches!(alone, Alone::Table | Alone::WrittenOrTable) {
-        tell_checks(&finding, console);
+        tell_checks(&results, console);
     }
-    let exit = judge(&finding, console);
+    let exit = judge(&results, console);
     if let Some(out) = view.out {
-        write(machine, finding, out, console)?;
+        write(machine, results, out, console)?;
     }
     Ok(exit)
 }
 
-/// Statics of bodies has a heading, that of frames has none: what a study shows alone may depend on what it found.
-fn alone(view: &View, finding: &Finding) -> Alone {
-    if matches!(finding, Finding::Study(_)) { Alone::Titled } else { view.alone }
-}
-
-fn write(machine: Machine, finding: Finding, out: &Path, console: &mut Console) -> Result<(), Failure> {
-    let mut calculation = Calculation { machine, findings: vec![finding], files: Vec::new() };
+fn write(machine: Machine, results: Results, out: &Path, console: &mut Console) -> Result<(), Failure> {
+    let mut calculation = Calculation { machine, results: vec![results], files: Vec::new() };
     let language = console.language;
     let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, out, language))?;
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
@@ -175,36 +161,37 @@ fn write(machine: Machine, finding: Finding, out: &Path, console: &mut Console) 
     Ok(())
 }
 
-fn show((machine, alone): (&Machine, Alone), finding: &Finding, view: &View, console: &Console) -> Result<(), Failure> {
-    let (data, language) = (finding.data(), console.language);
-    match (console.shape, alone) {
-        (Shape::Json, _) => console.out(report::json::write(data, &own_fields(finding), language)),
-        (Shape::Csv, _) => console.out(report::csv::write(data, report::csv::Dialect::Plain)),
+fn show(machine: &Machine, results: &Results, view: &View, console: &Console) -> Result<(), Failure> {
+    let language = console.language;
+    match (console.shape, results.alone) {
+        (Shape::Json, _) => console.out(report::json::write(&results.data, &results.fields(), language)),
+        (Shape::Csv, _) => console.out(report::csv::write(&results.data, report::csv::Dialect::Plain)),
         (Shape::Text, _) if view.out.is_some() && !console.terminal => Ok(()),
+        (Shape::Text, Alone::Places) => places(results, view, console),
+        (Shape::Text, Alone::Written { next }) => solution(machine, results, (view, next), console),
         // a study that failed before it found anything leaves no empty heading
-        (Shape::Text, _) if is_nothing(finding) => Ok(()),
-        (Shape::Text, Alone::Places) => places(finding, view, console),
-        (Shape::Text, Alone::Written { next }) => solution(machine, finding, (view, next), console),
+        (Shape::Text, _) if is_nothing(results) => Ok(()),
         (Shape::Text, _) => {
-            let blocks = match finding {
-                Finding::Study(results) => document::of_results(results, false, language),
-                _ => Vec::new(),
-            };
+            let blocks = results.told(&in_terminal(machine, console));
             console.out(document::in_terminal(language.text(&machine.model.title), blocks, language, console.width()))
         }
     }
 }
 
+fn in_terminal<'a>(machine: &'a Machine, console: &Console) -> studies::View<'a> {
+    studies::View { equations: &machine.equations, extent: Extent::Terminal { width: console.width() }, language: console.language }
+}
+
 /// Positions of equilibrium side by side.
-fn places(finding: &Finding, view: &View, console: &Console) -> Result<(), Failure> {
-    if finding.trouble().is_some() {
+fn places(results: &Results, view: &View, console: &Console) -> Result<(), Failure> {
+    if results.trouble.is_some() {
         return Ok(());
     }
-    let (data, language) = (finding.data(), console.language);
-    if !data.columns.is_empty() {
-        console.out(report::terminal::table(&document::equilibria(data, language), language, console.width()))?;
+    let language = console.language;
+    if let Some(table) = results.columns_table(language) {
+        console.out(report::terminal::table(&table, language, console.width()))?;
     }
-    for note in &data.notes {
+    for note in &results.data.notes {
         console.out(format!("{}\n", language.text(note)))?;
     }
     console.next(&format!("strutt run {}", quoted(view.file)));
@@ -212,29 +199,24 @@ fn places(finding: &Finding, view: &View, console: &Console) -> Result<(), Failu
 }
 
 /// What was found, below the title of the machine.
-fn solution(machine: &Machine, finding: &Finding, (view, next): (&View, &str), console: &Console) -> Result<(), Failure> {
+fn solution(machine: &Machine, results: &Results, (view, next): (&View, &str), console: &Console) -> Result<(), Failure> {
     let language = console.language;
-    let blocks = match finding {
-        Finding::Modes(found) => small::show::modes(found, language, false),
-        Finding::Structure(found) => structure::blocks(found, language, false),
-        Finding::Response(found) if found.trouble.is_none() => small::show::response(found, language, false),
-        _ => Vec::new(),
-    };
+    let blocks = results.below(&in_terminal(machine, console));
     // after a trouble only modes tell what they have
-    let silent = finding.trouble().is_some() && view.name != "modes";
+    let silent = results.trouble.is_some() && view.name != "modes";
     if !blocks.is_empty() && !silent {
         let document = Document {
             language,
             title: language.text(&machine.model.title).to_owned(),
             description: String::new(),
             blocks,
-            version: studies::VERSION.into(),
+            version: strutt::VERSION.into(),
             model_hash: machine.model_hash.clone(),
         };
         console.out(report::terminal::write(&document, console.width()))?;
     }
     match next {
-        "response" if finding.trouble().is_some() => {}
+        "response" if results.trouble.is_some() => {}
         "response" => console.next(&format!("strutt response {} --csv", quoted(view.file))),
         next => console.next(&format!("strutt {next} {}", quoted(view.file))),
     }
@@ -242,18 +224,18 @@ fn solution(machine: &Machine, finding: &Finding, (view, next): (&View, &str), c
 }
 
 /// CSV in pipes, a summary on terminals, unless said otherwise.
-fn table(finding: &Finding, view: &View, console: &Console) -> Result<(), Failure> {
-    let data = finding.data();
+fn table(results: &Results, view: &View, console: &Console) -> Result<(), Failure> {
+    let data = &results.data;
     if data.columns.is_empty() && console.shape != Shape::Json {
         return Ok(());
     }
     match console.shape {
-        Shape::Json => console.out(report::json::write(data, &own_fields(finding), console.language)),
+        Shape::Json => console.out(report::json::write(data, &results.fields(), console.language)),
         _ if view.events => console.out(report::csv::write_events(data, report::csv::Dialect::Plain, console.language)),
         Shape::Text if view.out.is_some() => Ok(()),
         _ if view.switches => console.out(report::csv::write(&data.with_switches(), report::csv::Dialect::Plain)),
         Shape::Text if console.terminal => {
-            let table = document::results(data, console.language);
+            let table = studies::results::tables::results(data, console.language);
             console.out(report::terminal::table(&table, console.language, console.width()))?;
             console.next(&format!("strutt simulate {} --csv > motion.csv", quoted(view.file)));
             Ok(())
@@ -263,16 +245,15 @@ fn table(finding: &Finding, view: &View, console: &Console) -> Result<(), Failur
 }
 
 /// The checks of the run, beside the data.
-fn tell_checks(finding: &Finding, console: &Console) {
+fn tell_checks(results: &Results, console: &Console) {
     let number = |x| report::number::short(x, 2, console.language);
-    let passed = finding.data().audits.iter().filter(|a| a.ok);
+    let passed = results.data.audits.iter().filter(|a| a.ok);
     let lines: Vec<String> = passed.map(|a| format!("✓ {}: {}", console.language.text(&a.name), number(a.value))).collect();
     if !lines.is_empty() {
         console.talk(&lines.join("\n"));
     }
 }
 
-fn is_nothing(finding: &Finding) -> bool {
-    let empty = |r: &studies::Results| r.facts.is_empty() && r.words.is_empty() && r.data.columns.is_empty() && r.claims.is_empty();
-    matches!(finding, Finding::Study(results) if results.trouble.is_some() && empty(results))
+fn is_nothing(results: &Results) -> bool {
+    results.trouble.is_some() && results.facts.is_empty() && results.words.is_empty() && results.data.columns.is_empty()
 }

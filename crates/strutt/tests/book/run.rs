@@ -8,7 +8,8 @@ use mechanics::asked::Asked;
 use mechanics::model::Times;
 use report::formula::{Form, Printer};
 use studies::Results;
-use studies::pipeline::{self, Finding, Machine, Phases};
+use studies::phases::Phases;
+use studies::pipeline::{self, Machine};
 use studies::{Failure, Source, Watch};
 use symbolic::SymbolId;
 use words::{Language, Notice};
@@ -45,12 +46,12 @@ pub fn check(trial: &Trial) -> Result<(), String> {
 /// The first study of a kind that the model itself asks for.
 fn study(machine: &mut Machine, kind: &str) -> Result<Outcome, String> {
     for study in machine.model.studies.clone() {
-        if let Some(Finding::Study(results)) = pipeline::study(machine, &study, &mut Watch::default())
+        if let Some(results) = pipeline::study(machine, &study, &mut Watch::default())
             && results.kind == kind
         {
             return Ok(match &results.trouble {
                 Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
-                None => Outcome::Study(results),
+                None => Outcome::Study(Box::new(results)),
             });
         }
     }
@@ -185,9 +186,9 @@ impl Command {
         match self.verb.as_str() {
             "simulate" => self.simulate(&mut machine, claims),
             "claims" => match studies::claims::run(&mut machine, &mut Watch::default()) {
-                Some(finding) => Ok(match finding.trouble() {
+                Some(results) => Ok(match &results.trouble {
                     Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
-                    None => Outcome::Fields { own: studies::fields::own_fields(&finding).into(), data: finding.data().clone() },
+                    None => Outcome::Fields { own: results.fields().into(), data: results.data },
                 }),
                 None => Err("the model has no claims".into()),
             },
@@ -229,10 +230,11 @@ impl Command {
             plots: Vec::new(),
         };
         let study = studies::transient::Transient { motion, linearise: self.linearise };
-        match studies::transient::closed_form(machine, &study, &mut Watch::default()) {
-            Finding::Transient(_, data, phases, None) => Ok(Outcome::Closed { times, data, phases }),
-            Finding::Transient(_, _, _, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
-            _ => Err("the closed form came back as something else".into()),
+        let (results, phases) = studies::transient::solved(machine, &study, &mut Watch::default());
+        let results = studies::results::finite::checked(results);
+        match &results.trouble {
+            None => Ok(Outcome::Closed { times, data: results.data, phases }),
+            Some(trouble) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
         }
     }
 
@@ -280,11 +282,11 @@ impl Command {
         };
         let asked = studies::of_file(machine, &[kind]).cloned().unwrap_or_else(|| Asked::new(kind));
         match pipeline::study(machine, &asked, &mut Watch::default()) {
-            Some(finding) => match finding.trouble() {
+            Some(results) => match &results.trouble {
                 Some(trouble) => Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() },
                 None => {
-                    let data = finding.data().clone();
-                    let mut own = studies::fields::own_fields(&finding);
+                    let data = results.data.clone();
+                    let mut own = results.fields();
                     let parameters: serde_json::Map<String, serde_json::Value> =
                         data.provenance.parameters.iter().map(|p| (p.quantity.name.clone(), p.value.into())).collect();
                     own.insert("parameters".into(), parameters.into());
@@ -302,10 +304,10 @@ impl Command {
             let coordinate = coordinate.ok_or_else(|| format!("no coordinate `{name}`"))?;
             guess.push((coordinate.symbols[0], quantity(value)?));
         }
-        match studies::equilibrium::places(machine, &guess, None, &mut Watch::default()) {
-            Finding::Equilibrium(data, None) => Ok(Outcome::Rest(data)),
-            Finding::Equilibrium(_, Some(trouble)) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
-            _ => Err("an equilibrium came back as something else".into()),
+        let results = studies::equilibrium::places(machine, &guess, None, &mut Watch::default());
+        match &results.trouble {
+            None => Ok(Outcome::Rest(results.data)),
+            Some(trouble) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
         }
     }
 }

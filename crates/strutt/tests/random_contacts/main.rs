@@ -14,7 +14,8 @@ mod stepping;
 use mechanics::asked::Value;
 use scene::Impacts;
 use stepping::End;
-use studies::pipeline::{self, Finding};
+use studies::Results;
+use studies::pipeline;
 use studies::simulate;
 use studies::{Source, Watch};
 
@@ -40,9 +41,7 @@ fn motion(scene: &scene::Scene) -> Result<(Vec<f64>, Vec<String>), String> {
     let source = Source::new("random.toml", &scene::write(scene));
     let mut machine = pipeline::build(&source, &[], &mut Watch::default()).map_err(|f| format!("{f:?}"))?;
     let study = simulate::with_values(&machine, &[("at", Value::Numbers(vec![scene.until]))]).map_err(|f| format!("{f:?}"))?;
-    let Finding::Motion(_, data, trouble) = simulate::motion(&mut machine, &study, &mut Watch::default()) else {
-        return Err("no motion".into());
-    };
+    let Results { data, trouble, .. } = simulate::motion(&mut machine, &study, &mut Watch::default());
     if let Some(trouble) = trouble {
         return Err(format!("{trouble:?}"));
     }

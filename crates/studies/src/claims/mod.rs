@@ -11,14 +11,16 @@ mod show;
 mod terms;
 mod values;
 
-pub use show::{table, to_json};
+use show::{Verdicts, to_json};
 
-use crate::pipeline::{Finding, Machine};
+use crate::pipeline::Machine;
 use crate::provenance;
+use crate::results::Body;
 use crate::watch::Watch;
 use crate::{Results, Rows};
 use analysis::{Dataset, Fault, Quantity, dataset::Column};
 use mechanics::model::ClaimKind;
+use std::sync::Arc;
 use words::Text;
 
 /// What came of a claim.
@@ -43,7 +45,7 @@ pub struct Verdict {
 }
 
 /// Lays every claim of the file against the machine; none when the file has none.
-pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Finding> {
+pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Results> {
     if machine.model.claims.is_empty() {
         return None;
     }
@@ -85,8 +87,8 @@ pub fn run(machine: &mut Machine, watch: &mut Watch) -> Option<Finding> {
     results.rows = Rows::Hidden;
     results.own.insert("claims".into(), to_json(&verdicts));
     results.words = verdicts.iter().filter(|v| !v.words.en.is_empty()).map(remark).collect();
-    results.claims = verdicts;
-    Some(Finding::Study(Box::new(results)))
+    results.body = Body::Own(Arc::new(Verdicts(verdicts)));
+    Some(results)
 }
 
 fn coded(fault: &Fault) -> Text {

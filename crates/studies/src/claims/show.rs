@@ -1,15 +1,32 @@
 //! The table of claims, and their JSON.
 
 use super::Verdict;
+use crate::results::{Results, Show, View, events};
 use report::table::Column;
-use report::{Cell, Table};
+use report::{Block, Cell, Table};
 use serde_json::{Value, json};
 use words::Language;
 
 const DIGITS: usize = 7;
 
+/// All claims of a file, told by a table.
+#[derive(Debug)]
+pub struct Verdicts(pub Vec<Verdict>);
+
+impl Show for Verdicts {
+    fn blocks(&self, results: &Results, view: &View) -> Vec<Block> {
+        let language = view.language;
+        let table = table(&self.0, language);
+        let table = if view.is_page() { table.with_caption(language.text(&results.heading)) } else { table };
+        let mut blocks: Vec<Block> = results.words.iter().map(|words| Block::paragraph(language.text(words))).collect();
+        blocks.push(Block::Table(table));
+        blocks.extend(events::notes(&results.data, language));
+        blocks
+    }
+}
+
 /// A row a claim: name and source, what is published, what strutt finds, the deviation, whether it holds.
-pub fn table(verdicts: &[Verdict], language: Language) -> Table {
+fn table(verdicts: &[Verdict], language: Language) -> Table {
     let heads = match language {
         Language::En => ["Claim", "Published", "Found", "Unit", "Deviation", "Verdict"],
         Language::Ru => ["Результат", "Опубликовано", "Найдено", "Ед.", "Расхождение", "Вывод"],

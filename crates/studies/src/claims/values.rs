@@ -73,10 +73,10 @@ fn rest(machine: &Machine, laid: &mut Laid, (resting, claims): (&[usize], &[Clai
     }
     let asked = crate::of_file(machine, &["equilibrium"]).cloned().unwrap_or_default();
     let finding = crate::equilibrium::places(&mut laid.machine, asked.guess(), Between::of(&asked), watch);
-    if let Some(trouble) = finding.trouble() {
+    if let Some(trouble) = &finding.trouble {
         return say(resting.iter().copied(), verdicts, &trouble.what);
     }
-    let rows = observed(laid, finding.data());
+    let rows = observed(laid, &finding.data);
     let places: Vec<Option<usize>> = resting.iter().map(|i| output(laid, &output_name(*i, 0))).collect();
     for (&i, place) in resting.iter().zip(places) {
         let ClaimKind::Value { published, .. } = claims[i].kind else { continue };
@@ -116,12 +116,11 @@ pub fn frequency(machine: &mut Machine, (mode, published): (usize, f64), verdict
     let asked = crate::of_file(machine, &["modes"]).cloned().unwrap_or_default();
     let finding = crate::modes::natural(machine, &Modes::of(&asked), watch);
     verdict.published = published;
-    if let Some(trouble) = finding.trouble() {
+    if let Some(trouble) = &finding.trouble {
         verdict.words = trouble.what.clone();
         return;
     }
-    let fields = crate::fields::own_fields(&finding);
-    let found = fields.get("modes").and_then(|m| m.get(mode - 1)).and_then(|m| m.get("omega")).and_then(serde_json::Value::as_f64);
+    let found = finding.own.get("modes").and_then(|m| m.get(mode - 1)).and_then(|m| m.get("omega")).and_then(serde_json::Value::as_f64);
     verdict.value = found.unwrap_or(f64::NAN);
     if found.is_none() {
         verdict.words = Text::new(format!("there is no mode {mode}"), format!("формы с номером {mode} нет"));

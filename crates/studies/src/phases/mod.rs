@@ -5,12 +5,38 @@ mod setting;
 pub mod steps;
 mod tables;
 
-use crate::pipeline::Phases;
+use crate::results::{Results, Show, View};
 use algebra::complex;
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Listed};
 use analysis::studies::transient::load::Term;
+use report::Block;
 use serde_json::{Map, Value, json};
+
+/// Phases of a motion, and the names of its state.
+#[derive(Clone, Debug)]
+pub struct Phases {
+    /// In order of time.
+    pub list: Vec<Phase>,
+    /// Coordinates, then rates.
+    pub names: Vec<String>,
+    /// Instants at which the loads begin anew.
+    pub restarts: Vec<f64>,
+}
+
+impl Phases {
+    /// Whether the loads begin anew at the start of a phase.
+    pub fn restarts(&self, phase: &Phase) -> bool {
+        self.restarts.iter().any(|t| (t - phase.start).abs() <= 1e-12 * t.abs())
+    }
+}
+
+impl Show for Phases {
+    /// The written solution phase by phase.
+    fn blocks(&self, _: &Results, view: &View) -> Vec<Block> {
+        steps::blocks(view.equations, self, view.language, view.width())
+    }
+}
 
 /// `[{start, end, phase, case, resonance, constants: {C1, C2, D, epsilon, k, n, h, ...}, state_at_start: {phi, phi'}, state_at_end}]`.
 ///

@@ -8,10 +8,10 @@
 //! The letters are those of the textbooks (A. A. Yablonskii, S. S. Noreiko, Course of the theory of vibrations); they belong to this section
 //! only and may differ from the user's.
 
+use super::Phases;
 use super::principal;
 use super::setting::{Setting, exponential, fence, fraction, minus, negative, plus, power, product, root, square, whole};
 use super::tables::state_table;
-use crate::pipeline::Phases;
 use algebra::complex;
 use analysis::studies::transient::Phase;
 use analysis::studies::transient::constants::{Clock, Forcing, Listed};

@@ -3,36 +3,29 @@
 use crate::modes::{Modes as Study, ParameterRange, Scale};
 use crate::pipeline::Machine;
 use crate::provenance;
+use crate::results::{Alone, Body, Results};
 use crate::small::equation::{self, FrequencyEquation};
 use crate::small::formulas::{self, Written};
 use crate::small::{Small, about_rest, about_start, timing_notes};
+use crate::wording::Word as Say;
 use analysis::dataset::{Column, Missing};
 use analysis::linear::Matrices;
 use analysis::rest::branch::Change;
 use analysis::studies::modes::{self, Damping, Kind, Modes, Normalisation};
 use analysis::studies::tracks::{self, Tracks};
 use analysis::{Dataset, Fault, Quantity};
+use mechanics::model::FrequencyVariable;
 use report::formula::{Form, Printer};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
-use words::{Language, Notice, Text};
-
-/// What the study found.
-#[derive(Clone, Debug)]
-pub struct ModesFound {
-    /// The study.
-    pub study: Study,
-    /// One row per mode; along a parameter one row per value.
-    pub data: Dataset,
-    /// What ended it early.
-    pub trouble: Option<Notice>,
-    /// Everything about the place; none when there is no equilibrium.
-    pub found: Option<Found>,
-}
+use std::sync::Arc;
+use words::{Language, Notice, Printed, Text};
 
 /// Modes at a place.
 #[derive(Clone, Debug)]
 pub struct Found {
+    /// The unknown of the frequency equation; ω² without it.
+    pub variable: Option<FrequencyVariable>,
     /// The linear machine and its place.
     pub small: Small,
     /// Numbers of M, B, C.
@@ -47,17 +40,31 @@ pub struct Found {
     pub tracks: Option<Tracks>,
 }
 
-/// Makes the study.
-pub fn find(machine: &Machine, study: &Study) -> ModesFound {
-    let small = if study.about_start { about_start(machine) } else { about_rest(machine, &study.guess) };
-    let result = small.and_then(|small| at(machine, study, small));
-    let (found, fault) = match result {
-        Ok(found) => (Some(found), None),
-        Err(fault) => (None, Some(fault)),
+/// Makes the study: one row per mode; along a parameter one row per value.
+pub fn find(machine: &Machine, study: &Study) -> Results {
+    let found = at_place(machine, study);
+    let data = found.as_ref().map_or_else(|_| Dataset { partial: true, ..Dataset::default() }, dataset);
+    let base = Results {
+        kind: "modes",
+        alone: Alone::Written { next: "run" },
+        heading: Say::Modes.text(),
+        own: to_json(found.as_ref().ok()),
+        data: provenance::stamp(data, &machine.equations, &machine.model_hash),
+        ..Results::default()
     };
-    let data = found.as_ref().map(dataset).unwrap_or_else(|| Dataset { partial: true, ..Dataset::default() });
-    let data = provenance::stamp(data, &machine.equations, &machine.model_hash);
-    ModesFound { study: study.clone(), data, trouble: fault.map(words::Notice::from), found }
+    match found {
+        Ok(found) => Results { body: Body::Own(Arc::new(found)), ..base },
+        Err(fault) => Results { trouble: Some(Notice::from(fault)), ..base },
+    }
+}
+
+/// The modes at the place that is meant.
+///
+/// # Errors
+/// No equilibrium is found, or formulas have no value there.
+pub fn at_place(machine: &Machine, study: &Study) -> Result<Found, Fault> {
+    let small = if study.about_start { about_start(machine) } else { about_rest(machine, &study.guess) };
+    small.and_then(|small| at(machine, study, small))
 }
 
 fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault> {
@@ -76,7 +83,7 @@ fn at(machine: &Machine, study: &Study, mut small: Small) -> Result<Found, Fault
         Some(sweep) => Some(along(&mut small, sweep)?),
         None => None,
     };
-    Ok(Found { small, matrices, modes, written, equation: equation.map(|e| e.0), tracks })
+    Ok(Found { variable: study.variable.clone(), small, matrices, modes, written, equation: equation.map(|e| e.0), tracks })
 }
 
 fn along(small: &mut Small, sweep: &ParameterRange) -> Result<Tracks, Fault> {
@@ -200,10 +207,10 @@ pub fn stability(modes: &Modes) -> Option<bool> {
 }
 
 /// The fields of the study in JSON.
-pub fn to_json(found: &ModesFound) -> Map<String, Value> {
+fn to_json(found: Option<&Found>) -> Map<String, Value> {
     let mut own = Map::new();
     own.insert("study".into(), json!("modes"));
-    let Some(f) = &found.found else {
+    let Some(f) = found else {
         own.insert("modes".into(), json!([]));
         return own;
     };

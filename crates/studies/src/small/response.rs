@@ -4,9 +4,11 @@ use crate::pipeline::Machine;
 use crate::plan;
 use crate::provenance;
 use crate::response::Response as Study;
+use crate::results::{Alone, Body, Results};
 use crate::small::load::{self, Meant};
 use crate::small::strands::{self, Slack};
 use crate::small::{Small, about_rest, timing_notes};
+use crate::wording::Word as Say;
 use analysis::System;
 use analysis::dataset::Audit;
 use analysis::dataset::{Column, Missing};
@@ -22,9 +24,10 @@ use analysis::studies::tracks::{Tracks, tracks};
 use analysis::{Dataset, Fault, Quantity};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 use symbolic::equations::{Applied, Role};
 use symbolic::{Equations, Expr, SymbolId};
-use words::{Notice, Text};
+use words::{Notice, Printed, Text};
 
 /// Frequencies of an automatic grid.
 const POINTS: usize = 401;
@@ -54,10 +57,6 @@ pub struct Order {
 pub struct ResponseFound {
     /// The study.
     pub study: Study,
-    /// A column for the frequency and five for each output.
-    pub data: Dataset,
-    /// What ended it early.
-    pub trouble: Option<Notice>,
     /// Names of the outputs.
     pub outputs: Vec<Quantity>,
     /// Peaks of each output.
@@ -92,12 +91,10 @@ pub struct ResponseFound {
     pub load: Text,
 }
 
-/// Makes the study.
-pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
+/// Makes the study: a column for the frequency and five for each output.
+pub fn find(machine: &Machine, study: &Study) -> Results {
     let mut out = ResponseFound {
         study: study.clone(),
-        data: Dataset::default(),
-        trouble: None,
         outputs: Vec::new(),
         resonances: Vec::new(),
         antiresonances: Vec::new(),
@@ -119,12 +116,19 @@ pub fn find(machine: &Machine, study: &Study) -> ResponseFound {
         true => Err(analysis::fault::nothing_moves()),
         false => about_rest(machine, &study.guess),
     };
-    if let Err(fault) = small.and_then(|small| sweep(machine, study, small, &mut out)) {
-        out.data.partial = true;
-        out.trouble = Some(Notice::from(fault));
+    let mut data = Dataset::default();
+    let trouble = small.and_then(|small| sweep(machine, study, small, (&mut out, &mut data))).err().map(Notice::from);
+    data.partial |= trouble.is_some();
+    Results {
+        kind: "response",
+        alone: Alone::Written { next: "response" },
+        heading: Say::Response.text(),
+        own: to_json(&out),
+        data: provenance::stamp(data, &machine.equations, &machine.model_hash),
+        trouble,
+        body: Body::Own(Arc::new(out)),
+        ..Results::default()
     }
-    out.data = provenance::stamp(out.data, &machine.equations, &machine.model_hash);
-    out
 }
 
 /// Share of the highest kept frequency of a frame up to which its other shapes follow statically within a fraction of their static part,
@@ -141,7 +145,7 @@ fn beyond(machine: &Machine, top: f64) -> Option<Audit> {
     Some(Audit::at_most("frame_modes", name, top / kept, STATIC))
 }
 
-fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseFound) -> Result<(), Fault> {
+fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut ResponseFound, &mut Dataset)) -> Result<(), Fault> {
     let names = small.machine.coordinates().to_vec();
     let matrices = small.machine.at(&small.place)?;
     if small.machine.timing().driven {
@@ -189,34 +193,34 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
             curved = forced.curved(point)?;
         }
     }
-    out.data = Dataset { axis: Some(0), columns: columns(&omegas, &points, &quantities), notes, ..Dataset::default() };
+    *data = Dataset { axis: Some(0), columns: columns(&omegas, &points, &quantities), notes, ..Dataset::default() };
     each_order(&mut forced, &found, &omegas, (own, quantities.len()), out)?;
     forced.choose(main);
-    together(&mut forced, &omegas, own, &quantities, out)?;
+    together(&mut forced, &omegas, own, &quantities, (out, data))?;
     if let Some(value) = own_value {
         forced.restore(value)?;
     }
     let from_sine = forced.from_sine();
     let branch = forced.branch().cloned();
     let places: Vec<Option<Vec<f64>>> = points.iter().map(|p| Some(p.place.clone())).collect();
-    changes::add_columns(&mut out.data, &places, &names);
+    changes::add_columns(data, &places, &names);
     if let Some(branch) = &branch {
         out.changes = branch.changes();
-        out.data.notes.extend(changes::notes(branch, &parameters[branch.parameter()], &names));
+        data.notes.extend(changes::notes(branch, &parameters[branch.parameter()], &names));
     }
-    out.data.notes.extend(cut(asked.len(), &omegas));
-    out.data.notes.extend(found.notes.iter().cloned());
-    out.data.notes.push(reference(from_sine, !out.orders.is_empty()));
-    out.data.notes.extend(doubtful(doubt));
-    out.data.notes.extend(left_out(&forced.left_out));
-    out.data.notes.extend(limit);
+    data.notes.extend(cut(asked.len(), &omegas));
+    data.notes.extend(found.notes.iter().cloned());
+    data.notes.push(reference(from_sine, !out.orders.is_empty()));
+    data.notes.extend(doubtful(doubt));
+    data.notes.extend(left_out(&forced.left_out));
+    data.notes.extend(limit);
     let top = omegas.iter().chain(&own).copied().fold(0.0, f64::max);
-    out.data.audits.extend(beyond(machine, out.main * top));
-    out.data.notes.extend(curved.iter().map(|(k, share)| not_straight(&quantities[*k].name, *share)));
-    out.data.notes.extend(not_shown(study, &machine.equations));
-    quantities.iter().for_each(|q| state(&mut out.data, &q.name));
+    data.audits.extend(beyond(machine, out.main * top));
+    data.notes.extend(curved.iter().map(|(k, share)| not_straight(&quantities[*k].name, *share)));
+    data.notes.extend(not_shown(study, &machine.equations));
+    quantities.iter().for_each(|q| state(data, &q.name));
     if let Some(mut branch) = branch {
-        out.data.notes.extend(growing(&mut small, &mut branch, &omegas)?);
+        data.notes.extend(growing(&mut small, &mut branch, &omegas)?);
     }
     let peaks = out.resonances.iter().zip(&out.resonance_orders).map(|(r, order)| r.omega / order);
     let natural = found.modes.iter().map(|m| m.omega / out.main);
@@ -226,7 +230,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, out: &mut ResponseF
     let pushes: Vec<(Push, Expr)> = pushes.map(|push| (push.clone(), machine.equations.outputs[push.output].formula)).collect();
     let rest = (&small.place, small.starts.as_slice());
     out.slack = strands::slack(&mut small.machine, rest, &pushes, load, ([omegas[0], omegas[omegas.len() - 1]], &places))?;
-    out.data.notes.extend(out.slack.iter().map(|slack| slack.remark.clone()));
+    data.notes.extend(out.slack.iter().map(|slack| slack.remark.clone()));
     out.coordinates = names;
     out.outputs = quantities;
     out.modes = Some(found);
@@ -385,21 +389,27 @@ fn each_order(
 }
 
 /// All orders together: columns of their amplitudes and of the largest value, the motion over a period at the frequency of the file.
-fn together(forced: &mut Forced, omegas: &[f64], own: Option<f64>, quantities: &[Quantity], out: &mut ResponseFound) -> Result<(), Fault> {
+fn together(
+    forced: &mut Forced,
+    omegas: &[f64],
+    own: Option<f64>,
+    quantities: &[Quantity],
+    (out, data): (&mut ResponseFound, &mut Dataset),
+) -> Result<(), Fault> {
     out.superposed = own.map(|w| superposition::superpose(forced, w, Care::Number)).transpose()?.flatten();
     if let Some(superposed) = out.superposed.as_ref().filter(|s| s.residual.is_finite()) {
         let name = Text::new(
             "response: residual of the equations of motion over a period",
             "вынужденные колебания: невязка уравнений движения за период",
         );
-        out.data.audits.push(Audit::at_most("superposition", name, superposed.residual, RESIDUAL));
+        data.audits.push(Audit::at_most("superposition", name, superposed.residual, RESIDUAL));
     }
     if out.orders.is_empty() {
         return Ok(());
     }
     let list: Vec<f64> = out.orders.iter().map(|o| o.order).collect();
     if superposition::common(&list).is_none() {
-        out.data.notes.push(Text::new(
+        data.notes.push(Text::new(
             "the frequencies of the loads have no common period: each has its own amplitudes, and there is no largest value over a period",
             "частоты нагрузок несоизмеримы, общего периода нет: для каждой даны свои амплитуды, наибольшего значения за период не существует",
         ));
@@ -411,14 +421,14 @@ fn together(forced: &mut Forced, omegas: &[f64], own: Option<f64>, quantities: &
             let values = order.points.iter().map(|p| magnitude(p.outputs[k])).collect();
             let name = order_name(order.order);
             let label = Text::new(format!("amplitude of {} at the order {name}", q.name), format!("амплитуда {} порядка {name}", q.name));
-            out.data.columns.push(own_column(q, &format!("amplitude_{name}"), label, values));
+            data.columns.push(own_column(q, &format!("amplitude_{name}"), label, values));
         }
         let largest = curves.iter().map(|s| s.as_ref().map_or(f64::NAN, |s| s.outputs[k].largest.0)).collect();
         let label = Text::new(
             format!("largest distance of {} from its mean over a period", q.name),
             format!("наибольшее за период отклонение {} от среднего", q.name),
         );
-        out.data.columns.push(own_column(q, "largest", label, largest));
+        data.columns.push(own_column(q, "largest", label, largest));
     }
     Ok(())
 }
@@ -722,7 +732,7 @@ fn state(data: &mut Dataset, output: &str) {
 }
 
 /// The fields of the study in JSON.
-pub fn to_json(found: &ResponseFound) -> Map<String, Value> {
+fn to_json(found: &ResponseFound) -> Map<String, Value> {
     let mut own = Map::new();
     own.insert("study".into(), json!("response"));
     own.insert("load".into(), json!(found.load.en));

@@ -1,10 +1,12 @@
 //! Modes and responses as tables, figures and sentences.
 
-use crate::small::modes::{Found, ModesFound, columns};
+use crate::results::{Results, Show, View};
+use crate::small::modes::{Found, columns};
 use crate::small::response::ResponseFound;
 use analysis::Dataset;
 use report::document::Rich;
 use report::figure::{Axis, Kind, Mark, Pen, Series};
+use report::formula::Printer;
 use report::table::Column;
 use report::unit::Scale;
 use report::{Block, Cell, Figure, Table, Word};
@@ -52,7 +54,7 @@ fn cells(name: &str, values: &[f64], language: Language) -> Vec<Cell> {
 }
 
 /// The equilibrium about which the motions are small, in one line.
-pub fn place(found: &Found, language: Language) -> String {
+fn place(found: &Found, language: Language) -> String {
     place_of(found.small.machine.coordinates(), &found.small.place.q, language)
 }
 
@@ -66,15 +68,36 @@ fn place_of(coordinates: &[analysis::Quantity], q: &[f64], language: Language) -
     format!("{}: {}", language.word(Word::Equilibrium), list.join(", "))
 }
 
+impl Show for Found {
+    fn blocks(&self, results: &Results, view: &View) -> Vec<Block> {
+        modes(self, &results.data, view)
+    }
+
+    fn figures(&self, results: &Results, language: Language) -> Vec<Figure> {
+        let orders = self.tracks.as_ref().map_or(&[][..], |t| &t.orders);
+        campbell(&results.data, orders, language).into_iter().collect()
+    }
+}
+
+impl Show for ResponseFound {
+    fn blocks(&self, results: &Results, view: &View) -> Vec<Block> {
+        response(self, results, view)
+    }
+
+    fn figures(&self, results: &Results, language: Language) -> Vec<Figure> {
+        response_figures(self, &results.data, language)
+    }
+}
+
 /// Everything about modes.
-pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
-    let Some(f) = &found.found else { return Vec::new() };
+fn modes(f: &Found, data: &Dataset, view: &View) -> Vec<Block> {
+    let language = view.language;
     let mut blocks = vec![Block::paragraph(place(f, language))];
     if let Some(written) = &f.written {
         let words =
             language.pick("Equations of small motions about it, in deviations:", "Уравнения малых движений около него, в отклонениях:");
         blocks.push(Block::paragraph(words));
-        let printer = crate::document::printer(f.small.machine.equations(), language, 90);
+        let printer = Printer::of(f.small.machine.equations(), language).with_width(90);
         for (i, equality) in written.equations.iter().enumerate() {
             let formula = printer.block(printer.equality_layout(&written.graph, *equality, Some(i)));
             blocks.push(Block::Equation { formula, numbered: false });
@@ -85,7 +108,7 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
     blocks.push(Block::paragraph(legend(&shown, language)));
     if let Some(equation) = &f.equation {
         let of = language.pick("Frequency equation", "Частотное уравнение");
-        let meaning = match &found.study.variable {
+        let meaning = match &f.variable {
             Some(_) => String::new(),
             None => ", z = ω²".to_owned(),
         };
@@ -113,13 +136,11 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
             );
             blocks.push(Block::paragraph(words));
         }
-        if page {
-            blocks.extend(campbell(&found.data, &tracks.orders, language).map(Block::Figure));
+        if view.is_page() {
+            blocks.extend(campbell(data, &tracks.orders, language).map(Block::Figure));
         }
     }
-    for note in &found.data.notes {
-        blocks.push(Block::paragraph(language.text(note)));
-    }
+    blocks.extend(crate::results::events::notes(data, language));
     blocks
 }
 
@@ -150,7 +171,7 @@ pub fn legend(columns: &[analysis::dataset::Column], language: Language) -> Stri
 }
 
 /// Frequencies over the parameter, with damping where there is any, and the lines ω = k Ω of the orders of a speed.
-pub fn campbell(data: &Dataset, orders: &[f64], language: Language) -> Option<Figure> {
+fn campbell(data: &Dataset, orders: &[f64], language: Language) -> Option<Figure> {
     let of = |stem: &str| -> Vec<&str> {
         let numbered = |n: &&str| n.strip_prefix(stem).is_some_and(|rest| rest.parse::<usize>().is_ok());
         data.columns.iter().skip(1).map(|c| c.quantity.name.as_str()).filter(numbered).collect()
@@ -188,7 +209,8 @@ fn thinned(data: &Dataset) -> Vec<analysis::dataset::Column> {
 }
 
 /// Everything about a response.
-pub fn response(found: &ResponseFound, language: Language, page: bool) -> Vec<Block> {
+fn response(found: &ResponseFound, results: &Results, view: &View) -> Vec<Block> {
+    let language = view.language;
     let mut blocks = vec![Block::paragraph(format!("{}: {}", language.pick("Load", "Нагрузка"), language.text(&found.load)))];
     if let Some(own) = &found.own {
         if own.place.len() <= SHORT && own.place.iter().any(|q| *q != 0.0) {
@@ -207,7 +229,7 @@ pub fn response(found: &ResponseFound, language: Language, page: bool) -> Vec<Bl
     }
     if !found.resonances.is_empty() {
         blocks.push(Block::Table(resonances(found, language)));
-    } else if found.trouble.is_none() {
+    } else if results.trouble.is_none() {
         let none = language.pick(
             "No resonance: no amplitude has a largest value in the range.",
             "Резонансов нет: ни одна амплитуда не имеет максимума в диапазоне.",
@@ -217,11 +239,9 @@ pub fn response(found: &ResponseFound, language: Language, page: bool) -> Vec<Bl
     if !found.antiresonances.is_empty() {
         blocks.push(Block::Table(antiresonances(found, language)));
     }
-    for note in &found.data.notes {
-        blocks.push(Block::paragraph(language.text(note)));
-    }
-    if page {
-        blocks.extend(response_figures(found, language).into_iter().map(Block::Figure));
+    blocks.extend(crate::results::events::notes(&results.data, language));
+    if view.is_page() {
+        blocks.extend(response_figures(found, &results.data, language).into_iter().map(Block::Figure));
     }
     blocks
 }
@@ -361,10 +381,10 @@ fn antiresonances(found: &ResponseFound, language: Language) -> Table {
 }
 
 /// Amplitudes, phases and Nyquist's curve.
-pub fn response_figures(found: &ResponseFound, language: Language) -> Vec<Figure> {
+fn response_figures(found: &ResponseFound, data: &Dataset, language: Language) -> Vec<Figure> {
     let mut figures = Vec::new();
     for (i, group) in by_unit(&found.outputs).iter().enumerate() {
-        let Some(mut figure) = over_frequency(found, group, "amplitude", language) else { continue };
+        let Some(mut figure) = over_frequency((found, data), group, "amplitude", language) else { continue };
         figure.name = if i == 0 { "response-amplitude".into() } else { format!("response-amplitude-{}", i + 1) };
         figure.y.log = found.study.log;
         figure.y.symbols = vec![language.pick("amplitude", "амплитуда").into()];
@@ -372,13 +392,13 @@ pub fn response_figures(found: &ResponseFound, language: Language) -> Vec<Figure
         figures.push(figure);
     }
     let all: Vec<&analysis::Quantity> = found.outputs.iter().collect();
-    if let Some(mut figure) = over_frequency(found, &all, "phase", language) {
+    if let Some(mut figure) = over_frequency((found, data), &all, "phase", language) {
         figure.name = "response-phase".into();
         figure.y.log = false;
         figure.y.symbols = vec![language.pick("phase", "фаза").into()];
         figures.push(figure);
     }
-    figures.extend(nyquist(found, language));
+    figures.extend(nyquist(found, data, language));
     figures
 }
 
@@ -395,10 +415,15 @@ fn by_unit(outputs: &[analysis::Quantity]) -> Vec<Vec<&analysis::Quantity>> {
 }
 
 /// Columns of outputs over the frequency, called by the outputs; the axis says what is drawn of them.
-fn over_frequency(found: &ResponseFound, outputs: &[&analysis::Quantity], tail: &str, language: Language) -> Option<Figure> {
+fn over_frequency(
+    (found, data): (&ResponseFound, &Dataset),
+    outputs: &[&analysis::Quantity],
+    tail: &str,
+    language: Language,
+) -> Option<Figure> {
     let names: Vec<String> = outputs.iter().map(|q| format!("{}_{tail}", q.name)).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let mut figure = Figure::over_axis(&found.data, &names, language)?;
+    let mut figure = Figure::over_axis(data, &names, language)?;
     figure.title = match tail {
         "phase" => language.pick("Phases", "Фазы"),
         _ => language.pick("Amplitudes", "Амплитуды"),
@@ -427,8 +452,7 @@ fn resonance_marks(found: &ResponseFound, outputs: &[&analysis::Quantity], langu
     marks
 }
 
-fn nyquist(found: &ResponseFound, language: Language) -> Option<Figure> {
-    let data = &found.data;
+fn nyquist(found: &ResponseFound, data: &Dataset, language: Language) -> Option<Figure> {
     let column = |q: &analysis::Quantity, tail: &str| data.column(&format!("{}_{tail}", q.name)).map(|c| c.values.clone());
     let series: Vec<Series> = found
         .outputs

@@ -10,28 +10,17 @@ pub mod rayleigh;
 pub mod show;
 pub mod statics;
 
-use crate::finite::checked;
-use crate::pipeline::{Finding, Machine};
+use crate::pipeline::Machine;
 use crate::provenance;
+use crate::results::finite::checked;
+use crate::results::{Alone, Body, Results, Show, View};
 use analysis::Dataset;
 use mechanics::Model;
 use mechanics::structure::Structure;
 use report::{Block, Figure};
 use serde_json::{Map, Value, json};
-use words::{Language, Notice};
-
-/// What a study of a structure found.
-#[derive(Clone, Debug)]
-pub struct StructureFound {
-    /// Kind of the study, as files call it.
-    pub study: &'static str,
-    /// The numbers.
-    pub data: Dataset,
-    /// What ended it.
-    pub trouble: Option<Notice>,
-    /// Everything else; none after a trouble.
-    pub result: Option<Outcome>,
-}
+use std::sync::Arc;
+use words::{Language, Notice, Text};
 
 /// The result of a study.
 #[derive(Clone, Debug)]
@@ -48,7 +37,7 @@ pub fn of(model: &Model) -> Option<&Structure> {
 }
 
 /// Natural oscillations of the structure; none when the model has none.
-pub fn modes(machine: &Machine, study: &crate::modes::Modes) -> Option<Finding> {
+pub fn modes(machine: &Machine, study: &crate::modes::Modes) -> Option<Results> {
     // with bodies on it the frame is part of the machine
     let structure = of(&machine.model).filter(|_| mount::is_bare(&machine.model))?;
     let found = match ignored(study) {
@@ -81,18 +70,25 @@ fn one_value(key: &str) -> Notice {
 }
 
 /// Statics of the structure; none when the model has none.
-pub fn statics(machine: &Machine) -> Option<Finding> {
+pub fn statics(machine: &Machine) -> Option<Results> {
     let structure = of(&machine.model)?;
     Some(finding(machine, "statics", statics::find(machine, structure).map(|found| Outcome::Statics(Box::new(found)))))
 }
 
-fn finding(machine: &Machine, study: &'static str, outcome: Result<Outcome, Box<Notice>>) -> Finding {
-    let (data, trouble, result) = match outcome {
-        Ok(outcome) => (outcome.data().clone(), None, Some(outcome)),
-        Err(trouble) => (Dataset { partial: true, ..Dataset::default() }, Some(*trouble), None),
+fn finding(machine: &Machine, study: &'static str, outcome: Result<Outcome, Box<Notice>>) -> Results {
+    let data = outcome.as_ref().map_or_else(|_| Dataset { partial: true, ..Dataset::default() }, |outcome| outcome.data().clone());
+    let base = Results {
+        kind: study,
+        alone: Alone::Written { next: "run" },
+        heading: heading(study),
+        own: fields(study, outcome.as_ref().ok()),
+        data: provenance::stamp(data, &machine.equations, &machine.model_hash),
+        ..Results::default()
     };
-    let data = provenance::stamp(data, &machine.equations, &machine.model_hash);
-    checked(Finding::Structure(Box::new(StructureFound { study, data, trouble, result })))
+    checked(match outcome {
+        Ok(outcome) => Results { body: Body::Own(Arc::new(outcome)), ..base },
+        Err(trouble) => Results { trouble: Some(*trouble), ..base },
+    })
 }
 
 impl Outcome {
@@ -105,43 +101,41 @@ impl Outcome {
 }
 
 /// The study's own fields of JSON.
-pub fn fields(found: &StructureFound) -> Map<String, Value> {
-    let mut own = match &found.result {
+fn fields(study: &'static str, outcome: Option<&Outcome>) -> Map<String, Value> {
+    let mut own = match outcome {
         Some(Outcome::Modes(found)) => modes::fields(found),
         Some(Outcome::Statics(found)) => statics::fields(found),
         None => Map::new(),
     };
-    own.insert("study".into(), json!(found.study));
-    if found.study == "modes" {
+    own.insert("study".into(), json!(study));
+    if study == "modes" {
         own.entry("modes").or_insert_with(|| json!([]));
     }
     own
 }
 
-/// The written calculation.
-pub fn blocks(found: &StructureFound, language: Language, page: bool) -> Vec<Block> {
-    let mut blocks = match &found.result {
-        Some(Outcome::Modes(found)) => show::modes(found, language, page),
-        Some(Outcome::Statics(found)) => show::statics(found, language, page),
-        None => Vec::new(),
-    };
-    blocks.extend(found.data.notes.iter().map(|note| Block::paragraph(language.text(note))));
-    blocks
-}
+impl Show for Outcome {
+    fn blocks(&self, results: &Results, view: &View) -> Vec<Block> {
+        let mut blocks = match self {
+            Outcome::Modes(found) => show::modes(found, view),
+            Outcome::Statics(found) => show::statics(found, view),
+        };
+        blocks.extend(crate::results::events::notes(&results.data, view.language));
+        blocks
+    }
 
-/// What the study is called.
-pub fn heading(found: &StructureFound, language: Language) -> &'static str {
-    match found.study {
-        "statics" => language.pick("Statics", "Статика"),
-        _ => language.pick("Natural oscillations", "Собственные колебания"),
+    fn figures(&self, _: &Results, language: Language) -> Vec<Figure> {
+        match self {
+            Outcome::Modes(found) => drawing::modes(found, language),
+            Outcome::Statics(found) => drawing::statics(found, language),
+        }
     }
 }
 
-/// Drawings.
-pub fn figures(found: &StructureFound, language: Language) -> Vec<Figure> {
-    match &found.result {
-        Some(Outcome::Modes(found)) => drawing::modes(found, language),
-        Some(Outcome::Statics(found)) => drawing::statics(found, language),
-        None => Vec::new(),
+/// What the study is called.
+fn heading(study: &str) -> Text {
+    match study {
+        "statics" => Text::new("Statics", "Статика"),
+        _ => Text::new("Natural oscillations", "Собственные колебания"),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::modes::Found as ModesFound;
 use super::statics::Found as StaticsFound;
+use crate::results::View;
 use crate::small::show::plain_table;
 use analysis::studies::structure_statics::Flexibility;
 use report::document::Rich;
@@ -22,7 +23,8 @@ fn number(v: f64, language: Language) -> String {
 }
 
 /// Everything about natural oscillations.
-pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
+pub fn modes(found: &ModesFound, view: &View) -> Vec<Block> {
+    let language = view.language;
     let r = &found.result;
     let mut blocks = Vec::new();
     if let Some(reduced) = &r.reduced {
@@ -37,7 +39,7 @@ pub fn modes(found: &ModesFound, language: Language, page: bool) -> Vec<Block> {
     }
     blocks.extend(reductions(found, language));
     blocks.extend(levels(found, language));
-    if page {
+    if view.is_page() {
         blocks.extend(super::drawing::modes(found, language).into_iter().map(Block::Figure));
     }
     blocks
@@ -118,7 +120,8 @@ fn fraction(v: &symbolic::Rational) -> String {
 }
 
 /// Everything about statics.
-pub fn statics(found: &StaticsFound, language: Language, page: bool) -> Vec<Block> {
+pub fn statics(found: &StaticsFound, view: &View) -> Vec<Block> {
+    let language = view.language;
     let r = &found.result;
     let standing = &r.standing;
     let words = language.pick(
@@ -153,7 +156,7 @@ pub fn statics(found: &StaticsFound, language: Language, page: bool) -> Vec<Bloc
     } else if let Some(f) = &r.flexibility {
         blocks.extend(flexibility(f, &names, [&rods, &springs(&r.frame, &f.springs, language)], &|v| number(*v, language), language));
     }
-    if page {
+    if view.is_page() {
         blocks.extend(super::drawing::statics(found, language).into_iter().map(Block::Figure));
     }
     blocks

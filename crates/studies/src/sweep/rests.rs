@@ -56,7 +56,7 @@ fn remark(machine: &mut Machine, repeated: &Repeated<'_>, parameter: &Quantity, 
             break;
         }
         let finding = one((machine, &mut 0), repeated, &[(parameter.name.clone(), middle)], &mut None, &mut Watch::default());
-        let there = finding.ok().and_then(|f| stands(machine, f.data()));
+        let there = finding.ok().and_then(|f| stands(machine, &f.data));
         if there == low.1 { low.0 = middle } else { high = (middle, there) }
     }
     // a contact that is about to close presses by less than rounding still

@@ -4,35 +4,29 @@
 //! its words. Whatever else is not finite overflowed on the way, and the study fails with S077. Least and greatest values that leave out a row belong to
 //! another quantity: S083.
 
-use crate::Results;
-use crate::pipeline::Finding;
+use super::Results;
 use analysis::Dataset;
 use words::Notice;
 
-/// The finding as it may leave: with a trouble where a number has no value and nobody says why.
-pub fn checked(mut finding: Finding) -> Finding {
-    if finding.trouble().is_some() {
-        return finding;
+/// The results as they may leave: with a trouble where a number has no value and nobody says why.
+pub fn checked(mut results: Results) -> Results {
+    if results.trouble.is_some() {
+        return results;
     }
-    if let Some(name) = finding.data().outside_extremes() {
+    if let Some(name) = results.data.outside_extremes() {
         let trouble = Notice::from(analysis::fault::outside_extremes(name));
-        finding.fail(trouble);
-        return finding;
+        results.fail(trouble);
+        return results;
     }
-    if let Some(name) = unexplained(&finding) {
-        let trouble = Notice::from(analysis::fault::no_value(&name));
-        finding.fail(trouble);
+    if let Some(name) = unexplained(&results) {
+        results.fail(Notice::from(analysis::fault::no_value(&name)));
     }
-    finding
+    results
 }
 
 /// Name of a number that is infinite or undefined without a word.
-pub fn unexplained(finding: &Finding) -> Option<String> {
-    let fact = match finding {
-        Finding::Study(results) => of_facts(results),
-        _ => None,
-    };
-    fact.or_else(|| of_data(finding.data()))
+fn unexplained(results: &Results) -> Option<String> {
+    of_facts(results).or_else(|| of_data(&results.data))
 }
 
 fn of_facts(results: &Results) -> Option<String> {

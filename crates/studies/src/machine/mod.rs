@@ -1,0 +1,3 @@
+//! The machine of a file.
+
+pub mod origin;
