@@ -278,6 +278,24 @@ impl Dataset {
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|c| c.quantity.name == name)
     }
+    /// Names of the columns, each once: a later column with the name of an earlier one is `f.1`, the next `f.2` (a coordinate `f` beside the frequency).
+    pub fn names(&self) -> Vec<String> {
+        let mut names: Vec<String> = Vec::with_capacity(self.columns.len());
+        let own: std::collections::HashSet<&str> = self.columns.iter().map(|c| c.quantity.name.as_str()).collect();
+        let mut seen = std::collections::HashMap::new();
+        for column in &self.columns {
+            let name = column.quantity.name.as_str();
+            let count: &mut usize = seen.entry(name).or_default();
+            let mut distinct = if *count == 0 { name.to_owned() } else { format!("{name}.{count}") };
+            while *count > 0 && own.contains(distinct.as_str()) {
+                *count += 1;
+                distinct = format!("{name}.{count}");
+            }
+            *count += 1;
+            names.push(distinct);
+        }
+        names
+    }
     /// Value of a counter.
     pub fn counter(&self, key: &str) -> Option<f64> {
         self.counters.iter().find(|c| c.key == key).map(|c| c.value)

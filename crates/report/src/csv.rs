@@ -29,11 +29,11 @@ pub fn write(data: &Dataset, dialect: Dialect) -> Vec<u8> {
             b';'
         }
     };
-    for (i, column) in data.columns.iter().enumerate() {
+    for (i, (column, name)) in data.columns.iter().zip(data.names()).enumerate() {
         if i > 0 {
             out.push(separator);
         }
-        push_cell(&mut out, &format!("{} [{}]", column.quantity.name, column.quantity.unit), separator);
+        push_cell(&mut out, &format!("{name} [{}]", column.quantity.unit), separator);
     }
     out.push(b'\n');
     for i_row in 0..n_rows {

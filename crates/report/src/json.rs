@@ -14,7 +14,7 @@
 //! ```
 //!
 //! Numbers are SI, in the shortest form that reads back as the same `f64`. JSON has no form for infinities and not-a-number: they are
-//! `null`, and `stated` says what they mean: `[{"name": "x_phase", "missing": "absent", "words": "..."}]` ("unbounded" for infinities). Columns and parameters are objects in the order of the study; of two columns with one name a reader sees the later.
+//! `null`, and `stated` says what they mean: `[{"name": "x_phase", "missing": "absent", "words": "..."}]` ("unbounded" for infinities). Columns and parameters are objects in the order of the study; a later column with the name of an earlier one is `f.1`.
 
 use analysis::Dataset;
 use analysis::dataset::{Digits, Event, Extreme, Held, Impulse, Stated};
@@ -34,9 +34,9 @@ pub fn write(data: &Dataset, extra: &Map<String, Value>, language: Language) -> 
     // open the object again: the columns are written without an intermediate tree
     out.pop();
     out.extend_from_slice(b",\"columns\":{");
-    for (i, column) in data.columns.iter().enumerate() {
+    for (i, (column, name)) in data.columns.iter().zip(data.names()).enumerate() {
         out.extend_from_slice(if i > 0 { b",\n" } else { b"\n" });
-        push(&mut out, &column.quantity.name);
+        push(&mut out, &name);
         out.extend_from_slice(b":{\"unit\":");
         push(&mut out, &column.quantity.unit);
         out.extend_from_slice(b",\"values\":");
@@ -204,5 +204,15 @@ mod tests {
     fn an_empty_dataset_is_valid_json() {
         let value: Value = serde_json::from_slice(&write(&Dataset::default(), &Map::new(), Language::En)).unwrap();
         assert!(value["columns"].as_object().unwrap().is_empty());
+    }
+
+    #[test]
+    fn columns_of_one_name_are_told_apart() {
+        let column = |name: &str, unit: &str| Column { quantity: Quantity::new(name, unit), values: vec![1.0] };
+        let names = ["f", "f", "f.1", "f"];
+        let data = Dataset { columns: names.iter().map(|n| column(n, "Hz")).collect(), ..Dataset::default() };
+        assert_eq!(data.names(), ["f", "f.2", "f.1", "f.3"]);
+        let read: Value = serde_json::from_slice(&write(&data, &Map::new(), Language::En)).unwrap();
+        assert_eq!(read["columns"].as_object().unwrap().len(), names.len());
     }
 }

@@ -28,6 +28,8 @@ use super::{LinearMachine, Place, Seen};
 use crate::Fault;
 use algebra::qr::{DEPENDENT, Qr};
 
+/// Entries of the rows below this many bounds of their rounding are zero.
+const SURE: f64 = 16.0;
 /// What excites, where it is not everything in the equations.
 #[derive(Clone, Debug, Default)]
 pub struct LoadParts {
@@ -285,7 +287,11 @@ impl LinearMachine {
         };
         let mut matrix = vec![0.0; prepared.rows * k];
         for (row, column) in &prepared.entries {
-            matrix[row * k + column] += take(1).0[0];
+            let (value, rounding) = take(1);
+            // an entry that may be rounding is zero: rows and columns are scaled, and one of nothing but rounding would become an equation
+            if value[0].abs() > SURE * rounding[0] {
+                matrix[row * k + column] += value[0];
+            }
         }
         let mut rows = Vec::with_capacity(prepared.rows);
         for (waves, forms) in &prepared.waves {
