@@ -1,8 +1,13 @@
 //! What a file may ask of its machine: kinds of studies with their keys, declared by whoever carries them out, and the values that a file gives.
 //! This crate knows quantities, names and formulas; what a study does with them it does not know.
 
-use crate::fields::{Field, TableSpec, Type, Words};
-use crate::model::{FrequencyVariable, Plot, SweepRange, Times};
+mod table;
+mod values;
+
+pub use table::STUDY;
+pub use values::{FrequencyVariable, Plot, SweepRange, Times};
+
+use crate::keys::{Field, TableSpec, Type, Words};
 use crate::units::Dimension;
 use std::ops::Range;
 use symbolic::{Expr, SymbolId};
@@ -481,14 +486,14 @@ pub struct Kinds {
 impl Kinds {
     /// Made once for the life of the program: what the reader knows of tables is static.
     pub fn new(list: Vec<&'static Kind>) -> Kinds {
-        let mut fields: Vec<Field> = crate::fields::STUDY.fields.to_vec();
+        let mut fields: Vec<Field> = STUDY.fields.to_vec();
         for key in list.iter().flat_map(|kind| kind.keys) {
             if !fields.iter().any(|f| f.key == key.name) {
                 // whether it must be there is a matter of the kind
                 fields.push(Field { required: false, ..key.field() });
             }
         }
-        let spec = TableSpec { fields: Box::leak(fields.into_boxed_slice()), ..crate::fields::STUDY };
+        let spec = TableSpec { fields: Box::leak(fields.into_boxed_slice()), ..STUDY };
         Kinds { list, spec: Box::leak(Box::new(spec)) }
     }
     /// The kind of that name.

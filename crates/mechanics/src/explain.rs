@@ -17,10 +17,14 @@ pub use rubbing::RUBBING;
 pub use studies::STUDIES;
 pub use texts::TEXTS;
 
+use crate::elements::TABLE;
 use words::explain::{Explanation, row};
 
 /// Every table of explanations.
-pub const TABLES: &[&[Explanation]] = &[
+pub const TABLES: &[&[Explanation]] = &ALL;
+
+/// Those that belong to no single element.
+const ROOMS: &[&[Explanation]] = &[
     EXPLANATIONS,
     STUDIES,
     LINEAR,
@@ -32,6 +36,17 @@ pub const TABLES: &[&[Explanation]] = &[
     crate::structure::EXPLANATIONS,
     crate::section::EXPLANATIONS,
 ];
+
+/// The rooms, then the elements.
+const ALL: [&[Explanation]; ROOMS.len() + TABLE.len()] = {
+    let mut all: [&[Explanation]; ROOMS.len() + TABLE.len()] = [&[]; ROOMS.len() + TABLE.len()];
+    let mut i = 0;
+    while i < all.len() {
+        all[i] = if i < ROOMS.len() { ROOMS[i] } else { TABLE[i - ROOMS.len()].explanations };
+        i += 1;
+    }
+    all
+};
 
 /// The codes of the reader.
 pub const EXPLANATIONS: &[Explanation] = &[

@@ -7,314 +7,123 @@ pub mod connections;
 pub mod events;
 mod sections;
 pub mod structures;
-mod studies;
 
+pub use crate::asked::STUDY;
+pub use crate::keys::{Field, TEXT, TableSpec, Type, Words};
 pub use chapters::{CHAPTERS, Chapter};
 pub use sections::{PART, SECTION};
-pub use studies::STUDY;
 
-/// A pair of wordings, English and Russian.
-pub type Words = (&'static str, &'static str);
-
-/// What a value is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Type {
-    /// A string, or `{ en = "...", ru = "..." }`.
-    Text,
-    /// A plain string.
-    String,
-    /// A formula, a quantity or a number.
-    Formula,
-    /// Two or three formulas.
-    Vector,
-    /// A formula or two or three of them.
-    FormulaOrVector,
-    /// A unit.
-    Unit,
-    /// A name from the file.
-    Name,
-    /// Two names.
-    TwoNames,
-    /// A vector or the name of a point.
-    VectorOrPoint,
-    /// true or false.
-    Bool,
-    /// `["z: psi", "x: alpha"]`.
-    Rotations,
-    /// `disc(R)` and so on.
-    Shape,
-    /// A formula or a table of six.
-    Inertia,
-    /// false, a formula or a vector.
-    Gravity,
-    /// A list of names.
-    Names,
-    /// A name or a list of names.
-    NameOrNames,
-    /// A list of quantities.
-    Quantities,
-    /// A list of formulas.
-    Formulas,
-    /// Values of parameters.
-    Ranges,
-    /// A list of plots.
-    Plots,
-    /// A table of quantities by name.
-    Guess,
-    /// A list of corners.
-    Corners,
-    /// Two lengths, or three corners.
-    LegsOrCorners,
-    /// A list of parts of a section.
-    Parts,
-    /// A table of tables or values by name.
-    Table,
-    /// An array of tables.
-    Array,
-}
-
-impl Type {
-    /// In words.
-    pub fn words(self) -> Words {
-        match self {
-            Type::Text => ("text or { en, ru }", "текст или { en, ru }"),
-            Type::String => ("string", "строка"),
-            Type::Formula => ("formula, quantity or number", "формула, величина или число"),
-            Type::Vector => ("array of 2 or 3 formulas", "массив из 2 или 3 формул"),
-            Type::FormulaOrVector => ("formula, or array of 2 or 3 formulas", "формула или массив из 2 или 3 формул"),
-            Type::Unit => ("unit", "единица"),
-            Type::Name => ("name", "имя"),
-            Type::TwoNames => ("array of 2 names", "массив из 2 имён"),
-            Type::VectorOrPoint => ("array of 2 or 3 formulas, or the name of a point", "массив из 2 или 3 формул или имя точки"),
-            Type::Bool => ("true or false", "true или false"),
-            Type::Rotations => ("array of \"axis: angle\"", "массив строк \"ось: угол\""),
-            Type::Shape => ("shape", "форма"),
-            Type::Inertia => ("formula, or table { xx, yy, zz, xy, yz, xz }", "формула или таблица { xx, yy, zz, xy, yz, xz }"),
-            Type::Gravity => ("false, formula, or array of 2 or 3 formulas", "false, формула или массив из 2 или 3 формул"),
-            Type::Names => ("array of names", "массив имён"),
-            Type::NameOrNames => ("name, or array of names", "имя или массив имён"),
-            Type::Quantities => ("array of quantities", "массив величин"),
-            Type::Formulas => ("array of formulas", "массив формул"),
-            Type::Ranges => ("string, or array of strings", "строка или массив строк"),
-            Type::Plots => ("array of names, arrays of names or { x, y, title }", "массив имён, массивов имён или { x, y, title }"),
-            Type::Guess => ("table of quantities by coordinate", "таблица величин по координатам"),
-            Type::Corners => ("array of corners [x, y]", "массив вершин [x, y]"),
-            Type::LegsOrCorners => ("array of 2 lengths, or of 3 corners [x, y]", "массив из 2 длин или из 3 вершин [x, y]"),
-            Type::Parts => ("array of parts", "массив частей"),
-            Type::Table => ("table", "таблица"),
-            Type::Array => ("array of tables", "массив таблиц"),
-        }
-    }
-}
-
-/// A key.
-#[derive(Clone, Copy, Debug)]
-pub struct Field {
-    /// Key.
-    pub key: &'static str,
-    /// What its value is.
-    pub ty: Type,
-    /// SI label of the dimension; empty when there is none to speak of.
-    pub dimension: &'static str,
-    /// Whether it must be there.
-    pub required: bool,
-    /// What holds without it; empty when nothing.
-    pub default: &'static str,
-    /// Meaning.
-    pub about: Words,
-    /// An example, as written after `=`.
-    pub example: &'static str,
-}
-
-/// A table of the file.
-#[derive(Clone, Copy, Debug)]
-pub struct TableSpec {
-    /// Name as in headers: `bodies`; entries are `[bodies.NAME]`.
-    pub name: &'static str,
-    /// Meaning.
-    pub about: Words,
-    /// Keys.
-    pub fields: &'static [Field],
-    /// A short form, when there is one.
-    pub short: Option<Words>,
-    /// A running example.
-    pub example: &'static str,
-}
-
-impl TableSpec {
-    /// The key of that name.
-    pub fn field(&self, key: &str) -> Option<&'static Field> {
-        self.fields.iter().find(|f| f.key == key)
-    }
-}
-
-const fn must(key: &'static str, ty: Type, dimension: &'static str, about: Words, example: &'static str) -> Field {
-    Field { key, ty, dimension, required: true, default: "", about, example }
-}
-const fn may(key: &'static str, ty: Type, dimension: &'static str, default: &'static str, about: Words, example: &'static str) -> Field {
-    Field { key, ty, dimension, required: false, default, about, example }
-}
-
-const SYMBOL: Field = may("symbol", Type::String, "", "", ("printed symbol", "обозначение для печати"), "\"ω_p\"");
-const LABEL: Field = may("label", Type::Text, "", "", ("what it is", "что это"), "{ en = \"mass\", ru = \"масса\" }");
-const ALONG: Field = may(
-    "along",
-    Type::Formula,
-    "",
-    "",
-    ("pathway: a formula of coordinates", "координата элемента: формула от обобщённых координат"),
-    "\"x\"",
-);
-const BETWEEN: Field = may(
-    "between",
-    Type::TwoNames,
-    "",
-    "",
-    (
-        "pathway: distance of two points, or angle of the second body minus that of the first",
-        "координата элемента: расстояние между двумя точками или угол второго тела минус угол первого",
-    ),
-    "[\"A\", \"B\"]",
-);
-const ON: Field =
-    may("on", Type::Name, "", "\"ground\"", ("frame or body it stands on", "система отсчёта или тело, на котором стоит"), "\"crank\"");
-const ORIGIN: Field = may(
-    "origin",
-    Type::VectorOrPoint,
-    "m",
-    "[0, 0]",
-    ("origin in the axes of `on`, or a point", "начало в осях `on` или точка"),
-    "[\"x\", \"y\"]",
-);
-const ANGLE: Field = may("angle", Type::Formula, "rad", "0", ("turn about z from `on`", "поворот вокруг z относительно `on`"), "\"phi\"");
-const ROTATE: Field = may(
-    "rotate",
-    Type::Rotations,
-    "rad",
-    "",
-    (
-        "successive turns, each about an own, already turned axis",
-        "последовательные повороты, каждый вокруг собственной, уже повёрнутой оси",
-    ),
-    "[\"z: psi\", \"x: theta\"]",
-);
-const SPIN: Field = may(
-    "spin",
-    Type::Formula,
-    "rad/s",
-    "0",
-    (
-        "prescribed rate of turning about the own z (or \"x: rate\") after all other turns; constant or a formula of time",
-        "заданная угловая скорость вокруг собственной z (или \"x: скорость\") после всех поворотов; постоянная или функция времени",
-    ),
-    "\"1450 rpm\"",
-);
-
-const DISTANCE: Field =
-    may("distance", Type::Formula, "m", "0", ("distance from the start of the rod", "расстояние от начала стержня"), "\"l/2\"");
+use crate::elements::TABLE;
+use crate::keys::{ANGLE, LABEL, ON, ORIGIN, ROTATE, SPIN, SYMBOL, may, must};
 
 /// Top level.
-pub const TOP: TableSpec = TableSpec {
-    name: "",
-    about: ("Keys outside any table.", "Ключи вне таблиц."),
-    short: None,
-    example: "",
-    fields: &[
-        may("title", Type::Text, "", "", ("title", "название"), "\"Pendulum\""),
-        may("description", Type::Text, "", "", ("description", "описание"), "\"A weight on a rod\""),
-        may(
-            "gravity",
-            Type::Gravity,
-            "m/s^2",
-            "\"g\"",
-            (
-                "gravity: false for none; a formula acts along -y of the ground; or a vector. Without this key it acts on bodies only; given, also on nodes and rods with mass",
-                "сила тяжести: false — нет; формула действует вдоль -y; или вектор. Без этого ключа действует только на тела; заданная — и на узлы и стержни с массой",
-            ),
-            "[\"0\", \"0\", \"-g\"]",
+pub const TOP: TableSpec =
+    TableSpec { name: "", about: ("Keys outside any table.", "Ключи вне таблиц."), short: None, example: "", fields: &ALL };
+
+/// What stands before the elements.
+const HEAD: &[Field] = &[
+    may("title", Type::Text, "", "", ("title", "название"), "\"Pendulum\""),
+    may("description", Type::Text, "", "", ("description", "описание"), "\"A weight on a rod\""),
+    may(
+        "gravity",
+        Type::Gravity,
+        "m/s^2",
+        "\"g\"",
+        (
+            "gravity: false for none; a formula acts along -y of the ground; or a vector. Without this key it acts on bodies only; given, also on nodes and rods with mass",
+            "сила тяжести: false — нет; формула действует вдоль -y; или вектор. Без этого ключа действует только на тела; заданная — и на узлы и стержни с массой",
         ),
-        may(
-            "impacts",
-            Type::Text,
-            "",
-            "\"in sequence\"",
-            (
-                "several contacts that touch at an impact strike `in sequence` (the fastest first, equal ones at once) or `together`",
-                "несколько контактов, замкнутых при ударе, ударяют последовательно, `in sequence` (первым – быстрейший, равные вместе), или одновременно, `together`",
-            ),
-            "\"together\"",
+        "[\"0\", \"0\", \"-g\"]",
+    ),
+    may(
+        "impacts",
+        Type::Text,
+        "",
+        "\"in sequence\"",
+        (
+            "several contacts that touch at an impact strike `in sequence` (the fastest first, equal ones at once) or `together`",
+            "несколько контактов, замкнутых при ударе, ударяют последовательно, `in sequence` (первым – быстрейший, равные вместе), или одновременно, `together`",
         ),
-        may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
-        may(
-            "unknowns",
-            Type::Table,
-            "",
-            "",
-            (
-                "parameters found from statics so that the start is a place of rest; the values are guesses",
-                "параметры, которые находятся из условий равновесия в начальном положении; значения — приближения",
-            ),
-            "",
+        "\"together\"",
+    ),
+    may("parameters", Type::Table, "", "", ("named values", "именованные величины"), ""),
+    may(
+        "unknowns",
+        Type::Table,
+        "",
+        "",
+        (
+            "parameters found from statics so that the start is a place of rest; the values are guesses",
+            "параметры, которые находятся из условий равновесия в начальном положении; значения — приближения",
         ),
-        may(
-            "impending",
-            Type::Table,
-            "",
-            "",
-            (
-                "dry frictions at their limit in the place of rest that [unknowns] are found for, or that the study `equilibrium` seeks in a range of a coordinate: name = \"+\" when about to slide forward along their path, \"-\" backward",
-                "силы сухого трения, достигшие предельных значений в том положении равновесия, для которого ищутся [unknowns] или которое расчёт `equilibrium` ищет в диапазоне координаты: имя = \"+\", если готово начаться скольжение вперёд по их пути, \"-\" — назад",
-            ),
-            "",
+        "",
+    ),
+    may(
+        "impending",
+        Type::Table,
+        "",
+        "",
+        (
+            "dry frictions at their limit in the place of rest that [unknowns] are found for, or that the study `equilibrium` seeks in a range of a coordinate: name = \"+\" when about to slide forward along their path, \"-\" backward",
+            "силы сухого трения, достигшие предельных значений в том положении равновесия, для которого ищутся [unknowns] или которое расчёт `equilibrium` ищет в диапазоне координаты: имя = \"+\", если готово начаться скольжение вперёд по их пути, \"-\" — назад",
         ),
-        may("coordinates", Type::Table, "", "", ("generalized coordinates", "обобщённые координаты"), ""),
-        may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
-        may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
-        may("points", Type::Table, "", "", ("named points", "именованные точки"), ""),
-        may("springs", Type::Table, "", "", ("springs", "пружины"), ""),
-        may("dampers", Type::Table, "", "", ("dampers", "демпферы"), ""),
-        may("forces", Type::Table, "", "", ("applied forces", "приложенные силы"), ""),
-        may("torques", Type::Table, "", "", ("applied torques", "приложенные моменты"), ""),
-        may("potentials", Type::Table, "", "", ("free-form potential energies", "потенциальные энергии общего вида"), ""),
-        may("dissipations", Type::Table, "", "", ("free-form Rayleigh functions", "диссипативные функции общего вида"), ""),
-        may("pins", Type::Table, "", "", ("pins", "шарниры"), ""),
-        may("welds", Type::Table, "", "", ("welds", "жёсткие соединения"), ""),
-        may("sliders", Type::Table, "", "", ("sliders", "ползуны"), ""),
-        may("slots", Type::Table, "", "", ("slots", "кулисы"), ""),
-        may("rods", Type::Table, "", "", ("massless rods", "невесомые стержни"), ""),
-        may("ropes", Type::Table, "", "", ("ropes", "канаты"), ""),
-        may("threads", Type::Table, "", "", ("threads", "нити"), ""),
-        may("belts", Type::Table, "", "", ("belts", "ремни"), ""),
-        may("chains", Type::Table, "", "", ("chains", "цепи"), ""),
-        may("gears", Type::Table, "", "", ("gear pairs", "зубчатые пары"), ""),
-        may("racks", Type::Table, "", "", ("gears on racks", "зубчатые рейки"), ""),
-        may("rolling", Type::Table, "", "", ("rolling without slip", "качение без проскальзывания"), ""),
-        may("constraints", Type::Table, "", "", ("conditions of any form", "связи общего вида"), ""),
-        may("supports", Type::Table, "", "", ("supports", "опоры"), ""),
-        may("motions", Type::Table, "", "", ("prescribed motions", "заданные движения"), ""),
-        may("motors", Type::Table, "", "", ("motors that realise motions", "двигатели, реализующие заданные движения"), ""),
-        may("stops", Type::Table, "", "", ("one-sided stops", "односторонние упоры"), ""),
-        may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
-        may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
-        may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
-        may("events", Type::Table, "", "", ("named events", "именованные события"), ""),
-        may("nodes", Type::Table, "", "", ("nodes of a frame or truss", "узлы рамы или фермы"), ""),
-        may("displacements", Type::Table, "", "", ("named displacements of a structure", "именованные перемещения конструкции"), ""),
-        may("rayleigh", Type::Table, "", "", ("assumed shapes of rods", "принятые формы изгиба стержней"), ""),
-        may("structure", Type::Table, "", "", ("how the structure is computed", "как рассчитывать конструкцию"), ""),
-        may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
-        may("variants", Type::Table, "", "", ("table of variants", "таблица вариантов"), ""),
-        may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
-        may(
-            "claims",
-            Type::Array,
-            "",
-            "",
-            ("published results, one [[claims]] each", "опубликованные результаты, по одному [[claims]]"),
-            "",
-        ),
-        may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
-    ],
+        "",
+    ),
+    may("coordinates", Type::Table, "", "", ("generalized coordinates", "обобщённые координаты"), ""),
+    may("frames", Type::Table, "", "", ("frames without mass", "системы отсчёта без массы"), ""),
+    may("bodies", Type::Table, "", "", ("bodies", "тела"), ""),
+    may("points", Type::Table, "", "", ("named points", "именованные точки"), ""),
+];
+
+/// What stands behind them.
+const TAIL: &[Field] = &[
+    may("pins", Type::Table, "", "", ("pins", "шарниры"), ""),
+    may("welds", Type::Table, "", "", ("welds", "жёсткие соединения"), ""),
+    may("sliders", Type::Table, "", "", ("sliders", "ползуны"), ""),
+    may("slots", Type::Table, "", "", ("slots", "кулисы"), ""),
+    may("rods", Type::Table, "", "", ("massless rods", "невесомые стержни"), ""),
+    may("ropes", Type::Table, "", "", ("ropes", "канаты"), ""),
+    may("threads", Type::Table, "", "", ("threads", "нити"), ""),
+    may("belts", Type::Table, "", "", ("belts", "ремни"), ""),
+    may("chains", Type::Table, "", "", ("chains", "цепи"), ""),
+    may("gears", Type::Table, "", "", ("gear pairs", "зубчатые пары"), ""),
+    may("racks", Type::Table, "", "", ("gears on racks", "зубчатые рейки"), ""),
+    may("rolling", Type::Table, "", "", ("rolling without slip", "качение без проскальзывания"), ""),
+    may("constraints", Type::Table, "", "", ("conditions of any form", "связи общего вида"), ""),
+    may("supports", Type::Table, "", "", ("supports", "опоры"), ""),
+    may("motions", Type::Table, "", "", ("prescribed motions", "заданные движения"), ""),
+    may("motors", Type::Table, "", "", ("motors that realise motions", "двигатели, реализующие заданные движения"), ""),
+    may("stops", Type::Table, "", "", ("one-sided stops", "односторонние упоры"), ""),
+    may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
+    may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
+    may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
+    may("events", Type::Table, "", "", ("named events", "именованные события"), ""),
+    may("nodes", Type::Table, "", "", ("nodes of a frame or truss", "узлы рамы или фермы"), ""),
+    may("displacements", Type::Table, "", "", ("named displacements of a structure", "именованные перемещения конструкции"), ""),
+    may("rayleigh", Type::Table, "", "", ("assumed shapes of rods", "принятые формы изгиба стержней"), ""),
+    may("structure", Type::Table, "", "", ("how the structure is computed", "как рассчитывать конструкцию"), ""),
+    may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
+    may("variants", Type::Table, "", "", ("table of variants", "таблица вариантов"), ""),
+    may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
+    may("claims", Type::Array, "", "", ("published results, one [[claims]] each", "опубликованные результаты, по одному [[claims]]"), ""),
+    may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
+];
+
+/// All of the top level: elements by their table.
+const ALL: [Field; HEAD.len() + TABLE.len() + TAIL.len()] = {
+    let mut all = [HEAD[0]; HEAD.len() + TABLE.len() + TAIL.len()];
+    let mut i = 0;
+    while i < all.len() {
+        all[i] = if i < HEAD.len() {
+            HEAD[i]
+        } else if i < HEAD.len() + TABLE.len() {
+            TABLE[i - HEAD.len()].top()
+        } else {
+            TAIL[i - HEAD.len() - TABLE.len()]
+        };
+        i += 1;
+    }
+    all
 };
 
 /// `[parameters]`.
@@ -479,170 +288,6 @@ pub const POINT: TableSpec = TableSpec {
     example: "[points]\nA = { on = \"crank\", at = [\"r\", \"0\"] }\n",
 };
 
-/// `[springs.NAME]`.
-pub const SPRING: TableSpec = TableSpec {
-    name: "springs",
-    about: (
-        "Springs: force = preload + stiffness*(pathway - rest), pulling the pathway shorter. Torsion when the pathway is an angle.",
-        "Пружины: усилие = preload + stiffness*(координата - rest), укорачивает координату. Если координата — угол, пружина крутильная.",
-    ),
-    short: None,
-    fields: &[
-        ALONG,
-        BETWEEN,
-        must(
-            "stiffness",
-            Type::Formula,
-            "N/m",
-            ("stiffness; N m per radian for an angle", "жёсткость; Н м на радиан для угла"),
-            "\"400 kN/m\"",
-        ),
-        may(
-            "rest",
-            Type::Formula,
-            "m",
-            "0",
-            (
-                "pathway at rest; required between two points; \"start\" for its value at the start",
-                "координата в свободном состоянии; обязательна между двумя точками; \"start\" — значение в начале движения",
-            ),
-            "\"l0\"",
-        ),
-        may(
-            "preload",
-            Type::Formula,
-            "N",
-            "0",
-            ("force at rest, tension positive", "усилие при rest, растяжение положительно"),
-            "\"10 N\"",
-        ),
-        may(
-            "backlash",
-            Type::Formula,
-            "m",
-            "0",
-            (
-                "whole play about `rest`, half on each side, in which there is no force",
-                "полный зазор около `rest`, по половине с каждой стороны; в нём усилия нет",
-            ),
-            "\"2 mm\"",
-        ),
-    ],
-    example: "[springs.horizontal]\nalong = \"x\"\nstiffness = \"c_x\"\n",
-};
-
-/// `[dampers.NAME]`.
-pub const DAMPER: TableSpec = TableSpec {
-    name: "dampers",
-    about: ("Viscous dampers: force = damping*rate of the pathway.", "Вязкие демпферы: усилие = damping*скорость координаты."),
-    short: None,
-    fields: &[
-        ALONG,
-        BETWEEN,
-        must(
-            "damping",
-            Type::Formula,
-            "N s/m",
-            ("damping; N m s per radian for an angle", "коэффициент вязкого сопротивления; Н·м·с на радиан для угла"),
-            "\"25 N s/m\"",
-        ),
-    ],
-    example: "[dampers.shaft]\nbetween = [\"rotor\", \"pendulum\"]\ndamping = \"k\"\n",
-};
-
-/// `[forces.NAME]`.
-pub const FORCE: TableSpec = TableSpec {
-    name: "forces",
-    about: (
-        "Applied forces: a vector at a point (or at the mass centre of a body), or a force along a pathway, positive when it makes the pathway longer.",
-        "Приложенные силы: вектор в точке (или в центре масс тела) либо сила вдоль координаты, положительная, если увеличивает её.",
-    ),
-    short: None,
-    fields: &[
-        may(
-            "at",
-            Type::Name,
-            "",
-            "",
-            ("point, body for its mass centre, node or rod", "точка, тело (тогда центр масс), узел или стержень"),
-            "\"A\"",
-        ),
-        DISTANCE,
-        ALONG,
-        BETWEEN,
-        must(
-            "value",
-            Type::FormulaOrVector,
-            "N",
-            ("components with `at`, one formula with a pathway", "компоненты при `at`, одна формула при координате"),
-            "[\"F0*sin(Omega*t)\", \"0\"]",
-        ),
-        may("axes", Type::Name, "", "\"ground\"", ("axes of the components", "оси компонент"), "\"blade\""),
-    ],
-    example: "[forces.drag]\nat = \"A\"\nvalue = [\"-c*vx(A)\", \"-c*vy(A)\"]\n",
-};
-
-/// `[torques.NAME]`.
-pub const TORQUE: TableSpec = TableSpec {
-    name: "torques",
-    about: ("Applied torques.", "Приложенные моменты."),
-    short: None,
-    fields: &[
-        must("on", Type::Name, "", ("body, node or rod it acts on", "тело, узел или стержень, на который действует"), "\"crank\""),
-        DISTANCE,
-        must(
-            "value",
-            Type::FormulaOrVector,
-            "N m",
-            ("torque about z, or its components", "момент относительно оси z или его проекции"),
-            "\"M0 - k*phi'\"",
-        ),
-        may("axes", Type::Name, "", "\"ground\"", ("axes of the components", "оси компонент"), "\"crank\""),
-        may(
-            "reaction",
-            Type::Name,
-            "",
-            "",
-            ("body on which minus the torque acts", "тело, на которое действует противоположный момент"),
-            "\"frame\"",
-        ),
-    ],
-    example: "[torques.motor]\non = \"crank\"\nvalue = \"M0 - k*phi'\"\n",
-};
-
-/// `[potentials.NAME]`.
-pub const POTENTIAL: TableSpec = TableSpec {
-    name: "potentials",
-    about: ("Potential energy of any form.", "Потенциальная энергия произвольного вида."),
-    short: None,
-    fields: &[must(
-        "energy",
-        Type::Formula,
-        "N m",
-        ("energy over coordinates and time", "энергия как функция координат и времени"),
-        "\"c*x^4/4\"",
-    )],
-    example: "[potentials.hardening]\nenergy = \"c3*x^4/4\"\n",
-};
-
-/// `[dissipations.NAME]`.
-pub const DISSIPATION: TableSpec = TableSpec {
-    name: "dissipations",
-    about: (
-        "Rayleigh's dissipation function of any form; its force on q is -dF/dq'.",
-        "Диссипативная функция Рэлея произвольного вида; сила по q равна -dF/dq'.",
-    ),
-    short: None,
-    fields: &[must(
-        "function",
-        Type::Formula,
-        "W",
-        ("function over coordinates and rates", "функция координат и скоростей"),
-        "\"b*x'^2/2\"",
-    )],
-    example: "[dissipations.oil]\nfunction = \"b*x'^2/2\"\n",
-};
-
 /// `[outputs]`.
 pub const OUTPUT: TableSpec = TableSpec {
     name: "outputs",
@@ -751,18 +396,6 @@ pub const PLOT: TableSpec = TableSpec {
         may("x", Type::Name, "", "\"t\"", ("horizontal axis", "горизонтальная ось"), "\"x\""),
         must("y", Type::Names, "", ("vertical axis", "вертикальная ось"), "[\"y\"]"),
         may("title", Type::Text, "", "", ("title", "заголовок"), "\"path\""),
-    ],
-    example: "",
-};
-
-/// `{ en = ..., ru = ... }`.
-pub const TEXT: TableSpec = TableSpec {
-    name: "text",
-    about: ("text in two languages", "текст на двух языках"),
-    short: None,
-    fields: &[
-        may("en", Type::String, "", "the other", ("English", "по-английски"), "\"mass\""),
-        may("ru", Type::String, "", "the other", ("Russian", "по-русски"), "\"масса\""),
     ],
     example: "",
 };

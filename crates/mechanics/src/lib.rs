@@ -6,27 +6,20 @@
 
 pub mod asked;
 pub mod derive;
+pub mod elements;
 pub mod explain;
 pub mod fields;
 pub mod formula;
+mod keys;
 pub mod model;
 mod read;
+mod reader;
 pub mod reference;
+mod requests;
 pub mod section;
 mod snippet;
 pub mod structure;
 pub mod units;
 
 pub use model::Model;
-pub use read::{MAX_FILE, MAX_FINDINGS, read, read_with, split_override, sweep_range};
-
-use words::Notice;
-
-/// What reading a model file gives.
-#[derive(Clone, Debug)]
-pub struct Reading {
-    /// The model.
-    pub model: Model,
-    /// Findings that do not prevent its use.
-    pub warnings: Vec<Notice>,
-}
+pub use read::{MAX_FILE, MAX_FINDINGS, Reading, read, read_with, split_override, sweep_range};

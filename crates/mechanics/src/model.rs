@@ -5,13 +5,15 @@
 
 mod claims;
 mod connections;
+mod law;
 mod premises;
-mod studies;
 
+pub use crate::asked::{FrequencyVariable, Plot, SweepRange, Times};
+pub use crate::requests::*;
 pub use claims::*;
 pub use connections::*;
+pub use law::{Element, Found, Law, Push, Stage, Straight, Way};
 pub use premises::{Change, Premise, Reliance, Values, unmoved};
-pub use studies::*;
 
 use std::ops::Range;
 use symbolic::{Expr, Graph, SymbolId};
@@ -39,18 +41,8 @@ pub struct Model {
     pub frames: Vec<Frame>,
     /// Points, in the user's order.
     pub points: Vec<Point>,
-    /// Springs.
-    pub springs: Vec<Spring>,
-    /// Dampers.
-    pub dampers: Vec<Damper>,
-    /// Forces.
-    pub forces: Vec<Force>,
-    /// Torques.
-    pub torques: Vec<Torque>,
-    /// Free-form potential energies.
-    pub potentials: Vec<Potential>,
-    /// Free-form Rayleigh functions.
-    pub dissipations: Vec<Dissipation>,
+    /// Springs, dampers, loads: see [`crate::elements::TABLE`]. Those that were added later stand at the end; [`Model::acting`] has the order in which they act.
+    pub elements: Vec<Element>,
     /// Connections, supports, motions, motors, stops and frictions: by table, within a table in the user's order.
     pub connections: Vec<Connection>,
     /// Named formulas for the user, in the user's order. An output used in another one is already expanded there.
@@ -121,30 +113,6 @@ pub enum VariantTable {
     File(String),
     /// In the model file itself.
     Text(String),
-}
-
-/// Index of a frame or body in [`Model::frames`].
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct FrameId(pub usize);
-
-impl FrameId {
-    /// The ground.
-    pub const GROUND: FrameId = FrameId(0);
-    /// Position in [`Model::frames`].
-    pub fn index(self) -> usize {
-        self.0
-    }
-}
-
-/// Index of a point in [`Model::points`].
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct PointId(pub usize);
-
-impl PointId {
-    /// Position in [`Model::points`].
-    pub fn index(self) -> usize {
-        self.0
-    }
 }
 
 /// What a value depends on; the order is meant: each class may use the ones before it.
@@ -226,22 +194,6 @@ pub struct CoordinateDecl {
     pub span: Range<usize>,
 }
 
-/// An axis of a frame.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-#[allow(missing_docs)]
-pub enum Axis {
-    X,
-    Y,
-    Z,
-}
-
-impl Axis {
-    /// 0, 1, 2.
-    pub fn index(self) -> usize {
-        self as usize
-    }
-}
-
 /// A frame or a body.
 #[derive(Clone, Debug)]
 pub struct Frame {
@@ -310,17 +262,6 @@ pub struct Point {
     pub span: Range<usize>,
 }
 
-/// Something that has a position.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum PointRef {
-    /// A named point.
-    Point(PointId),
-    /// The origin of a frame or body.
-    Origin(FrameId),
-    /// The mass centre of a body.
-    Center(FrameId),
-}
-
 /// One scalar through which an element acts.
 #[derive(Clone, Copy, Debug)]
 pub enum Pathway {
@@ -350,111 +291,6 @@ pub enum Rest {
     Value(Expr),
     /// The value of the pathway at the start of the motion.
     Start,
-}
-
-/// Spring: force = preload + stiffness (pathway - rest), pulling the pathway shorter.
-#[derive(Clone, Debug)]
-pub struct Spring {
-    /// Name.
-    pub name: String,
-    /// Pathway.
-    pub pathway: Pathway,
-    /// Stiffness.
-    pub stiffness: Expr,
-    /// Rest value of the pathway.
-    pub rest: Rest,
-    /// Force at rest; tension positive.
-    pub preload: Expr,
-    /// Whole play about `rest`, half on each side: the spring acts where |pathway - rest| > backlash/2, by what goes beyond.
-    pub backlash: Option<Expr>,
-    /// Place in the file (its name).
-    pub span: Range<usize>,
-}
-
-/// Damper: force = damping · rate of the pathway, against it.
-#[derive(Clone, Debug)]
-pub struct Damper {
-    /// Name.
-    pub name: String,
-    /// Pathway.
-    pub pathway: Pathway,
-    /// Damping.
-    pub damping: Expr,
-    /// Place in the file (its name).
-    pub span: Range<usize>,
-}
-
-/// An applied force.
-#[derive(Clone, Debug)]
-pub struct Force {
-    /// Name.
-    pub name: String,
-    /// Table and name of the load of the file that it is, or is a part of: `forces.f`, `distributed.q`.
-    pub load: String,
-    /// How it acts.
-    pub action: Action,
-    /// Place in the file (its name).
-    pub span: Range<usize>,
-}
-
-/// How a force acts.
-#[derive(Clone, Debug)]
-pub enum Action {
-    /// A vector at a point.
-    AtPoint {
-        /// Where.
-        at: PointRef,
-        /// Components.
-        value: [Expr; 3],
-        /// Axes of the components.
-        axes: FrameId,
-    },
-    /// Along a pathway; positive increases the pathway.
-    OnPathway {
-        /// Pathway.
-        pathway: Pathway,
-        /// Force, or torque when the pathway is an angle.
-        value: Expr,
-    },
-}
-
-/// An applied torque.
-#[derive(Clone, Debug)]
-pub struct Torque {
-    /// Name.
-    pub name: String,
-    /// Where it acts.
-    pub on: FrameId,
-    /// Components.
-    pub value: [Expr; 3],
-    /// Axes of the components.
-    pub axes: FrameId,
-    /// Where minus the torque acts.
-    pub reaction: Option<FrameId>,
-    /// Place in the file (its name).
-    pub span: Range<usize>,
-}
-
-/// A free-form potential energy.
-#[derive(Clone, Debug)]
-pub struct Potential {
-    /// Name.
-    pub name: String,
-    /// Energy over coordinates, time and position requests.
-    pub energy: Expr,
-    /// Place in the file (its name).
-    pub span: Range<usize>,
-}
-
-/// A free-form Rayleigh dissipation function; its force on q is -∂Φ/∂q'.
-#[derive(Clone, Debug)]
-pub struct Dissipation {
-    /// Name.
-    pub name: String,
-    /// Function over coordinates, rates, time and requests.
-    pub function: Expr,
-    /// Place in the file (its name).
-    pub span: Range<usize>,
 }
 
 /// A named formula for the user.
@@ -515,58 +351,11 @@ pub struct DisplayUnit {
     pub factor: f64,
 }
 
-/// A placeholder symbol and what it stands for.
-#[derive(Clone, Debug)]
-pub struct Request {
-    /// The placeholder: named like `vx(A)`, or a name with primes.
-    pub symbol: SymbolId,
-    /// What it stands for.
-    pub kind: RequestKind,
-    /// SI unit label.
-    pub unit: String,
-}
-
-/// What a placeholder stands for.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum RequestKind {
-    /// Ground coordinate of a point: `x(A)`.
-    Position(PointRef, Axis),
-    /// Component of velocity in ground axes: `vx(A)`.
-    Velocity(PointRef, Axis),
-    /// Component of acceleration in ground axes: `ax(A)`. Outputs only.
-    Acceleration(PointRef, Axis),
-    /// Magnitude of velocity: `speed(A)`.
-    Speed(PointRef),
-    /// Plane angle from the ground: `angle(B)`.
-    Angle(FrameId),
-    /// Angular velocity about z of the ground: `omega(B)`.
-    AngularVelocity(FrameId),
-    /// Kinetic energy of everything, or of one body.
-    KineticEnergy(Option<FrameId>),
-    /// Potential energy of everything.
-    PotentialEnergy,
-    /// Rayleigh function of everything.
-    Dissipation,
-    /// Force of an element, tension positive: `force(S)`.
-    ElementForce(Element),
-    /// Pathway minus rest of a spring; the pathway itself for a damper: `extension(S)`.
-    Extension(Element),
-    /// A component of the reaction of a connection: `force(AB)`, `force_x(O)`.
-    Reaction(usize, Part),
-    /// Time derivative of an expression along the motion.
-    TimeDerivative {
-        /// What is differentiated: a parameter's symbol, or the formula of an output.
-        of: Expr,
-        /// How many times.
-        order: u8,
-    },
-}
-
-/// A spring or damper, by its index.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Element {
-    /// Index in [`Model::springs`].
-    Spring(usize),
-    /// Index in [`Model::dampers`].
-    Damper(usize),
+impl Model {
+    /// Elements with their handles, in the order of their tables.
+    pub fn acting(&self) -> Vec<(ElementId, &Element)> {
+        let mut all: Vec<_> = self.elements.iter().enumerate().map(|(i, e)| (ElementId(i), e)).collect();
+        all.sort_by_key(|(_, e)| e.rank);
+        all
+    }
 }

@@ -69,28 +69,3 @@ impl<'a> Snippet<'a> {
         self.site.diagnose(notice)
     }
 }
-
-thread_local! {
-    /// How many more suggestions this reading may look for: a file of a hundred thousand slips must not cost as many searches.
-    static SEARCHES: std::cell::Cell<usize> = const { std::cell::Cell::new(SEARCH_LIMIT) };
-}
-const SEARCH_LIMIT: usize = 300;
-
-/// Grants a new reading its suggestions.
-pub(crate) fn renew_searches() {
-    SEARCHES.with(|s| s.set(SEARCH_LIMIT));
-}
-
-/// Takes one search from the allowance.
-pub(crate) fn may_search() -> bool {
-    SEARCHES.with(|s| {
-        let left = s.get();
-        s.set(left.saturating_sub(1));
-        left > 0
-    })
-}
-
-/// The nearest of the candidates to a misspelt word, when it is near enough to be meant and this reading may still search.
-pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    may_search().then(|| words::nearest(word, candidates)).flatten()
-}

@@ -214,7 +214,9 @@ fn slips(text: &str) -> bool {
 
 #[test]
 fn messages_have_the_numbers_and_units_of_their_language() {
-    let book = std::fs::read_to_string(format!("{}/../../tests/book/errors.md", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let chapters = mechanics::elements::TABLE.iter().map(|row| row.chapter).chain(["errors"]).collect::<BTreeSet<_>>();
+    let chapter = |name| std::fs::read_to_string(format!("{}/../../tests/book/{name}.md", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let book: String = chapters.into_iter().map(chapter).collect();
     let models = book.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).filter(|model| !model.starts_with("# patch"));
     let mut found = Vec::new();
     let mut count = 0;

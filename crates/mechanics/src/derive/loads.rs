@@ -1,19 +1,19 @@
-//! Generalized forces of gravity, springs, dampers, applied forces and torques.
+//! Generalized forces of gravity and of all elements, which meet the derivation here as a [`Stage`].
 //!
 //! Lagrange's way: potentials Π, dissipation function Φ, virtual power of the rest. Newton-Euler's way: every element is a pair of forces
 //! (or torques) projected with the velocities of the points (or bodies) it acts on.
 
 use super::connections::pretension;
 use super::kinematics::Kinematics;
-use super::pathways::{Given, located, resolve};
+use super::pathways::{Given, Path, located, resolve};
 use super::requests::Resolver;
 use super::scene::{Columns, Found, Scene, Vector};
 use super::wrench::Act;
-use crate::model::{Action, PointRef, Rest};
+use crate::model::{Element, FrameId, Pathway, PointRef, Push, Stage, Way};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use symbolic::equations::Applied;
-use symbolic::{Edge, Expr, Rational, Substitution, SymbolId};
+use symbolic::{Expr, Graph, Substitution, SymbolId};
 use words::Notice;
 
 /// A named term of an energy.
@@ -46,10 +46,8 @@ pub struct Loads {
     pub potential_change: Vec<Expr>,
     /// Everything that acts, as forces and moments on bodies.
     pub acts: Vec<Act>,
-    /// (force, extension) of each spring.
-    pub springs: Vec<(Expr, Expr)>,
-    /// (force, pathway) of each damper.
-    pub dampers: Vec<(Expr, Expr)>,
+    /// What each element tells of itself, by its handle.
+    pub told: Vec<Vec<Expr>>,
 }
 
 /// Collects everything that acts.
@@ -58,14 +56,18 @@ pub fn collect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
     let mut errors = Vec::new();
     gravity(scene, kinematics, &mut loads);
     let model = scene.model;
-    for i in 0..model.springs.len() {
-        errors.extend(spring(scene, kinematics, resolver, &mut loads, i).err().map(|d| *d));
+    loads.told = vec![Vec::new(); model.elements.len()];
+    for (id, element) in model.acting() {
+        let (applied, acting) = (loads.applied.len(), loads.acts.len());
+        let mut stage = At { scene, kinematics, resolver, loads: &mut loads, element, ways: Vec::new() };
+        match element.law.act(&mut stage) {
+            Ok(told) => loads.told[id.0] = told,
+            Err(fault) => errors.push(*fault),
+        }
+        if loads.applied.len() > applied {
+            loads.named.push((element.path.clone(), applied..loads.applied.len(), acting..loads.acts.len()));
+        }
     }
-    for i in 0..model.dampers.len() {
-        errors.extend(damper(scene, kinematics, resolver, &mut loads, i).err().map(|d| *d));
-    }
-    errors.extend(free_forms(scene, kinematics, resolver, &mut loads).err().map(|d| *d));
-    errors.extend(applied(scene, kinematics, resolver, &mut loads).err().map(|d| *d));
     for connection in &model.connections {
         match pretension(scene, kinematics, resolver, connection) {
             Ok(None) => {}
@@ -89,7 +91,7 @@ fn gravity(scene: &mut Scene, kinematics: &mut Kinematics, loads: &mut Loads) {
         if scene.graph.is_zero(mass.mass) {
             continue;
         }
-        let center = PointRef::Center(crate::model::FrameId(i));
+        let center = PointRef::Center(FrameId(i));
         let position = kinematics.position(scene, center);
         let height = scene.dot(&g, &position);
         let energy = scene.graph.mul(mass.mass, height);
@@ -108,52 +110,6 @@ fn gravity(scene: &mut Scene, kinematics: &mut Kinematics, loads: &mut Loads) {
 /// force·column for every direction.
 pub fn project(scene: &mut Scene, force: &Vector, columns: &Columns<Vector>) -> Columns<Expr> {
     columns.iter().map(|(j, column)| (*j, scene.dot(force, column))).collect()
-}
-
-/// Π = c (δ - rest)²/2 + preload (δ - rest); force c (δ - rest) + preload against growing δ.
-fn spring(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads, index: usize) -> Found<()> {
-    let model = scene.model;
-    let spring = &model.springs[index];
-    let path = resolve(scene, kinematics, resolver, (&spring.name, spring.pathway, &spring.span))?;
-    let [stiffness, preload] = [spring.stiffness, spring.preload].map(|e| resolver.resolve(scene, kinematics, e));
-    let (stiffness, preload) = (stiffness?, preload?);
-    let rest = match spring.rest {
-        Rest::Value(e) => resolver.resolve(scene, kinematics, e)?,
-        Rest::Start => at_start(scene, &spring.name, path.value),
-    };
-    let extension = scene.graph.sub(path.value, rest);
-    let acting = match spring.backlash {
-        Some(play) => {
-            let play = resolver.resolve(scene, kinematics, play)?;
-            beyond_play(scene, extension, play)
-        }
-        None => extension,
-    };
-    let square = scene.graph.square(acting);
-    let elastic = scene.graph.monomial(Rational::HALF, &[(stiffness, Rational::ONE), (square, Rational::ONE)]);
-    let constant = scene.graph.mul(preload, extension);
-    let energy = scene.graph.add(elastic, constant);
-    loads.potentials.push(Term { name: spring.name.clone(), energy });
-    let force = scene.graph.mul(stiffness, acting);
-    let force = scene.graph.add(force, preload);
-    loads.springs.push((force, extension));
-    let against = scene.graph.neg(force);
-    let projected = scaled(scene, against, &path.geometric);
-    loads.conservative.push(projected);
-    loads.act(scene, against, &path.acts);
-    let change = scene.along(energy, scene.n());
-    loads.potential_change.push(change);
-    Ok(())
-}
-
-/// What an extension e has beyond a play of width δ: e - δ/2 above it, e + δ/2 below it, 0 within.
-fn beyond_play(scene: &mut Scene, extension: Expr, play: Expr) -> Expr {
-    let graph = &mut scene.graph;
-    let half = graph.scale(play, &Rational::HALF);
-    let (above, below, zero) = (graph.sub(extension, half), graph.add(extension, half), graph.zero());
-    let under = graph.neg(below);
-    let otherwise = graph.switch(under, Edge::Open, below, zero);
-    graph.switch(above, Edge::Open, above, otherwise)
 }
 
 /// factor·gradient.
@@ -190,112 +146,128 @@ fn put_start(scene: &mut Scene, places: Vec<(SymbolId, Expr)>, e: Expr) -> Expr 
     Substitution::new(map).apply(&mut scene.graph, e)
 }
 
-/// Φ = b δ'²/2; force b δ' against growing δ.
-fn damper(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads, index: usize) -> Found<()> {
-    let model = scene.model;
-    let damper = &model.dampers[index];
-    let path = resolve(scene, kinematics, resolver, (&damper.name, damper.pathway, &damper.span))?;
-    let damping = resolver.resolve(scene, kinematics, damper.damping)?;
-    let rate = scene.rate_of(&path.gradient);
-    let square = scene.graph.square(rate);
-    let energy = scene.graph.monomial(Rational::HALF, &[(damping, Rational::ONE), (square, Rational::ONE)]);
-    loads.dissipations.push(Term { name: damper.name.clone(), energy });
-    // the rate once more, from geometry
-    let rate = scene.rate_of(&path.geometric);
-    let force = scene.graph.mul(damping, rate);
-    loads.dampers.push((force, path.value));
-    let against = scene.graph.neg(force);
-    let projected = scaled(scene, against, &path.geometric);
-    loads.resisting.push(projected);
-    loads.act(scene, against, &path.acts);
-    let power = scene.graph.mul(force, rate);
-    loads.dissipated.push(power);
-    Ok(())
+/// A derivation as one element sees it.
+struct At<'d, 's, 'm> {
+    scene: &'d mut Scene<'m>,
+    kinematics: &'d mut Kinematics,
+    resolver: &'d mut Resolver,
+    loads: &'s mut Loads,
+    element: &'m Element,
+    ways: Vec<Path>,
 }
 
-/// Free-form potentials and Rayleigh functions: there is no geometry to find their forces in another way.
-fn free_forms(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads) -> Found<()> {
-    let model = scene.model;
-    for potential in &model.potentials {
-        let energy = resolver.resolve(scene, kinematics, potential.energy)?;
-        loads.potentials.push(Term { name: potential.name.clone(), energy });
-        let mut gradient = scene.gradient(energy);
-        let change = gradient.remove(&scene.n()).unwrap_or(scene.graph.zero());
-        loads.potential_change.push(change);
-        let minus = scene.graph.int(-1);
-        let projected = scaled(scene, minus, &gradient);
-        let acts = located(scene, kinematics, resolver, (&potential.name, potential.energy), Given::Places)?;
-        loads.act(scene, minus, &acts);
-        loads.conservative.push(projected);
+impl At<'_, '_, '_> {
+    /// A force along a pathway on bodies and, by geometry, in each direction.
+    fn put(&mut self, push: Push) -> Columns<Expr> {
+        let path = &self.ways[push.way.number];
+        self.loads.act(self.scene, push.force, &path.acts);
+        scaled(self.scene, push.force, &path.geometric)
     }
-    for dissipation in &model.dissipations {
-        let function = resolver.resolve(scene, kinematics, dissipation.function)?;
-        loads.dissipations.push(Term { name: dissipation.name.clone(), energy: function });
+}
+
+impl Stage for At<'_, '_, '_> {
+    fn graph(&mut self) -> &mut Graph {
+        &mut self.scene.graph
+    }
+
+    fn open(&mut self, e: Expr) -> Found<Expr> {
+        self.resolver.resolve(self.scene, self.kinematics, e)
+    }
+
+    fn way(&mut self, pathway: Pathway) -> Found<Way> {
+        let path = resolve(self.scene, self.kinematics, self.resolver, (&self.element.name, pathway, &self.element.span))?;
+        let way = Way { value: path.value, number: self.ways.len() };
+        self.ways.push(path);
+        Ok(way)
+    }
+
+    fn rates(&mut self, way: Way) -> [Expr; 2] {
+        let path = &self.ways[way.number];
+        [self.scene.rate_of(&path.gradient), self.scene.rate_of(&path.geometric)]
+    }
+
+    fn at_start(&mut self, e: Expr) -> Expr {
+        at_start(self.scene, &self.element.name, e)
+    }
+
+    fn in_ground_axes(&mut self, axes: FrameId, v: Vector) -> Vector {
+        self.kinematics.in_ground_axes(self.scene, axes, &v)
+    }
+
+    fn store(&mut self, energy: Expr, force: Push) {
+        self.loads.potentials.push(Term { name: self.element.name.clone(), energy });
+        let projected = self.put(force);
+        self.loads.conservative.push(projected);
+        let change = self.scene.along(energy, self.scene.n());
+        self.loads.potential_change.push(change);
+    }
+
+    fn dissipate(&mut self, function: Expr, force: Push) {
+        self.loads.dissipations.push(Term { name: self.element.name.clone(), energy: function });
+        let projected = self.put(force);
+        self.loads.resisting.push(projected);
+        // the power that the force takes out, from velocities
+        let rate = self.scene.rate_of(&self.ways[force.way.number].geometric);
+        let against = self.scene.graph.neg(force.force);
+        let power = self.scene.graph.mul(against, rate);
+        self.loads.dissipated.push(power);
+    }
+
+    fn push(&mut self, push: Push) {
+        let path = &self.ways[push.way.number];
+        self.loads.act(self.scene, push.force, &path.acts);
+        let columns = scaled(self.scene, push.force, &path.gradient);
+        self.loads.applied.push(columns);
+    }
+
+    fn pull(&mut self, at: PointRef, force: Vector) {
+        let columns = self.kinematics.jacobian(self.scene, at);
+        self.loads.acts.push(Act::Point { point: at, force });
+        let projected = project(self.scene, &force, &columns);
+        self.loads.applied.push(projected);
+    }
+
+    fn turn(&mut self, on: FrameId, moment: Vector) {
+        let columns = self.kinematics.turning_in_ground_axes(self.scene, on);
+        let projected = project(self.scene, &moment, &columns);
+        self.loads.acts.push(Act::Turn { on, moment });
+        self.loads.applied.push(projected);
+    }
+
+    fn store_by_places(&mut self, formula: Expr) -> Found<()> {
+        let energy = self.open(formula)?;
+        self.loads.potentials.push(Term { name: self.element.name.clone(), energy });
+        let mut gradient = self.scene.gradient(energy);
+        let change = gradient.remove(&self.scene.n()).unwrap_or(self.scene.graph.zero());
+        self.loads.potential_change.push(change);
+        let minus = self.scene.graph.int(-1);
+        let projected = scaled(self.scene, minus, &gradient);
+        let acts = located(self.scene, self.kinematics, self.resolver, (&self.element.name, formula), Given::Places)?;
+        self.loads.act(self.scene, minus, &acts);
+        self.loads.conservative.push(projected);
+        Ok(())
+    }
+
+    fn dissipate_by_rates(&mut self, formula: Expr) -> Found<()> {
+        let function = self.open(formula)?;
+        self.loads.dissipations.push(Term { name: self.element.name.clone(), energy: function });
         let (mut projected, mut power) = (Columns::new(), Vec::new());
-        for j in 0..scene.n() {
-            let force = scene.by_rate(function, j);
-            if scene.graph.is_zero(force) {
+        for j in 0..self.scene.n() {
+            let force = self.scene.by_rate(function, j);
+            if self.scene.graph.is_zero(force) {
                 continue;
             }
-            let rate = scene.rate(j);
-            power.push(scene.graph.mul(force, rate));
-            projected.insert(j, scene.graph.neg(force));
+            let rate = self.scene.rate(j);
+            power.push(self.scene.graph.mul(force, rate));
+            projected.insert(j, self.scene.graph.neg(force));
         }
-        let minus = scene.graph.int(-1);
-        let acts = located(scene, kinematics, resolver, (&dissipation.name, dissipation.function), Given::Rates)?;
-        loads.act(scene, minus, &acts);
-        loads.resisting.push(projected);
-        loads.dissipated.extend(power);
+        let minus = self.scene.graph.int(-1);
+        let acts = located(self.scene, self.kinematics, self.resolver, (&self.element.name, formula), Given::Rates)?;
+        self.loads.act(self.scene, minus, &acts);
+        self.loads.resisting.push(projected);
+        self.loads.dissipated.extend(power);
+        Ok(())
     }
-    Ok(())
-}
-
-/// Forces and torques that have no potential: virtual power.
-fn applied(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, loads: &mut Loads) -> Found<()> {
-    let model = scene.model;
-    for force in &model.forces {
-        let acting = loads.acts.len();
-        let columns = match &force.action {
-            Action::AtPoint { at, value, axes } => {
-                let value = resolve_vector(scene, kinematics, resolver, *value)?;
-                let vector = kinematics.in_ground_axes(scene, *axes, &value);
-                let columns = kinematics.jacobian(scene, *at);
-                loads.acts.push(Act::Point { point: *at, force: vector });
-                project(scene, &vector, &columns)
-            }
-            Action::OnPathway { pathway, value } => {
-                let path = resolve(scene, kinematics, resolver, (&force.name, *pathway, &force.span))?;
-                let value = resolver.resolve(scene, kinematics, *value)?;
-                loads.act(scene, value, &path.acts);
-                scaled(scene, value, &path.gradient)
-            }
-        };
-        loads.applied.push(columns);
-        loads.named.push((force.load.clone(), loads.applied.len() - 1..loads.applied.len(), acting..loads.acts.len()));
-    }
-    for torque in &model.torques {
-        let (first, acting) = (loads.applied.len(), loads.acts.len());
-        let value = resolve_vector(scene, kinematics, resolver, torque.value)?;
-        let vector = kinematics.in_ground_axes(scene, torque.axes, &value);
-        let columns = kinematics.turning_in_ground_axes(scene, torque.on);
-        let action = project(scene, &vector, &columns);
-        loads.acts.push(Act::Turn { on: torque.on, moment: vector });
-        loads.applied.push(action);
-        if let Some(body) = torque.reaction {
-            let columns = kinematics.turning_in_ground_axes(scene, body);
-            let opposite = vector.map(|e| scene.graph.neg(e));
-            let reaction = project(scene, &opposite, &columns);
-            loads.acts.push(Act::Turn { on: body, moment: opposite });
-            loads.applied.push(reaction);
-        }
-        loads.named.push((format!("torques.{}", torque.name), first..loads.applied.len(), acting..loads.acts.len()));
-    }
-    Ok(())
-}
-
-fn resolve_vector(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, v: Vector) -> Found<Vector> {
-    let [x, y, z] = v.map(|e| resolver.resolve(scene, kinematics, e));
-    Ok([x?, y?, z?])
 }
 
 impl Loads {

@@ -93,7 +93,7 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Notice>
     let steps = if written { steps::write(&mut scene, &mut kinematics, (&kinetic, &loads, &motion), &connected) } else { Vec::new() };
     let textbook = motion.textbook(&mut scene, shown);
     let applied = loads.by_name(&mut scene, &connected.applied);
-    resolver.loads = Some(loads);
+    resolver.told = loads.told;
     let outputs = outputs(&mut scene, &mut kinematics, &mut resolver).map_err(|more| {
         errors.extend(more);
         errors.clone()

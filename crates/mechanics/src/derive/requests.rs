@@ -3,9 +3,8 @@
 //! The reader leaves a placeholder symbol for each; here it is replaced by the expression over coordinates, rates and accelerations.
 
 use super::kinematics::Kinematics;
-use super::loads::Loads;
 use super::scene::{Found, Scene};
-use crate::model::{Axis, Element, FrameId, Part, Request, RequestKind};
+use crate::model::{Axis, FrameId, Part, Request, RequestKind};
 use rustc_hash::FxHashMap;
 use symbolic::{Expr, Substitution, SymbolId};
 use words::{Notice, Text};
@@ -35,8 +34,8 @@ pub struct Resolver {
     pub kinetic: Vec<Option<Expr>>,
     /// Symbols of reactions; available once connections are derived.
     pub reactions: FxHashMap<(usize, Part), Expr>,
-    /// Forces and extensions of elements; available once loads are derived.
-    pub loads: Option<Loads>,
+    /// What elements tell, by their handles; available once loads are derived.
+    pub told: Vec<Vec<Expr>>,
 }
 
 impl Resolver {
@@ -107,8 +106,9 @@ impl Resolver {
             },
             RequestKind::PotentialEnergy => self.energies.map(|e| e.potential).ok_or_else(|| missing(scene)),
             RequestKind::Dissipation => self.energies.map(|e| e.dissipation).ok_or_else(|| missing(scene)),
-            RequestKind::ElementForce(element) => self.element(element).map(|(force, _)| force).ok_or_else(|| missing(scene)),
-            RequestKind::Extension(element) => self.element(element).map(|(_, extension)| extension).ok_or_else(|| missing(scene)),
+            RequestKind::Element(element, value) => {
+                self.told.get(element.0).and_then(|told| told.get(value)).copied().ok_or_else(|| missing(scene))
+            }
             RequestKind::Reaction(connection, part) => {
                 self.reaction(scene, (connection, part)).ok_or_else(|| self.no_component(scene, request, connection))
             }
@@ -167,14 +167,6 @@ impl Resolver {
         );
         let help = Text::new(format!("it has: {list}"), format!("у неё есть: {list}"));
         Box::new(Notice::file("M103", 0..0, what).because(why).cure(help))
-    }
-
-    fn element(&self, element: Element) -> Option<(Expr, Expr)> {
-        let loads = self.loads.as_ref()?;
-        match element {
-            Element::Spring(i) => loads.springs.get(i).copied(),
-            Element::Damper(i) => loads.dampers.get(i).copied(),
-        }
     }
 }
 

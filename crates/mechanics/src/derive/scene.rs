@@ -8,10 +8,8 @@ use crate::model::{Class, Model};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 use symbolic::{Derivation, Expr, Function, Graph, Node, Occurrence, Substitution, SymbolId, Textbook};
-use words::Notice;
 
-/// A result, or a finding about the model.
-pub type Found<T> = Result<T, Box<Notice>>;
+pub use crate::model::Found;
 
 /// A vector in some axes.
 pub type Vector = [Expr; 3];

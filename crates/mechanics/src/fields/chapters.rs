@@ -1,6 +1,8 @@
 //! The tables of the file by chapters of the reference, in the order in which a reader meets them.
 
-use super::{TableSpec, Words, claims, connections as c, events, structures as s};
+use super::{claims, connections as c, events, structures as s};
+use crate::elements::TABLE;
+use crate::keys::{TableSpec, Words};
 
 /// A page of the reference.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +50,7 @@ pub const CHAPTERS: &[Chapter] = &[
             "Elements that act by a law: springs, dampers, forces, torques, energies of any form.",
             "Элементы, усилие которых задано законом: пружины, демпферы, силы, моменты, энергии общего вида.",
         ),
-        tables: &[&super::SPRING, &super::DAMPER, &super::FORCE, &super::TORQUE, &c::DISTRIBUTED, &super::POTENTIAL, &super::DISSIPATION],
+        tables: &ELEMENTS,
     },
     Chapter {
         file: "connections",
@@ -125,3 +127,18 @@ pub const CHAPTERS: &[Chapter] = &[
         tables: &[&super::VARIANTS],
     },
 ];
+
+/// The tables of elements; distributed loads, which are made of forces, before those of any form.
+const ELEMENTS: [&TableSpec; TABLE.len() + 1] = {
+    let mut all: [&TableSpec; TABLE.len() + 1] = [&c::DISTRIBUTED; TABLE.len() + 1];
+    let mut i = 0;
+    while i < TABLE.len() {
+        let behind = i + FREE_FORMS >= TABLE.len();
+        all[i + behind as usize] = TABLE[i].keys;
+        i += 1;
+    }
+    all
+};
+
+/// Potentials and dissipation functions, the last rows of the table.
+const FREE_FORMS: usize = 2;

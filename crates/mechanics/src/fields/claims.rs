@@ -1,6 +1,6 @@
 //! Keys of `[[claims]]`.
 
-use super::{TableSpec, Type, may};
+use crate::keys::{TableSpec, Type, may};
 
 /// `[[claims]]`.
 pub const CLAIM: TableSpec = TableSpec {

@@ -1,6 +1,6 @@
 //! Tables of connections: joints, ties, wheels, conditions, drives, stops, friction; distributed loads.
 
-use super::{Field, TableSpec, Type, Words, may, must};
+use crate::keys::{Field, TableSpec, Type, Words, may, must};
 
 const fn table(name: &'static str, about: Words, fields: &'static [Field], example: &'static str) -> TableSpec {
     TableSpec { name, about, fields, short: None, example }

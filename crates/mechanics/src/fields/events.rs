@@ -1,6 +1,6 @@
 //! Keys of `[events.NAME]`.
 
-use super::{TableSpec, Type, may, must};
+use crate::keys::{TableSpec, Type, may, must};
 
 /// `[events.NAME]`.
 pub const EVENT: TableSpec = TableSpec {

@@ -1,6 +1,6 @@
 //! Keys of `[sections.NAME]`.
 
-use super::{Field, LABEL, TableSpec, Type, may};
+use crate::keys::{Field, LABEL, TableSpec, Type, may};
 
 const RECTANGLE: Field = may(
     "rectangle",

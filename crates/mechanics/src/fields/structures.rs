@@ -1,6 +1,6 @@
 //! Tables of frames and trusses: nodes, the rods between them, their supports and loads, named displacements, how to compute.
 
-use super::{DISTANCE, LABEL, SYMBOL, TableSpec, Type, may, must};
+use crate::keys::{DISTANCE, LABEL, SYMBOL, TableSpec, Type, may, must};
 
 /// `[nodes.NAME]`.
 pub const NODE: TableSpec = TableSpec {

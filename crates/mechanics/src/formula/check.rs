@@ -3,75 +3,16 @@
 //! A literal 0 fits every dimension. A name that is faulty itself has an unknown dimension, which fits everything: one slip gives one
 //! message.
 
-use super::kinematic::{FUNCTIONS, Where};
+use super::kind::{Depends, Kind};
+use super::kinematic::{KinematicFunction, Where};
 use super::parse::{Ast, Formula, NodeId};
 use super::scope::{Entry, EntryKind, Scope};
 use super::turns;
-use crate::model::RequestKind;
-use crate::snippet::nearest;
+use crate::requests::RequestKind;
 use crate::units::{Dimension, si_label, si_label_ru};
-use std::ops::{BitOr, Range};
+use std::ops::Range;
 use symbolic::{Function, Rational};
 use words::Notice;
-
-/// What is known of a dimension.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) enum Kind {
-    Known(Dimension),
-    /// Zero: fits every dimension.
-    Any,
-    /// Faulty elsewhere.
-    Unknown,
-}
-
-impl Kind {
-    /// The dimension, where zero and faults count as none.
-    pub(crate) fn or_none(self) -> Dimension {
-        match self {
-            Kind::Known(d) => d,
-            _ => Dimension::NONE,
-        }
-    }
-}
-
-/// What a value depends on: time 1, coordinates 2, rates 4, accelerations 8, reactions 16, the sliding speed of dry friction 32.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Depends(u8);
-
-impl Depends {
-    pub(crate) const NOTHING: Depends = Depends(0);
-    pub(crate) const TIME: Depends = Depends(1);
-    pub(crate) const POSITION: Depends = Depends(3);
-    pub(crate) const MOTION: Depends = Depends(7);
-    pub(crate) const ALL: Depends = Depends(15);
-    pub(crate) const REACTION: Depends = Depends(23);
-    pub(crate) const SLIDING: Depends = Depends(32);
-
-    /// Coordinates, rates or accelerations by the number of primes.
-    pub(crate) fn coordinate(primes: u8) -> Depends {
-        Depends(2 << primes.min(2))
-    }
-    pub(crate) fn within(self, limit: Depends) -> bool {
-        self.0 & !limit.0 == 0
-    }
-    pub(crate) fn is_constant(self) -> bool {
-        self.0 == 0
-    }
-    pub(crate) fn is_state(self) -> bool {
-        self.0 > 1
-    }
-    /// Of the time derivative; `None` when a third derivative of a coordinate would appear.
-    pub(crate) fn derivative(self) -> Option<Depends> {
-        (self.0 & !7 == 0).then_some(Depends(self.0 | (self.0 & 6) << 1))
-    }
-}
-
-impl BitOr for Depends {
-    type Output = Depends;
-    fn bitor(self, other: Depends) -> Depends {
-        Depends(self.0 | other.0)
-    }
-}
 
 /// What may stand in a formula.
 #[derive(Clone, Copy, Debug)]
@@ -215,7 +156,7 @@ impl Pass<'_> {
             Ast::Power(base, exponent) => self.power(*base, *exponent, span),
             Ast::Sqrt(x) => self.raise(self.kinds[*x], &Rational::HALF, span),
             Ast::Call(function, arguments) => self.call(*function, arguments),
-            Ast::Kinematic { row, arguments } => self.kinematic(*row, arguments, span),
+            Ast::Kinematic { function, arguments } => self.kinematic(function, arguments, span),
             Ast::If { left, right, then, otherwise, .. } => {
                 self.alike([*left, *right].into_iter(), "sides of a condition", "части условия");
                 self.alike([*then, *otherwise].into_iter(), "branches of if", "ветви if")
@@ -462,9 +403,13 @@ impl Pass<'_> {
         }
     }
 
-    fn kinematic(&mut self, row: usize, arguments: &[(Option<String>, String, Range<usize>)], span: &Range<usize>) -> Kind {
-        let function = &FUNCTIONS[row];
-        let request = self.scope.request(row, arguments, span);
+    fn kinematic(
+        &mut self,
+        function: &KinematicFunction,
+        arguments: &[(Option<String>, String, Range<usize>)],
+        span: &Range<usize>,
+    ) -> Kind {
+        let request = self.scope.request(function, arguments, span);
         let reaction = matches!(request, Ok((RequestKind::Reaction(..), _)));
         let needed = if reaction { Where::Reactions } else { function.allowed };
         if self.context.kinematic.is_none_or(|level| needed > level) {
@@ -545,30 +490,6 @@ fn wild_exponent(span: Range<usize>) -> Notice {
     Notice::piece("M026", span, "the dimension of this power is out of bounds", "размерность этой степени недопустима")
 }
 
-/// The fault of a formula whose dimension is not the wanted one.
-pub(crate) fn mismatch(span: Range<usize>, got: &Dimension, wanted: &Dimension, number: bool) -> Notice {
-    let (g, w) = (si_label(got), si_label(wanted));
-    let (g_ru, w_ru) = (si_label_ru(got), si_label_ru(wanted));
-    if number && got.is_none() {
-        return Notice::piece("M023", span, format!("the unit is missing: {w} is needed"), format!("нет единицы: нужна {w_ru}")).help(
-            format!("write the number with its unit, for example \"5 {w}\""),
-            format!("напишите число с единицей, например \"5 {w_ru}\""),
-        );
-    }
-    let fault = Notice::piece("M024", span, format!("this is {g}, but {w} is needed"), format!("размерность {g_ru}, а нужна {w_ru}"));
-    if number {
-        return fault
-            .help(format!("give it in {w} or a unit of the same kind"), format!("задайте величину в {w_ru} или в единицах того же рода"));
-    }
-    match wanted.without_angle().div(&got.without_angle()) {
-        Some(factor) => fault.help(
-            format!("look for a factor in {} that is missing", si_label(&factor)),
-            format!("проверьте, не пропущен ли множитель размерности {}", si_label_ru(&factor)),
-        ),
-        None => fault,
-    }
-}
-
 fn unknown_name(name: &str, span: Range<usize>, scope: &Scope) -> Notice {
     let fault = Notice::piece("M013", span, format!("unknown name `{name}`"), format!("неизвестное имя `{name}`"));
     if scope.place(name).is_some() {
@@ -577,7 +498,7 @@ fn unknown_name(name: &str, span: Range<usize>, scope: &Scope) -> Notice {
             format!("`{name}` — точка или тело; её координаты: x({name}), y({name})"),
         );
     }
-    if let Some(near) = nearest(name, scope.names()) {
+    if let Some(near) = scope.nearest(name, scope.names()) {
         return fault.meant(name, near);
     }
     if name == "e" {

@@ -1,6 +1,6 @@
 //! The kinematic functions of formulas: what they take, mean and where they may stand.
 
-use super::check::Depends;
+use super::kind::Depends;
 use crate::units::Dimension;
 use std::ops::RangeInclusive;
 
@@ -81,13 +81,13 @@ const VELOCITY: Option<Dimension> = Some(Dimension::VELOCITY);
 const ACCELERATION: Option<Dimension> = Some(Dimension::ACCELERATION);
 const ENERGY: Option<Dimension> = Some(Dimension::ENERGY);
 
-/// Every kinematic function.
-pub const FUNCTIONS: [KinematicFunction; 28] = {
+/// Every kinematic function but those that only one kind of element has.
+pub const FUNCTIONS: &[KinematicFunction] = {
     use Depends as D;
     use Takes::{Acting, BodyOrNothing, Element, Frame, Nothing, Point};
     use Where::{Forces, Outputs, Pathways, Reactions};
     const FORCE: Option<Dimension> = Some(Dimension::FORCE);
-    [
+    &[
         row("x", Point, LENGTH, D::POSITION, Pathways, "ground coordinate x of a point", "координата x точки в неподвижных осях"),
         row("y", Point, LENGTH, D::POSITION, Pathways, "ground coordinate y of a point", "координата y точки в неподвижных осях"),
         row("z", Point, LENGTH, D::POSITION, Pathways, "ground coordinate z of a point", "координата z точки в неподвижных осях"),
@@ -198,8 +198,3 @@ pub const FUNCTIONS: [KinematicFunction; 28] = {
         ),
     ]
 };
-
-/// The row of that name.
-pub(super) fn find(name: &str) -> Option<usize> {
-    FUNCTIONS.iter().position(|f| f.name == name)
-}

@@ -1,9 +1,8 @@
 //! A checked formula to an expression.
 
-use super::kinematic::FUNCTIONS;
 use super::parse::{Ast, Comparison, Formula, NodeId};
 use super::scope::{EntryKind, Scope};
-use crate::model::{Request, RequestKind};
+use crate::requests::{Request, RequestKind};
 use crate::units::{Dimension, si_label};
 use std::collections::HashSet;
 use std::ops::Range;
@@ -84,10 +83,10 @@ fn build(node: &Ast, span: &Range<usize>, values: &[Expr], scope: &Scope, builde
                 graph.call(*function, &arguments)
             }
         }
-        Ast::Kinematic { row, arguments } => {
-            let (kind, dimension) = scope.request(*row, arguments, span)?;
-            let names: Vec<String> = arguments.iter().map(|(_, name, _)| name.clone()).collect();
-            let name = format!("{}({})", FUNCTIONS[*row].name, shown_argument(kind, &names, scope));
+        Ast::Kinematic { function, arguments } => {
+            let (kind, dimension) = scope.request(function, arguments, span)?;
+            let argument = arguments.first().map_or("", |(_, name, _)| name);
+            let name = format!("{}({})", function.name, scope.shown(argument, kind));
             builder.request(&name, 0, kind, &dimension.or_none())
         }
         Ast::If { comparison, left, right, then, otherwise } => {
@@ -99,16 +98,6 @@ fn build(node: &Ast, span: &Range<usize>, values: &[Expr], scope: &Scope, builde
 
 fn sign(negative: bool) -> Rational {
     if negative { Rational::MINUS_ONE } else { Rational::ONE }
-}
-
-/// What may share its name keeps its table in the placeholder's name, so that both stay apart.
-fn shown_argument(kind: RequestKind, names: &[String], scope: &Scope) -> String {
-    let name = names.first().map_or("", String::as_str);
-    match kind {
-        RequestKind::ElementForce(crate::model::Element::Damper(_)) => format!("dampers.{name}"),
-        RequestKind::Reaction(index, _) => scope.shown_reaction(name, index),
-        _ => name.to_owned(),
-    }
 }
 
 /// The guard of a condition and its edge: a <= b holds where b - a >= 0, a < b where b - a > 0.

@@ -6,9 +6,8 @@
 //!
 //! Precedence from loose to tight: `+ -`, then `* /` (from the left), sign, `^` (from the right; `-a^2` is -(a²), `a^-b` is allowed).
 
-use super::kinematic;
+use super::kinematic::KinematicFunction;
 use super::lex::{Spanned, Token, tokens};
-use crate::snippet::nearest;
 use crate::units::{Quantity, Unit};
 use std::ops::Range;
 use symbolic::{Function, Rational};
@@ -37,9 +36,9 @@ pub(crate) enum Ast {
     Power(NodeId, NodeId),
     Call(Function, Vec<NodeId>),
     Sqrt(NodeId),
-    /// A kinematic function by its row, with the names in its brackets.
+    /// A kinematic function with the names in its brackets.
     Kinematic {
-        row: usize,
+        function: &'static KinematicFunction,
         arguments: Vec<(Option<String>, String, Range<usize>)>,
     },
     /// `if(left < right, then, otherwise)`.
@@ -138,10 +137,10 @@ impl Formula {
     }
 }
 
-/// Parses a formula.
-pub(crate) fn parse(text: &str) -> Result<Formula, Notice> {
+/// Parses a formula over the kinematic functions that there are.
+pub(crate) fn parse(text: &str, functions: &[&'static KinematicFunction]) -> Result<Formula, Notice> {
     let tokens = tokens(text)?;
-    let mut parser = Parser { text, tokens, at: 0, nodes: Vec::new(), depth: 0, calls: 0 };
+    let mut parser = Parser { text, functions, tokens, at: 0, nodes: Vec::new(), depth: 0, calls: 0 };
     parser.sum()?;
     match parser.peek() {
         Token::End => Ok(Formula { nodes: parser.nodes }),
@@ -177,6 +176,7 @@ impl Arity {
 
 struct Parser<'a> {
     text: &'a str,
+    functions: &'a [&'static KinematicFunction],
     tokens: Vec<Spanned>,
     at: usize,
     nodes: Vec<(Ast, Range<usize>)>,
@@ -518,15 +518,15 @@ impl Parser<'_> {
         if name == "if" {
             return self.conditional(span);
         }
-        if let Some(row) = kinematic::find(name) {
-            return self.kinematic(row, span);
+        if let Some(function) = self.functions.iter().find(|f| f.name == name) {
+            return self.kinematic(function, span);
         }
         if let "lg" | "log10" | "cbrt" = name {
             return self.composed(name, span);
         }
         let function = Function::from_name(if name == "ln" { "log" } else { name });
         if function.is_none() && name != "sqrt" {
-            return Err(unknown_function(name, span));
+            return Err(unknown_function(name, span, self.functions));
         }
         let open = self.span();
         self.advance();
@@ -673,7 +673,7 @@ impl Parser<'_> {
     }
 
     /// The arguments of kinematic functions are names: `x(A)`, `force(springs.front)`.
-    fn kinematic(&mut self, row: usize, span: Range<usize>) -> Result<NodeId, Notice> {
+    fn kinematic(&mut self, function: &'static KinematicFunction, span: Range<usize>) -> Result<NodeId, Notice> {
         let open = self.span();
         self.advance();
         let mut arguments = Vec::new();
@@ -697,12 +697,12 @@ impl Parser<'_> {
             }
         }
         self.close(&open)?;
-        let name = kinematic::FUNCTIONS[row].name;
-        let allowed = kinematic::FUNCTIONS[row].arity();
+        let name = function.name;
+        let allowed = function.arity();
         if !allowed.contains(&arguments.len()) {
             return Err(self.arity(name, Arity::Exactly(*allowed.end()), arguments.len(), span));
         }
-        Ok(self.push(Ast::Kinematic { row, arguments }, span.start))
+        Ok(self.push(Ast::Kinematic { function, arguments }, span.start))
     }
 }
 
@@ -723,8 +723,8 @@ fn instead(name: &str) -> Option<(&'static str, &'static str)> {
     })
 }
 
-fn unknown_function(name: &str, span: Range<usize>) -> Notice {
-    let known = Function::ALL.iter().map(|(_, n)| *n).chain(["sqrt", "if"]).chain(kinematic::FUNCTIONS.iter().map(|f| f.name));
+fn unknown_function(name: &str, span: Range<usize>, functions: &[&'static KinematicFunction]) -> Notice {
+    let known = Function::ALL.iter().map(|(_, n)| *n).chain(["sqrt", "if"]).chain(functions.iter().map(|f| f.name));
     let fault = Notice::piece("M033", span, format!("unknown function `{name}`"), format!("неизвестная функция `{name}`"));
     if let Some((en, ru)) = instead(name) {
         let fault = match name {
@@ -749,7 +749,7 @@ fn unknown_function(name: &str, span: Range<usize>) -> Notice {
         "ch" => Some("cosh"),
         "th" => Some("tanh"),
         "sgn" | "signum" => Some("sign"),
-        _ => nearest(name, known),
+        _ => words::nearest(name, known),
     };
     match other {
         Some(near) => fault.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),

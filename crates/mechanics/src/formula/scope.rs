@@ -1,10 +1,10 @@
 //! What the names in formulas mean.
 
-use super::check::{Depends, Kind};
-use super::kinematic::{FUNCTIONS, Takes};
-use crate::model::{Axis, Element, FrameId, Part, PointId, PointRef, RequestKind};
-use crate::snippet::nearest;
+use super::kind::{Depends, Kind};
+use super::kinematic::{KinematicFunction, Takes};
+use crate::requests::{Axis, ElementId, FrameId, Part, PointId, PointRef, RequestKind};
 use crate::units::Dimension;
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::ops::Range;
 use symbolic::{Expr, SymbolId};
@@ -35,6 +35,17 @@ pub(crate) enum Place {
     Point(PointId),
 }
 
+/// A function of formulas that an element answers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Told {
+    /// `force`.
+    pub function: &'static str,
+    /// Dimension of its value.
+    pub kind: Kind,
+    /// Which of the values that the law of the element gives.
+    pub value: usize,
+}
+
 /// All names.
 #[derive(Default)]
 pub(crate) struct Scope {
@@ -45,17 +56,33 @@ pub(crate) struct Scope {
     listed_places: Vec<String>,
     acting: HashMap<String, Vec<Acting>>,
     listed_elements: Vec<String>,
+    /// How many suggestions were looked for.
+    searches: Cell<usize>,
 }
 
-/// Something that acts with a force: a spring, a damper, a connection.
+/// More suggestions than this are not looked for: a file of a hundred thousand slips must not cost as many searches.
+const SEARCHES: usize = 300;
+
+/// A name in a formula: its table, if it is given, the name, the place.
+type Named<'n> = (Option<&'n str>, &'n str, &'n Range<usize>);
+
+/// Something that acts with a force: an element, a connection.
 struct Acting {
     table: &'static str,
     what: What,
 }
 
+impl Acting {
+    /// How an element answers a function.
+    fn told(&self, function: &str) -> Option<Told> {
+        let What::Element(_, told) = &self.what else { return None };
+        told.iter().find(|t| t.function == function).copied()
+    }
+}
+
 enum What {
-    /// With the dimension of its pathway.
-    Element(Element, Kind),
+    /// With the functions that it answers.
+    Element(ElementId, Vec<Told>),
     /// Index of the connection, and the components that it has.
     Connection(usize, Vec<(Part, Kind)>),
     /// A connection that is not read yet, or has a fault, which is reported.
@@ -63,6 +90,11 @@ enum What {
 }
 
 impl Scope {
+    /// The nearest of the candidates to a misspelt word, when it is near enough to be meant.
+    pub(crate) fn nearest<'n>(&self, word: &str, candidates: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+        self.searches.set(self.searches.get() + 1);
+        (self.searches.get() <= SEARCHES).then(|| words::nearest(word, candidates)).flatten()
+    }
     pub(crate) fn declare(&mut self, name: &str, entry: Entry) {
         if self.names.insert(name.to_owned(), entry).is_none() {
             self.listed.push(name.to_owned());
@@ -105,10 +137,9 @@ impl Scope {
             self.listed_places.push(name.to_owned());
         }
     }
-    /// Declares a spring or damper with the dimension of its pathway.
-    pub(crate) fn declare_element(&mut self, name: &str, element: Element, pathway: Kind) {
-        let table = if let Element::Spring(_) = element { "springs" } else { "dampers" };
-        self.declare_acting(name, Acting { table, what: What::Element(element, pathway) });
+    /// Declares an element with the functions that it answers.
+    pub(crate) fn declare_element(&mut self, (table, name): (&'static str, &str), index: usize, told: Vec<Told>) {
+        self.declare_acting(name, Acting { table, what: What::Element(ElementId(index), told) });
     }
     /// Makes the name of a connection known before the connection is.
     pub(crate) fn announce_connection(&mut self, table: &'static str, name: &str) {
@@ -148,10 +179,15 @@ impl Scope {
         self.acting.entry(name.to_owned()).or_default().push(acting);
         self.listed_elements.push(name.to_owned());
     }
-    /// The name of a connection in a placeholder: with its table when something else has the same name.
-    pub(crate) fn shown_reaction(&self, name: &str, index: usize) -> String {
+    /// A name in a placeholder: with its table when something else that acts has the same name.
+    pub(crate) fn shown(&self, name: &str, kind: RequestKind) -> String {
         let all = self.acting.get(name).map_or(&[][..], Vec::as_slice);
-        match all.iter().find(|a| matches!(a.what, What::Connection(i, _) if i == index)) {
+        let is_own = |a: &&Acting| match (&a.what, kind) {
+            (What::Connection(i, _), RequestKind::Reaction(index, _)) => *i == index,
+            (What::Element(id, _), RequestKind::Element(own, _)) => *id == own,
+            _ => false,
+        };
+        match all.iter().find(is_own) {
             Some(own) if all.len() > 1 => format!("{}.{name}", own.table),
             _ => name.to_owned(),
         }
@@ -160,11 +196,10 @@ impl Scope {
     /// What a kinematic function of these names asks for, and its dimension.
     pub(crate) fn request(
         &self,
-        row: usize,
+        function: &KinematicFunction,
         arguments: &[(Option<String>, String, Range<usize>)],
         whole: &Range<usize>,
     ) -> Result<(RequestKind, Kind), Notice> {
-        let function = &FUNCTIONS[row];
         let dimension = function.dimension.map_or(Kind::Unknown, Kind::Known);
         let kind = match (function.takes, arguments.first()) {
             (Takes::Point, Some((table, name, span))) => {
@@ -182,7 +217,7 @@ impl Scope {
                 RequestKind::KineticEnergy(Some(self.frame(table.as_deref(), name, span)?))
             }
             (Takes::Element | Takes::Acting, Some((table, name, span))) => {
-                return self.element(function.name, table.as_deref(), name, span);
+                return self.element(function, (table.as_deref(), name, span));
             }
             (Takes::BodyOrNothing, None) => RequestKind::KineticEnergy(None),
             (Takes::Nothing, _) if function.name == "dissipation" => RequestKind::Dissipation,
@@ -223,7 +258,7 @@ impl Scope {
             format!("there is no frame, body or point `{name}`"),
             format!("нет системы отсчёта, тела или точки `{name}`"),
         );
-        match nearest(name, self.place_names()) {
+        match self.nearest(name, self.place_names()) {
             Some(near) => fault.meant(name, near),
             None => fault.help(
                 format!("add [bodies.{name}], [frames.{name}] or an entry to [points]"),
@@ -232,18 +267,16 @@ impl Scope {
         }
     }
 
-    fn element(&self, function: &str, table: Option<&str>, name: &str, span: &Range<usize>) -> Result<(RequestKind, Kind), Notice> {
+    fn element(&self, function: &KinematicFunction, (table, name, span): Named) -> Result<(RequestKind, Kind), Notice> {
         let all = self.acting.get(name).map_or(&[][..], Vec::as_slice);
-        let fits: Vec<&Acting> = all.iter().filter(|a| table.is_none_or(|t| t == a.table)).collect();
-        if function == "extension" {
-            let element = fits.iter().find_map(|a| if let What::Element(e, pathway) = a.what { Some((e, pathway)) } else { None });
-            let (element, pathway) = element.ok_or_else(|| self.unknown_element(name, span.clone()))?;
-            return Ok((RequestKind::Extension(element), pathway));
-        }
-        match fits.as_slice() {
-            [] => Err(self.unknown_element(name, span.clone())),
-            [one] => component(function, one, name, span),
-            several => Err(ambiguous(function, several, name, span)),
+        let of_elements = function.takes == Takes::Element;
+        let fits = |a: &&Acting| table.is_none_or(|t| t == a.table) && (!of_elements || matches!(a.what, What::Element(..)));
+        let found: Vec<&Acting> = all.iter().filter(fits).collect();
+        let able: Vec<&Acting> = found.iter().copied().filter(|a| !of_elements || a.told(function.name).is_some()).collect();
+        match (able.as_slice(), found.first()) {
+            ([], None) => Err(self.unknown_element(name, span.clone())),
+            ([], Some(one)) | ([one], _) => component(function.name, one, name, span),
+            (several, _) => Err(ambiguous(function.name, several, name, span)),
         }
     }
 
@@ -254,7 +287,7 @@ impl Scope {
             format!("there is no spring, damper or connection `{name}`"),
             format!("нет пружины, демпфера или связи `{name}`"),
         );
-        match nearest(name, self.listed_elements.iter().map(String::as_str)) {
+        match self.nearest(name, self.listed_elements.iter().map(String::as_str)) {
             Some(near) => fault.meant(name, near),
             None => fault,
         }
@@ -265,13 +298,13 @@ impl Scope {
 fn component(function: &str, acting: &Acting, name: &str, span: &Range<usize>) -> Result<(RequestKind, Kind), Notice> {
     let moment = |kind: Kind| !matches!(kind, Kind::Known(d) if !d.same(&Dimension::ENERGY));
     match &acting.what {
-        What::Element(element, pathway) => {
-            let kind = pathway.conjugate();
-            if function == "force" || function == "torque" && moment(kind) {
-                return Ok((RequestKind::ElementForce(*element), kind));
+        What::Element(id, told) => match acting.told(function) {
+            Some(told) => Ok((RequestKind::Element(*id, told.value), told.kind)),
+            None => {
+                let names: Vec<&str> = told.iter().map(|t| t.function).collect();
+                Err(no_such_part(function, acting, name, span, &names))
             }
-            Err(no_such_part(function, acting, name, span, &[if moment(kind) { "torque" } else { "force" }]))
-        }
+        },
         What::Announced => Ok((RequestKind::Reaction(usize::MAX, Part::Force), Kind::Unknown)),
         What::Connection(index, parts) => {
             let find = |wanted: Part| parts.iter().find(|(part, _)| *part == wanted).copied();
@@ -290,27 +323,11 @@ fn component(function: &str, acting: &Acting, name: &str, span: &Range<usize>) -
                 _ => find(Part::Force),
             };
             let Some((part, kind)) = found else {
-                let names: Vec<&str> = parts.iter().map(|(part, _)| part_name(*part)).collect();
+                let names: Vec<&str> = parts.iter().map(|(part, _)| part.name()).collect();
                 return Err(no_such_part(function, acting, name, span, &names));
             };
             Ok((RequestKind::Reaction(*index, part), kind))
         }
-    }
-}
-
-fn part_name(part: Part) -> &'static str {
-    match part {
-        Part::Force => "force",
-        Part::ForceX => "force_x",
-        Part::ForceY => "force_y",
-        Part::ForceZ => "force_z",
-        Part::Moment => "moment",
-        Part::MomentX => "moment_x",
-        Part::MomentY => "moment_y",
-        Part::Normal => "normal",
-        Part::Tangential => "tangential",
-        Part::Tight => "tight_side",
-        Part::Slack => "slack_side",
     }
 }
 
@@ -360,15 +377,5 @@ fn of_point(function: &str, at: PointRef) -> RequestKind {
         "ay" => RequestKind::Acceleration(at, Axis::Y),
         "az" => RequestKind::Acceleration(at, Axis::Z),
         _ => RequestKind::Speed(at),
-    }
-}
-
-impl Kind {
-    /// The dimension of the force that works on a pathway of this dimension: energy / pathway.
-    pub(crate) fn conjugate(self) -> Kind {
-        match self {
-            Kind::Known(d) => Dimension::ENERGY.div(&d.without_angle()).map_or(Kind::Unknown, Kind::Known),
-            other => other,
-        }
     }
 }

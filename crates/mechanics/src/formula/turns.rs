@@ -6,9 +6,9 @@
 //! field except a time, a number or a frequency. A value in 1/s alone (a decay rate, v/l, sqrt(c/m)) counts nothing and never meets a
 //! complaint.
 
-use super::check::Kind;
+use super::kind::Kind;
 use super::parse::{Ast, Formula, NodeId};
-use crate::units::{Dimension, Unit};
+use crate::units::{Dimension, Unit, complaint};
 use std::f64::consts::PI;
 use std::ops::Range;
 use symbolic::{Function, Rational};
@@ -84,63 +84,6 @@ pub(super) fn over_sixty(formula: &Formula, factors: &[(bool, NodeId)], kinds: &
         .help("write 2*pi*n instead of pi*n/30", "напишите 2*pi*n вместо pi*n/30")
         .warning()
     })
-}
-
-/// The complaint about a value that stands where `wanted` is wanted.
-pub(crate) fn in_field(got: &Dimension, wanted: &Dimension, span: Range<usize>) -> Option<Notice> {
-    if wanted.counts_periods() {
-        let words = (
-            "this is in rad/s, but the quantity counts periods (Hz, 1/min)".to_owned(),
-            "это рад/с, а величина считает периоды (Гц, 1/мин)".to_owned(),
-        );
-        let fault = Notice::piece("M027", span, words.0, words.1);
-        return got.has_radians().then(|| {
-            fault
-                .why("the number is taken as periods per second", "число принято за периоды в секунду")
-                .help("divide by 2*pi or give it in Hz", "разделите на 2*pi или задайте в Гц")
-                .warning()
-        });
-    }
-    if !got.counts_periods() {
-        return None;
-    }
-    if wanted.is_angular() {
-        let words = (
-            "this counts periods (Hz, 1/min), but an angular rate or angle in radians is meant".to_owned(),
-            "это счёт периодов (Гц, 1/мин), а нужны угол или угловая скорость в радианах".to_owned(),
-        );
-        return got.lacks_radians().then(|| complaint(span, words));
-    }
-    (!wanted.is_of_time()).then(|| {
-        Notice::piece(
-            "M027",
-            span,
-            "a frequency in Hz or 1/min enters this value without 2 pi",
-            "частота в Гц или 1/мин входит в эту величину без множителя 2 пи",
-        )
-        .why(
-            "where an angular rate is meant, the value is off by 2 pi for each power of the frequency",
-            "если нужна угловая скорость, значение неверно в 2 пи раз на каждую степень частоты",
-        )
-        .help(
-            "write 2*pi*n for n; if periods are meant indeed, give n in 1/s",
-            "напишите 2*pi*n вместо n; если нужны именно периоды, задайте n в 1/с",
-        )
-        .warning()
-    })
-}
-
-fn complaint(span: Range<usize>, (en, ru): (String, String)) -> Notice {
-    Notice::piece("M027", span, en, ru)
-        .why(
-            "one period is 2 pi radians; without this factor the number is taken as rad/s: 25 Hz as 25 rad/s, 1450 1/min as 24.17 rad/s",
-            "один период — это 2 пи радиан; без множителя число принимается за рад/с: 25 Гц за 25 рад/с, 1450 1/мин за 24,17 рад/с",
-        )
-        .help(
-            "give the rate in rpm, rev/min, rev/s or rad/s, or write 2*pi*n in the formula",
-            "задайте частоту вращения в об/мин, об/с или рад/с или напишите в формуле 2*pi*n",
-        )
-        .warning()
 }
 
 /// The SI value of one unit of display for a value of this dimension: an angular rate shown in Hz or 1/min is divided by 2π, a

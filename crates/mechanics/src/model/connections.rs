@@ -295,30 +295,3 @@ pub enum SupportDirection {
     TurnY,
     TurnZ,
 }
-
-/// A component of a connection's reaction.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub enum Part {
-    /// The only component, or the magnitude where there are two or three: `force`.
-    Force,
-    /// `force_x`.
-    ForceX,
-    /// `force_y`.
-    ForceY,
-    /// `force_z`.
-    ForceZ,
-    /// `moment`, about z.
-    Moment,
-    /// `moment_x`.
-    MomentX,
-    /// `moment_y`.
-    MomentY,
-    /// `normal` of a rolling contact.
-    Normal,
-    /// `tangential` of a rolling contact.
-    Tangential,
-    /// `tight_side` of a belt or chain: the larger tension.
-    Tight,
-    /// `slack_side` of a belt or chain: the smaller one.
-    Slack,
-}

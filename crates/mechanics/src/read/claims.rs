@@ -1,9 +1,9 @@
 //! `[[claims]]`: published results. They may be wrong, also in their dimensions: that is a result and no error of the file.
 
-use super::reader::{Checked, Fields, Raw, Reader, string, wrong_type};
 use crate::fields;
 use crate::formula::{Context, Kind, check};
 use crate::model::{ClaimDecl, ClaimInstant, ClaimKind};
+use crate::reader::{Checked, Fields, Raw, Reader, string, wrong_type};
 use crate::snippet::Snippet;
 use crate::units::{Dimension, si_label, si_label_ru};
 use algebra::elementary;

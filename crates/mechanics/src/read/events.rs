@@ -1,9 +1,9 @@
 //! `[events.NAME]`: formulas whose zeros are instants to be found.
 
-use super::reader::{Fields, Reader, string, wrong_type};
 use crate::fields;
 use crate::formula::{Context, Kind};
 use crate::model::{EventDecl, EventDirection};
+use crate::reader::{Fields, Reader, string, wrong_type};
 use crate::units::si_label;
 use words::Notice;
 

@@ -1,12 +1,12 @@
 //! `[frames]`, `[bodies]`, `[points]` and gravity.
 
 use super::order::topological;
-use super::parameters::names;
-use super::reader::{Fields, Raw, Reader, components, string, wrong_type};
 use super::shapes;
 use crate::fields;
 use crate::formula::{Context, Place};
 use crate::model::{Axis, Frame, FrameId, Inertia, Mass, Origin, Point, PointId, Reliance};
+use crate::reader::names::frame_named;
+use crate::reader::{Fields, Raw, Reader, components, string, wrong_type};
 use crate::units::Dimension;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -131,32 +131,6 @@ fn ground(reader: &mut Reader) -> Frame {
     }
 }
 
-/// A frame or body named under a key; ground without it and after a fault.
-pub(super) fn frame_named<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> FrameId {
-    fields.name(reader, key).and_then(|(name, span)| frame_by_name(reader, &name, span)).unwrap_or(FrameId::GROUND)
-}
-
-/// The frame of that name, or a finding.
-pub(super) fn frame_by_name(reader: &mut Reader, name: &str, span: Range<usize>) -> Option<FrameId> {
-    match reader.scope.place(name) {
-        Some(Place::Frame(f)) => Some(f),
-        Some(Place::Point(_)) => {
-            reader.fault(Notice::piece(
-                "M014",
-                span,
-                format!("`{name}` is a point; a frame or body is needed here"),
-                format!("`{name}` — точка, а здесь нужно тело или система отсчёта"),
-            ));
-            None
-        }
-        None => {
-            let fault = reader.scope.unknown_place(name, span);
-            reader.fault(fault);
-            None
-        }
-    }
-}
-
 fn frame<'a>(reader: &mut Reader<'a>, raw: &RawFrame<'a>) -> Frame {
     let fields = &raw.fields;
     let on = frame_named(reader, fields, "on");
@@ -216,7 +190,7 @@ fn rotations<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Vec<(Axis, Exp
     items.iter().filter_map(|item| turn(reader, item)).collect()
 }
 
-fn turn<'a>(reader: &mut Reader<'a>, item: &'a super::syntax::Value<'a>) -> Option<(Axis, Expr)> {
+fn turn<'a>(reader: &mut Reader<'a>, item: &'a crate::reader::syntax::Value<'a>) -> Option<(Axis, Expr)> {
     string(reader, item, "a string such as \"z: psi\"", "строка вида \"z: psi\"")?;
     let (axis, raw) = axis_prefix(reader, item)?;
     let Some(axis) = axis else {
@@ -230,7 +204,7 @@ fn turn<'a>(reader: &mut Reader<'a>, item: &'a super::syntax::Value<'a>) -> Opti
 }
 
 /// `x: formula` or `formula`.
-fn axis_prefix<'a>(reader: &mut Reader<'a>, value: &'a super::syntax::Value<'a>) -> Option<(Option<Axis>, Raw<'a>)> {
+fn axis_prefix<'a>(reader: &mut Reader<'a>, value: &'a crate::reader::syntax::Value<'a>) -> Option<(Option<Axis>, Raw<'a>)> {
     let Some(snippet) = reader.snippet(value) else { return reader.raw(value).map(|raw| (None, raw)) };
     let Some(colon) = snippet.text.find(':') else { return Some((None, reader.raw_text(snippet))) };
     let axis = match snippet.text[..colon].trim() {
@@ -382,25 +356,4 @@ fn default_gravity<'a>(reader: &mut Reader<'a>) -> Expr {
     }
     let raw = reader.raw_text(snippet);
     reader.value(&raw, &Context::CONSTANT, Some(&Dimension::ACCELERATION)).expr
-}
-
-/// Two names under a key.
-pub(super) fn two_names<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<[(String, Range<usize>); 2]> {
-    let value = fields.get(key)?;
-    let found = names(reader, value);
-    let count = found.len();
-    match <[_; 2]>::try_from(found) {
-        Ok(pair) => Some(pair),
-        Err(_) => {
-            if value.get_ref().as_array().is_some_and(|a| a.len() == count) {
-                reader.fault(Notice::piece(
-                    "M008",
-                    value.span(),
-                    format!("two names are needed, {count} given"),
-                    format!("нужны два имени, дано: {count}"),
-                ));
-            }
-            None
-        }
-    }
 }

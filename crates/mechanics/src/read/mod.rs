@@ -5,8 +5,6 @@
 
 mod claims;
 mod connections;
-mod elements;
-mod evaluate;
 mod events;
 mod frames;
 mod order;
@@ -16,30 +14,37 @@ mod parameters;
 mod phases;
 mod plane;
 mod ranges;
-mod reader;
 mod sections;
 mod shapes;
 mod structures;
 mod studies;
-mod syntax;
-mod toml_words;
 mod unknowns;
 mod variants;
 
+pub use crate::reader::MAX_FINDINGS;
 pub use overrides::split as split_override;
 pub use ranges::sweep_range;
 
-use crate::Reading;
 use crate::asked::{Asked, Kinds, Value};
+use crate::elements;
 use crate::fields;
+use crate::formula::KINEMATIC_FUNCTIONS;
 use crate::model::Model;
-use reader::{Fields, Reader};
+use crate::reader::syntax;
+use crate::reader::{Fields, Reader};
 use words::{Notice, Severity, Text, notice};
 
 /// Largest model file, bytes.
 pub const MAX_FILE: usize = 4 << 20;
-/// More findings than this are not listed.
-pub const MAX_FINDINGS: usize = 200;
+
+/// What reading a model file gives.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The model.
+    pub model: Model,
+    /// Findings that do not prevent its use.
+    pub warnings: Vec<Notice>,
+}
 
 /// Reads a model file. `file` is its path, used only to name a model without a title. `overrides` are (name, quantity) pairs as given
 /// by `--set name=quantity`: a parameter (also one with a formula), the start of a coordinate (`phi`), or its rate (`phi'`).
@@ -59,7 +64,6 @@ pub fn read_with(text: &str, file: &str, overrides: &[(String, String)], kinds: 
 }
 
 fn read_asking(text: &str, (file, kinds): (&str, Option<&Kinds>), overrides: &[(String, String)]) -> Result<Reading, Vec<Notice>> {
-    crate::snippet::renew_searches();
     if text.len() > MAX_FILE {
         let size = text.len() / 1024;
         let fault = Notice::piece(
@@ -73,7 +77,7 @@ fn read_asking(text: &str, (file, kinds): (&str, Option<&Kinds>), overrides: &[(
     let (root, syntax) = syntax::parse(text);
     let Some(root) = root else { return Err(finish(syntax)) };
     let broken = !syntax.is_empty();
-    let mut reader = Reader::new(text, overrides);
+    let mut reader = Reader::new(text, overrides, KINEMATIC_FUNCTIONS.iter().chain(elements::functions()).collect());
     let model = model(&mut reader, &root, (file, kinds));
     let mut findings = reader.into_diagnostics();
     if broken {
@@ -131,18 +135,13 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     structures::rods(reader, &top);
     let gravity = frames::gravity(reader, &top, &frames);
     connections::announce(reader, &top);
-    let springs = elements::springs(reader, &top);
-    let dampers = elements::dampers(reader, &top);
-    let mut forces = elements::forces(reader, &top);
-    let mut torques = elements::torques(reader, &top);
-    let potentials = elements::potentials(reader, &top);
-    let dissipations = elements::dissipations(reader, &top);
+    let mut elements = elements::read(reader, &top, &structures::takes);
     let space = connections::Space::new(reader, &frames, &points, &parameters);
     let connections = connections::read(reader, &top, &space);
     let places_of = connections::Places { frames: &frames, points: &points, coordinates: &coordinates };
     connections::warn(reader, &connections, &places_of);
     let (resultants, places) = connections::distributed(reader, &top, &space, points.len());
-    forces.extend(resultants);
+    elements.extend(resultants);
     points.extend(places);
     let acting = reader.builder.used.clone();
     let outputs = outputs::resolve(reader, raw_outputs);
@@ -156,7 +155,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
         d.loaded = coordinates.iter().any(|c| c.name == d.name && c.symbols.iter().any(|s| acting.contains(s)));
     }
     let on_structure = structure.iter_mut().flat_map(|s| &mut s.loads);
-    let loads = phases::Loads { forces: &mut forces, torques: &mut torques, on_structure: on_structure.collect() };
+    let loads = phases::Loads { elements: &mut elements, on_structure: on_structure.collect() };
     parameters.extend(schedule.restart(reader, &parameters, loads, &mut notation));
     let studies = kinds.map(|kinds| studies::read(reader, &top, kinds)).unwrap_or_default();
     let variants = variants::read(reader, &top);
@@ -182,13 +181,8 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
         coordinates,
         frames,
         points,
-        springs,
-        dampers,
+        elements,
         connections,
-        forces,
-        torques,
-        potentials,
-        dissipations,
         outputs,
         events,
         claims,

@@ -2,11 +2,11 @@
 
 use super::order::topological;
 use super::parameters::{claim, cycle_fault};
-use super::reader::{Checked, Fields, Raw, Reader, short};
 use crate::fields;
-use crate::formula::{Context, Depends, Entry, EntryKind, Kind, Plain, display, mismatch};
+use crate::formula::{Context, Depends, Entry, EntryKind, Kind, Plain, display};
 use crate::model::{DisplayUnit, OutputDecl, Request, RequestKind};
-use crate::units::{Dimension, Unit, si_label};
+use crate::reader::{Checked, Fields, Raw, Reader, short};
+use crate::units::{Dimension, Unit, mismatch, si_label};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use toml::de::DeValue;

@@ -5,8 +5,7 @@
 
 use super::parameters::{RawCoordinate, RawParameter};
 use super::phases::{self, Schedule};
-use super::reader::Reader;
-use crate::snippet::nearest;
+use crate::reader::Reader;
 use std::collections::HashSet;
 use words::{Notice, Place};
 
@@ -46,7 +45,7 @@ pub(super) fn check_names(reader: &mut Reader, coordinates: &[RawCoordinate], pa
             format!("the model has no parameter or coordinate `{}`", name.trim()),
             format!("в модели нет параметра или координаты `{}`", name.trim()),
         );
-        let fault = match nearest(name.trim(), known.iter().map(String::as_str)) {
+        let fault = match reader.scope.nearest(name.trim(), known.iter().map(String::as_str)) {
             Some(near) => fault.meant(name.trim(), near),
             None => fault.help(
                 "a name is a parameter, a coordinate for its start, or phi' for a rate",

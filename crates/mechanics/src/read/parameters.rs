@@ -2,12 +2,12 @@
 
 use super::order::topological;
 use super::phases::Schedule;
-use super::reader::{Checked, Fields, Raw, Reader, short, string};
 use crate::fields;
-use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind, in_field, mismatch};
+use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind};
 use crate::model::{Class, CoordinateDecl, ParameterDecl, ParameterValue, Reliance};
+use crate::reader::{Checked, Fields, Raw, Reader, short};
 use crate::snippet::{Site, Snippet};
-use crate::units::{Dimension, Unit, si_label, written_unit};
+use crate::units::{Dimension, Unit, in_field, mismatch, si_label, written_unit};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -423,16 +423,5 @@ impl Reader<'_> {
     /// Whether the file has an output of that name.
     fn is_output(&self, name: &str, top: &Fields) -> bool {
         top.get("outputs").and_then(|v| v.get_ref().as_table()).is_some_and(|t| t.contains_key(name))
-    }
-}
-
-/// A string list; findings for anything else in it.
-pub(super) fn names<'a>(reader: &mut Reader<'a>, value: &'a super::syntax::Value<'a>) -> Vec<(String, Range<usize>)> {
-    match value.get_ref() {
-        DeValue::Array(items) => items.iter().filter_map(|v| string(reader, v, "a name in quotes", "имя в кавычках")).collect(),
-        other => {
-            reader.fault(super::reader::wrong_type(value.span(), "an array of names", "массив имён", other.type_str()));
-            Vec::new()
-        }
     }
 }

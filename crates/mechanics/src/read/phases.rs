@@ -5,11 +5,10 @@
 //! counts from the start of the phase: they are written over τ = t - t0(t) instead of t.
 
 use super::parameters::{RawCoordinate, RawParameter, names_of};
-use super::reader::{Checked, Fields, Raw, Reader, string, wrong_type};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry as ScopeEntry, EntryKind, Kind};
-use crate::model::{Action, Class, Force, ParameterDecl, ParameterValue, Torque};
-use crate::snippet::nearest;
+use crate::model::{Class, Element, ParameterDecl, ParameterValue};
+use crate::reader::{Checked, Fields, Raw, Reader, string, wrong_type};
 use crate::structure;
 use crate::units::Dimension;
 use std::collections::HashMap;
@@ -101,7 +100,7 @@ fn reading(word: &str) -> Option<bool> {
 }
 
 fn unknown_reading(word: &str, span: Range<usize>) -> Notice {
-    let word = super::reader::short(word);
+    let word = crate::reader::short(word);
     Notice::piece("M098", span, format!("unknown reading `{word}` of the forcing's phase"), format!("неизвестное толкование фазы возбуждения `{word}`"))
         .why(
             "at a switch the forcing either keeps its phase (a motor turns on) or restarts it (time counts from the switch)",
@@ -123,7 +122,7 @@ impl<'a> Schedule<'a> {
             if known.contains_key(name.as_str()) {
                 continue;
             }
-            let short = super::reader::short(name);
+            let short = crate::reader::short(name);
             let fault = Notice::piece(
                 "M097",
                 span.clone(),
@@ -136,7 +135,7 @@ impl<'a> Schedule<'a> {
                     "координата следует из движения и при переключении не задаётся",
                 )
             } else {
-                match nearest(name, parameters.iter().map(|p| p.name.as_str())) {
+                match reader.scope.nearest(name, parameters.iter().map(|p| p.name.as_str())) {
                     Some(near) => fault.meant(name, near),
                     None => fault.help("name a parameter of [parameters]", "назовите параметр из [parameters]"),
                 }
@@ -296,9 +295,7 @@ impl<'a> Schedule<'a> {
         let elapsed = graph.symbol(symbol);
         notation.push((name.clone(), "τ".to_owned()));
         let mut rewriting = Rewriting::new(reader, parameters, |name| self.sets(name), elapsed);
-        for value in loads.values() {
-            *value = rewriting.apply(reader, *value);
-        }
+        loads.change(&mut |value| rewriting.apply(reader, value));
         Some(ParameterDecl {
             name,
             symbol,
@@ -315,24 +312,25 @@ impl<'a> Schedule<'a> {
 
 /// All that acts as a load of its own: on bodies and on structures.
 pub(super) struct Loads<'l> {
-    pub forces: &'l mut [Force],
-    pub torques: &'l mut [Torque],
+    pub elements: &'l mut [Element],
     pub on_structure: Vec<&'l mut structure::Load>,
 }
 
-impl<'l> Loads<'l> {
-    fn values(self) -> Vec<&'l mut Expr> {
-        let of_force = |f: &'l mut Force| match &mut f.action {
-            Action::AtPoint { value, .. } => value.iter_mut().collect::<Vec<_>>(),
-            Action::OnPathway { value, .. } => vec![value],
-        };
-        let of_structure = |load: &'l mut structure::Load| match &mut load.action {
-            structure::Action::Point { value, .. } => value.iter_mut().collect::<Vec<_>>(),
-            structure::Action::Distributed { value, .. } => value.iter_mut().flatten().collect(),
-        };
-        let forces = self.forces.iter_mut().flat_map(of_force);
-        let torques = self.torques.iter_mut().flat_map(|t| t.value.iter_mut());
-        forces.chain(torques).chain(self.on_structure.into_iter().flat_map(of_structure)).collect()
+impl Loads<'_> {
+    /// Replaces the formulas of loads.
+    fn change(self, change: &mut dyn FnMut(Expr) -> Expr) {
+        for element in self.elements {
+            if let Some(law) = element.law.over(change) {
+                element.law = law;
+            }
+        }
+        for load in self.on_structure {
+            let values: Vec<&mut Expr> = match &mut load.action {
+                structure::Action::Point { value, .. } => value.iter_mut().collect(),
+                structure::Action::Distributed { value, .. } => value.iter_mut().flatten().collect(),
+            };
+            values.into_iter().for_each(|value| *value = change(*value));
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Frames and trusses are plane: what a file says about the third axis must be zero. And their own weight, as loads.
 
-use super::reader::{Fields, Reader};
-use super::syntax::Value;
+use crate::reader::syntax::Value;
+use crate::reader::{Fields, Reader};
 use crate::structure::{Action, Load, Site};
 use symbolic::Expr;
 use words::Notice;

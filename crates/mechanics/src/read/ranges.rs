@@ -39,7 +39,7 @@ impl Range {
                 );
                 Err(Notice::piece("M024", self.whole.clone(), en, ru))
             }
-            Some(d) => match crate::formula::in_field(&d, wanted, self.whole.clone()) {
+            Some(d) => match crate::units::in_field(&d, wanted, self.whole.clone()) {
                 Some(fault) => Err(Notice { severity: words::Severity::Error, ..fault }),
                 None => Ok(()),
             },
@@ -63,7 +63,7 @@ pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Notice> {
     };
     let Some(unit) = parameter.or_else(coordinate) else {
         let names = model.parameters.iter().map(|p| p.name.as_str()).chain(model.coordinates.iter().map(|c| c.name.as_str()));
-        return Err(unknown_name(&range, crate::snippet::nearest(&range.name, names)));
+        return Err(unknown_name(&range, words::nearest(&range.name, names)));
     };
     if let Ok(unit) = parse_unit(unit) {
         range.fits(&unit.dimension, model.scaled.get(&range.name))?;
@@ -74,7 +74,7 @@ pub fn sweep_range(model: &Model, text: &str) -> Result<SweepRange, Notice> {
 /// The fault of a name that cannot be swept.
 pub(super) fn unknown_name(range: &Range, near: Option<&str>) -> Notice {
     let name = range.name.as_str();
-    let shown = super::reader::short(name);
+    let shown = crate::reader::short(name);
     let fault = Notice::piece(
         "M068",
         range.named.clone(),
@@ -184,8 +184,8 @@ fn number_of(text: &str, whole: &Span<usize>) -> Result<usize, Notice> {
         Notice::piece(
             "M070",
             whole.clone(),
-            format!("`{}` is no number of values: 2 ... {MAX_VALUES}", super::reader::short(text)),
-            format!("`{}` — не число значений: от 2 до {MAX_VALUES}", super::reader::short(text)),
+            format!("`{}` is no number of values: 2 ... {MAX_VALUES}", crate::reader::short(text)),
+            format!("`{}` — не число значений: от 2 до {MAX_VALUES}", crate::reader::short(text)),
         )
     })
 }

@@ -1,8 +1,8 @@
 //! `[sections.NAME]`: parts of a section, their checks, and what they make together.
 
-use super::reader::{Fields, Reader, components, short, wrong_type};
 use crate::fields::{self, TableSpec};
 use crate::formula::Context;
+use crate::reader::{Fields, Reader, components, short, wrong_type};
 use crate::section::{self, Form, Moments, Outline, Part, Properties, Section};
 use crate::units::Dimension;
 use std::ops::Range;
@@ -139,7 +139,7 @@ fn draft<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, spec: &'static TableS
     Some(Draft { part: Part { kind, outline, area, centroid, removed, span }, moments })
 }
 
-fn removal<'a>(reader: &mut Reader<'a>, value: &'a super::syntax::Value<'a>) -> bool {
+fn removal<'a>(reader: &mut Reader<'a>, value: &'a crate::reader::syntax::Value<'a>) -> bool {
     value.get_ref().as_bool().unwrap_or_else(|| {
         reader.fault(wrong_type(value.span(), "true or false", "true или false", value.get_ref().type_str()));
         false

@@ -2,11 +2,11 @@
 //!
 //! Moments about the mass centre (Beer and Johnston, Vector Mechanics for Engineers: Dynamics, table of mass moments of inertia).
 
-use super::reader::{Fields, Reader};
 use crate::fields;
 use crate::formula::Context;
 use crate::model::{Inertia, Reliance};
-use crate::snippet::{Snippet, nearest};
+use crate::reader::{Fields, Reader};
+use crate::snippet::Snippet;
 use crate::units::Dimension;
 use symbolic::{Expr, Rational};
 use toml::de::DeValue;
@@ -100,7 +100,7 @@ fn possible(reader: &mut Reader, tensor: &Fields, [xx, yy, zz]: [f64; 3], [xy, y
     }
 }
 
-fn negative(reader: &mut Reader, fields: &Fields, key: &'static str, value: &super::reader::Checked) {
+fn negative(reader: &mut Reader, fields: &Fields, key: &'static str, value: &crate::reader::Checked) {
     if let Some(v) = reader.number_for(value, Reliance::Sign)
         && v < 0.0
     {
@@ -118,7 +118,7 @@ fn negative(reader: &mut Reader, fields: &Fields, key: &'static str, value: &sup
 }
 
 /// Reports a length that is not positive.
-fn positive(reader: &mut Reader, fields: &Fields, key: &'static str, value: &super::reader::Checked) {
+fn positive(reader: &mut Reader, fields: &Fields, key: &'static str, value: &crate::reader::Checked) {
     if let Some(v) = reader.number_for(value, Reliance::Sign)
         && v <= 0.0
     {
@@ -138,7 +138,7 @@ fn positive(reader: &mut Reader, fields: &Fields, key: &'static str, value: &sup
 fn shape<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr) -> Option<Inertia> {
     let value = fields.get("shape")?;
     let Some(snippet) = reader.snippet(value) else {
-        reader.fault(super::reader::wrong_type(
+        reader.fault(crate::reader::wrong_type(
             value.span(),
             "a shape such as \"disc(R)\"",
             "форма, например \"disc(R)\"",
@@ -188,10 +188,10 @@ fn split<'a>(snippet: &Snippet<'a>) -> Result<(&'static str, Vec<Snippet<'a>>), 
         let fault = Notice::piece(
             "M054",
             0..open,
-            format!("unknown shape `{}`", super::reader::short(name)),
-            format!("неизвестная форма `{}`", super::reader::short(name)),
+            format!("unknown shape `{}`", crate::reader::short(name)),
+            format!("неизвестная форма `{}`", crate::reader::short(name)),
         );
-        let near = nearest(name, known).map_or_else(|| known.join(", "), str::to_owned);
+        let near = words::nearest(name, known).map_or_else(|| known.join(", "), str::to_owned);
         return Err(fault.help(format!("did you mean {near}?"), format!("может быть, {near}?")));
     };
     let mut arguments = Vec::new();

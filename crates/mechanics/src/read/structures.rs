@@ -2,17 +2,15 @@
 //!
 //! The tables `rods` and `supports` also hold connections of bodies: a row whose ends are points of bodies is not touched here.
 
-use super::frames::two_names;
-use super::parameters::names;
 use super::plane;
-use super::reader::{Checked, Fields, Reader, components, short, string, wrong_type};
 use crate::fields;
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
+use crate::reader::names::names;
+use crate::reader::names::two_names;
+use crate::reader::{Checked, Fields, Reader, components, short, string, wrong_type};
 use crate::section::Section;
-use crate::snippet::nearest;
 use crate::structure::{Action, AssumedShape, Direction, Displacement, Load, Node, Options, Rod, Site, Structure, Support};
 use crate::units::Dimension;
-use std::collections::HashMap;
 use std::ops::Range;
 use symbolic::{Expr, Rational, SymbolId};
 use toml::de::DeValue;
@@ -28,20 +26,6 @@ const LINE_MASS: Dimension = Dimension::of(-1, 1, 0);
 
 /// Most parts of a rod.
 const PARTS: i64 = 100_000;
-
-/// What is read so far.
-#[derive(Default)]
-pub(super) struct Draft {
-    pub(super) nodes: Vec<Node>,
-    node_index: HashMap<String, usize>,
-    pub(super) rods: Vec<Rod>,
-    rod_index: HashMap<String, usize>,
-    pub(super) loads: Vec<Load>,
-    /// Area and second moment by name.
-    sections: HashMap<String, (Expr, Expr)>,
-    /// I_x, I_y and I_xy about central axes, m⁴, of sections whose axes x, y are not principal.
-    skew: HashMap<String, [f64; 3]>,
-}
 
 /// Share of I_x that free skew bending takes away in a section whose axes are not principal.
 const SKEW: f64 = 1e-3;
@@ -91,7 +75,7 @@ pub(super) fn rows<'a>(
 }
 
 /// Whether a row of a shared table is about nodes and their rods.
-fn owns(reader: &Reader, key: &str, table: &super::syntax::Table) -> bool {
+fn owns(reader: &Reader, key: &str, table: &crate::reader::syntax::Table) -> bool {
     let draft = &reader.structure;
     if draft.nodes.is_empty() {
         return false;
@@ -164,7 +148,7 @@ fn unknown(reader: &mut Reader, name: &str, span: Range<usize>, rods_too: bool) 
     };
     let nodes = reader.structure.nodes.iter().map(|n| n.name.as_str());
     let rods = reader.structure.rods.iter().map(|r| r.name.as_str()).filter(|_| rods_too);
-    let fault = match nearest(name, nodes.chain(rods)) {
+    let fault = match reader.scope.nearest(name, nodes.chain(rods)) {
         Some(near) => fault.meant(name, near),
         None => fault.help("add it to [nodes]", "добавьте его в [nodes]"),
     };
@@ -247,7 +231,10 @@ fn section<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<(Expr, Ex
     if found.is_none() {
         let fault =
             Notice::piece("M202", span, format!("there is no section `{}`", short(&name)), format!("нет сечения `{}`", short(&name)));
-        let fault = match nearest(&name, reader.structure.sections.keys().map(String::as_str).collect::<std::collections::BTreeSet<_>>()) {
+        let fault = match reader
+            .scope
+            .nearest(&name, reader.structure.sections.keys().map(String::as_str).collect::<std::collections::BTreeSet<_>>())
+        {
             Some(near) => fault.meant(&name, near),
             None => fault.help("add it to [sections]", "добавьте его в [sections]"),
         };
@@ -412,8 +399,17 @@ fn is_ours<'a>(reader: &Reader<'a>, fields: &Fields<'a>, key: &'static str) -> b
     name.is_some_and(|n| reader.structure.node_index.contains_key(n) || reader.structure.rod_index.contains_key(n))
 }
 
+/// Takes a row of a table of elements that acts on a node or rod.
+pub(super) fn takes<'a>(reader: &mut Reader<'a>, table: &str, name: &str, fields: &Fields<'a>) -> bool {
+    match table {
+        "forces" => force(reader, name, fields),
+        "torques" => torque(reader, name, fields),
+        _ => false,
+    }
+}
+
 /// Takes a row of `[forces]` that acts on a node or rod.
-pub(super) fn force<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>) -> bool {
+fn force<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>) -> bool {
     if !is_ours(reader, fields, "at") {
         return false;
     }
@@ -427,7 +423,7 @@ pub(super) fn force<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>
 }
 
 /// Takes a row of `[torques]` that acts on a node or rod.
-pub(super) fn torque<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>) -> bool {
+fn torque<'a>(reader: &mut Reader<'a>, name: &str, fields: &Fields<'a>) -> bool {
     if !is_ours(reader, fields, "on") {
         return false;
     }

@@ -1,7 +1,7 @@
 //! `[unknowns]`: parameters that statics decide.
 
-use super::reader::{Fields, Reader, short, string};
 use crate::model::{Class, Connection, ConnectionKind, ParameterDecl, ParameterValue};
+use crate::reader::{Fields, Reader, short, string};
 use symbolic::SymbolId;
 use words::Notice;
 

@@ -1,18 +1,17 @@
 //! `[variants]`: a table of values, one row a variant. The table itself may be another file, which the command line reads.
 
-use super::parameters::names;
-use super::reader::{Fields, Reader, short};
 use crate::fields;
 use crate::formula::EntryKind;
 use crate::model::{VariantTable, Variants};
-use crate::snippet::nearest;
+use crate::reader::names::names;
+use crate::reader::{Fields, Reader, short};
 use std::ops::Range;
 use words::Notice;
 
 pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Variants> {
     let value = top.get("variants")?;
     let Some(table) = value.get_ref().as_table() else {
-        let fault = super::reader::wrong_type(value.span(), "a table", "таблица", value.get_ref().type_str());
+        let fault = crate::reader::wrong_type(value.span(), "a table", "таблица", value.get_ref().type_str());
         reader.fault(fault.help("write [variants] and table = \"variants.csv\"", "напишите [variants] и table = \"variants.csv\""));
         return None;
     };
@@ -65,7 +64,7 @@ fn unknown(reader: &Reader, name: &str, span: Range<usize>) -> Notice {
     let shown = short(name);
     let (en, ru) = (format!("no parameter or coordinate is called `{shown}`"), format!("нет параметра или координаты `{shown}`"));
     let fault = Notice::piece("M089", span, en, ru);
-    match nearest(name, reader.scope.names()) {
+    match reader.scope.nearest(name, reader.scope.names()) {
         Some(near) => fault.meant(name, near),
         None => fault,
     }

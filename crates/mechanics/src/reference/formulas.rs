@@ -59,7 +59,7 @@ fn functions(out: &mut String, language: Language) {
 
 fn kinematic(out: &mut String, language: Language) {
     let _ = writeln!(out, "{}\n|---|---|", pick(language, ("| kinematic function | meaning |", "| кинематическая функция | смысл |")));
-    for f in KINEMATIC_FUNCTIONS {
+    for f in KINEMATIC_FUNCTIONS.iter().chain(crate::elements::functions()) {
         let argument = match f.takes {
             Takes::Point => "A",
             Takes::Frame => "B",

@@ -228,7 +228,7 @@ fn unit(row: &Row, power: i64) -> Unit {
 /// The known unit name nearest to a misspelt one, in the same alphabet where possible. Letters of one alphabet that look like those
 /// of the other are tried first: `кg`, `H` for Н.
 pub(super) fn nearest(name: &str) -> Option<String> {
-    if name.chars().count() > 12 || !crate::snippet::may_search() {
+    if name.chars().count() > 12 {
         return None;
     }
     for (from, to) in [(LOOKALIKE_LATIN, LOOKALIKE_CYRILLIC), (LOOKALIKE_CYRILLIC, LOOKALIKE_LATIN)] {

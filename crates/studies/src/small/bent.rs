@@ -1,7 +1,7 @@
 //! Elements whose forces are no straight lines over places and rates: what small motions leave out, by name.
 
 use mechanics::Model;
-use mechanics::model::{Action, Class, ConnectionKind, ParameterValue, RequestKind};
+use mechanics::model::{Class, ConnectionKind, ParameterValue, RequestKind};
 use symbolic::{Expr, Function, Graph, Node, Substitution, SymbolId};
 use words::Text;
 
@@ -18,25 +18,14 @@ pub fn elements(model: &Model) -> Vec<String> {
             bends(&mut graph, whole, &states, degree)
         })
     };
-    let mut names = Vec::new();
-    for s in &model.springs {
-        if s.backlash.is_some() || curved(&[s.stiffness, s.preload], 0) {
-            names.push(format!("springs.{}", s.name));
+    let mut names: Vec<String> = Vec::new();
+    for (_, element) in model.acting() {
+        let own = element.law.straight();
+        // a load of the file may act in several parts
+        if (own.switches || curved(&own.formulas, own.degree)) && !names.contains(&element.path) {
+            names.push(element.path.clone());
         }
     }
-    names.extend(model.dampers.iter().filter(|d| curved(&[d.damping], 0)).map(|d| format!("dampers.{}", d.name)));
-    for f in &model.forces {
-        let value = match &f.action {
-            Action::AtPoint { value, .. } => value.to_vec(),
-            Action::OnPathway { value, .. } => vec![*value],
-        };
-        if curved(&value, 1) {
-            names.push(format!("forces.{}", f.name));
-        }
-    }
-    names.extend(model.torques.iter().filter(|t| curved(&t.value, 1)).map(|t| format!("torques.{}", t.name)));
-    names.extend(model.potentials.iter().filter(|p| curved(&[p.energy], 2)).map(|p| format!("potentials.{}", p.name)));
-    names.extend(model.dissipations.iter().filter(|p| curved(&[p.function], 2)).map(|p| format!("dissipations.{}", p.name)));
     let rubs = |kind: &ConnectionKind| matches!(kind, ConnectionKind::Friction { .. } | ConnectionKind::Stop { .. });
     names.extend(model.connections.iter().filter(|c| rubs(&c.kind)).map(|c| format!("{}.{}", c.table, c.name)));
     names

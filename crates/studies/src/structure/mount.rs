@@ -5,9 +5,8 @@
 use super::bind::{Bound, bind};
 use analysis::studies::structure_modes::{self, Modes};
 use mechanics::Model;
-use mechanics::model::{
-    self, Class, ConstantInertia, CoordinateDecl, Force, OutputDecl, ParameterDecl, ParameterValue, Pathway, Potential,
-};
+use mechanics::elements::{Force, Potential, element};
+use mechanics::model::{self, Class, ConstantInertia, CoordinateDecl, Element, OutputDecl, ParameterDecl, ParameterValue, Pathway};
 use mechanics::structure as file;
 use structures::equilibrium::{EXACT, stands_undivided};
 use structures::loads::loading;
@@ -68,9 +67,9 @@ fn speaks(model: &Model) -> bool {
 /// Whether the model is a frame and nothing else.
 pub fn is_bare(model: &Model) -> bool {
     let bodies = model.frames.iter().any(|f| f.mass.is_some());
-    let elements = model.springs.len() + model.dampers.len() + model.connections.len() + model.dissipations.len();
+    let coupled = !model.connections.is_empty() || model.elements.iter().any(|e| e.law.couples());
     let own = |c: &CoordinateDecl| !is_of_frame(model, &c.name);
-    model.structure.is_some() && !bodies && elements == 0 && !model.coordinates.iter().any(own)
+    model.structure.is_some() && !bodies && !coupled && !model.coordinates.iter().any(own)
 }
 
 fn is_of_frame(model: &Model, name: &str) -> bool {
@@ -264,7 +263,7 @@ fn potential(model: &mut Model, stiffness: &[Entry], first: usize) {
         terms.push(model.graph.scale(product, &factor));
     }
     let energy = model.graph.sum(&terms);
-    model.potentials.push(Potential { name: "frame".into(), energy, span: 0..0 });
+    model.elements.push(element("potentials", "frame".into(), Potential { energy }, 0..0));
 }
 
 /// Generalised forces of the loads on the coordinates.
@@ -287,8 +286,9 @@ fn loads(model: &mut Model, structure: &file::Structure, bound: &Bound, found: &
         for (i, terms) in forces.iter().enumerate().filter(|f| !f.1.is_empty()) {
             let value = model.graph.sum(terms);
             let along = model.graph.symbol(model.coordinates[first + i].symbols[0]);
-            let action = model::Action::OnPathway { pathway: Pathway::Along(along, model::Measure::Other), value };
-            model.forces.push(Force { name: load.name.clone(), load: load.path.clone(), action, span: 0..0 });
+            let force = Force::OnPathway { pathway: Pathway::Along(along, model::Measure::Other), value };
+            let part = element("forces", load.name.clone(), force, 0..0);
+            model.elements.push(Element { path: load.path.clone(), ..part });
         }
     }
 }

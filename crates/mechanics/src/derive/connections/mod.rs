@@ -599,25 +599,6 @@ fn without_accelerations(scene: &mut Scene, rate: Expr) -> Expr {
     scene.tidy(rest)
 }
 
-impl Part {
-    /// The function that asks for it in formulas.
-    pub fn name(self) -> &'static str {
-        match self {
-            Part::Force => "force",
-            Part::ForceX => "force_x",
-            Part::ForceY => "force_y",
-            Part::ForceZ => "force_z",
-            Part::Moment => "moment",
-            Part::MomentX => "moment_x",
-            Part::MomentY => "moment_y",
-            Part::Normal => "normal",
-            Part::Tangential => "tangential",
-            Part::Tight => "tight_side",
-            Part::Slack => "slack_side",
-        }
-    }
-}
-
 fn no_coordinate(connection: &Connection) -> Box<Notice> {
     let name = &connection.name;
     Box::new(

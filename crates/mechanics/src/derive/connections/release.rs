@@ -60,8 +60,7 @@ pub fn is_spatial(model: &Model) -> bool {
     frames
         || model.points.iter().any(|p| off(p.at[2]))
         || model.gravity.is_some_and(|g| off(g[2]))
-        || model.torques.iter().any(|t| off(t.value[0]) || off(t.value[1]))
-        || model.forces.iter().any(|f| matches!(&f.action, crate::model::Action::AtPoint { value, .. } if off(value[2])))
+        || model.elements.iter().flat_map(|e| e.law.leaves_plane()).any(off)
 }
 
 /// From a frame to the ground, both included.

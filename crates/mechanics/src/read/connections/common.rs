@@ -1,11 +1,10 @@
 //! What the tables of connections share: places, pathways, positive sizes, words from a list.
 
+use crate::elements::pathway_of;
 use crate::formula::{Context, Kind, Place};
 use crate::model::{Class, Frame, FrameId, Origin, ParameterDecl, Pathway, Point, PointRef, Reliance, Rest};
-use crate::read::elements::pathway_of;
-use crate::read::frames::frame_by_name;
-use crate::read::reader::{Checked, Fields, Reader, short, string, wrong_type};
-use crate::snippet::nearest;
+use crate::reader::names::frame_by_name;
+use crate::reader::{Checked, Fields, Reader, short, string, wrong_type};
 use crate::units::Dimension;
 use std::collections::HashSet;
 use std::ops::Range;
@@ -100,7 +99,7 @@ pub(super) fn frame<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'sta
 
 /// Two different points that can move against each other.
 pub(super) fn two_points<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<[PointRef; 2]> {
-    let names = crate::read::frames::two_names(reader, fields, "between")?;
+    let names = crate::reader::names::two_names(reader, fields, "between")?;
     let [a, b] = names.clone().map(|(name, span)| point_named(reader, &name, span));
     let (a, b) = (a?, b?);
     if a == b {
@@ -187,7 +186,7 @@ pub(super) fn choose(reader: &mut Reader, text: &str, span: Range<usize>, choice
         let shown = short(text);
         let fault = Notice::piece("M075", span, format!("`{shown}` is not possible here"), format!("здесь невозможно `{shown}`"));
         let list = choices.join(", ");
-        let fault = match nearest(text, choices.iter().copied()) {
+        let fault = match reader.scope.nearest(text, choices.iter().copied()) {
             Some(near) => fault.meant(text, near),
             None => fault.help(format!("one of {list}"), format!("одно из: {list}")),
         };

@@ -4,7 +4,7 @@ use super::Found;
 use super::common::{Space, one_of, pathway};
 use crate::formula::{Context, Kind};
 use crate::model::{ConnectionKind, RequestKind};
-use crate::read::reader::{Fields, Reader};
+use crate::reader::{Fields, Reader};
 use crate::units::Dimension;
 use symbolic::{Expr, SymbolId};
 use words::Notice;

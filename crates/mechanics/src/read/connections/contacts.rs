@@ -4,7 +4,7 @@ use super::common::{Space, choose, one_of, pathway, restitution, restitution_by,
 use super::{Found, rubbing};
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
 use crate::model::{ConnectionKind, Part, Pressing, Reliance, RequestKind, Slides};
-use crate::read::reader::{Checked, Fields, Reader};
+use crate::reader::{Checked, Fields, Reader};
 use crate::units::si_label;
 use symbolic::connections::{Impacts, Rebound};
 use symbolic::{Expr, Substitution, SymbolId};
@@ -141,7 +141,8 @@ fn keys<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, slides: Option<&Slides
 
 /// The symbol u and its dimension. A name `u` of the model must not be meant by the same letter.
 fn sliding_speed<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind, keys: [&'static str; 2]) -> Option<(SymbolId, Kind)> {
-    let uses_u = keys.into_iter().filter_map(|key| fields.get(key)).filter_map(|v| v.get_ref().as_str()).any(mentions_u);
+    let uses_u =
+        keys.into_iter().filter_map(|key| fields.get(key)).filter_map(|v| v.get_ref().as_str()).any(|text| mentions_u(reader, text));
     if uses_u && reader.scope.get("u").is_some() {
         reader.fault(
             Notice::piece(
@@ -161,8 +162,8 @@ fn sliding_speed<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Kind,
     Some((reader.builder.graph.symbol_id("u", 0), rate))
 }
 
-fn mentions_u(text: &str) -> bool {
-    crate::formula::parse(text).is_ok_and(|f| f.names().any(|(name, _)| name == "u"))
+fn mentions_u(reader: &Reader, text: &str) -> bool {
+    crate::formula::parse(text, &reader.functions).is_ok_and(|f| f.names().any(|(name, _)| name == "u"))
 }
 
 /// Reads with the name `u` known.

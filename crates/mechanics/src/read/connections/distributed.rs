@@ -4,10 +4,11 @@
 //! the directions of q_A and q_B. A uniform load is q L at the middle.
 
 use super::common::{Space, frame, point};
+use crate::elements::{Force, element};
 use crate::fields::connections::DISTRIBUTED;
 use crate::formula::Context;
-use crate::model::{Action, Force, FrameId, Point, PointId, PointRef};
-use crate::read::reader::{Fields, Reader, components};
+use crate::model::{Element, FrameId, Point, PointId, PointRef};
+use crate::reader::{Fields, Reader, components};
 use crate::units::Dimension;
 use std::ops::Range;
 use symbolic::{Expr, Rational};
@@ -17,7 +18,12 @@ use words::Notice;
 const PER_LENGTH: Dimension = Dimension::of(0, 1, -2);
 
 /// The equivalent forces, and the points where they act, numbered after `known` points.
-pub(in crate::read) fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, space: &Space, known: usize) -> (Vec<Force>, Vec<Point>) {
+pub(in crate::read) fn distributed<'a>(
+    reader: &mut Reader<'a>,
+    top: &Fields<'a>,
+    space: &Space,
+    known: usize,
+) -> (Vec<Element>, Vec<Point>) {
     let mut found = (Vec::new(), Vec::new());
     for (name, fields) in crate::read::structures::rows(reader, top, "distributed", &DISTRIBUTED, false) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
@@ -29,8 +35,9 @@ pub(in crate::read) fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>
             let name = if load.end.is_none() { name.clone() } else { format!("{name}{}", part + 1) };
             let id = PointId(known + found.1.len());
             found.1.push(Point { name: name.clone(), on: load.on, at, span: fields.span.clone() });
-            let action = Action::AtPoint { at: PointRef::Point(id), value, axes: load.axes };
-            found.0.push(Force { name, load: whole.clone(), action, span: fields.span.clone() });
+            let force = Force::AtPoint { at: PointRef::Point(id), value, axes: load.axes };
+            let part = element("forces", name, force, fields.span.clone());
+            found.0.push(Element { path: whole.clone(), ..part });
         }
     }
     found

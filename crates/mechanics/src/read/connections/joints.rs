@@ -3,8 +3,8 @@
 use super::Found;
 use super::common::{Space, choose, direction, fixed_in, flag, frame, point, rigid, two_points};
 use crate::model::{ConnectionKind, FrameId, PointRef, SupportDirection};
-use crate::read::parameters::names;
-use crate::read::reader::{Fields, Reader};
+use crate::reader::names::names;
+use crate::reader::{Fields, Reader};
 use words::Notice;
 
 pub(super) fn pin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {

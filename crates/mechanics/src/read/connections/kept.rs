@@ -3,7 +3,7 @@
 //! A length of the start is that of the numbers in the file, guesses among them; an angle and a line are what the closing of the connections leaves.
 
 use crate::model::{Connection, ConnectionKind, CoordinateDecl, Frame, FrameId, Origin, Point, PointRef};
-use crate::read::reader::Reader;
+use crate::reader::Reader;
 use std::collections::BTreeSet;
 use symbolic::{Expr, Graph, SymbolId};
 use words::{Notice, Text};

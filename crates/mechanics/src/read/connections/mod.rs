@@ -16,11 +16,11 @@ pub(super) use contacts::impacts;
 pub(super) use distributed::distributed;
 pub(super) use kept::{Places, warn};
 
-use super::reader::{Fields, Reader};
 use crate::fields::TableSpec;
 use crate::fields::connections as specs;
 use crate::formula::Kind;
 use crate::model::{Connection, ConnectionKind, Part, Strands, SupportDirection};
+use crate::reader::{Fields, Reader};
 use crate::units::{Dimension, si_label};
 
 /// A connection that was read, and the dimension of its `force` where the pathway decides it.

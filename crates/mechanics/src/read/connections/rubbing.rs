@@ -3,9 +3,9 @@
 use super::common::{pathway, point_named, size};
 use crate::formula::{Context, Kind};
 use crate::model::{Aim, PointRef, Slides};
-use crate::read::frames::{frame_by_name, frame_named, two_names};
-use crate::read::parameters::names;
-use crate::read::reader::{Fields, Reader, components};
+use crate::reader::names::names;
+use crate::reader::names::{frame_by_name, frame_named, two_names};
+use crate::reader::{Fields, Reader, components};
 use crate::units::Dimension;
 use symbolic::Function;
 use toml::de::DeValue;
@@ -143,7 +143,7 @@ fn connection<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static st
             let list = tables.join(", ");
             let fault = Notice::piece("M121", span, format!("there is no `{name}` in {list}"), format!("нет `{name}` среди {list}"));
             let near: Vec<String> = reader.scope.connections_of(tables).map(str::to_owned).collect();
-            let fault = match crate::snippet::nearest(&name, near.iter().map(String::as_str)) {
+            let fault = match reader.scope.nearest(&name, near.iter().map(String::as_str)) {
                 Some(near) => fault.meant(&name, near),
                 None => fault.help(help(key).0, help(key).1),
             };

@@ -128,13 +128,15 @@ fn a_line_load_has_the_resultant_and_moment_of_its_trapezoid() {
     ));
     let number = |e| model.graph.as_number(e).map(|r| r.to_f64());
     let (mut force, mut moment) = ([0.0; 2], 0.0);
-    for f in &model.forces {
-        let crate::model::Action::AtPoint { at: PointRef::Point(p), value, .. } = &f.action else { panic!() };
-        let at = model.points[p.index()].at.map(|e| number(e).unwrap());
-        let value = value.map(|e| number(e).unwrap());
+    let mut parts = 0;
+    for f in model.elements.iter().filter(|f| f.path == "distributed.q") {
+        let at = model.points.iter().find(|p| p.name == f.name).unwrap().at.map(|e| number(e).unwrap());
+        let value: Vec<f64> = f.law.straight().formulas.into_iter().map(|e| number(e).unwrap()).collect();
+        parts += 1;
         force = [force[0] + value[0], force[1] + value[1]];
         moment += at[0] * value[1] - at[1] * value[0];
     }
+    assert_eq!(parts, 2);
     // L = 5; ∫ q ds = L (q0 + q1)/2; ∫ (r × q) ds by Simpson's rule, exact for quadratics
     assert!((force[0] - 12.5).abs() < 1e-12 && (force[1] + 10.0).abs() < 1e-12, "{force:?}");
     let cross = |s: f64| {

@@ -5,9 +5,9 @@ use super::common::{Space, choose, flag, frame, length, point_named, restitution
 use crate::fields::connections::WOUND;
 use crate::formula::Context;
 use crate::model::{ConnectionKind, PointRef, Wound};
-use crate::read::frames::frame_by_name;
-use crate::read::parameters::names;
-use crate::read::reader::{Fields, Reader, wrong_type};
+use crate::reader::names::frame_by_name;
+use crate::reader::names::names;
+use crate::reader::{Fields, Reader, wrong_type};
 use toml::de::DeValue;
 use words::Notice;
 

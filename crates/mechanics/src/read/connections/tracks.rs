@@ -5,8 +5,8 @@ use super::common::{Space, direction, fixed_in, flag, frame, point, restitution,
 use crate::fields::connections::CIRCLE;
 use crate::formula::Context;
 use crate::model::{ConnectionKind, FrameId, PointRef, Track};
-use crate::read::frames::frame_by_name;
-use crate::read::reader::{Fields, Reader, wrong_type};
+use crate::reader::names::frame_by_name;
+use crate::reader::{Fields, Reader, wrong_type};
 use symbolic::Expr;
 use toml::de::DeValue;
 use words::{Notice, digits};

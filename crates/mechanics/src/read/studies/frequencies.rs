@@ -2,9 +2,8 @@
 
 use crate::formula::{Context, Depends, Entry, EntryKind, Formula, Kind};
 use crate::model::FrequencyVariable;
-use crate::read::reader::{Fields, Reader, short, wrong_type};
-use crate::read::syntax::Value;
-use crate::snippet::nearest;
+use crate::reader::syntax::Value;
+use crate::reader::{Fields, Reader, short, wrong_type};
 use crate::units::Dimension;
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -80,7 +79,7 @@ pub(super) fn parameter(reader: &mut Reader, name: &str, span: Range<usize>) -> 
     }
     let fault = Notice::piece("M092", span, format!("`{}` is not a parameter", short(name)), format!("`{}` — не параметр", short(name)))
         .why("what is changed step by step must be a constant parameter", "шаг за шагом можно менять только постоянный параметр");
-    let fault = match nearest(name, reader.scope.names()) {
+    let fault = match reader.scope.nearest(name, reader.scope.names()) {
         Some(near) if near != name => fault.meant(name, near),
         _ => fault.help("name a row of [parameters]", "укажите имя из [parameters]"),
     };

@@ -7,11 +7,10 @@ mod plot;
 mod repeated;
 mod times;
 
-use super::parameters::names;
-use super::reader::{Fields, Reader, short, string, wrong_type};
 use crate::asked::{Asked, Choice, Key, Kind, Kinds, Like, Limits, Named, Objection, Takes, Value, Written};
 use crate::formula::{Context, Kind as Sort};
-use crate::snippet::nearest;
+use crate::reader::names::names;
+use crate::reader::{Fields, Reader, short, string, wrong_type};
 use crate::units::{Dimension, si_label};
 use plot::{Axis, plots};
 use toml::de::DeValue;
@@ -47,7 +46,7 @@ fn study<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, kinds: &Kinds) -> Opt
     }
     let names: Vec<&str> = kinds.list.iter().map(|kind| kind.name).collect();
     let fault = Notice::piece("M064", span, format!("unknown study `{}`", short(&name)), format!("неизвестный расчёт `{}`", short(&name)));
-    let fault = match nearest(&name, names.iter().copied()) {
+    let fault = match reader.scope.nearest(&name, names.iter().copied()) {
         Some(near) => fault.meant(&name, near),
         None => fault.help(format!("known studies: {}", names.join(", ")), format!("известные расчёты: {}", names.join(", "))),
     };
@@ -237,7 +236,7 @@ fn word<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, choice): (&'stat
 }
 
 /// Formulas over coordinates, rates and time, each with its text and the SI label of its value.
-fn formulas<'a>(reader: &mut Reader<'a>, value: &'a super::syntax::Value<'a>) -> Vec<Written> {
+fn formulas<'a>(reader: &mut Reader<'a>, value: &'a crate::reader::syntax::Value<'a>) -> Vec<Written> {
     let listed = names(reader, value);
     let items = value.get_ref().as_array().map(|items| items.iter().collect::<Vec<_>>()).unwrap_or_default();
     let mut found = Vec::new();

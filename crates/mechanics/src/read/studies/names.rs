@@ -2,10 +2,9 @@
 
 use crate::asked::{Named, Value as Asked};
 use crate::formula::{Context, EntryKind, Kind};
-use crate::read::parameters::names;
-use crate::read::reader::{Fields, Reader, short};
-use crate::read::syntax::Value;
-use crate::snippet::nearest;
+use crate::reader::names::names;
+use crate::reader::syntax::Value;
+use crate::reader::{Fields, Reader, short};
 use crate::units::Dimension;
 use std::ops::Range;
 use symbolic::{Expr, SymbolId};
@@ -39,7 +38,7 @@ fn no_coordinate(reader: &Reader<'_>, name: &str, span: Range<usize>) -> Notice 
     let is_coordinate = |name: &&str| matches!(reader.scope.get(name).map(|e| e.kind), Some(EntryKind::Coordinate(_)));
     let all: Vec<&str> = reader.scope.names().filter(is_coordinate).collect();
     let listed = |all: &[&str]| all.iter().take(20).copied().collect::<Vec<_>>().join(", ");
-    match nearest(name, all.iter().copied()) {
+    match reader.scope.nearest(name, all.iter().copied()) {
         Some(near) => fault.meant(name, near),
         None if all.is_empty() => fault.help("the model has no coordinates", "в модели нет координат"),
         None => fault.help(format!("coordinates: {}", listed(&all)), format!("координаты: {}", listed(&all))),
@@ -59,7 +58,7 @@ pub(super) fn constant_parameter<'a>(reader: &mut Reader<'a>, fields: &Fields<'a
         _ => {
             let shown = short(&name);
             let fault = Notice::piece("M072", span, format!("there is no parameter `{shown}`"), format!("нет параметра `{shown}`"));
-            let fault = match nearest(&name, reader.scope.names()) {
+            let fault = match reader.scope.nearest(&name, reader.scope.names()) {
                 Some(near) => fault.meant(&name, near),
                 None => fault.help("name a constant of [parameters]", "укажите постоянную из [parameters]"),
             };
@@ -167,7 +166,7 @@ pub(super) fn known(reader: &mut Reader, name: String, span: Range<usize>) -> Op
             "results are coordinates, their rates (phi') and the names in [outputs]",
             "результаты — это координаты, их скорости (phi') и имена из [outputs]",
         );
-    let fault = match nearest(base, reader.scope.names()) {
+    let fault = match reader.scope.nearest(base, reader.scope.names()) {
         Some(near) if near != base => fault.meant(base, near),
         _ => fault.help("add it to [outputs]", "добавьте её в [outputs]"),
     };

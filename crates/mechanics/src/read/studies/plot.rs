@@ -3,9 +3,9 @@
 use super::names::known;
 use crate::fields;
 use crate::model::Plot;
-use crate::read::parameters::names;
-use crate::read::reader::{Fields, Reader, string, wrong_type};
-use crate::read::syntax::Value;
+use crate::reader::names::names;
+use crate::reader::syntax::Value;
+use crate::reader::{Fields, Reader, string, wrong_type};
 use std::ops::Range;
 use toml::de::DeValue;
 use words::Text;

@@ -2,11 +2,10 @@
 
 use crate::formula::{EntryKind, Kind};
 use crate::model::SweepRange;
-use crate::read::parameters::names;
 use crate::read::ranges;
-use crate::read::reader::{Fields, Reader, short, string};
-use crate::read::syntax::Value;
-use crate::snippet::nearest;
+use crate::reader::names::names;
+use crate::reader::syntax::Value;
+use crate::reader::{Fields, Reader, short, string};
 use crate::units::Dimension;
 use words::Notice;
 
@@ -56,7 +55,7 @@ fn range<'a>(reader: &mut Reader<'a>, value: &'a Value<'a>) -> Option<SweepRange
         Some((EntryKind::Coordinate(_), Kind::Known(d))) if primes <= 1 => Kind::Known(if primes == 1 { d.per_time(1) } else { d }),
         Some((EntryKind::Coordinate(_), kind)) if primes <= 1 => kind,
         _ => {
-            let fault = ranges::unknown_name(&range, nearest(base, reader.scope.names()));
+            let fault = ranges::unknown_name(&range, reader.scope.nearest(base, reader.scope.names()));
             reader.report(snippet.diagnose(fault));
             return None;
         }

@@ -1,8 +1,8 @@
 //! Times and tolerances of a study.
 
 use crate::formula::Context;
-use crate::read::reader::{Fields, Reader, wrong_type};
-use crate::read::syntax::Value;
+use crate::reader::syntax::Value;
+use crate::reader::{Fields, Reader, wrong_type};
 use crate::units::Dimension;
 use words::Notice;
 

@@ -1,6 +1,6 @@
 //! Keys of `[[study]]`.
 
-use super::{TableSpec, Type, must};
+use crate::keys::{TableSpec, Type, must};
 
 /// `[[study]]`.
 pub const STUDY: TableSpec = TableSpec {

@@ -6,7 +6,7 @@ use symbolic::{Expr, Graph, Node, SymbolId};
 
 /// Values of expressions already asked for; symbols without a value are not a number.
 #[derive(Default)]
-pub(super) struct Values {
+pub(crate) struct Values {
     known: Vec<Option<f64>>,
     /// What was read off numbers.
     premises: BTreeSet<Premise>,
@@ -14,7 +14,7 @@ pub(super) struct Values {
 
 impl Values {
     /// Gives a symbol its value. Expressions that contain it must not have been asked for before.
-    pub(super) fn set(&mut self, graph: &mut Graph, symbol: SymbolId, value: f64) {
+    pub(crate) fn set(&mut self, graph: &mut Graph, symbol: SymbolId, value: f64) {
         let e = graph.symbol(symbol);
         self.put(e, value);
     }
@@ -29,7 +29,7 @@ impl Values {
     }
 
     /// Whether an expression is zero, or has lost digits, only because a product or power in it is smaller than the least machine number.
-    pub(super) fn underflows(&mut self, graph: &Graph, root: Expr) -> bool {
+    pub(crate) fn underflows(&mut self, graph: &Graph, root: Expr) -> bool {
         if self.compute(graph, root).abs() >= f64::MIN_POSITIVE {
             return false;
         }
@@ -58,18 +58,18 @@ impl Values {
     }
 
     /// The value of an expression; the model rests on it.
-    pub(super) fn of(&mut self, graph: &Graph, root: Expr) -> f64 {
+    pub(crate) fn of(&mut self, graph: &Graph, root: Expr) -> f64 {
         self.relied(graph, root, Reliance::Value)
     }
 
     /// The value of an expression, of which the model takes no more than `reliance` says.
-    pub(super) fn relied(&mut self, graph: &Graph, formula: Expr, reliance: Reliance) -> f64 {
+    pub(crate) fn relied(&mut self, graph: &Graph, formula: Expr, reliance: Reliance) -> f64 {
         self.premises.insert(Premise { formula, reliance });
         self.compute(graph, formula)
     }
 
     /// What was read off numbers that parameters decide.
-    pub(super) fn premises(&self, graph: &Graph) -> Vec<Premise> {
+    pub(crate) fn premises(&self, graph: &Graph) -> Vec<Premise> {
         self.premises.iter().copied().filter(|p| graph.as_number(p.formula).is_none()).collect()
     }
 

@@ -1,7 +1,7 @@
 //! The messages of the TOML parser in Russian.
 
 /// `WHAT, expected A, B` of the parser; what it does not know is called a wrong way of writing, never left in English.
-pub(super) fn russian(message: &str) -> String {
+pub(crate) fn russian(message: &str) -> String {
     let (what, expected) = match message.split_once(", expected ") {
         Some((what, expected)) => (what, Some(expected)),
         None => (message, None),

@@ -5,17 +5,17 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use words::{Notice, Text};
 
-pub(super) type Table<'a> = DeTable<'a>;
-pub(super) type Value<'a> = Spanned<DeValue<'a>>;
+pub(crate) type Table<'a> = DeTable<'a>;
+pub(crate) type Value<'a> = Spanned<DeValue<'a>>;
 
 /// Findings that a lost line of the file would cause: not reported when the file has syntax errors.
-pub(super) const FOLLOW_UPS: [&str; 12] = ["M006", "M013", "M014", "M015", "M025", "M041", "M057", "M059", "M062", "M066", "M081", "M082"];
+pub(crate) const FOLLOW_UPS: [&str; 12] = ["M006", "M013", "M014", "M015", "M025", "M041", "M057", "M059", "M062", "M066", "M081", "M082"];
 
 /// Most parts of a dotted key.
 const MAX_KEY_PARTS: usize = 32;
 
 /// The table of a file as far as it can be read, and the syntax errors. No table when reading on would be unsafe.
-pub(super) fn parse(text: &str) -> (Option<DeTable<'_>>, Vec<Notice>) {
+pub(crate) fn parse(text: &str) -> (Option<DeTable<'_>>, Vec<Notice>) {
     if let Some(at) = deep_key(text) {
         let d = Notice::file(
             "M009",
@@ -116,7 +116,7 @@ fn translate(text: &str, span: Range<usize>, message: &str) -> Notice {
 }
 
 /// The range widened to whole characters and cut to the text.
-pub(super) fn boundaries(text: &str, span: Range<usize>) -> Range<usize> {
+pub(crate) fn boundaries(text: &str, span: Range<usize>) -> Range<usize> {
     let mut start = span.start.min(text.len());
     let mut end = span.end.clamp(start, text.len());
     while !text.is_char_boundary(start) {

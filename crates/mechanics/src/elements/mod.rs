@@ -1,0 +1,96 @@
+//! Elements that act by a law: one element, one file, one row of [`TABLE`]. The row gives its keys, from which the file is read and the reference is written,
+//! its place in the list of tables, its chapter of the verification book, and the functions of formulas that only it has.
+
+mod common;
+mod dampers;
+mod dissipations;
+mod forces;
+mod potentials;
+mod springs;
+mod torques;
+
+pub(crate) use common::pathway_of;
+pub use forces::Force;
+pub use potentials::Potential;
+
+use crate::formula::{KinematicFunction, Told};
+use crate::keys::{Field, TableSpec, Type, Words, may};
+use crate::model::{Element, Law};
+use crate::reader::{Fields, Reader};
+use std::ops::Range;
+use std::sync::Arc;
+use words::explain::Explanation;
+
+/// A kind of element.
+#[derive(Clone, Copy)]
+pub struct Row {
+    /// Its table of the file.
+    pub keys: &'static TableSpec,
+    /// What the table holds, in the list of tables.
+    pub listed: Words,
+    /// Its chapter of the verification book.
+    pub chapter: &'static str,
+    /// Functions of formulas that only it has.
+    pub functions: &'static [KinematicFunction],
+    /// Codes of findings that only it has.
+    pub explanations: &'static [Explanation],
+    /// Reads a row of the table.
+    read: for<'a> fn(&mut Reader<'a>, &Fields<'a>) -> Option<Made>,
+}
+
+/// Every kind, in the order in which elements are read and act, and in which the reference lists them.
+pub const TABLE: &[Row] = &[springs::ROW, dampers::ROW, forces::ROW, torques::ROW, potentials::ROW, dissipations::ROW];
+
+/// What was read.
+pub(crate) struct Made {
+    law: Arc<dyn Law>,
+    told: Vec<Told>,
+}
+
+impl Made {
+    /// An element that no formula asks for.
+    fn silent(law: impl Law + 'static) -> Made {
+        Made { law: Arc::new(law), told: Vec::new() }
+    }
+}
+
+impl Row {
+    /// Key of its table on the top level.
+    pub const fn top(&self) -> Field {
+        may(self.keys.name, Type::Table, "", "", self.listed, "")
+    }
+}
+
+/// An element of the kind of that table.
+pub fn element(table: &'static str, name: String, law: impl Law + 'static, span: Range<usize>) -> Element {
+    let rank = TABLE.iter().position(|row| row.keys.name == table).unwrap_or(TABLE.len());
+    Element { path: format!("{table}.{name}"), name, table, rank, law: Arc::new(law), span }
+}
+
+/// All functions of formulas that only elements have.
+pub fn functions() -> impl Iterator<Item = &'static KinematicFunction> {
+    TABLE.iter().flat_map(|row| row.functions)
+}
+
+/// Reads all elements. What a table shares with other rooms of the file, `elsewhere` takes.
+pub(crate) fn read<'a>(
+    reader: &mut Reader<'a>,
+    top: &Fields<'a>,
+    elsewhere: &dyn Fn(&mut Reader<'a>, &str, &str, &Fields<'a>) -> bool,
+) -> Vec<Element> {
+    let mut found = Vec::new();
+    for (rank, row) in TABLE.iter().enumerate() {
+        let table = row.keys.name;
+        for (name, fields) in top.entries(reader, table, row.keys) {
+            if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) || elsewhere(reader, table, &name, &fields) {
+                continue;
+            }
+            let Some(made) = (row.read)(reader, &fields) else { continue };
+            if !made.told.is_empty() {
+                reader.scope.declare_element((table, &name), found.len(), made.told);
+            }
+            found.push(Element { path: format!("{table}.{name}"), name, table, rank, law: made.law, span: fields.span.clone() });
+        }
+    }
+    found
+}
