@@ -28,8 +28,8 @@ pub struct Dataset {
     pub extremes: Vec<Extreme>,
     /// Integrals along the axis and last values, of the motion too.
     pub overall: Vec<Overall>,
-    /// Work that the drives do in impacts and jumps of prescribed rates, together, J; no number where it is not known.
-    pub struck: f64,
+    /// Works that impulses do in impacts and jumps of prescribed rates at the outputs whose works are asked for, J; no number where they are not unique.
+    pub struck: Vec<f64>,
     /// What a repetition with other steps confirms.
     pub digits: Option<Digits>,
     /// Rounding of the columns where it was measured, SI: smaller values are zero.

@@ -7,6 +7,7 @@ mod conditions;
 mod flows;
 mod hidden;
 mod impact;
+mod impulses;
 mod jolt;
 mod meaning;
 mod open;
@@ -96,6 +97,8 @@ pub struct Machine {
     start: Option<Vec<f64>>,
     /// For each output a reaction in it that is not unique.
     refused: Vec<Option<Refusal>>,
+    /// Reactions that rigid bodies leave open all the time.
+    undetermined: Vec<usize>,
     notes: Vec<Text>,
     /// What other numbers share; none where the program came from outside.
     lowered: Option<Lowered>,
@@ -195,6 +198,7 @@ impl Machine {
             balanced: if program.reactions > 0 { (0..equations.second.len()).collect() } else { Vec::new() },
             start: None,
             refused: vec![None; program.outputs.roots.len()],
+            undetermined: Vec::new(),
             notes: Vec::new(),
             lowered: None,
             bound,
@@ -232,6 +236,7 @@ impl Machine {
         let program = &lowered.program;
         let mut machine = Machine::new(equations, program, parameters, &lowered.names)?;
         machine.refused = refused(equations, program, &assembly.undetermined);
+        machine.undetermined.clone_from(&assembly.undetermined.open);
         machine.notes = assembly.notes;
         let n = equations.coordinates.len();
         machine.balanced.retain(|&i| i < n || assembly.selection.balances.get(i - n) == Some(&true));
@@ -557,6 +562,14 @@ impl System for Machine {
         let reactions = &mut inputs[n..];
         reactions.copy_from_slice(impulses.get(..reactions.len())?);
         self.touches_with((t, x), &inputs, &idle)
+    }
+
+    fn impulse_powers(&mut self, t: f64, x: &[f64], modes: &[Mode], impulses: &[f64]) -> Option<Vec<f64>> {
+        self.powers_of(t, x, modes, impulses)
+    }
+
+    fn open_impulses(&mut self, t: f64, x: &[f64], modes: &[Mode], blow: &Blow) -> Result<Vec<Vec<f64>>, Fault> {
+        self.open_under(t, x, modes, blow)
     }
 
     fn momenta(&mut self, t: f64, x: &[f64], change: &[f64], impulses: &[f64]) -> Option<Vec<[f64; 2]>> {

@@ -456,6 +456,21 @@ pub trait System {
         None
     }
 
+    /// All outputs with impulses in place of the reactions and without accelerations: an output that is a power of a reaction is then that impulse times its
+    /// rate at the state. Only those that are shown have values. None when the system has no reactions.
+    fn impulse_powers(&mut self, t: f64, x: &[f64], modes: &[Mode], impulses: &[f64]) -> Option<Vec<f64>> {
+        let _ = (t, x, modes, impulses);
+        None
+    }
+
+    /// Directions in which the impulses of a blow may change and the motion after it, the state `x` in these modes, does not; by reaction.
+    ///
+    /// *Errors*: a formula has no value there.
+    fn open_impulses(&mut self, t: f64, x: &[f64], modes: &[Mode], blow: &Blow) -> Result<Vec<Vec<f64>>, Fault> {
+        let _ = (t, x, modes, blow);
+        Ok(Vec::new())
+    }
+
     /// Momenta in an impact by the second derivation, M Δq' - Σ forces Λ for each coordinate: residual and size of the terms that met in it.
     fn momenta(&mut self, t: f64, x: &[f64], change: &[f64], impulses: &[f64]) -> Option<Vec<[f64; 2]>> {
         let _ = (t, x, change, impulses);

@@ -77,14 +77,7 @@ fn forces(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Results
     let mut asked = study.clone();
     asked.outputs.extend(powers.iter().filter(|p| !study.outputs.contains(p)).cloned());
     let Results { mut data, trouble, .. } = with_works(machine, &asked, &powers, watch);
-    if motors.len() > 1 && data.struck != 0.0 && trouble.is_none() {
-        let n = words::digits::rounded(data.struck);
-        data.notes.push(Text::new(
-            format!("impulses of the motors do {} J more, together", n.en),
-            format!("импульсы двигателей совершают ещё {} Дж, вместе", n.ru),
-        ));
-    }
-    let (facts, work) = if trouble.is_none() && !data.partial { works(&motors, &data) } else { Default::default() };
+    let (facts, work) = if trouble.is_none() && !data.partial { works(&motors, &mut data) } else { Default::default() };
     // only the columns that were asked for; the powers stand behind them
     let mut at = 0..;
     data.keep_columns(|_| at.next().is_some_and(|i| i <= shown));
@@ -122,26 +115,37 @@ fn motors(machine: &Machine) -> Vec<Motor> {
     powers.map(motor).collect()
 }
 
-/// Work of each motor. In an impact or a jump of a prescribed rate a single motor does what the kinetic energy gains and the contacts take; several
-/// share it in a way that is not followed.
-fn works(motors: &[Motor], data: &Dataset) -> (Vec<Fact>, serde_json::Value) {
+/// Work of each motor, that of its impulses included.
+fn works(motors: &[Motor], data: &mut Dataset) -> (Vec<Fact>, serde_json::Value) {
     let mut own = serde_json::Map::new();
     let mut facts = Vec::new();
-    for Motor { power, name, label } in motors {
+    for (k, Motor { power, name, label }) in motors.iter().enumerate() {
         let Some(work) = data.overall(power).map(|o| o.integral) else { continue };
-        let (alone, struck) = (motors.len() == 1, data.struck);
-        let meaning = match (alone, struck != 0.0) {
-            (true, true) => {
+        let struck = data.struck.get(k).copied().unwrap_or(0.0);
+        if struck.is_nan() {
+            data.notes.push(not_unique(name));
+            own.insert(name.clone(), serde_json::Value::Null);
+            continue;
+        }
+        let meaning = match struck != 0.0 {
+            true => {
                 Text::new(format!("work with that of impulses; {}", label.en), format!("работа вместе с работой импульсов; {}", label.ru))
             }
-            (false, true) => {
-                Text::new(format!("work without that of impulses; {}", label.en), format!("работа без работы импульсов; {}", label.ru))
-            }
-            _ => Text::new(format!("work; {}", label.en), format!("работа; {}", label.ru)),
+            false => Text::new(format!("work; {}", label.en), format!("работа; {}", label.ru)),
         };
-        let work = if alone { work + struck } else { work };
-        facts.push(Fact::new(&format!("work({name})"), &format!("A_{name}"), "J", work, meaning));
-        own.insert(name.clone(), json!(work));
+        facts.push(Fact::new(&format!("work({name})"), &format!("A_{name}"), "J", work + struck, meaning));
+        own.insert(name.clone(), json!(work + struck));
     }
     (facts, own.into())
+}
+
+fn not_unique(motor: &str) -> Text {
+    Text::new(
+        format!(
+            "the work of {motor} is left out: it has an impulse that is not unique, since others stop the same motion at that instant, or more events than are kept"
+        ),
+        format!(
+            "работа {motor} не приведена: её импульс определён неоднозначно, так как то же движение в то же мгновение останавливают и другие, либо событий больше, чем хранится"
+        ),
+    )
 }

@@ -9,7 +9,7 @@
 //! u⁺ + e u⁻ >= 0                     where contacts strike together, of every contact that closed or was closed, u⁻ <= 0
 //! ```
 //!
-//! Rates of gaps count against the terms that meet in them, at least a hundredth of the largest so far. Impulses count against the largest of the instant, momenta against the terms that meet in them, at least a hundredth of the largest so far.
+//! Rates of gaps count against the terms that meet in them, at least a hundredth of the largest so far. Impulses count against the largest of the instant, and a small share of the momenta of which they are differences; momenta against the terms that meet in them, at least a hundredth of the largest so far.
 
 use symbolic::connections::Impacts;
 use words::Text;
@@ -26,6 +26,8 @@ const STILL: f64 = 1e-9;
 /// Share of the largest momentum below which an impact is the end of a sequence: a contact that moves by a rounding of its largest rate is closed, and with it
 /// those that hang on it.
 const DYING: f64 = 1e-2;
+/// Share of the momenta by which impulses count at least: a thousand roundings of a momentum keep the limit.
+const ROUNDED: f64 = 1e3 * f64::EPSILON / LIMIT;
 /// Impacts that are all looked at; of the later ones every second, fourth, ...
 const WHOLE: u64 = 256;
 
@@ -37,8 +39,10 @@ pub struct BlowLaws {
     momenta: Frontier,
     /// Largest terms in the rate of each contact so far.
     speeds: Vec<f64>,
-    /// Largest momentum so far.
+    /// Largest momentum so far, with the changes.
     largest: f64,
+    /// Largest momentum of the motion so far.
+    momentum: f64,
     count: u64,
     stride: u64,
     taken: u64,
@@ -55,12 +59,12 @@ impl BlowLaws {
         let before = system.struck(t, states[0], &blow.reactions, modes);
         let after = system.struck(t, states[1], &blow.reactions, modes);
         let (Some(before), Some(after)) = (before, after) else { return };
+        let whole = self.whole((t, states[1]), system, blow);
         self.judge(&before, &after, blow);
         self.follow_rebounds((t, states[0]), [&before, &after], (system, modes, blow));
         let n = system.n_coordinates();
         let change: Vec<f64> = (n..2 * n).map(|i| states[1][i] - states[0][i]).collect();
         let rows = system.momenta(t, states[1], &change, &blow.reactions).unwrap_or_default();
-        let whole = system.momenta(t, states[1], &states[1][n..2 * n], &vec![0.0; blow.reactions.len()]).unwrap_or_default();
         for ([residual, size], [_, whole]) in rows.into_iter().zip(whole) {
             self.balanced = true;
             self.largest = self.largest.max(size).max(whole);
@@ -76,13 +80,22 @@ impl BlowLaws {
     pub fn look_at_jolt<S: System + ?Sized>(&mut self, t: f64, states: [&[f64]; 2], (system, modes, blow): (&mut S, &[Mode], &Blow)) {
         let [before, after] = states.map(|x| system.struck(t, x, &blow.reactions, modes));
         let (Some(before), Some(after)) = (before, after) else { return };
+        self.whole((t, states[1]), system, blow);
         self.judge(&before, &after, blow);
         self.taken += 1;
     }
 
+    /// Momenta of the whole motion by coordinate, with the size of the terms that meet in them: an impulse that follows from them is rounded like these.
+    fn whole<S: System + ?Sized>(&mut self, (t, x): (f64, &[f64]), system: &mut S, blow: &Blow) -> Vec<[f64; 2]> {
+        let n = system.n_coordinates();
+        let whole = system.momenta(t, x, &x[n..2 * n], &vec![0.0; blow.reactions.len()]).unwrap_or_default();
+        self.momentum = whole.iter().fold(self.momentum, |m, [_, size]| m.max(*size));
+        whole
+    }
+
     fn judge(&mut self, before: &[Touch], after: &[Touch], blow: &Blow) {
         let contact = |t: &&Touch| matches!(t.law, TouchLaw::Contact { .. }) && t.force != 0.0;
-        let largest = before.iter().map(|t| t.force.abs()).filter(|f| f.is_finite()).fold(0.0, f64::max);
+        let largest = before.iter().map(|t| t.force.abs()).filter(|f| f.is_finite()).fold(ROUNDED * self.momentum, f64::max);
         // in a sequence of blows, or within the phases of one, the sliding may turn before the end
         let single = !blow.phased && blow.blows.is_empty() && before.iter().filter(contact).count() <= 1;
         for (before, after) in before.iter().zip(after) {

@@ -107,6 +107,12 @@ pub(super) struct Open {
     directions: Vec<Vec<f64>>,
 }
 
+impl Open {
+    pub(super) fn into_directions(self) -> Vec<Vec<f64>> {
+        self.directions
+    }
+}
+
 impl Machine {
     /// As [`Machine::solve_forces`]; where supports share a load they take one of the shares that balance it.
     pub(super) fn solve_any(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
@@ -122,13 +128,19 @@ impl Machine {
         }
     }
 
+    /// Whether something is shared in the modes of `observing`.
+    pub(super) fn may_share(&self) -> bool {
+        self.sharing.may_share(&self.observing.modes)
+    }
+
     /// Accelerations and reactions, and what they leave open.
     pub(super) fn solve_shared(&mut self, t: f64, x: &[f64]) -> Result<Option<Open>, Fault> {
         self.solve_any(t, x)?;
-        if !self.sharing.may_share(&self.observing.modes) {
+        if !self.may_share() {
             return Ok(None);
         }
-        let open = self.open_directions(t, x)?;
+        let reactions = self.accelerations[self.bound.program().coordinates..].to_vec();
+        let open = self.open_directions((t, x), &reactions)?;
         if open.is_some() && self.sharing.piecewise {
             self.share(t, x)?;
         }
@@ -199,14 +211,14 @@ impl Machine {
         Ok(self.observed.evaluate(&point)?.to_vec())
     }
 
-    /// What acts, and the directions in which the reactions are open, by reaction; none where all are unique.
-    fn open_directions(&mut self, t: f64, x: &[f64]) -> Result<Option<Open>, Fault> {
+    /// What acts, and the directions in which reactions or impulses of these values are open, by reaction; none where all are unique.
+    pub(super) fn open_directions(&mut self, (t, x): (f64, &[f64]), reactions: &[f64]) -> Result<Option<Open>, Fault> {
         let laws = self.laws.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
         let shares = self.balances.evaluate(&Point { time: t, states: x, ..Point::default() })?.to_vec();
         let program = self.bound.program();
         let Some(conditions) = &mut self.conditions else { return Ok(open_supports(&program.hidden, program.reactions, &shares)) };
         conditions.evaluate(t, x)?;
-        let (modes, reactions) = (&self.observing.modes, &self.accelerations[program.coordinates..]);
+        let modes = &self.observing.modes;
         let acting = conditions.acting(modes, &program.hidden);
         let sliding = conditions.sliding(modes, (&laws, reactions), &self.sharing);
         let ways: Vec<Vec<f64>> = acting.iter().map(|a| with_sliding(a.reaction, program.reactions, &sliding)).collect();

@@ -288,8 +288,10 @@ struct Run {
     ledger: Ledger,
     /// Outputs whose integrals are works to be confirmed.
     works: Vec<usize>,
-    /// Work of the drives' impulses: change of the kinetic energy and what the impacts took.
-    struck: f64,
+    /// Works of the impulses at the outputs in `works`.
+    struck: Vec<f64>,
+    /// Largest share of the energy of a blow that the works of its impulses leave.
+    unclosed: Option<f64>,
     friction: FrictionWork,
     touches: TouchLaws,
     blows: BlowLaws,
@@ -384,8 +386,9 @@ impl Run {
             defect: InteriorDefect::new(n_x),
             impacts: ImpactEnergy::default(),
             ledger: Ledger::new(system, options.tolerance, &works),
+            struck: vec![0.0; works.len()],
+            unclosed: None,
             works,
-            struck: 0.0,
             friction: FrictionWork::default(),
             touches: TouchLaws::new(options.tolerance),
             blows: BlowLaws::default(),
@@ -514,7 +517,9 @@ impl Run {
             self.judge_blow(flow);
         }
         if flow.switches().is_empty() || self.events.len() >= EVENTS {
-            self.struck += if flow.switches().is_empty() { 0.0 } else { f64::NAN };
+            if !flow.switches().is_empty() {
+                self.struck.fill(f64::NAN);
+            }
             return Ok(());
         }
         let switches = crossed(flow, &mut self.x);
@@ -527,10 +532,8 @@ impl Run {
         };
         let outputs = [side(self, &states[0], &before)?, side(self, &states[1], &after)?];
         let mut lost = self.loss(flow, &switches, &states, [&before, &after]);
-        if !self.works.is_empty() && switches.iter().any(|s| matches!(s.change, Change::Impact { .. } | Change::Jolt)) {
-            let [a, b] = [(&states[0], &before), (&states[1], &after)].map(|(x, modes)| flow.system().energies(t, x, modes).map(|e| e[0]));
-            // what the contacts took was given by the drives, too
-            self.struck += a.zip(b).map_or(f64::NAN, |(a, b)| b - a) + lost.unwrap_or(0.0);
+        if switches.iter().any(jumps) {
+            self.book_works(flow, &switches, &states, [&before, &after]);
         }
         let mut impulses = self.impulses(flow, &switches);
         for switch in &switches {
@@ -581,7 +584,7 @@ impl Run {
     fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {
         let mut done: Vec<(usize, f64)> = self.times[..self.next].iter().map(|&(t, row)| (row, t)).collect();
         done.sort_by_key(|&(row, _)| row);
-        let (lost, confirmed, open) = (self.lost(system), self.confirmed(), self.open(system));
+        let (lost, confirmed, open, closed) = (self.lost(system), self.confirmed(), self.open(system), self.closed());
         let n = self.outputs.len();
         let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
         let mut columns = vec![Column { quantity: time, values: done.iter().map(|&(_, t)| t).collect() }];
@@ -636,6 +639,7 @@ impl Run {
             self.friction.audit(),
             drift(self.drift, self.work.projections, tolerance),
             confirmed,
+            closed,
         ];
         let laws = self.touches.audits(tolerance).into_iter().chain(self.blows.audits());
         let audits = audits.into_iter().flatten().chain(self.released.audits(tolerance)).chain(laws).collect();

@@ -67,6 +67,11 @@ pub enum Claim {
         expected: f64,
         tolerance: Tolerance,
     },
+    /// The impulse of a reaction is not unique in that event.
+    OpenImpulse {
+        name: String,
+        event: usize,
+    },
     /// The column says why it is empty there.
     NoValue {
         name: String,
@@ -158,6 +163,10 @@ pub fn parse(line: &str) -> Result<Claim, String> {
         "no" if word(1) == "value" => {
             let (name, at) = line["no value".len()..].trim().strip_suffix(')').and_then(|n| n.rsplit_once('(')).ok_or_else(unknown)?;
             Ok(Claim::NoValue { name: name.to_owned(), at: number(at)? })
+        }
+        "no" if word(1) == "impulse" => {
+            let (name, event) = line["no impulse".len()..].split_once(" at event ").ok_or_else(unknown)?;
+            Ok(Claim::OpenImpulse { name: name.trim().to_owned(), event: integer(event.trim())? })
         }
         "help" => {
             let (code, text) = line["help".len()..].split_once(':').ok_or_else(unknown)?;

@@ -512,6 +512,13 @@ fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
             let found = event.impulses.iter().find(|p| p.name == *name).ok_or_else(|| format!("impulses: {}", names()))?;
             tolerance.check(name, found.value, *expected)
         }
+        Claim::OpenImpulse { name, event } => {
+            let event = data.events.get(event - 1).ok_or_else(|| format!("there are {} events", data.events.len()))?;
+            match event.impulses.iter().find(|p| p.name == *name) {
+                Some(found) if found.value.is_nan() => Ok(()),
+                found => Err(format!("{name}: {:?}", found.map(|p| p.value))),
+            }
+        }
         Claim::NoValue { name, at } => {
             let row = times.iter().rposition(|x| x == at).ok_or("the instant was not asked for")?;
             let found = values(name)?.get(row).copied().ok_or("the motion ended before")?;
