@@ -284,6 +284,9 @@ pub(super) fn apart(m: &Matrices, omega: f64, load: &[Complex]) -> Option<Amplit
     let n = m.n;
     let (rows, columns) = balanced(&m.stiffness, n);
     let c = Dense::new(n, n, |i, j| m.stiffness[i * n + j] * rows[i] * columns[j]);
+    if Factors::new(&c.data, n).is_sound(&c.data) {
+        return None;
+    }
     let split = Split::new(&c, SINGULAR * largest(&c.data)).filter(|s| s.columns.len() < n)?;
     let k = split.right.columns;
     // back in the coordinates of the machine

@@ -74,6 +74,9 @@ const IDLE: f64 = 1e-11;
 /// A share of a free oscillation below this moves nothing.
 const UNMOVED: f64 = 1e-9;
 
+/// Rounding of a basis of the motions that conditions allow.
+const BASIS: f64 = 8.0 * f64::EPSILON;
+
 impl Amplitudes {
     /// X, infinite where a pole moves the coordinate.
     pub fn coordinates(&self) -> Vec<Complex> {
@@ -155,11 +158,15 @@ pub fn solve(m: &Matrices, omega: f64, load: &[Complex]) -> Amplitudes {
     }
     if let Some((z, k)) = m.allowed() {
         // X = Z Y with Zᵀ (C - ω² M + i ω B) Z Y = Zᵀ F
+        let idle = BASIS * load.iter().map(|f| size(*f)).sum::<f64>();
         let onto = |c: usize| (0..m.n).fold((0.0, 0.0), |s, i| (s.0 + z[i * k + c] * load[i].0, s.1 + z[i * k + c] * load[i].1));
+        let onto = |c: usize| Some(onto(c)).filter(|f| size(*f) > idle).unwrap_or_default();
         let y = solve(&m.reduced(&z, k), omega, &(0..k).map(onto).collect::<Vec<_>>());
+        // the basis is known to a few roundings of its unit vectors: what is below them is nothing
         let back = |y: &[Complex]| -> Vec<Complex> {
+            let rounding = BASIS * y.iter().map(|v| size(*v)).sum::<f64>();
             let entry = |i: usize| y.iter().enumerate().fold((0.0, 0.0), |s, (c, v)| (s.0 + z[i * k + c] * v.0, s.1 + z[i * k + c] * v.1));
-            (0..m.n).map(entry).collect()
+            (0..m.n).map(entry).map(|v| if size(v) <= rounding { (0.0, 0.0) } else { v }).collect()
         };
         return y.mapped(back);
     }
@@ -268,7 +275,7 @@ impl Real {
         let size = 2 * self.n;
         let factors = Factors::new(&self.matrix, size);
         // a small pivot is a free oscillation, or a strong damper or spring beside weak ones
-        let doubtful = Qr::alike(&self.matrix, size, size, SINGULAR).rank() < size;
+        let doubtful = !factors.is_sound(&self.matrix) && Qr::alike(&self.matrix, size, size, SINGULAR).rank() < size;
         if doubtful && (omega == 0.0 || self.distance(&factors) <= NEAR * omega) {
             return None;
         }

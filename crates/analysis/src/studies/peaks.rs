@@ -86,28 +86,47 @@ fn stationary(power: &mut dyn FnMut(f64) -> f64, at: f64, width: f64, low: f64, 
     x1
 }
 
-/// Local extremes of values over a grid: positions k with neighbours on both sides, where P is largest (1) or smallest (-1).
+/// Local extremes of values over a grid: positions k with neighbours on both sides, where P is largest (1) or smallest (-1). What stands out from the
+/// values around it by no more than rounding of P is none.
 pub fn candidates(values: &[f64], sign: f64) -> Vec<usize> {
     let v = |k: usize| sign * values[k];
-    (1..values.len().saturating_sub(1)).filter(|&k| v(k) > v(k - 1) && v(k) >= v(k + 1) && values[k].is_finite()).collect()
+    let local = |k: &usize| v(*k) > v(k - 1) && v(*k) >= v(k + 1) && values[*k].is_finite();
+    (1..values.len().saturating_sub(1)).filter(local).filter(|&k| stands_out(values, k, sign)).collect()
 }
 
-/// Bisection of a change of sign.
+/// Share of P by which an extreme must stand out from the values on both sides, up to where one is beyond it.
+const ROUNDING: f64 = 1e-11;
+
+fn stands_out(values: &[f64], k: usize, sign: f64) -> bool {
+    let v = |k: usize| sign * values[k];
+    let far = |j: &usize| v(k) - v(*j) > ROUNDING * values[k].abs().max(values[*j].abs());
+    let side = |list: &mut dyn Iterator<Item = usize>| list.take_while(|j| v(*j) <= v(k) || values[*j].is_nan()).any(|j| far(&j));
+    side(&mut (0..k).rev()) && side(&mut (k + 1..values.len()))
+}
+
+/// A change of sign to rounding: false position that halves the value at an end which stays (Illinois), bisection where that shrinks too little.
 pub fn zero(function: &mut dyn FnMut(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let mut at_low = function(low);
-    for _ in 0..200 {
+    let (mut at_low, mut at_high) = (function(low), function(high));
+    // the end that moved last, and widths before
+    let (mut moved, mut before) = (0, high - low);
+    for step in 0..200 {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
             break;
         }
-        let value = function(middle);
+        let slow = step % 3 == 2 && high - low > 0.5 * std::mem::replace(&mut before, high - low);
+        let chord = low - at_low * (high - low) / (at_high - at_low);
+        let at = if slow || !(chord > low && chord < high) { middle } else { chord };
+        let value = function(at);
         if value == 0.0 {
-            return middle;
+            return at;
         }
         if (value > 0.0) == (at_low > 0.0) {
-            (low, at_low) = (middle, value);
+            at_high = if moved == -1 { 0.5 * at_high } else { at_high };
+            (low, at_low, moved) = (at, value, -1);
         } else {
-            high = middle;
+            at_low = if moved == 1 { 0.5 * at_low } else { at_low };
+            (high, at_high, moved) = (at, value, 1);
         }
     }
     0.5 * (low + high)

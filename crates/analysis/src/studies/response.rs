@@ -93,8 +93,17 @@ pub struct Forced<'m> {
     from_sine: bool,
     components: Vec<Component>,
     current: usize,
+    /// The last static displacements.
+    last: Option<(Still, Amplitudes)>,
     /// Frequencies of loads that do not follow the parameter.
     pub left_out: Vec<f64>,
+}
+
+/// What static displacements depend on.
+#[derive(Clone, Debug, PartialEq)]
+struct Still {
+    matrices: Matrices,
+    load: Vec<Complex>,
 }
 
 /// The machine at a frequency.
@@ -190,6 +199,7 @@ impl<'m> Forced<'m> {
             from_sine: false,
             components: Vec::new(),
             current: 0,
+            last: None,
             left_out: Vec::new(),
         };
         forced.arrange(parameter)?;
@@ -458,7 +468,7 @@ impl<'m> Forced<'m> {
         let excitation = self.excitation(&matrices)?;
         let turn = |z: Complex| self.turned(z);
         let load: Vec<Complex> = self.load(&excitation, self.current, matrices.n).into_iter().map(turn).collect();
-        let (moving, still) = (solve(&matrices, omega, &load), solve(&matrices, 0.0, &load));
+        let (moving, still) = (solve(&matrices, omega, &load), self.still(&matrices, &load));
         if moving.doubt.is_nan() || still.doubt.is_nan() || still.doubt > DOUBT {
             return Err(hangs_on_rounding(omega));
         }
@@ -486,6 +496,22 @@ impl<'m> Forced<'m> {
             crate::fault::finite(z.0 + z.1, "response")?;
         }
         Ok(Point { omega, place: self.place.q.clone(), coordinates: moving.coordinates(), outputs, still, doubt })
+    }
+
+    /// What the load does statically; the last answer where neither the matrices nor the load have changed.
+    fn still(&mut self, matrices: &Matrices, load: &[Complex]) -> Amplitudes {
+        let key = Still {
+            matrices: Matrices { loads: Vec::new(), shaped: Vec::new(), force: Vec::new(), ..matrices.clone() },
+            load: load.to_vec(),
+        };
+        match &self.last {
+            Some((known, found)) if *known == key => found.clone(),
+            _ => {
+                let found = solve(matrices, 0.0, load);
+                self.last = Some((key, found.clone()));
+                found
+            }
+        }
     }
 
     /// -i exp(iωt) is the sine of the wave that exp(iωt) stands for.

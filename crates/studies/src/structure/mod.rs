@@ -4,6 +4,7 @@ pub mod bind;
 pub mod compare;
 pub mod drawing;
 pub mod equation;
+mod groups;
 pub mod modes;
 pub mod mount;
 pub mod rayleigh;

@@ -3,6 +3,7 @@
 //! motions, responses and simulations know no difference between a frame and a body, and bodies stand on nodes by formulas of displacements.
 
 use super::bind::{Bound, bind};
+use super::groups::{groups, on_groups};
 use analysis::studies::structure_modes::{self, Modes};
 use mechanics::Model;
 use mechanics::elements::{Force, Potential, element};
@@ -137,13 +138,14 @@ fn entries(bound: &Bound, structure: &file::Structure, found: &Substructure) -> 
         .as_ref()
         .filter(|e| found.condensed && found.n_q <= EXACT && found.amplitudes == 0 && n == e.displacements.len() && n <= 8);
     let exact = exact.and_then(|e| reduce(e, &Assembly::of(e), condensation(structure)).ok()).filter(|r| r.named);
+    let group = groups([&found.mass, &found.stiffness], n);
     let list = |values: &[f64], exact: Option<&[Rational]>| -> Vec<Entry> {
         let largest: Vec<f64> = (0..n).map(|i| values[i * n + i].abs()).collect();
         let pairs = (0..n).flat_map(|i| (i..n).map(move |j| (i, j)));
         let entry = |(i, j): (usize, usize)| (i, j, values[i * n + j], exact.map(|e| e[i * n + j].clone()));
         let matters = |e: &Entry| match &e.3 {
             Some(exact) => !exact.is_zero(),
-            None => e.2.abs() > 1e-13 * (largest[e.0] * largest[e.1]).sqrt(),
+            None => group[e.0] == group[e.1] && e.2.abs() > 1e-13 * (largest[e.0] * largest[e.1]).sqrt(),
         };
         pairs.map(entry).filter(matters).collect()
     };
@@ -316,7 +318,8 @@ fn shares(frame: &Frame<f64>, assembly: &Assembly<f64>, found: &Substructure, un
     if let Some((k, factor)) = along_named(&displacements(frame, assembly), found, &forces) {
         return (0..n).map(|j| simple(factor, 1.0).filter(|_| j == k)).collect();
     }
-    let q = dense::product(&dense::transpose(&found.basis, found.n_q, n), &forces, n, found.n_q, 1);
+    let mut q = dense::product(&dense::transpose(&found.basis, found.n_q, n), &forces, n, found.n_q, 1);
+    on_groups(&mut q, &groups([&found.mass, &found.stiffness], n), &found.stiffness);
     let largest = q.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     q.iter().map(|v| if v.abs() <= 1e-13 * largest { None } else { simple(*v, largest) }).collect()
 }
