@@ -39,6 +39,10 @@ pub struct Extremes {
     tie: f64,
 }
 
+/// Equal greatest values differ by the errors of the motion, and the first of them is meant; what a table of a coarse motion shows is
+/// not left out for that.
+const TIE: f64 = 1e-7;
+
 impl Extremes {
     /// For these outputs of a system.
     pub fn new<S: System + ?Sized>(system: &S, chosen: &[usize], tolerance: f64) -> Extremes {
@@ -50,7 +54,7 @@ impl Extremes {
             integrals: vec![[0.0; 3]; chosen.len()],
             span: 0.0,
             last: vec![f64::NAN; chosen.len()],
-            tie: tolerance,
+            tie: tolerance.min(TIE),
         }
     }
 
