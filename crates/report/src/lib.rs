@@ -1,25 +1,22 @@
 //! Showing results: numbers, units, tables, figures and pages in English and Russian. It computes no physics: everything shown here
 //! was computed before, and full precision is kept until the moment of printing.
 //!
-//! [`Document`] is the middle form: the caller puts blocks into it once and writes it as an HTML page ([`page::write`]) or as
-//! terminal text ([`terminal::write`]). [`Figure`] is drawn by [`figure::svg`] and [`figure::png`] and by the page itself.
+//! [`Document`] is the middle form: the caller puts blocks into it once and writes it in a format of the table ([`formats::TABLE`]). [`Figure`] is drawn by [`figure::svg`] and [`figure::png`] and by the page itself.
 
-pub mod csv;
 pub mod document;
 pub mod escape;
 pub mod figure;
+pub mod formats;
 pub mod formula;
-pub mod json;
 pub mod number;
-pub mod page;
 mod rich;
 pub mod symbol;
 pub mod table;
-pub mod terminal;
 pub mod unit;
 pub mod wording;
 
 pub use document::{Block, Document, Download};
 pub use figure::Figure;
+pub use formats::{Format, csv, html as page, json, text as terminal};
 pub use table::{Cell, Table};
 pub use wording::Word;

@@ -56,10 +56,14 @@ pub fn mathml(name: &str, language: Language) -> String {
     written(name, language, Form::MathMl)
 }
 
+/// The layout of a symbol.
+pub(crate) fn layout(name: &str, language: Language) -> Layout {
+    Layout::Symbol(Printer::new(language).named(name))
+}
+
 /// The symbol in a written form.
 pub(crate) fn written(name: &str, language: Language, form: Form) -> String {
-    let printer = Printer::new(language);
-    printer.write(&Layout::Symbol(printer.named(name)), form, Placement::Inline)
+    Printer::new(language).write(&layout(name, language), form, Placement::Inline)
 }
 
 #[cfg(test)]

@@ -63,6 +63,7 @@ words::table! {
     StateBackward: "slides back", "скольжение назад";
     StateImpact: "impact", "удар";
     Omitted: "omitted", "опущено";
+    Continuation: "continued", "продолжение";
     Continued: "the table is cut to the width of the terminal; all columns are in the files",
         "таблица обрезана по ширине терминала; все столбцы есть в файлах";
 }

@@ -1,6 +1,7 @@
 //! Where words go: data to stdout in one piece, talk to stderr; colours only on terminals.
 
 use crate::args::Global;
+use report::formats::{self, Format, Tree};
 use serde_json::json;
 use std::cell::RefCell;
 use std::ffi::OsString;
@@ -29,21 +30,13 @@ const BETWEEN_SPINS: Duration = Duration::from_millis(100);
 /// A calculation shows its progress when it takes longer.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// What data look like on stdout.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    /// For people.
-    Text,
-    /// CSV.
-    Csv,
-    /// JSON.
-    Json,
-}
-
 /// The terminal, or the pipes in its place.
 pub struct Console {
     pub language: Language,
-    pub shape: Shape,
+    /// What data look like on stdout.
+    pub format: Format,
+    /// What a page looks like, where the command line says so.
+    pub page: Option<Format>,
     pub quiet: bool,
     /// Whether a person reads stdout.
     pub terminal: bool,
@@ -54,14 +47,33 @@ pub struct Console {
 
 impl Console {
     pub fn new(global: &Global, language: Language) -> Console {
-        let shape = match (global.json, global.csv) {
-            (true, _) => Shape::Json,
-            (_, true) => Shape::Csv,
-            _ => Shape::Text,
+        let format = match (global.json, global.csv) {
+            (true, _) => formats::json::FORMAT,
+            (_, true) => formats::csv::FORMAT,
+            _ => formats::text::FORMAT,
         };
         let laps = global.timings.then(Vec::new);
         let terminal = std::io::stdout().is_terminal();
-        Console { language, shape, quiet: global.quiet, terminal, laps, started: Instant::now() }
+        Console { language, format, page: None, quiet: global.quiet, terminal, laps, started: Instant::now() }
+    }
+
+    /// What `--format` names: a page has figures with it, other formats are for stdout.
+    pub fn choose(&mut self, format: &Format) {
+        if format.is_paged() {
+            self.page = Some(*format);
+        } else {
+            self.format = *format;
+        }
+    }
+
+    /// Whether stdout is for people.
+    pub fn is_text(&self) -> bool {
+        self.format.page().is_some()
+    }
+
+    /// How trees are written, where stdout is for programs.
+    pub fn tree(&self) -> Option<Tree> {
+        self.format.tree()
     }
 
     pub fn say(&self, word: Word) -> &'static str {
@@ -120,7 +132,7 @@ impl Console {
 
     /// Warnings of the reader.
     pub fn warn(&self, warnings: &[Notice], source: &Source) {
-        if !warnings.is_empty() && !self.quiet && self.shape != Shape::Json {
+        if !warnings.is_empty() && !self.quiet && self.tree().is_none() {
             complain(&diagnostics::render(warnings, source, self.style()));
         }
     }
@@ -133,26 +145,23 @@ impl Console {
     /// Shows what ended the command; returns the exit code.
     pub fn fail(&self, failure: &Failure) -> u8 {
         let language = self.language;
-        let as_json = self.shape == Shape::Json;
         let value = match failure {
-            Failure::Findings { source, diagnostics } if as_json => {
+            Failure::Findings { source, diagnostics } => {
                 json!({"ok": false, "file": source.path, "findings": diagnostics::to_json(diagnostics, source, language)})
             }
-            Failure::Trouble(t) | Failure::Misuse(t) if as_json => {
-                json!({"ok": false, "findings": [studies::results::trouble_to_json(t, language)]})
-            }
-            Failure::Findings { source, diagnostics } => {
-                complain(&diagnostics::render(diagnostics, source, self.style()));
-                return failure.exit_code();
-            }
-            Failure::Trouble(t) | Failure::Misuse(t) => {
-                complain(&diagnostics::render_trouble(t, self.style()));
-                return failure.exit_code();
-            }
+            Failure::Trouble(t) | Failure::Misuse(t) => json!({"ok": false, "findings": [studies::results::trouble_to_json(t, language)]}),
             Failure::ClosedPipe => return failure.exit_code(),
         };
-        // nothing is left to tell when even this cannot be written
-        let _ = self.out(format!("{value}\n"));
+        if let Some(tree) = self.tree() {
+            // nothing is left to tell when even this cannot be written
+            let _ = self.out((tree.value)(&value));
+            return failure.exit_code();
+        }
+        match failure {
+            Failure::Findings { source, diagnostics } => complain(&diagnostics::render(diagnostics, source, self.style())),
+            Failure::Trouble(t) | Failure::Misuse(t) => complain(&diagnostics::render_trouble(t, self.style())),
+            Failure::ClosedPipe => {}
+        }
         failure.exit_code()
     }
 

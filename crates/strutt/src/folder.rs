@@ -5,18 +5,23 @@ use crate::variants;
 use crate::wording::Word;
 use mechanics::Model;
 use mechanics::section::Section;
-use report::{Figure, csv, json, page};
+use report::figure::png;
+use report::formats::Sheet;
+use report::{Document, Figure, Format, csv, json};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use studies::pipeline::{self, Calculation};
 use studies::{Extent, Results, Source, VERSION};
 use words::{Language, Notice, Printed};
 
-/// Writes everything about a calculation into a folder; returns the paths, the page last.
+/// How the page of a folder is written where nobody says otherwise.
+pub const PAGE: Format = report::formats::html::FORMAT;
+
+/// Writes everything about a calculation into a folder, its page in a format; returns the paths, the page last.
 ///
 /// # Errors
 /// A result would replace an input (C052), or the disk refuses (C005); then nothing is written.
-pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -> Result<Vec<PathBuf>, Box<Notice>> {
+pub fn write(calculation: &mut Calculation, folder: &Path, (format, language): (Format, Language)) -> Result<Vec<PathBuf>, Box<Notice>> {
     let inputs = inputs(&calculation.machine.origin.source, &calculation.machine.model);
     let mut shelf = Shelf::open(folder, &inputs)?;
     let several = calculation.results.len() > 1;
@@ -34,12 +39,24 @@ pub fn write(calculation: &mut Calculation, folder: &Path, language: Language) -
     section_files(&mut shelf, &calculation.machine.model.sections, language)?;
     calculation.files = shelf.names.iter().map(|(name, what)| (name.clone(), what.text())).collect();
     let document = pipeline::document(calculation, Extent::Page, language);
-    shelf.put(
-        "index.html",
-        Word::Page,
-        page::write(&document, page::Options { math_font: Some(report::formula::MATH_FONT) }).as_bytes(),
-    )?;
+    page(&mut shelf, &document, &format)?;
     shelf.close()
+}
+
+/// The page and its pictures.
+fn page(shelf: &mut Shelf, document: &Document, format: &Format) -> Result<(), Box<Notice>> {
+    let Some(page) = format.page() else { return Ok(()) };
+    let mut pictures = Vec::new();
+    for (name, bytes) in page.pictures(document).map_err(|error| undrawn("figure", &error))? {
+        pictures.push(shelf.put(&name, Word::Picture, &bytes)?);
+    }
+    let text = (page.write)(document, &Sheet { width: 0, pictures: &pictures });
+    shelf.put(&format!("index.{}", format.extension), Word::Page, text.as_bytes())?;
+    Ok(())
+}
+
+fn undrawn(stem: &str, error: &png::Error) -> Box<Notice> {
+    Box::new(Notice::new("C005", format!("cannot draw {stem}.png: {error}"), format!("не удаётся нарисовать {stem}.png: {error}")))
 }
 
 /// The files that a calculation reads: the model and its table of variants.
@@ -78,16 +95,16 @@ fn tables(shelf: &mut Shelf, results: &Results, stem: &str, language: Language) 
     if language == Language::Ru {
         shelf.put(&format!("{stem}-excel.csv"), Word::TableRu, &csv::write(data, csv::Dialect::Ru))?;
     }
-    shelf.put(&format!("{stem}.json"), Word::AllData, &json::write(data, &results.fields(), language))
+    shelf.put(&format!("{stem}.json"), Word::AllData, &json::write(data, &results.fields(), language))?;
+    Ok(())
 }
 
 fn plot(shelf: &mut Shelf, figure: &Figure, number: &str, language: Language) -> Result<(), Box<Notice>> {
     let stem = format!("{}{number}", figure.name);
     shelf.put(&format!("{stem}.svg"), Word::Vector, report::figure::svg::write(figure, true, language).as_bytes())?;
-    let png = report::figure::png::write(figure, true, language).map_err(|error| {
-        Box::new(Notice::new("C005", format!("cannot draw {stem}.png: {error}"), format!("не удаётся нарисовать {stem}.png: {error}")))
-    })?;
-    shelf.put(&format!("{stem}.png"), Word::Picture, &png)
+    let png = png::write(figure, true, language).map_err(|error| undrawn(&stem, &error))?;
+    shelf.put(&format!("{stem}.png"), Word::Picture, &png)?;
+    Ok(())
 }
 
 fn with_sections(mut head: Value, sections: &[Section], language: Language) -> Value {

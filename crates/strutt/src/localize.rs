@@ -1,8 +1,10 @@
 //! Help in the user's language, and the three commands that it begins with.
 
 use crate::args::Cli;
+use clap::builder::PossibleValuesParser;
 use clap::error::{ContextKind, ErrorKind};
 use clap::{Arg, ArgAction, ArgMatches, Command, CommandFactory};
+use report::formats::TABLE;
 use words::Language;
 
 const FIRST_EN: &str = "Three commands to begin with:
@@ -24,8 +26,9 @@ const CODES_RU: &str =
 
 /// The whole command line in a language.
 pub fn command(language: Language) -> Command {
-    let command =
-        with_studies(Cli::command(), language).before_help(language.pick(FIRST_EN, FIRST_RU)).after_help(language.pick(CODES_EN, CODES_RU));
+    let command = with_formats(with_studies(Cli::command(), language), language)
+        .before_help(language.pick(FIRST_EN, FIRST_RU))
+        .after_help(language.pick(CODES_EN, CODES_RU));
     match language {
         Language::En => command.help_template(TEMPLATE_EN),
         Language::Ru => russian(command.subcommand(Command::new("help").arg(Arg::new("command").value_name("COMMAND"))), ""),
@@ -44,6 +47,28 @@ fn with_studies(command: Command, language: Language) -> Command {
     crate::commands::line::commands(language)
         .enumerate()
         .fold(command, |command, (i, sub)| command.subcommand(sub.display_order(before + i)))
+}
+
+/// `--format` of the commands that show a calculation, made of the rows of the formats.
+fn with_formats(command: Command, language: Language) -> Command {
+    let of = |command: &Command| matches!(command.get_name(), "run" | "equations" | "claims") || is_study(command.get_name());
+    command.mut_subcommands(|sub| if of(&sub) { sub.arg(format(language)) } else { sub })
+}
+
+fn is_study(name: &str) -> bool {
+    studies::find(name).is_some_and(|study| study.has_command())
+}
+
+fn format(language: Language) -> Arg {
+    let rows: Vec<String> = TABLE.iter().map(|row| format!("{} – {}", row.name, language.pick(row.help.0, row.help.1))).collect();
+    let what = language.pick("Format of the page, or of the data", "Формат страницы или данных");
+    let names = PossibleValuesParser::new(TABLE.map(|row| row.name));
+    Arg::new("format")
+        .long("format")
+        .value_name("NAME")
+        .value_parser(names)
+        .hide_possible_values(true)
+        .help(format!("{what}: {}", rows.join("; ")))
 }
 
 /// More than there are studies.
@@ -88,7 +113,8 @@ fn in_russian(arg: Arg, valued: bool) -> Arg {
         arg.get_value_names().and_then(|names| names.first()).is_some_and(|name| possible.iter().all(|v| name.contains(v.as_str())));
     let default = arg.get_default_values().first().and_then(|v| v.to_str()).map(str::to_owned);
     let mut added = String::new();
-    if valued && !possible.is_empty() && !named {
+    let told = possible.iter().all(|value| help.contains(value));
+    if valued && !possible.is_empty() && !named && !told {
         added.push_str(&format!(" [значения: {}]", possible.join(", ")));
     }
     if let Some(value) = default.filter(|_| valued && !help.contains("[по умолчанию")) {

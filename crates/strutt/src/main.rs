@@ -28,6 +28,10 @@ fn main() -> ExitCode {
         Err(error) => return wrong_use(&error, language),
     };
     let mut console = Console::new(&global, language);
+    let chosen = matches.subcommand().and_then(|(_, command)| command.try_get_one::<String>("format").ok().flatten());
+    if let Some(format) = chosen.and_then(|name| report::formats::find(name)) {
+        console.choose(format);
+    }
     let asked = matches.subcommand().and_then(|(name, of_study)| Some((studies::find(name).filter(|s| s.has_command())?, of_study)));
     let result = match asked {
         Some((study, of_study)) => commands::study::run(study, of_study, &mut console),

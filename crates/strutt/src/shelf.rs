@@ -38,11 +38,11 @@ impl<'a> Shelf<'a> {
         Ok(Shelf { folder, inputs, names: Vec::new(), parts: Vec::new(), _lock: lock })
     }
 
-    /// Adds a file.
+    /// Adds a file; returns the name that it gets.
     ///
     /// # Errors
     /// It would replace an input (C052), or the disk refuses (C005).
-    pub fn put(&mut self, name: &str, what: Word, bytes: &[u8]) -> Result<(), Box<Notice>> {
+    pub fn put(&mut self, name: &str, what: Word, bytes: &[u8]) -> Result<String, Box<Notice>> {
         let name = self.free(name);
         let path = self.folder.join(&name);
         if let Some(input) = self.inputs.iter().find(|input| same_file(&path, input)) {
@@ -50,8 +50,9 @@ impl<'a> Shelf<'a> {
         }
         let part = self.folder.join(format!("{name}.{}{PART}", std::process::id()));
         self.parts.push(part.clone());
-        self.names.push((name, what));
-        fs::write(&part, bytes).map_err(|error| files::refused(&path, &error))
+        self.names.push((name.clone(), what));
+        fs::write(&part, bytes).map_err(|error| files::refused(&path, &error))?;
+        Ok(name)
     }
 
     /// Gives every file its place; the paths, in the order in which they were put.

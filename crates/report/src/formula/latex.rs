@@ -283,7 +283,7 @@ fn letters(text: &str, shape: Shape) -> String {
 }
 
 /// The command of a Greek letter; capitals that look Latin have none.
-fn greek(c: char) -> String {
+pub fn greek(c: char) -> String {
     const COMMANDS: [(char, &str); 35] = [
         ('α', "\\alpha"),
         ('β', "\\beta"),

@@ -23,7 +23,8 @@ pub(super) fn piece_length(piece: &Piece) -> usize {
     ((joint + minus + width(piece.body)) / CHARACTER).ceil() as usize
 }
 
-fn width(layout: &Layout) -> f64 {
+/// Width of a layout on one line, em.
+pub fn width(layout: &Layout) -> f64 {
     match layout {
         Layout::Number { mantissa, exponent } => {
             let power = exponent.map_or(0.0, |n| 1.6 + SCRIPT * DIGIT * n.to_string().len() as f64);

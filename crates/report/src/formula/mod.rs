@@ -30,7 +30,9 @@ mod text;
 mod typst;
 
 pub use classes::SymbolClass;
+pub(crate) use latex::greek;
 pub use layout::{Bare, Bracket, Identifier, Index, Layout, Placement, Relation, Row, Shape, Sign};
+pub(crate) use measure::width;
 pub use printer::Printer;
 pub use set::{Form, Formula};
 pub use words::Language;

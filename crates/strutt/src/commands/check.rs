@@ -2,7 +2,7 @@
 
 use super::{Exit, inputs};
 use crate::args::{self, Format};
-use crate::console::{Console, Shape, quoted};
+use crate::console::{Console, quoted};
 use serde_json::json;
 use strutt::diagnostics;
 use strutt::wording::Word;
@@ -13,17 +13,17 @@ pub fn run(args: &args::Check, console: &mut Console) -> Result<Exit, Failure> {
     let (source, overrides) = inputs(&args.model)?;
     let machine = match console.watched(|watch| pipeline::build(&source, &overrides, watch)) {
         Ok(machine) => machine,
-        Err(Failure::Findings { diagnostics, .. }) if args.format == Format::Short && console.shape != Shape::Json => {
+        Err(Failure::Findings { diagnostics, .. }) if args.format == Format::Short && console.tree().is_none() => {
             console.out(diagnostics::short(&diagnostics, &source, console.language))?;
             return Ok(Exit::Failed);
         }
         Err(failure) => return Err(failure),
     };
-    if console.shape == Shape::Json {
+    if let Some(tree) = console.tree() {
         let findings = diagnostics::to_json(&machine.warnings, &source, console.language);
         let value = json!({"ok": true, "file": source.path, "title": console.language.text(&machine.model.title),
             "model_hash": machine.model_hash, "findings": findings, "counts": counts(&machine), "notes": notes(&machine, console)});
-        console.out(format!("{value}\n"))?;
+        console.out((tree.value)(&value))?;
         return Ok(Exit::Done);
     }
     match args.format {

@@ -2,22 +2,26 @@
 
 use super::{Exit, open};
 use crate::args::{self, Form};
-use crate::console::{Console, Shape, quoted};
+use crate::console::{Console, quoted};
 use report::Word as Title;
 use report::formula::{self, Layout, Placement, Printer};
 use serde_json::{Value, json};
 use studies::Failure;
 use studies::document;
 use studies::frictions;
-use studies::pipeline::Machine;
+use studies::pipeline::{Calculation, Machine};
 use studies::wording::{Word, say};
 use symbolic::Equations;
 use words::Language;
 
 pub fn run(args: &args::Equations, console: &mut Console) -> Result<Exit, Failure> {
     let (_, machine) = open(&args.model, mechanics::derive::Detail::Steps, console)?;
-    if console.shape == Shape::Json {
-        console.out(format!("{}\n", to_json(&machine, console.language)))?;
+    if let Some(tree) = console.tree() {
+        console.out((tree.value)(&to_json(&machine, console.language)))?;
+        return Ok(Exit::Done);
+    }
+    if console.page.is_some() {
+        super::page(&Calculation { machine, findings: Vec::new(), files: Vec::new() }, console)?;
         return Ok(Exit::Done);
     }
     let writer = Writer::new(&machine.equations, args.form, console);

@@ -2,7 +2,7 @@
 
 use super::Exit;
 use crate::args;
-use crate::console::{Console, Shape};
+use crate::console::Console;
 use serde_json::json;
 use strutt::gallery;
 use studies::failure::Misuse;
@@ -31,9 +31,9 @@ pub fn find(name: &str) -> Result<&'static gallery::Example, Failure> {
 
 fn list(console: &Console) -> Result<(), Failure> {
     let rows: Vec<(&str, String)> = gallery::EXAMPLES.iter().map(|e| (e.name, title(e, console))).collect();
-    if console.shape == Shape::Json {
+    if let Some(tree) = console.tree() {
         let list: Vec<_> = rows.iter().map(|(name, title)| json!({"name": name, "title": title})).collect();
-        return console.out(format!("{}\n", json!(list)));
+        return console.out((tree.value)(&json!(list)));
     }
     let width = rows.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let lines: String = rows.iter().map(|(name, title)| format!("{name:<width$}  {title}\n")).collect();

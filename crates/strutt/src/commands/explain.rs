@@ -2,7 +2,7 @@
 
 use super::Exit;
 use crate::args;
-use crate::console::{Console, Shape};
+use crate::console::Console;
 use serde_json::json;
 use strutt::explain;
 use studies::Failure;
@@ -16,9 +16,9 @@ pub fn run(args: &args::Explain, console: &mut Console) -> Result<Exit, Failure>
         return Ok(Exit::Done);
     };
     let explanation = explain::find(code).ok_or_else(|| unknown(code))?;
-    let text = match console.shape {
-        Shape::Json => format!("{}\n", to_json(explanation, console)),
-        _ => write(explanation, console),
+    let text = match console.tree() {
+        Some(tree) => (tree.value)(&to_json(explanation, console)),
+        None => write(explanation, console),
     };
     console.out(text)?;
     Ok(Exit::Done)
@@ -27,9 +27,9 @@ pub fn run(args: &args::Explain, console: &mut Console) -> Result<Exit, Failure>
 fn list(console: &Console) -> Result<(), Failure> {
     let mut all: Vec<_> = explain::all().collect();
     all.sort_by_key(|e| (rooms(e.code), e.code));
-    if console.shape == Shape::Json {
+    if let Some(tree) = console.tree() {
         let list: Vec<_> = all.iter().map(|e| to_json(e, console)).collect();
-        return console.out(format!("{}\n", json!(list)));
+        return console.out((tree.value)(&json!(list)));
     }
     let lines: String = all.iter().map(|e| format!("{}  {}\n", e.code, e.title(console.language))).collect();
     console.out(lines)

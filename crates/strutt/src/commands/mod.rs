@@ -16,10 +16,11 @@ use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
 use crate::quantities;
 use mechanics::derive::Detail;
+use report::formats::Sheet;
 use std::sync::atomic::Ordering;
 use strutt::wording::Word;
-use studies::pipeline::{self, Machine};
-use studies::{Failure, Results, Source};
+use studies::pipeline::{self, Calculation, Machine};
+use studies::{Extent, Failure, Results, Source};
 
 /// How a command ended that did not fail outright.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,6 +65,13 @@ fn open(model: &crate::args::Model, detail: Detail, console: &mut Console) -> Re
     let machine = console.watched(|watch| pipeline::build_in(&source, &overrides, detail, watch))?;
     console.warn(&machine.warnings, &source);
     Ok((source, machine))
+}
+
+/// A calculation on stdout in the format of pages that the command line names; figures are told in words.
+fn page(calculation: &Calculation, console: &Console) -> Result<(), Failure> {
+    let Some(page) = console.page.and_then(|format| format.page()) else { return Ok(()) };
+    let document = pipeline::document(calculation, Extent::Page, console.language);
+    console.out((page.write)(&document, &Sheet { width: console.width(), pictures: &[] }))
 }
 
 /// Whether the file has a study that computes numbers.

@@ -2,7 +2,8 @@
 
 use super::{Exit, has_numbers, inputs, judge};
 use crate::args;
-use crate::console::{Console, INTERRUPTED, Shape, listen_to_interrupts, quoted};
+use crate::console::{Console, INTERRUPTED, listen_to_interrupts, quoted};
+use report::formats::Holds;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use strutt::folder;
@@ -20,8 +21,8 @@ pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
     })?;
     console.warn(&calculation.machine.warnings, &source);
     let out = args.out.clone().unwrap_or_else(|| Path::new("out").join(source.name()));
-    let language = console.language;
-    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, &out, language))?;
+    let (language, page) = (console.language, console.page.unwrap_or(folder::PAGE));
+    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, &out, (page, language)))?;
     show(&calculation, console)?;
     tell(&calculation, &paths, &args.model.file, console);
     // studies that were left out are no finding of their own
@@ -31,13 +32,13 @@ pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
 
 fn show(calculation: &Calculation, console: &Console) -> Result<(), Failure> {
     let language = console.language;
-    match console.shape {
-        Shape::Json => console.out(folder::calculation_to_json(calculation, language)),
-        Shape::Csv => match calculation.results.first() {
-            Some(results) => console.out(report::csv::write(&results.data, report::csv::Dialect::Plain)),
+    match console.format.holds {
+        Holds::Tree(_) => console.out(folder::calculation_to_json(calculation, language)),
+        Holds::Table(table) => match calculation.results.first() {
+            Some(results) => console.out((table.data)(&results.data)),
             None => Ok(()),
         },
-        Shape::Text => {
+        Holds::Page(_) => {
             let width = console.width();
             let document = pipeline::document(calculation, Extent::Terminal { width }, language);
             console.out(report::terminal::write(&document, width))

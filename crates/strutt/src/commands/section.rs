@@ -2,9 +2,10 @@
 
 use super::Exit;
 use crate::args;
-use crate::console::{Console, Shape, quoted};
+use crate::console::{Console, quoted};
 use crate::quantities;
 use mechanics::section::Section;
+use report::formats::Holds;
 use serde_json::json;
 use strutt::folder;
 use strutt::wording::Word;
@@ -26,15 +27,15 @@ pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure>
         return Err(Failure::Misuse(Box::new(absent(args.name.as_deref(), all))));
     }
     let language = console.language;
-    match console.shape {
-        Shape::Json => {
+    match console.format.holds {
+        Holds::Tree(tree) => {
             let list: Vec<_> = chosen.iter().map(|s| sections::to_json(s, language)).collect();
             let value = json!({"title": language.text(&reading.model.title), "version": studies::VERSION,
                 "model_hash": source.hash(&overrides), "sections": list});
-            console.out(format!("{value}\n"))?;
+            console.out((tree.value)(&value))?;
         }
-        Shape::Csv => console.out(sections::to_csv(&chosen))?,
-        Shape::Text => {
+        Holds::Table(_) => console.out(sections::to_csv(&chosen))?,
+        Holds::Page(_) => {
             for section in &chosen {
                 console.out(format!("{}\n\n", sections::title(section, language)))?;
                 console.out(report::terminal::table(&sections::table(section, language), language, console.width()))?;
@@ -47,7 +48,7 @@ pub fn run(args: &args::Section, console: &mut Console) -> Result<Exit, Failure>
         let paths = folder::sections(&chosen, (out.as_path(), inputs.as_slice()), language)?;
         let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
         console.talk(&format!("{}{list}", console.say(Word::Written)));
-    } else if console.shape == Shape::Text {
+    } else if console.is_text() {
         console.next(&format!("strutt section {} --out DIR", quoted(&args.model.file)));
     }
     Ok(Exit::Done)

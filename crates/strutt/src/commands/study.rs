@@ -3,11 +3,12 @@
 use super::line::Line;
 use super::{Exit, judge};
 use crate::args;
-use crate::console::{Console, Shape, end_on_interrupts, listen_to_interrupts, quoted};
+use crate::console::{Console, end_on_interrupts, listen_to_interrupts, quoted};
 use clap::{ArgMatches, FromArgMatches};
 use mechanics::asked::Asked;
 use mechanics::derive::Detail;
 use report::Document;
+use report::formats::Holds;
 use std::path::{Path, PathBuf};
 use strutt::folder;
 use strutt::wording::Word;
@@ -28,7 +29,9 @@ pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Re
     let out = matches.get_one::<PathBuf>("out").cloned();
     let written = line.written();
     let fresh = written.is_some();
-    let mut machine = open(&model, written, out.is_some(), console)?;
+    // a page shows the written derivation
+    let detail = if out.is_some() || console.page.is_some() { Detail::Steps } else { Detail::Equations };
+    let mut machine = open(&model, written, detail, console)?;
     let of_file = of_file(study, &machine, fresh);
     let written = fresh.then(|| machine.model.studies.last().cloned()).flatten();
     let base = written.clone().or(of_file.clone()).unwrap_or_default();
@@ -72,9 +75,7 @@ fn of_file(study: &dyn Study, machine: &Machine, fresh: bool) -> Option<Asked> {
 }
 
 /// The machine of a file, with a study that the command line writes behind the file when it begins one.
-fn open(model: &args::Model, written: Option<String>, paged: bool, console: &mut Console) -> Result<Machine, Failure> {
-    // a page shows the written derivation
-    let detail = if paged { Detail::Steps } else { Detail::Equations };
+fn open(model: &args::Model, written: Option<String>, detail: Detail, console: &mut Console) -> Result<Machine, Failure> {
     let (source, overrides) = super::inputs(model)?;
     let text = match &written {
         Some(study) => format!("{}\n\n[[study]]\n{study}", source.text.trim_end()),
@@ -128,9 +129,13 @@ pub struct View<'a> {
 
 /// Shows what was found, writes the folder when one is wanted, decides the exit code.
 pub fn finish(machine: Machine, results: Results, view: &View, console: &mut Console) -> Result<Exit, Failure> {
+    if console.page.is_some() && view.out.is_none() {
+        let exit = judge(&results, console);
+        super::page(&Calculation { machine, results: vec![results], files: Vec::new() }, console)?;
+        return Ok(exit);
+    }
     let alone = results.alone;
-    if alone == Alone::WrittenOrTable && console.shape == Shape::Text && console.terminal && view.out.is_none() && results.trouble.is_none()
-    {
+    if alone == Alone::WrittenOrTable && console.is_text() && console.terminal && view.out.is_none() && results.trouble.is_none() {
         let exit = judge(&results, console);
         let calculation = Calculation { machine, results: vec![results], files: Vec::new() };
         let width = console.width();
@@ -154,8 +159,8 @@ pub fn finish(machine: Machine, results: Results, view: &View, console: &mut Con
 
 fn write(machine: Machine, results: Results, out: &Path, console: &mut Console) -> Result<(), Failure> {
     let mut calculation = Calculation { machine, results: vec![results], files: Vec::new() };
-    let language = console.language;
-    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, out, language))?;
+    let (language, page) = (console.language, console.page.unwrap_or(folder::PAGE));
+    let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, out, (page, language)))?;
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
     console.talk(&format!("{}{list}", console.say(Word::Written)));
     Ok(())
@@ -163,15 +168,15 @@ fn write(machine: Machine, results: Results, out: &Path, console: &mut Console) 
 
 fn show(machine: &Machine, results: &Results, view: &View, console: &Console) -> Result<(), Failure> {
     let language = console.language;
-    match (console.shape, results.alone) {
-        (Shape::Json, _) => console.out(report::json::write(&results.data, &results.fields(), language)),
-        (Shape::Csv, _) => console.out(report::csv::write(&results.data, report::csv::Dialect::Plain)),
-        (Shape::Text, _) if view.out.is_some() && !console.terminal => Ok(()),
-        (Shape::Text, Alone::Places) => places(results, view, console),
-        (Shape::Text, Alone::Written { next }) => solution(machine, results, (view, next), console),
+    match (console.format.holds, results.alone) {
+        (Holds::Tree(tree), _) => console.out((tree.data)(&results.data, &results.fields(), language)),
+        (Holds::Table(table), _) => console.out((table.data)(&results.data)),
+        (Holds::Page(_), _) if view.out.is_some() && !console.terminal => Ok(()),
+        (Holds::Page(_), Alone::Places) => places(results, view, console),
+        (Holds::Page(_), Alone::Written { next }) => solution(machine, results, (view, next), console),
         // a study that failed before it found anything leaves no empty heading
-        (Shape::Text, _) if is_nothing(results) => Ok(()),
-        (Shape::Text, _) => {
+        (Holds::Page(_), _) if is_nothing(results) => Ok(()),
+        (Holds::Page(_), _) => {
             let blocks = results.told(&in_terminal(machine, console));
             console.out(document::in_terminal(language.text(&machine.model.title), blocks, language, console.width()))
         }
@@ -226,21 +231,23 @@ fn solution(machine: &Machine, results: &Results, (view, next): (&View, &str), c
 /// CSV in pipes, a summary on terminals, unless said otherwise.
 fn table(results: &Results, view: &View, console: &Console) -> Result<(), Failure> {
     let data = &results.data;
-    if data.columns.is_empty() && console.shape != Shape::Json {
+    if data.columns.is_empty() && console.tree().is_none() {
         return Ok(());
     }
-    match console.shape {
-        Shape::Json => console.out(report::json::write(data, &results.fields(), console.language)),
-        _ if view.events => console.out(report::csv::write_events(data, report::csv::Dialect::Plain, console.language)),
-        Shape::Text if view.out.is_some() => Ok(()),
-        _ if view.switches => console.out(report::csv::write(&data.with_switches(), report::csv::Dialect::Plain)),
-        Shape::Text if console.terminal => {
+    // where people read, rows are numbers too
+    let numbers = console.format.table().unwrap_or(report::csv::NUMBERS);
+    match console.format.holds {
+        Holds::Tree(tree) => console.out((tree.data)(data, &results.fields(), console.language)),
+        _ if view.events => console.out((numbers.events)(data, console.language)),
+        Holds::Page(_) if view.out.is_some() => Ok(()),
+        _ if view.switches => console.out((numbers.data)(&data.with_switches())),
+        Holds::Page(_) if console.terminal => {
             let table = studies::results::tables::results(data, console.language);
             console.out(report::terminal::table(&table, console.language, console.width()))?;
             console.next(&format!("strutt simulate {} --csv > motion.csv", quoted(view.file)));
             Ok(())
         }
-        _ => console.out(report::csv::write(data, report::csv::Dialect::Plain)),
+        _ => console.out((numbers.data)(data)),
     }
 }
 

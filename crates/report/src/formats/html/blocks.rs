@@ -4,9 +4,9 @@ use crate::document::{Block, Content, Download, Rich};
 use crate::escape::markup;
 use crate::figure::bands::{self, Bands};
 use crate::figure::{Figure, svg};
+use crate::formats::text::{figure_summary, verdict};
 use crate::formula::{Form, Formula};
 use crate::table::{Cell, Table, split_number};
-use crate::terminal::figure_summary;
 use crate::wording::Word;
 use base64::Engine;
 use words::Language;
@@ -118,7 +118,7 @@ impl Writer {
             }
             Cell::Verdict(ok) => {
                 let class = if *ok { "ok" } else { "bad" };
-                format!("<td class=\"{class}\">{}</td>", crate::terminal::verdict(*ok, self.language))
+                format!("<td class=\"{class}\">{}</td>", verdict(*ok, self.language))
             }
         }
     }

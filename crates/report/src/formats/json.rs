@@ -16,10 +16,19 @@
 //! Numbers are SI, in the shortest form that reads back as the same `f64`. JSON has no form for infinities and not-a-number: they are
 //! `null`, and `stated` says what they mean: `[{"name": "x_phase", "missing": "absent", "words": "..."}]` ("unbounded" for infinities). Columns and parameters are objects in the order of the study; a later column with the name of an earlier one is `f.1`.
 
+use super::{Format, Holds, Tree};
 use analysis::Dataset;
 use analysis::dataset::{Digits, Event, Extreme, Held, Impulse, Stated};
 use serde_json::{Map, Value, json};
 use words::Language;
+
+/// The row of the table.
+pub const FORMAT: Format = Format {
+    name: "json",
+    extension: "json",
+    help: ("all results on standard output, for programs", "все результаты в стандартный вывод, для программ"),
+    holds: Holds::Tree(Tree { data: write, value: |value| format!("{value}\n") }),
+};
 
 /// The JSON of a dataset as bytes, closed by a line feed. `extra` are the study's own fields, written before the columns.
 pub fn write(data: &Dataset, extra: &Map<String, Value>, language: Language) -> Vec<u8> {

@@ -1,9 +1,22 @@
 //! CSV tables of a [`Dataset`]: `t [s],phi [rad],...`, SI values with 17 significant digits.
 
+use super::{Format, Holds, Table};
 use crate::number::push_exact;
 use analysis::Dataset;
 use analysis::dataset::Column;
 use words::Language;
+
+/// The row of the table.
+pub const FORMAT: Format = Format {
+    name: "csv",
+    extension: "csv",
+    help: ("columns of numbers on standard output, 17 digits", "столбцы чисел в стандартный вывод, 17 знаков"),
+    holds: Holds::Table(NUMBERS),
+};
+
+/// Columns of numbers as this format writes them.
+pub const NUMBERS: Table =
+    Table { data: |data| write(data, Dialect::Plain), events: |data, language| write_events(data, Dialect::Plain, language) };
 
 /// Flavour of CSV.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]

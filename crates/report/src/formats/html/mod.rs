@@ -6,6 +6,7 @@
 mod blocks;
 mod data;
 
+use super::{Format, Holds, Page, Pictures, Sheet};
 use crate::document::{Block, Document};
 use crate::escape::{markup, script_json};
 use crate::figure::Figure;
@@ -13,12 +14,20 @@ use crate::wording::Word;
 use base64::Engine;
 use words::Language;
 
+/// The row of the table.
+pub const FORMAT: Format = Format {
+    name: "html",
+    extension: "html",
+    help: ("for browsers, with live plots, one file", "для браузера, с живыми графиками, один файл"),
+    holds: Holds::Page(Page { write: |document: &Document, _: &Sheet| write(document, Options::default()), pictures: Pictures::Inside }),
+};
+
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 const PLANE_SCRIPT: &str = include_str!("plane.js");
-const UPLOT: &str = include_str!("../../assets/uplot/uPlot.iife.min.js");
-const UPLOT_STYLE: &str = include_str!("../../assets/uplot/uPlot.min.css");
-const UPLOT_LICENSE: &str = include_str!("../../assets/uplot/LICENSE");
+const UPLOT: &str = include_str!("../../../assets/uplot/uPlot.iife.min.js");
+const UPLOT_STYLE: &str = include_str!("../../../assets/uplot/uPlot.min.css");
+const UPLOT_LICENSE: &str = include_str!("../../../assets/uplot/LICENSE");
 
 /// What a page may carry besides the document.
 #[derive(Clone, Copy, Debug)]

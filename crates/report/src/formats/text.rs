@@ -1,5 +1,6 @@
 //! Terminal text of a [`Document`]: headings, paragraphs cut to the width, tables aligned on the decimal mark.
 
+use super::{Format, Holds, Page, Pictures, Sheet};
 use crate::document::{Block, Content, Document};
 use crate::figure::Figure;
 use crate::number::short;
@@ -7,6 +8,14 @@ use crate::symbol;
 use crate::table::{Cell, Table, split_number};
 use crate::wording::Word;
 use words::Language;
+
+/// The row of the table.
+pub const FORMAT: Format = Format {
+    name: "text",
+    extension: "txt",
+    help: ("for the terminal", "для терминала"),
+    holds: Holds::Page(Page { write: |document: &Document, sheet: &Sheet| write(document, sheet.width), pictures: Pictures::Told }),
+};
 
 /// Space between two columns of a table.
 const GAP: usize = 2;
