@@ -33,6 +33,18 @@ pub fn file_name(name: &str) -> String {
     if trimmed.is_empty() { "figure".into() } else { trimmed.chars().take(80).collect() }
 }
 
+/// A file name as a relative address: it cannot become a scheme, a host or a script.
+pub fn address(name: &str) -> String {
+    let mut out = String::from("./");
+    for byte in name.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'/' => out.push(byte as char),
+            other => out.push_str(&format!("%{other:02X}")),
+        }
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

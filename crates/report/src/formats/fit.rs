@@ -130,17 +130,16 @@ pub(super) fn longest_decimals(table: &Table, i: usize) -> &str {
     decimals.max_by_key(|text| text.chars().count()).unwrap_or_default()
 }
 
-/// Formulas touch the words beside them: they count as one word.
+/// Pieces touch one another: what stands between two spaces is one word.
 fn rich_need(rich: &Rich, language: Language) -> Need {
     let (mut least, mut natural, mut word) = (0.0_f64, 0.0, 0.0);
     for piece in &rich.0 {
         let width = match piece {
             Inline::Words(text) => {
-                let words = words_need(text);
-                natural += words.natural;
-                least = least.max(words.least);
-                if text.contains(' ') {
-                    word = 0.0;
+                natural += words_need(text).natural;
+                for (k, part) in text.split([' ', '\n']).enumerate() {
+                    word = if k == 0 { word } else { 0.0 } + word_room(part);
+                    least = least.max(word);
                 }
                 continue;
             }
@@ -154,10 +153,13 @@ fn rich_need(rich: &Rich, language: Language) -> Need {
     Need { least, natural }
 }
 
+fn word_room(word: &str) -> f64 {
+    LETTER * word.chars().count().min(LONGEST) as f64
+}
+
 fn words_need(text: &str) -> Need {
-    let count = |word: &str| word.chars().count().min(LONGEST);
-    let longest = text.split([' ', '\n']).map(count).max().unwrap_or(0);
-    Need { least: LETTER * longest as f64, natural: AVERAGE * text.chars().count() as f64 + LETTER }
+    let longest = text.split([' ', '\n']).map(word_room).fold(0.0, f64::max);
+    Need { least: longest, natural: AVERAGE * text.chars().count() as f64 + LETTER }
 }
 
 /// Words that are longer than any line may have to be broken: the pieces between which that is allowed.

@@ -62,7 +62,7 @@ fn head(document: &Document, body: &str) -> String {
 fn declarations(body: &str) -> String {
     let used: BTreeSet<char> = body.chars().filter(|c| !c.is_ascii()).collect();
     let mut out = String::from(
-        "\\iftutex\n  \\newcommand{\\sign}[2]{\\begingroup\\lccode`\\~=\"#1\\relax\\lowercase{\\endgroup\\catcode\"#1=\\active\\protected\\def~}{#2}}\n\
+        "\\iftutex\n  \\newcommand{\\sign}[2]{\\catcode\"#1=\\active\\begingroup\\lccode`\\~=\"#1\\relax\\lowercase{\\endgroup\\protected\\def~}{#2}}\n\
          \x20 \\newcommand{\\eightbits}[2]{}\n\\else\n  \\newcommand{\\sign}[2]{\\DeclareUnicodeCharacter{#1}{#2}}\n  \\newcommand{\\eightbits}[2]{\\sign{#1}{#2}}\n\\fi\n",
     );
     for c in used {

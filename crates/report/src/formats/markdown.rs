@@ -3,6 +3,7 @@
 use super::paper::{self, Paper, Walk, paragraphs};
 use super::{Format, Holds, Page, Pictures, Sheet, VECTOR, fit};
 use crate::document::{Content, Document, Download, Formula, Inline, Rich};
+use crate::escape::address;
 use crate::formula::Form;
 use crate::table::{Cell, Table};
 use words::Language;
@@ -73,8 +74,7 @@ impl Paper for Writer {
     fn files(&mut self, files: &[Download]) {
         self.push("\n");
         for file in files.iter().filter(|f| matches!(f.content, Content::Beside)) {
-            let target = file.name.replace('%', "%25").replace(' ', "%20").replace('<', "%3C").replace('>', "%3E").replace('\n', "%0A");
-            self.push(&format!("- [{}](<{target}>) {}\n", escaped(&file.name), escaped(&file.label)));
+            self.push(&format!("- [{}]({}) {}\n", escaped(&file.name), address(&file.name), escaped(&file.label)));
         }
     }
 }

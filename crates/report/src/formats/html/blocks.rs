@@ -1,7 +1,7 @@
 //! The blocks of a document as HTML.
 
 use crate::document::{Block, Content, Download, Rich};
-use crate::escape::markup;
+use crate::escape::{address, markup};
 use crate::figure::bands::{self, Bands};
 use crate::figure::{Figure, svg};
 use crate::formats::text::{figure_summary, verdict};
@@ -171,7 +171,7 @@ impl Writer {
         for file in files {
             let name = markup(&file.name);
             let target = match &file.content {
-                Content::Beside => percent(&file.name),
+                Content::Beside => address(&file.name),
                 Content::Inside { media, bytes } => {
                     format!("data:{};base64,{}", markup(media), base64::engine::general_purpose::STANDARD.encode(bytes))
                 }
@@ -194,16 +194,4 @@ fn decimals_width(table: &Table, i_column: usize) -> Option<f64> {
         _ => None,
     });
     numbers.reduce(f64::max)
-}
-
-/// A file name as a relative address: it cannot become a scheme, a host or a script.
-fn percent(name: &str) -> String {
-    let mut out = String::from("./");
-    for byte in name.bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'/' => out.push(byte as char),
-            other => out.push_str(&format!("%{other:02X}")),
-        }
-    }
-    out
 }
