@@ -6,8 +6,8 @@ use common::{folder, gallery, strutt};
 use report::formats::{Pictures, Sheet, TABLE};
 use std::path::Path;
 use std::process::Command;
-use studies::document::Extent;
-use studies::{Source, Watch, pipeline};
+
+use studies::{Extent, Source, Watch, pipeline};
 use words::Language;
 
 /// How each format of pages numbers an equation.

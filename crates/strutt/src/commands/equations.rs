@@ -21,7 +21,7 @@ pub fn run(args: &args::Equations, console: &mut Console) -> Result<Exit, Failur
         return Ok(Exit::Done);
     }
     if console.page.is_some() {
-        super::page(&Calculation { machine, findings: Vec::new(), files: Vec::new() }, console)?;
+        super::page(&Calculation { machine, results: Vec::new(), files: Vec::new() }, console)?;
         return Ok(Exit::Done);
     }
     let writer = Writer::new(&machine.equations, args.form, console);
