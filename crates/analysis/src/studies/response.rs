@@ -643,12 +643,14 @@ pub fn no_period() -> Fault {
         code: "S076",
         what: Text::new("the load is not periodic", "нагрузка непериодична"),
         why: Text::new(
-            "time stands outside of sines and cosines, or their frequencies have no whole ratios, so there is no steady response at a frequency",
-            "время входит не только в синусы и косинусы, либо их частоты несоизмеримы, поэтому установившегося отклика на частоте нет",
+            "time stands outside of sines and cosines, or their frequencies have no whole ratios, so there is no steady response at a frequency; or it stands in a sine inside another function of \
+             a coordinate (a body on a base that turns by r*sin(p*t)), which is not taken apart",
+            "время входит не только в синусы и косинусы, либо их частоты несоизмеримы, поэтому установившегося отклика на частоте нет; либо оно стоит в синусе внутри другой функции от \
+             координаты (тело на основании, поворачивающемся на r*sin(p*t)), а такие функции не разлагаются",
         ),
         help: Text::new(
-            "write the load with sin and cos of p*t (also inside sign, abs, if, min, max), name another one with load, or use simulate",
-            "запишите нагрузку через sin и cos от p*t (также внутри sign, abs, if, min, max), укажите другую ключом load или примените simulate",
+            "write the load with sin and cos of p*t (also inside sign, abs, if, min, max), name another one with load, or use periodic or simulate",
+            "запишите нагрузку через sin и cos от p*t (также внутри sign, abs, if, min, max), укажите другую ключом load или примените periodic либо simulate",
         ),
     })
 }
