@@ -500,7 +500,9 @@ fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Resul
         }
         found => found?,
     };
-    let by_max = (high - low) / high.abs().max(low.abs());
+    // of a shaft that turns backwards the largest rate is that of the largest speed
+    let (high, low) = if mean < 0.0 { (low, high) } else { (high, low) };
+    let by_max = (high - low) / high;
     let text = Text::new;
     results.facts.push(Fact::new(
         "omega_max",
@@ -519,7 +521,7 @@ fn running(results: &mut Results, machine: &mut Machine, study: &Cycle) -> Resul
         "irregularity",
         "δ",
         "1",
-        (high - low) / mean.abs(),
+        (high - low) / mean,
         text(
             "irregularity (ω_max − ω_min)/ω_m of the first cycle, by the mean over time",
             "неравномерность хода (ω_max − ω_min)/ω_m первого цикла, по среднему по времени",

@@ -63,12 +63,27 @@ impl Run {
         }
         let [before, after] = relative(system, t, [&states[0], &states[1]], &surface, modes[1])?;
         let one = path(switches) == Path::Together && moves_as_one(system, t, &surface, [&taking, modes[1]]);
+        let one = one && !self.rubs_elsewhere(flow, states, modes, &taking);
         // surfaces that no motion keeps all, as of a rope that is drawn over a ring
         let taken = if one { None } else { self.taken(flow, switches, states, modes) };
         Some(match taken {
             Some(taken) => self.impacts.record(before.max(after + taken), before.max(after + taken) - taken),
             None => self.impacts.record(before, after),
         })
+    }
+
+    /// Whether an impulse of a friction that is none of those that take part does work.
+    fn rubs_elsewhere<S: System + ?Sized>(
+        &self,
+        flow: &mut Flow<'_, S>,
+        states: &[Vec<f64>; 2],
+        modes: [&[Mode]; 2],
+        taking: &[Mode],
+    ) -> bool {
+        let (t, Some(blow)) = (flow.time(), flow.blow().cloned()) else { return false };
+        let touches = flow.system().struck(t, &states[0], &blow.reactions, modes[1]).unwrap_or_default();
+        let rubs = |touch: &Touch| matches!(touch.law, TouchLaw::Friction { .. }) && touch.force != 0.0;
+        touches.iter().any(|touch| rubs(touch) && taking[touch.guard] != Mode::Zero)
     }
 
     /// Energy that contacts and frictions take at this instant by their impulses.
