@@ -44,7 +44,7 @@ impl Text {
 
 #[cfg(test)]
 mod tests {
-    use super::Text;
+    use super::{Language, Text};
 
     #[test]
     fn units_have_a_russian_label() {
