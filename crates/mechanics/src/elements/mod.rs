@@ -8,6 +8,7 @@ mod forces;
 mod potentials;
 mod springs;
 mod torques;
+mod torsion_bars;
 
 pub(crate) use common::pathway_of;
 pub use forces::Force;
@@ -39,7 +40,7 @@ pub struct Row {
 }
 
 /// Every kind, in the order in which elements are read and act, and in which the reference lists them.
-pub const TABLE: &[Row] = &[springs::ROW, dampers::ROW, forces::ROW, torques::ROW, potentials::ROW, dissipations::ROW];
+pub const TABLE: &[Row] = &[springs::ROW, dampers::ROW, torsion_bars::ROW, forces::ROW, torques::ROW, potentials::ROW, dissipations::ROW];
 
 /// What was read.
 pub(crate) struct Made {
