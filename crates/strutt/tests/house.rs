@@ -29,7 +29,6 @@ const FILE_CIRCLES: &[(&str, &str, usize)] = &[
     ("analysis", "integrate::taylor", 10),
     ("analysis", "studies::modes", 5),
     ("analysis", "studies::periodic", 6),
-    ("mechanics", "derive::connections", 11),
     ("studies", "pipeline", 23),
 ];
 

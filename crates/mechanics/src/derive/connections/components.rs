@@ -1,97 +1,19 @@
 //! What each kind of connection demands and gives, component by component. Signs as in [`ConnectionKind`].
 
 use super::axes::axes_of;
+use super::component::{Component, Nature, effort, is_spatial, labelled, moment_about, no_turning, path};
 use super::sliders::slider;
-use super::strands::Pull;
-use super::{Doubt, axles, drums, held, path, rubbing, tracks, wheels};
+use super::{axles, drums, held, rubbing, tracks, wheels};
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::loads::at_start;
-use crate::derive::pathways::{Given, Path, located, unit_vector};
+use crate::derive::pathways::{Given, Path, located};
 use crate::derive::requests::Resolver;
 use crate::derive::scene::{Columns, Found, Scene, Vector};
 use crate::derive::wrench::{Act, frame_of, particle};
-use crate::model::{Axis, Connection, ConnectionKind, FrameId, Measure, Part, Pathway, PointRef, Rest, SupportDirection, Wound};
+use crate::model::{Connection, ConnectionKind, FrameId, Measure, Part, Pathway, PointRef, Rest, SupportDirection, Wound};
+use symbolic::Expr;
 use symbolic::connections::Rebound;
-use symbolic::{Expr, SymbolId};
 use words::Text;
-
-/// A scalar condition with a scalar reaction.
-pub struct Component {
-    /// Name of the reaction; none when it has none.
-    pub part: Option<Part>,
-    /// Letter of the reaction's symbol.
-    pub letter: &'static str,
-    /// SI unit of the reaction; empty when it depends on the user's formula.
-    pub unit: &'static str,
-    /// What it is.
-    pub label: Text,
-    /// Vanishes.
-    pub place: Option<Expr>,
-    /// Vanishes; d/dt of `place` when absent.
-    pub rate: Option<Expr>,
-    /// Whether the reaction's generalized force is minus the derivative of the rate.
-    pub negative: bool,
-    /// What a unit of the reaction does to the bodies.
-    pub acts: Vec<Act>,
-    /// When it acts.
-    pub nature: Nature,
-    /// What must not move for the component to be true, and the fault when something does.
-    pub doubts: Vec<Doubt>,
-    /// Generalized forces per unit of the reaction besides those of the condition.
-    pub beside: Columns<Expr>,
-    /// What the connection does by an unknown of its own.
-    pub open: Vec<Pull>,
-}
-
-/// When a component acts.
-pub enum Nature {
-    /// Always.
-    Ideal,
-    /// While the gap is closed.
-    Contact { gap: Expr, restitution: [Expr; 2], tie: bool, rebound: Rebound },
-    /// While the contact before it is closed, whatever it takes.
-    Rough,
-    /// Dry friction.
-    Friction(Rubbing),
-    /// A prescribed motion.
-    Motion,
-    /// An unknown drive.
-    Motor,
-}
-
-/// The law of a dry friction.
-pub struct Rubbing {
-    /// Symbol of the sliding speed in `kinetic`.
-    pub speed: SymbolId,
-    /// Force, or coefficient of the normal force, while it slides.
-    pub kinetic: Expr,
-    /// The same at rest; `None`: as at the slowest sliding.
-    pub fixed: Option<Expr>,
-    /// Components of the normal force; none for a force.
-    pub normal: Vec<Expr>,
-    /// Share of the friction itself in the normal force.
-    pub own: Option<Expr>,
-}
-
-impl Component {
-    /// An ideal component.
-    pub fn ideal((part, letter, unit): (Part, &'static str, &'static str), label: Text, acts: Vec<Act>) -> Component {
-        Component {
-            part: Some(part),
-            letter,
-            unit,
-            label,
-            place: None,
-            rate: None,
-            negative: false,
-            acts,
-            nature: Nature::Ideal,
-            doubts: Vec::new(),
-            beside: Columns::new(),
-            open: Vec::new(),
-        }
-    }
-}
 
 /// The components of a connection.
 pub fn of(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, connection: &Connection) -> Found<Vec<Component>> {
@@ -149,15 +71,6 @@ pub fn of(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
     })
 }
 
-/// Letter and unit of a force on a pathway: a moment where it is an angle.
-pub fn effort(pathway: Pathway, moment: &'static str, force: &'static str) -> (&'static str, &'static str) {
-    match pathway {
-        Pathway::RelativeAngle(..) => (moment, "N m"),
-        Pathway::Distance(..) => (force, "N"),
-        Pathway::Along(..) => (force, ""),
-    }
-}
-
 fn rest(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver, rest: Rest) -> Found<Option<Expr>> {
     match rest {
         Rest::Value(e) => Ok(Some(resolver.resolve(scene, kinematics, e)?)),
@@ -172,17 +85,6 @@ fn in_axis(axis: usize) -> (Text, Part, &'static str) {
     (Text::new(format!("along {name}"), format!("вдоль {name}")), part, letter)
 }
 
-fn moment_about(axis: usize) -> (Text, Part, &'static str) {
-    let part = [Part::MomentX, Part::MomentY, Part::Moment][axis];
-    let letter = ["M_x", "M_y", "M"][axis];
-    let name = ["x", "y", "z"][axis];
-    (Text::new(format!("moment about {name}"), format!("момент относительно {name}")), part, letter)
-}
-
-pub fn labelled(en: &str, ru: &str, name: &str, what: &Text) -> Text {
-    Text::new(format!("{en} {name}, {}", what.en), format!("{ru} {name}, {}", what.ru))
-}
-
 /// r_Q - r_P along the axes.
 fn pin(scene: &mut Scene, kinematics: &mut Kinematics, (name, [p, q], axes): (&str, [PointRef; 2], FrameId)) -> Vec<Component> {
     let (rp, rq) = (kinematics.position(scene, p), kinematics.position(scene, q));
@@ -191,7 +93,7 @@ fn pin(scene: &mut Scene, kinematics: &mut Kinematics, (name, [p, q], axes): (&s
     // in turning axes e·d(r_Q - r_P)/dt vanishes with the gap; e'·(r_Q - r_P), no velocity of bodies, is left out
     let turns = !kinematics.frames[axes.index()].turning.is_empty();
     let speed = scene.total_vector(between);
-    let count = if super::is_spatial(scene.model) { 3 } else { 2 };
+    let count = if is_spatial(scene.model) { 3 } else { 2 };
     (0..count)
         .map(|i| {
             let (what, part, letter) = in_axis(i);
@@ -202,27 +104,6 @@ fn pin(scene: &mut Scene, kinematics: &mut Kinematics, (name, [p, q], axes): (&s
             let acts = vec![Act::Point { point: q, force: e }, Act::Point { point: p, force: opposite }];
             Component {
                 place: Some(place), rate, ..Component::ideal((part, letter, "N"), labelled("pin", "шарнир", name, &what), acts)
-            }
-        })
-        .collect()
-}
-
-/// ω_b - ω_a = 0, about z in the plane, about all axes of the ground in space.
-pub fn no_turning(scene: &mut Scene, kinematics: &mut Kinematics, name: &str, [a, b]: [FrameId; 2]) -> Vec<Component> {
-    let axes: &[usize] = if super::is_spatial(scene.model) { &[0, 1, 2] } else { &[2] };
-    let turning = [a, b].map(|f| {
-        let columns = kinematics.turning_in_ground_axes(scene, f);
-        combine(scene, &columns)
-    });
-    axes.iter()
-        .map(|&i| {
-            let (what, part, letter) = moment_about(i);
-            let axis = unit_vector(scene, [Axis::X, Axis::Y, Axis::Z][i]);
-            let opposite = axis.map(|c| scene.graph.neg(c));
-            let rate = scene.graph.sub(turning[1][i], turning[0][i]);
-            let acts = vec![Act::Turn { on: b, moment: axis }, Act::Turn { on: a, moment: opposite }];
-            Component {
-                rate: Some(rate), ..Component::ideal((part, letter, "N m"), labelled("joint", "соединение", name, &what), acts)
             }
         })
         .collect()

@@ -9,6 +9,7 @@
 
 mod axes;
 mod axles;
+mod component;
 mod components;
 mod drums;
 mod faults;
@@ -25,13 +26,12 @@ mod wheels;
 use super::kinematics::Kinematics;
 use super::loads::Loads;
 use super::newton_euler;
-use super::pathways;
 use super::place::{Open, Opening, Placer};
 use super::requests::Resolver;
 use super::scene::{Columns, Scene};
 use super::wrench::{Act, generalized};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, Slides};
-use components::{Component, Nature, Rubbing};
+use component::{Component, Doubt, Nature, Pull, Rubbing};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction, Released};
@@ -39,8 +39,8 @@ use symbolic::equations::{Output, Role};
 use symbolic::{Expr, Substitution, SymbolId};
 use words::{Notice, Text};
 
-pub use release::is_spatial;
-pub use strands::{Pull, pretension, watched};
+pub use component::is_spatial;
+pub use strands::{pretension, watched};
 
 /// What connections add to the equations.
 #[derive(Debug, Default)]
@@ -65,13 +65,6 @@ pub struct Connected {
     doubts: Vec<(Doubt, Range<usize>)>,
     /// What belts and chains do by the unknown sum of their tensions, with the connection.
     pulls: Vec<(usize, Pull)>,
-}
-
-/// A rate that must vanish for a connection to be what it says, though the connection does not demand it, and the fault when it does not.
-#[derive(Debug)]
-pub struct Doubt {
-    rate: Expr,
-    fault: Notice,
 }
 
 /// Finds conditions and reactions of all connections; balances come later, when the loads are known.
@@ -652,15 +645,4 @@ fn motors_match(model: &crate::model::Model) -> Option<Notice> {
             if n > m { "добавьте двигатель в [motors] или уберите движение" } else { "задайте ещё одно движение в [motions] или уберите двигатель" },
         ),
     )
-}
-
-/// A pathway for the components.
-fn path(
-    scene: &mut Scene,
-    kinematics: &mut Kinematics,
-    resolver: &mut Resolver,
-    connection: &Connection,
-    pathway: crate::model::Pathway,
-) -> super::scene::Found<pathways::Path> {
-    pathways::resolve(scene, kinematics, resolver, (&connection.name, pathway, &connection.span))
 }

@@ -11,11 +11,12 @@
 //! | about a declared moment, about the couple of two declared forces | no moment is undeclared there |
 
 use super::Connected;
+use super::component::is_spatial;
 use crate::derive::kinematics::Kinematics;
 use crate::derive::place::Placer;
 use crate::derive::scene::{Scene, Vector};
 use crate::derive::wrench::{Act, carrier};
-use crate::model::{Axis, FrameId, Inertia, Model, Origin};
+use crate::model::{Axis, FrameId};
 use std::collections::BTreeSet;
 use symbolic::connections::{Balance, Law};
 use symbolic::{Expr, Substitution, SymbolId};
@@ -45,23 +46,6 @@ const SPACE: [Displacement; 6] = [
     Displacement::About(Axis::Y),
     Displacement::About(Axis::Z),
 ];
-
-/// Whether anything leaves the plane.
-pub fn is_spatial(model: &Model) -> bool {
-    let graph = &model.graph;
-    let off = |e: Expr| !graph.is_zero(e);
-    let frames = model.frames.iter().any(|f| {
-        let origin = matches!(f.origin, Origin::Vector(v) if off(v[2]));
-        let axes = f.rotations.iter().any(|(a, _)| *a != Axis::Z) || f.spin.is_some_and(|(a, _)| a != Axis::Z);
-        let center = f.mass.as_ref().is_some_and(|m| off(m.center[2]));
-        let products = f.mass.as_ref().is_some_and(|m| matches!(m.inertia, Inertia::Tensor { yz, xz, .. } if off(yz) || off(xz)));
-        origin || axes || center || products
-    });
-    frames
-        || model.points.iter().any(|p| off(p.at[2]))
-        || model.gravity.is_some_and(|g| off(g[2]))
-        || model.elements.iter().flat_map(|e| e.law.leaves_plane()).any(off)
-}
 
 /// From a frame to the ground, both included.
 pub fn chain(scene: &Scene, frame: FrameId) -> Vec<FrameId> {

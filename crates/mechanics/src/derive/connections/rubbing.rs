@@ -13,7 +13,7 @@
 //! friction itself, positive when it resists sliding along the path, so that T₁ + T₂ = 2 T₂ − λ.
 
 use super::axes::axes_of;
-use super::components::{Component, Nature, Rubbing};
+use super::component::{Component, Nature, Rubbing, effort, is_spatial, path};
 use super::faults;
 use super::tracks;
 use crate::derive::kinematics::{Kinematics, combine};
@@ -97,8 +97,8 @@ fn along(
     resolver: &mut Resolver,
     (connection, pathway): (&Connection, Pathway),
 ) -> Found<Sliding> {
-    let path = super::path(scene, kinematics, resolver, connection, pathway)?;
-    let (letter, unit) = super::components::effort(pathway, "M", "F");
+    let path = path(scene, kinematics, resolver, connection, pathway)?;
+    let (letter, unit) = effort(pathway, "M", "F");
     Ok(turning_or_moving(scene, &path, (letter, unit), DRY))
 }
 
@@ -193,7 +193,7 @@ fn at_contact(
     };
     let direction = match direction {
         Some(aim) => aimed(scene, kinematics, resolver, aim)?,
-        None if super::is_spatial(scene.model) => return Err(faults::directions_in_space(connection)),
+        None if is_spatial(scene.model) => return Err(faults::directions_in_space(connection)),
         None => {
             let axis = unit_vector(scene, Axis::Z);
             scene.cross(&touch.normal, &axis)
@@ -221,7 +221,7 @@ fn touch(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolver
     let stop = &scene.model.connections[of];
     let unknown = || faults::no_place(connection, &stop.name);
     let ConnectionKind::Stop { gap, above, .. } = stop.kind else { return Err(unknown()) };
-    let path = super::path(scene, kinematics, resolver, stop, gap)?;
+    let path = path(scene, kinematics, resolver, stop, gap)?;
     let mut forces: Vec<(PointRef, Vector)> = Vec::new();
     for act in &path.acts {
         let Act::Point { point, force } = act else { return Err(unknown()) };
@@ -266,7 +266,7 @@ fn rolls(
             let normal = resolver.reactions.get(&(of, Part::Normal)).copied().into_iter().collect();
             ([wheel, on], axes_of(scene, kinematics, on)[2], normal)
         }
-        _ if super::is_spatial(scene.model) => return Err(faults::directions_in_space(connection)),
+        _ if is_spatial(scene.model) => return Err(faults::directions_in_space(connection)),
         _ => {
             let touch = touch(scene, kinematics, resolver, (connection, of))?;
             (touch.bodies, unit_vector(scene, Axis::Z), pressed(scene, resolver, (of, touch.size)))
@@ -291,7 +291,7 @@ fn journal(
     resolver: &mut Resolver,
     (connection, of): (&Connection, usize),
 ) -> Found<Sliding> {
-    if super::is_spatial(scene.model) {
+    if is_spatial(scene.model) {
         return Err(faults::directions_in_space(connection));
     }
     let bodies = match &scene.model.connections[of].kind {
@@ -339,7 +339,7 @@ fn belt(
     let before = scene.graph.sum(&before);
     let wrap = match wrap {
         Some(wrap) => resolver.resolve(scene, kinematics, wrap)?,
-        None if super::is_spatial(scene.model) => return Err(faults::directions_in_space(connection)),
+        None if is_spatial(scene.model) => return Err(faults::directions_in_space(connection)),
         None => {
             let runs = [[path[ends[0] - 1], path[ends[0]]], [path[ends[1]], path[ends[1] + 1]]];
             turned(scene, kinematics, runs)

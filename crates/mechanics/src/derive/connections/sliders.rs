@@ -4,7 +4,7 @@
 //! frame; the second is left out where the coordinates hold the point there anyway.
 
 use super::axes::{axes_of, line};
-use super::components::{Component, no_turning};
+use super::component::{Component, no_turning};
 use crate::derive::kinematics::Kinematics;
 use crate::derive::scene::{Scene, Vector};
 use crate::derive::wrench::{Act, frame_of};

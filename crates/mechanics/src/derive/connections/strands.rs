@@ -9,7 +9,7 @@
 //! F follows from the motion, the sum of the tensions from no law of the machine: it is twice the pretension of a belt (Poncelet: what one strand gains the other
 //! loses), and ±F of a chain whose slack strand carries nothing. Where neither is given, P is an unknown that what holds an axle depends on.
 
-use super::components::Component;
+use super::component::{Component, Pull};
 use super::faults;
 use super::wheels::{Line, Pair, label, pair};
 use crate::derive::kinematics::Kinematics;
@@ -20,15 +20,6 @@ use crate::derive::wrench::Act;
 use crate::model::{Axis, Connection, ConnectionKind, Part, PointRef, Strands};
 use symbolic::{Expr, Function, Rational};
 use words::Text;
-
-/// Two opposite forces, on the axles of two wheels.
-#[derive(Clone, Debug)]
-pub struct Pull {
-    /// On the bodies.
-    pub acts: Vec<Act>,
-    /// Generalized forces, by differentiation of the distance of the axles.
-    pub forces: Columns<Expr>,
-}
 
 impl Pull {
     /// The force on the first wheel is `size` times the line of the centres.
@@ -65,12 +56,6 @@ impl Pull {
         let double = scene.graph.mul(two, root);
         let size = scene.graph.div(double, line.square);
         Ok(Pull::along(scene, pair, line, size))
-    }
-
-    fn times(&self, scene: &mut Scene, factor: Expr) -> Pull {
-        let acts = self.acts.iter().map(|act| act.times(scene, factor)).collect();
-        let forces = self.forces.iter().map(|(j, e)| (*j, scene.graph.mul(factor, *e))).collect();
-        Pull { acts, forces }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Rolling without slip: wheels on lines and circles, gears on racks. The wheel lies in the plane x, y of the frame of its track.
 
 use super::axes::{across, axes_of, keeps, line};
-use super::components::{Component, Nature};
+use super::component::{Component, Nature};
 use super::faults;
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::loads::at_start;

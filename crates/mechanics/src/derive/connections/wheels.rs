@@ -10,9 +10,10 @@
 //! turns like their line. What belts and chains pull along the line stands in `strands.rs`. Where the centres coincide in the model there is no line, and the body must be known.
 
 use super::axes::{across, common};
-use super::components::Component;
+use super::component::{Component, Doubt};
 use super::drums::is_fixed;
-use super::{Doubt, faults, strands};
+use super::faults;
+use super::strands;
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::requests::Resolver;
 use crate::derive::scene::{Found, Scene, Vector};
