@@ -272,7 +272,7 @@ until = "1 s"
 fn audits(spoil: impl Fn(&mut symbolic::Equations)) -> Vec<(String, bool)> {
     let mut machine = build(BROKEN);
     spoil(&mut machine.equations);
-    machine.system = pipeline::lower(&machine.equations).unwrap();
+    machine.system = studies::machine::lower(&machine.equations).unwrap();
     let study = machine.model.studies[0].clone();
     let finding = pipeline::study(&mut machine, &study, &mut Watch::default()).unwrap();
     let data = &finding.data;

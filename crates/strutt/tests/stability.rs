@@ -5,8 +5,8 @@
 //! part of a root is the same for all writings, by both studies.
 
 use studies::equilibrium;
-use studies::modes::Modes;
 use studies::pipeline::{self, Machine};
+use studies::small::asked::Modes;
 use studies::small::modes::at_place;
 use studies::{Results, Source, Watch};
 

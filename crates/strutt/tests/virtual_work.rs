@@ -52,7 +52,7 @@ fn audits(model: &str, spoil: impl Fn(&mut Equations)) -> Vec<(String, bool)> {
     let source = Source::new("virtual-work.toml", model);
     let mut machine = pipeline::build(&source, &[], &mut Watch::default()).unwrap_or_else(|f| panic!("{f:?}"));
     spoil(&mut machine.equations);
-    machine.system = pipeline::lower(&machine.equations).unwrap_or_else(|f| panic!("{f:?}"));
+    machine.system = studies::machine::lower(&machine.equations).unwrap_or_else(|f| panic!("{f:?}"));
     let study = machine.model.studies[0].clone();
     let finding = pipeline::study(&mut machine, &study, &mut Watch::default()).unwrap_or_else(|| panic!("no study"));
     finding.data.audits.iter().map(|a| (a.key.clone(), a.ok)).collect()

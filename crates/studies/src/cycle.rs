@@ -4,7 +4,7 @@ use super::keys::{OWN_PLOT, POINTS};
 use super::periodic::{in_words, value_of};
 use super::{Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::pipeline::{self, Machine, explained};
+use crate::machine::{self, Machine, explained};
 use crate::provenance;
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
@@ -152,7 +152,7 @@ impl Study for Turn {
         Cycle::of(asked).map(|study| balanced(machine, &study, watch))
     }
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
-        let asked = overlaid(given.written.or(given.of_file).ok_or_else(no_angle)?, given.line);
+        let asked = overlaid(&KIND, given.written.or(given.of_file).ok_or_else(no_angle)?, given.line);
         if given.line.has("flywheel") && asked.number("irregularity").is_none() {
             let (en, ru) =
                 ("no irregularity is wanted: add --irregularity 0.02", "не задана неравномерность хода: добавьте --irregularity 0,02");
@@ -184,7 +184,7 @@ pub fn balanced(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Resu
         plots: study.plots.clone(),
         ..Results::default()
     };
-    results.data = pipeline::no_numbers(machine);
+    results.data = machine::no_numbers(machine);
     if let Err(trouble) = fill(machine, study, &mut results) {
         results.trouble = Some(trouble);
     }
@@ -310,7 +310,7 @@ fn held(machine: &Machine, study: &Cycle, rate: f64) -> Option<Machine> {
     let mut overrides: Vec<(String, String)> = machine.origin.overrides.iter().filter(|(n, _)| *n != own).cloned().collect();
     let written = machine.written(&own, rate);
     overrides.push((own, written));
-    pipeline::build(&source, &overrides, &mut Watch::default()).ok()
+    machine.again(source, overrides).ok()
 }
 
 /// The balance of work over the cycle, rest + slope·drive = 0, J, and the drive that solves it.

@@ -1,7 +1,7 @@
 //! The written calculation of a machine: title, coordinates, equations, checks, results. It arranges what was computed and computes
 //! nothing itself.
 
-use crate::pipeline::Calculation;
+use crate::calculation::Calculation;
 use crate::results::{Extent, Results, View};
 use crate::wording::{Word as Say, say};
 use analysis::Dataset;
@@ -46,7 +46,7 @@ pub fn compose(calculation: &Calculation, extent: Extent, language: Language) ->
         title: language.text(&model.title).into(),
         description,
         blocks,
-        version: crate::VERSION.into(),
+        version: crate::provenance::VERSION.into(),
         model_hash: calculation.machine.model_hash.clone(),
     }
 }

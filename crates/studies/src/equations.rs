@@ -1,7 +1,7 @@
 //! `kind = "equations"`: the page shows the equations of motion; nothing is computed.
 
 use super::{Found, Study};
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::watch::Watch;
 use mechanics::asked::{Asked, Kind};
 

@@ -3,7 +3,7 @@
 use super::keys::GUESS;
 use super::{Found, Given, Repeats, Results, Study, overlaid};
 use crate::failure::Failure;
-use crate::pipeline::{Machine, explained};
+use crate::machine::{Machine, explained};
 use crate::results::finite::checked;
 use crate::results::{Alone, Rows, fields};
 use crate::watch::{Lap, Watch};
@@ -38,6 +38,12 @@ impl Between {
         let [from, to] = ends[..] else { return None };
         Some(Between { coordinate: named.symbol, from, to })
     }
+}
+
+/// A range of a coordinate by its index.
+fn range(equations: &Equations, between: Between) -> Option<analysis::studies::equilibrium::Range> {
+    let coordinate = equations.coordinates.iter().position(|c| c.symbols[0] == between.coordinate)?;
+    Some(analysis::studies::equilibrium::Range { coordinate, from: between.from, to: between.to })
 }
 
 /// The study.
@@ -86,7 +92,7 @@ impl Study for Rest {
         Some(places(machine, asked.guess(), Between::of(asked), watch))
     }
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
-        Ok(overlaid(given.of_file.unwrap_or_else(|| Asked::new("equilibrium")), given.line))
+        Ok(overlaid(&KIND, given.of_file.unwrap_or_else(|| Asked::new("equilibrium")), given.line))
     }
     fn repeats(&self) -> Repeats {
         Repeats::Rest
@@ -113,10 +119,10 @@ pub fn places(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Bet
 fn at_rest(machine: &mut Machine, guess: &[(SymbolId, f64)], over: Option<Between>) -> Result<Outcome, analysis::Fault> {
     let start = machine.system.start()?;
     let mut options = plan::guesses(&machine.equations, &start, guess);
-    options.over = over.and_then(|between| plan::range(&machine.equations, between));
+    options.over = over.and_then(|between| range(&machine.equations, between));
     // with unknowns they have been used to find these
     if machine.model.unknowns.is_empty() {
-        options.impending = crate::small::impending(&machine.model, &machine.equations);
+        options.impending = crate::machine::unknowns::impending(&machine.model, &machine.equations);
     }
     let (mut outcome, timing, equations) = if analysis::rest::report::is_free(&machine.equations) {
         let n = machine.equations.coordinates.len();

@@ -4,10 +4,10 @@
 //! hides between their points. It is confirmed by the energy: all motors together do what the change of energy and the work of everything else leave.
 
 use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
-use super::simulate::{Simulate, merged, with_works};
+use super::simulate::{self, Simulate, merged, with_works};
 use super::{Extra, Fact, Found, Given, Interrupts, Repeats, Results, Study};
 use crate::failure::Failure;
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::results::finite::checked;
 use crate::watch::Watch;
 use analysis::Dataset;
@@ -47,7 +47,7 @@ impl Study for Inverse {
     }
     fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
         let (columns, drawn) = (given.line.has("outputs"), given.drawn);
-        let mut asked = merged("simulate", &machine.equations, given)?;
+        let mut asked = merged(&simulate::KIND, &machine.equations, given)?;
         asked.kind = "inverse";
         if columns && !drawn {
             // columns of plots that nobody draws are not asked for

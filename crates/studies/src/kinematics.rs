@@ -3,7 +3,7 @@
 use super::keys::{OUTPUTS, OWN_PLOT, POINTS};
 use super::{Found, Given, Interrupts, Repeats, Results, Rows, Study, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::pipeline::{self, Machine, explained};
+use crate::machine::{self, Machine, explained};
 use crate::provenance;
 use crate::results::finite::checked;
 use crate::source::Source;
@@ -171,7 +171,7 @@ impl Study for Linkage {
     }
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
         let fresh = given.written.is_some();
-        let asked = overlaid(given.written.or(given.of_file).ok_or_else(nothing_driven)?, given.line);
+        let asked = overlaid(&KIND, given.written.or(given.of_file).ok_or_else(nothing_driven)?, given.line);
         let empty = matches!((asked.number("from"), asked.number("to")), (Some(from), Some(to)) if from == to);
         let still = asked.number("turns") == Some(0.0) || asked.number("rate") == Some(0.0);
         if !fresh && (empty || still || asked.count("points").is_some_and(|n| n < 2)) {
@@ -249,7 +249,7 @@ fn fill(machine: &mut Machine, study: &Kinematics, results: &mut Results) {
     let start = match machine.system.start() {
         Ok(start) => start,
         Err(fault) => {
-            results.data = pipeline::no_numbers(machine);
+            results.data = machine::no_numbers(machine);
             results.trouble = Some(explained(fault, &machine.equations));
             return;
         }
@@ -336,7 +336,7 @@ impl Centres {
             text += &format!("[outputs.{w}]\nvalue = \"omega({body})\"\n");
         }
         let source = Source { path: machine.origin.source.path.clone(), text };
-        let built = if bodies.is_empty() { None } else { pipeline::build(&source, &machine.origin.overrides, &mut Watch::default()).ok() };
+        let built = if bodies.is_empty() { None } else { machine.again(source, machine.origin.overrides.clone()).ok() };
         let bodies = if built.is_some() { bodies } else { Vec::new() };
         Centres { machine: built, bodies }
     }

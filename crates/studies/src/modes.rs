@@ -3,79 +3,12 @@
 use super::equilibrium::no_range;
 use super::keys::GUESS;
 use super::{Found, Results, Study};
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::results::finite::checked;
+use crate::small::asked::Modes;
 use crate::watch::{Lap, Watch};
-use mechanics::asked::{Asked, Choice, Key, Kind, Takes, Value};
-use mechanics::model::FrequencyVariable;
-use symbolic::SymbolId;
+use mechanics::asked::{Asked, Choice, Key, Kind, Takes};
 use words::explain::{Explanation, row};
-
-/// Values of a followed parameter where nobody says how many.
-const POINTS: usize = 101;
-
-/// Natural frequencies and shapes about an equilibrium.
-#[derive(Clone, Debug, Default)]
-pub struct Modes {
-    /// Where to look for the equilibrium, SI.
-    pub guess: Vec<(SymbolId, f64)>,
-    /// Scale of the shapes.
-    pub scale: Scale,
-    /// The unknown of the frequency equation; ω² without it.
-    pub variable: Option<FrequencyVariable>,
-    /// A parameter to follow the modes along.
-    pub over: Option<ParameterRange>,
-    /// Linearise about the motion at the start instead of a place of rest.
-    pub about_start: bool,
-}
-
-/// How shapes are scaled.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Scale {
-    /// The largest entry is 1.
-    #[default]
-    Largest,
-    /// The first coordinate has 1.
-    First,
-    /// Modal mass 1.
-    Mass,
-}
-
-/// A parameter that takes equidistant values, SI.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ParameterRange {
-    /// Its name.
-    pub name: String,
-    /// First value.
-    pub from: f64,
-    /// Last value.
-    pub to: f64,
-    /// Number of values.
-    pub points: usize,
-}
-
-impl Modes {
-    /// The modes that are asked for.
-    pub fn of(asked: &Asked) -> Modes {
-        let over = match (asked.word("over"), asked.numbers("range")) {
-            (Some(name), Some(&[from, to])) => {
-                Some(ParameterRange { name: name.to_owned(), from, to, points: asked.count("points").unwrap_or(POINTS) })
-            }
-            _ => None,
-        };
-        Modes {
-            guess: asked.guess().to_vec(),
-            scale: match asked.word("normalise") {
-                Some("first") => Scale::First,
-                Some("mass") => Scale::Mass,
-                _ => Scale::Largest,
-            },
-            variable: if let Some(Value::Variable(variable)) = asked.get("frequency_variable") { Some(variable.clone()) } else { None },
-            over,
-            about_start: asked.word("about") == Some("start"),
-        }
-    }
-}
 
 static ABOUT: Choice = Choice {
     words: &["rest", "start"],

@@ -3,7 +3,7 @@
 use super::keys::{AT, EVERY, OUTPUTS, PLOT, SETTLE, TOLERANCE};
 use super::section::of_state;
 use super::{Fact, Found, Given, Interrupts, Repeats, Results, Rows, Study, idle, overlaid};
-use crate::pipeline::{Machine, explained};
+use crate::machine::{Machine, explained};
 use crate::plan;
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
@@ -189,7 +189,7 @@ impl Study for Regimes {
     }
     /// What the file says, changed by the command line; a turn or a return found by itself when nobody says what a period is.
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
-        let asked = overlaid(given.written.or(given.of_file).unwrap_or_else(|| Asked::new("periodic")), given.line);
+        let asked = overlaid(&KIND, given.written.or(given.of_file).unwrap_or_else(|| Asked::new("periodic")), given.line);
         if given.line.has("turns") && asked.coordinate("section").is_none() {
             let (en, ru) =
                 ("only a section that is an angle has turns: --section phi", "обороты есть только у сечения-угла: --section phi");

@@ -1,14 +1,11 @@
 //! From what is asked to the options of `analysis`: columns, times, events, ranges.
 
-use crate::equilibrium::Between;
 use crate::failure::{Failure, Misuse};
-use crate::simulate::Simulate;
-use crate::watch::Watch;
 use analysis::marks::named::{Direction, Named};
 use analysis::marks::pushes::{Beyond, Push};
 use mechanics::Model;
 use mechanics::derive::{event_output, push_output, strand_output};
-use mechanics::model::{EventDecl, EventDirection, Plot, Times};
+use mechanics::model::{EventDecl, EventDirection, Plot};
 use symbolic::equations::Role;
 use symbolic::{Equations, SymbolId};
 use words::{Notice, nearest};
@@ -61,28 +58,6 @@ pub fn known(name: &str, equations: &Equations) -> Result<(), Failure> {
     .misuse())
 }
 
-/// The options that the integrator gets.
-pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies::simulate::Simulate<'a> {
-    use analysis::studies::simulate::{Grid, Simulate as Options};
-    let grid = match &study.times {
-        Times::Automatic => Grid::Auto,
-        Times::Every(step) => Grid::Every(*step),
-        Times::At(times) => Grid::At(times.clone()),
-    };
-    let progress = watch.progress.as_mut().map(|p| &mut **p as &mut dyn FnMut(f64));
-    Options {
-        grid,
-        tolerance: study.tolerance,
-        method: study.method,
-        outputs: Some(study.outputs.clone()),
-        interrupt: watch.interrupt,
-        tolerance_halving: watch.halve_tolerance,
-        check: watch.check,
-        progress,
-        ..Options::until(study.until)
-    }
-}
-
 /// The named events of the file, by the outputs that hold their formulas.
 pub fn events(model: &Model, equations: &Equations) -> Vec<Named> {
     let named = |event: &EventDecl| {
@@ -114,12 +89,6 @@ pub fn pushes(model: &Model, equations: &Equations) -> Vec<Push> {
     };
     let of = |name: &str| watched(name).into_iter().chain((0..2).filter_map(|k| strand(name, k))).collect::<Vec<_>>();
     model.connections.iter().flat_map(|c| of(&c.name)).collect()
-}
-
-/// A range of a coordinate by its index.
-pub fn range(equations: &Equations, between: Between) -> Option<analysis::studies::equilibrium::Range> {
-    let coordinate = equations.coordinates.iter().position(|c| c.symbols[0] == between.coordinate)?;
-    Some(analysis::studies::equilibrium::Range { coordinate, from: between.from, to: between.to })
 }
 
 /// The start of the motion with some coordinates replaced, as a place to search from.

@@ -1,13 +1,14 @@
 //! The study `poincare`: section points of a motion, where a formula passes zero, at a named event, or once a period.
 
 use super::keys::{METHOD, OUTPUTS, PLOT, SETTLE, TOLERANCE_OF_MOTION, UNTIL};
-use super::simulate::{Simulate, moving};
+use super::simulate::{Simulate, moving, options};
 use super::{Found, Given, Interrupts, Results, Rows, Study, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::pipeline::{self, Machine, explained};
+use crate::machine::{self, Machine, explained};
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
+use analysis::Dataset;
 use analysis::marks::named::{Direction, Named};
 use analysis::studies::poincare::{Poincare, Section, poincare};
 use mechanics::asked::{Asked, Choice, Key, Kind, Objection, Takes, Value, Way, Written};
@@ -20,6 +21,8 @@ use words::{Notice, Text};
 
 /// Points of a stroboscopic section where nobody says how many.
 const POINTS: usize = 200;
+/// Relative spread of values that the tolerance of a motion does not tell apart.
+const DIGITS: f64 = 1e-9;
 /// Name of the output whose zeros are the section.
 const SECTION: &str = "section";
 
@@ -156,7 +159,7 @@ impl Study for SectionPoints {
             pen: Pen::Dots,
             ..Results::default()
         };
-        results.data = pipeline::no_numbers(machine);
+        results.data = machine::no_numbers(machine);
         if let Err(trouble) = points(machine, asked, &mut results, watch) {
             results.trouble = Some(trouble);
         }
@@ -164,7 +167,7 @@ impl Study for SectionPoints {
         Some(checked(results))
     }
     fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
-        Ok(overlaid(given.written.or(given.of_file).ok_or_else(no_section)?, given.line))
+        Ok(overlaid(&KIND, given.written.or(given.of_file).ok_or_else(no_section)?, given.line))
     }
     fn interrupts(&self) -> Interrupts {
         Interrupts::Kept
@@ -178,14 +181,14 @@ fn points(machine: &Machine, asked: &Asked, results: &mut Results, watch: &mut W
     let mut equations = machine.equations.clone();
     let columns = columns(&mut equations, asked);
     let section = section(machine, &mut equations, asked)?;
-    let mut system = pipeline::lower(&equations).map_err(Notice::from)?;
+    let mut system = machine::lower(&equations).map_err(Notice::from)?;
     let say = |fault| explained(fault, &equations);
     moving(&equations).map_err(say)?;
     let start = system.start().map_err(say)?;
     let count = asked.count("points").or((asked.number("until").is_none()).then_some(POINTS));
     let until = asked.number("until").unwrap_or_else(|| longest(asked, count));
     let study = Simulate { until, times: Times::Automatic, outputs: columns.clone(), plots: Vec::new(), ..Simulate::of(asked) };
-    let mut motion = plan::options(&study, watch);
+    let mut motion = options(&study, watch);
     motion.events = plan::events(&machine.model, &equations);
     motion.pushes = plan::pushes(&machine.model, &equations);
     let options = Poincare { section, settle: asked.number("settle").unwrap_or(0.0), points: count, motion };
@@ -195,10 +198,29 @@ fn points(machine: &Machine, asked: &Asked, results: &mut Results, watch: &mut W
     results.words.push(Text::new(format!("Section points: {found}."), format!("Точек сечения: {found}.")));
     results.own.insert("points".into(), serde_json::json!(found));
     results.trouble = outcome.fault.map(say);
-    if let (true, [x, y, ..]) = (results.plots.is_empty(), &columns[..]) {
-        results.plots = vec![Plot { title: Text::default(), x: Some(x.clone()), y: vec![y.clone()] }];
+    if results.plots.is_empty() {
+        results.plots = picture(&columns, &equations, &results.data);
     }
     Ok(())
+}
+
+/// The first two quantities over one another; what the section holds comes last, it would draw a line.
+fn picture(columns: &[String], equations: &Equations, data: &Dataset) -> Vec<Plot> {
+    let formula = |name: &str| equations.outputs.iter().find(|o| o.name == name).map(|o| o.formula);
+    let held = |name: &&String| {
+        formula(name).is_some_and(|own| formula(SECTION) == Some(own)) || data.column(name).is_some_and(|c| constant(&c.values))
+    };
+    let (held, free): (Vec<&String>, Vec<&String>) = columns.iter().partition(held);
+    match free.into_iter().chain(held).take(2).collect::<Vec<_>>()[..] {
+        [x, y] => vec![Plot { title: Text::default(), x: Some(x.clone()), y: vec![y.clone()] }],
+        _ => Vec::new(),
+    }
+}
+
+/// Whether all values are one, to the digits of a motion.
+fn constant(values: &[f64]) -> bool {
+    let (low, high) = values.iter().filter(|v| v.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+    high - low <= DIGITS * low.abs().max(high.abs())
 }
 
 /// The end of a stroboscopic section of so many points, s.

@@ -4,11 +4,14 @@ use analysis::dataset::{ParameterValue, Provenance};
 use analysis::{Dataset, Quantity};
 use symbolic::Equations;
 
+/// Version of strutt.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
 /// Stamps a result.
 pub fn stamp(mut data: Dataset, equations: &Equations, model_hash: &str) -> Dataset {
     data.provenance = Provenance {
         title: equations.title.clone(),
-        version: crate::VERSION.into(),
+        version: VERSION.into(),
         model_hash: model_hash.into(),
         parameters: parameters(equations),
     };

@@ -2,48 +2,11 @@
 
 use super::keys::{GUESS, OUTPUTS};
 use super::{Found, Study};
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::results::finite::checked;
+use crate::small::asked::Response;
 use crate::watch::{Lap, Watch};
 use mechanics::asked::{Asked, Key, Kind, Takes};
-use symbolic::SymbolId;
-
-/// Forced oscillations over the frequency of a harmonic load.
-#[derive(Clone, Debug, Default)]
-pub struct Response {
-    /// Where to look for the equilibrium, SI.
-    pub guess: Vec<(SymbolId, f64)>,
-    /// The load, by name: a force, a torque, or a coordinate for a unit load on it. Otherwise the harmonic loads of the file.
-    pub load: Option<String>,
-    /// The parameter that is the frequency; otherwise the one that occurs as such in the loads.
-    pub frequency: Option<String>,
-    /// Frequencies from and to, rad/s; found from the natural frequencies when absent.
-    pub range: Option<[f64; 2]>,
-    /// Number of frequencies.
-    pub points: Option<usize>,
-    /// Logarithmic axes.
-    pub log: bool,
-    /// Outputs wanted, by name; the coordinates and the user's outputs when empty.
-    pub outputs: Vec<String>,
-    /// Frequencies at which the shape of the forced motion is shown, rad/s.
-    pub shapes: Vec<f64>,
-}
-
-impl Response {
-    /// The response that is asked for.
-    pub fn of(asked: &Asked) -> Response {
-        Response {
-            guess: asked.guess().to_vec(),
-            load: asked.word("load").map(str::to_owned),
-            frequency: asked.word("over").map(str::to_owned),
-            range: asked.numbers("range").and_then(|ends| ends.try_into().ok()),
-            points: asked.count("points"),
-            log: asked.flag("log"),
-            outputs: asked.words("outputs").to_vec(),
-            shapes: asked.numbers("shapes").unwrap_or_default().to_vec(),
-        }
-    }
-}
 
 /// The study.
 pub struct Forced;

@@ -1,16 +1,16 @@
 //! The study `simulate`: a motion from its start, as a table, with events, checks and the digits that a repetition confirms.
 
 use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
-use super::{Extra, Found, Given, Interrupts, Repeats, Results, Study, overlaid};
+use super::{Extra, Found, Given, Interrupts, Repeats, Results, Study, of_file, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::pipeline::{Machine, explained};
+use crate::machine::{Machine, explained};
 use crate::results::finite::checked;
 use crate::results::{Alone, Strips, fields, figures};
 use crate::watch::{Lap, Watch};
 use crate::{plan, provenance};
 use analysis::Dataset;
 use analysis::studies;
-use analysis::studies::simulate::Outcome;
+use analysis::studies::simulate::{Grid, Outcome, Simulate as Options};
 use mechanics::asked::{Asked, Kind, Value};
 use mechanics::model::{Plot, Times};
 use serde_json::json;
@@ -68,10 +68,32 @@ impl Simulate {
     }
 }
 
+/// The options that the integrator gets.
+pub fn options<'a>(study: &Simulate, watch: &'a mut Watch) -> analysis::studies::simulate::Simulate<'a> {
+    let grid = match &study.times {
+        Times::Automatic => Grid::Auto,
+        Times::Every(step) => Grid::Every(*step),
+        Times::At(times) => Grid::At(times.clone()),
+    };
+    let progress = watch.progress.as_mut().map(|p| &mut **p as &mut dyn FnMut(f64));
+    Options {
+        grid,
+        tolerance: study.tolerance,
+        method: study.method,
+        outputs: Some(study.outputs.clone()),
+        interrupt: watch.interrupt,
+        tolerance_halving: watch.halve_tolerance,
+        check: watch.check,
+        progress,
+        ..Options::until(study.until)
+    }
+}
+
 /// The study.
 pub struct Motion;
 
-static KIND: Kind = Kind::new("simulate", ("Compute a motion", "Рассчитать движение")).keys(&[
+/// Its keys.
+pub static KIND: Kind = Kind::new("simulate", ("Compute a motion", "Рассчитать движение")).keys(&[
     UNTIL,
     TOLERANCE_OF_MOTION,
     METHOD,
@@ -102,7 +124,7 @@ impl Study for Motion {
         &[&["simulate", "inverse"]]
     }
     fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
-        merged("simulate", &machine.equations, given)
+        merged(&KIND, &machine.equations, given)
     }
     fn extras(&self) -> &'static [Extra] {
         &[Extra::HalveTolerance, Extra::Check, Extra::Events, Extra::Switches]
@@ -119,7 +141,7 @@ impl Study for Motion {
 ///
 /// # Errors
 /// Nobody says how long (C007).
-pub fn merged(kind: &'static str, equations: &Equations, given: Given) -> Result<Asked, Failure> {
+pub fn merged(kind: &Kind, equations: &Equations, given: Given) -> Result<Asked, Failure> {
     let line = given.line;
     let file = given.of_file.as_ref().and_then(|asked| asked.number("until"));
     let last = line.numbers("at").and_then(|times| times.iter().copied().reduce(f64::max));
@@ -127,15 +149,15 @@ pub fn merged(kind: &'static str, equations: &Equations, given: Given) -> Result
         (Some(until), ..) => until,
         (None, Some(file), last) => last.map_or(file, |t| t.max(file)),
         (None, None, Some(last)) => last,
-        (None, None, None) => return Err(no_end(kind)),
+        (None, None, None) => return Err(no_end(kind.name)),
     };
     let mut asked = given.of_file.unwrap_or_default();
-    asked.kind = kind;
+    asked.kind = kind.name;
     if let (Some(times), false) = (asked.numbers("at").map(<[f64]>::to_vec), line.has("at") || line.has("every")) {
         // a shorter run is not an error of the file
         asked.set("at", Value::Numbers(times.into_iter().filter(|t| *t <= until).collect()));
     }
-    let mut asked = overlaid(asked, line);
+    let mut asked = overlaid(kind, asked, line);
     asked.set("until", Value::Number(until));
     if until == 0.0 && asked.times() == Times::Automatic {
         // the start alone, not a thousand times
@@ -153,8 +175,8 @@ pub fn merged(kind: &'static str, equations: &Equations, given: Given) -> Result
 /// Nobody says how long (C007).
 pub fn with_values(machine: &Machine, values: &[(&'static str, Value)]) -> Result<Simulate, Failure> {
     let line = values.iter().fold(Asked::new("simulate"), |line, (key, value)| line.with(key, value.clone()));
-    let of_file = super::of_file(machine, &["simulate", "inverse"]).cloned();
-    let asked = merged("simulate", &machine.equations, Given { written: None, of_file, line: &line, drawn: false })?;
+    let of_file = of_file(machine, &["simulate", "inverse"]).cloned();
+    let asked = merged(&KIND, &machine.equations, Given { written: None, of_file, line: &line, drawn: false })?;
     Ok(Simulate::of(&asked))
 }
 
@@ -171,7 +193,7 @@ fn no_end(name: &str) -> Failure {
 /// A motion with the digits that a repetition confirms.
 fn confirm(machine: &mut Machine, study: &Simulate, mut results: Results, watch: &mut Watch) -> Results {
     if let (false, Ok(start)) = (results.data.partial, machine.system.start()) {
-        let mut options = plan::options(study, watch);
+        let mut options = options(study, watch);
         options.events = plan::events(&machine.model, &machine.equations);
         options.pushes = plan::pushes(&machine.model, &machine.equations);
         studies::simulate::confirm(&mut machine.system, &start, &mut options, &mut results.data);
@@ -193,7 +215,7 @@ pub fn motion(machine: &mut Machine, study: &Simulate, watch: &mut Watch) -> Res
 
 /// A motion; the integrals of `works`, outputs of the study that are powers, are compared with the energy.
 pub fn with_works(machine: &mut Machine, study: &Simulate, works: &[String], watch: &mut Watch) -> Results {
-    let mut options = plan::options(study, watch);
+    let mut options = options(study, watch);
     options.works = works.to_vec();
     options.events = plan::events(&machine.model, &machine.equations);
     options.pushes = plan::pushes(&machine.model, &machine.equations);

@@ -1,7 +1,7 @@
 //! The study `statics` of bodies: reactions, equations of equilibrium, what is open or free.
 
 use super::{Fact, Found, Repeats, Results, Study};
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::provenance;
 use crate::results::finite::checked;
 use crate::watch::Watch;

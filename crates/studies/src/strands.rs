@@ -1,6 +1,6 @@
 //! Strands of belts and chains at rest: they only pull.
 
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use analysis::Fault;
 use analysis::fault::connections::Since;
 use mechanics::derive::strand_output;

@@ -5,15 +5,16 @@ mod rests;
 use super::keys::OWN_PLOT;
 use super::periodic::Periodic;
 use super::periodic::{self, in_words};
-use super::{Found, Given, Interrupts, Repeats, Results, Rows, Study, TABLE, find, idle, observing, overlaid};
+use super::{Found, Given, Interrupts, Repeats, Results, Rows, Studies, Study, idle, overlaid};
 use crate::failure::{Failure, Misuse};
-use crate::machine::origin::Binding;
-use crate::pipeline::{self, Machine};
+use crate::machine::bind::Binding;
+use crate::machine::{self, Machine};
+use crate::observable::{Absent, Observable};
 use crate::provenance;
 use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use analysis::dataset::{Audit, Column, Missing};
-use analysis::reduce::{NAMES, Reduction, reduce};
+use analysis::reduce::NAMES;
 use analysis::{Dataset, Quantity};
 use mechanics::asked::{Asked, Key, Kind, Takes, Value as Taken, Way};
 use mechanics::model::{Plot, SweepRange};
@@ -120,12 +121,12 @@ impl Study for Sweeping {
                 asked.set(key, value.clone());
             }
         }
-        Ok(overlaid(asked, given.line))
+        Ok(overlaid(&KIND, asked, given.line))
     }
     /// Options of every study that it repeats, the first of each name.
-    fn inner(&self) -> Vec<&'static Key> {
+    fn inner(&self, all: &Studies) -> Vec<&'static Key> {
         let mut keys: Vec<&'static Key> = Vec::new();
-        for key in TABLE.iter().filter(|study| REPEATED.contains(&study.kind().name)).flat_map(|study| study.kind().keys) {
+        for key in all.iter().filter(|study| REPEATED.contains(&study.kind().name)).flat_map(|study| study.kind().keys) {
             let own = KIND.key(key.name).is_some() || keys.iter().any(|k| k.name == key.name);
             // rows and columns are those that are observed; names of coordinates need the study in the file
             let idle = matches!(key.takes, Takes::Results | Takes::Moments | Takes::Step);
@@ -154,17 +155,6 @@ fn nothing_to_sweep() -> Failure {
         .misuse()
 }
 
-/// What is noted of a repeated study.
-#[derive(Clone, Debug)]
-enum Wanted {
-    /// A number of its JSON: `period`, `multipliers.1.abs`.
-    Field(String),
-    /// A number made of a column.
-    Column(String, Reduction),
-    /// How many events there are.
-    Events,
-}
-
 /// The study for every combination of the values.
 pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Results {
     let mut results = Results {
@@ -177,7 +167,7 @@ pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Resu
     match repeat(machine, study, watch, &mut results) {
         Ok(data) => results.data = provenance::stamp(data, &machine.equations, &machine.model_hash),
         Err(trouble) => {
-            results.data = pipeline::no_numbers(machine);
+            results.data = machine::no_numbers(machine);
             results.trouble = Some(trouble);
         }
     }
@@ -261,7 +251,7 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
     }
     results.own.insert("of".into(), json!(base.kind));
     results.own.insert("read_anew".into(), json!(anew));
-    if study.of.is_none() && machine.model.studies.iter().filter(|s| moves(s) || rests(s)).count() > 1 {
+    if study.of.is_none() && machine.model.studies.iter().filter(|s| moves(machine, s) || rests(machine, s)).count() > 1 {
         let name = base.kind;
         data.notes.push(Text::new(format!("repeated: the study `{name}`"), format!("повторялся расчёт `{name}`")));
     }
@@ -326,41 +316,37 @@ fn column_of(machine: &Machine, range: &SweepRange) -> Column {
 }
 
 /// What the names in `observe` mean, with the columns they fill.
-fn wanted(machine: &Machine, study: &Sweep) -> Result<Vec<(Quantity, Wanted)>, Notice> {
+fn wanted(machine: &Machine, study: &Sweep) -> Result<Vec<(Quantity, Observable)>, Notice> {
     let outputs = &machine.equations.outputs;
-    let mut found = Vec::new();
-    let add = |found: &mut Vec<(Quantity, Wanted)>, output: &symbolic::equations::Output, word: &str, reduction| {
+    let quantity = |observable: &Observable, output: &symbolic::equations::Output| {
         let shown = machine.model.notation.iter().find(|(n, _)| *n == output.name).map_or(output.name.as_str(), |(_, s)| s.as_str());
-        let quantity = Quantity {
-            symbol: format!("{shown}_{word}"),
+        Quantity {
+            symbol: format!("{shown}_{}", observable.word()),
             label: output.label.clone(),
             display: output.display.clone(),
-            ..Quantity::new(&format!("{word}({})", output.name), &output.unit)
-        };
-        found.push((quantity, Wanted::Column(output.name.clone(), reduction)));
+            ..Quantity::new(&observable.to_string(), &output.unit)
+        }
     };
-    for name in &study.observe {
-        let name = name.trim();
-        let reduced = name.strip_suffix(')').and_then(|n| n.split_once('('));
-        let reduced = reduced.and_then(|(word, of)| Some((NAMES.iter().find(|(n, _)| *n == word)?, of.trim())));
-        if name == "events" {
-            found
-                .push((Quantity { label: Text::new("number of events", "число событий"), ..Quantity::new("events", "1") }, Wanted::Events));
-        } else if let Some(((word, reduction), of)) = reduced {
-            let output = outputs.iter().find(|o| o.name == of).ok_or_else(|| unknown(of, machine))?;
-            add(&mut found, output, word, *reduction);
-        } else if let Some(output) = outputs.iter().find(|o| o.name == name) {
-            add(&mut found, output, "max", Reduction::Max);
-            add(&mut found, output, "min", Reduction::Min);
-        } else {
-            found.push((Quantity::new(name, "1"), Wanted::Field(name.to_owned())));
+    let mut found = Vec::new();
+    for text in &study.observe {
+        for observable in Observable::read(text, &|name| outputs.iter().any(|o| o.name == name)) {
+            let described = match &observable {
+                Observable::Events => {
+                    Quantity { label: Text::new("number of events", "число событий"), ..Quantity::new("events", "1") }
+                }
+                Observable::Field(_) => Quantity::new(&observable.to_string(), "1"),
+                Observable::Extreme(_, of) | Observable::Amplitude(of) | Observable::Mean(of) | Observable::Last(of) => {
+                    quantity(&observable, outputs.iter().find(|o| o.name == *of).ok_or_else(|| unknown(of, machine))?)
+                }
+            };
+            found.push((described, observable));
         }
     }
     if let Some(of) = study.of.as_deref().filter(|of| found.is_empty() && *of != "periodic") {
         return Err(nothing_observed(of));
     }
     if found.is_empty() {
-        found.push((Quantity::new("period", "1"), Wanted::Field("period".into())));
+        found.push((Quantity::new("period", "1"), Observable::field("period")));
     }
     Ok(found)
 }
@@ -374,29 +360,31 @@ fn unknown(name: &str, machine: &Machine) -> Notice {
 }
 
 /// The study to repeat, with the columns that are wanted.
-fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Result<(Asked, Option<usize>), Notice> {
-    let fields = || wanted.iter().filter_map(|(_, w)| if let Wanted::Field(name) = w { Some(name.as_str()) } else { None });
+fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Observable)]) -> Result<(Asked, Option<usize>), Notice> {
+    let fields = || wanted.iter().filter_map(|(_, w)| w.root());
     let of_periodic = fields().any(|name| OF_PERIODIC.iter().any(|p| name.starts_with(p)));
     let kind = study.of.as_deref().or(of_periodic.then_some("periodic"));
     let first = |fits: &dyn Fn(&Asked) -> bool| machine.model.studies.iter().position(fits);
-    let repeatable = |asked: &Asked| asked.kind != "equations" && sort(asked) != Repeats::Never;
+    let repeatable = |asked: &Asked| asked.kind != "equations" && sort(machine, asked) != Repeats::Never;
     let of = match kind {
         Some(kind) => first(&|asked| asked.kind == kind),
         // greatest values are those of a motion, else of a place of rest: a shape of modes has no size
-        None if wanted.iter().any(|(_, w)| !matches!(w, Wanted::Field(_))) => {
-            first(&moves).or_else(|| first(&rests)).or_else(|| first(&repeatable))
+        None if wanted.iter().any(|(_, w)| w.root().is_none()) => {
+            first(&|asked| moves(machine, asked)).or_else(|| first(&|asked| rests(machine, asked))).or_else(|| first(&repeatable))
         }
         None => first(&repeatable),
     };
     let in_file = of.map(|k| &machine.model.studies[k]);
-    let column = wanted.iter().find_map(|(_, w)| if let Wanted::Column(name, _) = w { Some(name) } else { None });
+    let column = wanted.iter().find_map(|(_, w)| w.column());
     if let (Some("modes"), Some(name)) = (in_file.map(|asked| asked.kind), column) {
         return Err(rows_only(name));
     }
     let mut base = match (in_file, kind) {
         (Some(asked), _) => changed(machine, asked.kind, Some(asked.clone()), &study.inner)?,
         (None, Some(kind @ ("periodic" | "statics"))) => changed(machine, kind, None, &study.inner)?,
-        (None, Some(kind)) if find(kind).is_some() && !study.inner.values().is_empty() => changed(machine, kind, None, &study.inner)?,
+        (None, Some(kind)) if machine.origin.studies.find(kind).is_some() && !study.inner.values().is_empty() => {
+            changed(machine, kind, None, &study.inner)?
+        }
         (None, None) if study.inner.has("until") => changed(machine, "simulate", None, &study.inner)?,
         _ => {
             return Err(Notice::new("C032", "there is no study to repeat", "нет расчёта, который надо повторять")
@@ -407,15 +395,14 @@ fn base(machine: &Machine, study: &Sweep, wanted: &[(Quantity, Wanted)]) -> Resu
                 .help("add that study to the file, or observe the period", "добавьте такой расчёт в файл или наблюдайте период (period)"));
         }
     };
-    let columns: Vec<String> =
-        wanted.iter().filter_map(|(_, w)| if let Wanted::Column(n, _) = w { Some(n.clone()) } else { None }).collect();
-    observing(&mut base, columns);
+    let columns: Vec<String> = wanted.iter().filter_map(|(_, w)| w.column().map(str::to_owned)).collect();
+    observing(machine, &mut base, columns);
     Ok((base, of))
 }
 
 /// A study of the file, or one from nothing, with what the command line says of it.
 fn changed(machine: &Machine, kind: &str, of_file: Option<Asked>, inner: &Asked) -> Result<Asked, Notice> {
-    let Some(study) = find(kind) else { return Ok(of_file.unwrap_or_default()) };
+    let Some(study) = machine.origin.studies.find(kind) else { return Ok(of_file.unwrap_or_default()) };
     if inner.values().is_empty()
         && let Some(asked) = of_file
     {
@@ -429,16 +416,25 @@ fn changed(machine: &Machine, kind: &str, of_file: Option<Asked>, inner: &Asked)
     study.merge(machine, Given { written: None, of_file, line: inner, drawn: false }).map_err(in_words)
 }
 
-fn sort(asked: &Asked) -> Repeats {
-    find(asked.kind).map_or(Repeats::Never, |study| study.repeats())
+fn sort(machine: &Machine, asked: &Asked) -> Repeats {
+    machine.origin.studies.find(asked.kind).map_or(Repeats::Never, |study| study.repeats())
 }
 
-fn moves(asked: &Asked) -> bool {
-    sort(asked) == Repeats::Motion
+fn moves(machine: &Machine, asked: &Asked) -> bool {
+    sort(machine, asked) == Repeats::Motion
 }
 
-fn rests(asked: &Asked) -> bool {
-    sort(asked) == Repeats::Rest
+fn rests(machine: &Machine, asked: &Asked) -> bool {
+    sort(machine, asked) == Repeats::Rest
+}
+
+/// Lets a study give these columns only, and draw nothing.
+fn observing(machine: &Machine, asked: &mut Asked, columns: Vec<String>) {
+    let kind = machine.origin.studies.find(asked.kind).map(|study| study.kind());
+    if kind.is_some_and(|kind| kind.key("outputs").is_some() && kind.key("tolerance").is_some() && asked.kind != "transient") {
+        asked.set("outputs", Taken::Words(columns));
+        asked.unset("plot");
+    }
 }
 
 /// What is repeated, which study of the file it is, and what the command line says of it.
@@ -453,7 +449,7 @@ impl Repeated<'_> {
     fn at(&self, machine: &Machine) -> Result<Asked, Notice> {
         let Some(fresh) = self.of.and_then(|k| machine.model.studies.get(k)) else { return Ok(self.base.clone()) };
         let mut fresh = changed(machine, fresh.kind, Some(fresh.clone()), self.inner)?;
-        observing(&mut fresh, self.base.words("outputs").to_vec());
+        observing(machine, &mut fresh, self.base.words("outputs").to_vec());
         Ok(fresh)
     }
 }
@@ -489,7 +485,7 @@ fn one(
             *guess = outcome.fault.is_none().then(|| outcome.regime.start.clone());
             periodic::results(machine, study, outcome, None)
         }
-        None => match pipeline::study(machine, base, &mut inner) {
+        None => match machine.origin.studies.find(base.kind).and_then(|study| study.run(machine, base, &mut inner)) {
             Some(finding) => finding,
             None => return Err(Notice::new("C032", "this study cannot be repeated", "этот расчёт повторять нельзя")),
         },
@@ -501,23 +497,13 @@ fn one(
 }
 
 /// The number, and what it is where the study itself says so.
-fn number(finding: &Results, wanted: &Wanted) -> Result<(f64, Option<Quantity>), Notice> {
-    Ok(match wanted {
-        Wanted::Events => (finding.data.events.len() as f64, None),
-        Wanted::Column(name, reduction) => match reduce(&finding.data, name, *reduction) {
-            None if finding.data.axis.is_some() || finding.data.column(name).is_none() => return Err(rows_only(name)),
-            // a number that this place does not have is none
-            found => (found.unwrap_or(f64::NAN), None),
-        },
-        Wanted::Field(path) => {
-            let fields = Value::Object(finding.fields());
-            let described = finding.facts.iter().find(|f| f.quantity.name == *path).map(|f| f.quantity.clone());
-            match at_path(&fields, path) {
-                Some(value) => (value, described),
-                None => return Err(no_number(path, &fields)),
-            }
-        }
-    })
+fn number(results: &Results, wanted: &Observable) -> Result<(f64, Option<Quantity>), Notice> {
+    match (wanted.of(results), wanted) {
+        (Ok(value), Observable::Field(path)) => Ok((value, path.fact(results).map(|fact| fact.quantity.clone()))),
+        (Ok(value), _) => Ok((value, None)),
+        (Err(Absent::AtRowsOnly), _) => Err(rows_only(wanted.column().unwrap_or_default())),
+        (Err(Absent::Nothing), _) => Err(no_number(&wanted.to_string(), &Value::Object(results.fields()))),
+    }
 }
 
 /// The study does not know the quantity between its rows.
@@ -569,20 +555,5 @@ fn no_number(path: &str, fields: &Value) -> Notice {
             let more = observable();
             trouble.help(format!("it has: {names}; or {}", more.en), format!("в нём есть: {names}; или {}", more.ru))
         }
-    }
-}
-
-/// A number in JSON by its path: `multipliers.1.abs`, the second of the list; true is 1, false 0, null no number.
-pub fn at_path(fields: &Value, path: &str) -> Option<f64> {
-    let whole = fields.get(path).cloned();
-    let found = whole.or_else(|| {
-        path.split('.').try_fold(fields.clone(), |at, key| match key.parse::<usize>() {
-            Ok(i) => at.get(i).cloned(),
-            Err(_) => at.get(key).cloned(),
-        })
-    })?;
-    match found {
-        Value::Null => Some(f64::NAN),
-        found => found.as_f64().or_else(|| found.as_bool().map(|b| if b { 1.0 } else { 0.0 })),
     }
 }

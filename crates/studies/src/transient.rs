@@ -1,11 +1,11 @@
 //! The study `transient`: the motion of a linear system in closed form, phase by phase.
 
 use super::keys::{AT, EVERY, METHOD, OUTPUTS, PLOT, TOLERANCE_OF_MOTION, UNTIL};
-use super::simulate::{Simulate, drawn, merged, moving};
+use super::simulate::{Simulate, drawn, merged, moving, options};
 use super::{Extra, Found, Given, Interrupts, Repeats, Results, Study};
 use crate::failure::Failure;
+use crate::machine::Machine;
 use crate::phases::{self, Phases};
-use crate::pipeline::Machine;
 use crate::results::finite::checked;
 use crate::results::{Alone, Body, fields};
 use crate::watch::{Lap, Watch};
@@ -77,7 +77,7 @@ impl Study for ClosedForm {
         &[&["transient"], &["simulate", "inverse"]]
     }
     fn merge(&self, machine: &Machine, given: Given) -> Result<Asked, Failure> {
-        merged("transient", &machine.equations, given)
+        merged(&KIND, &machine.equations, given)
     }
     fn extras(&self) -> &'static [Extra] {
         &[Extra::HalveTolerance, Extra::Check, Extra::Events, Extra::Switches]
@@ -98,7 +98,7 @@ pub fn closed_form(machine: &mut Machine, study: &Transient, watch: &mut Watch) 
 
 /// A motion in closed form, and its phases.
 pub fn solved(machine: &mut Machine, study: &Transient, watch: &mut Watch) -> (Results, Phases) {
-    let twin = plan::options(&study.motion, watch);
+    let twin = options(&study.motion, watch);
     let pushes = plan::pushes(&machine.model, &machine.equations);
     let options = analysis::studies::transient::Transient { twin, ends: machine.model.phases.clone(), linearise: study.linearise, pushes };
     let found = match moving(&machine.equations).and_then(|()| machine.system.start()) {

@@ -1,31 +1,20 @@
 //! A figure as PNG: the SVG drawn at two pixels per unit, with fonts of its own, so that the picture is the same on every machine.
 
 use super::{Figure, svg};
-use resvg::{tiny_skia, usvg};
-use std::sync::{Arc, LazyLock};
 use words::Language;
-
-/// Pixels per unit of the SVG.
-pub const PIXELS: f32 = 2.0;
-
-/// DejaVu Sans, upright and slanted, with Latin, Greek, Cyrillic and mathematical signs.
-static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
-    let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_font_data(include_bytes!("../../assets/fonts/DejaVuSans-subset.ttf").to_vec());
-    fonts.load_font_data(include_bytes!("../../assets/fonts/DejaVuSans-Oblique-subset.ttf").to_vec());
-    fonts.set_sans_serif_family("DejaVu Sans");
-    Arc::new(fonts)
-});
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The SVG could not be read back.
     #[error("the figure cannot be drawn: {0}")]
-    Svg(#[from] usvg::Error),
+    Svg(String),
     /// The picture has no size or does not fit into memory.
     #[error("the picture of {0} x {1} pixels cannot be made")]
     Size(u32, u32),
+    /// This library was built without the feature `png`.
+    #[error("no pictures made of pixels: built without the feature `png`")]
+    Absent,
     /// The picture could not be packed.
     #[error("the picture cannot be packed: {0}")]
     Pack(String),
@@ -39,12 +28,46 @@ pub fn write(figure: &Figure, titled: bool, language: Language) -> Result<Vec<u8
 }
 
 /// Any SVG of ours as the bytes of a PNG file.
+///
+/// *Errors*: this library was built without the feature `png`; faults of the renderer.
 pub fn of_svg(svg: &str) -> Result<Vec<u8>, Error> {
-    let options = usvg::Options { fontdb: FONTS.clone(), font_family: "DejaVu Sans".into(), ..usvg::Options::default() };
-    let tree = usvg::Tree::from_str(svg, &options)?;
-    let size = tree.size();
-    let (width, height) = ((size.width() * PIXELS).ceil() as u32, (size.height() * PIXELS).ceil() as u32);
-    let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or(Error::Size(width, height))?;
-    resvg::render(&tree, tiny_skia::Transform::from_scale(PIXELS, PIXELS), &mut pixels.as_mut());
-    pixels.encode_png().map_err(|e| Error::Pack(e.to_string()))
+    pixels::of_svg(svg)
+}
+
+#[cfg(not(feature = "png"))]
+mod pixels {
+    use super::Error;
+
+    pub fn of_svg(_: &str) -> Result<Vec<u8>, Error> {
+        Err(Error::Absent)
+    }
+}
+
+#[cfg(feature = "png")]
+mod pixels {
+    use super::Error;
+    use resvg::{tiny_skia, usvg};
+    use std::sync::{Arc, LazyLock};
+
+    /// Pixels per unit of the SVG.
+    const PIXELS: f32 = 2.0;
+
+    /// DejaVu Sans, upright and slanted, with Latin, Greek, Cyrillic and mathematical signs.
+    static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
+        let mut fonts = usvg::fontdb::Database::new();
+        fonts.load_font_data(include_bytes!("../../assets/fonts/DejaVuSans-subset.ttf").to_vec());
+        fonts.load_font_data(include_bytes!("../../assets/fonts/DejaVuSans-Oblique-subset.ttf").to_vec());
+        fonts.set_sans_serif_family("DejaVu Sans");
+        Arc::new(fonts)
+    });
+
+    pub fn of_svg(svg: &str) -> Result<Vec<u8>, Error> {
+        let options = usvg::Options { fontdb: FONTS.clone(), font_family: "DejaVu Sans".into(), ..usvg::Options::default() };
+        let tree = usvg::Tree::from_str(svg, &options).map_err(|e| Error::Svg(e.to_string()))?;
+        let size = tree.size();
+        let (width, height) = ((size.width() * PIXELS).ceil() as u32, (size.height() * PIXELS).ceil() as u32);
+        let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or(Error::Size(width, height))?;
+        resvg::render(&tree, tiny_skia::Transform::from_scale(PIXELS, PIXELS), &mut pixels.as_mut());
+        pixels.encode_png().map_err(|e| Error::Pack(e.to_string()))
+    }
 }

@@ -7,7 +7,7 @@ use mechanics::asked::{Asked, Key, Like, Named, Takes, Value, Way};
 use mechanics::units::{Dimension, parse_unit};
 use std::path::PathBuf;
 use studies::pipeline::Machine;
-use studies::{Extra, Study, TABLE};
+use studies::{Extra, STUDIES, Study, TABLE};
 use studies::{Failure, plan};
 use words::Language;
 
@@ -19,7 +19,7 @@ pub fn commands(language: Language) -> impl Iterator<Item = Command> {
 fn command(study: &dyn Study, language: Language) -> Command {
     let kind = study.kind();
     let mut command = crate::args::Model::augment_args(Command::new(kind.name).about(language.pick(kind.about.0, kind.about.1)));
-    let keys: Vec<&Key> = kind.keys.iter().chain(study.inner()).collect();
+    let keys: Vec<&Key> = kind.keys.iter().chain(study.inner(&STUDIES)).collect();
     for key in &keys {
         command = command.args(option(key, &keys, language));
     }
@@ -135,7 +135,7 @@ impl<'a> Line<'a> {
 
     /// Keys whose options are there.
     fn given(&self) -> Vec<&'static Key> {
-        let keys = self.study.kind().keys.iter().chain(self.study.inner());
+        let keys = self.study.kind().keys.iter().chain(self.study.inner(&STUDIES));
         keys.filter(|key| key.option.is_some() && self.texts(key).is_some()).collect()
     }
 

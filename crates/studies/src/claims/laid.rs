@@ -1,6 +1,7 @@
 //! The machine once more, with the terms of the claims for its outputs.
 
-use crate::pipeline::{self, Machine};
+use crate::machine::build::numbered;
+use crate::machine::{Machine, lower};
 use analysis::{Fault, System};
 use mechanics::derive::{Detail, derive_in};
 use mechanics::model::{ClaimKind, Model, OutputDecl};
@@ -74,9 +75,9 @@ pub fn lay(machine: &Machine) -> Result<Laid, Notice> {
             model.outputs.push(OutputDecl { name, symbol, formula, unit: String::new(), display: None, label: Text::default(), span });
         }
     }
-    let mut equations = derive_in(&model, Detail::Equations).map_err(|list| first(&list))?;
-    pipeline::number(&model, &mut equations).map_err(Notice::from)?;
-    let system = pipeline::lower(&equations).map_err(Notice::from)?;
+    let equations = derive_in(&model, Detail::Equations).map_err(|list| first(&list))?;
+    let equations = numbered(&model, equations).map_err(Notice::from)?;
+    let system = lower(&equations).map_err(Notice::from)?;
     let machine = Machine { model, equations, system, ..machine.clone() };
     Ok(Laid { machine, claims })
 }

@@ -13,7 +13,7 @@ mod values;
 
 use show::{Verdicts, to_json};
 
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::provenance;
 use crate::results::Body;
 use crate::watch::Watch;

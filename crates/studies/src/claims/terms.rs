@@ -2,7 +2,7 @@
 
 use super::Verdict;
 use super::laid::{Laid, Terms, output_name};
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use analysis::System;
 use analysis::studies::claims::{Draw, Fit, Places, Sum, fit, samples};
 use mechanics::model::ClaimDecl;

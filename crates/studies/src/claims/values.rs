@@ -3,8 +3,9 @@
 use super::Verdict;
 use super::laid::{Laid, output_name};
 use crate::equilibrium::Between;
-use crate::modes::Modes;
-use crate::pipeline::Machine;
+use crate::machine::Machine;
+use crate::machine::study::of_file;
+use crate::small::asked::Modes;
 use crate::watch::Watch;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use analysis::{Dataset, System};
@@ -71,7 +72,7 @@ fn rest(machine: &Machine, laid: &mut Laid, (resting, claims): (&[usize], &[Clai
     if resting.is_empty() {
         return;
     }
-    let asked = crate::of_file(machine, &["equilibrium"]).cloned().unwrap_or_default();
+    let asked = of_file(machine, &["equilibrium"]).cloned().unwrap_or_default();
     let finding = crate::equilibrium::places(&mut laid.machine, asked.guess(), Between::of(&asked), watch);
     if let Some(trouble) = &finding.trouble {
         return say(resting.iter().copied(), verdicts, &trouble.what);
@@ -113,7 +114,7 @@ fn observed(laid: &mut Laid, data: &Dataset) -> Vec<Vec<f64>> {
 
 /// A natural frequency, as the study `modes` finds it.
 pub fn frequency(machine: &mut Machine, (mode, published): (usize, f64), verdict: &mut Verdict, watch: &mut Watch) {
-    let asked = crate::of_file(machine, &["modes"]).cloned().unwrap_or_default();
+    let asked = of_file(machine, &["modes"]).cloned().unwrap_or_default();
     let finding = crate::modes::natural(machine, &Modes::of(&asked), watch);
     verdict.published = published;
     if let Some(trouble) = &finding.trouble {

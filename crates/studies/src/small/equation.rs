@@ -1,6 +1,6 @@
 //! The frequency equation as text with exact coefficients.
 
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::small::Small;
 use crate::small::formulas::at_place;
 use mechanics::model::{FrequencyVariable, ParameterValue};

@@ -1,9 +1,9 @@
 //! The study `modes`: natural frequencies, shapes, the frequency equation, modes followed along a parameter.
 
-use crate::modes::{Modes as Study, ParameterRange, Scale};
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::provenance;
 use crate::results::{Alone, Body, Results};
+use crate::small::asked::{Modes as Study, ParameterRange, Scale};
 use crate::small::equation::{self, FrequencyEquation};
 use crate::small::formulas::{self, Written};
 use crate::small::{Small, about_rest, about_start, timing_notes};

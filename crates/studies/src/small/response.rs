@@ -1,10 +1,10 @@
 //! The study `response`: forced oscillations over the frequency of periodic loads.
 
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::plan;
 use crate::provenance;
-use crate::response::Response as Study;
 use crate::results::{Alone, Body, Results};
+use crate::small::asked::Response as Study;
 use crate::small::load::{self, Meant};
 use crate::small::strands::{self, Slack};
 use crate::small::{Small, about_rest, timing_notes};

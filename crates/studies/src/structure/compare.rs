@@ -1,6 +1,6 @@
 //! The same frame at all levels of simplification: what massless rods, static shapes, rigid rods and resting sections cost.
 
-use super::bind::bind;
+use crate::frame::bind::bind;
 use analysis::studies::structure_modes::{self, Modes};
 use mechanics::Model;
 use mechanics::structure::Structure;

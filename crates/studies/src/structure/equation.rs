@@ -1,6 +1,6 @@
 //! The frequency equation as text: a polynomial in the user's variable with coprime whole coefficients when the data are rational.
 
-use super::bind::Factor;
+use crate::frame::bind::Factor;
 use symbolic::Rational;
 
 /// `504 z^3 - 729 z^2 + 94 z - 1 = 0` from coefficients by rising powers of λ = k², with z = factor·k².

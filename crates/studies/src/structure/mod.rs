@@ -1,17 +1,14 @@
 //! Studies of frames and trusses: from a model with nodes to datasets, fields of JSON and blocks of the written calculation.
 
-pub mod bind;
 pub mod compare;
 pub mod drawing;
 pub mod equation;
-mod groups;
 pub mod modes;
-pub mod mount;
 pub mod rayleigh;
 pub mod show;
 pub mod statics;
 
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::provenance;
 use crate::results::finite::checked;
 use crate::results::{Alone, Body, Results, Show, View};
@@ -38,9 +35,9 @@ pub fn of(model: &Model) -> Option<&Structure> {
 }
 
 /// Natural oscillations of the structure; none when the model has none.
-pub fn modes(machine: &Machine, study: &crate::modes::Modes) -> Option<Results> {
+pub fn modes(machine: &Machine, study: &crate::small::asked::Modes) -> Option<Results> {
     // with bodies on it the frame is part of the machine
-    let structure = of(&machine.model).filter(|_| mount::is_bare(&machine.model))?;
+    let structure = of(&machine.model).filter(|_| crate::frame::mount::is_bare(&machine.model))?;
     let found = match ignored(study) {
         Some(key) => Err(Box::new(one_value(key))),
         None => modes::find(&machine.model, structure, study).map(|found| Outcome::Modes(Box::new(found))),
@@ -49,7 +46,7 @@ pub fn modes(machine: &Machine, study: &crate::modes::Modes) -> Option<Results> 
 }
 
 /// A wish that has no meaning for a structure alone.
-fn ignored(study: &crate::modes::Modes) -> Option<&'static str> {
+fn ignored(study: &crate::small::asked::Modes) -> Option<&'static str> {
     match study {
         study if study.over.is_some() => Some("over"),
         study if study.about_start => Some("about = \"start\""),

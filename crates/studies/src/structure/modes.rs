@@ -1,10 +1,10 @@
 //! Natural oscillations of the structure of a model.
 
-use super::bind::{Bound, Factor, Numbers, bind};
 use super::compare::Level;
 use super::equation;
 use super::rayleigh::Reduced as Reduction;
-use crate::modes::{Modes as Study, Scale};
+use crate::frame::bind::{Bound, Factor, Numbers, bind};
+use crate::small::asked::{Modes as Study, Scale};
 use analysis::studies::structure_modes::{self, Modes, Normalise, StructureModes};
 use mechanics::Model;
 use mechanics::model;

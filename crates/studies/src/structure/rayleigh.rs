@@ -6,7 +6,7 @@
 //!
 //! The integrals are Gaussian sums of 16 points on 8 pieces: exact for polynomial shapes up to rounding.
 
-use super::bind::Numbers;
+use crate::frame::bind::Numbers;
 use mechanics::Model;
 use mechanics::structure::{AssumedShape, Structure};
 use words::Text;

@@ -1,11 +1,10 @@
 //! Statics of the structure of a model.
 
-use super::bind::{Bound, bind};
-use crate::pipeline::Machine;
+use crate::frame::bind::{Bound, bind};
+use crate::frame::mount::{is_bare, moves};
+use crate::machine::Machine;
 use analysis::studies::structure_statics::{self, StructureStatics};
-use mechanics::Model;
-use mechanics::model::Class;
-use mechanics::structure::{Action, Load, Structure};
+use mechanics::structure::Structure;
 use report::number::significant;
 use serde_json::{Map, Value, json};
 use structures::statics::Station;
@@ -30,7 +29,7 @@ pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Notic
     let trouble = |f| Box::new(Notice::from(f));
     let mut result = structure_statics::statics(&bound.frame, bound.exact.as_ref()).map_err(trouble)?;
     let moving = structure.loads.iter().any(|l| moves(model, l));
-    if !super::mount::is_bare(model) {
+    if !is_bare(model) {
         let forces = exerted(machine, &result, moving)?;
         if !forces.is_empty() {
             let list = |language| {
@@ -99,19 +98,6 @@ fn apart() -> Notice {
         "`strutt equilibrium` gives the displacements of both; or give the machine's forces as loads of the structure",
         "`strutt equilibrium` даёт перемещения того и другого; либо задайте силы механизма как нагрузки конструкции",
     )
-}
-
-/// Whether a load depends on time.
-pub(super) fn moves(model: &Model, load: &Load) -> bool {
-    let values: Vec<symbolic::Expr> = match &load.action {
-        Action::Point { value, .. } => value.to_vec(),
-        Action::Distributed { value, .. } => value.concat(),
-    };
-    let mut symbols = model.graph.symbols_in(&values);
-    // parameters may be formulas of time
-    let formulas = model.parameters.iter().filter(|p| symbols.contains(&p.symbol) && p.class == Class::Time);
-    symbols.extend(formulas.map(|_| model.time).collect::<Vec<_>>());
-    symbols.contains(&model.time)
 }
 
 /// The study's own fields of JSON.

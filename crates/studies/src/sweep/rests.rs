@@ -1,7 +1,7 @@
 //! Where places of rest change between neighbouring values of a sweep: other contacts are closed, another verdict, other places.
 
 use super::{Repeated, one};
-use crate::pipeline::Machine;
+use crate::machine::Machine;
 use crate::watch::Watch;
 use analysis::rest::changes::written;
 use analysis::{Dataset, Quantity};

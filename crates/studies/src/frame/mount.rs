@@ -26,14 +26,21 @@ const MOUNTED: usize = 20_000;
 /// Amplitudes without another wish.
 const AMPLITUDES: usize = 8;
 
-/// Makes the frame of a model part of its machine. Frames without inertia, or too large for dense matrices, stay outside.
+/// The model with its frame as part of the machine, and remarks. Frames without inertia, or too large for dense matrices, stay outside.
 ///
 /// # Errors
 /// Mechanisms and loose nodes.
-pub fn mount(model: &mut Model) -> Result<Vec<Notice>, Box<Notice>> {
-    let Some(structure) = model.structure.clone() else { return Ok(Vec::new()) };
-    let mut bound = bind(model, &structure);
-    let (found, remark) = coordinates(model, &structure, &mut bound).map_err(|fault| Box::new(Notice::from(fault)))?;
+pub fn mounted(mut model: Model) -> Result<(Model, Vec<Notice>), Box<Notice>> {
+    let remarks = match model.structure.clone() {
+        Some(structure) => mount(&mut model, &structure)?,
+        None => Vec::new(),
+    };
+    Ok((model, remarks))
+}
+
+fn mount(model: &mut Model, structure: &file::Structure) -> Result<Vec<Notice>, Box<Notice>> {
+    let mut bound = bind(model, structure);
+    let (found, remark) = coordinates(model, structure, &mut bound).map_err(|fault| Box::new(Notice::from(fault)))?;
     let warnings = remark.filter(|_| speaks(model)).map(|words| Notice::file("M306", 0..0, words).warning()).into_iter().collect();
     let first = model.coordinates.len() - structure.displacements.len().min(model.coordinates.len());
     let Some(found) = found else {
@@ -52,10 +59,10 @@ pub fn mount(model: &mut Model) -> Result<Vec<Notice>, Box<Notice>> {
     for (i, coordinate) in followers {
         follower(model, &bound, &found, first, i, coordinate);
     }
-    let (mass, stiffness) = entries(&bound, &structure, &found);
+    let (mass, stiffness) = entries(&bound, structure, &found);
     inertias(model, &mass, first);
     potential(model, &stiffness, first);
-    loads(model, &structure, &bound, &found, first);
+    loads(model, structure, &bound, &found, first);
     Ok(warnings)
 }
 
@@ -126,7 +133,7 @@ fn coordinates(
 
 /// Unit loads in the places of loads that change with time.
 fn changing(model: &Model, structure: &file::Structure, bound: &Bound) -> Vec<Load<f64>> {
-    let loads = structure.loads.iter().zip(&bound.frame.loads).filter(|(load, _)| super::statics::moves(model, load));
+    let loads = structure.loads.iter().zip(&bound.frame.loads).filter(|(load, _)| moves(model, load));
     let units = loads.flat_map(|(load, numbers)| components(load, numbers).into_iter().filter(|c| !model.graph.is_zero(c.0)));
     units.map(|(_, action)| Load { name: String::new(), action }).collect()
 }
@@ -343,4 +350,17 @@ fn simple(v: f64, largest: f64) -> Option<Rational> {
     let short = format!("{v:.12}").parse::<f64>().ok().filter(|s| (s - v).abs() <= 4e-16 * v.abs().max(largest));
     let text = short.map(|s| format!("{s}"));
     text.and_then(|t| Rational::parse_decimal(&t)).or_else(|| Rational::from_f64(v))
+}
+
+/// Whether a load depends on time.
+pub fn moves(model: &Model, load: &file::Load) -> bool {
+    let values: Vec<symbolic::Expr> = match &load.action {
+        file::Action::Point { value, .. } => value.to_vec(),
+        file::Action::Distributed { value, .. } => value.concat(),
+    };
+    let mut symbols = model.graph.symbols_in(&values);
+    // parameters may be formulas of time
+    let formulas = model.parameters.iter().filter(|p| symbols.contains(&p.symbol) && p.class == Class::Time);
+    symbols.extend(formulas.map(|_| model.time).collect::<Vec<_>>());
+    symbols.contains(&model.time)
 }

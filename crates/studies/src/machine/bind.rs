@@ -1,10 +1,13 @@
 //! What a machine was made from, and the same machine with other values: bound to them where only numbers change, read again where more does.
 
+use super::Machine;
+use super::build::{build, numbered};
+use super::study::Studies;
 use crate::failure::Failure;
 use crate::guards;
-use crate::pipeline::{self, Machine};
 use crate::source::Source;
 use crate::watch::Watch;
+use mechanics::derive::Detail;
 use mechanics::model::{Change, unmoved};
 use words::Notice;
 
@@ -15,6 +18,8 @@ pub struct Origin {
     pub source: Source,
     /// Values set from outside.
     pub overrides: Vec<(String, String)>,
+    /// The studies that it may ask for.
+    pub studies: &'static Studies,
 }
 
 /// How a machine got its values.
@@ -39,12 +44,20 @@ impl Machine {
         format!("{value:e} {unit}").trim_end().to_owned()
     }
 
+    /// The machine of another text or other overrides, read with the same studies.
+    ///
+    /// # Errors
+    /// Findings about the model.
+    pub fn again(&self, source: Source, overrides: Vec<(String, String)>) -> Result<Machine, Failure> {
+        build(Origin { source, overrides, studies: self.origin.studies }, Detail::Equations, &mut Watch::default())
+    }
+
     /// The same machine with other values, SI; names as with `--set`.
     ///
     /// # Errors
     /// Findings about the model with these values.
     pub fn with_values(&self, values: &[(&str, f64)]) -> Result<Machine, Failure> {
-        pipeline::build(&self.origin.source, &self.overridden(values), &mut Watch::default())
+        self.again(self.origin.source.clone(), self.overridden(values))
     }
 
     /// Gives this machine other values, SI; names as with `--set`. The result is that of [`Machine::with_values`] to the last bit; where the values are set
@@ -86,7 +99,7 @@ impl Machine {
                 p.written = declared.map(|d| self.written(&d.name, p.value)).unwrap_or_default();
             }
         }
-        pipeline::number(&self.model, &mut equations)?;
+        let equations = numbered(&self.model, equations)?;
         let numbers: Vec<f64> = equations.parameters.iter().map(|p| p.value).collect();
         self.system = self.system.bound(&equations, &numbers, &|program| guards::names(&equations, program))?;
         self.equations = equations;

@@ -1,0 +1,180 @@
+//! What a study is: its keys, its run, what becomes of it on the command line; and the table of all studies that a machine was read with.
+
+use super::Machine;
+use crate::failure::{Failure, Misuse};
+use crate::results::Results;
+use crate::watch::Watch;
+use mechanics::asked::{Asked, Key, Kind, Kinds};
+use words::explain::Explanation;
+use words::{Notice, Text};
+
+/// What a study found; none where it computes no numbers.
+pub type Found = Option<Results>;
+
+/// A study.
+pub trait Study: Sync {
+    /// Name, keys, and what the values contradict.
+    fn kind(&self) -> &'static Kind;
+
+    /// Carries it out as a file asks for it.
+    fn run(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found;
+
+    /// Carries it out for a command of its own: exactly the rows that are asked for, no repetition that nobody asked for.
+    fn command(&self, machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Found {
+        self.run(machine, asked, watch)
+    }
+
+    /// Whether it has a command `strutt NAME` made of its keys.
+    fn has_command(&self) -> bool {
+        true
+    }
+
+    /// Kinds of studies of the file that the command takes its values from, the preferred ones first; none: its own.
+    fn of_file(&self) -> &'static [&'static [&'static str]] {
+        &[]
+    }
+
+    /// The study of a command: that of the file, changed by what the command line says.
+    ///
+    /// # Errors
+    /// Something is missing, or contradicts.
+    fn merge(&self, _: &Machine, given: Given) -> Result<Asked, Failure> {
+        Ok(overlaid(self.kind(), given.written.or(given.of_file).unwrap_or_else(|| Asked::new(self.kind().name)), given.line))
+    }
+
+    /// Keys of other studies that its command takes too, because it carries these out.
+    fn inner(&self, _: &Studies) -> Vec<&'static Key> {
+        Vec::new()
+    }
+
+    /// Columns that it adds to the outputs of the file.
+    fn own_columns(&self, _: &Machine, _: &Asked) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// Options of its command that are no keys.
+    fn extras(&self) -> &'static [Extra] {
+        &[]
+    }
+
+    /// What becomes of it when it is interrupted.
+    fn interrupts(&self) -> Interrupts {
+        Interrupts::Short
+    }
+
+    /// The codes that only it raises.
+    fn explanations(&self) -> &'static [Explanation] {
+        &[]
+    }
+
+    /// What its repetition over values of parameters gives.
+    fn repeats(&self) -> Repeats {
+        Repeats::Numbers
+    }
+}
+
+/// What a command line says about a study.
+pub struct Given<'a> {
+    /// A new study that it writes, as the reader read it.
+    pub written: Option<Asked>,
+    /// The study of the file.
+    pub of_file: Option<Asked>,
+    /// Values in place of those of the file.
+    pub line: &'a Asked,
+    /// Whether plots are drawn.
+    pub drawn: bool,
+}
+
+/// An option of a command that is no key of the study.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extra {
+    /// The motion once more with half the tolerance.
+    HalveTolerance,
+    /// The motion once more with other steps.
+    Check,
+    /// Rows at events.
+    Events,
+    /// Rows at switches.
+    Switches,
+}
+
+/// What becomes of a study that is interrupted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interrupts {
+    /// What is done is kept.
+    Kept,
+    /// It ends.
+    Ending,
+    /// It takes no time worth speaking of.
+    Short,
+}
+
+/// What the repetition of a study gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Repeats {
+    /// It is not repeated.
+    Never,
+    /// Least and greatest values of a motion, and its numbers.
+    Motion,
+    /// Values at rest, and its numbers.
+    Rest,
+    /// Its numbers.
+    Numbers,
+}
+
+/// The studies that a file may ask for.
+pub struct Studies {
+    rows: &'static [&'static dyn Study],
+    kinds: Kinds,
+}
+
+impl std::fmt::Debug for Studies {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_list().entries(self.rows.iter().map(|study| study.kind().name)).finish()
+    }
+}
+
+impl Studies {
+    /// Studies in the order of help and reference.
+    pub fn new(rows: &'static [&'static dyn Study]) -> Studies {
+        Studies { rows, kinds: Kinds::new(rows.iter().map(|study| study.kind()).collect()) }
+    }
+
+    /// Every study.
+    pub fn iter(&self) -> impl Iterator<Item = &'static dyn Study> {
+        self.rows.iter().copied()
+    }
+
+    /// The study of that name.
+    pub fn find(&self, name: &str) -> Option<&'static dyn Study> {
+        self.iter().find(|study| study.kind().name == name)
+    }
+
+    /// Their kinds, as the reader and the reference need them.
+    pub fn kinds(&self) -> &Kinds {
+        &self.kinds
+    }
+}
+
+/// The first study of the file of one of these kinds.
+pub fn of_file<'m>(machine: &'m Machine, kinds: &[&str]) -> Option<&'m Asked> {
+    machine.model.studies.iter().find(|asked| kinds.contains(&asked.kind))
+}
+
+/// A study with the values of the command line in place of its own.
+pub fn overlaid(kind: &Kind, mut asked: Asked, line: &Asked) -> Asked {
+    for (key, value) in line.values() {
+        let excluded = |key: &Key, other: &str| key.excluded.is_some_and(|(name, _)| name == other);
+        let partners = kind.keys.iter().filter(|k| excluded(k, key) || kind.key(key).is_some_and(|own| excluded(own, k.name)));
+        partners.for_each(|k| asked.unset(k.name));
+        asked.set(key, value.clone());
+    }
+    asked
+}
+
+/// C054: an option that would change nothing.
+pub fn idle(option: &str, needs: &Text) -> Failure {
+    Notice::new("C054", format!("{option} would change nothing"), format!("ключ {option} ничего не изменил бы"))
+        .why(needs.en.clone(), needs.ru.clone())
+        .misuse()
+}

@@ -1,0 +1,51 @@
+//! Unknown parameters: the numbers for which the start is a place of rest.
+
+use analysis::Fault;
+use analysis::linear::{LinearMachine, Place};
+use analysis::rest::mean::Resting;
+use std::sync::Arc;
+use symbolic::SymbolId;
+use symbolic::linear::About;
+
+/// Puts the unknowns of the model at the numbers for which the start is a place of rest.
+///
+/// # Errors
+/// Statics do not give them.
+pub fn solve(model: &mechanics::Model, equations: &mut symbolic::Equations) -> Result<(), Fault> {
+    let index = |s: &SymbolId| equations.parameters.iter().position(|p| p.symbol == *s);
+    let wanted: Vec<usize> = model.unknowns.iter().filter_map(index).collect();
+    if wanted.is_empty() {
+        return Ok(());
+    }
+    if !analysis::rest::report::is_free(equations) || equations.coordinates.is_empty() {
+        return solve_connected(model, equations, &wanted);
+    }
+    let mut machine = LinearMachine::new(&Arc::new(equations.clone()), About::Rest)?;
+    let starts: Vec<symbolic::Expr> = equations.coordinates.iter().map(|c| c.start).collect();
+    let q = machine.values_of(&starts, &Place::rest(&vec![0.0; starts.len()]))?;
+    analysis::studies::unknowns::unknowns(&mut machine, &wanted, &q)?;
+    for i in wanted {
+        let value = machine.value(i);
+        equations.parameters[i].value = value;
+        equations.parameters[i].written = format!("{value}");
+    }
+    Ok(())
+}
+
+/// The same with connections, contacts and friction.
+fn solve_connected(model: &mechanics::Model, equations: &mut symbolic::Equations, wanted: &[usize]) -> Result<(), Fault> {
+    let impending = impending(model, equations);
+    let resting = Resting::new(equations)?;
+    let found = analysis::rest::unknowns::unknowns(resting.equations(), wanted, &impending)?;
+    for (i, value) in wanted.iter().zip(found.values) {
+        equations.parameters[*i].value = value;
+        equations.parameters[*i].written = format!("{value}");
+    }
+    Ok(())
+}
+
+/// The frictions of [impending], by reaction.
+pub fn impending(model: &mechanics::Model, equations: &symbolic::Equations) -> Vec<(usize, f64)> {
+    let friction = |(name, direction): &(String, f64)| Some((analysis::rest::unknowns::friction_named(equations, name)?, *direction));
+    model.impending.iter().filter_map(friction).collect()
+}
