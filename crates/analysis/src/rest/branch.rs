@@ -230,10 +230,11 @@ impl Branch {
         let mut list = self.changes.clone();
         for change in &mut list {
             let arm = &self.arms[usize::from(change.upwards)];
-            let next = self.changes.iter().filter(|c| c.upwards == change.upwards && between(change.value, c.value, change.upwards));
+            let next =
+                self.changes.iter().filter(|c| c.upwards == change.upwards && between(change.value, c.value, usize::from(change.upwards)));
             let end = next.map(|c| c.value).min_by(|a, b| (a - change.value).abs().total_cmp(&(b - change.value).abs()));
-            let behind = arm.iter().filter(|s| between(change.value, s.value, change.upwards));
-            let last = behind.take_while(|s| end.is_none_or(|e| !between(e, s.value, change.upwards))).last();
+            let behind = arm.iter().filter(|s| between(change.value, s.value, usize::from(change.upwards)));
+            let last = behind.take_while(|s| end.is_none_or(|e| !between(e, s.value, usize::from(change.upwards)))).last();
             change.behind = last.and_then(|s| s.spot.as_ref().map(|spot| (s.value, spot.place.q.clone())));
         }
         list.sort_by(|a, b| a.value.total_cmp(&b.value));
@@ -266,7 +267,8 @@ impl Branch {
         }
         self.extend(machine, value, FURTHER)?;
         let arm = &self.arms[usize::from(value > self.home)];
-        let k = arm.iter().position(|s| s.value == value || !between(s.value, value, value > self.home)).unwrap_or(arm.len() - 1);
+        let k =
+            arm.iter().position(|s| s.value == value || !between(s.value, value, usize::from(value > self.home))).unwrap_or(arm.len() - 1);
         let station = arm[k].clone();
         let Some(outer) = &station.spot else {
             machine.set(self.parameter, value)?;
@@ -330,12 +332,12 @@ impl Branch {
             self.arms[side].push(Station { value: self.home, spot, parted: false });
         }
         let from = self.last(side).value;
-        if !between(from, to, side == 1) {
+        if !between(from, to, side) {
             return Ok(());
         }
         for k in 1..=pieces {
             let value = if k == pieces { to } else { from + (to - from) * k as f64 / pieces as f64 };
-            if between(self.last(side).value, value, side == 1) {
+            if between(self.last(side).value, value, side) {
                 self.cell(machine, side, value)?;
             }
         }
@@ -434,7 +436,7 @@ impl Branch {
             if gone { (high, margins) = (station, found) } else { low = station }
         }
         let here = low.spot.as_ref().map(|s| s.place.q.clone()).unwrap_or_default();
-        if between(self.last(side).value, low.value, side == 1) {
+        if between(self.last(side).value, low.value, side) {
             // a fork may lie on the way there
             self.push_or_walk(machine, side, low.clone())?;
             if self.last(side).spot.is_none_or(|s| !same(&s.place.q, &here)) {
@@ -504,7 +506,7 @@ impl Branch {
 
     /// On to a value.
     fn walk(&mut self, machine: &mut LinearMachine, side: usize, to: f64) -> Result<(), Fault> {
-        while between(self.last(side).value, to, side == 1) {
+        while between(self.last(side).value, to, side) {
             self.cell(machine, side, to)?;
         }
         Ok(())
@@ -621,7 +623,7 @@ impl Branch {
         self.change(side, high.value, Event::Forks(found.len()), &at);
         self.push(side, Station { parted: false, ..low });
         let mut parted = true;
-        for station in found[chosen].iter().filter(|s| !between(to.value, s.value, side == 1)) {
+        for station in found[chosen].iter().filter(|s| !between(to.value, s.value, side)) {
             self.push(side, Station { parted, ..station.clone() });
             parted = false;
         }
@@ -719,9 +721,9 @@ fn diverging(machine: &mut LinearMachine, place: &Place) -> Result<Vec<Mode>, Fa
     Ok(found.map_or(Vec::new(), |f| f.modes.into_iter().filter(|m| m.kind == Kind::Divergence).collect()))
 }
 
-/// Whether `b` lies strictly behind `a` on the way.
-fn between(a: f64, b: f64, upwards: bool) -> bool {
-    if upwards { b > a } else { b < a }
+/// Whether `b` lies strictly behind `a` on an arm: 1 goes upwards, 0 downwards.
+fn between(a: f64, b: f64, arm: usize) -> bool {
+    if arm == 1 { b > a } else { b < a }
 }
 
 fn mixed(a: &[f64], b: &[f64], share: f64) -> Vec<f64> {

@@ -99,12 +99,7 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
             notes.extend(observed::left_open(equations, &place.reactions));
             let second = second(equations, parameters, &place);
             rows.insert(0, Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second });
-            if rough {
-                notes.push(Text::new(
-                    "dry friction holds the machine at its start; the places of rest are not isolated",
-                    "в начальном положении машину удерживает сухое трение; положения покоя не изолированы",
-                ));
-            }
+            notes.extend(rough.then(held_by_friction));
         }
         Some(Err(why)) if rows.is_empty() => fault = Some(why),
         _ if rough && !rows.is_empty() => notes.push(Text::new(
@@ -129,6 +124,13 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
         notes.push(crate::studies::equilibrium::nothing_moves());
     }
     Ok(Outcome { dataset: dataset(equations, &rows, notes), fault })
+}
+
+fn held_by_friction() -> Text {
+    Text::new(
+        "dry friction holds the machine at its start; the places of rest are not isolated",
+        "в начальном положении машину удерживает сухое трение; положения покоя не изолированы",
+    )
 }
 
 /// Limiting equilibria in a range.

@@ -56,8 +56,7 @@ pub(super) enum Stride {
 /// States that can be chosen freely under the conditions, and the change of all states with each of them.
 pub(super) fn tangent<S: System + ?Sized>(
     system: &mut S,
-    x: &[f64],
-    modes: &[Mode],
+    (x, modes): (&[f64], &[Mode]),
     scales: &[f64],
     first: Option<usize>,
     symmetry: &Symmetry,
@@ -283,7 +282,7 @@ impl Found<'_> {
             }
         }
         let orbit = ended.ok_or_else(|| unsettled(1.0, 1))?;
-        let (free, basis) = tangent(system, &orbit.first, &orbit.modes[0], &self.scales, None, &self.symmetry)?;
+        let (free, basis) = tangent(system, (&orbit.first, &orbit.modes[0]), &self.scales, None, &self.symmetry)?;
         Ok(Found { orbit, free, basis, ..self })
     }
 
@@ -304,7 +303,7 @@ impl Found<'_> {
         let size = (n..2 * n).map(|i| self.scales[i] / self.orbit.period * TAU + first[i].abs());
         // forces that cancel are known to the rounding of their terms
         let mut slopes = Vec::new();
-        let known = fundamental::slopes(system, 0.0, &self.orbit.first, &self.orbit.modes[0], &self.scales, &mut slopes).is_ok();
+        let known = fundamental::slopes(system, (0.0, &self.orbit.first), &self.orbit.modes[0], &self.scales, &mut slopes).is_ok();
         let width = self.orbit.first.len() + 1;
         let terms = |i: usize| -> f64 { slopes[i * width..].iter().zip(&self.orbit.first).map(|(a, x)| (a * x).abs()).sum() };
         let rounding = |i: usize| if known && terms(i).is_finite() { ROUNDED * f64::EPSILON * terms(i) } else { 0.0 };

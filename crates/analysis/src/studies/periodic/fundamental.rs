@@ -132,8 +132,7 @@ fn along(x: &[f64], j: usize, scale: f64, value: &mut impl FnMut(&[f64]) -> Resu
 /// Derivatives of the rates, then of the guards, by x and t: exact where the system knows them, otherwise central differences.
 pub(super) fn slopes<S: System + ?Sized>(
     system: &mut S,
-    t: f64,
-    x: &[f64],
+    (t, x): (f64, &[f64]),
     modes: &[Mode],
     scales: &[f64],
     rows: &mut Vec<f64>,
@@ -261,7 +260,7 @@ fn saltation<S: System + ?Sized>(system: &mut S, jump: &Jump, scales: &[f64]) ->
     let surfaces: Vec<usize> = jump.switches.iter().filter_map(|s| surface(system, s)).collect();
     let modes = &jump.modes[0];
     let mut rows = Vec::new();
-    slopes(system, jump.t, &jump.before, modes, scales, &mut rows)?;
+    slopes(system, (jump.t, &jump.before), modes, scales, &mut rows)?;
     let before = rates(system, jump.t, &jump.before, modes)?;
     let values: Vec<f64> = surfaces.iter().map(|s| system.guard(*s).first().copied().unwrap_or(0.0)).collect();
     let after = rates(system, jump.t, &jump.then, &jump.modes[1])?;

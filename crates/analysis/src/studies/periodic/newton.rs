@@ -332,7 +332,7 @@ fn prepare<'s, 'o, S: System + ?Sized>(
             let frame = frame.clone();
             search.state = Some(state);
             search.name = Text::same(format!("`{}`", system.states()[state].name));
-            x = transversal(system, &trial, x, state, &frame, &search)?;
+            x = transversal(system, &trial, x, (state, &frame), &search)?;
             search.aim_first(system, &x, &frame)?;
             if options.settle > 0.0 && named.is_some() {
                 x = search.in_phase(system, x, start)?;
@@ -385,8 +385,7 @@ fn transversal<S: System + ?Sized>(
     system: &mut S,
     trial: &Orbit,
     x: Vec<f64>,
-    state: usize,
-    frame: &[f64],
+    (state, frame): (usize, &[f64]),
     search: &Search<'_, '_>,
 ) -> Result<Vec<f64>, Fault> {
     let speed = |c: &[f64]| (c[1] - frame[state]).abs();
@@ -491,7 +490,7 @@ impl<'o> Search<'_, 'o> {
     }
 
     fn found<S: System + ?Sized>(&self, system: &mut S, orbit: Orbit) -> Result<Found<'o>, Fault> {
-        let (free, basis) = tangent(system, &orbit.first, &orbit.modes[0], &self.scales, self.state, &self.symmetry)?;
+        let (free, basis) = tangent(system, (&orbit.first, &orbit.modes[0]), &self.scales, self.state, &self.symmetry)?;
         Ok(Found {
             orbit,
             scales: self.scales.clone(),

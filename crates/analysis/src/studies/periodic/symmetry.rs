@@ -129,7 +129,7 @@ fn rows<S: System + ?Sized>(system: &mut S, sample: usize, scales: &[f64], perio
     let Sample { t, x, modes, .. } = &table.samples[sample];
     let values = laws(system, *t, x, modes)?;
     let mut slopes_of = Vec::new();
-    slopes(system, *t, x, modes, scales, &mut slopes_of)?;
+    slopes(system, (*t, x), modes, scales, &mut slopes_of)?;
     for (k, row) in slopes_of.chunks(x.len() + 1).skip(n).enumerate() {
         let (row, time) = row.split_at(x.len());
         if !row.iter().chain(time).all(|v| v.is_finite()) {

@@ -177,7 +177,7 @@ impl<S: System + ?Sized> Along<'_, '_, S> {
         let steps = self.stretch.steps;
         let k = steps.partition_point(|s| between(t, s.end()) < 0.0).min(steps.len() - 1);
         steps[k].state_after(between(steps[k].start, t), &mut self.x);
-        slopes(self.system, t.high, &self.x, &steps[k].modes, self.stretch.scales, &mut self.rows)?;
+        slopes(self.system, (t.high, &self.x), &steps[k].modes, self.stretch.scales, &mut self.rows)?;
         let (n, scales) = (self.n, self.stretch.scales);
         let entry = |k: usize| self.rows[(k / n) * (n + 1) + k % n] * scales[k % n] / scales[k / n];
         let out: Vec<f64> = (0..n * n).map(entry).collect();
@@ -370,7 +370,7 @@ pub(super) fn balanced<S: System + ?Sized>(system: &mut S, orbit: &Orbit, scales
     for step in orbit.steps.iter().step_by(orbit.steps.len().div_ceil(PLACES).max(1)) {
         let x: Vec<f64> = (0..n).map(|i| step.start_value(i)).collect();
         // where there is no derivative another place tells
-        if slopes(system, step.start.high, &x, &step.modes, scales, &mut rows).is_ok() {
+        if slopes(system, (step.start.high, &x), &step.modes, scales, &mut rows).is_ok() {
             for (k, entry) in largest.iter_mut().enumerate() {
                 let a = (rows[(k / n) * (n + 1) + k % n] * scales[k % n] / scales[k / n]).abs();
                 *entry = entry.max(if a.is_finite() { a } else { 0.0 });
