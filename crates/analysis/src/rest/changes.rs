@@ -46,6 +46,7 @@ pub fn place(q: &[f64], other: &[f64], coordinates: &[Quantity]) -> Text {
     Text::new(join(|t| &t.en, ", "), join(|t| &t.ru, "; "))
 }
 
+#[expect(clippy::too_many_lines, reason = "a table of sentences")]
 fn note(change: &Change, (parameter, home): (&Quantity, f64), coordinates: &[Quantity]) -> Text {
     let (at, name) = (located(change.value, parameter), &parameter.name);
     let here = place(&change.at, change.behind.as_ref().map_or(&change.at, |b| &b.1), coordinates);

@@ -57,6 +57,13 @@ pub(super) struct Excitation {
     pub shaped: Vec<(usize, f64, Vec<f64>)>,
 }
 
+impl Excitation {
+    /// Angular rates of all loads; none of a constant one.
+    fn rates(&self) -> Vec<f64> {
+        self.waves.iter().map(|w| w.0.unwrap_or(f64::NAN)).chain(self.shaped.iter().map(|s| s.1)).collect()
+    }
+}
+
 /// One order: a harmonic of the whole load.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Component {
@@ -231,6 +238,26 @@ impl<'m> Forced<'m> {
         Ok(omegas[below..=above].to_vec())
     }
 
+    /// Rates of the loads per unit of the parameter, not numbers where they are not proportional to it, and its value; as they are without one.
+    fn paces(&mut self, parameter: Option<usize>, own: &[f64]) -> Result<(Vec<f64>, f64), Fault> {
+        Ok(match parameter {
+            Some(parameter) => {
+                let value = self.machine.value(parameter);
+                let probe = if value == 0.0 { 1.0 } else { value };
+                let mut seen = Vec::new();
+                for k in [1.0, 2.0] {
+                    self.machine.set(parameter, probe * k)?;
+                    let matrices = self.machine.at(&self.place)?;
+                    seen.push(self.excitation(&matrices)?.rates());
+                }
+                self.machine.set(parameter, value)?;
+                let per = |(a, b): (&f64, &f64)| if a.abs() > 0.0 && (b - 2.0 * a).abs() <= 1e-12 * b.abs() { a / probe } else { f64::NAN };
+                (seen[0].iter().zip(&seen[1]).map(per).collect::<Vec<f64>>(), value)
+            }
+            None => (own.to_vec(), 1.0),
+        })
+    }
+
     /// Orders of the loads that follow the parameter.
     fn arrange(&mut self, parameter: Option<usize>) -> Result<(), Fault> {
         let matrices = self.machine.at(&self.place)?;
@@ -239,26 +266,8 @@ impl<'m> Forced<'m> {
             self.components = vec![Component { order: 1.0, waves: (0..excitation.waves.len()).collect(), harmonics: Vec::new() }];
             return Ok(());
         }
-        let rates =
-            |e: &Excitation| e.waves.iter().map(|w| w.0.unwrap_or(f64::NAN)).chain(e.shaped.iter().map(|s| s.1)).collect::<Vec<f64>>();
-        let own = rates(&excitation);
-        // rates per unit of the parameter, or as they are
-        let (per, value) = match parameter {
-            Some(parameter) => {
-                let value = self.machine.value(parameter);
-                let probe = if value == 0.0 { 1.0 } else { value };
-                let mut seen = Vec::new();
-                for k in [1.0, 2.0] {
-                    self.machine.set(parameter, probe * k)?;
-                    let matrices = self.machine.at(&self.place)?;
-                    seen.push(rates(&self.excitation(&matrices)?));
-                }
-                self.machine.set(parameter, value)?;
-                let per = |(a, b): (&f64, &f64)| if a.abs() > 0.0 && (b - 2.0 * a).abs() <= 1e-12 * b.abs() { a / probe } else { f64::NAN };
-                (seen[0].iter().zip(&seen[1]).map(per).collect::<Vec<f64>>(), value)
-            }
-            None => (own.clone(), 1.0),
-        };
+        let own = excitation.rates();
+        let (per, value) = self.paces(parameter, &own)?;
         let mut following: Vec<f64> = per.iter().map(|r| r.abs()).filter(|r| *r > 0.0).collect();
         following.sort_by(f64::total_cmp);
         following.dedup_by(|a, b| (*a - *b).abs() <= SAME * b.abs());

@@ -581,16 +581,8 @@ impl Run {
         untraced(&outputs.chain(events).collect::<Vec<_>>())
     }
 
-    fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {
-        let mut done: Vec<(usize, f64)> = self.times[..self.next].iter().map(|&(t, row)| (row, t)).collect();
-        done.sort_by_key(|&(row, _)| row);
-        let (lost, confirmed, open, closed) = (self.lost(system), self.confirmed(), self.open(system), self.closed());
-        let n = self.outputs.len();
-        let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
-        let mut columns = vec![Column { quantity: time, values: done.iter().map(|&(_, t)| t).collect() }];
-        for (j, quantity) in self.outputs.into_iter().enumerate() {
-            columns.push(Column { quantity, values: done.iter().map(|&(row, _)| self.table[row * n + j]).collect() });
-        }
+    /// What is to be said of the motion.
+    fn notes<S: System + ?Sized>(&self, system: &S) -> Vec<Text> {
         let mut notes = system.notes().to_vec();
         if self.interrupted {
             notes.push(Text::new("interrupted: the result ends early", "прервано: результат неполон"));
@@ -614,7 +606,7 @@ impl Run {
                 "энергия где-то на пути движения не имеет значения: баланс энергии не составлен",
             ));
         }
-        notes.extend(lost);
+        notes.extend(self.lost(system));
         if let Some((t, event)) = self.ended {
             let (n, name) = (number(t), &self.named.events()[event].name);
             notes.push(Text::new(
@@ -624,6 +616,19 @@ impl Run {
         }
         notes.extend(self.shared.note(system));
         notes.extend(self.pushes.notes(Since::Time));
+        notes
+    }
+
+    fn dataset<S: System + ?Sized>(self, system: &S, tolerance: f64) -> Dataset {
+        let mut done: Vec<(usize, f64)> = self.times[..self.next].iter().map(|&(t, row)| (row, t)).collect();
+        done.sort_by_key(|&(row, _)| row);
+        let (notes, confirmed, open, closed) = (self.notes(system), self.confirmed(), self.open(system), self.closed());
+        let n = self.outputs.len();
+        let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
+        let mut columns = vec![Column { quantity: time, values: done.iter().map(|&(_, t)| t).collect() }];
+        for (j, quantity) in self.outputs.into_iter().enumerate() {
+            columns.push(Column { quantity, values: done.iter().map(|&(row, _)| self.table[row * n + j]).collect() });
+        }
         let mut counters = counters(&self.work, &self.impacts);
         let samples = self.extremes.samples() + self.named.samples();
         if samples > 0 {

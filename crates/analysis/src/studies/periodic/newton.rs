@@ -46,6 +46,7 @@ struct Search<'s, 'o> {
 }
 
 /// From a start to a turn that closes.
+#[expect(clippy::too_many_lines, reason = "one search whose turns share all that they know; its parts have names")]
 pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], options: &Periodic<'o>) -> Result<Found<'o>, Fault> {
     let flow = Options { tolerance: options.tolerance, ..Options::default() };
     let trial = trial(system, start, options, &flow)?;
