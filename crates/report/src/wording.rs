@@ -67,16 +67,3 @@ words::table! {
     Continued: "the table is cut to the width of the terminal; all columns are in the files",
         "таблица обрезана по ширине терминала; все столбцы есть в файлах";
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_word_stands_at_its_own_place() {
-        for (i, (word, en, ru)) in WORDS.iter().enumerate() {
-            assert_eq!(*word as usize, i);
-            assert!(!en.is_empty() && !ru.is_empty());
-        }
-    }
-}

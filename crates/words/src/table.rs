@@ -42,6 +42,16 @@ macro_rules! table {
                 (en, ru)
             }
         }
+        #[cfg(test)]
+        mod rows {
+            #[test]
+            fn every_word_stands_at_its_own_place() {
+                for (i, (word, en, ru)) in super::WORDS.iter().enumerate() {
+                    assert_eq!(*word as usize, i);
+                    assert!(!en.is_empty() && !ru.is_empty());
+                }
+            }
+        }
     };
 }
 
