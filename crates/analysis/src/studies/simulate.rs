@@ -2,6 +2,7 @@
 
 mod blows;
 mod bridge;
+mod rivals;
 mod watching;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -298,6 +299,7 @@ struct Run {
     /// Contacts and frictions at the start.
     contacts: Vec<Standing>,
     shared: Shared,
+    rivals: rivals::Rivals,
     extremes: Extremes,
     named: Watcher,
     pushes: Pushes,
@@ -394,6 +396,7 @@ impl Run {
             blows: BlowLaws::default(),
             contacts: Vec::new(),
             shared: Shared::default(),
+            rivals: rivals::Rivals::default(),
             extremes: Extremes::new(system, &chosen, options.tolerance),
             named: Watcher::new(&options.events),
             pushes: Pushes::new(&options.pushes.iter().filter(|p| system.refusal(p.output).is_none()).cloned().collect::<Vec<_>>()),
@@ -512,6 +515,7 @@ impl Run {
     }
 
     fn record<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>) -> Result<(), Fault> {
+        let mut rival = self.rivals.look(flow);
         if flow.switches().iter().any(jumps) {
             self.ledger.impact();
             self.judge_blow(flow);
@@ -550,6 +554,9 @@ impl Run {
             let impulses = if jumps(switch) { std::mem::take(&mut impulses) } else { Vec::new() };
             if switch.change == Change::Jolt && !impulses.is_empty() {
                 what = blows::with_impulses(&what, &impulses);
+            }
+            if let Some(other) = rival.take() {
+                what = rivals::beside(&what, &other);
             }
             self.events.push(Event {
                 t: switch.t,
@@ -615,6 +622,7 @@ impl Run {
             ));
         }
         notes.extend(self.shared.note(system));
+        notes.extend(self.rivals.note());
         notes.extend(self.pushes.notes(Since::Time));
         notes
     }

@@ -122,6 +122,10 @@ pub enum Claim {
         code: String,
         text: String,
     },
+    /// A note of the result contains this.
+    Note(String),
+    /// No note of the result contains this.
+    NoNote(String),
     /// Number of warnings.
     Warnings(usize),
     Fails {
@@ -168,6 +172,8 @@ pub fn parse(line: &str) -> Result<Claim, String> {
             let (name, event) = line["no impulse".len()..].split_once(" at event ").ok_or_else(unknown)?;
             Ok(Claim::OpenImpulse { name: name.trim().to_owned(), event: integer(event.trim())? })
         }
+        "note" => Ok(Claim::Note(line["note".len()..].trim().to_owned())),
+        "no" if word(1) == "note" => Ok(Claim::NoNote(line["no note".len()..].trim().to_owned())),
         "help" => {
             let (code, text) = line["help".len()..].split_once(':').ok_or_else(unknown)?;
             Ok(Claim::Help { code: code.trim().to_owned(), text: text.trim().to_owned() })

@@ -528,6 +528,9 @@ fn motion(times: &[f64], data: &Dataset, claim: &Claim) -> Result<(), String> {
                 _ => Err(format!("{name} is {found:e}")),
             }
         }
+        Claim::Note(text) if data.notes.iter().any(|note| note.en.contains(text.as_str())) => Ok(()),
+        Claim::NoNote(text) if !data.notes.iter().any(|note| note.en.contains(text.as_str())) => Ok(()),
+        Claim::Note(_) | Claim::NoNote(_) => Err(format!("notes: {:?}", data.notes.iter().map(|note| &note.en).collect::<Vec<_>>())),
         Claim::Events(count) if data.events.len() == *count => Ok(()),
         Claim::Events(_) => {
             Err(format!("there are {} events: {:?}", data.events.len(), data.events.iter().map(|e| e.t).collect::<Vec<_>>()))

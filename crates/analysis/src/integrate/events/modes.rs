@@ -58,6 +58,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.base.clone_from(&self.x);
         self.search()?;
         let rests = self.come_to_rest(&impacts)?;
+        self.look_for_rivals()?;
         self.list(&impacts, &rests, Listed::Impacts);
         Ok(())
     }
@@ -84,6 +85,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         self.suggest();
         self.search()?;
         let rests = self.come_to_rest(&impacts)?;
+        self.look_for_rivals()?;
         self.list(&impacts, &rests, Listed::All);
         Ok(())
     }

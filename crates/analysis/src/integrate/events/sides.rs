@@ -158,6 +158,11 @@ impl<S: System + ?Sized> Flow<'_, S> {
         }
     }
 
+    /// Whether a normal force is there, or about to be.
+    pub(super) fn presses(&self, i: usize) -> bool {
+        !matches!(self.near_zero(i), Near::Rests)
+    }
+
     /// Where a normal force stands and goes. One whose crossing has just been located is zero but for the rounding of that instant.
     fn near_zero(&self, i: usize) -> Near {
         let g = self.system.guard(i);

@@ -2,7 +2,7 @@
 
 use words::Text;
 
-use super::{Change, Switch};
+use super::{Change, Rival, Switch};
 use crate::dataset::{ContactChange, Standing};
 use crate::{Guard, GuardKind, Mode};
 use words::digits::number;
@@ -44,6 +44,25 @@ pub fn describe(switch: &Switch, guard: &Guard) -> Text {
         }
         _ => change_of_side(switch, name),
     }
+}
+
+/// What frictions do in another motion.
+pub fn rivals(found: &[Rival], guards: &[Guard]) -> Text {
+    let one = |rival: &Rival| {
+        let name = &guards[rival.guard].name;
+        let (en, ru) = match rival.mode {
+            Mode::Zero => ("sticks", "залипает"),
+            Mode::Positive => ("slides forward", "скользит вперёд"),
+            Mode::Negative => ("slides backward", "скользит назад"),
+        };
+        let (by, by_ru) = match rival.turned {
+            true => (", pressed by a force of the other sign", " при нормальной силе другого знака"),
+            false => ("", ""),
+        };
+        (format!("{} {en}{by}", name.en), format!("{} {ru}{by_ru}", name.ru))
+    };
+    let (en, ru): (Vec<String>, Vec<String>) = found.iter().map(one).unzip();
+    Text::new(en.join("; "), ru.join("; "))
 }
 
 /// The same for machines; none for a switch that is no contact.

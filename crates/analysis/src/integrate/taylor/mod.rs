@@ -21,7 +21,7 @@ use words::Text;
 
 use super::{Step, step};
 use crate::integrate::events::roots::RootFinder;
-use crate::integrate::events::{Hit, Switch};
+use crate::integrate::events::{Hit, Rival, Switch};
 use crate::integrate::stiff::Method;
 use crate::{Blow, Fault, Mode, System, Tie};
 use accept::Defect;
@@ -180,6 +180,8 @@ pub struct Flow<'s, S: System + ?Sized> {
     /// Length of an undisturbed step where modes were decided last.
     pub(crate) natural: f64,
     pub(crate) switches: Vec<Switch>,
+    /// Another motion that obeys the laws where modes were decided at the end of the last step.
+    pub(crate) rivals: Vec<Rival>,
     crowd: Crowd,
     implicit: Implicit,
     passage: Passage,
@@ -255,6 +257,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             span: if options.span > 0.0 { options.span } else { 1.0 },
             natural: 0.0,
             switches: Vec::new(),
+            rivals: Vec::new(),
             crowd: Crowd::default(),
             implicit,
             passage: Passage::default(),
@@ -277,6 +280,7 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
 
     fn advance_plainly(&mut self, end: f64) -> Result<(), Fault> {
         self.switches.clear();
+        self.rivals.clear();
         self.take_turns_off();
         if !self.expanded {
             self.expand_here()?;
@@ -402,6 +406,19 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
     /// Changes of mode at the end of the last step (or at the start, before the first step).
     pub fn switches(&self) -> &[Switch] {
         &self.switches
+    }
+
+    /// What frictions would do in another motion that obeys the laws, where modes were decided at the end of the last step; empty where none was found.
+    pub fn rivals(&self) -> &[Rival] {
+        &self.rivals
+    }
+
+    pub(crate) fn low(&self) -> &[f64] {
+        &self.low
+    }
+
+    pub(crate) fn put_low(&mut self, low: &[f64]) {
+        self.low.copy_from_slice(low);
     }
     /// The part of a step on which every operation does what its polynomial says. What it cuts says nothing about the length of the next step.
     fn faithful(&mut self, h: f64) -> f64 {
