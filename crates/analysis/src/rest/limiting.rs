@@ -14,7 +14,7 @@ use symbolic::connections::Law;
 use super::admissible::Holds;
 use super::newton::{self, worst};
 use super::system::{Parts, RestSystem, Row, Rows};
-use super::unknowns::{Impending, limit_row, limit_rows};
+use super::unknowns::{Impending, Limited, limit_rows};
 use super::{closed_contacts, faults, hold};
 use crate::Fault;
 use crate::studies::equilibrium::Range;
@@ -101,9 +101,9 @@ fn pressed_by(equations: &Equations, friction: usize) -> Vec<usize> {
 }
 
 /// Forces, places, balances and limits.
-fn equations_of(rows: &Rows, z: &[f64], limits: &[(usize, usize, f64)]) -> Vec<Row> {
+fn equations_of(rows: &Rows, z: &[f64], limits: &[Limited]) -> Vec<Row> {
     let own = rows.forces.iter().chain(&rows.places).chain(&rows.balances).cloned();
-    own.chain(limits.iter().map(|limit| limit_row(rows, z, *limit))).collect()
+    own.chain(limits.iter().map(|limit| limit.row(rows, z))).collect()
 }
 
 /// Coordinates that the equations leave open: those that are given first, that of the range last.

@@ -6,7 +6,8 @@
 //! Σ_hidden released_k λ_k = -rest - Σ_known released_k λ_k
 //! ```
 //!
-//! and has a number only where that is the same in all solutions.
+//! and has a number only where that is the same in all solutions. Reactions that hold the same coordinates together (a rope and a support whose point it
+//! moves) are unknown like these: Newton's method finds one of their solutions, and only the balances may say which.
 
 use symbolic::connections::Reaction;
 use symbolic::equations::Role;
@@ -16,8 +17,10 @@ use words::Text;
 
 use super::admissible::Hold;
 use super::numbers::Numbers;
-use crate::Quantity;
+use super::places::Place;
+use super::system::Parts;
 use crate::dataset::{Column, Dataset, Missing};
+use crate::{Fault, Quantity};
 
 /// Remainder of the balances, relative, above which nothing of them is believed.
 const BALANCED: f64 = 1e-9;
@@ -65,12 +68,48 @@ pub fn complete(equations: &Equations, (parameters, q): (&[f64], &[f64]), reacti
     }
 }
 
-/// Reactions that the coordinates hide and no balance determines.
-pub fn left_open(equations: &Equations, reactions: &[Option<f64>]) -> Option<Text> {
-    let open = |(r, value): &(&Reaction, &Option<f64>)| value.is_none() && r.law.is_hidden() && r.law.is_reaction();
-    let names: Vec<&str> = equations.reactions.iter().zip(reactions).filter(open).map(|(r, _)| r.name.as_str()).collect();
+/// Leaves open the reactions that share the holding of coordinates with others, and with them what follows from their values, unless the balances of
+/// released bodies determine them. Contacts that are closed there take part even where the place was found without them.
+///
+/// *Errors*: a formula has no value there.
+pub fn open_shared(equations: &Equations, parameters: &[f64], place: &mut Place) -> Result<(), Fault> {
+    let mut closed = super::closed_contacts(equations, &place.q, parameters)?;
+    closed.extend(&place.closed);
+    let acting = Parts::holding(equations, |r| closed.contains(&r)).smooth(equations).reactions;
+    let numbers = Numbers::at_rest(equations, parameters, &place.q);
+    let mut matrix = vec![0.0; place.q.len() * acting.len()];
+    for (k, r) in acting.iter().enumerate() {
+        let (rows, list): (Vec<usize>, Vec<Expr>) = equations.reactions[*r].forces.iter().map(|(j, e)| (*j, *e)).unzip();
+        rows.into_iter().zip(numbers.evaluate(&list)).for_each(|(row, factor)| matrix[row * acting.len() + k] += factor);
+    }
+    let hold = Hold::new(&matrix, &vec![0.0; place.q.len()], acting.len());
+    let shared: Vec<usize> = (0..acting.len()).filter(|k| !hold.is_unique(*k)).map(|k| acting[k]).collect();
+    if shared.is_empty() {
+        return Ok(());
+    }
+    let unknown = |r: &usize| equations.reactions[*r].law.is_hidden() || shared.contains(r);
+    (0..equations.reactions.len()).filter(unknown).for_each(|r| place.reactions[r] = None);
+    complete(equations, (parameters, &place.q), &mut place.reactions);
+    Ok(())
+}
+
+/// Which reactions without a value call for a remark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Left {
+    /// Those that the coordinates hide.
+    Hidden,
+    /// All, where one is among them that acts on coordinates.
+    Shared,
+}
+
+/// Names the reactions that the equations of rest do not determine.
+pub fn left_open(equations: &Equations, reactions: &[Option<f64>], which: Left) -> Option<Text> {
+    let open = || equations.reactions.iter().zip(reactions).filter(|(r, value)| value.is_none() && r.law.is_reaction()).map(|(r, _)| r);
+    let named = |r: &&Reaction| which == Left::Shared || r.law.is_hidden();
+    let names: Vec<&str> = open().filter(named).map(|r| r.name.as_str()).collect();
+    let silent = names.is_empty() || which == Left::Shared && open().all(|r| r.law.is_hidden());
     let list = names.join(", ");
-    (!names.is_empty())
+    (!silent)
         .then(|| Text::new(format!("the equations of rest do not determine {list}"), format!("уравнениями покоя не определяются {list}")))
 }
 

@@ -88,15 +88,19 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
     let mut rows: Vec<Row> = Vec::new();
     for mut place in found.list {
         observed::complete(equations, (parameters, &place.q), &mut place.reactions);
-        rows.push(judged(studied, parameters, place)?);
+        let mut row = judged(studied, parameters, place)?;
+        observed::open_shared(equations, parameters, &mut row.place)?;
+        rows.push(row);
     }
+    let shared = |r: &Row| observed::left_open(equations, &r.place.reactions, observed::Left::Shared);
+    notes.extend(rows.iter().find_map(shared));
     let inside = options.over.is_none_or(|r| (r.from..=r.to).contains(&q[r.coordinate]));
     let mut fault = None;
     match held {
         Some(Ok((mut place, ranges))) if inside && !rows.iter().any(|r| close(&r.place.q, &place.q)) => {
             notes.extend(ranges);
             observed::complete(equations, (parameters, &place.q), &mut place.reactions);
-            notes.extend(observed::left_open(equations, &place.reactions));
+            notes.extend(observed::left_open(equations, &place.reactions, observed::Left::Hidden));
             let second = second(equations, parameters, &place);
             rows.insert(0, Row { place, stable: None, growth: f64::NAN, negative: f64::NAN, free: 0, second });
             notes.extend(rough.then(held_by_friction));

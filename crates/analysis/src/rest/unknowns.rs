@@ -5,6 +5,9 @@
 //! q_j = start_j(u)                    coordinates that are given, and others as far as the connections leave them open
 //! F_k = ± μ_k |N_k|                   frictions about to slide: λ > 0 resists sliding forward
 //! ```
+//!
+//! The sign of each N is at first that of the guess on the way. Where that ends nowhere or at what cannot hold, every set of signs is tried, each held fast:
+//! F_k = ± μ_k σ_k N_k, which counts only with σ_k N_k ≥ 0.
 
 use symbolic::Equations;
 use symbolic::connections::Law;
@@ -23,6 +26,11 @@ use algebra::qr::{self, norm};
 const OPEN: f64 = 1e-7;
 /// Residual of the equations at the end.
 const UNBALANCED: f64 = 1e-9;
+
+/// Frictions about to slide of which every set of signs of normal forces is tried.
+const SIGNS: usize = 6;
+/// A normal force of the other sign below this share of the largest is rounding.
+const TURNED: f64 = 1e-9;
 
 /// A friction (by reaction) that is about to slide, forward (1) or backward (-1).
 pub type Impending = (usize, f64);
@@ -57,28 +65,95 @@ pub fn unknowns(equations: &Equations, parameters: &[usize], impending: &[Impend
     let given: Vec<bool> = equations.coordinates.iter().map(|c| c.given[0]).collect();
     let places: Vec<(usize, Option<f64>)> = kept.iter().map(|j| (*j, (!given[*j]).then_some(q[*j]))).collect();
     let limits = limit_rows(&system, impending);
-    let choose = |rows: &Rows, z: &[f64]| chosen(rows, z, &places, &limits);
-    let free: Vec<usize> = (0..system.width()).collect();
-    let solved = newton::solve(&mut system, &mut z, &free, &choose);
-    let all = system.at(&z)?;
-    let rows = choose(&all, &z);
-    determined(equations, &system, &rows, impending)?;
-    if solved?.is_none() && worst(&rows, &z, system.n) > UNBALANCED {
-        return Err(left_over(equations, &system, &all, &z));
-    }
-    let hold = hold(equations, &system, &all, &z);
-    let judged = hold.judge();
-    if matches!(judged, Holds::Slips(_)) && !impending.is_empty() {
-        let unknown: Vec<&str> =
-            parameters.iter().map(|p| equations.graph.symbol_info(equations.parameters[*p].symbol).name.as_str()).collect();
-        let about: Vec<&str> = impending.iter().map(|(r, _)| equations.reactions[*r].name.as_str()).collect();
-        return Err(faults::never_impending(&unknown.join(", "), &about.join(", ")));
-    }
-    if let Some(fault) = super::fault_of(equations, &system.reactions, &hold, &judged) {
-        return Err(fault);
-    }
     let first = system.n + system.reactions.len();
-    Ok(Found { values: z[first..].to_vec(), notes: Vec::new() })
+    let mut search = Search { equations, system, start: z, places, impending };
+    let own = match search.with(&limits)? {
+        Tried::Holds(z) => return Ok(Found { values: z[first..].to_vec(), notes: Vec::new() }),
+        other => other,
+    };
+    let mut balanced = !matches!(own, Tried::Unbalanced(_));
+    for set in signs(&limits) {
+        match search.with(&set) {
+            Ok(Tried::Holds(z)) => return Ok(Found { values: z[first..].to_vec(), notes: Vec::new() }),
+            Ok(Tried::Refused(_) | Tried::Slips) => balanced = true,
+            // this set leaves an unknown open, or its formulas end: it is none to answer with
+            Ok(Tried::Unbalanced(_)) | Err(_) => {}
+        }
+    }
+    match own {
+        Tried::Refused(fault) => Err(fault),
+        Tried::Unbalanced(fault) if !balanced => Err(fault),
+        _ => Err(never(equations, parameters, impending)),
+    }
+}
+
+/// No load slides it this way.
+fn never(equations: &Equations, parameters: &[usize], impending: &[Impending]) -> Fault {
+    let name = |p: &usize| equations.graph.symbol_info(equations.parameters[*p].symbol).name.as_str();
+    let unknown: Vec<&str> = parameters.iter().map(name).collect();
+    let about: Vec<&str> = impending.iter().map(|(r, _)| equations.reactions[*r].name.as_str()).collect();
+    faults::never_impending(&unknown.join(", "), &about.join(", "))
+}
+
+/// What one choice of the signs of normal forces leads to.
+enum Tried {
+    /// A place of rest: z.
+    Holds(Vec<f64>),
+    /// Balanced, but a friction would exceed its limit, or a normal force has the other sign.
+    Slips,
+    /// Balanced, but something is on its wrong side.
+    Refused(Fault),
+    /// Not balanced.
+    Unbalanced(Fault),
+}
+
+struct Search<'s> {
+    equations: &'s Equations,
+    system: RestSystem,
+    /// z of the guess.
+    start: Vec<f64>,
+    /// Coordinates that stand, with their places.
+    places: Vec<(usize, Option<f64>)>,
+    impending: &'s [Impending],
+}
+
+impl Search<'_> {
+    /// *Errors*: S036, S094 an unknown that stays open; formulas outside their domain.
+    fn with(&mut self, limits: &[Limited]) -> Result<Tried, Fault> {
+        let (places, system) = (&self.places, &mut self.system);
+        let choose = |rows: &Rows, z: &[f64]| chosen(rows, z, places, limits);
+        let free: Vec<usize> = (0..system.width()).collect();
+        let mut z = self.start.clone();
+        let solved = newton::solve(system, &mut z, &free, &choose);
+        let all = system.at(&z)?;
+        let rows = choose(&all, &z);
+        determined(self.equations, system, &rows, self.impending)?;
+        if solved?.is_none() && worst(&rows, &z, system.n) > UNBALANCED {
+            // what stays may stay in the limits alone
+            let without = chosen(&all, &z, places, &[]);
+            let by_limits = !limits.is_empty() && worst(&without, &z, system.n) <= UNBALANCED;
+            return Ok(if by_limits { Tried::Slips } else { Tried::Unbalanced(left_over(self.equations, system, &all, &z)) });
+        }
+        if limits.iter().any(|limit| limit.is_turned(&all)) {
+            return Ok(Tried::Slips);
+        }
+        let hold = hold(self.equations, system, &all, &z);
+        let judged = hold.judge();
+        if matches!(judged, Holds::Slips(_)) && !self.impending.is_empty() {
+            return Ok(Tried::Slips);
+        }
+        Ok(super::fault_of(self.equations, &system.reactions, &hold, &judged).map_or(Tried::Holds(z), Tried::Refused))
+    }
+}
+
+/// Every set of signs of the normal forces of these frictions, pressed ones first; none where there are too many.
+fn signs(limits: &[Limited]) -> Vec<Vec<Limited>> {
+    if limits.is_empty() || limits.len() > SIGNS {
+        return Vec::new();
+    }
+    let sign = |set: usize, k: usize| if set >> k & 1 == 1 { -1.0 } else { 1.0 };
+    let one = |set: usize| limits.iter().enumerate().map(|(k, l)| Limited { sign: Some(sign(set, k)), ..*l }).collect();
+    (0..1_usize << limits.len()).map(one).collect()
 }
 
 /// Coordinates that stand at their start: the given ones, and of the others, in their order, those that the places leave open.
@@ -110,27 +185,49 @@ fn kept(equations: &Equations, system: &mut RestSystem, z: &[f64]) -> Result<Vec
     Ok(kept)
 }
 
-/// F = ± μ |N| of a friction.
-pub(super) fn limit_row(rows: &Rows, z: &[f64], (friction, column, direction): (usize, usize, f64)) -> Row {
-    let (fixed, normal) = &rows.limits[friction];
-    let sign = direction * if normal.value < 0.0 { -1.0 } else { 1.0 };
-    let slope = |j: usize| -sign * (fixed.slopes[j] * normal.value + fixed.value * normal.slopes[j]);
-    let mut row = Row { value: z[column] - sign * fixed.value * normal.value, slopes: (0..z.len()).map(slope).collect(), is_force: true };
-    row.slopes[column] += 1.0;
-    row
+/// A friction at its limit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limited {
+    /// Index among the frictions of the system.
+    friction: usize,
+    /// Column of its force in z.
+    column: usize,
+    /// Forward 1, backward -1.
+    direction: f64,
+    /// Sign of the normal force; none: as it is where the row is asked.
+    sign: Option<f64>,
 }
 
-/// (index among the frictions, column of the friction's force in z, direction).
-pub(super) fn limit_rows(system: &RestSystem, impending: &[Impending]) -> Vec<(usize, usize, f64)> {
+impl Limited {
+    /// F = ± μ |N|.
+    pub(super) fn row(&self, rows: &Rows, z: &[f64]) -> Row {
+        let (fixed, normal) = &rows.limits[self.friction];
+        let sign = self.direction * self.sign.unwrap_or(if normal.value < 0.0 { -1.0 } else { 1.0 });
+        let slope = |j: usize| -sign * (fixed.slopes[j] * normal.value + fixed.value * normal.slopes[j]);
+        let mut row =
+            Row { value: z[self.column] - sign * fixed.value * normal.value, slopes: (0..z.len()).map(slope).collect(), is_force: true };
+        row.slopes[self.column] += 1.0;
+        row
+    }
+
+    /// Whether the normal force has the other sign than was taken.
+    fn is_turned(&self, rows: &Rows) -> bool {
+        let size = rows.limits.iter().fold(0.0_f64, |m, (_, normal)| m.max(normal.value.abs()));
+        self.sign.is_some_and(|sign| sign * rows.limits[self.friction].1.value < -TURNED * size)
+    }
+}
+
+/// These frictions at their limits.
+pub(super) fn limit_rows(system: &RestSystem, impending: &[Impending]) -> Vec<Limited> {
     let place = |(r, direction): &Impending| {
         let friction = system.frictions.iter().position(|f| f == r)?;
         let column = system.reactions.iter().position(|own| own == r)?;
-        Some((friction, system.n + column, *direction))
+        Some(Limited { friction, column: system.n + column, direction: *direction, sign: None })
     };
     impending.iter().filter_map(place).collect()
 }
 
-fn chosen(rows: &Rows, z: &[f64], places: &[(usize, Option<f64>)], limits: &[(usize, usize, f64)]) -> Vec<Row> {
+fn chosen(rows: &Rows, z: &[f64], places: &[(usize, Option<f64>)], limits: &[Limited]) -> Vec<Row> {
     let mut all: Vec<Row> = rows.forces.iter().chain(&rows.places).chain(&rows.balances).cloned().collect();
     for (j, value) in places {
         // q_j - start_j(u)
@@ -143,7 +240,7 @@ fn chosen(rows: &Rows, z: &[f64], places: &[(usize, Option<f64>)], limits: &[(us
         row.slopes[*j] += 1.0;
         all.push(row);
     }
-    all.extend(limits.iter().map(|limit| limit_row(rows, z, *limit)));
+    all.extend(limits.iter().map(|limit| limit.row(rows, z)));
     all
 }
 

@@ -77,6 +77,8 @@ pub enum Claim {
         name: String,
         at: f64,
     },
+    /// No place of rest has a value of it, and the column says why.
+    Open(String),
     /// Least or greatest value of the motion, or its instant.
     Extreme {
         name: String,
@@ -165,8 +167,11 @@ pub fn parse(line: &str) -> Result<Claim, String> {
         }
         "impulse" => impulse(line).ok_or_else(unknown)?,
         "no" if word(1) == "value" => {
-            let (name, at) = line["no value".len()..].trim().strip_suffix(')').and_then(|n| n.rsplit_once('(')).ok_or_else(unknown)?;
-            Ok(Claim::NoValue { name: name.to_owned(), at: number(at)? })
+            let whole = line["no value".len()..].trim();
+            let split = whole.strip_suffix(')').and_then(|n| n.rsplit_once('('));
+            // `force(R)` is a name
+            let timed = split.and_then(|(name, at)| Some((name, number(at).ok()?)));
+            Ok(timed.map_or(Claim::Open(whole.to_owned()), |(name, at)| Claim::NoValue { name: name.to_owned(), at }))
         }
         "no" if word(1) == "impulse" => {
             let (name, event) = line["no impulse".len()..].split_once(" at event ").ok_or_else(unknown)?;

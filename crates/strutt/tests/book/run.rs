@@ -369,6 +369,12 @@ impl Outcome {
             }
             (Outcome::Study(results), claim) => study_claim(results, claim),
             (Outcome::Rest(data), claim @ (Claim::Audit { .. } | Claim::AuditFails(_) | Claim::AuditsOk)) => motion(&[], data, claim),
+            (Outcome::Rest(data), Claim::Open(name)) => {
+                let column = data.column(name).ok_or_else(|| no_column(data, name))?;
+                let open = |v: &f64| v.is_nan() && data.explains(name, *v);
+                let all = !column.values.is_empty() && column.values.iter().all(open);
+                if all { Ok(()) } else { Err(format!("{name}: {:?}, or nothing says why it is empty", column.values)) }
+            }
             (Outcome::Rest(data), Claim::Rest { name, expected, tolerance }) => {
                 let column = data.column(name).ok_or_else(|| no_column(data, name))?;
                 // several equilibria may be found; the claim is about the nearest
