@@ -16,7 +16,7 @@ pub(crate) use values::{components, short, string, wrong_type};
 use crate::formula::{self, Builder, Context, Depends, Formula, Kind, KinematicFunction, Scope, check, lower};
 use crate::model::{ParameterDecl, Premise, Reliance};
 use crate::snippet::{Site, Snippet};
-use crate::units::{self, Dimension, Quantity, Unit, mismatch};
+use crate::units::{self, Dimension, Quantity, Unit, mismatch, mismatch_of_number};
 use draft::Draft;
 use evaluate::Values;
 use std::borrow::Cow;
@@ -276,7 +276,8 @@ impl<'a> Reader<'a> {
         if let (Some(wanted), Kind::Known(got)) = (wanted, checked.kind)
             && !got.same(wanted)
         {
-            let fault = mismatch(raw.snippet.all(), &got, wanted, formula.is_literal());
+            let mismatch = if formula.is_literal() { mismatch_of_number } else { mismatch };
+            let fault = mismatch(raw.snippet.all(), &got, wanted);
             self.report(raw.snippet.diagnose(fault));
             return self.nothing();
         }

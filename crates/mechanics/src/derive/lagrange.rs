@@ -67,8 +67,17 @@ impl Gathered {
     }
 }
 
+/// Whose kinetic energy is wanted.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum EnergyOf {
+    /// Of the machine.
+    Machine,
+    /// Of the machine and of each body.
+    Bodies,
+}
+
 /// Gathers the kinetic energy.
-pub fn kinetic_energy(scene: &mut Scene, kinematics: &mut Kinematics, per_body: bool) -> Kinetic {
+pub fn kinetic_energy(scene: &mut Scene, kinematics: &mut Kinematics, of: EnergyOf) -> Kinetic {
     let model = scene.model;
     let mut kinetic = Kinetic::default();
     let mut total = Gathered::default();
@@ -88,7 +97,7 @@ pub fn kinetic_energy(scene: &mut Scene, kinematics: &mut Kinematics, per_body: 
                 own.push(pair, product, factor);
             });
         }
-        let own = if per_body { own.finish(scene) } else { Quadratic::new() };
+        let own = if of == EnergyOf::Bodies { own.finish(scene) } else { Quadratic::new() };
         kinetic.bodies.push(own);
     }
     let one = scene.graph.one();

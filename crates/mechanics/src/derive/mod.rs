@@ -25,11 +25,11 @@ use crate::model::{Class, ConnectionKind, CoordinateDecl, Inertia, Model, Part};
 use algebra::elementary;
 use connections::Connected;
 use kinematics::Kinematics;
-use lagrange::{Kinetic, Quadratic};
+use lagrange::{EnergyOf, Kinetic, Quadratic};
 use loads::Loads;
 use requests::{EnergyTerms, Resolver};
 use scene::Scene;
-use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role, Start};
+use symbolic::equations::{Applied, Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role, Start, Step};
 use symbolic::{Equations, Expr, Matrix, SymbolId};
 use words::notice::sort;
 use words::{Notice, Text};
@@ -60,28 +60,27 @@ pub fn derive(model: &Model) -> Result<Equations, Vec<Notice>> {
 /// *Errors*: a coordinate without inertia (M100), a plane inertia on a body that tumbles in space (M101), an undefined relative angle
 /// (M102), a kinematic function that is not available (M103).
 pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Notice>> {
+    let mut errors = Vec::new();
+    derivation(model, detail, &mut errors).map_err(|more| {
+        errors.extend(more);
+        sort(&mut errors);
+        errors
+    })
+}
+
+/// The same; faults after which it goes on for a while are noted, the one that ends it is given back.
+fn derivation(model: &Model, detail: Detail, noted: &mut Vec<Notice>) -> Result<Equations, Vec<Notice>> {
     let mut scene = Scene::new(model);
     let mut kinematics = Kinematics::new(&mut scene);
-    let mut errors = plane_inertia_in_space(&mut scene, &kinematics);
+    noted.extend(plane_inertia_in_space(&mut scene, &kinematics));
     let shown = scene.n() <= LARGEST_SHOWN;
     let written = shown && detail == Detail::Steps;
     let mut resolver = Resolver::default();
-    let loads = match loads::collect(&mut scene, &mut kinematics, &mut resolver) {
-        Ok(loads) => loads,
-        Err(more) => {
-            errors.extend(more);
-            sort(&mut errors);
-            return Err(errors);
-        }
-    };
-    let kinetic = lagrange::kinetic_energy(&mut scene, &mut kinematics, written || asks_for_bodies(model));
-    let connected = connections::connect(&mut scene, &mut kinematics, &mut resolver).map_err(|more| {
-        errors.extend(more);
-        sort(&mut errors);
-        errors.clone()
-    });
-    let mut connected = connected?;
-    errors.extend(missing_inertia(&scene, &kinetic.total, &connected));
+    let loads = loads::collect(&mut scene, &mut kinematics, &mut resolver)?;
+    let whose = if written || asks_for_bodies(model) { EnergyOf::Bodies } else { EnergyOf::Machine };
+    let kinetic = lagrange::kinetic_energy(&mut scene, &mut kinematics, whose);
+    let mut connected = connections::connect(&mut scene, &mut kinematics, &mut resolver)?;
+    noted.extend(missing_inertia(&scene, &kinetic.total, &connected));
     let motion = Motion::new(&mut scene, &kinetic, &loads, &connected);
     let inertial = newton_euler::inertial(&mut scene, &mut kinematics);
     connected.balance(&mut scene, &mut kinematics, &loads, &inertial);
@@ -91,74 +90,103 @@ pub fn derive_in(model: &Model, detail: Detail) -> Result<Equations, Vec<Notice>
     resolver.energies = Some(EnergyTerms { kinetic: energy.kinetic, potential: energy.potential, dissipation: energy.dissipation });
     resolver.kinetic = kinetic.bodies.iter().map(|b| (!b.is_empty()).then(|| lagrange::energy_of(&mut scene, b))).collect();
     let steps = if written { steps::write(&mut scene, &mut kinematics, (&kinetic, &loads, &motion), &connected) } else { Vec::new() };
-    let textbook = motion.textbook(&mut scene, shown);
+    let textbook = if shown { motion.textbook(&mut scene) } else { Err(too_many(scene.n())) };
     let applied = loads.by_name(&mut scene, &connected.applied);
     resolver.told = loads.told;
-    let outputs = outputs(&mut scene, &mut kinematics, &mut resolver).map_err(|more| {
-        errors.extend(more);
-        errors.clone()
-    });
-    let outputs = match outputs {
-        Ok(outputs) if errors.is_empty() => outputs,
-        _ => {
-            sort(&mut errors);
-            return Err(errors);
-        }
-    };
-    let outputs: Vec<Output> = outputs.into_iter().chain(connected.motor_powers(&mut scene)).collect();
+    let outputs = outputs(&mut scene, &mut kinematics, &mut resolver)?;
+    if !noted.is_empty() {
+        return Err(Vec::new());
+    }
+    let outputs = outputs.into_iter().chain(connected.motor_powers(&mut scene)).collect();
     let mass = motion.mass_matrix(&mut scene);
     let force = motion.right_sides(&mut scene);
-    let mut roots: Vec<Expr> = mass.entries().to_vec();
-    roots.extend(force.iter().chain(&second.residuals).copied());
-    roots.extend([
-        energy.kinetic,
-        energy.potential,
-        energy.dissipation,
-        energy.dissipated,
-        energy.rate,
-        energy.loads,
-        energy.drives,
-        energy.through,
-    ]);
-    roots.extend(outputs.iter().map(|o| o.formula));
-    roots.extend(scene.places.iter().copied());
-    if let Ok(equalities) = &textbook {
-        roots.extend(equalities.iter().flat_map(|e| [e.left, e.right]));
+    let derived = Derived { mass, force, second: second.residuals, energy, outputs, textbook, applied };
+    Ok(derived.equations(scene, connected, steps))
+}
+
+/// What the derivations gave.
+struct Derived {
+    mass: Matrix,
+    force: Vec<Expr>,
+    /// Residuals of the second derivation.
+    second: Vec<Expr>,
+    energy: Energy,
+    outputs: Vec<Output>,
+    textbook: Result<Vec<Equality>, Text>,
+    applied: Vec<Applied>,
+}
+
+impl Derived {
+    /// Together with the connections and the steps, and with the definitions of what all these formulas use.
+    fn equations(self, mut scene: Scene, connected: Connected, steps: Vec<Step>) -> Equations {
+        let model = scene.model;
+        let roots = self.formulas(&mut scene, &connected);
+        let definitions = definitions(&mut scene, &roots);
+        let (parameters, starts) = with_starts(&scene, parameters(model));
+        let zero = scene.graph.zero();
+        Equations {
+            title: model.title.clone(),
+            time: model.time,
+            coordinates: coordinates(model),
+            auxiliaries: scene.turns.iter().map(|t| auxiliary(model, t, zero)).collect(),
+            parameters,
+            starts,
+            definitions,
+            mass: self.mass,
+            force: self.force,
+            reactions: connected.reactions,
+            conditions: connected.conditions,
+            balances: connected.balances,
+            released: connected.free,
+            impacts: model.impacts,
+            textbook: self.textbook,
+            steps,
+            second: self.second,
+            places: scene.places,
+            applied: self.applied,
+            energy: self.energy,
+            outputs: self.outputs,
+            notation: model.notation.clone(),
+            premises: scene.premises,
+            graph: scene.graph,
+        }
     }
-    roots.extend(scene.turns.iter().map(|t| t.rate));
-    roots.extend(connected.expressions());
-    let zero = scene.graph.zero();
-    roots.extend(connected.free.expressions(zero));
-    roots.extend(applied.iter().flat_map(|a| a.forces.iter().chain(&a.released).map(|f| f.1)));
-    let definitions = definitions(&mut scene, &roots);
-    let (parameters, starts) = with_starts(&scene, parameters(model));
-    let zero = scene.graph.zero();
-    Ok(Equations {
-        title: model.title.clone(),
-        time: model.time,
-        coordinates: coordinates(model),
-        auxiliaries: scene.turns.iter().map(|t| auxiliary(model, t, zero)).collect(),
-        parameters,
-        starts,
-        definitions,
-        mass,
-        force,
-        reactions: connected.reactions,
-        conditions: connected.conditions,
-        balances: connected.balances,
-        released: connected.free,
-        impacts: model.impacts,
-        textbook,
-        steps,
-        second: second.residuals,
-        places: scene.places,
-        applied,
-        energy,
-        outputs,
-        notation: model.notation.clone(),
-        premises: scene.premises,
-        graph: scene.graph,
-    })
+
+    /// Every formula of the equations.
+    fn formulas(&self, scene: &mut Scene, connected: &Connected) -> Vec<Expr> {
+        let energy = &self.energy;
+        let mut roots: Vec<Expr> = self.mass.entries().to_vec();
+        roots.extend(self.force.iter().chain(&self.second).copied());
+        roots.extend([
+            energy.kinetic,
+            energy.potential,
+            energy.dissipation,
+            energy.dissipated,
+            energy.rate,
+            energy.loads,
+            energy.drives,
+            energy.through,
+        ]);
+        roots.extend(self.outputs.iter().map(|o| o.formula));
+        roots.extend(scene.places.iter().copied());
+        if let Ok(equalities) = &self.textbook {
+            roots.extend(equalities.iter().flat_map(|e| [e.left, e.right]));
+        }
+        roots.extend(scene.turns.iter().map(|t| t.rate));
+        roots.extend(connected.expressions());
+        let zero = scene.graph.zero();
+        roots.extend(connected.free.expressions(zero));
+        roots.extend(self.applied.iter().flat_map(|a| a.forces.iter().chain(&a.released).map(|f| f.1)));
+        roots
+    }
+}
+
+/// Why the equations of a large machine are not written out.
+fn too_many(n: usize) -> Text {
+    Text::new(
+        format!("{n} equations are not written out: more than {LARGEST_SHOWN} coordinates"),
+        format!("уравнения не выписаны: координат {n}, больше {LARGEST_SHOWN}"),
+    )
 }
 
 /// The parts of Lagrange's equations, Σ M_ij q''_j + gyroscopic = conservative + resisting + applied.
@@ -201,14 +229,8 @@ impl Motion {
     }
 
     /// Σ M_ij q''_j = right side, for every coordinate, unless that is too long to read.
-    fn textbook(&self, scene: &mut Scene, shown: bool) -> Result<Vec<Equality>, Text> {
+    fn textbook(&self, scene: &mut Scene) -> Result<Vec<Equality>, Text> {
         let n = scene.n();
-        if !shown {
-            return Err(Text::new(
-                format!("{n} equations are not written out: more than {LARGEST_SHOWN} coordinates"),
-                format!("уравнения не выписаны: координат {n}, больше {LARGEST_SHOWN}"),
-            ));
-        }
         let mut equalities = Vec::with_capacity(n);
         for i in 0..n {
             let mut terms = Vec::new();

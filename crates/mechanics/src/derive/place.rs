@@ -17,7 +17,7 @@
 
 use super::kinematics::Kinematics;
 use super::pathways::unit_vector;
-use super::scene::{Columns, Scene, Vector};
+use super::scene::{Columns, Scene, Vector, is_spatial};
 use super::wrench::{Act, Along, Formula, carrier};
 use crate::model::{Axis, FrameId, Measure, PointRef};
 use std::collections::{BTreeMap, BTreeSet};
@@ -76,9 +76,9 @@ pub struct Placer {
 
 impl Placer {
     /// Looks at all frames.
-    pub fn new(scene: &mut Scene, kinematics: &Kinematics, spatial: bool) -> Placer {
+    pub fn new(scene: &mut Scene, kinematics: &Kinematics) -> Placer {
         let own = (0..scene.model.frames.len()).map(|i| own(scene, kinematics, FrameId(i))).collect();
-        Placer { own, spatial, open: Vec::new() }
+        Placer { own, spatial: is_spatial(scene.model), open: Vec::new() }
     }
 
     /// The actions with forces and moments in place of formulas.

@@ -4,7 +4,7 @@
 //! frames with a prescribed rate. All three are one extra direction of motion, number n after the coordinates 0..n, with rate 1: a
 //! velocity is Σ J_j q'_j + J_n. Lagrange's and Newton-Euler's formulas then need no terms of their own for moving constraints.
 
-use crate::model::{Class, Model};
+use crate::model::{Axis, Class, Inertia, Model, Origin};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 use symbolic::{Derivation, Expr, Function, Graph, Node, Occurrence, Substitution, SymbolId, Textbook};
@@ -16,6 +16,23 @@ pub type Vector = [Expr; 3];
 
 /// Nonzero columns of a Jacobian: direction (coordinate number, or n for time) and column.
 pub type Columns<T> = BTreeMap<usize, T>;
+
+/// Whether anything leaves the plane.
+pub fn is_spatial(model: &Model) -> bool {
+    let graph = &model.graph;
+    let off = |e: Expr| !graph.is_zero(e);
+    let frames = model.frames.iter().any(|f| {
+        let origin = matches!(f.origin, Origin::Vector(v) if off(v[2]));
+        let axes = f.rotations.iter().any(|(a, _)| *a != Axis::Z) || f.spin.is_some_and(|(a, _)| a != Axis::Z);
+        let center = f.mass.as_ref().is_some_and(|m| off(m.center[2]));
+        let products = f.mass.as_ref().is_some_and(|m| matches!(m.inertia, Inertia::Tensor { yz, xz, .. } if off(yz) || off(xz)));
+        origin || axes || center || products
+    });
+    frames
+        || model.points.iter().any(|p| off(p.at[2]))
+        || model.gravity.is_some_and(|g| off(g[2]))
+        || model.elements.iter().flat_map(|e| e.law.leaves_plane()).any(off)
+}
 
 /// How many time derivatives of a formula of time may be met: positions are differentiated twice, outputs may add a few.
 const HIGHEST_DERIVATIVE: u8 = 6;

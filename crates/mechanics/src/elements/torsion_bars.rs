@@ -157,17 +157,17 @@ fn read<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Made> {
     }
     let section = polar.map(|p| p.1);
     let law = TorsionBar { between: between.unwrap_or([FrameId::GROUND; 2]), stiffness, rest, damping: damping.map(|b| b.expr), section };
-    Some(Made { law: Arc::new(law), told: told(section.is_some()) })
+    Some(Made { law: Arc::new(law), told: told(section) })
 }
 
 /// Torque per angular rate.
 const DAMPING: Dimension = Dimension::of(2, 1, -1);
 
 /// What formulas may ask: torque, twist and, for a bar of known diameter, stress.
-fn told(has_section: bool) -> Vec<Told> {
+fn told(section: Option<Expr>) -> Vec<Told> {
     let [moment, angle, stress] = [Dimension::ENERGY, Dimension::ANGLE, STRESS].map(Kind::Known);
     let answer = |function, kind, value| Told { function, kind, value };
-    let stress = has_section.then_some(answer("stress", stress, 2));
+    let stress = section.map(|_| answer("stress", stress, 2));
     [answer("torque", moment, 0), answer("force", moment, 0), answer("twist", angle, 1), answer("extension", angle, 1)]
         .into_iter()
         .chain(stress)

@@ -276,7 +276,7 @@ impl Pass<'_> {
                 (Kind::Known(d), None) => result = Some((d, id)),
                 (Kind::Known(d), Some((first, from))) if !first.same(&d) => {
                     let (from, first) = (*from, *first);
-                    let fault = mismatch_inside(self, from, &first, id, &d, en, ru);
+                    let fault = mismatch_inside(self, [(from, &first), (id, &d)], (en, ru));
                     return self.fail(fault);
                 }
                 (Kind::Known(d), Some((first, _))) => *first = first.with_angle_of(&d),
@@ -473,7 +473,7 @@ fn misplaced_reaction(name: &str, span: &Range<usize>) -> Notice {
     )
 }
 
-fn mismatch_inside(pass: &Pass, from: NodeId, first: &Dimension, id: NodeId, second: &Dimension, en: &str, ru: &str) -> Notice {
+fn mismatch_inside(pass: &Pass, [(from, first), (id, second)]: [(NodeId, &Dimension); 2], (en, ru): (&str, &str)) -> Notice {
     let (left, right) = (si_label(first), si_label(second));
     let (left_ru, right_ru) = (si_label_ru(first), si_label_ru(second));
     let (a, b) = (pass.span(from), pass.span(id));

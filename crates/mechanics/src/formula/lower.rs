@@ -59,12 +59,12 @@ fn build(node: &Ast, span: &Range<usize>, values: &[Expr], scope: &Scope, builde
         Ast::Quantity(q) => q.si(graph),
         Ast::Name { name, primes } => return name_value(name, *primes, scope, builder),
         Ast::Sum(terms) => {
-            let items: Vec<(Expr, Rational)> = terms.iter().map(|(neg, id)| (values[*id], sign(*neg))).collect();
+            let items = signed(terms, values);
             builder.work += items.len();
             tree(&items, span, builder, &|graph, items| graph.linear(Rational::ZERO, items))?
         }
         Ast::Product(factors) => {
-            let items: Vec<(Expr, Rational)> = factors.iter().map(|(inverse, id)| (values[*id], sign(*inverse))).collect();
+            let items = signed(factors, values);
             builder.work += items.len();
             tree(&items, span, builder, &|graph, items| graph.monomial(Rational::ONE, items))?
         }
@@ -96,8 +96,9 @@ fn build(node: &Ast, span: &Range<usize>, values: &[Expr], scope: &Scope, builde
     })
 }
 
-fn sign(negative: bool) -> Rational {
-    if negative { Rational::MINUS_ONE } else { Rational::ONE }
+/// Operands with -1 where they are subtracted or divided by, else with 1.
+fn signed(operands: &[(bool, NodeId)], values: &[Expr]) -> Vec<(Expr, Rational)> {
+    operands.iter().map(|(inverse, id)| (values[*id], if *inverse { Rational::MINUS_ONE } else { Rational::ONE })).collect()
 }
 
 /// The guard of a condition and its edge: a <= b holds where b - a >= 0, a < b where b - a > 0.

@@ -3,7 +3,7 @@
 use crate::fields;
 use crate::formula::{Context, Kind};
 use crate::model::{EventDecl, EventDirection};
-use crate::reader::{Fields, Reader, string, wrong_type};
+use crate::reader::{Fields, Reader, string};
 use crate::units::si_label;
 use words::Notice;
 
@@ -15,14 +15,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<EventDe
 
 fn event<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>) -> Option<EventDecl> {
     let direction = direction(reader, fields);
-    let stop = match fields.get("stop").map(|v| (v, v.get_ref().as_bool())) {
-        None => false,
-        Some((_, Some(on))) => on,
-        Some((value, None)) => {
-            reader.fault(wrong_type(value.span(), "true or false", "true или false", value.get_ref().type_str()));
-            false
-        }
-    };
+    let stop = fields.flag(reader, "stop").unwrap_or(false);
     let zero = fields.formula(reader, "zero", &Context::OUTPUT, None)?;
     let span = fields.span_of("zero");
     if zero.good && zero.depends.is_constant() {

@@ -237,15 +237,8 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Mass> {
         Some(0.0) if !literal_zero && !reader.is_set_by_hand(&mass) => reader.fault(no_mass(fields)),
         _ => {}
     }
-    let inertia = shapes::inertia(reader, fields, mass.expr, mass.good && literal_zero);
-    let gravity = match fields.get("gravity").map(|v| (v, v.get_ref().as_bool())) {
-        None => true,
-        Some((_, Some(on))) => on,
-        Some((value, None)) => {
-            reader.fault(wrong_type(value.span(), "true or false", "true или false", value.get_ref().type_str()));
-            true
-        }
-    };
+    let inertia = shapes::inertia(reader, fields, &mass);
+    let gravity = fields.flag(reader, "gravity").unwrap_or(true);
     let massless = literal_zero && matches!(inertia, Inertia::None);
     (!massless).then_some(Mass { mass: mass.expr, center, inertia, gravity })
 }

@@ -25,13 +25,17 @@ pub use crate::reader::MAX_FINDINGS;
 pub use overrides::split as split_override;
 pub use ranges::sweep_range;
 
-use crate::asked::{Asked, Kinds, Value};
+use crate::asked::Kinds;
 use crate::elements;
 use crate::fields;
 use crate::formula::KINEMATIC_FUNCTIONS;
-use crate::model::Model;
+use crate::model::{Connection, CoordinateDecl, Element, Frame, Model, ParameterDecl, Point};
 use crate::reader::syntax;
 use crate::reader::{Fields, Reader};
+use crate::section::Section;
+use crate::structure::Structure;
+use std::collections::HashSet;
+use symbolic::{Expr, SymbolId};
 use words::{Notice, Severity, Text, notice};
 
 /// Largest model file, bytes.
@@ -117,43 +121,13 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     let description = top.text(reader, "description").unwrap_or_default();
     let mut notation = Vec::new();
 
-    let mut raw_coordinates = parameters::collect_coordinates(reader, &top, &mut notation);
-    raw_coordinates.extend(parameters::collect_displacements(reader, &top, &mut notation));
-    let raw_parameters = parameters::collect(reader, &top, &mut notation);
-    let parameter_names = raw_parameters.iter().map(|p| p.name.clone()).collect();
-    let raw_outputs = outputs::collect(reader, &top, &parameter_names, &mut notation);
-    let mut schedule = phases::collect(reader, &top);
-    schedule.check_names(reader, &raw_coordinates, &raw_parameters);
-    overrides::check_names(reader, &raw_coordinates, &raw_parameters, &schedule);
-    parameters::declare_coordinates(reader, &raw_coordinates);
-    let mut parameters = parameters::resolve(reader, raw_parameters, &mut schedule);
-    let phases = schedule.finish(reader);
-    let coordinates = parameters::starts(reader, raw_coordinates);
-    let (frames, mut points) = frames::read(reader, &top);
-    let sections = sections::read(reader, &top);
-    structures::nodes(reader, &top, &sections);
-    structures::rods(reader, &top);
-    let gravity = frames::gravity(reader, &top, &frames);
-    connections::announce(reader, &top);
-    let mut elements = elements::read(reader, &top, &structures::takes);
-    let space = connections::Space::new(reader, &frames, &points, &parameters);
-    let connections = connections::read(reader, &top, &space);
-    let places_of = connections::Places { frames: &frames, points: &points, coordinates: &coordinates };
-    connections::warn(reader, &connections, &places_of);
-    let (resultants, places) = connections::distributed(reader, &top, &space, points.len());
-    elements.extend(resultants);
-    points.extend(places);
+    let Quantities { mut parameters, coordinates, outputs, mut schedule, phases } = quantities(reader, &top, &mut notation);
+    let Machine { frames, points, sections, gravity, mut elements, connections } = machine(reader, &top, (&parameters, &coordinates));
     let acting = reader.builder.used.clone();
-    let outputs = outputs::resolve(reader, raw_outputs);
+    let outputs = outputs::resolve(reader, outputs);
     let events = events::read(reader, &top);
     let claims = claims::read(reader, &top);
-    if let Some(acceleration) = gravity.structure {
-        plane::weight(reader, &top, acceleration);
-    }
-    let mut structure = structures::read(reader, &top);
-    for d in structure.iter_mut().flat_map(|s| &mut s.displacements) {
-        d.loaded = coordinates.iter().any(|c| c.name == d.name && c.symbols.iter().any(|s| acting.contains(s)));
-    }
+    let mut structure = structure(reader, &top, gravity.structure, (&coordinates, &acting));
     let on_structure = structure.iter_mut().flat_map(|s| &mut s.loads);
     let loads = phases::Loads { elements: &mut elements, on_structure: on_structure.collect() };
     parameters.extend(schedule.restart(reader, &parameters, loads, &mut notation));
@@ -162,8 +136,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     let impacts = connections::impacts(reader, &top);
 
     let mut unknowns = unknowns::check(reader, &top, &parameters);
-    let ranges = |s: &Asked| s.has("range") && matches!(s.get("over"), Some(Value::Coordinate(_)));
-    let impending = unknowns::impending(reader, &top, &connections, !unknowns.is_empty() || studies.iter().any(ranges));
+    let impending = unknowns::impending(reader, &top, &connections, (&unknowns, &studies));
     let rests = reader.take_rests();
     unknowns.extend(rests.iter().map(|p| p.symbol));
     parameters.extend(rests);
@@ -200,6 +173,77 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
         scaled: std::mem::take(&mut reader.scaled),
         premises,
     }
+}
+
+/// What formulas name: parameters, coordinates, and the outputs before their formulas are checked.
+struct Quantities<'a> {
+    parameters: Vec<ParameterDecl>,
+    coordinates: Vec<CoordinateDecl>,
+    outputs: Vec<outputs::RawOutput<'a>>,
+    schedule: phases::Schedule<'a>,
+    /// Ends of the phases.
+    phases: Vec<f64>,
+}
+
+fn quantities<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, notation: &mut Vec<(String, String)>) -> Quantities<'a> {
+    let mut coordinates = parameters::collect_coordinates(reader, top, notation);
+    coordinates.extend(parameters::collect_displacements(reader, top, notation));
+    let raw = parameters::collect(reader, top, notation);
+    let names = raw.iter().map(|p| p.name.clone()).collect();
+    let outputs = outputs::collect(reader, top, &names, notation);
+    let mut schedule = phases::collect(reader, top);
+    schedule.check_names(reader, &coordinates, &raw);
+    overrides::check_names(reader, &coordinates, &raw, &schedule);
+    parameters::declare_coordinates(reader, &coordinates);
+    let parameters = parameters::resolve(reader, raw, &mut schedule);
+    let phases = schedule.finish(reader);
+    let coordinates = parameters::starts(reader, coordinates);
+    Quantities { parameters, coordinates, outputs, schedule, phases }
+}
+
+/// What stands in the machine and what acts on it.
+struct Machine {
+    frames: Vec<Frame>,
+    points: Vec<Point>,
+    sections: Vec<Section>,
+    gravity: frames::Gravity,
+    elements: Vec<Element>,
+    connections: Vec<Connection>,
+}
+
+fn machine<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, (parameters, coordinates): (&[ParameterDecl], &[CoordinateDecl])) -> Machine {
+    let (frames, mut points) = frames::read(reader, top);
+    let sections = sections::read(reader, top);
+    structures::nodes(reader, top, &sections);
+    structures::rods(reader, top);
+    let gravity = frames::gravity(reader, top, &frames);
+    connections::announce(reader, top);
+    let mut elements = elements::read(reader, top, &structures::takes);
+    let space = connections::Space::new(reader, &frames, &points, parameters);
+    let connections = connections::read(reader, top, &space);
+    let places_of = connections::Places { frames: &frames, points: &points, coordinates };
+    connections::warn(reader, &connections, &places_of);
+    let (resultants, places) = connections::distributed(reader, top, &space, points.len());
+    elements.extend(resultants);
+    points.extend(places);
+    Machine { frames, points, sections, gravity, elements, connections }
+}
+
+/// The structure of nodes and rods under its weight; its displacements are loaded by what formulas of elements have used.
+fn structure<'a>(
+    reader: &mut Reader<'a>,
+    top: &Fields<'a>,
+    gravity: Option<[Expr; 3]>,
+    (coordinates, acting): (&[CoordinateDecl], &HashSet<SymbolId>),
+) -> Option<Structure> {
+    if let Some(acceleration) = gravity {
+        plane::weight(reader, top, acceleration);
+    }
+    let mut structure = structures::read(reader, top);
+    for d in structure.iter_mut().flat_map(|s| &mut s.displacements) {
+        d.loaded = coordinates.iter().any(|c| c.name == d.name && c.symbols.iter().any(|s| acting.contains(s)));
+    }
+    structure
 }
 
 /// `gallery/pendulum/model.toml` is called pendulum, `top.toml` top.

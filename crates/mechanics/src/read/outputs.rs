@@ -112,7 +112,7 @@ fn declare<'a>(reader: &mut Reader<'a>, o: RawOutput<'a>) -> OutputDecl {
     let display = o.unit.as_ref().map(|(unit, label, span)| {
         let factor = match value.kind {
             Kind::Known(d) if !d.same(&unit.dimension) => {
-                reader.fault(mismatch(span.clone(), &unit.dimension, &d, false));
+                reader.fault(mismatch(span.clone(), &unit.dimension, &d));
                 1.0
             }
             Kind::Known(d) => {

@@ -331,7 +331,7 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
     let mut symbol_free = p.raw.formula.as_ref().is_some_and(Formula::is_symbol_free);
     if let Some((unit, span, _)) = &p.unit {
         match value.kind {
-            Kind::Known(d) if !d.same(&unit.dimension) => reader.fault(mismatch(span.clone(), &unit.dimension, &d, false)),
+            Kind::Known(d) if !d.same(&unit.dimension) => reader.fault(mismatch(span.clone(), &unit.dimension, &d)),
             Kind::Known(d) => {
                 if let Some(fault) = in_field(&d, &unit.dimension, p.raw.snippet.all()) {
                     let finding = p.raw.snippet.diagnose(fault);
@@ -374,7 +374,8 @@ fn declare<'a>(reader: &mut Reader<'a>, mut p: RawParameter<'a>, schedule: &mut 
         value = over_time;
         symbol_free = false;
     }
-    finish(reader, p, value, written, symbol_free)
+    let shown = if symbol_free { ParameterValue::Number { si: value.expr } } else { ParameterValue::Formula(value.expr) };
+    finish(reader, p, value, (written, shown))
 }
 
 /// `{ value = 5, unit = "kg" }` is 5 kg.
@@ -390,7 +391,7 @@ fn apply_unit(reader: &mut Reader, p: &mut RawParameter) {
     }
 }
 
-fn finish(reader: &mut Reader, p: RawParameter, value: Checked, written: String, symbol_free: bool) -> ParameterDecl {
+fn finish(reader: &mut Reader, p: RawParameter, value: Checked, (written, shown): (String, ParameterValue)) -> ParameterDecl {
     let symbol = reader.builder.graph.symbol_id(&p.name, 0);
     let number = reader.number_for(&value, Reliance::Finite);
     if let Some(n) = number {
@@ -405,7 +406,6 @@ fn finish(reader: &mut Reader, p: RawParameter, value: Checked, written: String,
     };
     let dimension = if value.good { value.kind } else { Kind::Unknown };
     reader.scope.declare(&p.name, Entry { kind: EntryKind::Parameter(symbol), dimension, depends: value.depends });
-    let shown = if symbol_free { ParameterValue::Number { si: value.expr } } else { ParameterValue::Formula(value.expr) };
     ParameterDecl {
         name: p.name,
         symbol,

@@ -107,9 +107,13 @@ pub(super) fn parse(text: &str) -> Result<Range, Notice> {
     }
     let items: Vec<&str> = inner.split(separator).map(str::trim).collect();
     let (values, dimension) = match (kind, items.as_slice()) {
-        ("linspace" | "logspace", [from, to, count]) => {
-            let ([from, to], dimension) = two(from, to, &whole)?;
-            (spaced(kind == "logspace", from, to, number_of(count, &whole)?, &whole)?, dimension)
+        ("linspace", [from, to, count]) => {
+            let (ends, dimension) = two(from, to, &whole)?;
+            (evenly(ends, number_of(count, &whole)?), dimension)
+        }
+        ("logspace", [from, to, count]) => {
+            let (ends, dimension) = two(from, to, &whole)?;
+            (by_factors(ends, number_of(count, &whole)?, &whole)?, dimension)
         }
         ("", items) => {
             if separator == ',' && decimal_comma(inner, items) {
@@ -190,23 +194,30 @@ fn number_of(text: &str, whole: &Span<usize>) -> Result<usize, Notice> {
     })
 }
 
-/// Both ends exactly as written.
-fn spaced(logarithmic: bool, from: f64, to: f64, count: usize, whole: &Span<usize>) -> Result<Vec<f64>, Notice> {
-    if logarithmic && !(from > 0.0 && to > 0.0) {
+/// Values at equal distances.
+fn evenly([from, to]: [f64; 2], count: usize) -> Vec<f64> {
+    between([from, to], count, |part| from + (to - from) * part)
+}
+
+/// Values at equal ratios.
+fn by_factors([from, to]: [f64; 2], count: usize, whole: &Span<usize>) -> Result<Vec<f64>, Notice> {
+    if !(from > 0.0 && to > 0.0) {
         return Err(Notice::piece("M070", whole.clone(), "logspace needs positive ends", "у logspace концы положительны"));
     }
+    let at = |part: f64| elementary::exp(elementary::ln(from) + (elementary::ln(to) - elementary::ln(from)) * part);
+    Ok(between([from, to], count, at))
+}
+
+/// Values at equal parts of the way, both ends exactly as written.
+fn between([from, to]: [f64; 2], count: usize, at: impl Fn(f64) -> f64) -> Vec<f64> {
     let last = count - 1;
     #[allow(clippy::cast_precision_loss)]
-    let at = |i: usize| {
-        let part = i as f64 / last as f64;
-        match i {
-            0 => from,
-            i if i == last => to,
-            _ if logarithmic => elementary::exp(elementary::ln(from) + (elementary::ln(to) - elementary::ln(from)) * part),
-            _ => from + (to - from) * part,
-        }
+    let value = |i: usize| match i {
+        0 => from,
+        i if i == last => to,
+        _ => at(i as f64 / last as f64),
     };
-    Ok((0..count).map(at).collect())
+    (0..count).map(value).collect()
 }
 
 fn no_range(span: Span<usize>) -> Notice {

@@ -5,7 +5,7 @@
 use crate::fields;
 use crate::formula::Context;
 use crate::model::{Inertia, Reliance};
-use crate::reader::{Fields, Reader};
+use crate::reader::{Checked, Fields, Reader};
 use crate::snippet::Snippet;
 use crate::units::Dimension;
 use symbolic::{Expr, Rational};
@@ -17,7 +17,8 @@ const SHAPES: [(&str, usize, usize); 7] =
     [("disc", 1, 1), ("ring", 1, 2), ("rod", 1, 2), ("box", 2, 3), ("sphere", 1, 1), ("cylinder", 2, 2), ("point", 0, 0)];
 
 /// The inertia of a body of this mass.
-pub(super) fn inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr, massless: bool) -> Inertia {
+pub(super) fn inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: &Checked) -> Inertia {
+    let massless = mass.good && reader.builder.graph.is_zero(mass.expr);
     let given: Vec<&str> = ["inertia", "shape", "gyration"].into_iter().filter(|k| fields.has(k)).collect();
     if given.len() > 1 {
         reader.fault(
@@ -49,9 +50,9 @@ pub(super) fn inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Ex
     if let Some(radius) = fields.formula(reader, "gyration", &Context::CONSTANT, Some(&Dimension::LENGTH)) {
         positive(reader, fields, "gyration", &radius);
         let square = reader.builder.graph.square(radius.expr);
-        return Inertia::Planar(reader.builder.graph.mul(mass, square));
+        return Inertia::Planar(reader.builder.graph.mul(mass.expr, square));
     }
-    shape(reader, fields, mass).unwrap_or(Inertia::None)
+    shape(reader, fields, mass.expr).unwrap_or(Inertia::None)
 }
 
 fn given_inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Inertia {

@@ -7,7 +7,7 @@ use crate::fields;
 use crate::formula::{Context, Depends, Entry, EntryKind, Kind};
 use crate::reader::names::names;
 use crate::reader::names::two_names;
-use crate::reader::{Checked, Fields, Reader, components, short, string, wrong_type};
+use crate::reader::{Fields, Reader, components, short, string, wrong_type};
 use crate::section::Section;
 use crate::structure::{Action, AssumedShape, Direction, Displacement, Load, Node, Options, Rod, Site, Structure, Support};
 use crate::units::Dimension;
@@ -43,10 +43,10 @@ pub(super) fn nodes<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, sections: &[S
             continue;
         }
         let at = plane_vector(reader, &fields, "at", &Context::CONSTANT, &Dimension::LENGTH);
-        let mass = positive(reader, &fields, "mass", &Dimension::MASS, false);
-        let inertia = positive(reader, &fields, "inertia", &Dimension::INERTIA, false);
+        let mass = not_negative(reader, &fields, "mass", &Dimension::MASS);
+        let inertia = not_negative(reader, &fields, "inertia", &Dimension::INERTIA);
         let springs = [("spring_x", STIFFNESS), ("spring_y", STIFFNESS), ("spring_turn", Dimension::ENERGY)];
-        let springs = springs.map(|(key, dimension)| positive(reader, &fields, key, &dimension, false));
+        let springs = springs.map(|(key, dimension)| not_negative(reader, &fields, key, &dimension));
         let zero = reader.builder.graph.zero();
         let [mass, inertia] = [mass, inertia].map(|e| e.unwrap_or(zero));
         let springs = springs.map(|e| e.unwrap_or(zero));
@@ -63,15 +63,28 @@ fn plane_vector<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static 
     plane::along(reader, value, parts)
 }
 
-/// The rows of a table that we share with the connections of bodies: ours, or the others.
+/// Whose a row of a shared table is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Owner {
+    /// Nodes and their rods.
+    Structure,
+    /// Connections of bodies.
+    Bodies,
+}
+
+/// The rows of one owner in a table that structures share with connections of bodies.
 pub(super) fn rows<'a>(
     reader: &mut Reader<'a>,
     top: &Fields<'a>,
     key: &'static str,
     spec: &'static fields::TableSpec,
-    ours: bool,
+    of: Owner,
 ) -> Vec<(String, Fields<'a>)> {
-    top.entries_if(reader, key, spec, &|reader, table| owns(reader, key, table) == ours)
+    top.entries_if(reader, key, spec, &|reader, table| owner(reader, key, table) == of)
+}
+
+fn owner(reader: &Reader, key: &str, table: &crate::reader::syntax::Table) -> Owner {
+    if owns(reader, key, table) { Owner::Structure } else { Owner::Bodies }
 }
 
 /// Whether a row of a shared table is about nodes and their rods.
@@ -93,15 +106,25 @@ fn owns(reader: &Reader, key: &str, table: &crate::reader::syntax::Table) -> boo
     }
 }
 
-/// A quantity that may not be negative; nor zero when `strict`.
-fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, wanted: &Dimension, strict: bool) -> Option<Expr> {
-    let value = fields.formula(reader, key, &Context::CONSTANT, Some(wanted))?;
-    not_negative(reader, fields, key, &value, strict);
-    Some(value.expr)
+/// A quantity that is positive.
+fn positive<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, wanted: &Dimension) -> Option<Expr> {
+    unless(reader, fields, (key, wanted), |v| v <= 0.0)
 }
 
-fn not_negative<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, value: &Checked, strict: bool) {
-    let Some(number) = reader.number(value).filter(|v| *v < 0.0 || strict && *v == 0.0) else { return };
+/// A quantity that may be zero, but not negative.
+fn not_negative<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, wanted: &Dimension) -> Option<Expr> {
+    unless(reader, fields, (key, wanted), |v| v < 0.0)
+}
+
+/// A constant under a key, with a fault where its number is wrong.
+fn unless<'a>(
+    reader: &mut Reader<'a>,
+    fields: &Fields<'a>,
+    (key, wanted): (&'static str, &Dimension),
+    is_wrong: impl Fn(f64) -> bool,
+) -> Option<Expr> {
+    let value = fields.formula(reader, key, &Context::CONSTANT, Some(wanted))?;
+    let Some(number) = reader.number(&value).filter(|v| is_wrong(*v)) else { return Some(value.expr) };
     let given = digits::typed(number);
     let fault = Notice::piece(
         "M203",
@@ -114,6 +137,7 @@ fn not_negative<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static 
         "жёсткости и массы положительны; вероятно, неверен параметр",
     );
     reader.fault(fault);
+    Some(value.expr)
 }
 
 /// `[rods]` between nodes.
@@ -121,7 +145,7 @@ pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     if reader.structure.nodes.is_empty() {
         return;
     }
-    for (name, fields) in rows(reader, top, "rods", &fields::structures::ROD, true) {
+    for (name, fields) in rows(reader, top, "rods", &fields::structures::ROD, Owner::Structure) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }
@@ -129,7 +153,7 @@ pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
         let known = ends.clone().map(|(name, _)| reader.structure.node_index.get(&name).copied());
         let [Some(a), Some(b)] = known else {
             for ((name, span), _) in ends.iter().zip(&known).filter(|(_, k)| k.is_none()) {
-                unknown(reader, name, span.clone(), false);
+                unknown_node(reader, name, span.clone());
             }
             continue;
         };
@@ -140,26 +164,34 @@ pub(super) fn rods<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     }
 }
 
-fn unknown(reader: &mut Reader, name: &str, span: Range<usize>, rods_too: bool) {
-    let fault = if rods_too {
-        Notice::piece("M202", span, format!("there is no node or rod `{}`", short(name)), format!("нет узла или стержня `{}`", short(name)))
-    } else {
-        Notice::piece("M202", span, format!("there is no node `{}`", short(name)), format!("нет узла `{}`", short(name)))
-    };
+fn unknown_node(reader: &mut Reader, name: &str, span: Range<usize>) {
+    let fault = Notice::piece("M202", span, format!("there is no node `{}`", short(name)), format!("нет узла `{}`", short(name)));
     let nodes = reader.structure.nodes.iter().map(|n| n.name.as_str());
-    let rods = reader.structure.rods.iter().map(|r| r.name.as_str()).filter(|_| rods_too);
-    let fault = match reader.scope.nearest(name, nodes.chain(rods)) {
-        Some(near) => fault.meant(name, near),
+    let near = reader.scope.nearest(name, nodes).map(str::to_owned);
+    reader.fault(or_add(fault, name, near));
+}
+
+/// Neither a node nor a rod.
+fn unknown_site(reader: &mut Reader, name: &str, span: Range<usize>) {
+    let (en, ru) = (format!("there is no node or rod `{}`", short(name)), format!("нет узла или стержня `{}`", short(name)));
+    let nodes = reader.structure.nodes.iter().map(|n| n.name.as_str());
+    let rods = reader.structure.rods.iter().map(|r| r.name.as_str());
+    let near = reader.scope.nearest(name, nodes.chain(rods)).map(str::to_owned);
+    reader.fault(or_add(Notice::piece("M202", span, en, ru), name, near));
+}
+
+fn or_add(fault: Notice, name: &str, near: Option<String>) -> Notice {
+    match near {
+        Some(near) => fault.meant(name, &near),
         None => fault.help("add it to [nodes]", "добавьте его в [nodes]"),
-    };
-    reader.fault(fault);
+    }
 }
 
 fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usize; 2]) -> Option<Rod> {
     let length = length(reader, fields, ends)?;
-    let rigid = flag(reader, fields, "rigid");
+    let rigid = fields.flag(reader, "rigid").unwrap_or(false);
     let hinged = releases(reader, fields);
-    let get = |reader: &mut Reader<'a>, key, dimension: &Dimension| positive(reader, fields, key, dimension, true);
+    let get = |reader: &mut Reader<'a>, key, dimension: &Dimension| positive(reader, fields, key, dimension);
     let (young, second) = (get(reader, "E", &PRESSURE), get(reader, "I", &SECOND_MOMENT));
     let area = get(reader, "A", &AREA);
     let of_section = section(reader, fields);
@@ -168,7 +200,7 @@ fn rod<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, name: &str, ends: [usiz
     }
     let (area, second) = (area.or(of_section.map(|s| s.0)), second.or(of_section.map(|s| s.1)));
     let bending = get(reader, "EI", &BENDING).or_else(|| Some(reader.builder.graph.mul(young?, second?)));
-    let stretches = flag(reader, fields, "stretch");
+    let stretches = fields.flag(reader, "stretch").unwrap_or(false);
     let axial = get(reader, "EA", &Dimension::FORCE);
     let axial = axial.or_else(|| Some(reader.builder.graph.mul(young?, area?)).filter(|_| stretches));
     let mass = mass(reader, fields, length, area);
@@ -266,17 +298,6 @@ fn length<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, [a, b]: [usize; 2]) 
     None
 }
 
-fn flag<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> bool {
-    match fields.get(key).map(|v| (v, v.get_ref().as_bool())) {
-        None => false,
-        Some((_, Some(on))) => on,
-        Some((value, None)) => {
-            reader.fault(wrong_type(value.span(), "true or false", "true или false", value.get_ref().type_str()));
-            false
-        }
-    }
-}
-
 /// Words of a list under a key; each must be one of `known`.
 fn words<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, known: &[&'static str]) -> Vec<usize> {
     let Some(value) = fields.get(key) else { return Vec::new() };
@@ -306,9 +327,9 @@ fn releases<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> [bool; 2] {
 
 /// Mass of a unit of length, from whichever of the three keys is given.
 fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Expr, area: Option<Expr>) -> Expr {
-    let total = positive(reader, fields, "mass", &Dimension::MASS, false);
-    let density = positive(reader, fields, "density", &DENSITY, false);
-    let line = positive(reader, fields, "mass_per_length", &LINE_MASS, false);
+    let total = not_negative(reader, fields, "mass", &Dimension::MASS);
+    let density = not_negative(reader, fields, "density", &DENSITY);
+    let line = not_negative(reader, fields, "mass_per_length", &LINE_MASS);
     if let Some(line) = line {
         return line;
     }
@@ -333,7 +354,7 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, length: Expr, area: Op
 
 /// Inertia of the turning of a unit of length, mass per length · I/A, when it counts.
 fn rotary<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, section_inertia: Option<Expr>) -> Expr {
-    if flag(reader, fields, "rotary_inertia") {
+    if fields.flag(reader, "rotary_inertia").unwrap_or(false) {
         if let Some(inertia) = section_inertia {
             return inertia;
         }
@@ -376,7 +397,7 @@ fn site<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> 
         return Some(Site::Node(*i));
     }
     let Some(&rod) = reader.structure.rod_index.get(&name) else {
-        unknown(reader, &name, span, true);
+        unknown_site(reader, &name, span);
         return None;
     };
     let distance = fields.formula_or_zero(reader, "distance", &Context::CONSTANT, Some(&Dimension::LENGTH));
@@ -464,10 +485,10 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Option<Stru
 
 fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
     let mut found = Vec::new();
-    for (name, fields) in rows(reader, top, "supports", &fields::structures::SUPPORT, true) {
+    for (name, fields) in rows(reader, top, "supports", &fields::structures::SUPPORT, Owner::Structure) {
         let Some((node, span)) = fields.name(reader, "at") else { continue };
         let Some(&node) = reader.structure.node_index.get(&node) else {
-            unknown(reader, &node, span, false);
+            unknown_node(reader, &node, span);
             continue;
         };
         let held = words(reader, &fields, "directions", &["x", "y", "turn"]);
@@ -480,10 +501,10 @@ fn supports<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Vec<Support> {
 
 fn distributed<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) {
     let per_length = Dimension::of(0, 1, -2);
-    for (name, fields) in rows(reader, top, "distributed", &fields::structures::LINE_LOAD, true) {
+    for (name, fields) in rows(reader, top, "distributed", &fields::structures::LINE_LOAD, Owner::Structure) {
         let Some((rod, span)) = fields.name(reader, "on") else { continue };
         let Some(&rod) = reader.structure.rod_index.get(&rod) else {
-            unknown(reader, &rod, span, true);
+            unknown_site(reader, &rod, span);
             continue;
         };
         let start = plane_vector(reader, &fields, "value", &Context::TIME, &per_length);
@@ -559,7 +580,7 @@ fn assumed<'a>(reader: &mut Reader<'a>, name: String, fields: &Fields<'a>, dista
     let label = fields.text(reader, "label").unwrap_or_default();
     let (rod, span) = fields.name(reader, "on")?;
     let Some(&rod) = reader.structure.rod_index.get(&rod) else {
-        unknown(reader, &rod, span, true);
+        unknown_site(reader, &rod, span);
         return None;
     };
     let shape = fields.formula(reader, "shape", &Context::TIME, None)?;
@@ -580,10 +601,10 @@ fn options<'a>(reader: &mut Reader<'a>, top: &Fields<'a>) -> Options {
         return Options::default();
     };
     let fields = Fields::open(reader, &fields::structures::STRUCTURE, table, value.span(), "structure".to_owned());
-    let condense = fields.has("condense").then(|| flag(reader, &fields, "condense"));
+    let condense = fields.has("condense").then(|| fields.flag(reader, "condense").unwrap_or(false));
     let accuracy = fields.formula(reader, "accuracy", &Context::CONSTANT, Some(&Dimension::NONE));
     let accuracy = accuracy.and_then(|value| reader.number(&value)).map(|a| a.clamp(1e-11, 1e-1));
     let modes = whole(reader, &fields, "modes").map(|n| n as usize);
-    let [continuum, compare] = ["continuum", "compare"].map(|key| flag(reader, &fields, key));
+    let [continuum, compare] = ["continuum", "compare"].map(|key| fields.flag(reader, key).unwrap_or(false));
     Options { condense, modes, accuracy, continuum, compare }
 }

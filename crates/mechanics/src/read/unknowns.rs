@@ -1,5 +1,6 @@
 //! `[unknowns]`: parameters that statics decide.
 
+use crate::asked::{Asked, Value};
 use crate::model::{Class, Connection, ConnectionKind, ParameterDecl, ParameterValue};
 use crate::reader::{Fields, Reader, short, string};
 use symbolic::SymbolId;
@@ -32,7 +33,14 @@ pub(super) fn check<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, parameters: &
 }
 
 /// Frictions that are about to slide, `[impending]`: name and direction.
-pub(super) fn impending<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, connections: &[Connection], wanted: bool) -> Vec<(String, f64)> {
+pub(super) fn impending<'a>(
+    reader: &mut Reader<'a>,
+    top: &Fields<'a>,
+    connections: &[Connection],
+    (unknowns, studies): (&[SymbolId], &[Asked]),
+) -> Vec<(String, f64)> {
+    let ranges = |s: &Asked| s.has("range") && matches!(s.get("over"), Some(Value::Coordinate(_)));
+    let something_unknown = !unknowns.is_empty() || studies.iter().any(ranges);
     let rows = top.rows(reader, "impending");
     let frictions: Vec<&str> =
         connections.iter().filter(|c| matches!(c.kind, ConnectionKind::Friction { .. })).map(|c| c.name.as_str()).collect();
@@ -42,7 +50,7 @@ pub(super) fn impending<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, connectio
             reader.fault(no_friction(name, span, &frictions));
             continue;
         }
-        if !wanted {
+        if !something_unknown {
             reader.fault(nothing_unknown(span));
             continue;
         }

@@ -102,6 +102,16 @@ impl<'a> Fields<'a> {
         }
     }
 
+    /// true or false under a key.
+    pub(crate) fn flag(&self, reader: &mut Reader<'a>, key: &'static str) -> Option<bool> {
+        let value = self.get(key)?;
+        let on = value.get_ref().as_bool();
+        if on.is_none() {
+            reader.fault(wrong_type(value.span(), "true or false", "true или false", value.get_ref().type_str()));
+        }
+        on
+    }
+
     /// A name under a key, with its place.
     pub(crate) fn name(&self, reader: &mut Reader<'a>, key: &'static str) -> Option<(String, Range<usize>)> {
         string(reader, self.get(key)?, "a name in quotes", "имя в кавычках")

@@ -5,20 +5,8 @@ use std::ops::Range;
 use words::Notice;
 
 /// The fault of a formula whose dimension is not the wanted one.
-pub(crate) fn mismatch(span: Range<usize>, got: &Dimension, wanted: &Dimension, number: bool) -> Notice {
-    let (g, w) = (si_label(got), si_label(wanted));
-    let (g_ru, w_ru) = (si_label_ru(got), si_label_ru(wanted));
-    if number && got.is_none() {
-        return Notice::piece("M023", span, format!("the unit is missing: {w} is needed"), format!("нет единицы: нужна {w_ru}")).help(
-            format!("write the number with its unit, for example \"5 {w}\""),
-            format!("напишите число с единицей, например \"5 {w_ru}\""),
-        );
-    }
-    let fault = Notice::piece("M024", span, format!("this is {g}, but {w} is needed"), format!("размерность {g_ru}, а нужна {w_ru}"));
-    if number {
-        return fault
-            .help(format!("give it in {w} or a unit of the same kind"), format!("задайте величину в {w_ru} или в единицах того же рода"));
-    }
+pub(crate) fn mismatch(span: Range<usize>, got: &Dimension, wanted: &Dimension) -> Notice {
+    let fault = differs(span, got, wanted);
     match wanted.without_angle().div(&got.without_angle()) {
         Some(factor) => fault.help(
             format!("look for a factor in {} that is missing", si_label(&factor)),
@@ -26,6 +14,25 @@ pub(crate) fn mismatch(span: Range<usize>, got: &Dimension, wanted: &Dimension, 
         ),
         None => fault,
     }
+}
+
+/// The fault of a number whose unit is not of the wanted dimension, or is missing.
+pub(crate) fn mismatch_of_number(span: Range<usize>, got: &Dimension, wanted: &Dimension) -> Notice {
+    let (w, w_ru) = (si_label(wanted), si_label_ru(wanted));
+    if got.is_none() {
+        return Notice::piece("M023", span, format!("the unit is missing: {w} is needed"), format!("нет единицы: нужна {w_ru}")).help(
+            format!("write the number with its unit, for example \"5 {w}\""),
+            format!("напишите число с единицей, например \"5 {w_ru}\""),
+        );
+    }
+    differs(span, got, wanted)
+        .help(format!("give it in {w} or a unit of the same kind"), format!("задайте величину в {w_ru} или в единицах того же рода"))
+}
+
+fn differs(span: Range<usize>, got: &Dimension, wanted: &Dimension) -> Notice {
+    let (g, w) = (si_label(got), si_label(wanted));
+    let (g_ru, w_ru) = (si_label_ru(got), si_label_ru(wanted));
+    Notice::piece("M024", span, format!("this is {g}, but {w} is needed"), format!("размерность {g_ru}, а нужна {w_ru}"))
 }
 
 /// The complaint about a value that stands where `wanted` is wanted.

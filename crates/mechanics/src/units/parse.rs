@@ -68,7 +68,7 @@ pub fn parse_quantity(text: &str, expected: &Dimension) -> Result<f64, Notice> {
     let quantity = parse_number_or_quantity(text)?;
     let dimension = quantity.unit.dimension;
     if quantity.has_unit && !dimension.same(expected) {
-        return Err(super::fit::mismatch(0..text.len(), &dimension, expected, true));
+        return Err(super::fit::mismatch_of_number(0..text.len(), &dimension, expected));
     }
     if let Some(fault) = super::fit::in_field(&dimension, expected, 0..text.len()) {
         return Err(Notice { severity: words::Severity::Error, ..fault });

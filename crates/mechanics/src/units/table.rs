@@ -61,14 +61,12 @@ struct Row {
     prefixed: bool,
 }
 
-const fn row(
-    latin: &'static [&'static str],
-    cyrillic: &'static [&'static str],
-    factor: &'static str,
-    dimension: Dimension,
-    prefixed: bool,
-) -> Row {
-    Row { latin, cyrillic, factor, pi: 0, dimension, prefixed }
+const fn row(latin: &'static [&'static str], cyrillic: &'static [&'static str], factor: &'static str, dimension: Dimension) -> Row {
+    Row { latin, cyrillic, factor, pi: 0, dimension, prefixed: false }
+}
+/// A unit with prefixes.
+const fn prefixed(latin: &'static [&'static str], cyrillic: &'static [&'static str], factor: &'static str, dimension: Dimension) -> Row {
+    Row { prefixed: true, ..row(latin, cyrillic, factor, dimension) }
 }
 const fn angle(latin: &'static [&'static str], cyrillic: &'static [&'static str], factor: &'static str, dimension: Dimension) -> Row {
     Row { latin, cyrillic, factor, pi: 1, dimension, prefixed: false }
@@ -76,53 +74,53 @@ const fn angle(latin: &'static [&'static str], cyrillic: &'static [&'static str]
 
 /// A word that is not decided by the table alone is decided by order: whole names win over prefix and name (`min` is a minute).
 const ROWS: &[Row] = &[
-    row(&["m"], &["м"], "1", Dimension::LENGTH, true),
-    row(&["g"], &["г"], "0.001", Dimension::MASS, true),
-    row(&["s", "sec"], &["с", "сек"], "1", Dimension::TIME, true),
-    row(&["A"], &["А"], "1", Dimension::base(3), true),
-    row(&["K"], &["К"], "1", Dimension::base(4), true),
-    row(&["mol"], &["моль"], "1", Dimension::base(5), true),
-    row(&["cd"], &["кд"], "1", Dimension::base(6), true),
-    row(&["rad"], &["рад"], "1", Dimension::ANGLE, true),
+    prefixed(&["m"], &["м"], "1", Dimension::LENGTH),
+    prefixed(&["g"], &["г"], "0.001", Dimension::MASS),
+    prefixed(&["s", "sec"], &["с", "сек"], "1", Dimension::TIME),
+    prefixed(&["A"], &["А"], "1", Dimension::base(3)),
+    prefixed(&["K"], &["К"], "1", Dimension::base(4)),
+    prefixed(&["mol"], &["моль"], "1", Dimension::base(5)),
+    prefixed(&["cd"], &["кд"], "1", Dimension::base(6)),
+    prefixed(&["rad"], &["рад"], "1", Dimension::ANGLE),
     angle(&["deg", "°"], &["град"], "1/180", Dimension::ANGLE),
     angle(&["arcmin"], &[], "1/10800", Dimension::ANGLE),
     angle(&["arcsec"], &[], "1/648000", Dimension::ANGLE),
     angle(&["rev", "turn", "r"], &["об"], "2", Dimension::ANGLE),
     angle(&["rpm"], &[], "1/30", Dimension::ANGULAR_RATE),
-    row(&["N"], &["Н"], "1", Dimension::FORCE, true),
-    row(&["J"], &["Дж"], "1", Dimension::ENERGY, true),
-    row(&["W"], &["Вт"], "1", Dimension::POWER, true),
-    row(&["Pa"], &["Па"], "1", Dimension::of(-1, 1, -2), true),
-    row(&["Hz"], &["Гц"], "1", Dimension::FREQUENCY, true),
-    row(&["t"], &["т"], "1000", Dimension::MASS, false),
-    row(&["min"], &["мин"], "60", Dimension::TIME, false),
-    row(&["h"], &["ч", "час"], "3600", Dimension::TIME, false),
-    row(&["day", "d"], &["сут"], "86400", Dimension::TIME, false),
-    row(&["l", "L"], &["л"], "0.001", Dimension::of(3, 0, 0), true),
-    row(&["bar"], &["бар"], "100000", Dimension::of(-1, 1, -2), true),
-    row(&["atm"], &["атм"], "101325", Dimension::of(-1, 1, -2), false),
+    prefixed(&["N"], &["Н"], "1", Dimension::FORCE),
+    prefixed(&["J"], &["Дж"], "1", Dimension::ENERGY),
+    prefixed(&["W"], &["Вт"], "1", Dimension::POWER),
+    prefixed(&["Pa"], &["Па"], "1", Dimension::of(-1, 1, -2)),
+    prefixed(&["Hz"], &["Гц"], "1", Dimension::FREQUENCY),
+    row(&["t"], &["т"], "1000", Dimension::MASS),
+    row(&["min"], &["мин"], "60", Dimension::TIME),
+    row(&["h"], &["ч", "час"], "3600", Dimension::TIME),
+    row(&["day", "d"], &["сут"], "86400", Dimension::TIME),
+    prefixed(&["l", "L"], &["л"], "0.001", Dimension::of(3, 0, 0)),
+    prefixed(&["bar"], &["бар"], "100000", Dimension::of(-1, 1, -2)),
+    row(&["atm"], &["атм"], "101325", Dimension::of(-1, 1, -2)),
     // 133.322387415 Pa: 13.5951 g/cm^3 times 9.80665 m/s^2 times 1 mm
-    row(&["mmHg"], &[], "133.322387415", Dimension::of(-1, 1, -2), false),
+    row(&["mmHg"], &[], "133.322387415", Dimension::of(-1, 1, -2)),
     // one pound-force on a square inch
-    row(&["psi"], &[], "4.4482216152605/0.00064516", Dimension::of(-1, 1, -2), false),
-    row(&["kgf"], &["кгс"], "9.80665", Dimension::FORCE, false),
-    row(&["gf"], &["гс"], "0.00980665", Dimension::FORCE, false),
-    row(&["tf"], &["тс"], "9806.65", Dimension::FORCE, false),
+    row(&["psi"], &[], "4.4482216152605/0.00064516", Dimension::of(-1, 1, -2)),
+    row(&["kgf"], &["кгс"], "9.80665", Dimension::FORCE),
+    row(&["gf"], &["гс"], "0.00980665", Dimension::FORCE),
+    row(&["tf"], &["тс"], "9806.65", Dimension::FORCE),
     // 550 foot-pounds per second, and 75 kgf m/s
-    row(&["hp"], &[], "745.69987158227022", Dimension::POWER, false),
-    row(&["PS"], &["л.с.", "лс"], "735.49875", Dimension::POWER, false),
-    row(&["in"], &["дюйм"], "0.0254", Dimension::LENGTH, false),
-    row(&["ft"], &["фут"], "0.3048", Dimension::LENGTH, false),
-    row(&["lb"], &["фунт"], "0.45359237", Dimension::MASS, false),
-    row(&["lbf"], &[], "4.4482216152605", Dimension::FORCE, false),
-    row(&["%"], &[], "0.01", Dimension::NONE, false),
-    row(&["V"], &["В"], "1", Dimension::electric(2, 1, -3, -1), true),
-    row(&["C"], &["Кл"], "1", Dimension::electric(0, 0, 1, 1), true),
-    row(&["Ohm", "Ω"], &["Ом"], "1", Dimension::electric(2, 1, -3, -2), true),
-    row(&["F"], &["Ф"], "1", Dimension::electric(-2, -1, 4, 2), true),
-    row(&["H"], &["Гн"], "1", Dimension::electric(2, 1, -2, -2), true),
-    row(&["Wb"], &["Вб"], "1", Dimension::electric(2, 1, -2, -1), true),
-    row(&["T"], &["Тл"], "1", Dimension::electric(0, 1, -2, -1), true),
+    row(&["hp"], &[], "745.69987158227022", Dimension::POWER),
+    row(&["PS"], &["л.с.", "лс"], "735.49875", Dimension::POWER),
+    row(&["in"], &["дюйм"], "0.0254", Dimension::LENGTH),
+    row(&["ft"], &["фут"], "0.3048", Dimension::LENGTH),
+    row(&["lb"], &["фунт"], "0.45359237", Dimension::MASS),
+    row(&["lbf"], &[], "4.4482216152605", Dimension::FORCE),
+    row(&["%"], &[], "0.01", Dimension::NONE),
+    prefixed(&["V"], &["В"], "1", Dimension::electric(2, 1, -3, -1)),
+    prefixed(&["C"], &["Кл"], "1", Dimension::electric(0, 0, 1, 1)),
+    prefixed(&["Ohm", "Ω"], &["Ом"], "1", Dimension::electric(2, 1, -3, -2)),
+    prefixed(&["F"], &["Ф"], "1", Dimension::electric(-2, -1, 4, 2)),
+    prefixed(&["H"], &["Гн"], "1", Dimension::electric(2, 1, -2, -2)),
+    prefixed(&["Wb"], &["Вб"], "1", Dimension::electric(2, 1, -2, -1)),
+    prefixed(&["T"], &["Тл"], "1", Dimension::electric(0, 1, -2, -1)),
 ];
 
 const LATIN_PREFIXES: &[(&str, i64)] = &[

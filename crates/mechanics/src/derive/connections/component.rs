@@ -3,9 +3,9 @@
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::pathways::{self, Path, unit_vector};
 use crate::derive::requests::Resolver;
-use crate::derive::scene::{Columns, Found, Scene};
+use crate::derive::scene::{Columns, Found, Scene, is_spatial};
 use crate::derive::wrench::Act;
-use crate::model::{Axis, Connection, FrameId, Inertia, Model, Origin, Part, Pathway};
+use crate::model::{Axis, Connection, FrameId, Part, Pathway};
 use symbolic::connections::Rebound;
 use symbolic::{Expr, SymbolId};
 use words::{Notice, Text};
@@ -156,23 +156,6 @@ pub fn no_turning(scene: &mut Scene, kinematics: &mut Kinematics, name: &str, [a
             }
         })
         .collect()
-}
-
-/// Whether anything leaves the plane.
-pub fn is_spatial(model: &Model) -> bool {
-    let graph = &model.graph;
-    let off = |e: Expr| !graph.is_zero(e);
-    let frames = model.frames.iter().any(|f| {
-        let origin = matches!(f.origin, Origin::Vector(v) if off(v[2]));
-        let axes = f.rotations.iter().any(|(a, _)| *a != Axis::Z) || f.spin.is_some_and(|(a, _)| a != Axis::Z);
-        let center = f.mass.as_ref().is_some_and(|m| off(m.center[2]));
-        let products = f.mass.as_ref().is_some_and(|m| matches!(m.inertia, Inertia::Tensor { yz, xz, .. } if off(yz) || off(xz)));
-        origin || axes || center || products
-    });
-    frames
-        || model.points.iter().any(|p| off(p.at[2]))
-        || model.gravity.is_some_and(|g| off(g[2]))
-        || model.elements.iter().flat_map(|e| e.law.leaves_plane()).any(off)
 }
 
 /// A pathway for the components.

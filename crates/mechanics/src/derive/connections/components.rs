@@ -1,14 +1,14 @@
 //! What each kind of connection demands and gives, component by component. Signs as in [`ConnectionKind`].
 
 use super::axes::axes_of;
-use super::component::{Component, Nature, effort, is_spatial, labelled, moment_about, no_turning, path};
+use super::component::{Component, Nature, effort, labelled, moment_about, no_turning, path};
 use super::sliders::slider;
 use super::{axles, drums, held, rubbing, tracks, wheels};
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::loads::at_start;
 use crate::derive::pathways::{Given, Path, located};
 use crate::derive::requests::Resolver;
-use crate::derive::scene::{Columns, Found, Scene, Vector};
+use crate::derive::scene::{Columns, Found, Scene, Vector, is_spatial};
 use crate::derive::wrench::{Act, frame_of, particle};
 use crate::model::{Connection, ConnectionKind, FrameId, Measure, Part, Pathway, PointRef, Rest, SupportDirection, Wound};
 use symbolic::Expr;
@@ -51,7 +51,7 @@ pub fn of(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Resolve
         ConnectionKind::Motion { pathway, value, is_rate } => {
             let path = path(scene, kinematics, resolver, connection, *pathway)?;
             let value = resolver.resolve(scene, kinematics, *value)?;
-            vec![motion(scene, name, &path, value, *is_rate)]
+            vec![if *is_rate { motion_by_rate(scene, name, &path, value) } else { motion(scene, name, &path, value) }]
         }
         ConnectionKind::Motor { pathway } => {
             // not Q: Q_x is the generalized force of the loads
@@ -239,22 +239,26 @@ fn relative(scene: &mut Scene, columns: [Columns<Vector>; 2]) -> Vector {
     scene.minus(&own, &base)
 }
 
-/// pathway - value(t), or its rate.
-fn motion(scene: &mut Scene, name: &str, path: &Path, value: Expr, is_rate: bool) -> Component {
-    let label = Text::new(format!("prescribed motion {name}"), format!("заданное движение {name}"));
-    let (place, rate) = if is_rate {
-        let rate = scene.rate_of(&path.gradient);
-        (None, Some(scene.graph.sub(rate, value)))
-    } else {
-        (Some(scene.graph.sub(path.value, value)), None)
-    };
+/// pathway - value(t)
+fn motion(scene: &mut Scene, name: &str, path: &Path, value: Expr) -> Component {
+    Component { place: Some(scene.graph.sub(path.value, value)), ..prescribed(name) }
+}
+
+/// Rate of the pathway - value(t).
+fn motion_by_rate(scene: &mut Scene, name: &str, path: &Path, value: Expr) -> Component {
+    let rate = scene.rate_of(&path.gradient);
+    Component { rate: Some(scene.graph.sub(rate, value)), ..prescribed(name) }
+}
+
+/// A motion without its condition.
+fn prescribed(name: &str) -> Component {
     Component {
         part: None,
         letter: "",
         unit: "",
-        label,
-        place,
-        rate,
+        label: Text::new(format!("prescribed motion {name}"), format!("заданное движение {name}")),
+        place: None,
+        rate: None,
         negative: false,
         acts: Vec::new(),
         nature: Nature::Motion,

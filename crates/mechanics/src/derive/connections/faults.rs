@@ -86,19 +86,18 @@ pub fn axes_part(connection: &Connection) -> Box<Notice> {
     Box::new(fault)
 }
 
-/// Pitch circles that do not touch: distance of the axes and what the radii give, m.
-pub fn no_mesh(connection: &Connection, opposite: bool, [axes, radii]: [f64; 2]) -> Box<Notice> {
+/// Pitch circles that do not touch: distance of the axes, m, and what the radii give, as a formula and a number.
+pub fn no_mesh(connection: &Connection, axes: f64, (formula, radii): (&str, f64)) -> Box<Notice> {
     let name = &connection.name;
     let (axes, radii) = (typed(axes), typed(radii));
-    let (sum, sum_ru) = if opposite { ("r1 + r2", "r1 + r2") } else { ("|r1 − r2|", "|r1 − r2|") };
     let what = Text::new(
         format!("the pitch circles of `gears.{name}` do not touch: the axes are {} m apart, the radii give {} m", axes.en, radii.en),
         format!("начальные окружности пары `gears.{name}` не касаются: межосевое расстояние {} м, а радиусы дают {} м", axes.ru, radii.ru),
     );
     let fault = Notice::file("M114", connection.span.clone(), what)
         .why(
-            format!("the teeth meet at one point of both circles, so the distance of the axes is {sum}"),
-            format!("зубья встречаются в общей точке обеих окружностей, поэтому межосевое расстояние равно {sum_ru}"),
+            format!("the teeth meet at one point of both circles, so the distance of the axes is {formula}"),
+            format!("зубья встречаются в общей точке обеих окружностей, поэтому межосевое расстояние равно {formula}"),
         )
         .help(
             "correct a radius or the place of a wheel; where only the ratio counts, put both wheels at one origin",

@@ -39,7 +39,6 @@ use symbolic::equations::{Output, Role};
 use symbolic::{Expr, Substitution, SymbolId};
 use words::{Notice, Text};
 
-pub use component::is_spatial;
 pub use strands::{pretension, watched};
 
 /// What connections add to the equations.
@@ -132,40 +131,9 @@ impl Connected {
         let shape = shape(scene, &component);
         let symbol = component.part.map(|_| self.name(scene, component.letter, &connection.name));
         let acting = self.reactions.len();
-        let law = match component.nature {
-            Nature::Motor => Law::Motor,
-            Nature::Motion => {
-                if shape.columns.is_empty() {
-                    return Err(no_coordinate(connection));
-                }
-                self.condition(scene, (&component, shape), None);
-                return Ok(());
-            }
-            Nature::Ideal if shape.columns.is_empty() => {
-                if component.acts.iter().all(|act| matches!(act, Act::Along(_))) {
-                    return Err(no_coordinate(connection));
-                }
-                self.release(scene, &component.acts);
-                Law::Support
-            }
-            // a rope of a structure at rest: statics asks whether it pulls
-            Nature::Contact { gap, restitution: [restitution, tangential], tie: true, rebound } if scene.n() == 0 => {
-                self.release(scene, &component.acts);
-                Law::Contact { condition: self.conditions.len(), gap, restitution, tangential, tie: true, rebound }
-            }
-            _ if shape.columns.is_empty() => return Err(no_coordinate(connection)),
-            Nature::Ideal => Law::Ideal { condition: self.conditions.len() },
-            Nature::Contact { gap, restitution: [restitution, tangential], tie, rebound } => {
-                Law::Contact { condition: self.conditions.len(), gap, restitution, tangential, tie, rebound }
-            }
-            Nature::Rough => Law::Rough { condition: self.conditions.len(), contact: acting.saturating_sub(1) },
-            Nature::Friction(ref rubbing) => {
-                let found = self.friction(scene, kinematics, resolver, (shape.rate, rubbing))?;
-                if self.is_curved(scene, &found) {
-                    return Err(faults::curved_normal(connection));
-                }
-                found
-            }
+        let Some(law) = self.law(scene, kinematics, resolver, (connection, &component, &shape))? else {
+            self.condition(scene, (&component, shape), None);
+            return Ok(());
         };
         let forces = match law {
             Law::Support => Vec::new(),
@@ -174,7 +142,7 @@ impl Connected {
                 columns.into_iter().filter(|(j, _)| *j < scene.n()).collect()
             }
             _ => {
-                let own = signed(scene, &shape.columns, component.negative);
+                let own = if component.negative { negated(scene, &shape.columns) } else { shape.columns.clone() };
                 beside(scene, own, &component.beside)
             }
         };
@@ -206,6 +174,46 @@ impl Connected {
         self.geometric.push(geometric);
         self.acts.push(component.acts);
         Ok(())
+    }
+
+    /// The law of the reaction, none of a prescribed motion; what holds bodies together that the coordinates never part releases them.
+    fn law(
+        &mut self,
+        scene: &mut Scene,
+        kinematics: &mut Kinematics,
+        resolver: &mut Resolver,
+        (connection, component, shape): (&Connection, &Component, &Shape),
+    ) -> super::scene::Found<Option<Law>> {
+        let condition = self.conditions.len();
+        Ok(Some(match component.nature {
+            Nature::Motor => Law::Motor,
+            Nature::Ideal if shape.columns.is_empty() => {
+                if component.acts.iter().all(|act| matches!(act, Act::Along(_))) {
+                    return Err(no_coordinate(connection));
+                }
+                self.release(scene, &component.acts);
+                Law::Support
+            }
+            // a rope of a structure at rest: statics asks whether it pulls
+            Nature::Contact { gap, restitution: [restitution, tangential], tie: true, rebound } if scene.n() == 0 => {
+                self.release(scene, &component.acts);
+                Law::Contact { condition, gap, restitution, tangential, tie: true, rebound }
+            }
+            _ if shape.columns.is_empty() => return Err(no_coordinate(connection)),
+            Nature::Motion => return Ok(None),
+            Nature::Ideal => Law::Ideal { condition },
+            Nature::Contact { gap, restitution: [restitution, tangential], tie, rebound } => {
+                Law::Contact { condition, gap, restitution, tangential, tie, rebound }
+            }
+            Nature::Rough => Law::Rough { condition, contact: self.reactions.len().saturating_sub(1) },
+            Nature::Friction(ref rubbing) => {
+                let found = self.friction(scene, kinematics, resolver, (shape.rate, rubbing))?;
+                if self.is_curved(scene, &found) {
+                    return Err(faults::curved_normal(connection));
+                }
+                found
+            }
+        }))
     }
 
     /// Faults of the doubts whose coordinates no other connection holds; where one does, the rate may vanish by it.
@@ -328,7 +336,7 @@ impl Connected {
             return;
         }
         let (every, momenta) = (loads, newton_euler::carried(scene, kinematics));
-        let mut placer = Placer::new(scene, kinematics, is_spatial(scene.model));
+        let mut placer = Placer::new(scene, kinematics);
         let named: Vec<Vec<Act>> =
             loads.named.iter().map(|(_, _, acts)| placer.place(scene, kinematics, &loads.acts[acts.clone()])).collect();
         let loads = placer.place(scene, kinematics, &loads.acts);
@@ -567,8 +575,8 @@ fn shape(scene: &mut Scene, component: &Component) -> Shape {
     Shape { rate, columns }
 }
 
-fn signed(scene: &mut Scene, columns: &[(usize, Expr)], negative: bool) -> Vec<(usize, Expr)> {
-    columns.iter().map(|(j, e)| (*j, if negative { scene.graph.neg(*e) } else { *e })).collect()
+fn negated(scene: &mut Scene, columns: &[(usize, Expr)]) -> Vec<(usize, Expr)> {
+    columns.iter().map(|(j, e)| (*j, scene.graph.neg(*e))).collect()
 }
 
 /// With the generalized forces that no condition shows.

@@ -11,10 +11,9 @@
 //! | about a declared moment, about the couple of two declared forces | no moment is undeclared there |
 
 use super::Connected;
-use super::component::is_spatial;
 use crate::derive::kinematics::Kinematics;
 use crate::derive::place::Placer;
-use crate::derive::scene::{Scene, Vector};
+use crate::derive::scene::{Scene, Vector, is_spatial};
 use crate::derive::wrench::{Act, carrier};
 use crate::model::{Axis, FrameId};
 use std::collections::BTreeSet;

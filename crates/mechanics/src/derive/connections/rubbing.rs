@@ -13,14 +13,14 @@
 //! friction itself, positive when it resists sliding along the path, so that T₁ + T₂ = 2 T₂ − λ.
 
 use super::axes::axes_of;
-use super::component::{Component, Nature, Rubbing, effort, is_spatial, path};
+use super::component::{Component, Nature, Rubbing, effort, path};
 use super::faults;
 use super::tracks;
 use crate::derive::kinematics::{Kinematics, combine};
 use crate::derive::loads::near_start;
 use crate::derive::pathways::{Path, relative_angle, unit_vector};
 use crate::derive::requests::Resolver;
-use crate::derive::scene::{Found, Scene, Vector};
+use crate::derive::scene::{Found, Scene, Vector, is_spatial};
 use crate::derive::wrench::{Act, carrier, frame_of, particle};
 use crate::model::{Aim, Axis, Connection, ConnectionKind, FrameId, Part, Pathway, PointRef, Pressing, Slides};
 use symbolic::{Expr, Function, Rational};

@@ -151,10 +151,11 @@ impl Line {
             return Ok(());
         }
         let [square, ra, rb] = scene.at_numbers([self.square, pair.radii[0], pair.radii[1]]);
-        let (axes, radii) = (square.sqrt(), if pair.opposite { ra + rb } else { (ra - rb).abs() });
+        let (formula, radii) = if pair.opposite { ("r1 + r2", ra + rb) } else { ("|r1 − r2|", (ra - rb).abs()) };
+        let axes = square.sqrt();
         // numbers that are not there, of unknowns for example, decide nothing
         if (axes - radii).abs() > MESH * axes.max(ra + rb) {
-            return Err(faults::no_mesh(connection, pair.opposite, [rounded(axes), rounded(radii)]));
+            return Err(faults::no_mesh(connection, rounded(axes), (formula, rounded(radii))));
         }
         Ok(())
     }

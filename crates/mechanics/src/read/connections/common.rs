@@ -4,7 +4,7 @@ use crate::elements::pathway_of;
 use crate::formula::{Context, Kind, Place};
 use crate::model::{Class, Frame, FrameId, Origin, ParameterDecl, Pathway, Point, PointRef, Reliance, Rest};
 use crate::reader::names::frame_by_name;
-use crate::reader::{Checked, Fields, Reader, short, string, wrong_type};
+use crate::reader::{Checked, Fields, Reader, short, string};
 use crate::units::Dimension;
 use std::collections::HashSet;
 use std::ops::Range;
@@ -161,15 +161,6 @@ pub(super) fn length<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option
         Some(value) if value.get_ref().as_str() == Some("start") => Some(Rest::Start),
         Some(_) => size(reader, fields, "length", &Context::TIME).map(Rest::Value),
     }
-}
-
-/// true or false under a key.
-pub(super) fn flag<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str, usual: bool) -> bool {
-    let Some(value) = fields.get(key) else { return usual };
-    value.get_ref().as_bool().unwrap_or_else(|| {
-        reader.fault(wrong_type(value.span(), "true or false", "true или false", value.get_ref().type_str()));
-        usual
-    })
 }
 
 /// The number of a word in a list; the first without the key.

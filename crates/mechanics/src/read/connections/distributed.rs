@@ -8,6 +8,7 @@ use crate::elements::{Force, element};
 use crate::fields::connections::DISTRIBUTED;
 use crate::formula::Context;
 use crate::model::{Element, FrameId, Point, PointId, PointRef};
+use crate::read::structures::{self, Owner};
 use crate::reader::{Fields, Reader, components};
 use crate::units::Dimension;
 use std::ops::Range;
@@ -25,7 +26,7 @@ pub(in crate::read) fn distributed<'a>(
     known: usize,
 ) -> (Vec<Element>, Vec<Point>) {
     let mut found = (Vec::new(), Vec::new());
-    for (name, fields) in crate::read::structures::rows(reader, top, "distributed", &DISTRIBUTED, false) {
+    for (name, fields) in structures::rows(reader, top, "distributed", &DISTRIBUTED, Owner::Bodies) {
         if !reader.name_is_fine(&name, fields.span.clone(), &["ground"]) {
             continue;
         }

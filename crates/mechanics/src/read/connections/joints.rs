@@ -1,10 +1,11 @@
 //! `[pins]`, `[welds]`, `[sliders]`, `[slots]`, `[supports]`.
 
 use super::Found;
-use super::common::{Space, choose, direction, fixed_in, flag, frame, point, rigid, two_points};
+use super::common::{Space, choose, direction, fixed_in, frame, point, rigid, two_points};
 use crate::model::{ConnectionKind, FrameId, PointRef, SupportDirection};
 use crate::reader::names::names;
 use crate::reader::{Fields, Reader};
+use symbolic::Expr;
 use words::Notice;
 
 pub(super) fn pin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
@@ -18,15 +19,26 @@ pub(super) fn weld<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Spa
 }
 
 pub(super) fn slider<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
-    let turns = flag(reader, fields, "turns", true);
-    sliding(reader, fields, space, "point", turns)
+    let turns = fields.flag(reader, "turns").unwrap_or(true);
+    let Guide { point, on, through, direction } = guide(reader, fields, space, "point")?;
+    Some(ConnectionKind::Slider { point, on, through, direction, turns }.into())
 }
 
 pub(super) fn slot<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
-    sliding(reader, fields, space, "pin", true)
+    let Guide { point, on, through, direction } = guide(reader, fields, space, "pin")?;
+    Some(ConnectionKind::Slider { point, on, through, direction, turns: true }.into())
 }
 
-fn sliding<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, key: &'static str, turns: bool) -> Option<Found> {
+/// A point and the line of a body along which it slides.
+struct Guide {
+    point: PointRef,
+    on: FrameId,
+    through: Option<PointRef>,
+    direction: Expr,
+}
+
+/// The guide of the point under a key.
+fn guide<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, key: &'static str) -> Option<Guide> {
     let (point, on) = (point(reader, fields, key), frame(reader, fields, "on"));
     let direction = direction(reader, fields);
     let (point, on) = (point?, on?);
@@ -37,7 +49,7 @@ fn sliding<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, key:
         reader.fault(fault);
         return None;
     }
-    Some(ConnectionKind::Slider { point, on, through, direction, turns }.into())
+    Some(Guide { point, on, through, direction })
 }
 
 /// Words of `directions`; `turn` is about z.

@@ -16,6 +16,7 @@ pub(super) use contacts::impacts;
 pub(super) use distributed::distributed;
 pub(super) use kept::{Places, warn};
 
+use super::structures::Owner;
 use crate::fields::TableSpec;
 use crate::fields::connections as specs;
 use crate::formula::Kind;
@@ -78,7 +79,7 @@ pub(super) fn read<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, space: &Space)
     let mut connections = Vec::new();
     for row in TABLES {
         let table = row.spec.name;
-        let rows = super::structures::rows(reader, top, table, row.spec, false);
+        let rows = super::structures::rows(reader, top, table, row.spec, Owner::Bodies);
         let others = names(top, table).filter(|name| rows.iter().all(|(own, _)| own != name));
         others.for_each(|name| reader.scope.withdraw(table, name));
         for (name, fields) in rows {

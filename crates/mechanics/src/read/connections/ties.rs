@@ -1,7 +1,7 @@
 //! `[rods]`, `[ropes]`, `[threads]`.
 
 use super::Found;
-use super::common::{Space, choose, flag, frame, length, point_named, restitution, same_thing, size, two_points};
+use super::common::{Space, choose, frame, length, point_named, restitution, same_thing, size, two_points};
 use crate::fields::connections::WOUND;
 use crate::formula::Context;
 use crate::model::{ConnectionKind, PointRef, Wound};
@@ -20,7 +20,7 @@ pub(super) fn rope<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Spa
     let path = path(reader, fields);
     let wound = drums(reader, fields);
     let length = length(reader, fields);
-    let slack = flag(reader, fields, "slack", true);
+    let slack = fields.flag(reader, "slack").unwrap_or(true);
     let restitution = restitution(reader, fields);
     if !slack && fields.has("restitution") {
         reader.fault(

@@ -1,7 +1,7 @@
 //! `[racks]`, `[rolling]`: a wheel that does not slip on a line or a circle.
 
 use super::Found;
-use super::common::{Space, direction, fixed_in, flag, frame, point, restitution, rigid, size, word};
+use super::common::{Space, direction, fixed_in, frame, point, restitution, rigid, size, word};
 use crate::fields::connections::CIRCLE;
 use crate::formula::Context;
 use crate::model::{ConnectionKind, FrameId, PointRef, Track};
@@ -16,13 +16,14 @@ pub(super) fn rack<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Spa
     let (direction, side) = (direction(reader, fields), word(reader, fields, "side", &["left", "right"]));
     let wheel = wheel?;
     let track = Track::Line { through: None, direction, left: side? == 0 };
-    Some(wheel.rolling(track, false, None))
+    let Wheel { frame: wheel, center, radius, on, .. } = wheel;
+    Some(ConnectionKind::Rolling { wheel, center, radius, on, track, held: false, leaves: None }.into())
 }
 
 pub(super) fn rolling<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
     let wheel = wheel(reader, fields, space, "body");
-    let held = flag(reader, fields, "held", true);
-    let leaves = flag(reader, fields, "leaves", false);
+    let held = fields.flag(reader, "held").unwrap_or(true);
+    let leaves = fields.flag(reader, "leaves").unwrap_or(false);
     let restitution = restitution(reader, fields);
     if let Some(fault) = unheld(fields, (held, leaves)) {
         reader.fault(fault);
@@ -34,7 +35,8 @@ pub(super) fn rolling<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &
         Some(_) => circle(reader, fields, space, wheel.as_ref()),
     };
     let (wheel, track) = (wheel?, track?);
-    Some(wheel.rolling(track, held, leaves.then_some(restitution)))
+    let Wheel { frame: wheel, center, radius, on, .. } = wheel;
+    Some(ConnectionKind::Rolling { wheel, center, radius, on, track, held, leaves: leaves.then_some(restitution) }.into())
 }
 
 /// Only a wheel that is held by its track alone can leave it, and land again.
@@ -62,13 +64,6 @@ struct Wheel {
     /// its radius, when it is a number
     size: Option<f64>,
     on: FrameId,
-}
-
-impl Wheel {
-    fn rolling(self, track: Track, held: bool, leaves: Option<Expr>) -> Found {
-        let Wheel { frame, center, radius, on, .. } = self;
-        ConnectionKind::Rolling { wheel: frame, center, radius, on, track, held, leaves }.into()
-    }
 }
 
 fn wheel<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, key: &'static str) -> Option<Wheel> {
@@ -122,7 +117,7 @@ fn circle<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space, wheel
         return None;
     };
     let track = Fields::open(reader, &CIRCLE, table, value.span(), fields.path_of("circle"));
-    let inside = flag(reader, &track, "inside", false);
+    let inside = track.flag(reader, "inside").unwrap_or(false);
     let radius = size(reader, &track, "radius", &Context::CONSTANT);
     let center = fixed_in(reader, &track, "center", space, wheel.map_or(FrameId::GROUND, |w| w.on))?;
     let (center, radius) = (center?, radius?);

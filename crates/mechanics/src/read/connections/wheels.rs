@@ -1,7 +1,7 @@
 //! `[belts]`, `[chains]`, `[gears]`: two wheels that turn together.
 
 use super::Found;
-use super::common::{Space, choose, flag, positive, same_thing};
+use super::common::{Space, choose, positive, same_thing};
 use crate::formula::Context;
 use crate::model::{ConnectionKind, FrameId, Strands};
 use crate::reader::names::{frame_by_name, two_names};
@@ -11,7 +11,7 @@ use symbolic::Expr;
 use words::Notice;
 
 pub(super) fn belt<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
-    let crossed = flag(reader, fields, "crossed", false);
+    let crossed = fields.flag(reader, "crossed").unwrap_or(false);
     let strands = match fields.has("pretension") {
         true => Strands::Pretension(pretension(reader, fields)?),
         false => Strands::Open,
@@ -44,7 +44,7 @@ pub(super) fn chain<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Sp
 }
 
 pub(super) fn gear<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, space: &Space) -> Option<Found> {
-    let internal = flag(reader, fields, "internal", false);
+    let internal = fields.flag(reader, "internal").unwrap_or(false);
     wheels(reader, fields, space, (!internal, Strands::Teeth))
 }
 

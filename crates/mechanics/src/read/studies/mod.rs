@@ -126,7 +126,7 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key,
             number(reader, fields, (name, limits), dimension.as_ref()).map(Value::Number)
         }
         Takes::Count(code) => count(reader, fields, (name, code)).map(Value::Number),
-        Takes::Flag => flag(reader, fields, name).map(Value::Flag),
+        Takes::Flag => fields.flag(reader, name).map(Value::Flag),
         Takes::Word(choice) => word(reader, fields, (name, choice)).map(Value::Word),
         Takes::Coordinate => names::coordinate(reader, fields, name).map(Value::Coordinate),
         Takes::Sought => names::constant_parameter(reader, fields, name).map(Value::Word),
@@ -214,15 +214,6 @@ fn count<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, code): (&'stati
         return None;
     }
     Some(number)
-}
-
-fn flag<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, key: &'static str) -> Option<bool> {
-    let value = fields.get(key)?;
-    let on = value.get_ref().as_bool();
-    if on.is_none() {
-        reader.fault(wrong_type(value.span(), "true or false", "true или false", value.get_ref().type_str()));
-    }
-    on
 }
 
 fn word<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, choice): (&'static str, &Choice)) -> Option<String> {
