@@ -3,6 +3,7 @@
 
 use crate::calculation::Calculation;
 use crate::results::{Extent, Results, View};
+use crate::sections::Drawings;
 use crate::wording::{Word as Say, say};
 use analysis::Dataset;
 use analysis::dataset::Audit;
@@ -35,7 +36,7 @@ pub fn compose(calculation: &Calculation, extent: Extent, language: Language) ->
     for results in &calculation.results {
         blocks.extend(writer.result(results));
     }
-    blocks.extend(crate::sections::blocks(sections, extent == Extent::Page, language));
+    blocks.extend(crate::sections::blocks(sections, if extent == Extent::Page { Drawings::Shown } else { Drawings::LeftOut }, language));
     if extent == Extent::Page {
         blocks.extend(writer.downloads());
     }

@@ -5,6 +5,7 @@
 
 // a study fails once: what it says may be large
 #![allow(clippy::result_large_err)]
+#![cfg_attr(not(test), deny(clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
 pub mod calculation;
 pub mod claims;

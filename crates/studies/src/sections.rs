@@ -139,13 +139,22 @@ pub fn figure(section: &Section, language: Language) -> Figure {
     }
 }
 
+/// Whether sections are drawn beside their tables.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Drawings {
+    /// A figure each.
+    Shown,
+    /// Tables alone.
+    LeftOut,
+}
+
 /// Heading, table and drawing of every section.
-pub fn blocks(sections: &[Section], drawings: bool, language: Language) -> Vec<Block> {
+pub fn blocks(sections: &[Section], drawings: Drawings, language: Language) -> Vec<Block> {
     let mut blocks = Vec::new();
     for section in sections {
         blocks.push(Block::heading(1, title(section, language)));
         let table = table(section, language);
-        if drawings {
+        if drawings == Drawings::Shown {
             blocks.push(Block::Table(table.with_caption(title(section, language))));
             blocks.push(Block::Figure(figure(section, language)));
         } else {

@@ -175,6 +175,7 @@ pub fn repeated(machine: &mut Machine, study: &Sweep, watch: &mut Watch) -> Resu
     checked(results)
 }
 
+#[expect(clippy::too_many_lines, reason = "one loop and what is said of it, in the order of the page")]
 fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Results) -> Result<Dataset, Notice> {
     let wanted = wanted(machine, study)?;
     let (base, of) = base(machine, study, &wanted)?;
@@ -259,13 +260,17 @@ fn repeat(machine: &Machine, study: &Sweep, watch: &mut Watch, results: &mut Res
         let plot = |c: &Column| mechanics::model::Plot { title: Text::default(), x: None, y: vec![c.quantity.name.clone()] };
         results.plots = columns[own..].iter().map(plot).collect();
     }
-    let absent = Text::new("the study has no such number at this value", "при этом значении такого числа в расчёте нет");
-    let partly = |c: &&Column| c.values.iter().any(|v| v.is_finite()) && without.iter().all(|(name, _)| *name != c.quantity.name);
-    let partly: Vec<(String, Text)> = columns[own..].iter().filter(partly).map(|c| (c.quantity.name.clone(), absent.clone())).collect();
-    without.extend(partly);
+    without.extend(partly_absent(&columns[own..], &without));
     data.columns = columns;
     without.into_iter().for_each(|(column, words)| data.state(&column, Missing::Absent, words));
     Ok(data)
+}
+
+/// Columns with numbers at some values only, of which nothing has been said.
+fn partly_absent(columns: &[Column], said: &[(String, Text)]) -> Vec<(String, Text)> {
+    let absent = Text::new("the study has no such number at this value", "при этом значении такого числа в расчёте нет");
+    let partly = |c: &&Column| c.values.iter().any(|v| v.is_finite()) && said.iter().all(|(name, _)| *name != c.quantity.name);
+    columns.iter().filter(partly).map(|c| (c.quantity.name.clone(), absent.clone())).collect()
 }
 
 /// The checks of all runs.

@@ -38,14 +38,14 @@ fn table(verdicts: &[Verdict], language: Language) -> Table {
         let name = if source.is_empty() { v.name.clone() } else { format!("{} ({source})", v.name) };
         let unit = Cell::words(report::unit::print(&v.unit, language));
         let deviation = if v.deviation.is_finite() { Cell::words(report::number::short(v.deviation, 2, language)) } else { Cell::Empty };
-        table.row(vec![Cell::words(name), number(v.published), number(v.value), unit, deviation, Cell::words(holds(v.ok, language))]);
+        table.row(vec![Cell::words(name), number(v.published), number(v.value), unit, deviation, Cell::words(holds(v, language))]);
     }
     table
 }
 
 /// Whether the machine confirms what is published.
-fn holds(ok: bool, language: Language) -> &'static str {
-    match ok {
+fn holds(verdict: &Verdict, language: Language) -> &'static str {
+    match verdict.ok {
         true => language.pick("✓ confirmed", "✓ подтверждено"),
         false => language.pick("✗ not confirmed", "✗ не подтверждено"),
     }

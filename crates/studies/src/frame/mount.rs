@@ -57,7 +57,7 @@ fn mount(model: &mut Model, structure: &file::Structure) -> Result<Vec<Notice>, 
         amplitude(model, k + 1);
     }
     for (i, coordinate) in followers {
-        follower(model, &bound, &found, first, i, coordinate);
+        follower(model, (&bound, &found), first, i, coordinate);
     }
     let (mass, stiffness) = entries(&bound, structure, &found);
     inertias(model, &mass, first);
@@ -184,7 +184,7 @@ fn amplitude(model: &mut Model, number: usize) {
 }
 
 /// A displacement that follows from the coordinates: a formula, and a result to look at.
-fn follower(model: &mut Model, bound: &Bound, found: &Substructure, first: usize, i: usize, coordinate: CoordinateDecl) {
+fn follower(model: &mut Model, (bound, found): (&Bound, &Substructure), first: usize, i: usize, coordinate: CoordinateDecl) {
     let assembly = Assembly::of(&bound.frame);
     let n = found.named.len() + found.amplitudes;
     let row = displacements(&bound.frame, &assembly).swap_remove(i);
@@ -216,7 +216,7 @@ fn follower(model: &mut Model, bound: &Bound, found: &Substructure, first: usize
 }
 
 /// A number of the frame as a parameter with a name that is free.
-fn parameter(model: &mut Model, letter: &str, entry: &Entry, first: usize, label: Text) -> Expr {
+fn parameter(model: &mut Model, (letter, entry): (&str, &Entry), first: usize, label: Text) -> Expr {
     let (i, j, value, exact) = entry;
     let plain = format!("{letter}_{}{}", i + 1, j + 1);
     let taken = |name: &str| {
@@ -255,7 +255,7 @@ fn parameter(model: &mut Model, letter: &str, entry: &Entry, first: usize, label
 fn inertias(model: &mut Model, mass: &[Entry], first: usize) {
     for entry in mass {
         let label = Text::new("inertia of the frame", "инерция рамы");
-        let value = parameter(model, "M", entry, first, label);
+        let value = parameter(model, ("M", entry), first, label);
         model.inertias.push(ConstantInertia { between: [first + entry.0, first + entry.1], value });
     }
 }
@@ -264,7 +264,7 @@ fn potential(model: &mut Model, stiffness: &[Entry], first: usize) {
     let mut terms = Vec::new();
     for entry in stiffness {
         let label = Text::new("stiffness of the frame", "жёсткость рамы");
-        let value = parameter(model, "K", entry, first, label);
+        let value = parameter(model, ("K", entry), first, label);
         let factor = if entry.0 == entry.1 { Rational::HALF } else { Rational::ONE };
         let [a, b] = [entry.0, entry.1].map(|k| model.coordinates[first + k].symbols[0]);
         let (a, b) = (model.graph.symbol(a), model.graph.symbol(b));

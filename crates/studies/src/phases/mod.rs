@@ -44,14 +44,15 @@ impl Show for Phases {
 /// place of `constants`; where modes do not uncouple, `case` is `coupled`. The forced motion is `static`, plus D sin(pt + delta - epsilon) of
 /// each of the `harmonics`, plus factor τ^power e^(rate τ) cos(frequency τ + phase) of each of `further`.
 pub fn to_json(phases: &Phases) -> Value {
-    phases.list.iter().map(|phase| one(phase, &phases.names, phases.restarts(phase))).collect()
+    phases.list.iter().map(|phase| one(phase, phases)).collect()
 }
 
-fn one(phase: &Phase, names: &[String], restarts: bool) -> Value {
+fn one(phase: &Phase, phases: &Phases) -> Value {
+    let names = &phases.names;
     let mut out = Map::new();
     out.insert("start".into(), json!(phase.start));
     out.insert("end".into(), json!(phase.end));
-    out.insert("phase".into(), json!(if restarts { "restarts" } else { "keeps" }));
+    out.insert("phase".into(), json!(if phases.restarts(phase) { "restarts" } else { "keeps" }));
     let listed = phase.listed();
     match listed.as_slice() {
         [] => {

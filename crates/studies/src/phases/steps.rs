@@ -47,7 +47,7 @@ pub fn blocks(equations: &Equations, found: &Phases, language: Language, width: 
             [only] if phase.form.n == 1 => {
                 let coordinate = Writer::new(&setting, equations, only, phase);
                 let same = before.is_some_and(|b| b.form.mass == phase.form.mass && b.form.damping == phase.form.damping && b.form.stiffness == phase.form.stiffness);
-                blocks.extend(coordinate.solution(same));
+                blocks.extend(coordinate.solution(if same { System::AsBefore } else { System::New }));
             }
             modes => blocks.extend(principal::blocks(&setting, equations, modes, phase)),
         }
@@ -80,6 +80,20 @@ fn reading(found: &Phases, language: Language) -> Option<Block> {
             "При переключениях нагрузки начинаются заново (другое толкование: --set phases=keeps).",
         ),
     }))
+}
+
+/// How an equation stands on the page.
+#[derive(Clone, Copy, PartialEq)]
+enum Written {
+    Letters,
+    Numbers,
+}
+
+/// Whether the system is that of the phase before, whose constants were written there.
+#[derive(Clone, Copy, PartialEq)]
+enum System {
+    AsBefore,
+    New,
 }
 
 /// Writes the solution of one oscillator in one phase: that of one degree of freedom, or a principal coordinate.
@@ -115,7 +129,7 @@ impl<'a> Writer<'a> {
 
     /// Its equation and its motion with their numbers.
     pub(super) fn in_numbers(&self) -> [Block; 2] {
-        [self.equation(true), self.line(vec![self.q[0].clone(), self.numeric()])]
+        [self.equation(Written::Numbers), self.line(vec![self.q[0].clone(), self.numeric()])]
     }
 
     fn line(&self, parts: Vec<Layout>) -> Block {
@@ -128,10 +142,9 @@ impl<'a> Writer<'a> {
         Block::paragraph(self.set.language.pick(en, ru).to_owned())
     }
 
-    /// `same`: the system is that of the phase before, and its constants were written there.
-    fn solution(&self, same: bool) -> Vec<Block> {
-        let mut blocks = vec![self.equation(false), self.equation(true)];
-        if !same {
+    fn solution(&self, system: System) -> Vec<Block> {
+        let mut blocks = vec![self.equation(Written::Letters), self.equation(Written::Numbers)];
+        if system == System::New {
             blocks.extend(self.system());
         }
         for (i, forcing) in self.listed.forcing.iter().enumerate() {
@@ -156,7 +169,8 @@ impl<'a> Writer<'a> {
     }
 
     /// a q'' + b q' + c q = H sin pt, in letters or in numbers.
-    fn equation(&self, numbers: bool) -> Block {
+    fn equation(&self, written: Written) -> Block {
+        let numbers = written == Written::Numbers;
         let o = &self.listed.mode.oscillator;
         let a = self.listed.inertia;
         let coefficients = [("a", a, 2), ("b", 2.0 * o.n * a, 1), ("c", o.k2 * a, 0)];
@@ -167,7 +181,7 @@ impl<'a> Writer<'a> {
         let mut right = Vec::new();
         for (i, f) in self.listed.forcing.iter().enumerate() {
             let index = self.index(i);
-            let wave = self.wave(f, &index, numbers, 0.0);
+            let wave = self.wave(f, &index, written, 0.0);
             let size = a * f.harmonic.h;
             right.push(if numbers {
                 self.set.term(size, vec![wave])
@@ -203,7 +217,8 @@ impl<'a> Writer<'a> {
     }
 
     /// sin(p t + δ - lag); in numbers the phases are one.
-    fn wave(&self, f: &Forcing, index: &str, numbers: bool, lag: f64) -> Layout {
+    fn wave(&self, f: &Forcing, index: &str, written: Written, lag: f64) -> Layout {
+        let numbers = written == Written::Numbers;
         let clock = self.letter(if f.clock == Clock::Phase { "τ" } else { "t" });
         let p = if numbers { self.set.size(f.harmonic.p) } else { self.letter(&format!("p{index}")) };
         let angle = product(vec![p, clock]);
@@ -260,6 +275,14 @@ impl<'a> Writer<'a> {
             Case::Unstable => ("c < 0: the equilibrium is unstable.", "c < 0: положение равновесия неустойчиво."),
         };
         blocks.push(self.words(en, ru));
+        blocks.extend(self.roots());
+        blocks
+    }
+
+    /// The decaying oscillation or the roots of the characteristic equation.
+    fn roots(&self) -> Vec<Block> {
+        let (set, o, c) = (self.set, &self.listed.mode.oscillator, &self.listed.constants);
+        let mut blocks = Vec::new();
         let (n2, k2) = (square(self.letter("n")), square(self.letter("k")));
         let k = o.k2.max(0.0).sqrt();
         match c.case {
@@ -393,7 +416,7 @@ impl<'a> Writer<'a> {
         for (i, f) in self.listed.forcing.iter().enumerate() {
             let index = self.index(i);
             if f.harmonic.amplitude.is_some() {
-                let wave = self.wave(f, &index, false, f.harmonic.lag);
+                let wave = self.wave(f, &index, Written::Letters, f.harmonic.lag);
                 terms.push((Sign::Plus, product(vec![self.letter(&format!("D{index}")), wave])));
             }
         }
@@ -521,7 +544,7 @@ impl<'a> Writer<'a> {
         };
         for f in &self.listed.forcing {
             if let Some(amplitude) = f.harmonic.amplitude {
-                terms.push(set.term(amplitude, vec![self.wave(f, "", true, f.harmonic.lag)]));
+                terms.push(set.term(amplitude, vec![self.wave(f, "", Written::Numbers, f.harmonic.lag)]));
             }
         }
         terms.extend(self.listed.standing().map(|x| set.term(x, vec![])));

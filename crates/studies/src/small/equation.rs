@@ -41,7 +41,7 @@ pub fn find(machine: &Machine, small: &Small, variable: Option<&FrequencyVariabl
     }
     let coefficients = symbolic::characteristic(&linear.graph, &linear.stiffness, &linear.mass)?;
     let name = variable.map_or("z", |v| v.name.as_str()).to_owned();
-    let text = write(&coefficients, &name, variable.is_some());
+    let text = write(&coefficients, &name, if variable.is_some() { Digits::Whole } else { Digits::Shortest });
     let one = linear.graph.one();
     Some((FrequencyEquation { variable: name, meaning: factor.unwrap_or(one), coefficients, text }, linear))
 }
@@ -67,12 +67,21 @@ fn numbers(machine: &Machine) -> Vec<(SymbolId, Expr)> {
     machine.model.parameters.iter().filter(known).filter_map(number).collect()
 }
 
+/// How coefficients are written.
+#[derive(Clone, Copy, PartialEq)]
+enum Digits {
+    /// As whole numbers.
+    Whole,
+    /// As decimals where these are shorter.
+    Shortest,
+}
+
 /// Highest power first. In the user's variable whole numbers; in ω² decimals with the leading coefficient 1 when these are shorter.
-fn write(coefficients: &[Rational], name: &str, whole: bool) -> String {
+fn write(coefficients: &[Rational], name: &str, digits: Digits) -> String {
     let longest = coefficients.iter().map(|c| c.digits().0.len()).max().unwrap_or(0);
     let lead = coefficients.last().and_then(Rational::recip);
     let decimals = || lead.as_ref().and_then(|lead| coefficients.iter().map(|c| decimal(&(c * lead))).collect::<Option<Vec<_>>>());
-    let list = if whole || longest <= DIGITS { None } else { decimals() };
+    let list = if digits == Digits::Whole || longest <= DIGITS { None } else { decimals() };
     let list = list.unwrap_or_else(|| coefficients.iter().map(|c| (c.is_negative(), c.abs().digits().0)).collect());
     let mut out = String::new();
     for (power, (negative, digits)) in list.iter().enumerate().rev() {
@@ -128,9 +137,9 @@ mod tests {
     #[test]
     fn equations_read_as_textbooks_have_them() {
         let list = |v: &[i64]| v.iter().map(|c| Rational::from(*c)).collect::<Vec<_>>();
-        assert_eq!(write(&list(&[-1, 94, -729, 504]), "z", true), "504 z^3 - 729 z^2 + 94 z - 1 = 0");
-        assert_eq!(write(&list(&[0, -3, 1]), "z", true), "z^2 - 3 z = 0");
+        assert_eq!(write(&list(&[-1, 94, -729, 504]), "z", Digits::Whole), "504 z^3 - 729 z^2 + 94 z - 1 = 0");
+        assert_eq!(write(&list(&[0, -3, 1]), "z", Digits::Whole), "z^2 - 3 z = 0");
         let long = [Rational::from(961_234_567_890_123), Rational::from(-39_240_000_000_000), Rational::from(1_000_000_000_000)];
-        assert_eq!(write(&long, "z", false), "z^2 - 39.24 z + 961.234567890123 = 0");
+        assert_eq!(write(&long, "z", Digits::Shortest), "z^2 - 39.24 z + 961.234567890123 = 0");
     }
 }

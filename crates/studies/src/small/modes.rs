@@ -215,8 +215,7 @@ fn to_json(found: Option<&Found>) -> Map<String, Value> {
         return own;
     };
     let names = f.small.machine.coordinates();
-    let complex = is_complex(&f.modes);
-    own.insert("modes".into(), f.modes.modes.iter().map(|m| mode(m, names, complex)).collect());
+    own.insert("modes".into(), f.modes.modes.iter().map(|m| mode(m, names, &f.modes)).collect());
     own.insert("frequency_equation".into(), json!(f.equation.as_ref().map(|e| e.text.clone())));
     if let Some(e) = &f.equation {
         let digits = |r: &symbolic::Rational| {
@@ -256,7 +255,7 @@ fn to_json(found: Option<&Found>) -> Map<String, Value> {
     own
 }
 
-fn mode(m: &modes::Mode, names: &[Quantity], complex: bool) -> Value {
+fn mode(m: &modes::Mode, names: &[Quantity], all: &modes::Modes) -> Value {
     let part = |pick: fn(&(f64, f64)) -> f64| -> Map<String, Value> {
         names.iter().zip(&m.shape).map(|(q, z)| (q.name.clone(), json!(pick(z)))).collect()
     };
@@ -265,7 +264,7 @@ fn mode(m: &modes::Mode, names: &[Quantity], complex: bool) -> Value {
         "omega": m.omega, "f": m.omega / TAU, "T": period, "damping_ratio": m.ratio, "decrement": m.decrement(), "quality_factor": if m.ratio == 0.0 { Value::Null } else { json!(0.5 / m.ratio) },
         "omega_d": m.damped, "root": [m.root.0, m.root.1], "kind": m.kind.key(), "shape": part(|z| z.0),
     });
-    if complex {
+    if is_complex(all) {
         out["shape_imag"] = Value::Object(part(|z| z.1));
     }
     out

@@ -145,6 +145,7 @@ fn beyond(machine: &Machine, top: f64) -> Option<Audit> {
     Some(Audit::at_most("frame_modes", name, top / kept, STATIC))
 }
 
+#[expect(clippy::too_many_lines, reason = "what a response says, in the order of its page")]
 fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut ResponseFound, &mut Dataset)) -> Result<(), Fault> {
     let names = small.machine.coordinates().to_vec();
     let matrices = small.machine.at(&small.place)?;
@@ -210,7 +211,7 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     }
     data.notes.extend(cut(asked.len(), &omegas));
     data.notes.extend(found.notes.iter().cloned());
-    data.notes.push(reference(from_sine, !out.orders.is_empty()));
+    data.notes.push(reference(if from_sine { "sin" } else { "cos" }, if out.orders.is_empty() { "ωt" } else { "nωt" }));
     data.notes.extend(doubtful(doubt));
     data.notes.extend(left_out(&forced.left_out));
     data.notes.extend(limit);
@@ -499,13 +500,8 @@ fn doubtful(doubt: f64) -> Option<Text> {
     })
 }
 
-fn reference(from_sine: bool, orders: bool) -> Text {
-    let wave = match (from_sine, orders) {
-        (false, false) => "cos ωt",
-        (true, false) => "sin ωt",
-        (false, true) => "cos nωt",
-        (true, true) => "sin nωt",
-    };
+fn reference(function: &str, angle: &str) -> Text {
+    let wave = format!("{function} {angle}");
     Text::new(
         format!(
             "a motion is amplitude times {wave} shifted by the phase; phases are counted from {wave}, whatever the phase of the load, and negative when the motion lags behind it"

@@ -30,7 +30,7 @@ pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Notic
     let mut result = structure_statics::statics(&bound.frame, bound.exact.as_ref()).map_err(trouble)?;
     let moving = structure.loads.iter().any(|l| moves(model, l));
     if !is_bare(model) {
-        let forces = exerted(machine, &result, moving)?;
+        let forces = exerted(machine, structure, &result)?;
         if !forces.is_empty() {
             let list = |language| {
                 let one = |(l, v): &(structures::Load<f64>, f64)| format!("{} {}", l.name, significant(*v, 6, language));
@@ -56,7 +56,7 @@ pub fn find(machine: &Machine, structure: &Structure) -> Result<Found, Box<Notic
 
 /// Forces of the machine at rest along the displacements that it acts on: those which move the loaded structure from where its own loads
 /// leave it, D F = u - u₀, to where the whole machine rests.
-fn exerted(machine: &Machine, bare: &StructureStatics, moving: bool) -> Result<Vec<(structures::Load<f64>, f64)>, Box<Notice>> {
+fn exerted(machine: &Machine, structure: &Structure, bare: &StructureStatics) -> Result<Vec<(structures::Load<f64>, f64)>, Box<Notice>> {
     let frame = &bare.frame;
     let names = |i: &usize| machine.model.coordinates.iter().position(|c| c.name == frame.displacements[*i].name);
     let loaded: Vec<usize> = (0..frame.displacements.len()).filter(|i| frame.displacements[*i].loaded).collect();
@@ -64,6 +64,7 @@ fn exerted(machine: &Machine, bare: &StructureStatics, moving: bool) -> Result<V
         return Ok(Vec::new());
     }
     let places: Option<Vec<usize>> = loaded.iter().map(names).collect();
+    let moving = structure.loads.iter().any(|l| moves(&machine.model, l));
     let (Some(places), Some(flexibility), false) = (places, &bare.flexibility, moving) else { return Err(Box::new(apart())) };
     let small = crate::small::about_rest(machine, &[]).map_err(|f| Box::new(Notice::from(f)))?;
     let all = frame.displacements.len();
