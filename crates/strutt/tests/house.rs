@@ -329,6 +329,12 @@ fn below_the_command_line_nothing_reaches_outside() {
     }
 }
 
+/// The map of the house is read in one sitting.
+#[test]
+fn the_map_of_the_house_is_short() {
+    assert!(read(&root().join("ARCHITECTURE.md")).lines().count() <= 80);
+}
+
 /// Every file of the library begins with what it is.
 #[test]
 fn every_file_says_what_it_is() {

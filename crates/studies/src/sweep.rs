@@ -474,8 +474,7 @@ fn one(
     let mut own = base.has("wanted_period").then(|| machine.clone());
     let machine = own.as_mut().unwrap_or(machine);
     let study = (base.kind == "periodic").then(|| Periodic::of(base)).filter(|study| study.tuned.is_none());
-    let mut inner = Watch::default();
-    inner.interrupt = watch.interrupt;
+    let mut inner = Watch { interrupt: watch.interrupt, ..Watch::default() };
     if let (Some(study), Some(x)) = (&study, guess.as_ref()) {
         // the regime before is the better guess; when it leads nowhere, the file's start is tried
         let outcome = periodic::from(machine, &Periodic { settle: 0.0, ..study.clone() }, x, &mut inner);

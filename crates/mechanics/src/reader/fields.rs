@@ -39,7 +39,7 @@ impl<'a> Fields<'a> {
             }
         }
         let missing: Vec<&str> = spec.fields.iter().filter(|f| f.required && !table.contains_key(f.key)).map(|f| f.key).collect();
-        if !missing.is_empty() && spec.name != "" {
+        if !missing.is_empty() && !spec.name.is_empty() {
             let fault = missing_keys(spec, &missing, span.clone(), &path);
             reader.fault(fault);
         }
