@@ -28,6 +28,8 @@ const PLACES: &[&str] = &[
     "[forces.f]\nalong = \"x\"\nvalue = \"@\"",
     "[torques.t]\non = \"b\"\n@",
     "[torques.t]\non = \"b\"\nvalue = \"@\"",
+    "[torsion_bars.t]\nbetween = [\"ground\", \"b\"]\n@",
+    "[torsion_bars.t]\nbetween = [\"ground\", \"b\"]\nshear_modulus = \"80 GPa\"\nlength = \"1 m\"\n@",
     "[potentials.p]\n@",
     "[dissipations.d]\n@",
     "[outputs]\n@",
