@@ -3,9 +3,10 @@
 use analysis::Dataset;
 use analysis::Quantity;
 use analysis::dataset::{Column, Event};
-use report::document::{Content, Inline, Rich};
-use report::figure::{Happening, Mark, png, svg};
+use report::document::{Content, Formula, Inline, Rich};
+use report::figure::{Happening, Mark, Title, png, svg};
 use report::formula::{Bare, Bracket, Layout, Printer, Relation, Sign};
+use report::table::Verdict;
 use report::{Block, Cell, Document, Download, Figure, Table, Word, csv, json, page, table, terminal};
 use words::{Language, Text};
 
@@ -21,8 +22,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let document = document(&data, language);
         std::fs::write(dir.join(format!("{code}.html")), page::write(&document, page::Options::default()))?;
         for (i, figure) in figures(&data, language).iter().enumerate() {
-            std::fs::write(dir.join(format!("{code}-{i}.svg")), svg::write(figure, true, language))?;
-            std::fs::write(dir.join(format!("{code}-{i}.png")), png::write(figure, true, language)?)?;
+            std::fs::write(dir.join(format!("{code}-{i}.svg")), svg::write(figure, Title::Above, language))?;
+            std::fs::write(dir.join(format!("{code}-{i}.png")), png::write(figure, Title::Above, language)?)?;
         }
         println!("{}", terminal::write(&document, 100));
     }
@@ -76,7 +77,7 @@ fn figures(data: &Dataset, language: Language) -> Vec<Figure> {
     [speed, both, shift, path, phase, log].into_iter().flatten().collect()
 }
 
-fn document(data: &Dataset, language: Language) -> Document {
+fn parameters(language: Language) -> Table {
     let word = |w| language.word(w);
     let text = |en: &str, ru: &str| language.pick(en, ru).to_string();
     let mut parameters = Table::new(vec![
@@ -102,6 +103,12 @@ fn document(data: &Dataset, language: Language) -> Document {
             Cell::words(label),
         ]);
     }
+    parameters
+}
+
+fn audits(language: Language) -> Table {
+    let word = |w| language.word(w);
+    let text = |en: &str, ru: &str| language.pick(en, ru).to_string();
     let mut audits = Table::new(vec![
         table::Column::new(word(Word::Check)),
         table::Column::new(word(Word::Value)),
@@ -109,18 +116,32 @@ fn document(data: &Dataset, language: Language) -> Document {
         table::Column::new(word(Word::Verdict)),
     ])
     .with_caption(word(Word::Checks));
-    for (name, value, ok) in [
-        (text("two derivations, largest relative difference", "два вывода, наибольшее относительное расхождение"), 3.2e-13, true),
-        (text("power balance along the motion", "баланс мощностей вдоль движения"), 2.4e-8, false),
+    for (name, value, verdict) in [
+        (
+            text("two derivations, largest relative difference", "два вывода, наибольшее относительное расхождение"),
+            3.2e-13,
+            Verdict::Passed,
+        ),
+        (text("power balance along the motion", "баланс мощностей вдоль движения"), 2.4e-8, Verdict::Failed),
     ] {
-        audits.row(vec![Cell::words(name), Cell::number(value, 2, language), Cell::number(1e-10, 1, language), Cell::Verdict(ok)]);
+        audits.row(vec![Cell::words(name), Cell::number(value, 2, language), Cell::number(1e-10, 1, language), Cell::Verdict(verdict)]);
     }
+    audits
+}
+
+fn events(data: &Dataset, language: Language) -> Table {
+    let word = |w| language.word(w);
     let mut events = Table::new(vec![table::Column::with_unit(word(Word::Time), "s", language), table::Column::new(word(Word::Event))])
         .with_caption(word(Word::Events));
     let times = Cell::column(&data.events.iter().map(|e| e.t).collect::<Vec<_>>(), 4, language);
     for (time, event) in times.into_iter().zip(&data.events) {
         events.row(vec![time, Cell::words(language.text(&event.what))]);
     }
+    events
+}
+
+/// An equation of motion and an energy.
+fn formulas(language: Language) -> (Formula, Formula) {
     let printer = Printer::new(language);
     let letter = |name: &str| Layout::Symbol(printer.named(name));
     let sine = Layout::Call { name: "sin", power: None, argument: Box::new(letter("phi")), bare: Bare::Always };
@@ -136,6 +157,13 @@ fn document(data: &Dataset, language: Language) -> Document {
     let formula = printer.block(equal(left, right));
     let half = Layout::Fraction(Box::new(Layout::Words("1".into())), Box::new(Layout::Words("2".into())));
     let small = printer.block(equal(letter("T"), Layout::Product(vec![half, letter("m"), square("v")])));
+    (formula, small)
+}
+
+fn document(data: &Dataset, language: Language) -> Document {
+    let word = |w| language.word(w);
+    let text = |en: &str, ru: &str| language.pick(en, ru).to_string();
+    let (formula, small) = formulas(language);
     let mut blocks = vec![
         Block::heading(1, word(Word::Coordinates)),
         Block::Paragraph(Rich(vec![
@@ -158,11 +186,11 @@ fn document(data: &Dataset, language: Language) -> Document {
             ],
         },
         Block::heading(1, word(Word::Parameters)),
-        Block::Table(parameters),
+        Block::Table(parameters(language)),
         Block::heading(1, word(Word::Checks)),
-        Block::Table(audits),
+        Block::Table(audits(language)),
         Block::heading(1, word(Word::Simulation)),
-        Block::Table(events),
+        Block::Table(events(data, language)),
     ];
     blocks.extend(figures(data, language).into_iter().map(Block::Figure));
     blocks.push(Block::heading(1, word(Word::Downloads)));

@@ -20,10 +20,10 @@ fn main() {
         data.columns[0].values = (0..n_rows).map(|i| i as f64).collect();
         let start = Instant::now();
         let Some(picture) = Figure::over_axis(&data, &["x1", "x2"], Language::Ru) else { return };
-        let bytes = figure::svg::write(&picture, true, Language::Ru).len();
+        let bytes = figure::svg::write(&picture, figure::Title::Above, Language::Ru).len();
         println!("{n_rows} rows: svg {bytes} bytes in {:?}", start.elapsed());
         let start = Instant::now();
-        let bytes = figure::png::write(&picture, true, Language::Ru).map_or(0, |png| png.len());
+        let bytes = figure::png::write(&picture, figure::Title::Above, Language::Ru).map_or(0, |png| png.len());
         println!("{n_rows} rows: png {bytes} bytes in {:?}", start.elapsed());
     }
 }

@@ -28,21 +28,21 @@ pub fn pieces(name: &str, language: Language) -> Vec<Piece> {
     };
     let Identifier { base, shape, subscript, .. } = symbol;
     let mut out = Vec::new();
-    push(&mut out, &format!("{base}{dots}"), shape, false);
-    for index in &subscript {
-        push(&mut out, &index.text, index.shape, true);
+    let upon_line = |text: String, shape: Shape| Piece { text, italic: shape == Shape::Italic, index: false };
+    push(&mut out, upon_line(format!("{base}{dots}"), shape));
+    for index in subscript {
+        push(&mut out, Piece { index: true, ..upon_line(index.text, index.shape) });
     }
-    push(&mut out, &"′".repeat(primes), Shape::Upright, false);
+    push(&mut out, upon_line("′".repeat(primes), Shape::Upright));
     out
 }
 
-/// Adds the text to the last piece if the style is the same.
-fn push(out: &mut Vec<Piece>, text: &str, shape: Shape, index: bool) {
-    let italic = shape == Shape::Italic;
+/// Adds a piece to the last one if the style is the same.
+fn push(out: &mut Vec<Piece>, piece: Piece) {
     match out.last_mut() {
-        _ if text.is_empty() => {}
-        Some(last) if last.italic == italic && last.index == index => last.text.push_str(text),
-        _ => out.push(Piece { text: text.into(), italic, index }),
+        _ if piece.text.is_empty() => {}
+        Some(last) if last.italic == piece.italic && last.index == piece.index => last.text.push_str(&piece.text),
+        _ => out.push(piece),
     }
 }
 

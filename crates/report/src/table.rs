@@ -47,7 +47,23 @@ pub enum Cell {
     /// A number in print, aligned on its decimal mark.
     Number(String),
     /// Whether a check was passed.
-    Verdict(bool),
+    Verdict(Verdict),
+}
+
+/// The outcome of a check.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// What was found is within what is allowed.
+    Passed,
+    /// It is not.
+    Failed,
+}
+
+impl Verdict {
+    /// The outcome of an audit.
+    pub fn of(audit: &analysis::dataset::Audit) -> Verdict {
+        if audit.ok { Verdict::Passed } else { Verdict::Failed }
+    }
 }
 
 impl Cell {

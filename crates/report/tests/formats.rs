@@ -4,6 +4,7 @@ use proptest::prelude::*;
 use report::document::{Content, Formula, Inline, Rich};
 use report::formats::{Page, Sheet, TABLE, find};
 use report::formula::{Layout, Printer};
+use report::table::Verdict;
 use report::{Block, Cell, Document, Download, Table, table};
 use words::Language;
 
@@ -11,7 +12,7 @@ use words::Language;
 fn document(text: &str, language: Language) -> Document {
     let mut cells = Table::new(vec![table::Column::new(text), table::Column::with_unit(text, "m", language)]).with_caption(text);
     cells.row(vec![Cell::symbol(text), Cell::Number("12,5".into())]);
-    cells.row(vec![Cell::words(text), Cell::Verdict(false)]);
+    cells.row(vec![Cell::words(text), Cell::Verdict(Verdict::Failed)]);
     let formula =
         Printer::new(language).block(Layout::Row(vec![Layout::Words(text.into()), Layout::Symbol(Printer::new(language).named(text))]));
     let blocks = vec![

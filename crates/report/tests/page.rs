@@ -3,8 +3,9 @@
 use analysis::dataset::{Column, Event};
 use analysis::{Dataset, Quantity};
 use report::document::{Content, Formula, Rich};
-use report::figure::{png, svg};
+use report::figure::{Title, png, svg};
 use report::formula::Layout;
+use report::table::Verdict;
 use report::{Block, Cell, Document, Download, Figure, Table, page, table, terminal};
 use words::{Language, Text};
 
@@ -26,7 +27,7 @@ fn document(language: Language) -> Document {
     let data = data();
     let mut cells = Table::new(vec![table::Column::new(NASTY)]).with_caption(NASTY);
     cells.row(vec![Cell::symbol(NASTY)]);
-    cells.row(vec![Cell::Verdict(false)]);
+    cells.row(vec![Cell::Verdict(Verdict::Failed)]);
     let blocks = vec![
         Block::heading(1, NASTY),
         Block::paragraph(NASTY),
@@ -92,10 +93,10 @@ fn pictures_are_well_formed_and_drawn() {
         let mut figure = Figure::over_axis(&data(), &[NASTY, "x"], language).unwrap();
         for log in [false, true] {
             figure.y.log = log;
-            let text = svg::write(&figure, true, language);
+            let text = svg::write(&figure, Title::Above, language);
             assert_eq!(text.matches("<text").count(), text.matches("</text>").count());
             // reading it as XML is part of drawing it
-            let bytes = png::write(&figure, true, language).unwrap();
+            let bytes = png::write(&figure, Title::Above, language).unwrap();
             assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
         }
     }
@@ -111,7 +112,7 @@ fn odd_curves_are_drawn_without_panic() {
             let mut figure = figure.unwrap();
             for log in [false, true] {
                 (figure.x.log, figure.y.log) = (log, log);
-                assert!(png::write(&figure, true, Language::Ru).is_ok(), "{values:?}");
+                assert!(png::write(&figure, Title::Above, Language::Ru).is_ok(), "{values:?}");
                 let blocks = vec![Block::Figure(figure.clone()), Block::paragraph(Rich::from("x"))];
                 let document = Document { blocks, ..document(Language::Ru) };
                 assert!(page::write(&document, page::Options::default()).contains("</html>"));

@@ -165,9 +165,18 @@ impl Console {
         failure.exit_code()
     }
 
+    /// How progress is told.
+    fn form(&self) -> Form {
+        match (self.quiet, std::io::stderr().is_terminal()) {
+            (true, _) => Form::Silent,
+            (false, true) => Form::Bar,
+            (false, false) => Form::Lines,
+        }
+    }
+
     /// Runs a calculation under watch: Ctrl+C stops it, a bar shows its progress, its phases are timed.
     pub fn watched<T>(&mut self, calculate: impl FnOnce(&mut Watch) -> T) -> T {
-        let bar = RefCell::new(Bar::new(self.quiet, self.language));
+        let bar = RefCell::new(Bar::new(self.form(), self.language));
         let mut tell = |share: f64| bar.borrow_mut().tell(share);
         let mut say = |words: Text| bar.borrow_mut().say(&words);
         let (mut laps, mut last) = (Vec::new(), Instant::now());
@@ -273,12 +282,7 @@ enum Form {
 }
 
 impl Bar {
-    fn new(quiet: bool, language: Language) -> Bar {
-        let form = match (quiet, std::io::stderr().is_terminal()) {
-            (true, _) => Form::Silent,
-            (false, true) => Form::Bar,
-            (false, false) => Form::Lines,
-        };
+    fn new(form: Form, language: Language) -> Bar {
         let now = Instant::now();
         Bar { started: now, told: now, shown: None, form, language, share: 0.0, pass: 1 }
     }

@@ -5,7 +5,7 @@ use crate::variants;
 use crate::wording::Word;
 use mechanics::Model;
 use mechanics::section::Section;
-use report::figure::png;
+use report::figure::{Title, png};
 use report::formats::Sheet;
 use report::{Document, Figure, Format, csv, json};
 use serde_json::{Value, json};
@@ -32,7 +32,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, (format, language): (
             plot(&mut shelf, &figure, &number, language)?;
         }
         if let Some(bands) = results.bands(language) {
-            let svg = report::figure::bands::write(&bands, true, language);
+            let svg = report::figure::bands::write(&bands, Title::Above, language);
             shelf.put(&format!("{}{number}.svg", bands.name), Word::Vector, svg.as_bytes())?;
         }
     }
@@ -101,8 +101,8 @@ fn tables(shelf: &mut Shelf, results: &Results, stem: &str, language: Language) 
 
 fn plot(shelf: &mut Shelf, figure: &Figure, number: &str, language: Language) -> Result<(), Box<Notice>> {
     let stem = format!("{}{number}", figure.name);
-    shelf.put(&format!("{stem}.svg"), Word::Vector, report::figure::svg::write(figure, true, language).as_bytes())?;
-    let png = png::write(figure, true, language).map_err(|error| undrawn(&stem, &error))?;
+    shelf.put(&format!("{stem}.svg"), Word::Vector, report::figure::svg::write(figure, Title::Above, language).as_bytes())?;
+    let png = png::write(figure, Title::Above, language).map_err(|error| undrawn(&stem, &error))?;
     shelf.put(&format!("{stem}.png"), Word::Picture, &png)?;
     Ok(())
 }

@@ -98,15 +98,15 @@ fn russian(command: Command, path: &str) -> Command {
             None => arg,
         };
         let heading = if arg.is_positional() { "Аргументы" } else { "Ключи" };
-        let valued = arg.get_action().takes_values();
-        in_russian(arg.help_heading(heading), valued)
+        in_russian(arg.help_heading(heading))
     });
     let usage = usage(&command, path);
     command.override_usage(usage).mut_subcommands(|sub| russian(sub, "strutt"))
 }
 
 /// Possible values and defaults in Russian brackets; clap has them in English only.
-fn in_russian(arg: Arg, valued: bool) -> Arg {
+fn in_russian(arg: Arg) -> Arg {
+    let valued = arg.get_action().takes_values();
     let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
     let possible: Vec<String> = arg.get_possible_values().iter().map(|v| v.get_name().to_owned()).collect();
     let named =

@@ -39,6 +39,14 @@ fn read(path: &Path) -> String {
 /// The path of a module, `["derive", "loads"]`; empty for the crate's root.
 type Module = Vec<String>;
 
+/// Which imports of a file are meant.
+#[derive(Clone, Copy, PartialEq)]
+enum Which {
+    All,
+    /// Those that the file hands on.
+    HandedOn,
+}
+
 /// Imports of the files of one crate.
 struct Crate {
     /// What each file says, without comments and tests.
@@ -64,21 +72,21 @@ impl Crate {
         let mut found = Crate { files, handed: BTreeMap::new() };
         let names: Vec<Module> = found.files.keys().cloned().collect();
         for name in names {
-            let handed = found.imports(&name, true).into_iter().map(|(path, alias)| (alias, path)).collect();
+            let handed = found.imports(&name, Which::HandedOn).into_iter().map(|(path, alias)| (alias, path)).collect();
             found.handed.insert(name, handed);
         }
         found
     }
 
     /// What a file imports: the path from the crate's root and the name it gets; of what it hands on alone, or of all.
-    fn imports(&self, from: &Module, handed_on: bool) -> Vec<(Module, String)> {
+    fn imports(&self, from: &Module, which: Which) -> Vec<(Module, String)> {
         let mut found = Vec::new();
         let mut lines = self.files[from].lines();
         while let Some(line) = lines.next() {
             let line = line.trim_start();
             let visible = ["pub ", "pub(crate) ", "pub(super) "].into_iter().find_map(|word| line.strip_prefix(word));
             let Some(tree) = visible.unwrap_or(line).strip_prefix("use ") else { continue };
-            if handed_on && visible.is_none() {
+            if which == Which::HandedOn && visible.is_none() {
                 continue;
             }
             let mut tree = tree.to_owned();
@@ -142,7 +150,7 @@ impl Crate {
 
     fn arrows(&self) -> BTreeSet<(Module, Module)> {
         let of = |from: &Module| {
-            let imported = self.imports(from, false).into_iter().map(|(path, _)| path);
+            let imported = self.imports(from, Which::All).into_iter().map(|(path, _)| path);
             let to: Vec<Module> = imported.chain(self.mentions(from)).filter_map(|path| self.home(&path, 0)).collect();
             to.into_iter().filter(|to| to != from).map(|to| (from.clone(), to)).collect::<Vec<_>>()
         };
@@ -364,7 +372,7 @@ fn a_circle_is_seen() {
     small.files.insert(file("d"), "use crate::a::A;\n".into());
     let names: Vec<Module> = small.files.keys().cloned().collect();
     for name in names {
-        let handed = small.imports(&name, true).into_iter().map(|(path, alias)| (alias, path)).collect();
+        let handed = small.imports(&name, Which::HandedOn).into_iter().map(|(path, alias)| (alias, path)).collect();
         small.handed.insert(name, handed);
     }
     let found = circles(&small.arrows());

@@ -9,7 +9,7 @@ use analysis::Dataset;
 use analysis::dataset::Audit;
 use report::document::{Content, Formula, Inline, Rich};
 use report::formula::{Layout, Printer};
-use report::table::Column;
+use report::table::{Column, Verdict};
 use report::{Block, Cell, Document, Download, Table, Word};
 use symbolic::connections::{Law, Reaction};
 use symbolic::{Equations, Expr};
@@ -251,7 +251,7 @@ impl Writer<'_> {
                 Cell::words(self.language.text(&audit.name)),
                 Cell::number(audit.value, 2, self.language),
                 Cell::number(audit.limit, 2, self.language),
-                Cell::Verdict(audit.ok),
+                Cell::Verdict(Verdict::of(audit)),
             ]);
         }
         vec![self.heading(Word::Checks), self.table(table, Word::Checks)]
@@ -259,7 +259,7 @@ impl Writer<'_> {
 
     fn check(&self, audit: &Audit) -> String {
         let number = |x| report::number::short(x, 2, self.language);
-        let verdict = report::terminal::verdict(audit.ok, self.language);
+        let verdict = report::terminal::verdict(Verdict::of(audit), self.language);
         let (value, limit) = (number(audit.value), number(audit.limit));
         format!("{verdict}: {}: {value} ({} {limit})", self.language.text(&audit.name), self.word(Word::Limit).to_lowercase())
     }

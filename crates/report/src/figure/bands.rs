@@ -1,5 +1,6 @@
 //! Bands: what each contact and friction did over time, one strip each, as a static picture. Colours say the state, a black tick an impact.
 
+use super::Title;
 use super::layout::{LEGEND_ROW, TEXT, text_width};
 use super::ticks;
 use crate::escape::markup;
@@ -129,10 +130,10 @@ impl Bands {
 }
 
 /// The picture as an SVG document.
-pub fn write(bands: &Bands, titled: bool, language: Language) -> String {
+pub fn write(bands: &Bands, place: Title, language: Language) -> String {
     let names = bands.bands.iter().map(|b| text_width(&b.name, TEXT)).fold(30.0, f64::max).min(NAMES);
     let (left, right) = (names + 16.0, WIDTH - 22.0);
-    let key = if titled { 30.0 } else { 4.0 };
+    let key = place.room();
     let rows = legend(bands, language).last().map_or(0, |entry| entry.0 + 1);
     let top = key + rows as f64 * LEGEND_ROW + 8.0;
     let bottom = top + bands.bands.len() as f64 * STRIP.1;
@@ -144,7 +145,7 @@ pub fn write(bands: &Bands, titled: bool, language: Language) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height:.0}\" viewBox=\"0 0 {WIDTH} {height:.0}\" role=\"img\" \
          aria-label=\"{title}\" font-family=\"{FONTS}\" font-size=\"{TEXT}\" fill=\"{INK}\">\n<rect width=\"{WIDTH}\" height=\"{height:.0}\" fill=\"#ffffff\"/>\n"
     );
-    if titled {
+    if place == Title::Above {
         let _ = writeln!(draw.out, "<text x=\"{left:.1}\" y=\"18\" font-size=\"14\">{title}</text>");
     }
     draw.legend(key);
@@ -315,12 +316,12 @@ mod tests {
 
     #[test]
     fn every_state_that_occurs_is_in_the_legend_and_no_other() {
-        let svg = write(&bands(), true, Language::En);
+        let svg = write(&bands(), Title::Above, Language::En);
         for word in ["closed, taut", "open, slack", "sticks", "slides forward", "impact", "floor", "rough"] {
             assert!(svg.contains(&format!(">{word}<")), "{word}");
         }
         assert!(!svg.contains("slides back"));
-        assert!(write(&bands(), false, Language::Ru).contains("скольжение вперёд"));
+        assert!(write(&bands(), Title::Caption, Language::Ru).contains("скольжение вперёд"));
     }
 
     #[test]
@@ -336,7 +337,7 @@ mod tests {
         many.bands[1].stretches =
             (0..100_000).map(|k| Stretch { from: k as f64 * 2e-5, to: (k + 1) as f64 * 2e-5, state: state(k) }).collect();
         many.bands[0].impacts = (0..100_000).map(|k| k as f64 * 2e-5).collect();
-        let svg = write(&many, true, Language::En);
+        let svg = write(&many, Title::Above, Language::En);
         assert!(svg.len() < 2_000_000, "{}", svg.len());
     }
 }

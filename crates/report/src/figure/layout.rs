@@ -1,7 +1,7 @@
 //! Where everything of a static figure stands: ranges, scales, margins. Pixels grow to the right and down.
 
 use super::ticks::{self, Tick};
-use super::{Axis, Figure, Kind, Mark};
+use super::{Axis, Figure, Kind, Mark, Title};
 use words::Language;
 
 /// Height of text.
@@ -66,17 +66,17 @@ pub struct Layout {
     pub empty: bool,
 }
 
-/// Lays a figure out; `titled` reserves room for the title above.
-pub fn lay(figure: &Figure, titled: bool, language: Language) -> Layout {
+/// Lays a figure out, with room for a title above.
+pub fn lay(figure: &Figure, title: Title, language: Language) -> Layout {
     let plane = matches!(figure.kind, Kind::Plane { .. });
     let (width, data_height) = if plane { (560.0, 400.0) } else { (720.0, 220.0) };
-    let ranges = (range(figure, true), range(figure, false));
+    let ranges = (range(figure, Direction::X), range(figure, Direction::Y));
     let empty = ranges.0.is_none() || ranges.1.is_none();
     let (mut x_range, mut y_range) = (ranges.0.unwrap_or((0.0, 1.0)), ranges.1.unwrap_or((0.0, 1.0)));
     let y_ticks = axis_ticks(&figure.y, y_range, if plane { 9 } else { 7 }, language);
     let left = 18.0 + y_ticks.iter().map(|t| text_width(&t.label, TEXT)).fold(24.0, f64::max);
     let (entries, rows) = legend_entries(figure, left, width, language);
-    let legend = if titled { 30.0 } else { 4.0 };
+    let legend = title.room();
     let top = legend + rows as f64 * LEGEND_ROW + 26.0;
     let area = Area { left, right: width - 22.0, top, bottom: top + data_height };
     if figure.kind == (Kind::Plane { equal: true }) {
@@ -103,8 +103,16 @@ fn axis_ticks(axis: &Axis, (low, high): (f64, f64), wanted: usize, language: Lan
     if axis.log { ticks::logarithmic(low, high, wanted, language) } else { ticks::linear(low, high, wanted, language) }
 }
 
+/// A direction of the plane of a figure.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    X,
+    Y,
+}
+
 /// Range of the shown values of one direction, with room above and below; none without finite values.
-pub fn range(figure: &Figure, of_x: bool) -> Option<(f64, f64)> {
+pub fn range(figure: &Figure, direction: Direction) -> Option<(f64, f64)> {
+    let of_x = direction == Direction::X;
     let axis = if of_x { &figure.x } else { &figure.y };
     let values = figure.series.iter().flat_map(|s| if of_x { &s.x } else { &s.y });
     let marked = figure.marks.iter().filter_map(|m| match m {

@@ -55,6 +55,25 @@ pub enum Kind {
     },
 }
 
+/// Where the title of a drawn figure stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Title {
+    /// Above the curves, inside the picture.
+    Above,
+    /// In a caption beside the picture, which has none itself.
+    Caption,
+}
+
+impl Title {
+    /// Room that the title takes at the top of the picture, and the edge without one.
+    fn room(self) -> f64 {
+        match self {
+            Title::Above => 30.0,
+            Title::Caption => 4.0,
+        }
+    }
+}
+
 /// An axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {

@@ -1,6 +1,6 @@
 //! A figure as PNG: the SVG drawn at two pixels per unit, with fonts of its own, so that the picture is the same on every machine.
 
-use super::{Figure, svg};
+use super::{Figure, Title, svg};
 use words::Language;
 
 /// Why there is no picture.
@@ -23,8 +23,8 @@ pub enum Error {
 /// The figure as the bytes of a PNG file.
 ///
 /// *Errors*: none for any figure that [`svg::write`] makes; they stand for faults of the renderer.
-pub fn write(figure: &Figure, titled: bool, language: Language) -> Result<Vec<u8>, Error> {
-    of_svg(&svg::write(figure, titled, language))
+pub fn write(figure: &Figure, title: Title, language: Language) -> Result<Vec<u8>, Error> {
+    of_svg(&svg::write(figure, title, language))
 }
 
 /// Any SVG of ours as the bytes of a PNG file.

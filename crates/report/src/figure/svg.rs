@@ -4,7 +4,7 @@
 //! dash patterns in PNG and uses one clip name for all pictures, which breaks several pictures on one page.
 
 use super::layout::{LEGEND_ROW, Layout, STRIP, TEXT, lay, text_width};
-use super::{Axis, Figure, Kind, Mark, Pen, decimate, style};
+use super::{Axis, Figure, Kind, Mark, Pen, Title, decimate, style};
 use crate::escape::markup;
 use crate::rich::Inline;
 use crate::symbol;
@@ -20,9 +20,9 @@ const INK: &str = "#1a1a1a";
 const SOFT: &str = "#5a5a5a";
 const GRID: &str = "#e2e2e2";
 
-/// The figure as an SVG document. `titled` puts the title above; a figure with a caption beside it needs none.
-pub fn write(figure: &Figure, titled: bool, language: Language) -> String {
-    let layout = lay(figure, titled, language);
+/// The figure as an SVG document; one with a caption beside it needs no title above.
+pub fn write(figure: &Figure, title: Title, language: Language) -> String {
+    let layout = lay(figure, title, language);
     let mut out = String::with_capacity(32 * 1024);
     let (w, h) = (layout.width, layout.height);
     let _ = write!(
@@ -32,7 +32,7 @@ pub fn write(figure: &Figure, titled: bool, language: Language) -> String {
         markup(&figure.title.plain(language))
     );
     let mut draw = Draw { out, layout: &layout, figure, language };
-    if titled {
+    if title == Title::Above {
         draw.title();
     }
     draw.legend();

@@ -91,7 +91,7 @@ fn need(table: &Table, i: usize, language: Language) -> Need {
     let numbers = Need { least: number, natural: number };
     let cells = table.rows.iter().filter_map(|row| match row.get(i)? {
         Cell::Rich(rich) => Some(rich_need(rich, language)),
-        Cell::Verdict(ok) => Some(words_need(&super::text::verdict(*ok, language))),
+        Cell::Verdict(found) => Some(words_need(&super::text::verdict(*found, language))),
         Cell::Number(_) | Cell::Empty => None,
     });
     // a head over numbers is broken rather than the column widened

@@ -161,7 +161,7 @@ impl Writer {
         match cell {
             Cell::Empty => String::new(),
             Cell::Rich(rich) => self.rich(rich, ""),
-            Cell::Verdict(ok) => escaped(&super::text::verdict(*ok, self.language)),
+            Cell::Verdict(found) => escaped(&super::text::verdict(*found, self.language)),
             Cell::Number(number) => {
                 let (whole, rest) = split_number(number);
                 format!("\\num{{{}}}{{{}}}{{{}}}", escaped(whole), escaped(rest), escaped(longest))

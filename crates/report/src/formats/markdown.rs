@@ -104,7 +104,7 @@ impl Writer {
         match cell {
             Cell::Empty => String::new(),
             Cell::Rich(rich) => self.rich(rich).replace('\n', " "),
-            Cell::Verdict(ok) => escaped(&super::text::verdict(*ok, self.language)),
+            Cell::Verdict(found) => escaped(&super::text::verdict(*found, self.language)),
             Cell::Number(number) => escaped(number),
         }
     }

@@ -13,7 +13,7 @@ pub mod text;
 pub mod typst;
 
 use crate::document::{Block, Document};
-use crate::figure::{bands, png, svg};
+use crate::figure::{Title, bands, png, svg};
 use analysis::Dataset;
 use serde_json::{Map, Value};
 use words::Language;
@@ -151,8 +151,8 @@ impl Page {
 fn draw(blocks: &[Block], language: Language, drawn: &mut Vec<String>) {
     for block in blocks {
         match block {
-            Block::Figure(figure) => drawn.push(svg::write(figure, false, language)),
-            Block::Bands(bands) => drawn.push(bands::write(bands, false, language)),
+            Block::Figure(figure) => drawn.push(svg::write(figure, Title::Caption, language)),
+            Block::Bands(bands) => drawn.push(bands::write(bands, Title::Caption, language)),
             Block::Details { blocks, .. } => draw(blocks, language, drawn),
             _ => {}
         }

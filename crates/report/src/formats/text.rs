@@ -5,7 +5,7 @@ use crate::document::{Block, Content, Document};
 use crate::figure::Figure;
 use crate::number::short;
 use crate::symbol;
-use crate::table::{Cell, Table, split_number};
+use crate::table::{Cell, Table, Verdict, split_number};
 use crate::wording::Word;
 use words::Language;
 
@@ -85,7 +85,7 @@ fn column_lines(table: &Table, i_column: usize, language: Language) -> Vec<Strin
         lines.push(match row.get(i_column).unwrap_or(&Cell::Empty) {
             Cell::Empty => String::new(),
             Cell::Rich(rich) => rich.plain(language),
-            Cell::Verdict(ok) => verdict(*ok, language),
+            Cell::Verdict(found) => verdict(*found, language),
             Cell::Number(number) => {
                 let (w, d) = split_number(number);
                 format!("{:shift$}{w:>whole$}{d:<decimals$}", "")
@@ -96,8 +96,11 @@ fn column_lines(table: &Table, i_column: usize, language: Language) -> Vec<Strin
 }
 
 /// The mark and the word of a verdict: the mark alone would say nothing to a screen reader.
-pub fn verdict(ok: bool, language: Language) -> String {
-    let (mark, word) = if ok { ('✓', Word::Passed) } else { ('✗', Word::Failed) };
+pub fn verdict(found: Verdict, language: Language) -> String {
+    let (mark, word) = match found {
+        Verdict::Passed => ('✓', Word::Passed),
+        Verdict::Failed => ('✗', Word::Failed),
+    };
     format!("{mark} {}", language.word(word))
 }
 
@@ -131,7 +134,10 @@ impl Writer {
                 self.line(&rule.repeat(text.chars().count().min(self.width)));
             }
             Block::Paragraph(rich) => self.paragraph(&rich.plain(self.language)),
-            Block::Equation { formula, numbered } => self.equation(&formula.text(), *numbered),
+            Block::Equation { formula, numbered } => {
+                self.equations += usize::from(*numbered);
+                self.equation(&formula.text(), numbered.then_some(self.equations));
+            }
             Block::Table(content) => {
                 if let Some(caption) = &content.caption {
                     self.tables += 1;
@@ -175,14 +181,13 @@ impl Writer {
     }
 
     /// Indented; the number stands at the right edge of the last line if it fits, otherwise two spaces behind.
-    fn equation(&mut self, text: &str, numbered: bool) {
+    fn equation(&mut self, text: &str, number: Option<usize>) {
         let lines: Vec<&str> = text.lines().collect();
         for (i, line) in lines.iter().enumerate() {
             self.out.push_str("  ");
             self.out.push_str(line);
-            if numbered && i + 1 == lines.len() {
-                self.equations += 1;
-                let number = format!("({})", self.equations);
+            if let Some(n) = number.filter(|_| i + 1 == lines.len()) {
+                let number = format!("({n})");
                 let free = self.width.saturating_sub(2 + line.chars().count() + number.chars().count());
                 self.out.extend(std::iter::repeat_n(' ', free.max(2)));
                 self.out.push_str(&number);
@@ -246,8 +251,8 @@ mod tests {
 
     fn numbers() -> Table {
         let mut t = Table::new(vec![Column::new("Обозначение"), Column::with_unit("Значение", "m", Language::Ru), Column::new("Вывод")]);
-        t.row(vec![Cell::symbol("c_x"), Cell::Number("12,5".into()), Cell::Verdict(true)]);
-        t.row(vec![Cell::symbol("phi'"), Cell::Number("−1234".into()), Cell::Verdict(false)]);
+        t.row(vec![Cell::symbol("c_x"), Cell::Number("12,5".into()), Cell::Verdict(Verdict::Passed)]);
+        t.row(vec![Cell::symbol("phi'"), Cell::Number("−1234".into()), Cell::Verdict(Verdict::Failed)]);
         t.row(vec![Cell::words("a"), Cell::Number("1,25·10⁻³".into()), Cell::Empty]);
         t
     }

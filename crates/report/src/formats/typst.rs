@@ -129,7 +129,7 @@ impl Writer {
             Cell::Empty => "[], ".into(),
             Cell::Rich(rich) if rich.0.len() == 1 => format!("[{}], ", self.fitted(rich)),
             Cell::Rich(rich) => format!("[{}], ", self.rich(rich)),
-            Cell::Verdict(ok) => format!("[{}], ", escaped(&super::text::verdict(*ok, self.language))),
+            Cell::Verdict(found) => format!("[{}], ", escaped(&super::text::verdict(*found, self.language))),
             Cell::Number(number) => {
                 let (whole, rest) = split_number(number);
                 format!("num([{}], [{}], [{}]), ", escaped(whole), escaped(rest), escaped(longest))

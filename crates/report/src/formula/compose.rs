@@ -24,23 +24,26 @@ impl<'a> Composer<'a> {
         Composer { graph, printer, survey: Survey::new(graph, &printer.classes), boxes: 0, depth: 0 }
     }
 
-    /// The layout of `e`, or of `-e` when `negated`.
-    pub fn compose(&mut self, e: Expr, negated: bool, side: Side) -> Layout {
+    /// The layout of `e` with a sign before it.
+    pub fn compose(&mut self, e: Expr, sign: Sign, side: Side) -> Layout {
         self.boxes += 1;
         if self.boxes > BOXES || self.depth > DEPTH {
             return Layout::Words("…".into());
         }
         self.depth += 1;
-        let layout = self.node(e, negated, side);
+        let layout = self.node(e, sign, side);
         self.depth -= 1;
         layout
     }
 
-    fn node(&mut self, e: Expr, negated: bool, side: Side) -> Layout {
+    fn node(&mut self, e: Expr, sign: Sign, side: Side) -> Layout {
         let graph = self.graph;
-        let one = if negated { Rational::MINUS_ONE } else { Rational::ONE };
+        let one = match sign {
+            Sign::Plus => Rational::ONE,
+            Sign::Minus => Rational::MINUS_ONE,
+        };
         match graph.node(e) {
-            Node::Sum { constant, terms } => self.sum(constant, terms, negated, side),
+            Node::Sum { constant, terms } => self.sum((constant, terms), sign, side),
             Node::Product { coefficient, factors } => {
                 let (sign, body) = self.product(&(coefficient * &one), factors);
                 Layout::signed(sign, body)
@@ -56,11 +59,12 @@ impl<'a> Composer<'a> {
         }
     }
 
-    pub fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], negated: bool, side: Side) -> Layout {
+    /// A constant and terms with a sign before the whole.
+    pub fn sum(&mut self, (constant, terms): (&Rational, &[(Expr, Rational)]), sign: Sign, side: Side) -> Layout {
         let mut items = Vec::with_capacity(terms.len() + 1);
         let ordered = self.ordered(terms, side);
         for (term, factor) in ordered {
-            let factor = if negated { -&factor } else { factor };
+            let factor = if sign == Sign::Minus { -&factor } else { factor };
             let factors = match self.graph.node(term) {
                 Node::Product { factors, .. } => factors.to_vec(),
                 _ => vec![(term, Rational::ONE)],
@@ -68,7 +72,7 @@ impl<'a> Composer<'a> {
             items.push(self.product(&factor, &factors));
         }
         if !constant.is_zero() {
-            let item = (if constant.is_negative() != negated { Sign::Minus } else { Sign::Plus }, self.number(constant));
+            let item = (if sign == Sign::Minus { sign_of(constant).flipped() } else { sign_of(constant) }, self.number(constant));
             items.insert(if side == Side::Plain { 0 } else { items.len() }, item);
         }
         // a sum starts with a positive term when it has one
@@ -107,8 +111,8 @@ impl<'a> Composer<'a> {
     }
 
     /// A base under an exponent: brackets around everything that is not one box.
-    pub fn base(&mut self, e: Expr, flipped: bool) -> Layout {
-        let layout = self.compose(e, flipped, Side::Plain);
+    pub fn base(&mut self, e: Expr, sign: Sign) -> Layout {
+        let layout = self.compose(e, sign, Side::Plain);
         match layout {
             Layout::Symbol(_) | Layout::Words(_) | Layout::Fence(..) | Layout::Number { exponent: None, .. } => layout,
             other => Layout::Fence(Bracket::Round, Box::new(other)),

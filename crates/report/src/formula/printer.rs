@@ -2,7 +2,7 @@
 
 use super::classes::Classes;
 use super::compose::Composer;
-use super::layout::{Identifier, Layout, Placement, Relation, Shape};
+use super::layout::{Identifier, Layout, Placement, Relation, Shape, Sign};
 use super::order::Side;
 use super::set::{self, Form, Formula};
 use super::{SymbolClass, names, text};
@@ -95,7 +95,7 @@ impl Printer {
     /// A formula of the written derivation: `∂T/∂φ' = ...`.
     pub fn step(&self, graph: &Graph, formula: &StepFormula) -> Layout {
         let left = self.step_name(graph, &formula.left);
-        let right = Composer::new(graph, self).compose(formula.right, false, self.step_side(graph, &formula.left));
+        let right = Composer::new(graph, self).compose(formula.right, Sign::Plus, self.step_side(graph, &formula.left));
         equation(left, right)
     }
 
@@ -116,7 +116,7 @@ impl Printer {
 
     /// The layout of an expression.
     pub fn layout(&self, graph: &Graph, e: Expr) -> Layout {
-        Composer::new(graph, self).compose(e, false, Side::Plain)
+        Composer::new(graph, self).compose(e, Sign::Plus, Side::Plain)
     }
 
     /// The layout of an equality.
@@ -126,8 +126,8 @@ impl Printer {
             Some(i) => (Side::Left(i), Side::Right),
             None => (Side::Plain, Side::Plain),
         };
-        let left = composer.compose(equality.left, false, left_side);
-        let right = composer.compose(equality.right, false, right_side);
+        let left = composer.compose(equality.left, Sign::Plus, left_side);
+        let right = composer.compose(equality.right, Sign::Plus, right_side);
         equation(left, right)
     }
 

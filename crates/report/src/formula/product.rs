@@ -13,15 +13,15 @@ use symbolic::{Expr, Function, Node, Rational};
 struct Factor {
     base: Expr,
     exponent: Rational,
-    /// The base (or the argument of a function) is printed with the opposite sign; the sign of the product accounts for it.
-    flipped: bool,
+    /// A minus: the base (or the argument of a function) is printed with the opposite sign; the sign of the product accounts for it.
+    sign: Sign,
     /// A sum is printed multiplied by this; the coefficient of the product accounts for it.
     scale: Rational,
 }
 
 impl Factor {
     fn new(base: Expr, exponent: &Rational) -> Factor {
-        Factor { base, exponent: exponent.clone(), flipped: false, scale: Rational::ONE }
+        Factor { base, exponent: exponent.clone(), sign: Sign::Plus, scale: Rational::ONE }
     }
     fn is_even(&self) -> bool {
         self.exponent.to_i64().is_some_and(|n| n % 2 == 0)
@@ -83,7 +83,7 @@ impl Composer<'_> {
         if !free || !self.leads_negative(sum, side) {
             return false;
         }
-        factor.flipped = true;
+        factor.sign = Sign::Minus;
         odd
     }
 
@@ -133,14 +133,14 @@ impl Composer<'_> {
     fn factor(&mut self, factor: &Factor, exponent: &Rational) -> Layout {
         let graph = self.graph;
         if let Node::Call { function, arguments } = graph.node(factor.base) {
-            return self.call(*function, arguments, factor.flipped, exponent);
+            return self.call(*function, arguments, factor.sign, exponent);
         }
         if let Some(degree) = root_degree(exponent) {
-            let radicand = Box::new(self.compose(factor.base, factor.flipped, Side::Plain));
+            let radicand = Box::new(self.compose(factor.base, factor.sign, Side::Plain));
             return Layout::Root { degree, radicand };
         }
         if !exponent.is_one() {
-            let base = self.base(factor.base, factor.flipped);
+            let base = self.base(factor.base, factor.sign);
             return Layout::Power(Box::new(base), Box::new(exponent_layout(exponent)));
         }
         match graph.node(factor.base) {
@@ -148,28 +148,28 @@ impl Composer<'_> {
             Node::Pi => Layout::Symbol(self.printer.pi()),
             Node::Number(r) => self.number(r),
             Node::Power { base, exponent } => {
-                let base = self.base(*base, false);
-                let exponent = self.compose(*exponent, false, Side::Plain);
+                let base = self.base(*base, Sign::Plus);
+                let exponent = self.compose(*exponent, Sign::Plus, Side::Plain);
                 Layout::Power(Box::new(base), Box::new(exponent))
             }
             Node::Switch { .. } => self.switch(factor.base),
             Node::Sum { constant, terms } if !factor.scale.is_one() => {
                 let terms: Vec<(Expr, Rational)> = terms.iter().map(|(t, c)| (*t, c * &factor.scale)).collect();
-                self.sum(&(constant * &factor.scale), &terms, factor.flipped, Side::Plain).fenced()
+                self.sum((&(constant * &factor.scale), &terms), factor.sign, Side::Plain).fenced()
             }
-            _ => self.compose(factor.base, factor.flipped, Side::Plain).fenced(),
+            _ => self.compose(factor.base, factor.sign, Side::Plain).fenced(),
         }
     }
 
-    fn call(&mut self, function: Function, arguments: &[Expr], flipped: bool, exponent: &Rational) -> Layout {
+    fn call(&mut self, function: Function, arguments: &[Expr], sign: Sign, exponent: &Rational) -> Layout {
         let power = exponent.to_i64().filter(|n| *n > 1).map(|n| n.to_string());
         let simple = exponent.is_one();
         let whole = match function {
-            Function::Abs => Layout::Fence(Bracket::Bar, Box::new(self.compose(arguments[0], flipped, Side::Plain))),
-            Function::Exp if !self.printer.e_is_taken => Layout::Exponential(Box::new(self.compose(arguments[0], false, Side::Plain))),
+            Function::Abs => Layout::Fence(Bracket::Bar, Box::new(self.compose(arguments[0], sign, Side::Plain))),
+            Function::Exp if !self.printer.e_is_taken => Layout::Exponential(Box::new(self.compose(arguments[0], Sign::Plus, Side::Plain))),
             _ => {
                 let named_power = if simple { None } else { power };
-                let inner = self.named_call(function, arguments, flipped, named_power.clone());
+                let inner = self.named_call(function, arguments, sign, named_power.clone());
                 if simple || named_power.is_some() {
                     return inner;
                 }
@@ -189,18 +189,18 @@ impl Composer<'_> {
         Layout::Power(Box::new(whole), Box::new(exponent_layout(exponent)))
     }
 
-    fn named_call(&mut self, function: Function, arguments: &[Expr], flipped: bool, power: Option<String>) -> Layout {
+    fn named_call(&mut self, function: Function, arguments: &[Expr], sign: Sign, power: Option<String>) -> Layout {
         let name = language::function(self.printer.language, function);
         let (argument, bare) = match arguments {
             [x] => {
-                let argument = self.compose(*x, flipped, argument_side(function));
+                let argument = self.compose(*x, sign, argument_side(function));
                 let phase = self.survey.traits(*x).class == SymbolClass::Time && is_plain_product(&argument);
                 let phase = phase && !self.reads_as_name(&argument);
                 let bare = if phase { Bare::Always } else { bareness(&argument) };
                 (argument, bare)
             }
             _ => {
-                let items = arguments.iter().map(|x| self.compose(*x, false, Side::Plain)).collect();
+                let items = arguments.iter().map(|x| self.compose(*x, Sign::Plus, Side::Plain)).collect();
                 (Layout::List(items, language::list_mark(self.printer.language)), Bare::Never)
             }
         };

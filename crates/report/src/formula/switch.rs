@@ -2,7 +2,7 @@
 
 use super::compose::Composer;
 use super::language;
-use super::layout::{Layout, Relation, Row};
+use super::layout::{Layout, Relation, Row, Sign};
 use super::order::Side;
 use symbolic::{Edge, Expr, Node, Rational};
 
@@ -23,7 +23,7 @@ impl Composer<'_> {
                 return Layout::Cases(rows);
             }
             let relation = if *edge == Edge::Open { Relation::Greater } else { Relation::GreaterEqual };
-            let value = self.compose(*then, false, Side::Plain);
+            let value = self.compose(*then, Sign::Plus, Side::Plain);
             rows.push(Row { value, condition: self.condition(*guard, relation) });
             only = Some((*guard, relation));
             last = *otherwise;
@@ -32,7 +32,7 @@ impl Composer<'_> {
             Some((guard, relation)) if rows.len() == 1 => self.condition(guard, relation.opposite()),
             _ => Layout::Words(language::otherwise(self.printer.language).into()),
         };
-        rows.push(Row { value: self.compose(last, false, Side::Plain), condition });
+        rows.push(Row { value: self.compose(last, Sign::Plus, Side::Plain), condition });
         Layout::Cases(rows)
     }
 
@@ -42,9 +42,9 @@ impl Composer<'_> {
         let (left, relation, right) = match self.sides(guard) {
             Some((left, right, false)) => (left, relation, right),
             Some((left, right, true)) => (right, relation.mirrored(), left),
-            None => match self.compose(guard, false, Side::Plain) {
-                Layout::Sum(terms) if terms.iter().all(|t| t.0 == super::layout::Sign::Minus) => {
-                    (self.compose(guard, true, Side::Plain), relation.mirrored(), zero)
+            None => match self.compose(guard, Sign::Plus, Side::Plain) {
+                Layout::Sum(terms) if terms.iter().all(|t| t.0 == Sign::Minus) => {
+                    (self.compose(guard, Sign::Minus, Side::Plain), relation.mirrored(), zero)
                 }
                 whole => (whole, relation, zero),
             },
@@ -61,7 +61,7 @@ impl Composer<'_> {
         let mut keyed: Vec<_> = ordered.iter().map(|(t, f)| (self.survey.term_key(*t, Side::Plain), *t, f.clone())).collect();
         keyed.sort_by(|a, b| a.0.cmp(&b.0));
         if !constant.is_zero() {
-            sides[usize::from(constant.is_negative())].push((super::layout::Sign::Plus, self.number(constant)));
+            sides[usize::from(constant.is_negative())].push((Sign::Plus, self.number(constant)));
         }
         for (_, term, factor) in keyed {
             let i = usize::from(factor.is_negative());
@@ -81,9 +81,9 @@ impl Composer<'_> {
     }
 }
 
-fn total(mut terms: Vec<(super::layout::Sign, Layout)>) -> Layout {
+fn total(mut terms: Vec<(Sign, Layout)>) -> Layout {
     match &terms[..] {
-        [(super::layout::Sign::Plus, _)] => terms.remove(0).1,
+        [(Sign::Plus, _)] => terms.remove(0).1,
         _ => Layout::Sum(terms),
     }
 }

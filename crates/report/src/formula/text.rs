@@ -63,9 +63,9 @@ fn write(layout: &Layout, out: &mut String) {
         Layout::Sum(terms) => sum(terms, out),
         Layout::Product(factors) => product(factors, " ", out),
         Layout::Fraction(above, below) => {
-            part(above, needs_brackets_above(above), out);
+            part(above, needs_brackets_above, out);
             out.push('/');
-            part(below, needs_brackets_below(below), out);
+            part(below, needs_brackets_below, out);
         }
         Layout::Power(base, exponent) => {
             write(base, out);
@@ -73,32 +73,16 @@ fn write(layout: &Layout, out: &mut String) {
         }
         Layout::Exponential(argument) => {
             out.push_str("exp");
-            part(argument, true, out);
+            fenced(argument, out);
         }
         Layout::Root { degree, radicand } => root(*degree, radicand, out),
-        Layout::Fence(Bracket::Round, inner) => part(inner, true, out),
+        Layout::Fence(Bracket::Round, inner) => fenced(inner, out),
         Layout::Fence(Bracket::Bar, inner) => {
             out.push('|');
             write(inner, out);
             out.push('|');
         }
-        Layout::Call { name, power: exponent, argument, bare } => {
-            out.push_str(name);
-            if let Some(exponent) = exponent {
-                out.push_str(&raised(exponent).unwrap_or_else(|| format!("^{exponent}")));
-            }
-            match (bare, &**argument) {
-                (Bare::Always, Layout::Product(factors)) => {
-                    out.push(' ');
-                    product(factors, "", out);
-                }
-                (Bare::Always, argument) => {
-                    out.push(' ');
-                    write(argument, out);
-                }
-                _ => part(argument, true, out),
-            }
-        }
+        Layout::Call { name, power, argument, bare } => call((name, power.as_deref()), argument, *bare, out),
         Layout::List(items, mark) => {
             for (i, item) in items.iter().enumerate() {
                 if i > 0 {
@@ -119,14 +103,33 @@ fn write(layout: &Layout, out: &mut String) {
     }
 }
 
-/// In brackets when `bracketed`.
-fn part(layout: &Layout, bracketed: bool, out: &mut String) {
-    if bracketed {
-        out.push('(');
-    }
+/// In brackets where they are needed.
+fn part(layout: &Layout, needed: fn(&Layout) -> bool, out: &mut String) {
+    if needed(layout) { fenced(layout, out) } else { write(layout, out) }
+}
+
+fn fenced(layout: &Layout, out: &mut String) {
+    out.push('(');
     write(layout, out);
-    if bracketed {
-        out.push(')');
+    out.push(')');
+}
+
+/// A function by its name and the power behind it, `sin² φ`.
+fn call((name, power): (&str, Option<&str>), argument: &Layout, bare: Bare, out: &mut String) {
+    out.push_str(name);
+    if let Some(power) = power {
+        out.push_str(&raised(power).unwrap_or_else(|| format!("^{power}")));
+    }
+    match (bare, argument) {
+        (Bare::Always, Layout::Product(factors)) => {
+            out.push(' ');
+            product(factors, "", out);
+        }
+        (Bare::Always, argument) => {
+            out.push(' ');
+            write(argument, out);
+        }
+        _ => fenced(argument, out),
     }
 }
 
@@ -161,7 +164,7 @@ fn product(factors: &[Layout], space: &str, out: &mut String) {
         if i > 0 {
             out.push_str(if factor.starts_with_digit() { "·" } else { space });
         }
-        part(factor, matches!(factor, Layout::Fraction(..) | Layout::Sum(_)), out);
+        part(factor, |f| matches!(f, Layout::Fraction(..) | Layout::Sum(_)), out);
     }
 }
 
@@ -212,14 +215,14 @@ fn root(degree: u32, radicand: &Layout, out: &mut String) {
         3 => out.push('∛'),
         4 => out.push('∜'),
         _ => {
-            part(radicand, !matches!(radicand, Layout::Symbol(_)), out);
+            part(radicand, |r| !matches!(r, Layout::Symbol(_)), out);
             out.push_str("^(1/");
             out.push_str(&degree.to_string());
             out.push(')');
             return;
         }
     }
-    part(radicand, !is_bare_radicand(radicand), out);
+    part(radicand, |r| !is_bare_radicand(r), out);
 }
 
 fn is_bare_radicand(radicand: &Layout) -> bool {

@@ -32,7 +32,8 @@ pub fn run(study: &dyn Study, matches: &ArgMatches, console: &mut Console) -> Re
     // a page shows the written derivation
     let detail = if out.is_some() || console.page.is_some() { Detail::Steps } else { Detail::Equations };
     let mut machine = open(&model, written, detail, console)?;
-    let of_file = of_file(study, &machine, fresh);
+    let in_file = machine.model.studies.len() - usize::from(fresh);
+    let of_file = of_file(study, &machine.model.studies[..in_file]);
     let written = fresh.then(|| machine.model.studies.last().cloned()).flatten();
     let base = written.clone().or(of_file.clone()).unwrap_or_default();
     let values = line.values(&machine, (&base, fresh))?;
@@ -63,10 +64,9 @@ fn name_of(extra: Extra) -> &'static str {
     }
 }
 
-/// The study of the file whose values the command takes; not the one that the command line wrote behind it.
-fn of_file(study: &dyn Study, machine: &Machine, fresh: bool) -> Option<Asked> {
+/// The study among those of the file whose values the command takes.
+fn of_file(study: &dyn Study, listed: &[Asked]) -> Option<Asked> {
     let name = study.kind().name;
-    let listed = &machine.model.studies[..machine.model.studies.len() - usize::from(fresh)];
     let first = |kinds: &[&str]| listed.iter().find(|asked| kinds.contains(&asked.kind)).cloned();
     match study.of_file() {
         [] => first(&[name]),

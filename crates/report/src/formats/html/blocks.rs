@@ -3,10 +3,10 @@
 use crate::document::{Block, Content, Download, Rich};
 use crate::escape::{address, markup};
 use crate::figure::bands::{self, Bands};
-use crate::figure::{Figure, svg};
+use crate::figure::{Figure, Title, svg};
 use crate::formats::text::{figure_summary, verdict};
 use crate::formula::{Form, Formula};
-use crate::table::{Cell, Table, split_number};
+use crate::table::{Cell, Table, Verdict, split_number};
 use crate::wording::Word;
 use base64::Engine;
 use words::Language;
@@ -45,7 +45,10 @@ impl Writer {
                 self.push(&format!("<h{level}>{}</h{level}>\n", markup(text)));
             }
             Block::Paragraph(content) => self.push(&format!("<p>{}</p>\n", self.rich(content))),
-            Block::Equation { formula, numbered } => self.equation(formula, *numbered),
+            Block::Equation { formula, numbered } => {
+                self.equations += usize::from(*numbered);
+                self.equation(formula, numbered.then_some(self.equations));
+            }
             Block::Table(table) => self.table(table),
             Block::Figure(figure) => self.figure(figure),
             Block::Bands(bands) => self.bands(bands),
@@ -62,14 +65,12 @@ impl Writer {
         self.out.push_str(text);
     }
 
-    fn equation(&mut self, formula: &Formula, numbered: bool) {
+    fn equation(&mut self, formula: &Formula, number: Option<usize>) {
         let shown = formula.write(Form::MathMl);
         // the number stands at the last line of a broken formula
         let class = if shown.contains(BROKEN) { "equation long" } else { "equation" };
         self.push(&format!("<div class=\"{class}\"><div class=\"formula\">{shown}</div>"));
-        if numbered {
-            self.equations += 1;
-            let n = self.equations;
+        if let Some(n) = number {
             self.push(&format!("<span class=\"no\" id=\"equation-{n}\">({n})</span>"));
         }
         self.push("</div>\n");
@@ -116,9 +117,12 @@ impl Writer {
                 let (whole, rest) = (markup(whole), markup(rest));
                 format!("<td class=\"n\">{whole}<span class=\"d\" style=\"min-width:{decimals:.2}ch\">{rest}</span></td>")
             }
-            Cell::Verdict(ok) => {
-                let class = if *ok { "ok" } else { "bad" };
-                format!("<td class=\"{class}\">{}</td>", verdict(*ok, self.language))
+            Cell::Verdict(found) => {
+                let class = match found {
+                    Verdict::Passed => "ok",
+                    Verdict::Failed => "bad",
+                };
+                format!("<td class=\"{class}\">{}</td>", verdict(*found, self.language))
             }
         }
     }
@@ -136,7 +140,7 @@ impl Writer {
             "<figure id=\"figure-{n}\" data-figure=\"{i}\">\n<div class=\"live\" hidden></div>\n<div class=\"still\">{}</div>\n\
              <figcaption>{}\u{a0}{n} – {}</figcaption>\n<p class=\"summary\" id=\"summary-{n}\">{}</p>\n\
              <div class=\"tools\" hidden></div>\n<details class=\"data\" hidden><summary>{}</summary></details>\n</figure>\n",
-            svg::write(figure, false, self.language),
+            svg::write(figure, Title::Caption, self.language),
             word(Word::Figure),
             self.rich(&figure.title),
             markup(&summary.join("; ")),
@@ -153,7 +157,7 @@ impl Writer {
         let summary: Vec<&str> = summary.lines().map(str::trim).collect();
         let html = format!(
             "<figure id=\"figure-{n}\">\n<div class=\"still\">{}</div>\n<figcaption>{}\u{a0}{n} – {}</figcaption>\n<p class=\"summary\">{}</p>\n</figure>\n",
-            bands::write(bands, false, self.language),
+            bands::write(bands, Title::Caption, self.language),
             self.language.word(Word::Figure),
             self.rich(&bands.title),
             markup(&summary.join("; ")),

@@ -51,7 +51,7 @@ pub fn write(document: &Document, options: Options) -> String {
     let figures = figures_of(&document.blocks);
     let title = markup(&document.title);
     let mut out = String::with_capacity(writer.out.len() + 160 * 1024);
-    out.push_str(&head(&title, language, options, !figures.is_empty()));
+    out.push_str(&head(&title, &figures, language, options));
     out.push_str(&format!("<body>\n<main>\n<header>\n<h1>{title}</h1>\n"));
     for paragraph in document.description.split('\n').filter(|p| !p.trim().is_empty()) {
         out.push_str(&format!("<p class=\"lead\">{}</p>\n", markup(paragraph)));
@@ -66,7 +66,8 @@ pub fn write(document: &Document, options: Options) -> String {
     out
 }
 
-fn head(title: &str, language: Language, options: Options, plots: bool) -> String {
+/// Styles of the plotting library come only where something is plotted.
+fn head(title: &str, figures: &[&Figure], language: Language, options: Options) -> String {
     let font = options.math_font.map_or(String::new(), |bytes| {
         let data = base64::engine::general_purpose::STANDARD.encode(bytes);
         format!("@font-face{{font-family:\"Strutt Math\";src:url(data:font/woff2;base64,{data}) format(\"woff2\")}}\n")
@@ -78,7 +79,7 @@ fn head(title: &str, language: Language, options: Options, plots: bool) -> Strin
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n\
          <title>{title}</title>\n<style>\n{font}{}{STYLE}</style>\n</head>\n",
         language.code(),
-        if plots { UPLOT_STYLE } else { "" },
+        if figures.is_empty() { "" } else { UPLOT_STYLE },
     )
 }
 

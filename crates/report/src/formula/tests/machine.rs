@@ -7,39 +7,30 @@ use symbolic::equations::{Auxiliary, Coordinate, Definition, Energy, Equality, P
 use symbolic::{Equations, Expr, Graph, Matrix};
 use words::{Language, Text};
 
+fn parameter(graph: &mut Graph, name: &str, unit: &str) -> Parameter {
+    Parameter { symbol: graph.symbol_id(name, 0), value: 1.0, written: "1".into(), unit: unit.into(), label: Text::default() }
+}
+
+fn coordinate(graph: &mut Graph, name: &str) -> Coordinate {
+    let symbols = [0, 1, 2].map(|primes| graph.symbol_id(name, primes));
+    let (start, rate) = (graph.zero(), graph.zero());
+    Coordinate { symbols, unit: "1".into(), label: Text::default(), start, rate, given: [true; 2], guessed: [false; 2] }
+}
+
+fn definition(graph: &mut Graph, name: &str, formula: &str, unit: &str) -> Definition {
+    let formula = read(graph, formula);
+    Definition { formula, symbol: graph.symbol_id(name, 0), unit: unit.into(), label: Text::default(), shown: true }
+}
+
 /// A pendulum on a cart with a driven unbalance: every kind of symbol occurs.
 fn machine() -> Equations {
     let mut graph = Graph::new();
     let zero = graph.zero();
     let nothing = Text::default;
-    let parameter = |graph: &mut Graph, name: &str, unit: &str| Parameter {
-        symbol: graph.symbol_id(name, 0),
-        value: 1.0,
-        written: "1".into(),
-        unit: unit.into(),
-        label: nothing(),
-    };
     let names = [("l", "m"), ("g", "m/s^2"), ("e", "m"), ("mu", "1"), ("mass", "kg"), ("c", "N/m"), ("k", "N m s")];
     let parameters = names.map(|(name, unit)| parameter(&mut graph, name, unit)).to_vec();
-    let coordinates = ["x", "phi"]
-        .map(|name| Coordinate {
-            symbols: [0, 1, 2].map(|primes| graph.symbol_id(name, primes)),
-            unit: "1".into(),
-            label: nothing(),
-            start: zero,
-            rate: zero,
-            given: [true; 2],
-            guessed: [false; 2],
-        })
-        .to_vec();
+    let coordinates = ["x", "phi"].map(|name| coordinate(&mut graph, name)).to_vec();
     let time = graph.symbol_id("t", 0);
-    let definition = |graph: &mut Graph, name: &str, formula: &str, unit: &str| Definition {
-        formula: read(graph, formula),
-        symbol: graph.symbol_id(name, 0),
-        unit: unit.into(),
-        label: nothing(),
-        shown: true,
-    };
     let definitions = vec![definition(&mut graph, "omega", "30*t", "rad/s"), definition(&mut graph, "J", "mass*l^2", "kg m^2")];
     let psi = graph.symbol_id("psi", 0);
     let rate = graph.var("omega");
