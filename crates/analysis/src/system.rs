@@ -83,6 +83,8 @@ pub enum GuardKind {
     Normal {
         /// The guard of its friction.
         of: usize,
+        /// One reaction in one direction, whose other sign is another force. That of a resultant (a journal) or of what a rope presses with is a way of writing.
+        single: bool,
     },
     /// Whether contact or friction `of` carries its own condition (`Positive`), or others that hold the same motion carry it (`Zero`).
     Share {

@@ -15,7 +15,10 @@ pub(super) fn kind(equations: &Equations, program: &Program, guard: usize) -> Gu
     use program::GuardKind as Kind;
     match program.guards[guard].kind {
         Kind::Sliding { limits, .. } => GuardKind::Friction { limits, pressed: pressing(equations, program, guard) },
-        Kind::Normal { reaction } => GuardKind::Normal { of: program.switches.get(reaction).copied().flatten().unwrap_or(guard) },
+        Kind::Normal { reaction } => {
+            let of = program.switches.get(reaction).copied().flatten().unwrap_or(guard);
+            GuardKind::Normal { of, single: is_single(equations, reaction) }
+        }
         Kind::Share { of, .. } => GuardKind::Share { of },
         Kind::Side { of, .. } => GuardKind::Side { of },
         Kind::Limit { of, exit, .. } => GuardKind::Bound { of, exit: returned(exit) },
@@ -23,6 +26,13 @@ pub(super) fn kind(equations: &Equations, program: &Program, guard: usize) -> Gu
         Kind::ContactForce { of, .. } => GuardKind::Bound { of, exit: Mode::Positive },
         _ => GuardKind::Switch,
     }
+}
+
+/// Whether a friction is pressed along one direction, and not by itself.
+fn is_single(equations: &Equations, reaction: usize) -> bool {
+    let Law::Friction(friction) = &equations.reactions[reaction].law else { return false };
+    let own = |normal: &symbolic::connections::Normal| normal.terms.iter().any(|(k, _)| *k == reaction);
+    friction.across.is_none() && !friction.normal.as_ref().is_some_and(own)
 }
 
 /// The contacts that alone press the frictions of a guard; none where something else presses one of them.

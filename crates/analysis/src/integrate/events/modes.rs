@@ -347,7 +347,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let (before, after) = (self.modes_before[guard], self.modes[guard]);
         match &self.system.guards()[guard].kind {
             GuardKind::Share { .. } | GuardKind::Side { .. } => false,
-            GuardKind::Normal { of } => after == opposite(before) && after != Mode::Zero && !self.is_of_contacts(*of),
+            GuardKind::Normal { of, .. } => after == opposite(before) && after != Mode::Zero && !self.is_of_contacts(*of),
             kind @ GuardKind::Friction { .. } => {
                 let were = [&self.modes_before, &self.modes].map(|modes| contacts::is_off(kind, modes));
                 before != after && !were[1] && !(were[0] && after != Mode::Zero)

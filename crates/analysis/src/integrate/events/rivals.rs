@@ -70,7 +70,8 @@ impl<S: System + ?Sized> Flow<'_, S> {
 
     fn pressed_by_reactions(&self) -> Vec<Pressed> {
         let guards = self.system.guards();
-        let normals = |i: usize| (0..guards.len()).filter(|&k| guards[k].kind == GuardKind::Normal { of: i }).collect::<Vec<_>>();
+        let normals =
+            |i: usize| (0..guards.len()).filter(|&k| guards[k].kind == GuardKind::Normal { of: i, single: true }).collect::<Vec<_>>();
         let free = |i: &usize| matches!(&guards[*i].kind, GuardKind::Friction { pressed, .. } if pressed.is_empty());
         let one = |i: usize| Pressed { friction: i, normals: normals(i) };
         (0..guards.len()).filter(free).map(one).filter(|p| !p.normals.is_empty()).collect()
