@@ -139,6 +139,7 @@ impl TableSpec {
 pub(crate) const fn must(key: &'static str, ty: Type, dimension: &'static str, about: Words, example: &'static str) -> Field {
     Field { key, ty, dimension, required: true, default: "", about, example }
 }
+#[expect(clippy::too_many_arguments, reason = "a row of a table, column by column")]
 pub(crate) const fn may(
     key: &'static str,
     ty: Type,

@@ -2,7 +2,7 @@
 //! nothing.
 
 // the same bits on every machine: see clippy.toml
-#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+#![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
 pub mod asked;
 pub mod derive;

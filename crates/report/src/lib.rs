@@ -3,6 +3,8 @@
 //!
 //! [`Document`] is the middle form: the caller puts blocks into it once and writes it in a format of the table ([`formats::TABLE`]). [`Figure`] is drawn by [`figure::svg`] and [`figure::png`] and by the page itself.
 
+#![cfg_attr(not(test), deny(clippy::too_many_lines, clippy::fn_params_excessive_bools))]
+
 pub mod document;
 pub mod escape;
 pub mod figure;

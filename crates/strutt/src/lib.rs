@@ -9,6 +9,8 @@
 //! # Ok::<(), &str>(())
 //! ```
 
+#![cfg_attr(not(test), deny(clippy::too_many_lines, clippy::fn_params_excessive_bools))]
+
 pub mod chain;
 pub mod diagnostics;
 pub mod explain;

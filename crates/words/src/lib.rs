@@ -1,6 +1,8 @@
 //! What all rooms speak with: [`Text`] in two [`Language`]s, the one [`Notice`], explanations of its codes, tables of printed words,
 //! numbers and units in sentences, letters of names, the nearest of known names. It knows nothing else of strutt.
 
+#![cfg_attr(not(test), deny(clippy::too_many_lines, clippy::fn_params_excessive_bools))]
+
 pub mod digits;
 pub mod explain;
 pub mod language;
