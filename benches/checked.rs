@@ -6,9 +6,9 @@
 use analysis::integrate::taylor::{Check, Flow, Options, Work};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+use studies::Watch;
 use studies::pipeline::{self, Machine};
 use studies::simulate;
-use studies::{Source, Watch};
 
 /// Least time of so many runs counts.
 const RUNS: usize = 15;
@@ -60,7 +60,7 @@ struct Motion {
 impl Motion {
     fn of(path: &Path) -> Option<Motion> {
         let name = path.parent()?.file_name()?.to_string_lossy().into_owned();
-        let source = Source::open(&path.to_string_lossy()).ok()?;
+        let source = strutt::source::open(&path.to_string_lossy()).ok()?;
         let machine = pipeline::build(&source, &[], &mut Watch::default()).ok()?;
         let study = simulate::with_values(&machine, &[]).ok()?;
         let start = machine.system.start().ok()?;

@@ -149,7 +149,7 @@ fn written(text: &str) -> Machine {
 
 fn machine(name: &str) -> Machine {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../gallery").join(name).join("model.toml");
-    let source = Source::open(&path.to_string_lossy()).unwrap_or_else(|_| panic!("{name}"));
+    let source = strutt::source::open(&path.to_string_lossy()).unwrap_or_else(|_| panic!("{name}"));
     pipeline::build(&source, &[], &mut Watch::default()).unwrap_or_else(|_| panic!("{name}"))
 }
 

@@ -109,7 +109,7 @@ fn markdown_is_sound(text: &str) -> Result<(), String> {
         before = now;
     }
     let dollars = bare(text, '$');
-    if dollars % 2 == 0 { Ok(()) } else { Err(format!("{dollars} dollars")) }
+    if dollars.is_multiple_of(2) { Ok(()) } else { Err(format!("{dollars} dollars")) }
 }
 
 fn sound(name: &str, text: &str) -> Result<(), String> {

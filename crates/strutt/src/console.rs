@@ -185,11 +185,13 @@ impl Console {
             add(&mut laps, word_of(lap), now - last);
             last = now;
         };
-        let mut watch = Watch::default();
-        watch.interrupt = Some(&INTERRUPTED);
-        watch.progress = Some(&mut tell);
-        watch.doing = Some(&mut say);
-        watch.ended = Some(&mut note);
+        let mut watch = Watch {
+            interrupt: Some(&INTERRUPTED),
+            progress: Some(&mut tell),
+            doing: Some(&mut say),
+            ended: Some(&mut note),
+            ..Watch::default()
+        };
         CALCULATING.store(true, Ordering::Relaxed);
         let result = calculate(&mut watch);
         CALCULATING.store(false, Ordering::Relaxed);

@@ -26,7 +26,7 @@ const FILES: usize = 4;
 const FOLDER_CIRCLES: &[(&str, &str, usize)] = &[("analysis", "studies", 3), ("strutt", "commands", 2)];
 /// The same for files.
 const FILE_CIRCLES: &[(&str, &str, usize)] =
-    &[("analysis", "integrate::taylor", 10), ("analysis", "studies::modes", 5), ("analysis", "studies::periodic", 6)];
+    &[("analysis", "integrate::taylor", 11), ("analysis", "studies::modes", 5), ("analysis", "studies::periodic", 6)];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

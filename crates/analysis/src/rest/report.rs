@@ -85,13 +85,7 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
         found = places(equations, parameters, start, &zero)?;
     }
     notes.append(&mut found.notes);
-    let mut rows: Vec<Row> = Vec::new();
-    for mut place in found.list {
-        observed::complete(equations, (parameters, &place.q), &mut place.reactions);
-        let mut row = judged(studied, parameters, place)?;
-        observed::open_shared(equations, parameters, &mut row.place)?;
-        rows.push(row);
-    }
+    let mut rows = found.list.into_iter().map(|place| whole(studied, parameters, place)).collect::<Result<Vec<Row>, Fault>>()?;
     let shared = |r: &Row| observed::left_open(equations, &r.place.reactions, observed::Left::Shared);
     notes.extend(rows.iter().find_map(shared));
     let inside = options.over.is_none_or(|r| (r.from..=r.to).contains(&q[r.coordinate]));
@@ -128,6 +122,14 @@ fn attempt(studied: Studied, parameters: &[f64], start: &[f64], options: &Equili
         notes.push(crate::studies::equilibrium::nothing_moves());
     }
     Ok(Outcome { dataset: dataset(equations, &rows, notes), fault })
+}
+
+/// A place with all its reactions, its stability, and without values that it does not determine.
+fn whole(studied: Studied, parameters: &[f64], mut place: Place) -> Result<Row, Fault> {
+    observed::complete(studied.rest, (parameters, &place.q), &mut place.reactions);
+    let mut row = judged(studied, parameters, place)?;
+    observed::open_shared(studied.rest, parameters, &mut row.place)?;
+    Ok(row)
 }
 
 fn held_by_friction() -> Text {

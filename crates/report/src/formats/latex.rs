@@ -1,7 +1,7 @@
 //! LaTeX: a file for pdflatex, xelatex or lualatex of the class article, with packages of every distribution. Russian is set in T2A by pdflatex,
 //! by a font of the system that has Cyrillic by the others. Pictures are PNG files beside it: LaTeX reads no SVG.
 //!
-//! Nothing sticks out: tables are fitted ([`super::fit`]) and go over pages, formulas are broken at their signs and made smaller where a
+//! Nothing sticks out: tables are fitted (`fit.rs`) and go over pages, formulas are broken at their signs and made smaller where a
 //! single term is too wide, words longer than a line may be broken.
 
 use super::fit::{self, Fitted, Room, breakable, longest_decimals};

@@ -1,6 +1,6 @@
 //! Typst: a file for the compiler of typst, without packages. Pictures are SVG files beside it.
 //!
-//! Nothing sticks out: tables are fitted ([`super::fit`]) and go over pages, formulas are broken at their signs and made smaller where a
+//! Nothing sticks out: tables are fitted (`fit.rs`) and go over pages, formulas are broken at their signs and made smaller where a
 //! single term is too wide.
 
 use super::fit::{self, Fitted, Room, breakable, longest_decimals};

@@ -82,7 +82,7 @@ impl<S: System + ?Sized> Flow<'_, S> {
         let held = self.held_by_static_limits();
         let mut all: Vec<(usize, Set)> = vec![(0, Vec::new())];
         for p in pressed {
-            let options = self.options_of(p, held.contains(&p.friction));
+            let options = self.options_of(p, &held);
             let with = |(n, set): &(usize, Set), (more, own): &(usize, Set)| (n + more, [&set[..], &own[..]].concat());
             all = all.iter().flat_map(|set| options.iter().map(move |own| with(set, own))).collect();
             all.sort_by_key(|(differences, _)| *differences);
@@ -92,10 +92,10 @@ impl<S: System + ?Sized> Flow<'_, S> {
     }
 
     /// What one friction may do, with the number of its differences. While it sticks nothing depends on the sign of what presses it.
-    fn options_of(&self, p: &Pressed, held: bool) -> Vec<(usize, Set)> {
+    fn options_of(&self, p: &Pressed, held: &[usize]) -> Vec<(usize, Set)> {
         let now = self.modes[p.friction];
         let modes = match (now, self.touched[p.friction]) {
-            (Mode::Zero, _) if held => vec![Mode::Zero],
+            (Mode::Zero, _) if held.contains(&p.friction) => vec![Mode::Zero],
             (Mode::Zero, _) | (_, true) => vec![Mode::Zero, Mode::Positive, Mode::Negative],
             _ => vec![now],
         };

@@ -265,12 +265,17 @@ impl<'s, S: System + ?Sized> Flow<'s, S> {
             roots: RootFinder::default(),
             work: Work::default(),
         };
-        flow.watch_turns();
-        flow.take_turns_off();
-        flow.decide_at_start()?;
-        flow.show_turns();
-        (flow.expanded, flow.crowd.last) = (true, flow.now);
+        flow.begin()?;
         Ok(flow)
+    }
+
+    fn begin(&mut self) -> Result<(), Fault> {
+        self.watch_turns();
+        self.take_turns_off();
+        self.decide_at_start()?;
+        self.show_turns();
+        (self.expanded, self.crowd.last) = (true, self.now);
+        Ok(())
     }
 
     /// One step towards `end`, at most to it. Afterwards [`Flow::step`] is the dense output and [`Flow::switches`] what happened at its end.
