@@ -212,7 +212,7 @@ pub(crate) fn consecutive<const N: usize>(sizes: [usize; N]) -> [Range<usize>; N
 
 /// A program with numbers for its parameters: the prologue of the dynamics has been run.
 ///
-/// Its methods serve studies that ask now and then; loops keep an [`Evaluator`] or [`Jets`] of their own.
+/// Its methods serve studies that ask now and then; loops keep an [`Evaluator`] or [`crate::Jets`] of their own.
 #[derive(Clone, Debug)]
 pub struct Bound {
     pub(crate) program: Arc<Program>,
