@@ -1,7 +1,7 @@
 //! LaTeX for math mode with amsmath.
 
-use super::layout::{Bare, Bracket, Identifier, Layout, Row, Shape, Sign};
-use super::lines::{Joint, Lines, Piece};
+use super::layout::{Bare, Bracket, Identifier, Layout, Relation, Row, Shape, Sign};
+use super::lines::{Lines, Piece};
 use super::names::is_greek;
 
 /// The whole formula; several lines become an `aligned` block.
@@ -36,39 +36,20 @@ pub(super) fn lines(lines: &Lines) -> String {
 }
 
 fn write_piece(piece: &Piece, out: &mut String) {
-    let sign = joint(piece);
-    out.push_str(sign);
-    if !sign.is_empty() {
-        out.push(' ');
-    }
-    if piece.minus {
-        out.push('-');
-    }
-    write(piece.body, out);
+    piece.write_in_ascii(relation_text, write, out);
 }
 
 fn joint(piece: &Piece) -> &'static str {
-    match piece.joint {
-        Joint::Start => "",
-        Joint::Sign(sign) => sign_text(sign),
-        Joint::Relation(relation) => relation_text(relation.character()),
-    }
+    piece.joint_in_ascii(relation_text)
 }
 
-fn sign_text(sign: Sign) -> &'static str {
-    match sign {
-        Sign::Plus => "+",
-        Sign::Minus => "-",
-    }
-}
-
-fn relation_text(character: char) -> &'static str {
-    match character {
-        '<' => "<",
-        '>' => ">",
-        '≤' => "\\le",
-        '≥' => "\\ge",
-        _ => "=",
+fn relation_text(relation: Relation) -> &'static str {
+    match relation {
+        Relation::Equal => "=",
+        Relation::Less => "<",
+        Relation::LessEqual => "\\le",
+        Relation::Greater => ">",
+        Relation::GreaterEqual => "\\ge",
     }
 }
 
@@ -112,7 +93,7 @@ fn write(layout: &Layout, out: &mut String) {
         Layout::Related(left, relation, right) => {
             write(left, out);
             out.push(' ');
-            out.push_str(relation_text(relation.character()));
+            out.push_str(relation_text(*relation));
             out.push(' ');
             write(right, out);
         }
@@ -153,7 +134,7 @@ fn sum(terms: &[(Sign, Layout)], out: &mut String) {
             (0, Sign::Minus) => out.push('-'),
             _ => {
                 out.push(' ');
-                out.push_str(sign_text(*sign));
+                out.push_str(sign.ascii());
                 out.push(' ');
             }
         }

@@ -98,6 +98,13 @@ impl Sign {
             Sign::Minus => '−',
         }
     }
+    /// `+` or the hyphen of a keyboard, which typesetting systems turn into a minus.
+    pub fn ascii(self) -> &'static str {
+        match self {
+            Sign::Plus => "+",
+            Sign::Minus => "-",
+        }
+    }
 }
 
 /// Kinds of brackets.

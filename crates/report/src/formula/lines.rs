@@ -25,6 +25,30 @@ pub(super) struct Lines<'a> {
     pub rows: Vec<Vec<Piece<'a>>>,
 }
 
+impl Piece<'_> {
+    /// What joins it, for a typesetting system with names of its own for relations; empty at the start of a side.
+    pub fn joint_in_ascii(&self, relation_of: fn(Relation) -> &'static str) -> &'static str {
+        match self.joint {
+            Joint::Start => "",
+            Joint::Sign(sign) => sign.ascii(),
+            Joint::Relation(relation) => relation_of(relation),
+        }
+    }
+
+    /// Writes it with what joins it and its own minus.
+    pub fn write_in_ascii(&self, relation_of: fn(Relation) -> &'static str, body: fn(&Layout, &mut String), out: &mut String) {
+        let joint = self.joint_in_ascii(relation_of);
+        out.push_str(joint);
+        if !joint.is_empty() {
+            out.push(' ');
+        }
+        if self.minus {
+            out.push('-');
+        }
+        body(self.body, out);
+    }
+}
+
 impl Lines<'_> {
     /// Index of the relation in the first line, where the following lines are aligned.
     pub fn relation(&self) -> Option<usize> {

@@ -2,7 +2,7 @@
 //! are strings, since a bare comma parts the arguments of a function.
 
 use super::layout::{Bare, Bracket, Identifier, Layout, Relation, Row, Shape, Sign};
-use super::lines::{Joint, Lines, Piece};
+use super::lines::{Lines, Piece};
 use super::names::is_greek;
 
 /// The whole formula; several lines are aligned at the relation of the first, or at the left.
@@ -30,30 +30,11 @@ pub(super) fn lines(lines: &Lines) -> String {
 }
 
 fn write_piece(piece: &Piece, out: &mut String) {
-    let sign = joint(piece);
-    out.push_str(sign);
-    if !sign.is_empty() {
-        out.push(' ');
-    }
-    if piece.minus {
-        out.push('-');
-    }
-    write(piece.body, out);
+    piece.write_in_ascii(relation_text, write, out);
 }
 
 fn joint(piece: &Piece) -> &'static str {
-    match piece.joint {
-        Joint::Start => "",
-        Joint::Sign(sign) => sign_text(sign),
-        Joint::Relation(relation) => relation_text(relation),
-    }
-}
-
-fn sign_text(sign: Sign) -> &'static str {
-    match sign {
-        Sign::Plus => "+",
-        Sign::Minus => "-",
-    }
+    piece.joint_in_ascii(relation_text)
 }
 
 fn relation_text(relation: Relation) -> &'static str {
@@ -172,7 +153,7 @@ fn sum(terms: &[(Sign, Layout)], out: &mut String) {
         match (i, sign) {
             (0, Sign::Plus) => {}
             (0, Sign::Minus) => out.push('-'),
-            _ => out.push_str(&format!(" {} ", sign_text(*sign))),
+            _ => out.push_str(&format!(" {} ", sign.ascii())),
         }
         write(body, out);
     }

@@ -251,11 +251,13 @@ fn table(results: &Results, view: &View, console: &Console) -> Result<(), Failur
     }
 }
 
-/// The checks of the run, beside the data.
+/// The checks of the run and what is to be said of it, beside the data.
 fn tell_checks(results: &Results, console: &Console) {
     let number = |x| report::number::short(x, 2, console.language);
     let passed = results.data.audits.iter().filter(|a| a.ok);
-    let lines: Vec<String> = passed.map(|a| format!("✓ {}: {}", console.language.text(&a.name), number(a.value))).collect();
+    let passed = passed.map(|a| format!("✓ {}: {}", console.language.text(&a.name), number(a.value)));
+    let notes = results.data.notes.iter().map(|note| console.language.text(note).to_owned());
+    let lines: Vec<String> = passed.chain(notes).collect();
     if !lines.is_empty() {
         console.talk(&lines.join("\n"));
     }

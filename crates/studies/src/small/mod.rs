@@ -6,6 +6,7 @@ pub mod equation;
 pub mod formulas;
 pub mod load;
 pub mod modes;
+mod remarks;
 pub mod response;
 pub mod show;
 mod strands;

@@ -6,6 +6,7 @@ use crate::provenance;
 use crate::results::{Alone, Body, Results};
 use crate::small::asked::Response as Study;
 use crate::small::load::{self, Meant};
+use crate::small::remarks::{bent_by_rates, cut, doubtful, left_out, not_shown, not_straight, reference, unstable};
 use crate::small::strands::{self, Slack};
 use crate::small::{Small, about_rest, timing_notes};
 use crate::wording::Word as Say;
@@ -20,7 +21,7 @@ use analysis::studies::extremes::{Antiresonance, Resonance, extremes};
 use analysis::studies::modes::{Complex, Kind, Modes, Normalisation, modes};
 use analysis::studies::response::{self as forced, Forced, Point, Source, magnitude, phase};
 use analysis::studies::superposition::{self, Care, Superposed};
-use analysis::studies::tracks::{Tracks, tracks};
+use analysis::studies::tracks::tracks;
 use analysis::{Dataset, Fault, Quantity};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
@@ -238,22 +239,6 @@ fn sweep(machine: &Machine, study: &Study, mut small: Small, (out, data): (&mut 
     Ok(())
 }
 
-/// Rows that have no place of rest.
-fn cut(asked: usize, omegas: &[f64]) -> Option<Text> {
-    let ends = [omegas[0], omegas[omegas.len() - 1]];
-    let list = |language| ends.map(|w| report::number::short(w, 6, language));
-    let ([a, b], [c, d]) = (list(words::Language::En), list(words::Language::Ru));
-    (omegas.len() < asked).then(|| {
-        Text::new(
-            format!("rows from ω = {a} to {b} rad/s only, {} of {asked}: beyond them the place of rest that the machine has here is lost", omegas.len()),
-            format!(
-                "приведены только строки от ω = {c} до {d} рад/с, {} из {asked}: дальше положения равновесия, занимаемого машиной здесь, нет",
-                omegas.len()
-            ),
-        )
-    })
-}
-
 /// Phases count from the load at the frequency of the file, or where that has no hold on the machine, at one along the range.
 fn refer(forced: &mut Forced, own: Option<f64>, omegas: &[f64]) -> Result<(), Fault> {
     let along = [omegas[0], omegas[omegas.len() / 2], omegas[omegas.len() - 1]];
@@ -284,67 +269,6 @@ fn growing(small: &mut Small, branch: &mut Branch, omegas: &[f64]) -> Result<Opt
     };
     small.machine.set(parameter, own)?;
     Ok(found.filter(|t| !t.unstable.is_empty()).map(|t| unstable(&t)))
-}
-
-fn unstable(tracks: &Tracks) -> Text {
-    let list = |language| {
-        let number = |x| report::number::short(x, 6, language);
-        tracks.unstable.iter().map(|[a, b]| format!("{} … {}", number(*a), number(*b))).collect::<Vec<_>>().join("; ")
-    };
-    let name = &tracks.parameter;
-    Text::new(
-        format!(
-            "unstable for {name} = {} rad/s: a free motion grows there, and the amplitudes of the table are never reached",
-            list(words::Language::En)
-        ),
-        format!(
-            "неустойчиво при {name} = {} рад/с: свободное движение там нарастает, и амплитуды таблицы не устанавливаются",
-            list(words::Language::Ru)
-        ),
-    )
-}
-
-/// An output that is not linear in the motion.
-fn not_straight(name: &str, share: f64) -> Text {
-    let percent = |language| report::number::short(100.0 * share, 3, language);
-    let far = match share.is_finite() {
-        true => Text::new(
-            format!("leaves its straight line by {} % within the amplitudes found", percent(words::Language::En)),
-            format!("отклоняется в пределах найденных амплитуд от линейной зависимости на {} %", percent(words::Language::Ru)),
-        ),
-        false => Text::new("has no linear part there", "не имеет там линейной части"),
-    };
-    Text::new(
-        format!(
-            "`{name}` is not linear in the motion and {}: its amplitude, phase and coefficient are those of the line, mean, greatest and least value over a period those of the formula \
-             along the small motion; use `periodic` or `simulate` where that is not enough",
-            far.en
-        ),
-        format!(
-            "величина `{name}` нелинейна относительно движения и {}: амплитуда, фаза и коэффициент относятся к линейной части, а среднее, наибольшее и наименьшее за период – к самой \
-             формуле вдоль малого движения; если этого мало, примените `periodic` или `simulate`",
-            far.ru
-        ),
-    )
-}
-
-/// Outputs of the file that nobody asked for.
-fn not_shown(study: &Study, equations: &Equations) -> Option<Text> {
-    let own: Vec<&str> = equations.outputs.iter().filter(|o| matches!(o.role, Role::Named)).map(|o| o.name.as_str()).collect();
-    (study.outputs.is_empty() && !own.is_empty()).then(|| {
-        let list = own.join(", ");
-        Text::new(
-            format!("not shown: the outputs {list} of the file; name those that are wanted with outputs"),
-            format!("не показаны величины файла {list}; нужные укажите ключом outputs"),
-        )
-    })
-}
-
-fn bent_by_rates() -> Text {
-    Text::new(
-        "the equations are not linear: forces of higher degree in the rates are left out, so the amplitudes hold for small motions only; `periodic` has them",
-        "уравнения нелинейны: силы высших степеней скоростей отброшены, и амплитуды верны лишь для малых движений; `periodic` их учитывает",
-    )
 }
 
 /// The chosen order along frequencies ω.
@@ -444,23 +368,6 @@ fn own_column(q: &Quantity, tail: &str, label: Text, values: Vec<f64>) -> Column
     Column { quantity, values }
 }
 
-fn left_out(rates: &[f64]) -> Option<Text> {
-    if rates.is_empty() {
-        return None;
-    }
-    let list = |decimal: &str| {
-        let one = |w: &f64| report::number::short(*w, 6, words::Language::En).replace('.', decimal);
-        rates.iter().map(one).collect::<Vec<_>>().join("; ")
-    };
-    Some(Text::new(
-        format!(
-            "left out: loads whose frequency does not follow the one along the axis ({} rad/s); name them with load or over",
-            list(".")
-        ),
-        format!("не учтены нагрузки, частота которых не меняется вдоль оси ({} рад/с); задайте их ключом load или over", list(",")),
-    ))
-}
-
 /// Bodies with mass whose place or angle changes with each coordinate, directly or with what they stand on.
 fn bodies(machine: &Machine) -> Vec<Vec<String>> {
     let model = &machine.model;
@@ -481,35 +388,6 @@ fn bodies(machine: &Machine) -> Vec<Vec<String>> {
         heavy.map(|(f, _)| f.name.clone()).collect()
     };
     model.coordinates.iter().map(|c| moves(c.symbols[0])).collect()
-}
-
-/// Share that rounding of the stiffnesses may change without a remark.
-const UNDOUBTED: f64 = 1e-6;
-
-/// What rounding may have taken.
-fn doubtful(doubt: f64) -> Option<Text> {
-    let share = |language| report::number::short(100.0 * doubt, 2, language);
-    (doubt > UNDOUBTED).then(|| {
-        Text::new(
-            format!(
-                "stiffnesses lie so far apart that the rounding of their sums may change the amplitudes by {} %",
-                share(words::Language::En)
-            ),
-            format!("жёсткости настолько различны, что округление их сумм может изменить амплитуды на {} %", share(words::Language::Ru)),
-        )
-    })
-}
-
-fn reference(function: &str, angle: &str) -> Text {
-    let wave = format!("{function} {angle}");
-    Text::new(
-        format!(
-            "a motion is amplitude times {wave} shifted by the phase; phases are counted from {wave}, whatever the phase of the load, and negative when the motion lags behind it"
-        ),
-        format!(
-            "движение – амплитуда, умноженная на {wave} со сдвигом фазы; фазы отсчитываются от {wave} независимо от начальной фазы нагрузки, при отставании от {wave} они отрицательны"
-        ),
-    )
 }
 
 /// The load and the parameter that is its frequency.
