@@ -1,23 +1,27 @@
 //! How far the equations of small motions hold for an amplitude that they give.
 //!
 //! Two things are left out: what oscillates in the coefficients (M₁ cos νt beside M, which turns a motion at ω into forces at ω ± ν), and what
-//! M(q) q'' - h(q, q') does beyond its straight line M δq'' + B δq' + C δq. Both are measured on the amplitudes X, relative to the terms of the equations.
+//! M(q) q'' - h(q, q') does beyond its straight line M δq'' + B δq' + C δq. The first is measured on the amplitudes X, relative to the terms of the equations,
+//! the second by the amplitudes of the whole equations themselves, from harmonic balance.
 
 use algebra::elementary;
 use words::{Message, Text};
 
-use crate::Fault;
 use crate::linear::{LinearMachine, Matrices, Place, Seen, Values};
+use crate::studies::balance::{self, Balance, Found, Wave, counting};
 use crate::studies::modes::Complex;
-use crate::studies::response::magnitude;
+use crate::studies::response::{Forced, magnitude};
+use crate::{Fault, Quantity};
 use words::digits::rounded;
 use words::explain::{Explanation, plain};
 
 /// Forces from oscillating coefficients that may be left out, relative to the terms: without a word, and with one.
 const FED_BACK: f64 = 1e-6;
 const TOLD: f64 = 1e-2;
-/// Distance of the forces from a straight line that is worth a word.
+/// Distance of amplitudes, motions and outputs from their straight lines that is worth a word.
 const BENT: f64 = 1e-2;
+/// Distance of the forces from their straight line, as a share of their terms, that is looked into.
+const STRAIGHT: f64 = 1e-6;
 
 /// S108.
 pub const PULSATING: Explanation =
@@ -112,60 +116,178 @@ fn terms(m: &Matrices, omega: f64, x: &[Complex]) -> Vec<f64> {
     (0..m.n).map(|i| (0..m.n).map(|j| entry(i * m.n + j) * magnitude(x[j])).sum()).collect()
 }
 
-/// A remark where inertia, resistance and forces of places leave their straight line along the motion of the amplitudes X at ω.
-pub fn bent(machine: &mut LinearMachine, place: &Place, omega: f64, x: &[Complex]) -> Option<Text> {
-    if x.iter().any(|z| !magnitude(*z).is_finite()) {
-        return None;
+/// A remark where the whole equations give other amplitudes than small motions at ω do, and by how much.
+///
+/// *Errors*: formulas without a value at this frequency.
+pub(super) fn bent(forced: &mut Forced, omega: f64) -> Result<Option<Text>, Fault> {
+    forced.matrices(omega)?;
+    if !forced.machine.bends() {
+        return Ok(None);
     }
-    if !machine.bends() {
-        return None;
+    let Some((rate, waves)) = balance::waves(forced, omega)? else { return Ok(None) };
+    let place = forced.place.clone();
+    let share = leaves(forced.machine, &place, (rate, &waves));
+    if share <= STRAIGHT {
+        return Ok(None);
     }
-    let matrices = machine.at(place).ok()?;
-    let whole = terms(&matrices, omega, x);
+    let Some(mut balance) = Balance::new(forced.machine, &place, (rate, waves.clone()), BENT)? else {
+        return Ok((share > BENT).then(|| by_forces(omega, share)));
+    };
+    let counts = counting(&forced.machine.at(&place)?, &waves, rate);
+    Ok(match balance.solve() {
+        Found::Lost { share, good } => Some(lost(omega, share, good)),
+        Found::Motion { series, harmonics, good } => {
+            let names = forced.machine.coordinates();
+            measured(names, (&counts, &waves), &series).map(|found| by_amplitudes(omega, (harmonics, good), &found))
+        }
+    })
+}
+
+/// Share of the terms by which the forces leave their straight line along the small motion.
+fn leaves(machine: &mut LinearMachine, place: &Place, (rate, waves): (f64, &[Wave])) -> f64 {
+    let Ok(matrices) = machine.at(place) else { return f64::INFINITY };
     let n = matrices.n;
-    let motion = machine.prepare(&machine.linear().bent).ok()?;
-    let rest = machine.values(&motion, place).ok()?;
-    let share = |s: f64| -> f64 {
-        let mut worst = 0.0_f64;
-        for turn in 0..INSTANTS {
-            let (sin, cos) = elementary::sin_cos(std::f64::consts::TAU * f64::from(turn) / f64::from(INSTANTS));
-            let away: Vec<f64> = x.iter().map(|z| s * (z.0 * cos - z.1 * sin)).collect();
-            let rates: Vec<f64> = x.iter().map(|z| -s * omega * (z.0 * sin + z.1 * cos)).collect();
-            let accelerations: Vec<f64> = away.iter().map(|v| -omega * omega * v).collect();
-            let q = place.q.iter().zip(&away).map(|(q, d)| q + d).collect();
-            let at = Place { q, rates: rates.clone(), accelerations: accelerations.clone(), multipliers: place.multipliers.clone() };
-            // beyond the domain of a formula nothing holds
-            let Ok(there) = machine.values(&motion, &at) else { return f64::INFINITY };
-            for (i, size) in whole.iter().enumerate().filter(|(_, size)| **size > 0.0) {
-                let row = |a: &[f64], v: &[f64]| (0..n).map(|j| a[i * n + j] * v[j]).sum::<f64>();
-                let line = row(&matrices.mass, &accelerations) + row(&matrices.damping, &rates) + row(&matrices.stiffness, &away);
-                worst = worst.max((there[i] - rest[i] - line).abs() / (s * size));
+    let mut whole = vec![0.0; n];
+    for wave in waves {
+        let more = terms(&matrices, wave.multiple as f64 * rate, &wave.small);
+        whole.iter_mut().zip(more).for_each(|(w, m)| *w += m);
+    }
+    let Ok(motion) = machine.prepare(&machine.linear().bent) else { return f64::INFINITY };
+    let Ok(rest) = machine.values(&motion, place) else { return f64::INFINITY };
+    let mut worst = 0.0_f64;
+    for turn in 0..INSTANTS {
+        let phase = std::f64::consts::TAU * f64::from(turn) / f64::from(INSTANTS);
+        let (mut away, mut rates, mut accelerations) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+        for wave in waves {
+            let nu = wave.multiple as f64 * rate;
+            let (sin, cos) = elementary::sin_cos(wave.multiple as f64 * phase);
+            for (i, z) in wave.small.iter().enumerate() {
+                let (x, v) = (z.0 * cos - z.1 * sin, -nu * (z.0 * sin + z.1 * cos));
+                (away[i], rates[i], accelerations[i]) = (away[i] + x, rates[i] + v, accelerations[i] - nu * nu * x);
             }
         }
-        worst
-    };
-    let found = share(1.0);
-    if found <= BENT {
-        return None;
+        let q = place.q.iter().zip(&away).map(|(q, d)| q + d).collect();
+        let at = Place { q, rates: rates.clone(), accelerations: accelerations.clone(), multipliers: place.multipliers.clone() };
+        // beyond the domain of a formula nothing holds
+        let Ok(there) = machine.values(&motion, &at) else { return f64::INFINITY };
+        for (i, size) in whole.iter().enumerate().filter(|(_, size)| **size > 0.0) {
+            let row = |a: &[f64], v: &[f64]| (0..n).map(|j| a[i * n + j] * v[j]).sum::<f64>();
+            let line = row(&matrices.mass, &accelerations) + row(&matrices.damping, &rates) + row(&matrices.stiffness, &away);
+            worst = worst.max((there[i] - rest[i] - line).abs() / size);
+        }
     }
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if share(middle) <= BENT { low = middle } else { high = middle }
+    worst
+}
+
+/// How far small motions are off.
+struct Off {
+    /// Name and unit of the coordinate that is off most, its order, its amplitude by small motions and by the whole equations.
+    amplitude: (String, String, usize, [f64; 2]),
+    /// The coordinate whose motion over a period is off most, and by which share of its largest distance from rest.
+    period: (String, f64),
+}
+
+/// The coordinates that are off most; none where amplitudes and motions are near.
+fn measured(names: &[Quantity], (counts, waves): (&[bool], &[Wave]), series: &[Vec<f64>]) -> Option<Off> {
+    let mut worst = (0.0_f64, None);
+    let mut period = (0, 0.0_f64);
+    for i in (0..names.len()).filter(|i| counts[*i]) {
+        for wave in waves {
+            let k = wave.multiple;
+            let whole = elementary::hypot(series[2 * k - 1][i], series[2 * k][i]);
+            let small = magnitude(wave.small[i]);
+            let off = balance::away(small, whole);
+            if off > worst.0 && small.max(whole) > balance::TRACE * largest_of(waves, i) {
+                worst = (off, Some((i, k, [small, whole])));
+            }
+        }
+        let off = over_a_period(waves, series, i);
+        if off > period.1 {
+            period = (i, off);
+        }
     }
-    let (omega, percent, up) = (rounded(omega), rounded(100.0 * found), rounded(100.0 * low));
-    Some(Text::new(
+    let (i, k, pair) = worst.1?;
+    let of = |i: usize| (names[i].name.clone(), names[i].unit.clone());
+    let (name, unit) = of(i);
+    (worst.0 > BENT || period.1 > BENT).then(|| Off { amplitude: (name, unit, k, pair), period: (of(period.0).0, period.1) })
+}
+
+fn largest_of(waves: &[Wave], i: usize) -> f64 {
+    waves.iter().map(|w| magnitude(w.small[i])).fold(0.0, f64::max)
+}
+
+/// Largest distance of the two motions of a coordinate over a period, as a share of the largest distance from rest.
+fn over_a_period(waves: &[Wave], series: &[Vec<f64>], i: usize) -> f64 {
+    let instants = 8 * series.len();
+    let (mut apart, mut size) = (0.0_f64, 0.0_f64);
+    for j in 0..instants {
+        let phase = std::f64::consts::TAU * j as f64 / instants as f64;
+        let phi = balance::functions(series.len(), phase, 1.0);
+        let whole: f64 = series.iter().zip(&phi).map(|(c, f)| c[i] * f[0]).sum();
+        let small = |w: &Wave| w.small[i].0 * phi[2 * w.multiple - 1][0] - w.small[i].1 * phi[2 * w.multiple][0];
+        let small: f64 = waves.iter().map(small).sum();
+        (apart, size) = (apart.max((whole - small).abs()), size.max(whole.abs()));
+    }
+    if size > 0.0 { apart / size } else { 0.0 }
+}
+
+fn by_amplitudes(omega: f64, (harmonics, good): (usize, f64), off: &Off) -> Text {
+    let (name, unit, order, [small, whole]) = &off.amplitude;
+    let (omega, share) = (rounded(omega), rounded(100.0 * balance::away(*small, *whole)));
+    let (small, whole) = (rounded(*small), rounded(*whole));
+    let (moved, period, up) = (&off.period.0, rounded(100.0 * off.period.1), rounded(100.0 * good));
+    let of = |nth: &str| if *order == 1 { String::new() } else { format!(" ({order}{nth})") };
+    Text::new(
         format!(
-            "the equations are not linear: at ω = {} rad/s the forces (of inertia, resistance and places) leave their straight line by {} % within the amplitudes found, and by less than 1 % only up to {} % of \
-             these; use `periodic` or `simulate` beyond that",
-            omega.en, percent.en, up.en
+            "the equations are not linear: at ω = {} rad/s the amplitude of `{name}`{} is {} {unit} by small motions and {} {unit} by harmonic balance of the whole equations ({harmonics} harmonics), so it is off by {} %; over a period the motion of `{moved}` is up to {} % of its largest value away from the small motion; amplitudes are within 1 % up to {} % of the load; use `periodic` or `simulate` beyond that",
+            omega.en,
+            of("Ω"),
+            small.en,
+            whole.en,
+            share.en,
+            period.en,
+            up.en
         ),
         format!(
-            "уравнения нелинейны: при ω = {} рад/с силы (инерции, сопротивления и зависящие от положения) в пределах найденных амплитуд отклоняются от линейных на {} %, а менее чем на 1 % – лишь до {} % от них; дальше \
-             применяйте `periodic` или `simulate`",
-            omega.ru, percent.ru, up.ru
+            "уравнения нелинейны: при ω = {} рад/с амплитуда `{name}`{} по малым движениям {} {unit}, а по гармоническому балансу полных уравнений (гармоник: {harmonics}) {} {unit}: ошибка {} %; за период движение `{moved}` отходит от малого на величину до {} % своего наибольшего значения; амплитуды верны до 1 % при нагрузке до {} % заданной; дальше применяйте `periodic` или `simulate`",
+            omega.ru,
+            of("Ω"),
+            small.ru,
+            whole.ru,
+            share.ru,
+            period.ru,
+            up.ru
         ),
-    ))
+    )
+}
+
+fn lost(omega: f64, share: f64, good: f64) -> Text {
+    let (omega, share, up) = (rounded(omega), rounded(100.0 * share), rounded(100.0 * good));
+    Text::new(
+        format!(
+            "the equations are not linear, and the amplitudes do not hold: at ω = {} rad/s harmonic balance of the whole equations loses the motion that joins the small ones at {} % of the load (it jumps to another amplitude, drifts away, or a formula has no value); amplitudes are within 1 % up to {} % of the load; use `periodic` or `simulate` beyond that",
+            omega.en, share.en, up.en
+        ),
+        format!(
+            "уравнения нелинейны, и амплитуды неверны: при ω = {} рад/с по гармоническому балансу полных уравнений движение, продолжающее малые, теряется при {} % нагрузки (скачок к другой амплитуде, уход или формула без значения); амплитуды верны до 1 % при нагрузке до {} % заданной; дальше применяйте `periodic` или `simulate`",
+            omega.ru, share.ru, up.ru
+        ),
+    )
+}
+
+/// Where amplitudes of the whole equations are not computed.
+fn by_forces(omega: f64, share: f64) -> Text {
+    let (omega, percent) = (rounded(omega), rounded(100.0 * share));
+    Text::new(
+        format!(
+            "the equations are not linear: at ω = {} rad/s the forces (of inertia, resistance and places) leave their straight line by {} % within the amplitudes found, which near a resonance may change these far more; use `periodic` or `simulate`",
+            omega.en, percent.en
+        ),
+        format!(
+            "уравнения нелинейны: при ω = {} рад/с силы (инерции, сопротивления и зависящие от положения) в пределах найденных амплитуд отклоняются от линейных на {} %, что вблизи резонанса может изменить амплитуды гораздо сильнее; примените `periodic` или `simulate`",
+            omega.ru, percent.ru
+        ),
+    )
 }
 
 /// How far each output leaves its straight line within the amplitudes X at ω, as a share of what the line does; zero where the line holds to

@@ -1,5 +1,6 @@
 //! Studies, one file each.
 
+mod balance;
 pub mod claims;
 pub mod cycle;
 pub mod equilibrium;

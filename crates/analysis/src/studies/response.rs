@@ -552,14 +552,15 @@ impl<'m> Forced<'m> {
         Ok(seen.iter().map(one).collect())
     }
 
-    /// Whether the amplitudes of a point can be believed: remarks where the forces are not linear within them.
+    /// Whether the amplitudes of a point can be believed: remarks where coefficients oscillate, and where the whole equations give others.
     ///
     /// *Errors*: S108 where coefficients that oscillate in time act back on them.
     pub fn limits(&mut self, point: &Point) -> Result<Vec<Text>, Fault> {
         let order = self.components.get(self.current).map_or(1.0, |c| c.order);
         self.matrices(point.omega / order)?;
         let pulsing = super::limits::steady(self.machine, &self.place, point.omega, &point.coordinates)?;
-        Ok(pulsing.into_iter().chain(super::limits::bent(self.machine, &self.place, point.omega, &point.coordinates)).collect())
+        let bent = super::limits::bent(self, point.omega / order)?;
+        Ok(pulsing.into_iter().chain(bent).collect())
     }
 
     /// Outputs that leave their straight line within the amplitudes of a point, and by which share; from then on superposed motions take their values
