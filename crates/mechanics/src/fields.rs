@@ -3,7 +3,7 @@
 
 mod chapters;
 pub mod claims;
-pub mod connections;
+mod distributed;
 pub mod events;
 mod sections;
 pub mod structures;
@@ -11,9 +11,11 @@ pub mod structures;
 pub use crate::asked::STUDY;
 pub use crate::keys::{Field, TEXT, TableSpec, Type, Words};
 pub use chapters::{CHAPTERS, Chapter};
+pub use distributed::DISTRIBUTED;
 pub use sections::{PART, SECTION};
 
-use crate::elements::TABLE;
+use crate::connections;
+use crate::elements;
 use crate::keys::{ANGLE, LABEL, ON, ORIGIN, ROTATE, SPIN, SYMBOL, may, must};
 
 /// Top level.
@@ -77,24 +79,6 @@ const HEAD: &[Field] = &[
 
 /// What stands behind them.
 const TAIL: &[Field] = &[
-    may("pins", Type::Table, "", "", ("pins", "шарниры"), ""),
-    may("welds", Type::Table, "", "", ("welds", "жёсткие соединения"), ""),
-    may("sliders", Type::Table, "", "", ("sliders", "ползуны"), ""),
-    may("slots", Type::Table, "", "", ("slots", "кулисы"), ""),
-    may("rods", Type::Table, "", "", ("massless rods", "невесомые стержни"), ""),
-    may("ropes", Type::Table, "", "", ("ropes", "канаты"), ""),
-    may("threads", Type::Table, "", "", ("threads", "нити"), ""),
-    may("belts", Type::Table, "", "", ("belts", "ремни"), ""),
-    may("chains", Type::Table, "", "", ("chains", "цепи"), ""),
-    may("gears", Type::Table, "", "", ("gear pairs", "зубчатые пары"), ""),
-    may("racks", Type::Table, "", "", ("gears on racks", "зубчатые рейки"), ""),
-    may("rolling", Type::Table, "", "", ("rolling without slip", "качение без проскальзывания"), ""),
-    may("constraints", Type::Table, "", "", ("conditions of any form", "связи общего вида"), ""),
-    may("supports", Type::Table, "", "", ("supports", "опоры"), ""),
-    may("motions", Type::Table, "", "", ("prescribed motions", "заданные движения"), ""),
-    may("motors", Type::Table, "", "", ("motors that realise motions", "двигатели, реализующие заданные движения"), ""),
-    may("stops", Type::Table, "", "", ("one-sided stops", "односторонние упоры"), ""),
-    may("frictions", Type::Table, "", "", ("dry friction", "сухое трение"), ""),
     may("distributed", Type::Table, "", "", ("distributed loads", "распределённые нагрузки"), ""),
     may("outputs", Type::Table, "", "", ("named results", "именованные результаты"), ""),
     may("events", Type::Table, "", "", ("named events", "именованные события"), ""),
@@ -109,17 +93,20 @@ const TAIL: &[Field] = &[
     may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
 ];
 
-/// All of the top level: elements by their table.
-const ALL: [Field; HEAD.len() + TABLE.len() + TAIL.len()] = {
-    let mut all = [HEAD[0]; HEAD.len() + TABLE.len() + TAIL.len()];
+/// All of the top level: elements and connections by their tables.
+const ALL: [Field; HEAD.len() + elements::TABLE.len() + connections::TABLE.len() + TAIL.len()] = {
+    let mut all = [HEAD[0]; HEAD.len() + elements::TABLE.len() + connections::TABLE.len() + TAIL.len()];
+    let ends = [HEAD.len(), HEAD.len() + elements::TABLE.len(), HEAD.len() + elements::TABLE.len() + connections::TABLE.len()];
     let mut i = 0;
     while i < all.len() {
-        all[i] = if i < HEAD.len() {
+        all[i] = if i < ends[0] {
             HEAD[i]
-        } else if i < HEAD.len() + TABLE.len() {
-            TABLE[i - HEAD.len()].top()
+        } else if i < ends[1] {
+            elements::TABLE[i - ends[0]].top()
+        } else if i < ends[2] {
+            connections::TABLE[i - ends[1]].top()
         } else {
-            TAIL[i - HEAD.len() - TABLE.len()]
+            TAIL[i - ends[2]]
         };
         i += 1;
     }

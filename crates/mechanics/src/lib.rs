@@ -1,10 +1,14 @@
 //! Mechanics: the model file, units, diagnostics, and the derivation of equations of motion. It does not evaluate states and draws
 //! nothing.
+//!
+//! In the order of reading: `units`, `keys` and `formula`, what stands in a file; `model`, what it means; `reader`, `elements`, `connections` and `read`, from the
+//! one to the other; `scene`, places and velocities; `derive`, the equations; `reference`, the tables as documents.
 
 // the same bits on every machine: see clippy.toml
 #![cfg_attr(not(test), deny(clippy::disallowed_methods, clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
 pub mod asked;
+pub mod connections;
 pub mod derive;
 pub mod elements;
 pub mod explain;
@@ -16,6 +20,7 @@ mod read;
 mod reader;
 pub mod reference;
 mod requests;
+mod scene;
 pub mod section;
 mod snippet;
 pub mod structure;

@@ -313,6 +313,24 @@ fn every_row_of_elements_has_its_pages() {
     }
 }
 
+/// The same for connections: one file, one row, one chapter.
+#[test]
+fn every_row_of_connections_has_its_pages() {
+    for row in mechanics::connections::TABLE {
+        let name = row.keys.name;
+        let chapter = root().join("tests/book").join(row.chapter).with_extension("md");
+        assert!(read(&chapter).contains(&format!("[{name}.")), "{} has no model with [{name}.NAME]", chapter.display());
+        assert!(root().join(format!("crates/mechanics/src/connections/{name}.rs")).exists(), "{name} has no file of its own");
+        for ending in [".md", ".ru.md"] {
+            let pages = ["connections", "contacts"].map(|page| read(&root().join("docs/model-file").join(format!("{page}{ending}"))));
+            for table in std::iter::once(&row.keys).chain(row.within) {
+                let heading = if table.name == name { format!("[{name}.") } else { format!("`{}`", table.name) };
+                assert!(pages.iter().any(|page| page.contains(&heading)), "the reference lacks {heading}");
+            }
+        }
+    }
+}
+
 /// What only the command line has: terminals, signals, and pictures made of pixels, which `report` draws when it is asked to.
 const TERMINALS: [&str; 6] = ["clap", "clap_complete", "indicatif", "console", "ctrlc", "annotate-snippets"];
 /// What reaches outside the process.

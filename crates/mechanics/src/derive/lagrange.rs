@@ -9,10 +9,10 @@
 //! M is gathered body by body from J·J: equal products of Jacobian columns are one expression, so their masses add up in front, which
 //! gives the grouping of a textbook and keeps long chains of bodies short.
 
-use super::kinematics::Kinematics;
 use super::loads::Loads;
-use super::scene::{Columns, Scene, Vector};
 use crate::model::{FrameId, Inertia, Mass, PointRef};
+use crate::scene::kinematics::Kinematics;
+use crate::scene::{Columns, Scene, Vector};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use symbolic::{Expr, Rational};

@@ -3,17 +3,18 @@
 //! Lagrange's way: potentials Π, dissipation function Φ, virtual power of the rest. Newton-Euler's way: every element is a pair of forces
 //! (or torques) projected with the velocities of the points (or bodies) it acts on.
 
-use super::connections::pretension;
-use super::kinematics::Kinematics;
-use super::pathways::{Given, Path, located, resolve};
-use super::requests::Resolver;
-use super::scene::{Columns, Found, Scene, Vector};
-use super::wrench::Act;
+use crate::connections::pretension;
 use crate::model::{Element, FrameId, Pathway, PointRef, Push, Stage, Way};
+use crate::scene::kinematics::Kinematics;
+use crate::scene::pathways::{Given, Path, located, resolve};
+use crate::scene::requests::Resolver;
+use crate::scene::start::at_start;
+use crate::scene::wrench::Act;
+use crate::scene::{Columns, Found, Scene, Vector};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use symbolic::equations::Applied;
-use symbolic::{Expr, Graph, Substitution, SymbolId};
+use symbolic::{Expr, Graph};
 use words::Notice;
 
 /// A named term of an energy.
@@ -115,35 +116,6 @@ pub fn project(scene: &mut Scene, force: &Vector, columns: &Columns<Vector>) -> 
 /// factor·gradient.
 fn scaled(scene: &mut Scene, factor: Expr, gradient: &Columns<Expr>) -> Columns<Expr> {
     gradient.iter().map(|(j, d)| (*j, scene.graph.mul(factor, *d))).collect()
-}
-
-/// The value of an expression of the element `user` at the start of the motion.
-pub fn at_start(scene: &mut Scene, user: &str, e: Expr) -> Expr {
-    let used = scene.graph.symbols_in(&[e]);
-    let coordinates = &scene.model.coordinates;
-    let used: Vec<usize> = (0..coordinates.len()).filter(|j| used.contains(&coordinates[*j].symbols[0])).collect();
-    let places = used.into_iter().map(|j| (coordinates[j].symbols[0], scene.place_at_start(j, user))).collect();
-    put_start(scene, places, e)
-}
-
-/// The same at the values of the file, guesses as they are: for choices that are the same around it.
-pub fn near_start(scene: &mut Scene, e: Expr) -> Expr {
-    let places = scene.model.coordinates.iter().map(|c| (c.symbols[0], c.start)).collect();
-    put_start(scene, places, e)
-}
-
-fn put_start(scene: &mut Scene, places: Vec<(SymbolId, Expr)>, e: Expr) -> Expr {
-    let model = scene.model;
-    let zero = scene.graph.zero();
-    // formulas of time at t = 0, each over constants and earlier ones
-    let mut map: Vec<(SymbolId, Expr)> = vec![(model.time, zero)];
-    for parameter in model.parameters.iter().filter(|p| p.class == crate::model::Class::Time) {
-        let value = Substitution::new(map.iter().copied()).apply(&mut scene.graph, parameter.value.expr());
-        map.push((parameter.symbol, value));
-    }
-    map.extend(scene.turns.iter().map(|t| (t.symbol, zero)));
-    map.extend(places);
-    Substitution::new(map).apply(&mut scene.graph, e)
 }
 
 /// A derivation as one element sees it.

@@ -7,28 +7,23 @@
 
 mod connections;
 mod explain;
-mod kinematics;
 mod lagrange;
 mod loads;
 mod newton_euler;
-mod pathways;
 mod place;
-mod requests;
-mod scene;
 mod steps;
-mod vanish;
-mod wrench;
 
 pub use explain::EXPLANATIONS;
 
+use crate::connections::watched;
 use crate::model::{Class, ConnectionKind, CoordinateDecl, Inertia, Model, Part};
+use crate::scene::kinematics::Kinematics;
+use crate::scene::requests::{EnergyTerms, Resolver};
+use crate::scene::{Scene, Turn};
 use algebra::elementary;
 use connections::Connected;
-use kinematics::Kinematics;
 use lagrange::{EnergyOf, Kinetic, Quadratic};
 use loads::Loads;
-use requests::{EnergyTerms, Resolver};
-use scene::Scene;
 use symbolic::equations::{Applied, Auxiliary, Coordinate, Definition, Energy, Equality, Output, Parameter, Role, Start, Step};
 use symbolic::{Equations, Expr, Matrix, SymbolId};
 use words::notice::sort;
@@ -404,7 +399,7 @@ fn coordinates(model: &Model) -> Vec<Coordinate> {
     model.coordinates.iter().map(coordinate).collect()
 }
 
-fn auxiliary(model: &Model, turn: &scene::Turn, zero: Expr) -> Auxiliary {
+fn auxiliary(model: &Model, turn: &Turn, zero: Expr) -> Auxiliary {
     let frame = &model.frames[turn.frame].name;
     Auxiliary {
         symbol: turn.symbol,
@@ -534,7 +529,7 @@ fn pushes(scene: &mut Scene, resolver: &Resolver) -> Vec<Output> {
         });
     }
     for (i, connection) in scene.model.connections.iter().enumerate() {
-        for (k, (formula, label)) in connections::watched(scene, resolver, (i, connection)).into_iter().enumerate() {
+        for (k, (formula, label)) in watched(scene, resolver, (i, connection)).into_iter().enumerate() {
             let name = strand_output(&connection.name, k);
             let symbol = scene.graph.symbol_id(&name, 0);
             list.push(Output { name, symbol, unit: "N".to_owned(), display: None, label, role: Role::Event, formula });

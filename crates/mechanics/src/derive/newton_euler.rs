@@ -9,12 +9,12 @@
 //! the prescribed motions.
 
 use super::connections::Connected;
-use super::kinematics::{Kinematics, combine};
 use super::lagrange::inertia_parts;
 use super::loads::Loads;
-use super::scene::{Columns, Scene, Vector};
-use super::wrench::{Act, Along, Formula};
 use crate::model::{FrameId, PointRef};
+use crate::scene::kinematics::{Kinematics, combine};
+use crate::scene::wrench::{Act, Along, Formula};
+use crate::scene::{Columns, Scene, Vector};
 use symbolic::Expr;
 
 /// The projected equations.

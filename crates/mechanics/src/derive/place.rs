@@ -15,11 +15,11 @@
 //!
 //! A coordinate that moves several bodies does so by a transmission. Where no connection declares it, its wrenches are unknown in the same way.
 
-use super::kinematics::Kinematics;
-use super::pathways::unit_vector;
-use super::scene::{Columns, Scene, Vector, is_spatial};
-use super::wrench::{Act, Along, Formula, carrier};
 use crate::model::{Axis, FrameId, Measure, PointRef};
+use crate::scene::kinematics::Kinematics;
+use crate::scene::pathways::unit_vector;
+use crate::scene::wrench::{Act, Along, Formula, carrier};
+use crate::scene::{Columns, Scene, Vector, is_spatial};
 use std::collections::{BTreeMap, BTreeSet};
 use symbolic::{Expr, Function, Node};
 

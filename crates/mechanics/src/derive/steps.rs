@@ -2,11 +2,11 @@
 
 use super::Motion;
 use super::connections::Connected;
-use super::kinematics::{Kinematics, combine};
 use super::lagrange::{Kinetic, Quadratic, energy_of};
 use super::loads::{Loads, Term};
-use super::scene::Scene;
 use crate::model::{FrameId, Inertia, Mass, PointRef};
+use crate::scene::Scene;
+use crate::scene::kinematics::{Kinematics, combine};
 use symbolic::equations::{Step, StepFormula, StepName};
 use symbolic::{Expr, Rational};
 use words::Text;

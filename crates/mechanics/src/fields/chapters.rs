@@ -1,6 +1,7 @@
 //! The tables of the file by chapters of the reference, in the order in which a reader meets them.
 
-use super::{claims, connections as c, events, structures as s};
+use super::{claims, distributed, events, structures as s};
+use crate::connections;
 use crate::elements::TABLE;
 use crate::keys::{TableSpec, Words};
 
@@ -59,32 +60,13 @@ pub const CHAPTERS: &[Chapter] = &[
             "Joints, ropes, wheels, conditions, supports, prescribed motions and their motors; each has reactions.",
             "Шарниры, канаты, колёса, условия связи, опоры, заданные движения и двигатели; у каждой связи есть реакции.",
         ),
-        tables: &[
-            &c::PIN,
-            &c::WELD,
-            &c::SLIDER,
-            &c::SLOT,
-            &c::ROD,
-            &c::ROPE,
-            &c::THREAD,
-            &c::WOUND,
-            &c::BELT,
-            &c::CHAIN,
-            &c::GEAR,
-            &c::RACK,
-            &c::ROLLING,
-            &c::CIRCLE,
-            &c::CONSTRAINT,
-            &c::SUPPORT,
-            &c::MOTION,
-            &c::MOTOR,
-        ],
+        tables: &JOINTS,
     },
     Chapter {
         file: "contacts",
         title: ("Contacts and friction", "Контакты и трение"),
         about: ("One-sided stops with impacts, dry friction that sticks.", "Односторонние упоры с ударами, сухое трение с залипанием."),
-        tables: &[&c::STOP, &c::FRICTION],
+        tables: &CONTACTS,
     },
     Chapter {
         file: "structures",
@@ -130,7 +112,7 @@ pub const CHAPTERS: &[Chapter] = &[
 
 /// The tables of elements; distributed loads, which are made of forces, before those of any form.
 const ELEMENTS: [&TableSpec; TABLE.len() + 1] = {
-    let mut all: [&TableSpec; TABLE.len() + 1] = [&c::DISTRIBUTED; TABLE.len() + 1];
+    let mut all: [&TableSpec; TABLE.len() + 1] = [&distributed::DISTRIBUTED; TABLE.len() + 1];
     let mut i = 0;
     while i < TABLE.len() {
         let behind = i + FREE_FORMS >= TABLE.len();
@@ -142,3 +124,39 @@ const ELEMENTS: [&TableSpec; TABLE.len() + 1] = {
 
 /// Potentials and dissipation functions, the last rows of the table.
 const FREE_FORMS: usize = 2;
+
+/// Stops and frictions, the last rows of the connections, have a chapter of their own.
+const RUBBING: usize = 2;
+
+/// How many tables the connections before row `end` have, with those within their rows.
+const fn tables_before(end: usize) -> usize {
+    let (mut i, mut n) = (0, 0);
+    while i < end {
+        n += 1 + connections::TABLE[i].within.len();
+        i += 1;
+    }
+    n
+}
+
+/// The tables of rows of connections from `begin` on, each followed by those within its rows.
+const fn tables_of<const N: usize>(begin: usize) -> [&'static TableSpec; N] {
+    let mut all = [connections::TABLE[begin].keys; N];
+    let (mut row, mut n) = (begin, 0);
+    while n < N {
+        all[n] = connections::TABLE[row].keys;
+        n += 1;
+        let within = connections::TABLE[row].within;
+        let mut k = 0;
+        while k < within.len() {
+            all[n] = within[k];
+            (n, k) = (n + 1, k + 1);
+        }
+        row += 1;
+    }
+    all
+}
+
+/// The tables of joints, ties, wheels, conditions, supports and drives.
+const JOINTS: [&TableSpec; tables_before(connections::TABLE.len() - RUBBING)] = tables_of(0);
+/// The tables of contacts.
+const CONTACTS: [&TableSpec; RUBBING] = tables_of(connections::TABLE.len() - RUBBING);

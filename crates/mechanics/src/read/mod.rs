@@ -219,7 +219,7 @@ fn machine<'a>(reader: &mut Reader<'a>, top: &Fields<'a>, (parameters, coordinat
     let gravity = frames::gravity(reader, top, &frames);
     connections::announce(reader, top);
     let mut elements = elements::read(reader, top, &structures::takes);
-    let space = connections::Space::new(reader, &frames, &points, parameters);
+    let space = crate::connections::Space::new(reader, &frames, &points, parameters);
     let connections = connections::read(reader, top, &space);
     let places_of = connections::Places { frames: &frames, points: &points, coordinates };
     connections::warn(reader, &connections, &places_of);

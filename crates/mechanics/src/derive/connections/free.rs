@@ -4,12 +4,12 @@
 
 use super::Connected;
 use super::release::{Displacement, chain};
-use crate::derive::kinematics::Kinematics;
 use crate::derive::lagrange::inertia_parts;
-use crate::derive::pathways::unit_vector;
-use crate::derive::scene::{Scene, Vector};
-use crate::derive::wrench::{Act, Along};
 use crate::model::{FrameId, PointRef};
+use crate::scene::kinematics::Kinematics;
+use crate::scene::pathways::unit_vector;
+use crate::scene::wrench::{Act, Along};
+use crate::scene::{Scene, Vector};
 use symbolic::connections::{FreeBody, FreeFrame, Wrench};
 use symbolic::{Expr, Function};
 use words::Text;

@@ -1,45 +1,31 @@
 //! Connections: what each demands of the motion and what its reactions do.
 //!
-//! Every connection is a list of [`Component`]s, each a scalar condition with a scalar reaction (`components.rs`: one function per kind;
-//! lines in `sliders.rs`, rolling in `tracks.rs`, dry friction in `rubbing.rs`, drives in `wheels.rs`, winding in `drums.rs`).
+//! Every connection is a list of [`Component`]s, each a scalar condition with a scalar reaction; what each kind gives stands in its file of `connections/`.
 //! Lagrange's side takes the generalized force of a reaction from the condition by differentiation; Newton-Euler's side from the forces
 //! and moments on the bodies. A condition that holds by the choice of the coordinates (a crank turned by its own angle stays on its
 //! axle anyway) has no place among the conditions of the motion: its reaction follows from the balance of the body when it is
 //! released there (`release.rs`).
 
-mod axes;
-mod axles;
-mod component;
-mod components;
-mod drums;
-mod faults;
 mod free;
-mod held;
 mod release;
-mod rubbing;
-mod sliders;
-mod strands;
-mod tracks;
 mod transmissions;
-mod wheels;
 
-use super::kinematics::Kinematics;
 use super::loads::Loads;
 use super::newton_euler;
 use super::place::{Open, Opening, Placer};
-use super::requests::Resolver;
-use super::scene::{Columns, Scene};
-use super::wrench::{Act, generalized};
+use crate::connections::common::{faults, wheels};
+use crate::connections::{self, Component, Doubt, Nature, Pull, Rubbing};
 use crate::model::{Connection, ConnectionKind, FrameId, Part, Slides};
-use component::{Component, Doubt, Nature, Pull, Rubbing};
+use crate::scene::kinematics::Kinematics;
+use crate::scene::requests::Resolver;
+use crate::scene::wrench::{Act, generalized};
+use crate::scene::{Columns, Found, Scene};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use symbolic::connections::{Balance, Condition, Friction, Law, Normal, Reaction, Released};
 use symbolic::equations::{Output, Role};
 use symbolic::{Expr, Substitution, SymbolId};
 use words::{Notice, Text};
-
-pub use strands::{pretension, watched};
 
 /// What connections add to the equations.
 #[derive(Debug, Default)]
@@ -75,10 +61,10 @@ pub fn connect(scene: &mut Scene, kinematics: &mut Kinematics, resolver: &mut Re
     let (frictions, others): (Vec<usize>, Vec<usize>) =
         (0..model.connections.len()).partition(|i| matches!(model.connections[*i].kind, ConnectionKind::Friction { .. }));
     let mut frictions = frictions;
-    frictions.sort_by_key(|i| rubbing::order(&model.connections[*i], model));
+    frictions.sort_by_key(|i| connections::frictions::order(&model.connections[*i], model));
     for i in others.into_iter().chain(frictions) {
         let connection = &model.connections[i];
-        match components::of(scene, kinematics, resolver, connection) {
+        match connections::components(scene, kinematics, resolver, connection) {
             Ok(list) => {
                 for mut component in list {
                     let (doubts, before) = (std::mem::take(&mut component.doubts), connected.conditions.len());
@@ -127,7 +113,7 @@ impl Connected {
         kinematics: &mut Kinematics,
         resolver: &mut Resolver,
         (index, connection, component): (usize, &Connection, Component),
-    ) -> super::scene::Found<()> {
+    ) -> Found<()> {
         let shape = shape(scene, &component);
         let symbol = component.part.map(|_| self.name(scene, component.letter, &connection.name));
         let acting = self.reactions.len();
@@ -153,7 +139,7 @@ impl Connected {
         let (Some(symbol), Some(part)) = (symbol, component.part) else { return Ok(()) };
         let value = scene.graph.symbol(symbol);
         resolver.reactions.insert((index, part), value);
-        for (part, tension) in strands::tensions(scene, kinematics, resolver, (connection, value))? {
+        for (part, tension) in connections::tensions(scene, kinematics, resolver, (connection, value))? {
             resolver.reactions.insert((index, part), tension);
         }
         // a friction at a wheel is its tangential force, the other way round
@@ -183,7 +169,7 @@ impl Connected {
         kinematics: &mut Kinematics,
         resolver: &mut Resolver,
         (connection, component, shape): (&Connection, &Component, &Shape),
-    ) -> super::scene::Found<Option<Law>> {
+    ) -> Found<Option<Law>> {
         let condition = self.conditions.len();
         Ok(Some(match component.nature {
             Nature::Motor => Law::Motor,
@@ -276,7 +262,7 @@ impl Connected {
         kinematics: &mut Kinematics,
         resolver: &mut Resolver,
         (sliding, rubbing): (Expr, &Rubbing),
-    ) -> super::scene::Found<Law> {
+    ) -> Found<Law> {
         let zero = scene.graph.zero();
         let minus = scene.graph.neg(sliding);
         let at = |scene: &mut Scene, e: Expr, u: Expr| Substitution::new([(rubbing.speed, u)]).apply(&mut scene.graph, e);

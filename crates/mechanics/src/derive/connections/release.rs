@@ -11,11 +11,11 @@
 //! | about a declared moment, about the couple of two declared forces | no moment is undeclared there |
 
 use super::Connected;
-use crate::derive::kinematics::Kinematics;
 use crate::derive::place::Placer;
-use crate::derive::scene::{Scene, Vector, is_spatial};
-use crate::derive::wrench::{Act, carrier};
 use crate::model::{Axis, FrameId};
+use crate::scene::kinematics::Kinematics;
+use crate::scene::wrench::{Act, carrier};
+use crate::scene::{Scene, Vector, is_spatial};
 use std::collections::BTreeSet;
 use symbolic::connections::{Balance, Law};
 use symbolic::{Expr, Substitution, SymbolId};

@@ -7,11 +7,11 @@
 
 use super::Connected;
 use super::release::{self, Displacement};
-use crate::derive::kinematics::Kinematics;
 use crate::derive::place::Placer;
-use crate::derive::scene::{Scene, Vector};
-use crate::derive::wrench::Act;
 use crate::model::FrameId;
+use crate::scene::kinematics::Kinematics;
+use crate::scene::wrench::Act;
+use crate::scene::{Scene, Vector};
 use symbolic::connections::Law;
 
 /// Leaves open what moves several bodies by one coordinate and is not declared.

@@ -3,9 +3,9 @@
 //! q(s) = q_A + (q_B - q_A) s/L is a falling and a rising triangle: q_A L/2 at L/3 from A and q_B L/2 at L/3 from B, exactly, whatever
 //! the directions of q_A and q_B. A uniform load is q L at the middle.
 
-use super::common::{Space, frame, point};
+use crate::connections::{Space, frame, point};
 use crate::elements::{Force, element};
-use crate::fields::connections::DISTRIBUTED;
+use crate::fields::DISTRIBUTED;
 use crate::formula::Context;
 use crate::model::{Element, FrameId, Point, PointId, PointRef};
 use crate::read::structures::{self, Owner};

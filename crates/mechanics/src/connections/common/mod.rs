@@ -1,0 +1,13 @@
+//! What several kinds of connections share: from below, reading and keys; components and the faults of their geometry; what wheels, tracks, drums and axles do.
+
+pub mod axes;
+pub mod axles;
+pub mod component;
+pub mod drums;
+pub mod faults;
+pub mod held;
+pub mod keys;
+pub mod reading;
+pub mod strands;
+pub mod tracks;
+pub mod wheels;

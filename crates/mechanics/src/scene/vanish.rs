@@ -1,0 +1,179 @@
+//! Whether an expression is zero everywhere.
+//!
+//! The textbook form sees most zeros; some it cannot see, cos(asin z)² + z² - 1 and the like. Such an expression is an analytic function, and an analytic
+//! function that vanishes at random points for random parameters vanishes everywhere. At each point its value is compared with the size of the terms
+//! that meet in it.
+
+use super::{Scene, Vector};
+use crate::model::{ParameterDecl, ParameterValue};
+use algebra::elementary;
+use rustc_hash::FxHashMap;
+use symbolic::{Expr, Function, Graph, Node, SymbolId};
+
+/// Points that must show the zero.
+const POINTS: usize = 5;
+/// Points tried; outside its domain an expression shows nothing.
+const TRIALS: u64 = 40;
+/// Rounding, relative to the terms that meet.
+const ROUNDING: f64 = 1e-10;
+
+impl Scene<'_> {
+    /// Whether an expression is zero for all states, times and parameters.
+    pub fn vanishes(&mut self, e: Expr) -> bool {
+        let e = self.tidy(e);
+        if self.graph.is_zero(e) {
+            return true;
+        }
+        if self.graph.as_number(e).is_some() || !has_hidden_zero(&self.graph, e) {
+            return false;
+        }
+        let mut seen = 0;
+        for trial in 0..TRIALS {
+            let point = self.random_point(trial);
+            let (value, size) = with_size(&self.graph, e, &point);
+            if !value.is_finite() || !size.is_finite() || size == 0.0 {
+                continue;
+            }
+            if value.abs() > ROUNDING * size {
+                return false;
+            }
+            seen += 1;
+            if seen == POINTS {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Dimension of the space that vectors span, in most positions.
+    pub fn rank(&mut self, vectors: &[Vector]) -> usize {
+        let components: Vec<Expr> = vectors.iter().flatten().copied().collect();
+        let mut most = 0;
+        for trial in 0..TRIALS {
+            let point = self.random_point(trial);
+            let values = self.graph.evaluate(&components, &|s| point.get(&s).copied().unwrap_or(f64::NAN));
+            if values.iter().all(|v| v.is_finite()) {
+                most = most.max(span(&values));
+            }
+        }
+        most
+    }
+
+    /// Values of constant expressions with the numbers of the model; not a number where one is missing. The derivation rests on them.
+    pub fn at_numbers<const N: usize>(&mut self, expressions: [Expr; N]) -> [f64; N] {
+        self.premises.extend(expressions);
+        let point = self.point(&mut || 0.0);
+        let has_number = |p: &ParameterDecl| p.number.is_some() || matches!(p.value, ParameterValue::Formula(_));
+        let open = |s: SymbolId| self.model.unknowns.contains(&s) || self.model.parameters.iter().any(|p| p.symbol == s && !has_number(p));
+        let value = |s: SymbolId| point.get(&s).copied().filter(|_| !open(s)).unwrap_or(f64::NAN);
+        let values = self.graph.evaluate(&expressions, &value);
+        std::array::from_fn(|i| values[i])
+    }
+
+    /// Values of all symbols: near the start of the model, parameters near their numbers.
+    fn random_point(&self, trial: u64) -> FxHashMap<SymbolId, f64> {
+        let mut random = Sequence(trial.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5bd1_e995);
+        self.point(&mut || random.next())
+    }
+
+    fn point(&self, random: &mut dyn FnMut() -> f64) -> FxHashMap<SymbolId, f64> {
+        let model = self.model;
+        let mut point: FxHashMap<SymbolId, f64> = FxHashMap::default();
+        point.insert(model.time, 0.5 + 0.4 * random());
+        for turn in &self.turns {
+            point.insert(turn.symbol, 3.0 * random());
+        }
+        for c in &model.coordinates {
+            let start = self.graph.evaluate(&[c.start], &|s| near(model, s)).first().copied().unwrap_or(0.0);
+            let size = if start.is_finite() && start != 0.0 && c.units[0] != "rad" { start.abs() } else { 1.0 };
+            let start = if start.is_finite() { start } else { 0.0 };
+            point.insert(c.symbols[0], start + size * random());
+            point.insert(c.symbols[1], random());
+            point.insert(c.symbols[2], random());
+        }
+        for (j, symbol, _) in &self.starts {
+            let place = point.get(&model.coordinates[*j].symbols[0]).copied().unwrap_or(0.0);
+            point.extend(symbol.map(|s| (s, place + random())));
+        }
+        for p in &model.parameters {
+            let value = match (p.value, p.number) {
+                (ParameterValue::Formula(formula), _) => {
+                    self.graph.evaluate(&[formula], &|s| point.get(&s).copied().unwrap_or(f64::NAN))[0]
+                }
+                (_, Some(number)) if number != 0.0 => number * (1.0 + 0.2 * random()),
+                _ => random(),
+            };
+            point.insert(p.symbol, value);
+        }
+        point
+    }
+}
+
+fn near(model: &crate::model::Model, symbol: SymbolId) -> f64 {
+    model.parameters.iter().find(|p| p.symbol == symbol).and_then(|p| p.number).unwrap_or(f64::NAN)
+}
+
+/// Whether the textbook form may miss a zero: sums with roots or inverse functions in them, and no switch, on one side of which it might vanish alone.
+fn has_hidden_zero(graph: &Graph, e: Expr) -> bool {
+    let nodes = graph.reachable(&[e]);
+    let switches = nodes.iter().any(|e| match graph.node(*e) {
+        Node::Switch { .. } => true,
+        Node::Call { function, .. } => matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max),
+        _ => false,
+    });
+    let sums = nodes.iter().any(|e| matches!(graph.node(*e), Node::Sum { .. }));
+    sums && !switches
+}
+
+/// The value, and the sum of the magnitudes of what it is the sum of.
+fn with_size(graph: &Graph, root: Expr, point: &FxHashMap<SymbolId, f64>) -> (f64, f64) {
+    let mut known: FxHashMap<Expr, (f64, f64)> = FxHashMap::default();
+    for e in graph.reachable(&[root]) {
+        let value = graph.evaluate_node(e, &|s| point.get(&s).copied().unwrap_or(f64::NAN), &|c| known[&c].0);
+        let size = match graph.node(e) {
+            Node::Sum { constant, terms } => terms.iter().fold(constant.to_f64().abs(), |sum, (t, f)| sum + f.to_f64().abs() * known[t].1),
+            Node::Product { coefficient, factors } => factors.iter().fold(coefficient.to_f64().abs(), |p, (b, x)| {
+                let (value, size) = known[b];
+                // a denominator is as small as it is; what is added up in it does not make the quotient larger
+                p * if x.to_f64() > 0.0 { elementary::pow(size, x.to_f64()) } else { elementary::pow(value.abs(), x.to_f64()) }
+            }),
+            _ => value.abs(),
+        };
+        known.insert(e, (value, size));
+    }
+    known[&root]
+}
+
+/// Rank of vectors of three components, one after another (Gram-Schmidt, twice is enough).
+fn span(values: &[f64]) -> usize {
+    let mut basis: Vec<[f64; 3]> = Vec::new();
+    for vector in values.chunks_exact(3) {
+        let length = vector.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let mut left = [vector[0], vector[1], vector[2]];
+        for _ in 0..2 {
+            for b in &basis {
+                let share: f64 = b.iter().zip(&left).map(|(b, l)| b * l).sum();
+                left.iter_mut().zip(b).for_each(|(l, b)| *l -= share * b);
+            }
+        }
+        let rest = left.iter().map(|v| v * v).sum::<f64>().sqrt();
+        if length > 0.0 && rest > 1e-9 * length {
+            basis.push(left.map(|l| l / rest));
+        }
+    }
+    basis.len()
+}
+
+/// Numbers between -1 and 1 (splitmix64).
+struct Sequence(u64);
+
+impl Sequence {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^= z >> 31;
+        (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+}
