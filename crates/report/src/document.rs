@@ -64,6 +64,29 @@ pub enum Block {
     },
     /// Files beside or inside the page.
     Downloads(Vec<Download>),
+    /// A title page; the document needs no title above it.
+    Front(Front),
+    /// The list of headings of levels 1 and 2.
+    Contents,
+    /// Text of a file, letter by letter.
+    Verbatim(String),
+}
+
+/// A title page: lines above, the title, who made it, lines below.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Front {
+    /// Organisation, department.
+    pub above: Vec<String>,
+    /// What the work is.
+    pub kind: String,
+    /// What it is about.
+    pub subject: String,
+    /// Lines below it: the discipline, the variant.
+    pub about: Vec<String>,
+    /// A person: what for, who; an empty name is a line to sign on.
+    pub people: Vec<(String, String)>,
+    /// City and year.
+    pub below: String,
 }
 
 impl Block {
@@ -75,6 +98,23 @@ impl Block {
     /// A paragraph.
     pub fn paragraph(rich: impl Into<Rich>) -> Block {
         Block::Paragraph(rich.into())
+    }
+}
+
+impl Document {
+    /// Whether it begins with a title page.
+    pub fn has_front(&self) -> bool {
+        matches!(self.blocks.first(), Some(Block::Front(_)))
+    }
+
+    /// Headings of levels 1 and 2 when the document lists them.
+    pub fn contents(&self) -> Vec<(u8, &str)> {
+        if !self.blocks.iter().any(|block| matches!(block, Block::Contents)) {
+            return Vec::new();
+        }
+        let heading = |block: &'_ Block| matches!(block, Block::Heading { level: 1 | 2, .. });
+        let listed = self.blocks.iter().filter(|block| heading(block));
+        listed.filter_map(|block| if let Block::Heading { level, text } = block { Some((*level, text.as_str())) } else { None }).collect()
     }
 }
 

@@ -43,6 +43,8 @@ pub enum Lang {
 pub enum Command {
     /// Make every study of a model file; tables, plots and a page go to out/<name>/
     Run(Run),
+    /// Write the calculation to be handed in: statement, derivation, results, checks
+    Report(Report),
     /// Find all errors of a model file
     Check(Check),
     /// Derive the equations of motion
@@ -84,6 +86,18 @@ pub struct Run {
     /// Compute each motion once more with half the tolerance and show the difference
     #[arg(long)]
     pub halve_tolerance: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct Report {
+    #[command(flatten)]
+    pub model: Model,
+    /// The file that is written [default: report.html in the folder of the results]
+    #[arg(long, short, value_name = "FILE", conflicts_with = "out")]
+    pub output: Option<PathBuf>,
+    /// Folder for the calculation and its pictures [default: out/<name of the model>]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

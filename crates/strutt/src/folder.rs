@@ -43,15 +43,35 @@ pub fn write(calculation: &mut Calculation, folder: &Path, (format, language): (
     shelf.close()
 }
 
+/// Writes the calculation that is handed in; the paths, its own last.
+///
+/// # Errors
+/// As [`write`].
+pub fn report(
+    calculation: &Calculation,
+    document: &Document,
+    (folder, name): (&Path, &str),
+    format: &Format,
+) -> Result<Vec<PathBuf>, Box<Notice>> {
+    let inputs = inputs(&calculation.machine.origin.source, &calculation.machine.model);
+    let mut shelf = Shelf::open(folder, &inputs)?;
+    paged(&mut shelf, document, (format, name))?;
+    shelf.close()
+}
+
 /// The page and its pictures.
 fn page(shelf: &mut Shelf, document: &Document, format: &Format) -> Result<(), Box<Notice>> {
+    paged(shelf, document, (format, &format!("index.{}", format.extension)))
+}
+
+fn paged(shelf: &mut Shelf, document: &Document, (format, name): (&Format, &str)) -> Result<(), Box<Notice>> {
     let Some(page) = format.page() else { return Ok(()) };
     let mut pictures = Vec::new();
     for (name, bytes) in page.pictures(document).map_err(|error| undrawn("figure", &error))? {
         pictures.push(shelf.put(&name, Word::Picture, &bytes)?);
     }
     let text = (page.write)(document, &Sheet { width: 0, pictures: &pictures });
-    shelf.put(&format!("index.{}", format.extension), Word::Page, text.as_bytes())?;
+    shelf.put(name, Word::Page, text.as_bytes())?;
     Ok(())
 }
 

@@ -51,7 +51,7 @@ fn with_studies(command: Command, language: Language) -> Command {
 
 /// `--format` of the commands that show a calculation, made of the rows of the formats.
 fn with_formats(command: Command, language: Language) -> Command {
-    let of = |command: &Command| matches!(command.get_name(), "run" | "equations" | "claims") || is_study(command.get_name());
+    let of = |command: &Command| matches!(command.get_name(), "run" | "report" | "equations" | "claims") || is_study(command.get_name());
     command.mut_subcommands(|sub| if of(&sub) { sub.arg(format(language)) } else { sub })
 }
 
@@ -203,6 +203,9 @@ const VALUES: &[(&str, &str)] = &[
 const RUSSIAN: &[(&str, &str)] = &[
     ("", "Динамика и колебания машин: из одного текстового файла – уравнения, движения и записанный расчёт."),
     ("run", "Выполнить все расчёты файла модели; таблицы, графики и страница – в out/<имя>/"),
+    ("report", "Записать расчёт, который сдают: постановка, вывод, результаты, проверки"),
+    ("report.output", "Файл, который записывается [по умолчанию: report.html в папке результатов]"),
+    ("report.out", "Папка для расчёта и его рисунков [по умолчанию: out/<имя модели>]"),
     ("check", "Найти все ошибки файла модели"),
     ("equations", "Вывести уравнения движения"),
     ("section", "Показать характеристики сечений файла"),

@@ -215,23 +215,8 @@ impl Writer<'_> {
     }
 
     fn parameters(&self) -> Vec<Block> {
-        let language = self.language;
-        if self.equations.parameters.is_empty() {
-            return Vec::new();
-        }
-        let heads = [Word::Symbol, Word::Written, Word::ValueSi, Word::Unit, Word::Description];
-        let mut table = Table::new(heads.map(|w| Column::new(self.word(w))).into());
-        let printer = self.printer();
-        for p in &self.equations.parameters {
-            table.row(vec![
-                Cell::Rich(Rich::formula(self.symbol(&printer, p.symbol))),
-                Cell::words(written(&p.written, language)),
-                Cell::number(p.value, 6, language),
-                Cell::words(report::unit::print(&p.unit, language)),
-                Cell::words(language.text(&p.label)),
-            ]);
-        }
-        vec![self.heading(Word::Parameters), self.table(table, Word::Parameters)]
+        let table = parameters(self.equations, self.language);
+        table.map_or_else(Vec::new, |table| vec![self.heading(Word::Parameters), self.table(table, Word::Parameters)])
     }
 
     fn checks(&self) -> Vec<Block> {
@@ -304,6 +289,26 @@ pub fn in_terminal(title: &str, blocks: Vec<Block>, language: Language, width: u
     report::terminal::write(&document, width)
 }
 
+/// Every parameter with its number; none where there are none.
+pub fn parameters(equations: &Equations, language: Language) -> Option<Table> {
+    if equations.parameters.is_empty() {
+        return None;
+    }
+    let heads = [Word::Symbol, Word::Written, Word::ValueSi, Word::Unit, Word::Description];
+    let mut table = Table::new(heads.map(|w| Column::new(language.word(w))).into());
+    let printer = Printer::of(equations, language);
+    for p in &equations.parameters {
+        table.row(vec![
+            Cell::Rich(Rich::formula(Formula::inline(printer.symbol_layout(&equations.graph, p.symbol)))),
+            Cell::words(written(&p.written, language)),
+            Cell::number(p.value, 6, language),
+            Cell::words(report::unit::print(&p.unit, language)),
+            Cell::words(language.text(&p.label)),
+        ]);
+    }
+    Some(table)
+}
+
 /// What stands behind "where": definitions, and the rates of prescribed turning angles, ψ' = ω. Nothing when the equations are not shown.
 pub fn definitions(equations: &Equations, printer: &Printer) -> Vec<Layout> {
     let Ok(shown_equations) = &equations.textbook else { return Vec::new() };
@@ -337,8 +342,12 @@ pub fn conditions(equations: &Equations, printer: &Printer) -> Vec<Layout> {
         let equality = symbolic::equations::Equality { left: c.place.unwrap_or(c.rate), right };
         printer.equality_layout(&graph, equality, None)
     };
-    let rubs = |c: &symbolic::connections::Condition| c.reaction.is_some_and(|r| matches!(equations.reactions[r].law, Law::Friction(_)));
-    equations.conditions.iter().filter(|c| !rubs(c)).map(write).collect()
+    equations.conditions.iter().filter(|c| !rubs(equations, c)).map(write).collect()
+}
+
+/// Whether a condition holds only while a friction sticks.
+fn rubs(equations: &Equations, condition: &symbolic::connections::Condition) -> bool {
+    condition.reaction.is_some_and(|r| matches!(equations.reactions[r].law, Law::Friction(_)))
 }
 
 /// When a condition holds, if not always: "while the stop `floor` is closed". One for each of [`conditions`].
@@ -351,11 +360,10 @@ pub fn holding(equations: &Equations, language: Language) -> Vec<Option<String>>
         match reaction.law {
             Law::Contact { tie: true, .. } => Some(format!("{name}, {}", language.pick("while it is taut", "пока канат натянут"))),
             Law::Contact { .. } => Some(format!("{name}, {}", language.pick("while it is closed", "пока контакт замкнут"))),
-            Law::Friction(_) => Some(format!("{name}, {}", language.pick("while it sticks", "пока нет скольжения"))),
             _ => None,
         }
     };
-    equations.conditions.iter().map(one).collect()
+    equations.conditions.iter().filter(|c| !rubs(equations, c)).map(one).collect()
 }
 
 fn unnumbered(printer: &Printer, layout: Layout) -> Block {

@@ -44,6 +44,7 @@ pub mod sweep;
 pub mod transient;
 pub mod watch;
 pub mod wording;
+pub mod written;
 
 pub use failure::Failure;
 pub use machine::Machine;

@@ -8,7 +8,7 @@
 //! | equations -> equations with numbers | `machine::unknowns`, starts that close |
 //! | equations -> machine | `program` lowers, `analysis::Machine` holds |
 //! | machine -> results | a study of the table |
-//! | results -> document | `document` |
+//! | results -> document | `document`; `written`, to be handed in |
 //! | document -> a format | `report` |
 
 use crate::claims;
@@ -18,7 +18,7 @@ use crate::machine;
 use crate::results::{Extent, Results};
 use crate::source::Source;
 use crate::watch::Watch;
-use crate::{Origin, STUDIES};
+use crate::{Origin, STUDIES, written};
 use mechanics::asked::Asked;
 use mechanics::derive::Detail;
 use report::Document;
@@ -67,7 +67,12 @@ pub fn study(machine: &mut Machine, asked: &Asked, watch: &mut Watch) -> Option<
     machine.origin.studies.find(asked.kind)?.run(machine, asked, watch)
 }
 
-/// The written calculation.
+/// The page of a calculation.
 pub fn document(calculation: &Calculation, extent: Extent, language: Language) -> Document {
     document::compose(calculation, extent, language)
+}
+
+/// The written calculation that is handed in.
+pub fn report(calculation: &Calculation, language: Language) -> Document {
+    written::compose(calculation, language)
 }

@@ -179,9 +179,30 @@ pub struct Equality {
     pub right: Expr,
 }
 
+/// What a step of the written derivation is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// How many coordinates there are.
+    Coordinates,
+    /// T.
+    Kinetic,
+    /// Π.
+    Potential,
+    /// Φ.
+    Dissipation,
+    /// The conditions of connections.
+    Conditions,
+    /// Q of loads without a potential.
+    Forces,
+    /// What goes into Lagrange's equations.
+    Derivatives,
+}
+
 /// One step of the written derivation.
 #[derive(Clone, Debug)]
 pub struct Step {
+    /// What it is about.
+    pub part: Part,
     /// Heading.
     pub title: Text,
     /// A sentence before the formulas; may be empty.

@@ -7,7 +7,7 @@ use super::loads::{Loads, Term};
 use crate::model::{FrameId, Inertia, Mass, PointRef};
 use crate::scene::Scene;
 use crate::scene::kinematics::{Kinematics, combine};
-use symbolic::equations::{Step, StepFormula, StepName};
+use symbolic::equations::{Part, Step, StepFormula, StepName};
 use symbolic::{Expr, Rational};
 use words::Text;
 
@@ -40,8 +40,8 @@ fn quantity(letter: &str, index: &str) -> StepName {
     StepName::Quantity { letter: letter.to_owned(), index: index.to_owned() }
 }
 
-fn step(title: Text, words: Text, formulas: Vec<StepFormula>) -> Step {
-    Step { title, words, formulas }
+fn step(part: Part, title: Text, words: Text, formulas: Vec<StepFormula>) -> Step {
+    Step { part, title, words, formulas }
 }
 
 fn coordinates(scene: &Scene, connected: &Connected) -> Step {
@@ -55,7 +55,7 @@ fn coordinates(scene: &Scene, connected: &Connected) -> Step {
             format!("Координат: {n}; уравнений связей: {conditions}; степеней свободы: {free}."),
         )
     };
-    step(Text::new("Generalized coordinates", "Обобщённые координаты"), words, Vec::new())
+    step(Part::Coordinates, Text::new("Generalized coordinates", "Обобщённые координаты"), words, Vec::new())
 }
 
 /// T of each body and their sum.
@@ -76,7 +76,7 @@ fn kinetic_energy(scene: &mut Scene, kinematics: &mut Kinematics, kinetic: &Kine
     } else if let Some(only) = formulas.first_mut() {
         only.left = quantity("T", "");
     }
-    step(Text::new("Kinetic energy", "Кинетическая энергия"), Text::default(), formulas)
+    step(Part::Kinetic, Text::new("Kinetic energy", "Кинетическая энергия"), Text::default(), formulas)
 }
 
 /// From the quadratic form, constants in front.
@@ -136,7 +136,7 @@ fn energy_step(scene: &mut Scene, letter: &str, terms: &[Term], title: Text) -> 
         let right = scene.tidy(sum);
         formulas.push(StepFormula { left: quantity(letter, ""), right });
     }
-    step(title, Text::default(), formulas)
+    step(if letter == "Φ" { Part::Dissipation } else { Part::Potential }, title, Text::default(), formulas)
 }
 
 /// What the connections demand: of positions where possible, else of rates.
@@ -152,7 +152,7 @@ fn conditions(scene: &mut Scene, connected: &Connected) -> Option<Step> {
         "Each condition has a reaction; its generalized forces are its derivatives by the coordinates (rates).",
         "Каждому условию отвечает реакция; её обобщённые силы — производные условия по координатам (скоростям).",
     );
-    (!formulas.is_empty()).then(|| step(Text::new("Equations of the connections", "Уравнения связей"), words, formulas))
+    (!formulas.is_empty()).then(|| step(Part::Conditions, Text::new("Equations of the connections", "Уравнения связей"), words, formulas))
 }
 
 /// Q_i of loads without a potential.
@@ -167,7 +167,7 @@ fn generalized_forces(scene: &mut Scene, motion: &Motion) -> Option<Step> {
         "From the virtual power of the applied forces and torques, δN = Σ Q q'.",
         "Из возможной мощности приложенных сил и моментов, δN = Σ Q q'.",
     );
-    (!formulas.is_empty()).then(|| step(Text::new("Generalized forces", "Обобщённые силы"), words, formulas))
+    (!formulas.is_empty()).then(|| step(Part::Forces, Text::new("Generalized forces", "Обобщённые силы"), words, formulas))
 }
 
 /// ∂T/∂q', d/dt ∂T/∂q', ∂T/∂q, ∂Π/∂q, ∂Φ/∂q' for every coordinate.
@@ -204,6 +204,7 @@ fn derivatives(scene: &mut Scene, kinetic: &Kinetic, (motion, reacting): (&Motio
         false => ("", ""),
     };
     step(
+        Part::Derivatives,
         Text::new("Derivatives", "Производные"),
         Text::new(format!("They go into {law}{en}."), format!("Они подставляются в уравнения {law}{ru}.")),
         formulas,

@@ -8,9 +8,10 @@ use super::fit::{self, Fitted, Room, breakable, longest_decimals};
 use super::paper::{self, Paper, Walk, paragraphs};
 use super::signs::{Sign, sign};
 use super::{Drawing, Format, Holds, Page, Pictures, RASTER, Sheet};
-use crate::document::{Content, Document, Download, Formula, Rich};
+use crate::document::{Content, Document, Download, Formula, Front, Rich};
 use crate::formula::Form;
 use crate::table::{Cell, Table, split_number};
+use crate::wording::Word;
 use std::collections::BTreeSet;
 use words::Language;
 
@@ -36,8 +37,10 @@ const LINE: usize = 90;
 
 /// A document as LaTeX.
 pub fn write(document: &Document, sheet: &Sheet) -> String {
-    let mut writer = Writer { out: String::new(), language: document.language };
-    writer.push(&format!("\\begin{{center}}\\LARGE\\bfseries {}\\end{{center}}\n", escaped(&document.title)));
+    let mut writer = Writer { out: String::new(), language: document.language, listed: !document.contents().is_empty() };
+    if !document.has_front() {
+        writer.push(&format!("\\begin{{center}}\\LARGE\\bfseries {}\\end{{center}}\n", escaped(&document.title)));
+    }
     for paragraph in document.description.split('\n').filter(|p| !p.trim().is_empty()) {
         writer.paragraph(&paragraph.into());
     }
@@ -78,12 +81,17 @@ fn declarations(body: &str) -> String {
 struct Writer {
     out: String,
     language: Language,
+    /// Whether headings stand in a list of contents.
+    listed: bool,
 }
 
 impl Paper for Writer {
     fn heading(&mut self, level: u8, text: &str) {
         let command = ["section", "subsection", "subsubsection"][usize::from(level) - 1];
         self.push(&format!("\n\\{command}*{{\\raggedright {}}}\n", escaped(text)));
+        if self.listed && level < 3 {
+            self.push(&format!("\\addcontentsline{{toc}}{{{command}}}{{{}}}\n", escaped(text)));
+        }
     }
 
     fn paragraph(&mut self, content: &Rich) {
@@ -124,6 +132,35 @@ impl Paper for Writer {
             self.push(&format!("\\item \\texttt{{{}}} {}\n", loose(&file.name), escaped(&file.label)));
         }
         self.push("\\end{itemize}\n");
+    }
+
+    fn front(&mut self, front: &Front) {
+        self.push("\\begin{titlepage}\\centering\n");
+        front.above.iter().for_each(|line| self.push(&format!("{}\\par\n", escaped(line))));
+        self.push(&format!("\\vfill{{\\Large\\bfseries {}\\par}}\\medskip\n", escaped(&front.kind)));
+        self.push(&format!("{{\\large {}\\par}}\\medskip\n", escaped(&front.subject)));
+        front.about.iter().for_each(|line| self.push(&format!("{}\\par\n", escaped(line))));
+        self.push("\\vfill\n");
+        for (role, name) in &front.people {
+            let name = if name.is_empty() { "\\rule{5cm}{0.4pt}".to_owned() } else { escaped(name) };
+            self.push(&format!("\\noindent\\hfill\\makebox[8cm][l]{{{}: {name}}}\\par\\smallskip\n", escaped(role)));
+        }
+        self.push(&format!("\\vfill {}\\par\n\\end{{titlepage}}\n\\setcounter{{page}}{{2}}\n", escaped(&front.below)));
+    }
+
+    fn contents(&mut self, _: &[(u8, &str)]) {
+        let title = escaped(self.language.word(Word::Contents));
+        self.push(&format!("\\renewcommand{{\\contentsname}}{{{title}}}\\tableofcontents\\clearpage\n"));
+    }
+
+    fn verbatim(&mut self, text: &str) {
+        self.push("\n{\\footnotesize\\ttfamily\\raggedright\\parindent=0pt\n");
+        for line in text.lines() {
+            let bare = line.trim_start();
+            let lead = "~".repeat(line.chars().count() - bare.chars().count());
+            self.push(&if bare.is_empty() { "\\smallskip\n".to_owned() } else { format!("{lead}{}\\par\n", escaped(bare)) });
+        }
+        self.push("}\n");
     }
 }
 

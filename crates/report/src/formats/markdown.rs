@@ -2,10 +2,11 @@
 
 use super::paper::{self, Paper, Walk, paragraphs};
 use super::{Format, Holds, Page, Pictures, Sheet, VECTOR, fit};
-use crate::document::{Content, Document, Download, Formula, Inline, Rich};
+use crate::document::{Content, Document, Download, Formula, Front, Inline, Rich};
 use crate::escape::address;
 use crate::formula::Form;
 use crate::table::{Cell, Table};
+use crate::wording::Word;
 use words::Language;
 
 /// The row of the table.
@@ -19,7 +20,9 @@ pub const FORMAT: Format = Format {
 /// A document as Markdown.
 pub fn write(document: &Document, sheet: &Sheet) -> String {
     let mut writer = Writer { out: String::new(), language: document.language };
-    writer.push(&format!("# {}\n", escaped(&document.title)));
+    if !document.has_front() {
+        writer.push(&format!("# {}\n", escaped(&document.title)));
+    }
     for paragraph in document.description.split('\n').filter(|p| !p.trim().is_empty()) {
         writer.paragraph(&paragraph.into());
     }
@@ -76,6 +79,29 @@ impl Paper for Writer {
         for file in files.iter().filter(|f| matches!(f.content, Content::Beside)) {
             self.push(&format!("- [{}]({}) {}\n", escaped(&file.name), address(&file.name), escaped(&file.label)));
         }
+    }
+
+    fn front(&mut self, front: &Front) {
+        front.above.iter().for_each(|line| self.push(&format!("{}\n\n", at_start(&escaped(line)))));
+        self.push(&format!("# {}\n\n**{}**\n", escaped(&front.kind), escaped(&front.subject)));
+        front.about.iter().for_each(|line| self.push(&format!("\n{}\n", at_start(&escaped(line)))));
+        for (role, name) in &front.people {
+            let name = if name.is_empty() { "____________________" } else { name };
+            self.push(&format!("\n{}: {}\n", escaped(role), escaped(name)));
+        }
+        self.push(&format!("\n{}\n\n---\n", at_start(&escaped(&front.below))));
+    }
+
+    fn contents(&mut self, headings: &[(u8, &str)]) {
+        self.push(&format!("\n## {}\n\n", self.language.word(Word::Contents)));
+        for (level, text) in headings {
+            self.push(&format!("{}- {}\n", "  ".repeat(usize::from(*level) - 1), at_start(&escaped(text))));
+        }
+    }
+
+    fn verbatim(&mut self, text: &str) {
+        self.push("\n");
+        text.lines().for_each(|line| self.push(&format!("    {line}\n")));
     }
 }
 

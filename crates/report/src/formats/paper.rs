@@ -2,7 +2,7 @@
 
 use super::Sheet;
 use super::text::figure_summary;
-use crate::document::{Block, Document, Download, Formula, Inline, Rich};
+use crate::document::{Block, Document, Download, Formula, Front, Inline, Rich};
 use crate::table::Table;
 use crate::wording::Word;
 use words::Language;
@@ -21,11 +21,18 @@ pub(super) trait Paper {
     fn picture(&mut self, file: &str, caption: &Rich);
     /// Files beside the page.
     fn files(&mut self, files: &[Download]);
+    /// A title page.
+    fn front(&mut self, front: &Front);
+    /// The list of headings.
+    fn contents(&mut self, headings: &[(u8, &str)]);
+    /// Text of a file.
+    fn verbatim(&mut self, text: &str);
 }
 
 /// Numbers so far.
 pub(super) struct Walk<'a> {
     sheet: &'a Sheet<'a>,
+    headings: Vec<(u8, &'a str)>,
     language: Language,
     figures: usize,
     tables: usize,
@@ -33,8 +40,8 @@ pub(super) struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    pub(super) fn new(document: &Document, sheet: &'a Sheet<'a>) -> Walk<'a> {
-        Walk { sheet, language: document.language, figures: 0, tables: 0, equations: 0 }
+    pub(super) fn new(document: &'a Document, sheet: &'a Sheet<'a>) -> Walk<'a> {
+        Walk { sheet, headings: document.contents(), language: document.language, figures: 0, tables: 0, equations: 0 }
     }
 
     /// All blocks in order.
@@ -63,6 +70,9 @@ impl<'a> Walk<'a> {
                 self.blocks(blocks, paper);
             }
             Block::Downloads(files) => paper.files(files),
+            Block::Front(front) => paper.front(front),
+            Block::Contents => paper.contents(&self.headings),
+            Block::Verbatim(text) => paper.verbatim(text),
         }
     }
 

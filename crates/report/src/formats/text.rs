@@ -1,7 +1,7 @@
 //! Terminal text of a [`Document`]: headings, paragraphs cut to the width, tables aligned on the decimal mark.
 
 use super::{Format, Holds, Page, Pictures, Sheet};
-use crate::document::{Block, Content, Document};
+use crate::document::{Block, Content, Document, Front};
 use crate::figure::Figure;
 use crate::number::short;
 use crate::symbol;
@@ -22,9 +22,13 @@ const GAP: usize = 2;
 
 /// The whole document as text with lines of at most `width` characters (formulas and words longer than that stay whole).
 pub fn write(document: &Document, width: usize) -> String {
-    let mut writer = Writer { out: String::new(), language: document.language, width: width.max(20), figures: 0, tables: 0, equations: 0 };
-    writer.line(&document.title);
-    writer.line(&"=".repeat(document.title.chars().count().min(writer.width)));
+    let (language, width) = (document.language, width.max(20));
+    let mut writer = Writer { out: String::new(), language, width, headings: Vec::new(), figures: 0, tables: 0, equations: 0 };
+    writer.headings = document.contents().into_iter().map(|(level, text)| (level, text.to_owned())).collect();
+    if !document.has_front() {
+        writer.line(&document.title);
+        writer.line(&"=".repeat(document.title.chars().count().min(writer.width)));
+    }
     if !document.description.is_empty() {
         writer.paragraph(&document.description);
     }
@@ -108,6 +112,7 @@ struct Writer {
     out: String,
     language: Language,
     width: usize,
+    headings: Vec<(u8, String)>,
     figures: usize,
     tables: usize,
     equations: usize,
@@ -170,7 +175,24 @@ impl Writer {
                     self.line(&format!("  {}  {}", file.name, file.label));
                 }
             }
+            Block::Front(front) => self.front(front),
+            Block::Contents => {
+                self.line(self.language.word(Word::Contents));
+                for (level, text) in std::mem::take(&mut self.headings) {
+                    self.line(&format!("{}{text}", "  ".repeat(usize::from(level))));
+                }
+            }
+            Block::Verbatim(text) => text.lines().for_each(|line| self.line(line)),
         }
+    }
+
+    fn front(&mut self, front: &Front) {
+        let head = front.above.iter().chain([&front.kind, &front.subject]).chain(&front.about);
+        head.for_each(|line| self.paragraph(line));
+        for (role, name) in &front.people {
+            self.line(&format!("{role}: {}", if name.is_empty() { "____________________" } else { name }));
+        }
+        self.line(&front.below);
     }
 
     fn paragraph(&mut self, text: &str) {

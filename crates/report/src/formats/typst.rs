@@ -6,9 +6,10 @@
 use super::fit::{self, Fitted, Room, breakable, longest_decimals};
 use super::paper::{self, Paper, Walk, paragraphs};
 use super::{Format, Holds, Page, Pictures, Sheet, VECTOR};
-use crate::document::{Content, Document, Download, Formula, Rich};
+use crate::document::{Content, Document, Download, Formula, Front, Rich};
 use crate::formula::Form;
 use crate::table::{Cell, Table, split_number};
+use crate::wording::Word;
 use words::Language;
 
 /// The row of the table.
@@ -37,7 +38,9 @@ pub fn write(document: &Document, sheet: &Sheet) -> String {
         "// strutt {}\n#set document(title: {title})\n#set text(lang: \"{code}\", size: 11pt)\n{MACROS}\n",
         document.version.replace('\n', " ")
     ));
-    writer.push(&format!("#align(center, text(18pt, weight: \"bold\")[{}])\n", escaped(&document.title)));
+    if !document.has_front() {
+        writer.push(&format!("#align(center, text(18pt, weight: \"bold\")[{}])\n", escaped(&document.title)));
+    }
     for paragraph in document.description.split('\n').filter(|p| !p.trim().is_empty()) {
         writer.paragraph(&paragraph.into());
     }
@@ -89,6 +92,30 @@ impl Paper for Writer {
         for file in files.iter().filter(|f| matches!(f.content, Content::Beside)) {
             self.push(&format!("- #raw({}) {}\n", string(&file.name), escaped(&file.label)));
         }
+    }
+
+    fn front(&mut self, front: &Front) {
+        self.push("#page(numbering: none, align(center)[\n");
+        front.above.iter().for_each(|line| self.push(&format!("{}\n\n", escaped(line))));
+        self.push(&format!("#v(1fr)\n#text(17pt, weight: \"bold\")[{}]\n\n", escaped(&front.kind)));
+        self.push(&format!("#text(14pt)[{}]\n\n", escaped(&front.subject)));
+        front.about.iter().for_each(|line| self.push(&format!("{}\n\n", escaped(line))));
+        self.push("#v(1fr)\n#align(right, block(width: 55%, align(left)[\n");
+        for (role, name) in &front.people {
+            let name = if name.is_empty() { "#box(width: 1fr, line(length: 100%, stroke: 0.5pt))".to_owned() } else { escaped(name) };
+            self.push(&format!("{}: {name}\n\n", escaped(role)));
+        }
+        self.push(&format!("]))\n#v(1fr)\n{}\n])\n#counter(page).update(2)\n", escaped(&front.below)));
+    }
+
+    fn contents(&mut self, _: &[(u8, &str)]) {
+        let title = escaped(self.language.word(Word::Contents));
+        self.push(&format!("\n#outline(title: [{title}], depth: 2)\n#pagebreak()\n"));
+    }
+
+    fn verbatim(&mut self, text: &str) {
+        let lines: Vec<String> = text.lines().map(string).collect();
+        self.push(&format!("\n#text(8pt, raw(block: true, ({},).join(\"\\n\")))\n", lines.join(", ")));
     }
 }
 

@@ -107,7 +107,10 @@ impl<'a> Composer<'a> {
     }
 
     pub fn symbol(&self, id: SymbolId) -> Layout {
-        Layout::Symbol(self.printer.identifier(self.graph.symbol_info(id)))
+        match self.printer.value_of(id) {
+            Some(value) => super::numeral::factor(value, self.printer.language),
+            None => Layout::Symbol(self.printer.identifier(self.graph.symbol_info(id))),
+        }
     }
 
     /// A base under an exponent: brackets around everything that is not one box.

@@ -33,6 +33,7 @@ pub use classes::SymbolClass;
 pub(crate) use latex::greek;
 pub use layout::{Bare, Bracket, Identifier, Index, Layout, Placement, Relation, Row, Shape, Sign};
 pub(crate) use measure::width;
+pub use numeral::value;
 pub use printer::Printer;
 pub use set::{Form, Formula};
 pub use words::Language;

@@ -1,8 +1,39 @@
 //! Exact numbers as a reader expects them: `1/2`, `9.81`, `2·10¹¹`.
 
-use super::Layout;
+use super::{Layout, Sign};
 use symbolic::Rational;
 use words::Language;
+
+/// Significant digits of numbers that stand for symbols.
+const VALUE_DIGITS: usize = 6;
+
+/// A machine number, rounded to a number of significant digits.
+pub fn value(x: f64, digits: usize, language: Language) -> Layout {
+    let text = crate::number::short(x.abs(), digits, language).replace(['\u{202f}', '\u{a0}'], "");
+    let (mantissa, power) = text.split_once("·10").unwrap_or((&text, ""));
+    let size = Layout::Number { mantissa: mantissa.to_owned(), exponent: power.chars().map(lowered).collect::<String>().parse().ok() };
+    Layout::signed(if x < 0.0 && mantissa != "0" { Sign::Minus } else { Sign::Plus }, size)
+}
+
+/// The same as a factor: a negative one in brackets.
+pub(super) fn factor(x: f64, language: Language) -> Layout {
+    match value(x, VALUE_DIGITS, language) {
+        negative @ Layout::Sum(_) => negative.fenced(),
+        size => size,
+    }
+}
+
+/// A raised digit or sign as it stands on the line.
+fn lowered(c: char) -> char {
+    match c {
+        '⁻' => '-',
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        '⁰' | '⁴'..='⁹' => char::from_digit(c as u32 - '⁰' as u32, 10).unwrap_or(c),
+        other => other,
+    }
+}
 
 /// How a positive number is written.
 pub(super) enum Numeral {

@@ -21,12 +21,14 @@ pub struct Printer {
     /// Names of parameters and coordinates.
     words: Vec<String>,
     width: Option<usize>,
+    /// Symbols that are printed as numbers.
+    values: Vec<(SymbolId, f64)>,
 }
 
 impl Printer {
     /// A printer that takes every symbol for a constant.
     pub fn new(language: Language) -> Printer {
-        Printer { language, classes: Classes::default(), e_is_taken: false, notation: vec![], words: vec![], width: None }
+        Printer { language, classes: Classes::default(), e_is_taken: false, notation: vec![], words: vec![], width: None, values: vec![] }
     }
 
     /// A printer that knows what the symbols of `equations` are and how the user wants to see them.
@@ -56,6 +58,18 @@ impl Printer {
     pub fn with_width(mut self, width: usize) -> Printer {
         self.width = Some(width);
         self
+    }
+
+    /// Numbers in place of these symbols, so that a formula is followed by its substitution.
+    pub fn with_values(mut self, mut values: Vec<(SymbolId, f64)>) -> Printer {
+        values.sort_by_key(|(symbol, _)| *symbol);
+        self.values = values;
+        self
+    }
+
+    /// The number that stands for a symbol.
+    pub(super) fn value_of(&self, symbol: SymbolId) -> Option<f64> {
+        self.values.binary_search_by_key(&symbol, |(s, _)| *s).ok().map(|i| self.values[i].1)
     }
 
     /// Declares what a symbol is; `rank` orders the symbols of a class (the number of the coordinate).

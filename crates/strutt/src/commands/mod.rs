@@ -8,6 +8,7 @@ mod examples;
 mod explain;
 pub mod line;
 mod new;
+mod paper;
 mod run;
 mod section;
 pub mod study;
@@ -37,6 +38,7 @@ pub enum Exit {
 pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
     match command {
         Command::Run(args) => run::run(&args, console),
+        Command::Report(args) => paper::run(&args, console),
         Command::Check(args) => check::run(&args, console),
         Command::Claims(args) => claims::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),

@@ -1,6 +1,6 @@
 //! The blocks of a document as HTML.
 
-use crate::document::{Block, Content, Download, Rich};
+use crate::document::{Block, Content, Document, Download, Front, Rich};
 use crate::escape::{address, markup};
 use crate::figure::bands::{self, Bands};
 use crate::figure::{Figure, Title, svg};
@@ -20,6 +20,9 @@ const BROKEN: &str = "<mtable displaystyle";
 pub(super) struct Writer {
     pub out: String,
     language: Language,
+    /// Headings that are listed; their places are numbered.
+    headings: Vec<(u8, String)>,
+    passed: usize,
     /// Figures that a script makes live, by their place in its data.
     live: usize,
     figures: usize,
@@ -28,8 +31,9 @@ pub(super) struct Writer {
 }
 
 impl Writer {
-    pub fn new(language: Language) -> Writer {
-        Writer { out: String::new(), language, live: 0, figures: 0, tables: 0, equations: 0 }
+    pub fn new(document: &Document) -> Writer {
+        let headings = document.contents().into_iter().map(|(level, text)| (level, text.to_owned())).collect();
+        Writer { out: String::new(), language: document.language, headings, passed: 0, live: 0, figures: 0, tables: 0, equations: 0 }
     }
 
     pub fn blocks(&mut self, blocks: &[Block]) {
@@ -41,8 +45,9 @@ impl Writer {
     fn block(&mut self, block: &Block) {
         match block {
             Block::Heading { level, text } => {
+                let place = self.place(*level);
                 let level = (*level).clamp(1, 3) + 1;
-                self.push(&format!("<h{level}>{}</h{level}>\n", markup(text)));
+                self.push(&format!("<h{level}{place}>{}</h{level}>\n", markup(text)));
             }
             Block::Paragraph(content) => self.push(&format!("<p>{}</p>\n", self.rich(content))),
             Block::Equation { formula, numbered } => {
@@ -58,7 +63,45 @@ impl Writer {
                 self.push("</details>\n");
             }
             Block::Downloads(files) => self.downloads(files),
+            Block::Front(front) => self.front(front),
+            Block::Contents => self.contents(),
+            Block::Verbatim(text) => self.push(&format!("<pre class=\"file\">{}</pre>\n", markup(text))),
         }
+    }
+
+    /// The place of a heading that is listed.
+    fn place(&mut self, level: u8) -> String {
+        if self.headings.is_empty() || level > 2 {
+            return String::new();
+        }
+        self.passed += 1;
+        format!(" id=\"heading-{}\"", self.passed)
+    }
+
+    fn contents(&mut self) {
+        self.push(&format!("<nav class=\"contents\"><h2>{}</h2>\n<ul>\n", self.language.word(Word::Contents)));
+        for (i, (level, text)) in std::mem::take(&mut self.headings).into_iter().enumerate() {
+            self.push(&format!("<li class=\"level-{level}\"><a href=\"#heading-{}\">{}</a></li>\n", i + 1, markup(&text)));
+            self.headings.push((level, text));
+        }
+        self.push("</ul></nav>\n");
+    }
+
+    fn front(&mut self, front: &Front) {
+        let line = |text: &String| format!("<p>{}</p>\n", markup(text));
+        let lines = |list: &[String]| list.iter().map(line).collect::<String>();
+        let person = |(role, name): &(String, String)| format!("<dt>{}</dt><dd>{}</dd>\n", markup(role), markup(name));
+        let people: String = front.people.iter().map(person).collect();
+        let html = format!(
+            "<section class=\"front\">\n<div class=\"above\">{}</div>\n<div class=\"what\"><h1>{}</h1>\n<p class=\"subject\">{}</p>\n{}</div>\n\
+             <dl>{people}</dl>\n<p class=\"below\">{}</p>\n</section>\n",
+            lines(&front.above),
+            markup(&front.kind),
+            markup(&front.subject),
+            lines(&front.about),
+            markup(&front.below),
+        );
+        self.push(&html);
     }
 
     fn push(&mut self, text: &str) {

@@ -46,17 +46,16 @@ impl Default for Options<'_> {
 /// The page as text in UTF-8.
 pub fn write(document: &Document, options: Options) -> String {
     let language = document.language;
-    let mut writer = blocks::Writer::new(language);
+    let mut writer = blocks::Writer::new(document);
     writer.blocks(&document.blocks);
     let figures = figures_of(&document.blocks);
     let title = markup(&document.title);
     let mut out = String::with_capacity(writer.out.len() + 160 * 1024);
     out.push_str(&head(&title, &figures, language, options));
-    out.push_str(&format!("<body>\n<main>\n<header>\n<h1>{title}</h1>\n"));
-    for paragraph in document.description.split('\n').filter(|p| !p.trim().is_empty()) {
-        out.push_str(&format!("<p class=\"lead\">{}</p>\n", markup(paragraph)));
+    out.push_str("<body>\n<main>\n");
+    if !document.has_front() {
+        out.push_str(&header(document));
     }
-    out.push_str("</header>\n");
     out.push_str(&writer.out);
     out.push_str(&format!("</main>\n{}", footer(document)));
     if !figures.is_empty() {
@@ -64,6 +63,14 @@ pub fn write(document: &Document, options: Options) -> String {
     }
     out.push_str("</body>\n</html>\n");
     out
+}
+
+fn header(document: &Document) -> String {
+    let mut out = format!("<header>\n<h1>{}</h1>\n", markup(&document.title));
+    for paragraph in document.description.split('\n').filter(|p| !p.trim().is_empty()) {
+        out.push_str(&format!("<p class=\"lead\">{}</p>\n", markup(paragraph)));
+    }
+    out + "</header>\n"
 }
 
 /// Styles of the plotting library come only where something is plotted.

@@ -1,0 +1,37 @@
+//! `strutt report FILE`: the calculation as it is handed in.
+
+use super::{Exit, inputs, judge};
+use crate::args;
+use crate::console::{Console, INTERRUPTED, listen_to_interrupts};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+use strutt::folder;
+use strutt::wording::Word;
+use studies::Failure;
+use studies::pipeline;
+
+pub fn run(args: &args::Report, console: &mut Console) -> Result<Exit, Failure> {
+    listen_to_interrupts(console.language);
+    let (source, overrides) = inputs(&args.model)?;
+    let calculation = console.watched(|watch| pipeline::run(&source, &overrides, watch))?;
+    console.warn(&calculation.machine.warnings, &source);
+    let format = console.page.unwrap_or(folder::PAGE);
+    let (out, name) = place(args, &source.name(), format.extension);
+    let document = pipeline::report(&calculation, console.language);
+    let paths = console.timed(Word::TimeWrite, |_| folder::report(&calculation, &document, (&out, &name), &format))?;
+    let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
+    console.talk(&format!("{}{list}", console.say(Word::Written)));
+    let least = if INTERRUPTED.load(Ordering::Relaxed) { Exit::Interrupted } else { Exit::Done };
+    Ok(calculation.results.iter().fold(least, |exit, results| exit.worse(judge(results, console))))
+}
+
+/// Folder and name of the file.
+fn place(args: &args::Report, model: &str, extension: &str) -> (PathBuf, String) {
+    if let Some(path) = &args.output {
+        let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+        let name = path.file_name().map_or_else(|| format!("report.{extension}"), |name| name.to_string_lossy().into_owned());
+        return (folder, name);
+    }
+    let folder = args.out.clone().unwrap_or_else(|| Path::new("out").join(model));
+    (folder, format!("report.{extension}"))
+}

@@ -1,0 +1,295 @@
+//! Chapter 3: energies, generalized forces by virtual power, Lagrange's equations, the check by a second derivation, equilibrium.
+
+use super::Work;
+use super::facts::Moves;
+use super::kinematics::definitions;
+use super::pen::{Pen, inline, words};
+use super::statement::capital;
+use super::wording::Word;
+use mechanics::model::{Frame, Inertia};
+use report::document::{Inline, Rich};
+use report::formula::{Layout, Relation};
+use symbolic::equations::{Equality, Part, Step, StepFormula, StepName};
+use symbolic::{Expr, Node};
+
+pub(super) fn write(work: &Work, pen: &mut Pen) {
+    if work.is_machine() {
+        pen.section(pen.word(Word::Kinetic), |pen| kinetic(work, pen));
+        pen.section(pen.word(Word::Potential), |pen| energy(work, Part::Potential, pen));
+        pen.section(pen.word(Word::Dissipation), |pen| energy(work, Part::Dissipation, pen));
+        pen.section(pen.word(Word::Forces), |pen| forces(work, pen));
+        pen.section(pen.word(Word::Lagrange), |pen| lagrange(work, pen));
+        pen.section(pen.word(Word::Second), |pen| second(work, pen));
+    }
+    for results in work.results_of(Word::Dynamics) {
+        let heading = work.text(&results.heading);
+        pen.section(heading, |pen| pen.take(results.below(&work.view()), heading));
+    }
+}
+
+fn step<'a>(work: &Work<'a>, part: Part) -> Option<&'a Step> {
+    work.equations.steps.iter().find(|step| step.part == part)
+}
+
+impl Work<'_> {
+    /// The formula of a step; bodies go by their numbers, springs by a letter.
+    fn step_formula(&self, formula: &StepFormula) -> Layout {
+        let StepName::Quantity { letter, index } = &formula.left else { return self.printer.step(&self.equations.graph, formula) };
+        let left = StepName::Quantity { letter: letter.clone(), index: self.index_of(letter, index) };
+        self.printer.step(&self.equations.graph, &StepFormula { left, right: formula.right })
+    }
+
+    fn index_of(&self, letter: &str, name: &str) -> String {
+        let bodies: Vec<&Frame> = self.model.frames.iter().filter(|f| f.is_body).collect();
+        if letter == "Q" || name.is_empty() {
+            return name.to_owned();
+        }
+        if let Some(i) = bodies.iter().position(|f| f.name == name) {
+            return (i + 1).to_string();
+        }
+        let Some(element) = self.model.elements.iter().find(|e| e.name == name) else { return name.to_owned() };
+        let alike: Vec<_> = self.model.elements.iter().filter(|e| e.table == element.table).collect();
+        let place = alike.iter().position(|e| e.name == name).map_or(0, |i| i + 1);
+        let number = if alike.len() > 1 { place.to_string() } else { String::new() };
+        match element.table {
+            "springs" | "torsion_bars" => format!("{}{number}", self.language.pick("s", "п")),
+            _ => format!("{}{place}", self.language.pick("e", "э")),
+        }
+    }
+}
+
+/// T of each body with the theorem that gives it, then the sum.
+fn kinetic(work: &Work, pen: &mut Pen) {
+    let Some(step) = step(work, Part::Kinetic) else {
+        return total(work, "T", work.equations.energy.kinetic, pen);
+    };
+    let massless = work.model.frames.iter().any(|f| f.is_body && f.mass.is_none());
+    for formula in &step.formulas {
+        let StepName::Quantity { index, .. } = &formula.left else { continue };
+        let single = step.formulas.len() == 1;
+        let heavy: Vec<&Frame> = work.model.frames.iter().filter(|f| f.is_body && f.mass.is_some()).collect();
+        let frame = work.model.frames.iter().find(|f| f.is_body && f.name == *index).or_else(|| match heavy[..] {
+            [only] if single => Some(only),
+            _ => None,
+        });
+        match frame {
+            Some(frame) => pen.tell(theorem(work, frame)),
+            None => pen.say(work.language.pick("The kinetic energy of the system is", "Кинетическая энергия системы")),
+        }
+        pen.numbered(work.printer.block(work.step_formula(formula)));
+    }
+    if massless && !step.formulas.is_empty() {
+        pen.say(
+            work.language
+                .pick("Massless bodies have no kinetic energy.", "Тела, массой которых пренебрегаем, кинетической энергии не имеют."),
+        );
+    }
+    definitions(work, pen);
+}
+
+/// The sentence before the kinetic energy of a body.
+fn theorem(work: &Work, frame: &Frame) -> Vec<Inline> {
+    let at = work.model.frames.iter().position(|f| f.name == frame.name).unwrap_or(0);
+    let body = capital(&work.body(mechanics::model::FrameId(at)));
+    let turned = frame.mass.as_ref().is_some_and(|m| !matches!(m.inertia, Inertia::None));
+    let (how, law) = match (work.moves(frame), turned) {
+        (Moves::Turns, _) => (work.language.pick("turns about a fixed axis", "вращается вокруг неподвижной оси"), "T = J ω²/2"),
+        (Moves::Translates | Moves::Rests, _) => (work.language.pick("translates", "движется поступательно"), "T = m v²/2"),
+        (Moves::InPlane, true) => (work.language.pick("moves in the plane", "совершает плоское движение"), "T = m v_C²/2 + J_C ω²/2"),
+        (Moves::InPlane, false) => (work.language.pick("is a point mass", "считается материальной точкой"), "T = m v²/2"),
+        (Moves::InSpace, true) => {
+            (work.language.pick("moves in space", "движется в пространстве"), "T = m v_C²/2 + (J_x ω_x² + J_y ω_y² + J_z ω_z²)/2")
+        }
+        (Moves::InSpace, false) => (work.language.pick("is a point mass", "считается материальной точкой"), "T = m v²/2"),
+    };
+    vec![words(format!("{body} {how}, ")), inline(letters(work, law)), words(work.language.pick("; here", "; здесь"))]
+}
+
+/// A formula of the textbook in its own letters, made of symbols that the model does not know.
+fn letters(work: &Work, law: &str) -> Layout {
+    let letter = |name: &str| Layout::Symbol(work.printer.named(name));
+    let square = |name: &str| Layout::Power(Box::new(letter(name)), Box::new(Layout::Number { mantissa: "2".into(), exponent: None }));
+    let half = |above: Layout| Layout::Fraction(Box::new(above), Box::new(Layout::Number { mantissa: "2".into(), exponent: None }));
+    let product = |a: &str, b: &str| half(Layout::Product(vec![letter(a), square(b)]));
+    let plus = report::formula::Sign::Plus;
+    let right = match law {
+        "T = J ω²/2" => product("J", "ω"),
+        "T = m v²/2" => product("m", "v"),
+        "T = m v_C²/2 + J_C ω²/2" => Layout::Sum(vec![(plus, product("m", "v_C")), (plus, product("J_C", "ω"))]),
+        _ => {
+            let axes = [("J_x", "ω_x"), ("J_y", "ω_y"), ("J_z", "ω_z")].map(|(j, w)| (plus, Layout::Product(vec![letter(j), square(w)])));
+            Layout::Sum(vec![(plus, product("m", "v_C")), (plus, half(Layout::Sum(axes.to_vec())))])
+        }
+    };
+    Layout::Related(Box::new(letter("T")), Relation::Equal, Box::new(right))
+}
+
+/// The terms of Π or Φ, then their sum.
+fn energy(work: &Work, part: Part, pen: &mut Pen) {
+    let Some(step) = step(work, part) else { return };
+    pen.say(match part {
+        Part::Potential => work.language.pick(
+            "The potential energy of gravity is m g h, that of a spring c δ²/2 with its elongation or turn δ:",
+            "Потенциальная энергия силы тяжести равна m g h, пружины – c δ²/2, где δ – её удлинение или угол закручивания:",
+        ),
+        _ => work.language.pick(
+            "The dissipation function of a viscous damper is b u²/2 with the rate u of its elongation or turn:",
+            "Диссипативная функция вязкого демпфера равна b u²/2, где u – скорость его удлинения или закручивания:",
+        ),
+    });
+    for formula in &step.formulas {
+        pen.numbered(work.printer.block(work.step_formula(formula)));
+    }
+}
+
+fn total(work: &Work, letter: &str, energy: Expr, pen: &mut Pen) {
+    if work.equations.textbook.is_err() {
+        return;
+    }
+    let left = StepName::Quantity { letter: letter.into(), index: String::new() };
+    pen.numbered(work.printer.block(work.printer.step(&work.equations.graph, &StepFormula { left, right: energy })));
+}
+
+/// Q of loads without a potential, from the virtual power of each.
+fn forces(work: &Work, pen: &mut Pen) {
+    let Some(step) = step(work, Part::Forces) else { return };
+    let mut graph = work.equations.graph.clone();
+    pen.say(work.language.pick(
+        "Every load does its power on a possible motion; the factor of each rate in it is the generalized force.",
+        "Мощность каждой нагрузки на возможном движении линейна относительно обобщённых скоростей; коэффициент при скорости есть обобщённая сила.",
+    ));
+    for load in work.equations.applied.iter().filter(|load| !load.forces.is_empty()) {
+        let terms: Vec<Expr> = load
+            .forces
+            .iter()
+            .map(|(i, q)| {
+                let rate = graph.symbol(work.equations.coordinates[*i].symbols[1]);
+                graph.mul(*q, rate)
+            })
+            .collect();
+        let power = graph.sum(&terms);
+        if !matches!(graph.node(power), Node::Number(_)) {
+            let what = work.language.pick("Power of the load", "Мощность нагрузки");
+            pen.say(format!("{what} «{}»:", load.name()));
+            let left = Layout::Symbol(work.printer.named("N"));
+            let right = work.printer.layout(&graph, power);
+            pen.formula(work.printer.block(Layout::Related(Box::new(left), Relation::Equal, Box::new(right))));
+        }
+    }
+    pen.say(work.language.pick("Hence", "Отсюда"));
+    for formula in &step.formulas {
+        pen.numbered(work.printer.block(work.printer.step(&graph, formula)));
+    }
+}
+
+/// The derivatives, the reactions, the equations.
+fn lagrange(work: &Work, pen: &mut Pen) {
+    let Ok(textbook) = &work.equations.textbook else {
+        if let Err(reason) = &work.equations.textbook {
+            pen.say(work.text(reason));
+        }
+        return;
+    };
+    if let Some(step) = step(work, Part::Derivatives) {
+        pen.say(work.text(&step.words));
+        derivatives(work, step, pen);
+    }
+    reacting(work, pen);
+    if textbook.is_empty() {
+        return;
+    }
+    pen.say(work.language.pick("Equations of motion:", "Уравнения движения:"));
+    for (i, equality) in textbook.iter().enumerate() {
+        pen.numbered(work.printer.block(work.printer.equality_layout(&work.equations.graph, *equality, Some(i))));
+    }
+    reactions(work, textbook, pen);
+    let laws = crate::frictions::laws(work.equations, &work.printer);
+    if !laws.is_empty() {
+        pen.say(crate::wording::say(work.language, crate::wording::Word::FrictionLaws));
+        laws.into_iter().for_each(|layout| pen.formula(work.printer.block(layout)));
+    }
+    definitions(work, pen);
+}
+
+/// Derivatives that do not vanish, each on a line; the others in one.
+fn derivatives(work: &Work, step: &Step, pen: &mut Pen) {
+    let graph = &work.equations.graph;
+    let (zero, other): (Vec<_>, Vec<_>) = step.formulas.iter().partition(|f| graph.is_zero(f.right));
+    for formula in other {
+        pen.formula(work.printer.block(work.printer.step(graph, formula)));
+    }
+    if zero.is_empty() {
+        return;
+    }
+    let mut pieces = vec![words(work.language.pick("The other derivatives vanish: ", "Остальные производные равны нулю: "))];
+    for (i, formula) in zero.iter().enumerate() {
+        pieces.push(words(if i == 0 { "" } else { ", " }));
+        pieces.push(inline(work.printer.step_name(graph, &formula.left)));
+    }
+    pieces.push(words("."));
+    pen.tell(pieces);
+}
+
+/// R of every coordinate: Σ λ ∂(condition)/∂q.
+fn reacting(work: &Work, pen: &mut Pen) {
+    let mut graph = work.equations.graph.clone();
+    let n = work.equations.coordinates.len();
+    let mut sums: Vec<Vec<Expr>> = vec![Vec::new(); n];
+    for reaction in &work.equations.reactions {
+        let symbol = graph.symbol(reaction.symbol);
+        for (i, factor) in &reaction.forces {
+            let term = graph.mul(symbol, *factor);
+            sums[*i].push(term);
+        }
+    }
+    if sums.iter().all(Vec::is_empty) {
+        return;
+    }
+    pen.say(work.language.pick("Generalized forces of the reactions and drives:", "Обобщённые силы реакций и приводов:"));
+    for (terms, coordinate) in sums.iter().zip(&work.equations.coordinates).filter(|(terms, _)| !terms.is_empty()) {
+        let right = graph.sum(terms);
+        let index = graph.symbol_info(coordinate.symbols[0]).name.clone();
+        let left = StepName::Quantity { letter: "R".into(), index };
+        pen.formula(work.printer.block(work.printer.step(&graph, &StepFormula { left, right })));
+    }
+}
+
+/// What the letters of reactions mean, each on a line.
+fn reactions(work: &Work, textbook: &[Equality], pen: &mut Pen) {
+    let graph = &work.equations.graph;
+    let sides: Vec<Expr> = textbook.iter().flat_map(|e| [e.left, e.right]).collect();
+    let occurring = graph.symbols_in(&sides);
+    let named: Vec<_> = work.equations.reactions.iter().filter(|r| occurring.binary_search(&r.symbol).is_ok()).collect();
+    for (i, reaction) in named.iter().enumerate() {
+        let lead = if i == 0 { format!("{} ", pen.word(Word::Where)) } else { String::new() };
+        let end = if i + 1 == named.len() { "." } else { ";" };
+        pen.tell(vec![
+            words(lead),
+            inline(work.printer.symbol_layout(graph, reaction.symbol)),
+            words(format!(" – {}{end}", work.text(&reaction.label))),
+        ]);
+    }
+}
+
+/// The two derivations against one another.
+fn second(work: &Work, pen: &mut Pen) {
+    let audits = work.calculation.audits();
+    let Some(audit) = audits.iter().find(|a| a.key == "two_derivations") else { return };
+    let number = |x| report::number::short(x, 2, work.language);
+    let (value, limit) = (number(audit.value), number(audit.limit));
+    let sentence = match (audit.ok, work.language) {
+        (true, words::Language::En) => format!(
+            "The equations were derived once more from the laws of Newton and Euler for every body, projected on the possible motions. At random states the two derivations differ by at most {value} of the largest term (limit {limit}): they agree."
+        ),
+        (false, words::Language::En) => format!(
+            "The equations were derived once more from the laws of Newton and Euler for every body. At random states the two derivations differ by {value} of the largest term (limit {limit}): they do not agree."
+        ),
+        (true, words::Language::Ru) => format!(
+            "Уравнения выведены повторно, из теорем о движении центра масс и об изменении кинетического момента каждого тела (уравнения Ньютона – Эйлера), спроецированных на возможные движения. В случайно выбранных состояниях два вывода расходятся не более чем на {value} наибольшего слагаемого (допуск {limit}): уравнения совпадают."
+        ),
+        (false, words::Language::Ru) => format!(
+            "Уравнения выведены повторно, из уравнений Ньютона – Эйлера каждого тела. В случайно выбранных состояниях два вывода расходятся на {value} наибольшего слагаемого (допуск {limit}): уравнения не совпадают."
+        ),
+    };
+    pen.say(Rich(vec![words(sentence)]));
+}

@@ -1,0 +1,295 @@
+//! What the file gives, as rows of facts: bodies with their motion, connections, elements. Bodies are numbered in the order of the file.
+
+use super::Work;
+use super::pen::{inline, words};
+use super::wording::Word;
+use mechanics::model::{Connection, ConnectionKind, Frame, FrameId, Inertia, Origin, Pathway, PointRef, Rest, Slides, SupportDirection};
+use report::document::Rich;
+use report::table::Column;
+use report::{Cell, Table};
+use symbolic::equations::{Part, StepName};
+use symbolic::{Expr, SymbolId};
+
+/// How a body moves against what carries it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Moves {
+    /// Not at all.
+    Rests,
+    /// All its points alike.
+    Translates,
+    /// About an axis that what carries it holds.
+    Turns,
+    /// In a plane in any way.
+    InPlane,
+    /// In space.
+    InSpace,
+}
+
+impl Work<'_> {
+    /// Numbers of bodies, by frame.
+    fn number(&self, frame: FrameId) -> Option<usize> {
+        let frames = &self.model.frames;
+        let bodies = frames[..=frame.index()].iter().filter(|f| f.is_body).count();
+        frames[frame.index()].is_body.then_some(bodies)
+    }
+
+    /// "body 2 (crank)", "the ground".
+    pub(super) fn body(&self, frame: FrameId) -> String {
+        if frame == FrameId::GROUND {
+            return self.language.pick("the ground", "стойка").to_owned();
+        }
+        let name = &self.model.frames[frame.index()].name;
+        match self.number(frame) {
+            Some(n) => format!("{} {n} («{name}»)", self.language.pick("body", "тело")),
+            None => format!("{} «{name}»", self.language.pick("the frame", "система отсчёта")),
+        }
+    }
+
+    /// The frame of a point.
+    fn frame_of(&self, point: PointRef) -> FrameId {
+        match point {
+            PointRef::Point(p) => self.model.points[p.index()].on,
+            PointRef::Origin(frame) | PointRef::Center(frame) => frame,
+        }
+    }
+
+    /// "point A of body 2".
+    fn point(&self, point: PointRef) -> String {
+        let body = self.body(self.frame_of(point));
+        match point {
+            PointRef::Point(p) => {
+                let name = &self.model.points[p.index()].name;
+                self.language.pick(format!("point {name} ({body})"), format!("точка {name} ({body})"))
+            }
+            PointRef::Origin(_) => self.language.pick(format!("the origin of {body}"), format!("начало осей: {body}")),
+            PointRef::Center(_) => self.language.pick(format!("the mass centre of {body}"), format!("центр масс: {body}")),
+        }
+    }
+
+    /// Whether a formula changes during the motion.
+    fn changes(&self, e: Expr) -> bool {
+        let moving = |s: SymbolId| s == self.model.time || self.model.coordinates.iter().any(|c| c.symbols.contains(&s));
+        let varies = |s: SymbolId| {
+            let class = self.model.parameters.iter().find(|p| p.symbol == s).map(|p| p.class);
+            class.is_some_and(|class| class != mechanics::model::Class::Constant)
+        };
+        self.model.graph.contains(e, |s| moving(s) || varies(s))
+    }
+
+    /// How a body moves.
+    pub(super) fn moves(&self, frame: &Frame) -> Moves {
+        let plane = frame.rotations.iter().all(|(axis, _)| axis.index() == 2) && frame.spin.is_none_or(|(axis, _)| axis.index() == 2);
+        let turns = frame.spin.is_some() || frame.rotations.iter().any(|(_, angle)| self.changes(*angle));
+        let shifts = match &frame.origin {
+            Origin::Vector(v) => v.iter().any(|e| self.changes(*e)),
+            Origin::Point(p) => {
+                let point = &self.model.points[p.index()];
+                point.on != frame.on || point.at.iter().any(|e| self.changes(*e))
+            }
+        };
+        let carried = frame.on == FrameId::GROUND || self.moves(&self.model.frames[frame.on.index()]) == Moves::Rests;
+        match (turns, shifts) {
+            _ if !plane => Moves::InSpace,
+            (false, false) if carried => Moves::Rests,
+            (true, false) if carried => Moves::Turns,
+            (false, true) if carried => Moves::Translates,
+            (false, _) if self.moves(&self.model.frames[frame.on.index()]) == Moves::Translates => Moves::Translates,
+            _ => Moves::InPlane,
+        }
+    }
+
+    /// The motion of a body in words.
+    fn motion(&self, frame: &Frame) -> String {
+        let how = match self.moves(frame) {
+            Moves::Rests => self.language.pick("at rest", "неподвижно"),
+            Moves::Translates => self.language.pick("translates", "движется поступательно"),
+            Moves::Turns => self.language.pick("turns about a fixed axis", "вращается вокруг неподвижной оси"),
+            Moves::InPlane => self.language.pick("moves in the plane", "совершает плоское движение"),
+            Moves::InSpace => self.language.pick("moves in space", "движется в пространстве"),
+        };
+        let joined = match &frame.origin {
+            Origin::Point(p) if self.model.points[p.index()].on != frame.on => Some(self.point(PointRef::Point(*p))),
+            _ if frame.on != FrameId::GROUND => Some(self.body(frame.on)),
+            _ => None,
+        };
+        match joined {
+            Some(on) => format!("{how}; {} {on}", self.language.pick("carried by:", "опирается на:")),
+            None => how.to_owned(),
+        }
+    }
+
+    fn formula(&self, e: Expr) -> Cell {
+        Cell::Rich(Rich(vec![inline(self.printer.layout(&self.model.graph, e))]))
+    }
+
+    /// Bodies with their motion and inertia.
+    pub(super) fn bodies(&self) -> Option<Table> {
+        let heads = [Word::Number, Word::Body, Word::MovesHow, Word::Mass, Word::Inertia].map(|w| Column::new(self.language.word(w)));
+        let mut table = Table::new(heads.into());
+        let none = || Cell::words(self.language.word(Word::Free0));
+        for (i, frame) in self.model.frames.iter().enumerate().filter(|(_, frame)| frame.is_body) {
+            let mass = frame.mass.as_ref().filter(|m| !self.model.graph.is_zero(m.mass));
+            let inertia = frame.mass.as_ref().map(|m| match m.inertia {
+                Inertia::Planar(e) if !self.model.graph.is_zero(e) => self.formula(e),
+                Inertia::Tensor { zz, .. } => self.formula(zz),
+                _ => none(),
+            });
+            table.row(vec![
+                Cell::words(self.number(FrameId(i)).map_or(String::new(), |n| n.to_string())),
+                Cell::words(frame.name.clone()),
+                Cell::words(self.motion(frame)),
+                mass.map_or_else(none, |m| self.formula(m.mass)),
+                inertia.unwrap_or_else(none),
+            ]);
+        }
+        (!table.rows.is_empty()).then_some(table)
+    }
+
+    /// Connections and what they demand.
+    pub(super) fn connections(&self) -> Option<Table> {
+        let heads = [Word::Connection, Word::What].map(|w| Column::new(self.language.word(w)));
+        let mut table = Table::new(heads.into());
+        for connection in &self.model.connections {
+            table.row(vec![Cell::words(connection.name.clone()), Cell::words(self.demand(connection))]);
+        }
+        (!table.rows.is_empty()).then_some(table)
+    }
+
+    /// What a connection demands, in words.
+    fn demand(&self, connection: &Connection) -> String {
+        let pick = |en: String, ru: String| self.language.pick(en, ru);
+        let two = |ends: &[PointRef; 2]| format!("{}, {}", self.point(ends[0]), self.point(ends[1]));
+        match &connection.kind {
+            ConnectionKind::Pin { between, .. } => pick(format!("pin: {}", two(between)), format!("шарнир: {}", two(between))),
+            ConnectionKind::Weld { between, .. } => {
+                pick(format!("rigid joint: {}", two(between)), format!("жёсткое соединение: {}", two(between)))
+            }
+            ConnectionKind::Slider { point, on, turns, .. } => {
+                let (p, line) = (self.point(*point), self.body(*on));
+                let (en, ru) = if *turns { ("", "") } else { (", without turning", ", без поворота") };
+                pick(format!("{p} stays on a straight guide: {line}{en}"), format!("{p} движется по прямой направляющей: {line}{ru}"))
+            }
+            ConnectionKind::Rod { between, .. } => {
+                pick(format!("massless rigid rod: {}", two(between)), format!("невесомый жёсткий стержень: {}", two(between)))
+            }
+            ConnectionKind::Rope { path, slack, .. } => {
+                let list: Vec<String> = path.iter().map(|p| self.point(*p)).collect();
+                let list = list.join(", ");
+                let (en, ru) = if *slack { ("; it may go slack", "; может провисать") } else { ("", "") };
+                pick(format!("inextensible rope: {list}{en}"), format!("нерастяжимая нить: {list}{ru}"))
+            }
+            ConnectionKind::Wheels { between, opposite, .. } => self.wheels(connection.table, between, *opposite),
+            ConnectionKind::Rolling { wheel, on, .. } => {
+                let (wheel, on) = (self.body(*wheel), self.body(*on));
+                pick(format!("rolling without slip: {wheel} on {on}"), format!("качение без проскальзывания: {wheel}, опора – {on}"))
+            }
+            ConnectionKind::Constraint { on_rates, .. } => match on_rates {
+                true => pick("condition on velocities".into(), "условие на скорости".into()),
+                false => pick("condition on positions".into(), "условие на координаты".into()),
+            },
+            ConnectionKind::Support { at, directions, .. } => self.support(*at, directions),
+            ConnectionKind::Motion { .. } => pick("prescribed motion".into(), "заданное движение".into()),
+            ConnectionKind::Motor { pathway } => self.motor(pathway),
+            ConnectionKind::Stop { .. } => pick("one-sided stop".into(), "односторонний упор".into()),
+            ConnectionKind::Friction { slides, .. } => self.friction(slides),
+        }
+    }
+
+    fn wheels(&self, table: &str, between: &[FrameId; 2], opposite: bool) -> String {
+        let (a, b) = (self.body(between[0]), self.body(between[1]));
+        let (en, ru) = match (table, opposite) {
+            ("belts", false) => ("open belt", "открытая ремённая передача"),
+            ("belts", true) => ("crossed belt", "перекрёстная ремённая передача"),
+            ("chains", _) => ("chain", "цепная передача"),
+            (_, false) => ("internal gears", "внутреннее зубчатое зацепление"),
+            (_, true) => ("gears", "внешнее зубчатое зацепление"),
+        };
+        self.language.pick(format!("{en}: {a}, {b}"), format!("{ru}: {a}, {b}"))
+    }
+
+    fn support(&self, at: PointRef, directions: &[SupportDirection]) -> String {
+        let held: Vec<&str> = directions
+            .iter()
+            .map(|d| match d {
+                SupportDirection::X => "x",
+                SupportDirection::Y => "y",
+                SupportDirection::Z => "z",
+                SupportDirection::TurnX => self.language.pick("turn about x", "поворот вокруг x"),
+                SupportDirection::TurnY => self.language.pick("turn about y", "поворот вокруг y"),
+                SupportDirection::TurnZ => self.language.pick("turn", "поворот"),
+            })
+            .collect();
+        let (held, point) = (held.join(", "), self.point(at));
+        self.language.pick(format!("support: {point}; held: {held}"), format!("опора: {point}; закреплено: {held}"))
+    }
+
+    fn motor(&self, pathway: &Pathway) -> String {
+        match pathway {
+            Pathway::RelativeAngle(a, b) => {
+                let (a, b) = (self.body(*a), self.body(*b));
+                self.language.pick(format!("motor: {a}, {b}"), format!("двигатель: {a}, {b}"))
+            }
+            _ => self.language.pick("motor", "двигатель").to_owned(),
+        }
+    }
+
+    fn friction(&self, slides: &Slides) -> String {
+        let (en, ru) = match slides {
+            Slides::Along(_) => ("dry friction", "сухое трение"),
+            Slides::Point { .. } => ("dry friction at a point", "сухое трение в точке"),
+            Slides::Contact { .. } => ("dry friction of a contact", "сухое трение в контакте"),
+            Slides::Rolls { .. } => ("rolling friction", "трение качения"),
+            Slides::Journal { .. } => ("friction of a journal", "трение в цапфе"),
+            Slides::Belt { .. } => ("friction of a rope on a drum", "трение каната о барабан"),
+        };
+        self.language.pick(en, ru).to_owned()
+    }
+
+    /// Springs, dampers and loads with their energy or virtual power.
+    pub(super) fn elements(&self) -> Option<Table> {
+        let heads = [Word::Element, Word::Law].map(|w| Column::new(self.language.word(w)));
+        let mut table = Table::new(heads.into());
+        for (_, element) in self.model.acting() {
+            let kind = mechanics::elements::TABLE.iter().find(|row| row.keys.name == element.table);
+            let kind = kind.map_or("", |row| self.language.pick(row.listed.0, row.listed.1));
+            let name = format!("{} ({kind})", element.name);
+            table.row(vec![Cell::words(name), Cell::Rich(Rich(self.law(&element.name, &element.path)))]);
+        }
+        (!table.rows.is_empty()).then_some(table)
+    }
+
+    /// Π or Φ of an element as the derivation has it, or the power of its load.
+    fn law(&self, name: &str, path: &str) -> Vec<report::document::Inline> {
+        let graph = &self.equations.graph;
+        let parts = [Part::Potential, Part::Dissipation];
+        for step in self.equations.steps.iter().filter(|step| parts.contains(&step.part)) {
+            let own = step.formulas.iter().find(|f| matches!(&f.left, StepName::Quantity { index, .. } if index == name));
+            if let Some(formula) = own {
+                return vec![inline(self.printer.step(graph, formula))];
+            }
+        }
+        let loads = self.equations.applied.iter().find(|load| load.path == path);
+        match loads {
+            Some(load) if !load.forces.is_empty() => {
+                let mut graph = graph.clone();
+                let terms: Vec<Expr> = load
+                    .forces
+                    .iter()
+                    .map(|(i, q)| {
+                        let rate = graph.symbol(self.equations.coordinates[*i].symbols[1]);
+                        graph.mul(*q, rate)
+                    })
+                    .collect();
+                let power = graph.sum(&terms);
+                vec![words("N = "), inline(self.printer.layout(&graph, power))]
+            }
+            _ => vec![words("–")],
+        }
+    }
+
+    /// A length that is given or is that at the start.
+    #[allow(dead_code)]
+    fn rest(&self, rest: &Rest) -> Option<Expr> {
+        if let Rest::Value(e) = rest { Some(*e) } else { None }
+    }
+}

@@ -1,0 +1,190 @@
+//! The pen: headings are numbered, figures and tables are mentioned before they come, formulas know their numbers.
+
+use super::wording::Word;
+use super::{Chapter, Count};
+use report::document::{Formula, Inline, Rich};
+use report::formula::Layout;
+use report::{Block, Table};
+use words::Language;
+
+/// Letters of appendices.
+const LETTERS: [(&str, &str); 4] = [("A", "А"), ("B", "Б"), ("C", "В"), ("D", "Г")];
+
+/// What is written, and the numbers so far.
+pub(super) struct Pen {
+    pub language: Language,
+    pub blocks: Vec<Block>,
+    chapters: usize,
+    appendices: usize,
+    sections: usize,
+    /// The number of the chapter, for its sections; empty where it has none.
+    number: String,
+    figures: usize,
+    tables: usize,
+    equations: usize,
+}
+
+impl Pen {
+    pub fn new(language: Language) -> Pen {
+        Pen {
+            language,
+            blocks: Vec::new(),
+            chapters: 0,
+            appendices: 0,
+            sections: 0,
+            number: String::new(),
+            figures: 0,
+            tables: 0,
+            equations: 0,
+        }
+    }
+
+    pub fn word(&self, word: Word) -> &'static str {
+        self.language.word(word)
+    }
+
+    /// A chapter; without its heading when nothing is written in it.
+    pub fn chapter(&mut self, chapter: &Chapter, write: impl FnOnce(&mut Pen)) {
+        let title = self.word(chapter.title);
+        let before = (self.chapters, self.appendices);
+        self.sections = 0;
+        let heading = match chapter.count {
+            Count::None => title.to_owned(),
+            Count::Number => {
+                self.chapters += 1;
+                format!("{} {title}", self.chapters)
+            }
+            Count::Letter => {
+                let (en, ru) = LETTERS[self.appendices.min(LETTERS.len() - 1)];
+                self.appendices += 1;
+                format!("{} {}. {title}", self.word(Word::Appendix), self.language.pick(en, ru))
+            }
+        };
+        self.number = if chapter.count == Count::Number { self.chapters.to_string() } else { String::new() };
+        let empty = !self.under(1, heading, write);
+        if empty {
+            (self.chapters, self.appendices) = before;
+        }
+    }
+
+    /// A section; without its heading when nothing is written in it.
+    pub fn section(&mut self, title: &str, write: impl FnOnce(&mut Pen)) {
+        self.sections += 1;
+        let heading = if self.number.is_empty() { title.to_owned() } else { format!("{}.{} {title}", self.number, self.sections) };
+        if !self.under(2, heading, write) {
+            self.sections -= 1;
+        }
+    }
+
+    /// Whether anything is written under the heading.
+    fn under(&mut self, level: u8, heading: String, write: impl FnOnce(&mut Pen)) -> bool {
+        let at = self.blocks.len();
+        self.blocks.push(Block::heading(level, heading));
+        write(self);
+        let written = self.blocks.len() > at + 1;
+        if !written {
+            self.blocks.truncate(at);
+        }
+        written
+    }
+
+    /// A paragraph.
+    pub fn say(&mut self, words: impl Into<Rich>) {
+        self.blocks.push(Block::paragraph(words));
+    }
+
+    /// A paragraph of words and formulas.
+    pub fn tell(&mut self, pieces: Vec<Inline>) {
+        self.blocks.push(Block::Paragraph(Rich(pieces)));
+    }
+
+    /// A formula with a number at the edge; gives the number.
+    pub fn numbered(&mut self, formula: Formula) -> usize {
+        self.equations += 1;
+        self.blocks.push(Block::Equation { formula, numbered: true });
+        self.equations
+    }
+
+    /// A formula on the way to a result.
+    pub fn formula(&mut self, formula: Formula) {
+        self.blocks.push(Block::Equation { formula, numbered: false });
+    }
+
+    /// A table behind the sentence that mentions it.
+    pub fn table(&mut self, table: Table, caption: impl Into<String>) {
+        let caption = caption.into();
+        self.tables += 1;
+        let (number, below) = (self.tables, lowered(&caption));
+        self.say(match self.language {
+            Language::En => format!("Table\u{a0}{number} gives: {below}."),
+            Language::Ru => format!("В таблице\u{a0}{number} приведены: {below}."),
+        });
+        self.blocks.push(Block::Table(table.with_caption(caption)));
+    }
+
+    /// Blocks of a study below its own heading: headings stand one level lower, tables without a caption take that of the study.
+    pub fn take(&mut self, blocks: Vec<Block>, caption: &str) {
+        let mut blocks = blocks.into_iter().peekable();
+        while let Some(block) = blocks.next() {
+            match block {
+                Block::Heading { level, text } => self.blocks.push(Block::heading((level + 1).min(3), text)),
+                Block::Table(mut table) => {
+                    let caption = table.caption.take().unwrap_or_else(|| titled(&table, caption, self.language));
+                    self.table(table, caption);
+                }
+                Block::Figure(_) | Block::Bands(_) => {
+                    let mut run = vec![block];
+                    while let Some(next) = blocks.next_if(|b| matches!(b, Block::Figure(_) | Block::Bands(_))) {
+                        run.push(next);
+                    }
+                    self.pictures(run);
+                }
+                Block::Equation { formula, numbered: true } => {
+                    self.numbered(formula);
+                }
+                Block::Details { blocks, .. } => self.take(blocks, caption),
+                other => self.blocks.push(other),
+            }
+        }
+    }
+
+    /// Pictures behind the sentence that mentions them.
+    pub fn pictures(&mut self, run: Vec<Block>) {
+        let (first, last) = (self.figures + 1, self.figures + run.len());
+        self.figures = last;
+        self.say(match (self.language, run.len()) {
+            (Language::En, 1) => format!("Figure\u{a0}{first} shows the result."),
+            (Language::En, 2) => format!("Figures\u{a0}{first} and\u{a0}{last} show the results."),
+            (Language::En, _) => format!("Figures\u{a0}{first}–{last} show the results."),
+            (Language::Ru, 1) => format!("Результат показан на рисунке\u{a0}{first}."),
+            (Language::Ru, 2) => format!("Результаты показаны на рисунках\u{a0}{first} и\u{a0}{last}."),
+            (Language::Ru, _) => format!("Результаты показаны на рисунках\u{a0}{first}–{last}."),
+        });
+        self.blocks.extend(run);
+    }
+}
+
+/// The caption of a table that has none: that of its study, and what its first column says in words.
+fn titled(table: &Table, caption: &str, language: Language) -> String {
+    let head = table.columns.first().map(|column| column.head.plain(language)).unwrap_or_default();
+    if head.chars().count() < 4 { caption.to_owned() } else { format!("{caption}: {}", lowered(&head)) }
+}
+
+/// The first letter small, unless the word is a symbol or an abbreviation.
+pub(super) fn lowered(text: &str) -> String {
+    let mut chars = text.chars();
+    match (chars.next(), chars.next()) {
+        (Some(first), Some(second)) if second.is_lowercase() => first.to_lowercase().chain(text.chars().skip(1)).collect(),
+        _ => text.to_owned(),
+    }
+}
+
+/// Words.
+pub(super) fn words(text: impl Into<String>) -> Inline {
+    Inline::Words(text.into())
+}
+
+/// A formula within a sentence.
+pub(super) fn inline(layout: Layout) -> Inline {
+    Inline::Formula(Formula::inline(layout))
+}

@@ -1,0 +1,105 @@
+//! Chapter 7: reactions and internal forces, their extremes with the instants, both sides of every switch.
+
+use super::Work;
+use super::pen::Pen;
+use super::statement::capital;
+use super::wording::Word;
+use crate::results::Results;
+use report::table::Column;
+use report::{Cell, Table};
+use symbolic::equations::Output;
+
+/// Significant digits.
+const DIGITS: usize = 6;
+/// Switches that a table lists.
+const MOST: usize = 12;
+
+pub(super) fn write(work: &Work, pen: &mut Pen) {
+    for results in work.results_of(Word::Reactions) {
+        let heading = work.text(&results.heading);
+        pen.section(heading, |pen| pen.take(results.below(&work.view()), heading));
+    }
+    for results in work.calculation.results.iter().filter(|r| matches!(r.kind, "simulate" | "inverse")) {
+        let heading = work.text(&results.heading);
+        pen.section(heading, |pen| of_motion(work, results, pen));
+    }
+}
+
+/// Outputs that contain a reaction or a drive.
+fn reactions<'a>(work: &Work<'a>) -> Vec<&'a Output> {
+    let contains = |o: &&Output| work.equations.graph.contains(o.formula, |s| work.equations.reactions.iter().any(|r| r.symbol == s));
+    work.equations.outputs.iter().filter(contains).collect()
+}
+
+fn of_motion(work: &Work, results: &Results, pen: &mut Pen) {
+    let found = reactions(work);
+    let columns: Vec<(usize, &Output)> = results
+        .data
+        .columns
+        .iter()
+        .enumerate()
+        .filter_map(|(i, column)| Some((i, *found.iter().find(|o| o.name == column.quantity.name)?)))
+        .collect();
+    if columns.is_empty() {
+        return;
+    }
+    let heads = [Word::Quantity, Word::Greatest, Word::At, Word::Least, Word::At].map(|w| Column::new(work.language.word(w)));
+    let mut table = Table::new(heads.into());
+    table.columns.insert(1, Column::new(work.language.word(report::Word::Unit)));
+    table.columns.push(Column::new(work.language.word(report::Word::Description)));
+    for (i, output) in &columns {
+        let Some(extreme) = results.data.extremes.iter().find(|e| e.column == *i) else { continue };
+        let quantity = &results.data.columns[*i].quantity;
+        let scale = crate::results::tables::scale(quantity, extreme.min.abs().max(extreme.max.abs()));
+        let number = |x: f64| Cell::number(x, DIGITS, work.language);
+        table.row(vec![
+            Cell::symbol(quantity.symbol.clone()),
+            Cell::words(scale.print(work.language)),
+            number(extreme.max / scale.size),
+            number(extreme.t_max),
+            number(extreme.min / scale.size),
+            number(extreme.t_min),
+            Cell::words(work.text(&output.label)),
+        ]);
+    }
+    pen.table(table, capital(pen.word(Word::Extremes)));
+    jumps(work, results, &columns, pen);
+}
+
+/// What the reactions are just before and just after the switches.
+fn jumps(work: &Work, results: &Results, columns: &[(usize, &Output)], pen: &mut Pen) {
+    let quantities: Vec<usize> = (0..results.data.columns.len()).filter(|i| Some(*i) != results.data.axis).collect();
+    let place = |i: usize| quantities.iter().position(|q| *q == i);
+    let jumping: Vec<_> = results.data.events.iter().filter(|e| e.name.is_empty() && !e.outputs[0].is_empty()).take(MOST).collect();
+    let leaps = |i: usize| {
+        let sides = |e: &&&analysis::dataset::Event| place(i).map(|k| [e.outputs[0].get(k).copied(), e.outputs[1].get(k).copied()]);
+        jumping.iter().filter_map(|e| sides(&e)).any(|[a, b]| {
+            let (a, b) = (a.unwrap_or(f64::NAN), b.unwrap_or(f64::NAN));
+            (a - b).abs() > 1e-9 * a.abs().max(b.abs())
+        })
+    };
+    let columns: Vec<_> = columns.iter().filter(|(i, _)| leaps(*i)).collect();
+    if columns.is_empty() {
+        return;
+    }
+    let mut table = Table::new(vec![Column::with_unit("t", "s", work.language)]);
+    for (i, _) in &columns {
+        let quantity = &results.data.columns[*i].quantity;
+        for side in [Word::Before, Word::After] {
+            let mut head = report::document::Rich::symbol(quantity.symbol.clone());
+            head.0.push(super::pen::words(format!(" {}", work.language.word(side))));
+            table.columns.push(Column::with_unit(head, &quantity.unit, work.language));
+        }
+    }
+    for event in &jumping {
+        let mut row = vec![Cell::number(event.t, DIGITS, work.language)];
+        for (i, _) in &columns {
+            for side in &event.outputs {
+                let value = place(*i).and_then(|k| side.get(k).copied()).unwrap_or(f64::NAN);
+                row.push(Cell::number(value, DIGITS, work.language));
+            }
+        }
+        table.row(row);
+    }
+    pen.table(table, capital(pen.word(Word::Jumps)));
+}

@@ -1,0 +1,155 @@
+//! Chapter 1: what is given, what is wanted, what is assumed, the data.
+
+use super::Work;
+use super::pen::{Pen, inline, lowered, words};
+use super::quantity;
+use super::wording::Word;
+use mechanics::model::{Class, ConnectionKind, ParameterValue};
+use report::Block;
+use report::document::{Inline, Rich};
+
+pub(super) fn write(work: &Work, pen: &mut Pen) {
+    pen.section(pen.word(Word::Given), |pen| given(work, pen));
+    pen.section(pen.word(Word::Wanted), |pen| wanted(work, pen));
+    pen.section(pen.word(Word::Assumptions), |pen| assumptions(work, pen));
+    pen.section(pen.word(Word::Data), |pen| data(work, pen));
+}
+
+fn given(work: &Work, pen: &mut Pen) {
+    let description = work.text(&work.model.description);
+    description.split('\n').filter(|p| !p.trim().is_empty()).for_each(|paragraph| pen.say(paragraph));
+    let tables = [(work.bodies(), Word::Bodies), (work.connections(), Word::Connected), (work.elements(), Word::Elements)];
+    for (table, caption) in tables {
+        if let Some(table) = table {
+            pen.table(table, capital(pen.word(caption)));
+        }
+    }
+    if let Some(structure) = &work.model.structure {
+        super::studied::structure(work, structure, pen);
+    }
+}
+
+/// The first letter large.
+pub(super) fn capital(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or(String::new(), |first| first.to_uppercase().chain(chars).collect())
+}
+
+/// What is asked: the studies of the file, in the order of the file, equal ones once.
+fn wanted(work: &Work, pen: &mut Pen) {
+    let mut asked: Vec<String> = Vec::new();
+    for study in &work.model.studies {
+        let line = work.language.pick(asks(study.kind).0, asks(study.kind).1).to_owned();
+        if !line.is_empty() && !asked.contains(&line) {
+            asked.push(line);
+        }
+    }
+    if !work.model.claims.is_empty() {
+        asked.push(work.language.pick("compare the published results", "сопоставить опубликованные результаты с полученными").into());
+    }
+    let last = asked.len();
+    for (i, line) in asked.iter().enumerate() {
+        let end = if i + 1 == last { "." } else { ";" };
+        pen.say(format!("{}) {line}{end}", i + 1));
+    }
+    outputs(work, pen);
+}
+
+/// What a study asks for.
+pub(super) fn asks(kind: &str) -> (&'static str, &'static str) {
+    match kind {
+        "equations" => ("derive the equations of motion", "составить уравнения движения"),
+        "kinematics" => ("investigate the kinematics of the linkage", "провести кинематическое исследование механизма"),
+        "equilibrium" => ("find the positions of equilibrium", "найти положения равновесия и исследовать их устойчивость"),
+        "modes" => ("find the natural frequencies and mode shapes", "определить собственные частоты и формы колебаний"),
+        "response" => (
+            "find the amplitudes and phases of the forced oscillations over the frequency",
+            "построить амплитудно-частотные и фазочастотные характеристики вынужденных колебаний",
+        ),
+        "simulate" => ("integrate the equations of motion", "найти закон движения численным интегрированием"),
+        "transient" => ("find the motion in closed form, phase by phase", "найти закон движения в замкнутой форме по этапам нагружения"),
+        "inverse" => (
+            "find the forces and moments of the motors for the prescribed motion",
+            "решить обратную задачу динамики: найти силы и моменты двигателей по заданному движению",
+        ),
+        "poincare" => ("find the section points of the motion", "построить сечение Пуанкаре"),
+        "statics" => ("find the reactions and the internal forces", "найти реакции опор и внутренние усилия"),
+        "cycle" => (
+            "balance the work over a cycle, find the reduced inertia and the irregularity of running",
+            "составить баланс работ за цикл, найти приведённый момент инерции и коэффициент неравномерности хода",
+        ),
+        "periodic" => ("find the periodic regime and its stability", "найти периодический режим и исследовать его устойчивость"),
+        "sweep" => ("investigate the influence of parameters", "исследовать влияние параметров"),
+        _ => ("", ""),
+    }
+}
+
+/// The quantities that the file names.
+fn outputs(work: &Work, pen: &mut Pen) {
+    let outputs: Vec<_> = work.model.outputs.iter().filter(|o| !work.text(&o.label).is_empty()).collect();
+    if outputs.is_empty() {
+        return;
+    }
+    let mut pieces = vec![words(work.language.pick("Sought quantities: ", "Искомые величины: "))];
+    for (i, output) in outputs.iter().enumerate() {
+        pieces.push(words(if i == 0 { "" } else { "; " }));
+        pieces.push(inline(work.printer.symbol_layout(&work.model.graph, output.symbol)));
+        pieces.push(words(format!(" – {}", lowered(work.text(&output.label)))));
+    }
+    pieces.push(words("."));
+    pen.tell(pieces);
+}
+
+fn assumptions(work: &Work, pen: &mut Pen) {
+    let model = work.model;
+    let kinds = || model.connections.iter().map(|c| &c.kind);
+    let has = |test: fn(&ConnectionKind) -> bool| kinds().any(test);
+    let bodies = model.frames.iter().any(|f| f.is_body);
+    let massless = model.frames.iter().any(|f| f.is_body && f.mass.is_none());
+    let small = model.studies.iter().any(|s| matches!(s.kind, "modes" | "response" | "transient"));
+    let structure = model.structure.is_some();
+    let list: Vec<(bool, (&str, &str))> = vec![
+        (bodies, ("the bodies are rigid", "тела абсолютно твёрдые")),
+        (massless, ("bodies without a given mass are massless", "массой тел, для которых она не задана, пренебрегаем")),
+        (has(|k| matches!(k, ConnectionKind::Rope { .. })), ("ropes are inextensible and massless", "нити нерастяжимые и невесомые")),
+        (has(|k| matches!(k, ConnectionKind::Wheels { .. })), ("belts and gears do not slip", "ремни и колёса передач не проскальзывают")),
+        (has(|k| matches!(k, ConnectionKind::Rolling { .. })), ("wheels roll without slip", "качение происходит без проскальзывания")),
+        (bodies && !has(|k| matches!(k, ConnectionKind::Friction { .. })), ("there is no dry friction", "сухое трение не учитывается")),
+        (bodies && model.gravity.is_none(), ("gravity is left out", "сила тяжести не учитывается")),
+        (model.elements.iter().any(|e| e.table == "springs"), ("springs are linear and massless", "пружины линейные и невесомые")),
+        (structure, ("rods are straight and elastic, displacements are small", "стержни прямые и упругие, перемещения малы")),
+        (
+            small,
+            (
+                "oscillations are small: the equations are linearised about the equilibrium",
+                "колебания малые: уравнения линеаризованы около положения равновесия",
+            ),
+        ),
+    ];
+    let held: Vec<&str> = list.into_iter().filter(|(holds, _)| *holds).map(|(_, (en, ru))| work.language.pick(en, ru)).collect();
+    if !held.is_empty() {
+        pen.say(format!("{} {}.", work.language.pick("It is assumed that", "Приняты следующие допущения:"), held.join("; ")));
+    }
+}
+
+fn data(work: &Work, pen: &mut Pen) {
+    if let Some(table) = crate::document::parameters(work.equations, work.language) {
+        pen.table(table, capital(work.language.pick("given quantities", "исходные данные")));
+    }
+    let derived: Vec<_> = work.model.parameters.iter().filter(|p| p.class == Class::Constant && p.number.is_some()).collect();
+    let formulas: Vec<Block> = derived
+        .iter()
+        .filter_map(|p| {
+            let ParameterValue::Formula(formula) = p.value else { return None };
+            let name = work.printer.symbol_layout(&work.model.graph, p.symbol);
+            let formula = quantity::line(work, (name, &p.unit), (&work.model.graph, formula));
+            Some(Block::Equation { formula, numbered: false })
+        })
+        .collect();
+    if !formulas.is_empty() {
+        let sentence: Vec<Inline> =
+            vec![words(work.language.pick("Quantities that follow from them:", "Величины, вычисляемые по исходным данным:"))];
+        pen.say(Rich(sentence));
+        pen.take(formulas, "");
+    }
+}

@@ -1,0 +1,86 @@
+//! Chapters that are told by the studies themselves: sections, free and forced oscillations, motion, working regime; and the facts of frames.
+
+use super::Work;
+use super::pen::{Pen, inline, words};
+use super::statement::capital;
+use super::wording::Word;
+use mechanics::structure::Structure;
+use report::document::Rich;
+use report::table::Column;
+use report::{Cell, Table};
+use symbolic::Expr;
+
+/// Every study of the chapter in a section of its own.
+fn told(work: &Work, chapter: Word, pen: &mut Pen) {
+    for results in work.results_of(chapter) {
+        let heading = work.text(&results.heading);
+        pen.section(heading, |pen| pen.take(results.below(&work.view()), heading));
+    }
+}
+
+pub(super) fn sections(work: &Work, pen: &mut Pen) {
+    let blocks = crate::sections::blocks(&work.model.sections, crate::sections::Drawings::Shown, work.language);
+    pen.take(blocks, pen.word(Word::Sections));
+}
+
+pub(super) fn free(work: &Work, pen: &mut Pen) {
+    told(work, Word::Free, pen);
+}
+
+pub(super) fn forced(work: &Work, pen: &mut Pen) {
+    told(work, Word::Forced, pen);
+}
+
+pub(super) fn motion(work: &Work, pen: &mut Pen) {
+    told(work, Word::Motion, pen);
+}
+
+pub(super) fn regime(work: &Work, pen: &mut Pen) {
+    told(work, Word::Regime, pen);
+}
+
+/// Nodes, rods and supports of a frame or truss.
+pub(super) fn structure(work: &Work, structure: &Structure, pen: &mut Pen) {
+    let pick = |en: &'static str, ru: &'static str| work.language.pick(en, ru);
+    let formula = |e: Expr| Cell::Rich(Rich(vec![inline(work.printer.layout(&work.model.graph, e))]));
+    let mut nodes = Table::new(vec![
+        Column::new(pick("Node", "Узел")),
+        Column::with_unit("x", "m", work.language),
+        Column::with_unit("y", "m", work.language),
+    ]);
+    for node in &structure.nodes {
+        nodes.row(vec![Cell::words(node.name.clone()), formula(node.at[0]), formula(node.at[1])]);
+    }
+    pen.table(nodes, capital(pick("nodes of the structure", "узлы конструкции")));
+    let heads = [
+        ("Rod", "Стержень"),
+        ("Nodes", "Узлы"),
+        ("Length, m", "Длина, м"),
+        ("Bending stiffness EI", "Жёсткость на изгиб EI"),
+        ("Mass, kg", "Масса, кг"),
+    ];
+    let mut rods = Table::new(heads.map(|(en, ru)| Column::new(pick(en, ru))).into());
+    for rod in &structure.rods {
+        let ends = format!("{} – {}", structure.nodes[rod.ends[0]].name, structure.nodes[rod.ends[1]].name);
+        let stiffness = match (rod.rigid, rod.bending) {
+            (true, _) => Cell::words(pick("rigid", "жёсткий")),
+            (false, Some(e)) => formula(e),
+            (false, None) => Cell::words(pick("bar of a truss", "стержень фермы")),
+        };
+        let massless = work.model.graph.is_zero(rod.mass);
+        let mass = if massless { Cell::words(work.language.word(Word::Free0)) } else { formula(rod.mass) };
+        rods.row(vec![Cell::words(rod.name.clone()), Cell::words(ends), formula(rod.length), stiffness, mass]);
+    }
+    pen.table(rods, capital(pick("rods of the structure", "стержни конструкции")));
+    let mut pieces = Vec::new();
+    for (i, support) in structure.supports.iter().enumerate() {
+        let held = [(support.holds[0], "x"), (support.holds[1], "y"), (support.holds[2], pick("turn", "поворот"))];
+        let held: Vec<&str> = held.into_iter().filter(|(holds, _)| *holds).map(|(_, what)| what).collect();
+        let lead = if i == 0 { pick("Supports: ", "Опоры: ") } else { "; " };
+        pieces.push(words(format!("{lead}{} ({})", structure.nodes[support.node].name, held.join(", "))));
+    }
+    if !pieces.is_empty() {
+        pieces.push(words("."));
+        pen.tell(pieces);
+    }
+}
