@@ -33,6 +33,8 @@ const WEAK: f64 = 1e-3;
 /// Share of the size of a speed below which its sign is rounding, and how many tolerances: beside a reversal a speed is the error of the step.
 const STILL: f64 = 1e-9;
 const STEPPED: f64 = 1e3;
+/// Limit of these audits, and the share of a speed that is error, at the loosest tolerance.
+const WIDEST: f64 = 1e-2;
 /// Share of its size, a hundredth of the least limit, up to which an acceleration is in order whatever else may be a size.
 const CLEAR: f64 = 1e-11;
 /// How often the acceleration without a contact's force is asked for.
@@ -71,7 +73,7 @@ pub struct TouchLaws {
 impl TouchLaws {
     /// For a motion computed with this tolerance.
     pub fn new(tolerance: f64) -> TouchLaws {
-        TouchLaws { still: STEPPED * tolerance, ..TouchLaws::default() }
+        TouchLaws { still: (STEPPED * tolerance).min(WIDEST), ..TouchLaws::default() }
     }
 
     /// Looks at a step up to `length`.
@@ -246,7 +248,7 @@ impl TouchLaws {
 
     /// The audits of what there is.
     pub fn audits(&self, tolerance: f64) -> Vec<Audit> {
-        let limit = (1e3 * tolerance).max(1e-9);
+        let limit = (STEPPED * tolerance).clamp(1e-9, WIDEST);
         let audit = |key: &str, (en, ru): (&str, &str), found: &Frontier| Audit::at_most(key, Text::new(en, ru), found.worst(), limit);
         let mut list = Vec::new();
         if self.contacts {
@@ -273,13 +275,14 @@ impl TouchLaws {
     }
 }
 
-/// How far a friction that slides is from its law; at a speed that is rounding, up to `still`, only its magnitude is known.
-fn excess(touch: &Touch, [back, forth, fixed]: [f64; 3], still: f64) -> f64 {
-    if touch.rate[0].abs() <= still {
-        return touch.force.abs() - back.max(forth).max(fixed);
+/// How far a friction that slides is from its law; at a speed that is rounding, up to `still`, it may be that of either direction.
+fn excess(touch: &Touch, [back, forth, _]: [f64; 3], still: f64) -> f64 {
+    let [forward, backward] = [(touch.force - forth).abs(), (touch.force + back).abs()];
+    match touch.rate[0] {
+        rate if rate.abs() <= still => forward.min(backward),
+        rate if rate > 0.0 => forward,
+        _ => backward,
     }
-    let law = if touch.rate[0] > 0.0 { forth } else { -back };
-    (touch.force - law).abs()
 }
 
 /// A value that the polynomial does not fall below by more than it shows at [`POINTS`] points; 0 where it surely stays positive.

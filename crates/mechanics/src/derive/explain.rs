@@ -34,10 +34,11 @@ pub const EXPLANATIONS: &[Explanation] = &[
         ("two bodies have no single relative angle", "у двух тел нет единственного относительного угла"),
         (
             "An element between two bodies acts through their relative angle. In the plane that is the difference of their angles. In space it \
-             exists only between a body and the one it stands on, and only if it turns there about one axis. Otherwise write the pathway as a \
-             formula: along = \"...\".",
-            "Элемент между двумя телами действует через их относительный угол. На плоскости это разность углов. В пространстве он определён \
-             только для тела и того, на чём оно стоит, если поворот происходит вокруг одной оси. Иначе задайте координату элемента формулой: along = \"...\".",
+             exists only where they turn against each other about one axis: one stands on the other, or the rotations of both are the same up to \
+             that axis. Otherwise write the pathway as a formula: along = \"...\".",
+            "Элемент между двумя телами действует через их относительный угол. На плоскости это разность углов. В пространстве он определён, \
+             только если тела поворачиваются относительно друг друга вокруг одной оси: одно стоит на другом или повороты обоих до этой оси \
+             одинаковы. Иначе задайте координату элемента формулой: along = \"...\".",
         ),
         "[coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies.B]\nrotate = [\"x: a\", \"y: b\"]\nmass = \"1 kg\"\nshape = \"box(1 [m], 1 [m], 1 [m])\"\n\
          [springs.s]\nbetween = [\"ground\", \"B\"]\nstiffness = \"1 N m\"",

@@ -138,7 +138,7 @@ pub fn combine(scene: &mut Scene, columns: &Columns<Vector>) -> Vector {
 }
 
 /// The rotations of a frame, the turn by its prescribed rate last.
-fn rotations(scene: &mut Scene, index: usize, frame: &Frame) -> Vec<(Axis, Expr)> {
+pub(super) fn rotations(scene: &mut Scene, index: usize, frame: &Frame) -> Vec<(Axis, Expr)> {
     let mut list: Vec<(Axis, Expr)> = frame.rotations.iter().map(|(axis, angle)| (*axis, scene.open(*angle))).collect();
     if let Some((axis, _)) = frame.spin {
         let angle = scene.turns.iter().find(|t| t.frame == index).map(|t| t.symbol);

@@ -9,6 +9,7 @@ pub mod kinematics;
 pub mod pathways;
 pub mod requests;
 pub mod start;
+mod turns;
 mod vanish;
 pub mod wrench;
 

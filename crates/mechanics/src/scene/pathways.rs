@@ -5,6 +5,7 @@
 
 use super::kinematics::Kinematics;
 use super::requests::Resolver;
+use super::turns::{RelativeTurn, relative_turn};
 use super::wrench::{Act, Along, Formula, generalized};
 use super::{Columns, Found, Scene};
 use crate::model::{Axis, FrameId, Measure, Pathway, PointRef, RequestKind};
@@ -127,75 +128,25 @@ fn distance(scene: &mut Scene, kinematics: &mut Kinematics, a: PointRef, b: Poin
     Path { value, gradient, geometric, acts }
 }
 
-/// Angle of b minus angle of a: in the plane, or about the one axis about which one turns that stands on the other.
+/// Angle of b minus angle of a: in the plane, or about the one axis about which they turn against each other ([`super::turns`]).
 pub fn relative_angle(scene: &mut Scene, kinematics: &mut Kinematics, (a, b): (FrameId, FrameId), span: &Range<usize>) -> Found<Path> {
     let (fa, fb) = (&kinematics.frames[a.index()], &kinematics.frames[b.index()]);
-    if let (Some(pa), Some(pb)) = (fa.plane_angle, fb.plane_angle) {
-        let value = scene.graph.sub(pb, pa);
-        let gradient = scene.gradient(value);
-        let axis = unit_vector(scene, Axis::Z);
-        let opposite = axis.map(|e| scene.graph.neg(e));
-        let acts = vec![Act::Turn { on: b, moment: axis }, Act::Turn { on: a, moment: opposite }];
-        let geometric = generalized(scene, kinematics, &acts);
-        return Ok(Path { value, gradient, geometric, acts });
-    }
-    let still = [a, b].map(|f| kinematics.frames[f.index()].turning.is_empty());
-    // the frame that turns, what it turns against, whether that is to be tried, the sign of the angle
-    let ways = [(b, a, true, 1), (a, b, true, -1), (b, FrameId::GROUND, still[0], 1), (a, FrameId::GROUND, still[1], -1)];
-    let found = ways.into_iter().filter(|way| way.2).find_map(|(child, parent, _, sign)| Some((turn_between(scene, child, parent)?, sign)));
-    let Some((Turning { frame, axis, angle }, sign)) = found else {
-        let [a, b] = [a, b].map(|f| &scene.model.frames[f.index()].name);
-        return Err(Box::new(no_common_axis(a, b, span)));
+    let (value, along) = if let (Some(pa), Some(pb)) = (fa.plane_angle, fb.plane_angle) {
+        (scene.graph.sub(pb, pa), unit_vector(scene, Axis::Z))
+    } else {
+        let Some(RelativeTurn { frame, axis, value }) = relative_turn(scene, kinematics, (a, b)) else {
+            let [a, b] = [a, b].map(|f| &scene.model.frames[f.index()].name);
+            return Err(Box::new(no_common_axis(a, b, span)));
+        };
+        let axis = unit_vector(scene, axis);
+        (value, kinematics.in_ground_axes(scene, frame, &axis))
     };
-    let sign = scene.graph.int(sign);
-    let value = scene.graph.mul(sign, angle);
     let gradient = scene.gradient(value);
-    // the axis stands still in the frame that turns; the moment that grows the value turns b forwards and a backwards
-    let along = unit_vector(scene, axis);
-    let along = kinematics.in_ground_axes(scene, frame, &along).map(|e| scene.graph.mul(sign, e));
+    // the moment that grows the value turns b forwards and a backwards, whichever of them carries the other
     let against = along.map(|e| scene.graph.neg(e));
     let acts = vec![Act::Turn { on: b, moment: along }, Act::Turn { on: a, moment: against }];
-    Ok(Path { value, geometric: gradient.clone(), gradient, acts })
-}
-
-/// A turn of a frame against another about one axis.
-struct Turning {
-    /// The frame in whose axes the axis stands still.
-    frame: FrameId,
-    axis: Axis,
-    angle: Expr,
-}
-
-/// The turn of a frame against one on which it stands, when all that varies between them turns about one axis; a constant rotation counts for nothing.
-fn turn_between(scene: &mut Scene, child: FrameId, parent: FrameId) -> Option<Turning> {
-    let model = scene.model;
-    let (mut found, mut left): (Option<Turning>, bool) = (None, false);
-    let mut here = child;
-    while here != parent {
-        if here == FrameId::GROUND {
-            return None;
-        }
-        let frame = &model.frames[here.index()];
-        let spin = frame.spin.and_then(|(axis, _)| scene.turns.iter().find(|t| t.frame == here.index()).map(|t| (axis, t.symbol)));
-        let spin = spin.map(|(axis, symbol)| (axis, scene.graph.symbol(symbol)));
-        let rotations: Vec<(Axis, Expr)> = frame.rotations.iter().copied().chain(spin).collect();
-        for (k, (axis, angle)) in rotations.iter().enumerate().rev() {
-            let angle = scene.open(*angle);
-            let varies = !scene.gradient(angle).is_empty();
-            match &mut found {
-                Some(turning) if turning.axis == *axis && !left => turning.angle = scene.graph.add(turning.angle, angle),
-                Some(_) if varies => return None,
-                Some(_) => left = true,
-                None if varies && rotations[k..].iter().all(|(other, _)| other == axis) => {
-                    found = Some(Turning { frame: here, axis: *axis, angle });
-                }
-                None if varies => return None,
-                None => {}
-            }
-        }
-        here = frame.on;
-    }
-    found
+    let geometric = generalized(scene, kinematics, &acts);
+    Ok(Path { value, gradient, geometric, acts })
 }
 
 /// A unit vector.
@@ -213,11 +164,11 @@ fn no_common_axis(a: &str, b: &str, span: &Range<usize>) -> Notice {
         Text::new(format!("no single angle between `{a}` and `{b}`"), format!("между `{a}` и `{b}` нет единственного угла")),
     )
     .why(
-        "in space two bodies have a relative angle only when one stands on the other and turns about one axis",
-        "в пространстве относительный угол определён, только если одно тело стоит на другом и поворачивается вокруг одной оси",
+        "in space two bodies have a relative angle only when they turn against each other about one axis: one stands on the other, or the rotations of both are the same up to that axis",
+        "в пространстве относительный угол определён, только если тела поворачиваются относительно друг друга вокруг одной оси: одно стоит на другом или повороты обоих до этой оси одинаковы",
     )
     .help(
-        "write the pathway as a formula, along = \"...\", or put the element between parent and child",
-        "задайте координату элемента формулой, along = \"...\", или поставьте элемент между несущим телом и телом на нём",
+        "let one body stand on the other (`on`), give both the same rotations up to their common axis, or, where the element takes one, write a formula, along = \"...\"",
+        "поставьте одно тело на другое (`on`), задайте обоим одинаковые повороты до общей оси или, если элемент это допускает, формулу along = \"...\"",
     )
 }

@@ -319,11 +319,9 @@ impl<'e, 'a, 'g, 't> Connected<'e, 'a, 'g, 't> {
                 let [back, forth] = [kinetic, [kinetic[1], kinetic[0]]].map(|sides| by_sign(self.lowering, ratio, sides));
                 if let (Some(_), Some(unique)) = (&friction.across, normal) {
                     let zero = self.lowering.literal(0.0);
-                    let coefficient = self.lowering.branch(By::Mode(sliding), [back, zero, forth]);
-                    let [one, less] = [1.0, -1.0].map(|sign| self.lowering.literal(sign));
-                    let guarded = [[zero, coefficient, coefficient], [less, one, one]];
-                    let guarded = guarded.map(|sides| self.lowering.branch(By::Mode(unique), sides));
-                    self.journals.push(Journal { row: self.right.len(), law: friction, sliding, unique, coefficient, guarded });
+                    let signed = self.lowering.branch(By::Mode(sliding), [back, zero, forth]);
+                    let coefficient = self.lowering.branch(By::Mode(unique), [zero, signed, signed]);
+                    self.journals.push(Journal { row: self.right.len(), law: friction, sliding, unique, coefficient });
                 }
                 let sides = [self.slip(friction, column, back, normal)?, held, self.slip(friction, column, forth, normal)?];
                 let row = self.alternatives(sliding, sides);

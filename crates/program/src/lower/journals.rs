@@ -10,8 +10,9 @@
 //! several:        Newton's method from κ = 0, whose steps stand one after another on the tape
 //! ```
 //!
-//! While c |R_1| < 1 there is one root with the sign of c. Else there is none or there are two, the joint locks itself: a guard of its own, whose wish no
-//! mode can fulfil, keeps such a motion from being taken.
+//! While c |R_1| < 1 there is one root with the sign of c. Else there is none or there are two, the joint locks itself: a guard of its own keeps such a motion
+//! from being taken. It is negative there in its mode `Positive` and positive everywhere in its mode `Negative`, so that no mode agrees with a joint that
+//! locks itself and none but `Positive` with one that does not.
 
 use super::connections::Connected;
 use super::forms::Value;
@@ -29,10 +30,8 @@ pub(super) struct Journal<'e> {
     /// Guard of the sliding speed, and that of its own.
     pub sliding: u32,
     pub unique: u32,
-    /// c: negative in the mode `Negative`, zero while it sticks.
+    /// c: negative in the mode `Negative`, zero while it sticks and in the mode `Negative` of `unique`.
     pub coefficient: Value,
-    /// The same with 0 in the mode `Negative` of `unique`, and -1 there, else 1.
-    pub guarded: [Value; 2],
 }
 
 type Pair = [Value; 2];
@@ -61,7 +60,7 @@ impl Connected<'_, '_, '_, '_> {
         for (i, journal) in journals.iter().enumerate() {
             self.watch(journal, own[i], by[i][i]);
         }
-        let coefficients: Vec<Value> = journals.iter().map(|j| j.guarded[0]).collect();
+        let coefficients: Vec<Value> = journals.iter().map(|j| j.coefficient).collect();
         let moments = match (&coefficients[..], &own[..]) {
             ([c], [own]) => vec![self.closed(*c, *own, by[0][0])],
             _ => self.iterated(&coefficients, &own, &by),
@@ -112,12 +111,12 @@ impl Connected<'_, '_, '_, '_> {
         self.lowering.sum(&[(1.0, x), (1.0, y)])
     }
 
-    /// The guard (1 - c² |R_1|²) |R_0|². In its mode `Negative` it is turned round: no mode agrees with a joint that locks itself.
+    /// The guard (1 - c² |R_1|²) |R_0|, a force; |R_0| in its mode `Negative`, which therefore never holds.
     fn watch(&mut self, journal: &Journal, own: Pair, by: Pair) {
         let left = self.left(journal.coefficient, by);
-        let size = self.dot(own, own);
-        let value = self.lowering.times(left, size);
-        let surface = self.lowering.times(journal.guarded[1], value);
+        let square = self.dot(own, own);
+        let size = self.lowering.root(square);
+        let surface = self.lowering.times(left, size);
         self.lowering.define_guard(journal.unique, surface);
     }
 
