@@ -528,6 +528,10 @@ impl System for Machine {
         self.supply_with(t, x, accelerations, modes)
     }
 
+    fn energy_rate(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<f64> {
+        self.rate_with(t, x, accelerations, modes)
+    }
+
     fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
         self.levels(t, x, modes)
     }

@@ -428,6 +428,11 @@ pub trait System {
         Some(Supply { loads: p.loads, drives: p.drives, dissipated: p.dissipated })
     }
 
+    /// dE/dt alone.
+    fn energy_rate(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<f64> {
+        self.powers(t, x, accelerations, modes).map(|p| p.rate)
+    }
+
     /// Kinetic and potential energy at (t, x); none when the system has no energies, or they have no value there.
     fn energies(&mut self, t: f64, x: &[f64], modes: &[Mode]) -> Option<[f64; 2]> {
         let _ = (t, x, modes);

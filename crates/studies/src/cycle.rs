@@ -10,7 +10,7 @@ use crate::results::finite::checked;
 use crate::watch::{Lap, Watch};
 use analysis::studies::cycle::{Balance, Cycle as Options, Running, cycle};
 use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Way};
-use mechanics::model::Plot;
+use mechanics::model::{ParameterValue, Plot};
 use mechanics::units::Dimension;
 use serde_json::json;
 use std::f64::consts::TAU;
@@ -195,7 +195,7 @@ pub fn balanced(machine: &mut Machine, study: &Cycle, watch: &mut Watch) -> Resu
 fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(), Notice> {
     let (mut values, mut formula): (Vec<(String, f64)>, Option<Text>) = (Vec::new(), None);
     let mut drive = None;
-    let mut tried = Tried { machine: machine.clone(), held: None };
+    let mut tried = Tried::new(machine, study);
     if let Some(name) = &study.unknown {
         let found = driven(machine, &mut tried, study, (name, &values), None)?;
         values.push((name.clone(), found.value));
@@ -232,21 +232,49 @@ fn fill(machine: &mut Machine, study: &Cycle, results: &mut Results) -> Result<(
     Ok(())
 }
 
+/// A study of the uniform running of a machine, led by the same machine with its shaft held.
+type Uniform<T> = fn(&mut analysis::Machine, Option<&mut analysis::Machine>, &[f64], &Options) -> Result<T, analysis::Fault>;
+
 /// A machine whose values are tried, and the same with its shaft held to the uniform rate (with that rate; none where it cannot be held).
 struct Tried {
     machine: Machine,
     held: Option<(f64, Option<Box<Machine>>)>,
+    /// The values that both have.
+    values: Vec<(String, f64)>,
 }
 
 impl Tried {
+    /// The machine as it is. A drive and an inertia that are both sought are set to their own numbers already, so that numbers alone change from then on; the drive
+    /// has a value of its own in every trial, the inertia must be a number before it is tried, too.
+    fn new(machine: &Machine, study: &Cycle) -> Tried {
+        let mut tried = Tried { machine: machine.clone(), held: None, values: Vec::new() };
+        let own = |name: &String| value_of(machine, name).map(|value| (name.clone(), value));
+        let is_number = |name: &&String| {
+            let mut declared = machine.model.parameters.iter().filter(|p| p.name == **name);
+            declared.any(|p| matches!(p.value, ParameterValue::Number { .. }))
+        };
+        let inertia = study.flywheel.as_ref().filter(|_| study.irregularity.is_some()).filter(is_number);
+        if let Some((inertia, drive)) = inertia.and_then(own).zip(study.unknown.as_ref().and_then(own)) {
+            // what cannot be set is told when it is tried
+            let _ = tried.set(&[inertia, drive]);
+        }
+        tried
+    }
+
     fn set(&mut self, values: &[(String, f64)]) -> Result<(), Notice> {
-        let values: Vec<(&str, f64)> = values.iter().map(|(n, v)| (n.as_str(), *v)).collect();
-        self.machine.bind(&values).map_err(in_words)?;
+        let same = |(name, value): &(String, f64)| self.values.iter().any(|(n, v)| n == name && v.to_bits() == value.to_bits());
+        if self.values.len() == values.len() && values.iter().all(same) {
+            return Ok(());
+        }
+        self.values.clear();
+        let written: Vec<(&str, f64)> = values.iter().map(|(n, v)| (n.as_str(), *v)).collect();
+        self.machine.bind(&written).map_err(in_words)?;
         let held = self.held.take().filter(|(_, held)| held.is_some());
         self.held = held.and_then(|(rate, held)| {
             let mut held = held?;
-            held.bind(&values).is_ok().then_some((rate, Some(held)))
+            held.bind(&written).is_ok().then_some((rate, Some(held)))
         });
+        self.values = values.to_vec();
         Ok(())
     }
 
@@ -260,6 +288,16 @@ impl Tried {
 
     /// The balance, and the uniform rate.
     fn balance(&mut self, study: &Cycle) -> Result<(Balance, f64), Notice> {
+        self.over(study, cycle)
+    }
+
+    /// The work of the balance.
+    fn work(&mut self, study: &Cycle) -> Result<f64, Notice> {
+        Ok(self.over(study, analysis::studies::cycle::work)?.0)
+    }
+
+    /// What a study of uniform running finds, and the uniform rate.
+    fn over<T>(&mut self, study: &Cycle, find: Uniform<T>) -> Result<(T, f64), Notice> {
         let machine = &self.machine;
         let start = machine.system.start().map_err(|fault| explained(fault, &machine.equations))?;
         let n = machine.equations.coordinates.len();
@@ -272,14 +310,14 @@ impl Tried {
         let range = TAU * study.turns.abs() * rate.signum();
         let options = Options { angle, range, rate, points: study.points, tolerance: 1e-14 };
         self.held(study, rate);
-        let Tried { machine, held } = self;
+        let Tried { machine, held, .. } = self;
         let mut held = held.as_mut().and_then(|(_, held)| held.as_deref_mut());
         let start = match held.as_ref().map(|held| held.system.start()) {
             Some(Ok(uniform)) => uniform,
             _ => start,
         };
         let lead = held.as_mut().map(|held| &mut held.system);
-        let found = cycle(&mut machine.system, lead, &start, &options).map_err(|fault| explained(fault, &machine.equations))?;
+        let found = find(&mut machine.system, lead, &start, &options).map_err(|fault| explained(fault, &machine.equations))?;
         Ok((found, rate))
     }
 
@@ -347,7 +385,7 @@ fn driven(
         values.retain(|(n, _)| n != name);
         values.push((name.to_owned(), value));
         tried.set(&values)?;
-        Ok(tried.balance(study)?.0.work)
+        tried.work(study)
     };
     let mut a = near.map_or(first, |near| near.value);
     let mut work_a = work(a)?;

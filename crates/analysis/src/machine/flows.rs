@@ -22,29 +22,42 @@ pub(super) struct Flows {
     reads: Vec<Option<usize>>,
     /// The power that each dry friction takes.
     rubbed: Evaluator,
+    /// dE/dt, made when it is asked for.
+    rate: Option<Evaluator>,
+}
+
+/// The tape of energies with some of its roots.
+fn part(bound: &Bound, roots: &[usize]) -> Result<Evaluator, Fault> {
+    let tape = passes::specialise(&Arc::new(passes::select(&bound.program().energy, roots)), bound.parameters())?;
+    Ok(bound.evaluator(&Arc::new(tape))?)
+}
+
+/// Places of named powers among the roots.
+fn roots(names: &[&str]) -> Vec<usize> {
+    names.iter().filter_map(|n| ENERGY.iter().position(|e| e == n)).collect()
+}
+
+/// The slot of a reaction that an operation reads, among all reactions.
+fn reaction(operation: &Operation, coordinates: usize) -> Option<usize> {
+    match operation {
+        Operation::Acceleration(slot) => (*slot as usize).checked_sub(coordinates),
+        _ => None,
+    }
 }
 
 impl Flows {
     /// *Errors*: P020 when a pass broke a tape.
     pub(super) fn new(equations: &Equations, bound: &Bound) -> Result<Flows, Fault> {
-        let energy = &bound.program().energy;
-        let part = |roots: &[usize]| -> Result<Evaluator, Fault> {
-            let tape = passes::specialise(&Arc::new(passes::select(energy, roots)), bound.parameters())?;
-            Ok(bound.evaluator(&Arc::new(tape))?)
-        };
-        let of = |names: &[&str]| -> Vec<usize> { names.iter().filter_map(|n| ENERGY.iter().position(|e| e == n)).collect() };
-        let supply = part(&of(&["loads", "drives", "dissipated"]))?;
+        let supply = part(bound, &roots(&["loads", "drives", "dissipated"]))?;
         let contact = |r: usize| match equations.reactions[r].law {
             Law::Contact { .. } => bound.program().switches[r],
             _ => None,
         };
-        let reaction = |operation: &Operation| match operation {
-            Operation::Acceleration(slot) => (*slot as usize).checked_sub(bound.program().coordinates),
-            _ => None,
-        };
-        let reads = supply.tape().body.iter().filter_map(|i| reaction(&i.operation)).map(contact).collect();
-        let frictions: Vec<usize> = (ENERGY.len()..energy.roots.len()).collect();
-        Ok(Flows { levels: part(&of(&["kinetic", "potential"]))?, supply, reads, rubbed: part(&frictions)? })
+        let n = bound.program().coordinates;
+        let reads = supply.tape().body.iter().filter_map(|i| reaction(&i.operation, n)).map(contact).collect();
+        let frictions: Vec<usize> = (ENERGY.len()..bound.program().energy.roots.len()).collect();
+        let (levels, rubbed) = (part(bound, &roots(&["kinetic", "potential"]))?, part(bound, &frictions)?);
+        Ok(Flows { levels, supply, reads, rubbed, rate: None })
     }
 }
 
@@ -64,6 +77,25 @@ impl Machine {
         let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
         let [loads, drives, dissipated] = *self.flows.supply.evaluate(&point).ok()? else { return None };
         Some(Supply { loads, drives, dissipated })
+    }
+
+    /// See [`crate::System::energy_rate`].
+    pub(super) fn rate_with(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Option<f64> {
+        self.observing.set(modes, &self.bound);
+        if self.flows.rate.is_none() {
+            self.flows.rate = part(&self.bound, &roots(&["rate"])).ok();
+        }
+        let n = self.bound.program().coordinates;
+        let reads = self.flows.rate.as_ref()?.tape().body.iter().any(|i| reaction(&i.operation, n).is_some());
+        if reads {
+            self.take_accelerations(t, x, accelerations).ok()?;
+        } else {
+            self.accelerations[..n].copy_from_slice(&accelerations[..n]);
+            self.accelerations[n..].fill(0.0);
+        }
+        let Switches { modes, active, .. } = &self.observing;
+        let point = Point { time: t, states: x, accelerations: &self.accelerations, modes: Some(modes), active: Some(active) };
+        self.flows.rate.as_mut()?.evaluate(&point).ok()?.first().copied()
     }
 
     /// See [`crate::System::energies`].

@@ -82,18 +82,9 @@ struct Reduced {
 ///
 /// *Errors*: S046 when the shaft does not turn through the cycle, S047 when the system has no energies, and every fault of a motion.
 pub fn cycle<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], options: &Cycle) -> Result<Balance, Fault> {
-    let alike = |lead: &S| lead.states() == system.states() && lead.guards().len() == system.guards().len();
-    let mut lead = lead.filter(|lead| alike(lead));
-    let steps = match &mut lead {
-        Some(lead) => turn(&mut **lead, start, options, 1.0)?,
-        // places alone matter: where the loads stop the shaft, it is made quicker
-        None => match turn(system, start, options, 1.0) {
-            Err(fault) if fault.code == "S046" => turn(system, start, options, 30.0)?,
-            other => other?,
-        },
-    };
-    let rubs = lead.is_none() && system.guards().iter().any(|g| matches!(g.kind, GuardKind::Friction { .. }));
-    let machine = &mut Pair { own: system, uniform: lead };
+    let Led { mut machine, steps } = led(system, lead, start, options)?;
+    let machine = &mut machine;
+    let rubs = machine.uniform.is_none() && machine.own.guards().iter().any(|g| matches!(g.kind, GuardKind::Friction { .. }));
     let mut sum = Sum::new(options, start[options.angle]);
     for (step, length) in &steps {
         sum.add(machine, step, *length, options)?;
@@ -108,6 +99,38 @@ pub fn cycle<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], opt
     Ok(Balance { work, size, inertia: inertia / angle, excess: range[1] - range[0], dataset })
 }
 
+/// The work of [`cycle`] alone, to the same bits, for searches: without rows and checks.
+///
+/// *Errors*: as [`cycle`].
+pub fn work<S: System>(system: &mut S, lead: Option<&mut S>, start: &[f64], options: &Cycle) -> Result<f64, Fault> {
+    let Led { mut machine, steps } = led(system, lead, start, options)?;
+    let mut sum = Sum { angles: Vec::new(), ..Sum::new(options, start[options.angle]) };
+    for (step, length) in &steps {
+        sum.add(&mut machine, step, *length, options)?;
+    }
+    Ok(sum.work)
+}
+
+/// A machine, and the steps that lead through its cycle.
+struct Led<'p, S> {
+    machine: Pair<'p, S>,
+    steps: Vec<(Step, f64)>,
+}
+
+fn led<'p, S: System>(system: &'p mut S, lead: Option<&'p mut S>, start: &[f64], options: &Cycle) -> Result<Led<'p, S>, Fault> {
+    let alike = |lead: &S| lead.states() == system.states() && lead.guards().len() == system.guards().len();
+    let mut lead = lead.filter(|lead| alike(lead));
+    let steps = match &mut lead {
+        Some(lead) => turn(&mut **lead, start, options, 1.0)?,
+        // places alone matter: where the loads stop the shaft, it is made quicker
+        None => match turn(system, start, options, 1.0) {
+            Err(fault) if fault.code == "S046" => turn(system, start, options, 30.0)?,
+            other => other?,
+        },
+    };
+    Ok(Led { machine: Pair { own: system, uniform: lead }, steps })
+}
+
 /// The machine, and the same with its shaft held to the uniform rate. What dry friction takes hangs on normal forces, and these on accelerations: those of
 /// the uniform motion, not those that the loads would give a free shaft.
 struct Pair<'p, S: ?Sized> {
@@ -116,14 +139,27 @@ struct Pair<'p, S: ?Sized> {
 }
 
 impl<S: System + ?Sized> Pair<'_, S> {
-    /// Powers of the machine, the dissipated one at the accelerations of the uniform motion.
-    fn power(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Result<crate::Powers, Fault> {
-        let mut found = power(&mut *self.own, t, x, accelerations, modes)?;
-        if let Some(uniform) = &mut self.uniform {
-            found.dissipated = power(&mut **uniform, t, x, accelerations, modes)?.dissipated;
-        }
-        Ok(found)
+    /// Power of the loads less the dissipated one, that at the accelerations of the uniform motion; and dE/dt.
+    fn power(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Result<Power, Fault> {
+        let own = self.own.supply(t, x, accelerations, modes).ok_or_else(no_energies)?;
+        let dissipated = match &mut self.uniform {
+            Some(uniform) => uniform.supply(t, x, accelerations, modes).ok_or_else(no_energies)?.dissipated,
+            None => own.dissipated,
+        };
+        Ok(Power { loads: own.loads, dissipated, rate: self.rate(t, x, accelerations, modes)? })
     }
+
+    /// dE/dt.
+    fn rate(&mut self, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Result<f64, Fault> {
+        self.own.energy_rate(t, x, accelerations, modes).ok_or_else(no_energies)
+    }
+}
+
+/// Powers, W.
+struct Power {
+    loads: f64,
+    dissipated: f64,
+    rate: f64,
 }
 
 fn pressed() -> Text {
@@ -276,35 +312,34 @@ fn reduced<S: System + ?Sized>(machine: &mut Pair<'_, S>, step: &Step, tau: f64,
     let rate = x[n + j];
     let b: Vec<f64> = (0..n).map(|i| x[n + i] / rate).collect();
     let c: Vec<f64> = (0..n).map(|i| (slope[n + i] - b[i] * slope[n + j]) / (rate * rate)).collect();
-    let mut at = |w: f64, accelerations: &[f64]| {
+    let at = |w: f64| {
         let mut x = x.clone();
         (0..n).for_each(|i| x[n + i] = b[i] * w);
-        machine.power(t, &x, accelerations, &step.modes)
+        x
     };
     let scaled = |factor: f64| c.iter().map(|c| c * factor).collect::<Vec<f64>>();
-    let uniform = at(w, &scaled(w * w))?;
-    let double = at(2.0 * w, &scaled(4.0 * w * w))?;
-    let still = at(w, &vec![0.0; n])?;
-    let pushed = at(w, &b)?;
+    let (turning, quicker) = (at(w), at(2.0 * w));
+    let uniform = machine.power(t, &turning, &scaled(w * w), &step.modes)?;
+    let double = machine.rate(t, &quicker, &scaled(4.0 * w * w), &step.modes)?;
+    let still = machine.rate(t, &turning, &vec![0.0; n], &step.modes)?;
+    let pushed = machine.rate(t, &turning, &b, &step.modes)?;
     // dE/dt = A w + B w³: the cubic part is that of the kinetic energy, B = ½ J'
-    let kinetic = (double.rate - 2.0 * uniform.rate) / 6.0;
+    let kinetic = (double - 2.0 * uniform.rate) / 6.0;
     let potential = uniform.rate - kinetic;
     Ok(Reduced {
-        inertia: (pushed.rate - still.rate) / w,
+        inertia: (pushed - still) / w,
         slope: 2.0 * kinetic / (w * w * w),
         moment: (uniform.loads - uniform.dissipated - potential) / w,
         rate,
     })
 }
 
-fn power<S: System + ?Sized>(system: &mut S, t: f64, x: &[f64], accelerations: &[f64], modes: &[Mode]) -> Result<crate::Powers, Fault> {
-    system.powers(t, x, accelerations, modes).ok_or_else(|| {
-        Fault::new(Message {
-            code: "S047",
-            what: Text::new("the machine has no energies at this place", "в этом положении энергии машины не определены"),
-            why: Text::new("a formula of a load or an energy has no value there", "формула нагрузки или энергии там не имеет значения"),
-            help: Text::new("check the formulas of loads over the whole turn", "проверьте формулы нагрузок на всём обороте"),
-        })
+fn no_energies() -> Fault {
+    Fault::new(Message {
+        code: "S047",
+        what: Text::new("the machine has no energies at this place", "в этом положении энергии машины не определены"),
+        why: Text::new("a formula of a load or an energy has no value there", "формула нагрузки или энергии там не имеет значения"),
+        help: Text::new("check the formulas of loads over the whole turn", "проверьте формулы нагрузок на всём обороте"),
     })
 }
 

@@ -26,20 +26,47 @@ pub fn specialise(tape: &Arc<Tape>, parameters: &[f64]) -> Result<Tape, Fault> {
     if constants.iter().any(|value| !value.is_finite()) {
         return Ok(Tape::clone(tape));
     }
-    let mut rewriting = Rewriting { builder: Builder::default(), names: Vec::with_capacity(tape.registers()), constants };
-    for i in 0..rewriting.constants.len() {
-        let name = rewriting.builder.number(rewriting.constants[i]);
-        rewriting.names.push(name);
+    let needed = needed(tape);
+    let mut rewriting = Rewriting { builder: Builder::default(), names: vec![Register(0); tape.registers()], constants };
+    for i in (0..rewriting.constants.len()).filter(|i| needed[*i]) {
+        rewriting.names[i] = rewriting.builder.number(rewriting.constants[i]);
     }
     for instruction in &tape.body {
+        let (into, width) = (instruction.into.index(), instruction.operation.width());
+        if !needed[into..into + width].contains(&true) {
+            continue;
+        }
         rewriting.builder.origin = instruction.origin;
-        let first = rewriting.operation(&instruction.operation);
-        rewriting.names.extend(first);
+        let [first, second] = rewriting.operation(&instruction.operation);
+        rewriting.names[into] = first;
+        rewriting.names[into + 1..into + width].iter_mut().enumerate().for_each(|(k, name)| *name = Register(second.0 + k as u32));
     }
-    let mut result = Tape { prologue: Vec::new(), body: Vec::new(), ..Tape::clone(tape) };
+    let mut result = Tape {
+        name: tape.name.clone(),
+        shape: tape.shape,
+        prologue: Vec::new(),
+        body: Vec::new(),
+        guards: tape.guards.clone(),
+        bounds: tape.bounds.clone(),
+        roots: tape.roots.clone(),
+    };
     result.roots.iter_mut().for_each(|r| r.register = rewriting.name(r.register));
     result.guards.iter_mut().flatten().for_each(|r| *r = rewriting.name(*r));
     verified(rewriting.builder.finish(result))
+}
+
+/// What roots and guards follow from.
+fn needed(tape: &Tape) -> Vec<bool> {
+    let mut needed = vec![false; tape.registers()];
+    let ends = tape.roots.iter().map(|root| root.register).chain(tape.guards.iter().flatten().copied());
+    ends.for_each(|r| needed[r.index()] = true);
+    for instruction in tape.body.iter().rev() {
+        let into = instruction.into.index();
+        if needed[into..into + instruction.operation.width()].contains(&true) {
+            instruction.operation.operands(&mut |r| needed[r.index()] = true);
+        }
+    }
+    needed
 }
 
 /// The same tape with only these of its roots, in this order, before dead code is dropped by [`specialise`].
@@ -67,8 +94,8 @@ impl Rewriting {
         }
     }
 
-    /// The new registers of an operation's results.
-    fn operation(&mut self, operation: &Operation) -> Vec<Register> {
+    /// The new registers of an operation's first two results; more follow the second.
+    fn operation(&mut self, operation: &Operation) -> [Register; 2] {
         let one = match operation {
             Operation::Linear { constant, terms } => {
                 let terms: Vec<(f64, Register)> = terms.iter().map(|(c, r)| (self.number(*c), self.name(*r))).collect();
@@ -82,7 +109,7 @@ impl Rewriting {
             Operation::Unary(f, a) => self.builder.unary(*f, self.name(*a)),
             Operation::SinCos(a) => {
                 let (sine, cosine) = self.builder.sin_cos(self.name(*a));
-                return vec![sine, cosine];
+                return [sine, cosine];
             }
             Operation::Choose { by, sides } => self.choose(*by, sides),
             Operation::Solve { matrix, right } => {
@@ -95,7 +122,7 @@ impl Rewriting {
             }
             other => self.builder.push(other.rename(&|r| self.names[r.index()])),
         };
-        (0..operation.width() as u32).map(|k| Register(one.0 + k)).collect()
+        [one, Register(one.0 + 1)]
     }
 
     /// Entries that are zero for these parameters are left out.
