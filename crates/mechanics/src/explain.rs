@@ -9,6 +9,7 @@ mod names;
 mod rubbing;
 mod studies;
 mod texts;
+mod variants;
 
 pub use events::EVENTS;
 pub use linear::LINEAR;
@@ -16,6 +17,7 @@ pub use names::NAMES;
 pub use rubbing::RUBBING;
 pub use studies::STUDIES;
 pub use texts::TEXTS;
+pub use variants::VARIANTS;
 
 use crate::elements::TABLE;
 use words::explain::{Explanation, row};
@@ -32,6 +34,7 @@ const ROOMS: &[&[Explanation]] = &[
     RUBBING,
     TEXTS,
     NAMES,
+    VARIANTS,
     crate::derive::EXPLANATIONS,
     crate::structure::EXPLANATIONS,
     crate::section::EXPLANATIONS,

@@ -7,6 +7,7 @@ mod distributed;
 pub mod events;
 mod sections;
 pub mod structures;
+pub mod variants;
 
 pub use crate::asked::STUDY;
 pub use crate::keys::{Field, TEXT, TableSpec, Type, Words};
@@ -87,7 +88,15 @@ const TAIL: &[Field] = &[
     may("rayleigh", Type::Table, "", "", ("assumed shapes of rods", "принятые формы изгиба стержней"), ""),
     may("structure", Type::Table, "", "", ("how the structure is computed", "как рассчитывать конструкцию"), ""),
     may("sections", Type::Table, "", "", ("sections of rods", "сечения стержней"), ""),
-    may("variants", Type::Table, "", "", ("table of variants", "таблица вариантов"), ""),
+    may("variants", Type::Table, "", "", ("variants of the data", "варианты исходных данных"), ""),
+    may(
+        "answers",
+        Type::Array,
+        "",
+        "",
+        ("items that students answer, one [[answers]] each", "вопросы к заданию, по одному [[answers]]"),
+        "",
+    ),
     may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
     may("claims", Type::Array, "", "", ("published results, one [[claims]] each", "опубликованные результаты, по одному [[claims]]"), ""),
     may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
@@ -333,45 +342,6 @@ pub const PHASE: TableSpec = TableSpec {
         ),
     ],
     example: "[[phases]]\nuntil = \"t_s\"\n\n[[phases]]\nuntil = \"2*t_s\"\nset = { M_0 = \"8 N m\" }\n\n[[phases]]\nset = { M_0 = \"0 N m\" }\n",
-};
-
-/// `[variants]`.
-pub const VARIANTS: TableSpec = TableSpec {
-    name: "variants",
-    about: (
-        "Variants: a CSV table whose rows replace values of the file, chosen by --variant NAME. A header is the name of a parameter, of a coordinate (its start) or phi' (its rate), with a unit in brackets if the numbers are not SI: `m [g]`. Commas, semicolons or tabs separate; with semicolons commas are decimal marks; lines with # are remarks; an empty cell changes nothing. Formulas in the number of the variant are parameters: `k = \"kr*(1 + 0.01*N)\"`.",
-        "Варианты: таблица CSV, строки которой заменяют величины файла; строку выбирают ключом --variant ИМЯ. Заголовок столбца — имя параметра, координаты (начальное значение) или phi' (начальная скорость), с единицей в скобках, если числа не в СИ: `m [г]`. Разделители: запятая, точка с запятой или табуляция; при точке с запятой запятая — десятичная; строки с # — примечания; пустая клетка ничего не меняет. Формулы от номера варианта — это параметры: `k = \"kr*(1 + 0.01*N)\"`.",
-    ),
-    short: None,
-    fields: &[
-        may(
-            "table",
-            Type::String,
-            "",
-            "",
-            ("file with the table, beside the model file", "файл таблицы рядом с файлом модели"),
-            "\"variants.csv\"",
-        ),
-        may("rows", Type::String, "", "", ("the table itself, instead of `table`", "сама таблица вместо `table`"), "\"\"\"...\"\"\""),
-        may("key", Type::String, "", "first column", ("column that names the variant", "столбец с названием варианта"), "\"variant\""),
-        may(
-            "columns",
-            Type::Names,
-            "",
-            "all others",
-            ("columns that are used; the others are for the reader", "используемые столбцы; остальные — для читателя"),
-            "[\"m\", \"c\", \"v\"]",
-        ),
-        may(
-            "number",
-            Type::Name,
-            "",
-            "",
-            ("parameter that gets the number of the variant", "параметр, получающий номер варианта"),
-            "\"N\"",
-        ),
-    ],
-    example: "[variants]\ntable = \"variants.csv\"\nnumber = \"N\"\n",
 };
 
 /// `plot = [{ ... }]`.

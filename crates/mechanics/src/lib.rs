@@ -25,6 +25,7 @@ pub mod section;
 mod snippet;
 pub mod structure;
 pub mod units;
+pub mod variants;
 
 pub use model::Model;
 pub use read::{MAX_FILE, MAX_FINDINGS, Reading, read, read_with, split_override, sweep_range};

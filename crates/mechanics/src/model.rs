@@ -7,6 +7,7 @@ mod claims;
 mod connections;
 mod law;
 mod premises;
+mod variants;
 
 pub use crate::asked::{FrequencyVariable, Plot, SweepRange, Times};
 pub use crate::requests::*;
@@ -14,6 +15,7 @@ pub use claims::*;
 pub use connections::*;
 pub use law::{Element, Found, Law, Push, Stage, Straight, Way};
 pub use premises::{Change, Premise, Reliance, Values, unmoved};
+pub use variants::*;
 
 use std::ops::Range;
 use symbolic::{Expr, Graph, SymbolId};
@@ -74,8 +76,10 @@ pub struct Model {
     pub structure: Option<crate::structure::Structure>,
     /// Inertia that no body carries: that of a structure over its displacements.
     pub inertias: Vec<ConstantInertia>,
-    /// A table of values that replace those of the file, one row a variant.
+    /// Values that replace those of the file, one set a variant.
     pub variants: Option<Variants>,
+    /// Items that a student answers, in the user's order.
+    pub answers: Vec<AnswerDecl>,
     /// What the file gives in another unit than the SI one (coordinates, their rates with a prime, parameters), with that unit: a bare number would be misread.
     pub scaled: std::collections::BTreeMap<String, String>,
     /// What the reader read off numbers, each once.
@@ -89,30 +93,6 @@ pub struct ConstantInertia {
     pub between: [usize; 2],
     /// Over constant parameters.
     pub value: Expr,
-}
-
-/// A table of variants. Each row replaces values as `--set` does.
-#[derive(Clone, Debug)]
-pub struct Variants {
-    /// The table.
-    pub table: VariantTable,
-    /// Column that names the variant; the first without it.
-    pub key: Option<String>,
-    /// Columns that are used, by the names of parameters, starts (`phi`) and starting rates (`phi'`); without it all must be such names.
-    pub columns: Option<Vec<String>>,
-    /// Parameter that gets the name of the variant as a number, unless the table has such a column.
-    pub number: Option<String>,
-    /// Place in the file.
-    pub span: Range<usize>,
-}
-
-/// Where a table of variants is.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum VariantTable {
-    /// In a file, relative to the model file.
-    File(String),
-    /// In the model file itself.
-    Text(String),
 }
 
 /// What a value depends on; the order is meant: each class may use the ones before it.

@@ -51,6 +51,8 @@ pub enum Command {
     Equations(Equations),
     /// Lay the published results of a file against the machine
     Claims(Claims),
+    /// Look at all variants of a file: values, answers, what speaks against one
+    Variants(Variants),
     /// Show the properties of the sections of a file
     Section(Section),
     /// List the example models, or print one
@@ -74,6 +76,9 @@ pub struct Model {
     /// Take the values of this row of the table of variants; --set counts more
     #[arg(long, value_name = "NAME")]
     pub variant: Option<String>,
+    /// Number n of the group in the formulas of the variants
+    #[arg(long, value_name = "NUMBER", requires = "variant")]
+    pub group: Option<u32>,
 }
 
 #[derive(Args, Debug)]
@@ -141,6 +146,29 @@ pub struct Claims {
     /// Exit with 1 when a published result does not hold
     #[arg(long)]
     pub strict: bool,
+}
+
+#[derive(Args, Debug)]
+#[command(subcommand_required = true, arg_required_else_help = true)]
+pub struct Variants {
+    #[command(subcommand)]
+    pub action: VariantsAction,
+}
+
+#[derive(Subcommand, Debug)]
+pub enum VariantsAction {
+    /// Compute every variant: answers, broken conditions, twins, near resonance, failures
+    Check(VariantsCheck),
+}
+
+#[derive(Args, Debug)]
+pub struct VariantsCheck {
+    /// Model file, or a folder with model.toml
+    #[arg(value_name = "FILE")]
+    pub file: String,
+    /// Number n of the group in the formulas of the variants
+    #[arg(long, value_name = "NUMBER")]
+    pub group: Option<u32>,
 }
 
 #[derive(Args, Debug)]

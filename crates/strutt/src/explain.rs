@@ -5,7 +5,7 @@ use words::nearest;
 
 /// The tables of all rooms, from below.
 fn tables() -> impl Iterator<Item = &'static [Explanation]> {
-    let rooms = [mechanics::explain::TABLES, &[program::EXPLANATIONS], analysis::explain::TABLES, &[OWN]];
+    let rooms = [mechanics::explain::TABLES, &[program::EXPLANATIONS], analysis::explain::TABLES, &[studies::variants::EXPLANATIONS, OWN]];
     let of_studies = studies::TABLE.iter().map(|study| study.explanations());
     rooms.into_iter().flatten().copied().chain(of_studies)
 }

@@ -76,7 +76,8 @@ const AFTER_STUDIES: usize = 100;
 
 fn russian(command: Command, path: &str) -> Command {
     let find = |key: &str| RUSSIAN.iter().find(|row| row.0 == key).map(|row| row.1);
-    let here = if path.is_empty() { "" } else { command.get_name() }.to_owned();
+    let above = path.strip_prefix("strutt").map(str::trim_start).unwrap_or_default();
+    let here = if path.is_empty() { String::new() } else { format!("{above} {}", command.get_name()).trim_start().to_owned() };
     let mut command = command.help_template(TEMPLATE_RU).subcommand_help_heading("Команды").disable_help_subcommand(true);
     if let Some(about) = find(&here) {
         command = command.about(about);
@@ -101,7 +102,8 @@ fn russian(command: Command, path: &str) -> Command {
         in_russian(arg.help_heading(heading))
     });
     let usage = usage(&command, path);
-    command.override_usage(usage).mut_subcommands(|sub| russian(sub, "strutt"))
+    let below = format!("{path} {}", command.get_name()).trim_start().to_owned();
+    command.override_usage(usage).mut_subcommands(|sub| russian(sub, &below))
 }
 
 /// Possible values and defaults in Russian brackets; clap has them in English only.
@@ -213,6 +215,9 @@ const RUSSIAN: &[(&str, &str)] = &[
     ("section.out", "Также записать чертежи и таблицу в эту папку"),
     ("claims", "Сопоставить с машиной опубликованные результаты из файла"),
     ("claims.strict", "Код завершения 1, если какой-либо результат неверен"),
+    ("variants", "Просмотреть все варианты файла: величины, ответы, что говорит против варианта"),
+    ("variants check", "Рассчитать каждый вариант: ответы, нарушенные условия, двойники, близость резонанса, отказы"),
+    (".group", "Номер группы n в формулах вариантов"),
     ("examples", "Показать список примеров или один пример"),
     ("new", "Записать файл модели, с которого можно начать"),
     ("explain", "Объяснить код сообщения"),
@@ -258,8 +263,11 @@ mod tests {
         let russian = |text: String| text.chars().any(|c| ('а'..='я').contains(&c));
         for sub in command.get_subcommands() {
             assert!(sub.get_about().is_some_and(|a| russian(a.to_string())), "{}", sub.get_name());
-            for arg in sub.get_arguments() {
-                assert!(arg.get_help().is_none_or(|h| russian(h.to_string())), "{} {}", sub.get_name(), arg.get_id());
+            for command in sub.get_subcommands().filter(|c| c.get_name() != "help").chain([sub]) {
+                assert!(command.get_about().is_some_and(|a| russian(a.to_string())), "{}", command.get_name());
+                for arg in command.get_arguments() {
+                    assert!(arg.get_help().is_none_or(|h| russian(h.to_string())), "{} {}", command.get_name(), arg.get_id());
+                }
             }
         }
     }

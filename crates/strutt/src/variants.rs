@@ -1,68 +1,92 @@
-//! `--variant NAME`: a row of the table that the model file names, as values that replace those of the file.
+//! Variants of a model file: `--variant NAME` takes one, as values that replace those of the file; `strutt variants` takes all of them.
 
 use mechanics::Model;
 use mechanics::model::{VariantTable, Variants};
+use mechanics::variants::{Misfit, Row, Table, row};
 use std::path::Path;
 use studies::Source;
 use studies::failure::Failure;
 use studies::failure::Misuse;
+use studies::variants::Member;
 use words::{Notice, Place, Severity, nearest};
 
-/// A table of variants.
-struct Sheet {
-    /// As messages name it.
-    place: String,
-    /// Name and unit of each column.
-    header: Vec<(String, Option<String>)>,
-    /// Rows, as many cells as columns.
-    rows: Vec<Vec<String>>,
-    /// Line of each row, from 1.
-    lines: Vec<usize>,
-    /// Column of the names of variants.
-    key: usize,
-}
-
-/// What a variant replaces, as with `--set`.
+/// What a variant replaces, as with `--set`; the group is that of the command line.
 ///
 /// # Errors
-/// The file has no variants (C020), not this one (C021), the table cannot be read (C001 ... C004) or does not fit (C022).
-pub fn overrides(model: &Model, source: &Source, name: &str) -> Result<Vec<(String, String)>, Failure> {
+/// The file has no variants (C020), not this one (C021), the table cannot be read (C001 ... C004) or does not fit (C022), a formula needs the group (C068).
+pub fn overrides(model: &Model, source: &Source, (name, group): (&str, Option<u32>)) -> Result<Vec<(String, String)>, Failure> {
     let variants = model.variants.as_ref().ok_or_else(|| none(source))?;
-    let sheet = sheet(variants, source)?;
-    let at = only_row(&sheet, name)?;
-    let row = &sheet.rows[at];
-    let used = used_columns(variants, &sheet, model)?;
-    named_once(&sheet, &used)?;
-    let mut found = Vec::new();
-    if let Some(parameter) = variants.number.as_ref().filter(|p| !used.iter().any(|i| sheet.header[*i].0 == **p)) {
-        let number: f64 = row[sheet.key].parse().map_err(|_| {
-            misfit(
-                &sheet,
-                (format!("`{name}` is no number, which {parameter} needs"), format!("`{name}` — не число, а оно нужно для {parameter}")),
-            )
-        })?;
-        found.push((parameter.clone(), number.to_string()));
+    let Some((place, table)) = table(variants, source)? else {
+        let number = name.trim().parse::<u32>().ok().filter(|n| numbers(variants).contains(n));
+        let number = number.ok_or_else(|| unknown(&source.path, name, numbers(variants).map(|n| n.to_string()).collect()))?;
+        return Ok(of_number(model, variants, number, group)?.overrides);
+    };
+    let misfit = |fault| misfit(&place, fault);
+    let at = table.only_row(name).map_err(misfit)?;
+    let at = at.ok_or_else(|| unknown(&place, name, table.names().map(str::to_owned).collect()))?;
+    let row = row(model, variants, &table, at).map_err(misfit)?;
+    numbered(variants, &table, (at, &place))?;
+    for cell in &row.cells {
+        cell_fits(&place, table.lines[at], cell, source)?;
     }
-    for i in used {
-        let (column, unit) = &sheet.header[i];
-        let cell = &row[i];
-        if !cell.is_empty() {
-            let bare = cell.chars().all(|c| c.is_ascii_digit() || ".,+-eE".contains(c));
-            let value = match unit {
-                Some(unit) if bare => format!("{cell} {unit}"),
-                _ => cell.clone(),
-            };
-            let pair = (column.clone(), value);
-            cell_fits(&sheet, sheet.lines[at], &pair, source)?;
-            found.push(pair);
-        }
+    Ok(member(model, variants, name, (row, group))?.overrides)
+}
+
+fn member(model: &Model, variants: &Variants, name: &str, (row, group): (Row, Option<u32>)) -> Result<Member, Notice> {
+    Member::new(model, variants, name, (row.cells, row.helpers, row.number), group)
+}
+
+fn of_number(model: &Model, variants: &Variants, number: u32, group: Option<u32>) -> Result<Member, Notice> {
+    member(model, variants, &number.to_string(), (Row { number: f64::from(number), ..Row::default() }, group))
+}
+
+/// The numbers of variants that formulas alone make.
+fn numbers(variants: &Variants) -> std::ops::RangeInclusive<u32> {
+    variants.range.map_or(1..=0, |[first, last]| first..=last)
+}
+
+/// A parameter that gets the number of the variant needs one.
+fn numbered(variants: &Variants, table: &Table, (at, place): (usize, &str)) -> Result<(), Failure> {
+    let name = &table.rows[at][table.key];
+    match variants.number.as_ref().filter(|p| !table.header.iter().any(|(column, _)| column == *p)) {
+        Some(parameter) if name.replace(',', ".").parse::<f64>().is_err() => Err(misfit(
+            place,
+            Misfit::new(
+                format!("`{name}` is no number, which {parameter} needs"),
+                format!("`{name}` — не число, а оно нужно для {parameter}"),
+            ),
+        )),
+        _ => Ok(()),
     }
-    Ok(found)
+}
+
+/// Every variant of a file, in its order: what it replaces, or why it cannot be made. A file without variants is one variant.
+///
+/// # Errors
+/// The table cannot be read (C001 ... C004) or is none (C022).
+pub fn members(model: &Model, source: &Source, group: Option<u32>) -> Result<Vec<(String, Result<Member, Notice>)>, Failure> {
+    let Some(variants) = &model.variants else {
+        return Ok(vec![("1".to_owned(), Ok(Member { name: "1".to_owned(), ..Member::default() }))]);
+    };
+    let Some((place, table)) = table(variants, source)? else {
+        return Ok(numbers(variants).map(|n| (n.to_string(), of_number(model, variants, n, group))).collect());
+    };
+    let one = |at: usize| {
+        let name = table.rows[at][table.key].as_str();
+        let fits = || -> Result<Member, Failure> {
+            table.only_row(name).map_err(|fault| misfit(&place, fault))?;
+            numbered(variants, &table, (at, &place))?;
+            let row = row(model, variants, &table, at).map_err(|fault| misfit(&place, fault))?;
+            Ok(member(model, variants, name, (row, group))?)
+        };
+        (name.to_owned(), fits().map_err(studies::variants::overview::reason))
+    };
+    Ok((0..table.rows.len()).map(one).collect())
 }
 
 /// The table when it is a file of its own, as a path.
 pub fn file(model: &Model, source: &Source) -> Option<String> {
-    match &model.variants.as_ref()?.table {
+    match model.variants.as_ref()?.table.as_ref()? {
         VariantTable::Text(_) => None,
         VariantTable::File(file) => Some(beside(source, file)),
     }
@@ -73,44 +97,12 @@ fn beside(source: &Source, file: &str) -> String {
     folder.join(file).to_string_lossy().into_owned()
 }
 
-/// The row of a variant: two rows of one name would let their order decide.
-fn only_row(sheet: &Sheet, name: &str) -> Result<usize, Failure> {
-    let mut found = (0..sheet.rows.len()).filter(|i| same(&sheet.rows[*i][sheet.key], name));
-    let first = found.next().ok_or_else(|| unknown(sheet, name))?;
-    match found.next() {
-        None => Ok(first),
-        Some(second) => {
-            let (a, b) = (sheet.lines[first], sheet.lines[second]);
-            Err(misfit(
-                sheet,
-                (format!("lines {a} and {b} are both variant `{name}`"), format!("строки {a} и {b} задают один вариант `{name}`")),
-            ))
-        }
-    }
-}
-
-/// Two columns of one quantity contradict each other.
-fn named_once(sheet: &Sheet, used: &[usize]) -> Result<(), Failure> {
-    for i in used.iter().chain([&sheet.key]) {
-        let name = &sheet.header[*i].0;
-        let mut twins = (0..sheet.header.len()).filter(|j| sheet.header[*j].0 == *name);
-        if let (Some(a), Some(b)) = (twins.next(), twins.next()) {
-            let (a, b) = (a + 1, b + 1);
-            return Err(misfit(
-                sheet,
-                (format!("columns {a} and {b} are both `{name}`"), format!("столбцы {a} и {b} называются одинаково: `{name}`")),
-            ));
-        }
-    }
-    Ok(())
-}
-
 /// A cell is read as --set would read it; what is wrong with it is said of its place in the table.
-fn cell_fits(sheet: &Sheet, line: usize, pair: &(String, String), source: &Source) -> Result<(), Failure> {
+fn cell_fits(place: &str, line: usize, pair: &(String, String), source: &Source) -> Result<(), Failure> {
     let Err(found) = studies::read(source, std::slice::from_ref(pair)) else { return Ok(()) };
     let own = found.into_iter().find(|d| d.severity == Severity::Error && matches!(d.place, Place::Override { .. }));
     let Some(wrong) = own else { return Ok(()) };
-    let (place, column, what) = (&sheet.place, &pair.0, &wrong.what);
+    let (column, what) = (&pair.0, &wrong.what);
     let mut trouble = Notice::new(
         "C022",
         format!("{place}, line {line}, column `{column}`: {}", what.en),
@@ -120,95 +112,30 @@ fn cell_fits(sheet: &Sheet, line: usize, pair: &(String, String), source: &Sourc
     Err(trouble.into())
 }
 
-/// The names of all variants, in the order of the table; none when the file has no table.
+/// The names of all variants, in their order; none when the file has none.
 ///
 /// # Errors
 /// The table cannot be read (C001 ... C004) or is none (C022).
 pub fn names(model: &Model, source: &Source) -> Result<Vec<String>, Failure> {
     let Some(variants) = &model.variants else { return Ok(Vec::new()) };
-    let sheet = sheet(variants, source)?;
-    Ok(sheet.rows.iter().map(|row| row[sheet.key].clone()).collect())
+    Ok(match table(variants, source)? {
+        Some((_, table)) => table.names().map(str::to_owned).collect(),
+        None => numbers(variants).map(|n| n.to_string()).collect(),
+    })
 }
 
-/// `3`, `03` and `3.0` are one variant.
-fn same(cell: &str, name: &str) -> bool {
-    let number = |text: &str| text.trim().parse::<f64>().ok();
-    cell == name.trim() || number(cell).is_some_and(|n| number(name) == Some(n))
-}
-
-fn sheet(variants: &Variants, source: &Source) -> Result<Sheet, Failure> {
+/// The table of a file and what messages call it.
+fn table(variants: &Variants, source: &Source) -> Result<Option<(String, Table)>, Failure> {
     let (place, text) = match &variants.table {
-        VariantTable::Text(text) => (source.path.clone(), text.clone()),
-        VariantTable::File(file) => {
+        None => return Ok(None),
+        Some(VariantTable::Text(text)) => (source.path.clone(), text.clone()),
+        Some(VariantTable::File(file)) => {
             let path = beside(source, file);
             (path.clone(), crate::source::open(&path)?.text)
         }
     };
-    parse(place, &text, variants.key.as_deref())
-}
-
-fn parse(place: String, text: &str, key: Option<&str>) -> Result<Sheet, Failure> {
-    let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
-    let mut sheet = Sheet { place, header: Vec::new(), rows: Vec::new(), lines: Vec::new(), key: 0 };
-    let Some((_, first)) = lines.next() else {
-        return Err(misfit(&sheet, ("the table of variants is empty".into(), "таблица вариантов пуста".into())));
-    };
-    let separator = [';', '\t'].into_iter().find(|c| first.contains(*c)).unwrap_or(',');
-    sheet.header = cells(first, separator).iter().map(|cell| name_and_unit(cell)).collect();
-    for (number, line) in lines {
-        let row = cells(line, separator);
-        if row.len() != sheet.header.len() {
-            let (line, n, m) = (number + 1, row.len(), sheet.header.len());
-            return Err(uneven(&sheet.place, line, (n, m)));
-        }
-        sheet.rows.push(row);
-        sheet.lines.push(number + 1);
-    }
-    if let Some(key) = key {
-        let found = sheet.header.iter().position(|(name, _)| name == key);
-        sheet.key = found.ok_or_else(|| no_column(&sheet, key))?;
-    }
-    Ok(sheet)
-}
-
-/// The cells of a line; quotes protect separators, two quotes inside quotes are one.
-fn cells(line: &str, separator: char) -> Vec<String> {
-    let mut found = vec![String::new()];
-    let mut quoted = false;
-    for c in line.trim_end_matches('\r').chars() {
-        match c {
-            '"' => quoted = !quoted,
-            c if c == separator && !quoted => found.push(String::new()),
-            c => found.iter_mut().last().into_iter().for_each(|cell| cell.push(c)),
-        }
-    }
-    found.iter().map(|cell| cell.trim().to_owned()).collect()
-}
-
-/// `m [g]` is m in g.
-fn name_and_unit(cell: &str) -> (String, Option<String>) {
-    match cell.strip_suffix(']').and_then(|c| c.split_once('[')) {
-        Some((name, unit)) => (name.trim().to_owned(), Some(unit.trim().to_owned())),
-        None => (cell.to_owned(), None),
-    }
-}
-
-/// The columns whose values are taken.
-fn used_columns(variants: &Variants, sheet: &Sheet, model: &Model) -> Result<Vec<usize>, Failure> {
-    let position = |name: &String| sheet.header.iter().position(|(column, _)| column == name).ok_or_else(|| no_column(sheet, name));
-    if let Some(columns) = &variants.columns {
-        return columns.iter().map(position).collect();
-    }
-    let known = |name: &str| {
-        let base = name.strip_suffix('\'').unwrap_or(name);
-        model.parameters.iter().any(|p| p.name == name) || model.coordinates.iter().any(|c| c.name == base)
-    };
-    let others = (0..sheet.header.len()).filter(|i| *i != sheet.key);
-    let (used, foreign): (Vec<usize>, Vec<usize>) = others.partition(|i| known(&sheet.header[*i].0));
-    match foreign.first() {
-        None => Ok(used),
-        Some(i) => Err(foreign_column(sheet, &sheet.header[*i].0, model)),
-    }
+    let table = Table::parse(&text, variants.key.as_deref()).map_err(|fault| misfit(&place, fault))?;
+    Ok(Some((place, table)))
 }
 
 fn none(source: &Source) -> Failure {
@@ -221,60 +148,24 @@ fn none(source: &Source) -> Failure {
         .misuse()
 }
 
-fn unknown(sheet: &Sheet, name: &str) -> Failure {
-    let names = || sheet.rows.iter().map(|row| row[sheet.key].as_str());
-    let place = &sheet.place;
-    let list = names().take(60).collect::<Vec<_>>().join(", ");
+fn unknown(place: &str, name: &str, names: Vec<String>) -> Failure {
+    let list = names.iter().take(60).cloned().collect::<Vec<_>>().join(", ");
     let trouble = Notice::new("C021", format!("there is no variant `{name}` in {place}"), format!("нет варианта `{name}` в {place}"));
-    let trouble = match sheet.rows.is_empty() {
+    let trouble = match names.is_empty() {
         true => trouble.why("the table has no rows", "в таблице нет строк"),
-        false => trouble.why(format!("the table has: {list}"), format!("в таблице есть: {list}")),
+        false => trouble.why(format!("there are: {list}"), format!("есть: {list}")),
     };
-    match nearest(name, names()).filter(|_| name.trim().parse::<f64>().is_err()) {
+    match nearest(name, names.iter().map(String::as_str)).filter(|_| name.trim().parse::<f64>().is_err()) {
         Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
         None => trouble,
     }
     .misuse()
 }
 
-fn misfit(sheet: &Sheet, (en, ru): (String, String)) -> Failure {
-    Notice::new("C022", format!("{}: {en}", sheet.place), format!("{}: {ru}", sheet.place)).into()
-}
-
-fn uneven(place: &str, line: usize, (cells, columns): (usize, usize)) -> Failure {
-    Notice::new(
-        "C022",
-        format!("{place}: line {line} has {cells} cells, the header has {columns}"),
-        format!("{place}: в строке {line} клеток {cells}, а столбцов {columns}"),
-    )
-    .help(
-        "give each line one cell a column; a cell that holds a separator stands in quotes",
-        "задайте в каждой строке по клетке на столбец; клетку с разделителем внутри берут в кавычки",
-    )
-    .into()
-}
-
-fn no_column(sheet: &Sheet, name: &str) -> Failure {
-    let columns = sheet.header.iter().map(|h| h.0.as_str()).collect::<Vec<_>>().join(", ");
-    misfit(sheet, (format!("there is no column `{name}`; there are {columns}"), format!("нет столбца `{name}`; есть {columns}")))
-}
-
-fn foreign_column(sheet: &Sheet, name: &str, model: &Model) -> Failure {
-    let names = model.parameters.iter().map(|p| p.name.as_str()).chain(model.coordinates.iter().map(|c| c.name.as_str()));
-    let near = nearest(name, names);
-    let (what, place) = (
-        (format!("the column `{name}` is no parameter or coordinate"), format!("столбец `{name}` — не параметр и не координата")),
-        &sheet.place,
-    );
-    let trouble = Notice::new("C022", format!("{place}: {}", what.0), format!("{place}: {}", what.1));
-    match near {
-        Some(near) => trouble.help(format!("did you mean `{near}`?"), format!("может быть, `{near}`?")),
-        None => trouble.help(
-            "name the columns that count: columns = [\"m\", \"c\"] under [variants]",
-            "перечислите нужные столбцы: columns = [\"m\", \"c\"] в [variants]",
-        ),
-    }
-    .into()
+fn misfit(place: &str, fault: Misfit) -> Failure {
+    let mut trouble = Notice::new("C022", format!("{place}: {}", fault.what.en), format!("{place}: {}", fault.what.ru));
+    trouble.help = fault.help;
+    trouble.into()
 }
 
 #[cfg(test)]
@@ -286,7 +177,7 @@ mod tests {
     fn of(rows: &str, keys: &str, name: &str) -> Result<Vec<(String, String)>, &'static str> {
         let text = format!("{MODEL}rows = \"\"\"\n{rows}\n\"\"\"\n{keys}\n");
         let model = mechanics::read(&text, "m.toml", &[]).unwrap().model;
-        overrides(&model, &Source::new("m.toml", &text), name).map_err(|failure| match failure {
+        overrides(&model, &Source::new("m.toml", &text), (name, None)).map_err(|failure| match failure {
             Failure::Trouble(t) | Failure::Misuse(t) => t.code,
             _ => "",
         })

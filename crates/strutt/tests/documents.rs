@@ -210,8 +210,12 @@ fn commands(text: &str) -> Vec<&str> {
 /// What of a command line the program does not know: its verb or an option.
 fn unknown<'a>(line: &'a str, helps: &mut BTreeMap<String, Option<String>>) -> Option<&'a str> {
     let verb = line.split(|c: char| !c.is_ascii_lowercase()).next().unwrap_or_default();
-    let help = helps.entry(verb.to_owned()).or_insert_with(|| {
-        let output = common::strutt().args([verb, "--help"]).output().ok()?;
+    // `variants` has commands of its own
+    let words: Vec<&str> = line.split(' ').take(if verb == "variants" { 2 } else { 1 }).collect();
+    let words: Vec<&str> =
+        words.iter().map(|w| w.trim_end_matches(|c: char| !c.is_ascii_lowercase())).filter(|w| !w.is_empty() && *w != "...").collect();
+    let help = helps.entry(words.join(" ")).or_insert_with(|| {
+        let output = common::strutt().args(words).arg("--help").output().ok()?;
         output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
     });
     let Some(help) = help else { return Some(verb) };

@@ -7,6 +7,7 @@
 #![allow(clippy::result_large_err)]
 #![cfg_attr(not(test), deny(clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
+pub mod answers;
 pub mod calculation;
 pub mod claims;
 pub mod cycle;
@@ -42,6 +43,7 @@ mod strands;
 pub mod structure;
 pub mod sweep;
 pub mod transient;
+pub mod variants;
 pub mod watch;
 pub mod wording;
 pub mod written;

@@ -1,6 +1,6 @@
 //! The tables of the file by chapters of the reference, in the order in which a reader meets them.
 
-use super::{claims, distributed, events, structures as s};
+use super::{claims, distributed, events, structures as s, variants};
 use crate::connections;
 use crate::elements::TABLE;
 use crate::keys::{TableSpec, Words};
@@ -104,9 +104,12 @@ pub const CHAPTERS: &[Chapter] = &[
     },
     Chapter {
         file: "variants",
-        title: ("Variants", "Варианты"),
-        about: ("A table of values, one row a variant.", "Таблица величин, по строке на вариант."),
-        tables: &[&super::VARIANTS],
+        title: ("Variants and answers", "Варианты и ответы"),
+        about: (
+            "Data that differ from student to student, conditions that they keep, and what students answer.",
+            "Данные, которые у каждого студента свои, требования к ним и вопросы, на которые студент отвечает.",
+        ),
+        tables: &[&variants::VARIANTS, &variants::ANSWER],
     },
 ];
 

@@ -3,6 +3,7 @@
 //! Order: names of coordinates, parameters by dependence, start values, frames and points by dependence, elements and loads,
 //! connections, outputs by dependence, studies. A faulty value becomes zero of unknown dimension, so that one slip gives one message.
 
+mod answers;
 mod claims;
 mod connections;
 mod events;
@@ -132,7 +133,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     let loads = phases::Loads { elements: &mut elements, on_structure: on_structure.collect() };
     parameters.extend(schedule.restart(reader, &parameters, loads, &mut notation));
     let studies = kinds.map(|kinds| studies::read(reader, &top, kinds)).unwrap_or_default();
-    let variants = variants::read(reader, &top);
+    let (variants, answers) = variants::read(reader, &top, &parameters);
     let impacts = connections::impacts(reader, &top);
 
     let mut unknowns = unknowns::check(reader, &top, &parameters);
@@ -170,6 +171,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
         structure,
         inertias: Vec::new(),
         variants,
+        answers,
         scaled: std::mem::take(&mut reader.scaled),
         premises,
     }

@@ -43,6 +43,15 @@ formula = "m*g*l"
 [[claims]]
 mode = 1
 value = "4 rad/s"
+[variants]
+N = "1..3"
+m = "1 [kg] + 0.1 [kg]*N"
+[variants.require]
+light = "m < 2 [kg]"
+[[answers]]
+id = "T"
+formula = "2*pi*sqrt(l/g)"
+unit = "s"
 "#;
 
 const fn key(name: &'static str, takes: Takes) -> Key {

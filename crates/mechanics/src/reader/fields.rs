@@ -32,8 +32,19 @@ impl<'a> Fields<'a> {
         span: Range<usize>,
         path: String,
     ) -> Fields<'a> {
+        Fields::open_with(reader, (spec, &|_| false), table, span, path)
+    }
+
+    /// The same for a table whose other keys are names: those that `free` knows.
+    pub(crate) fn open_with(
+        reader: &mut Reader<'a>,
+        (spec, free): (&'static TableSpec, &dyn Fn(&str) -> bool),
+        table: &'a Table<'a>,
+        span: Range<usize>,
+        path: String,
+    ) -> Fields<'a> {
         for (key, _) in table {
-            if spec.field(key.get_ref()).is_none() {
+            if spec.field(key.get_ref()).is_none() && !free(key.get_ref()) {
                 let fault = unknown_key(&reader.scope, spec, (key.get_ref(), key.span()), &path);
                 reader.fault(fault);
             }
@@ -181,6 +192,12 @@ impl<'a> Fields<'a> {
             }
         }
         entries
+    }
+
+    /// The rows of this table that are no keys.
+    pub(crate) fn others(&self) -> Vec<(&'a str, Range<usize>, &'a Value<'a>)> {
+        let known = |key: &str| self.spec.field(key).is_some();
+        self.table.iter().filter(|(k, _)| !known(k.get_ref())).map(|(k, v)| (k.get_ref().as_ref(), k.span(), v)).collect()
     }
 
     /// The raw rows of a table by name.

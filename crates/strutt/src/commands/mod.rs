@@ -12,6 +12,7 @@ mod paper;
 mod run;
 mod section;
 pub mod study;
+mod variants;
 
 use crate::args::Command;
 use crate::console::{Console, INTERRUPTED};
@@ -42,6 +43,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Check(args) => check::run(&args, console),
         Command::Claims(args) => claims::run(&args, console),
         Command::Equations(args) => equations::run(&args, console),
+        Command::Variants(args) => variants::run(&args, console),
         Command::Section(args) => section::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),
@@ -56,7 +58,7 @@ fn inputs(model: &crate::args::Model) -> Result<(Source, Vec<(String, String)>),
     let source = strutt::source::open(&model.file)?;
     let Some(variant) = &model.variant else { return Ok((source, set)) };
     let reading = studies::read(&source, &[]).map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
-    let mut all = strutt::variants::overrides(&reading.model, &source, variant)?;
+    let mut all = strutt::variants::overrides(&reading.model, &source, (variant, model.group))?;
     all.extend(set);
     Ok((source, all))
 }

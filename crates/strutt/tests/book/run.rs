@@ -164,7 +164,7 @@ impl Command {
         if let Some(variant) = &self.variant {
             let reading =
                 studies::read(source, &[]).map_err(|diagnostics| Failure::Findings { source: Box::new(source.clone()), diagnostics })?;
-            all = strutt::variants::overrides(&reading.model, source, variant)?;
+            all = strutt::variants::overrides(&reading.model, source, (variant, None))?;
         }
         all.extend(self.set.iter().cloned());
         Ok(all)
@@ -172,6 +172,9 @@ impl Command {
 
     fn run(&self, trial: &Trial, claims: &[&Claim]) -> Result<Outcome, String> {
         let source = Source::new("model.toml", &trial.model);
+        if self.verb == "variants" {
+            return variants(source);
+        }
         let set = match self.overrides(&source) {
             Ok(set) => set,
             Err(Failure::Trouble(t) | Failure::Misuse(t)) => return Ok(Outcome::Trouble { code: t.code, what: t.what.en.clone() }),
@@ -310,6 +313,22 @@ impl Command {
             Some(trouble) => Ok(Outcome::Trouble { code: trouble.code, what: trouble.what.en.clone() }),
         }
     }
+}
+
+/// Every variant of a model.
+fn variants(source: Source) -> Result<Outcome, String> {
+    let reading = match studies::read(&source, &[]) {
+        Ok(reading) => reading,
+        Err(diagnostics) => return Ok(Outcome::Findings(diagnostics)),
+    };
+    let members = match strutt::variants::members(&reading.model, &source, None) {
+        Ok(members) => members,
+        Err(Failure::Trouble(t) | Failure::Misuse(t)) => return Ok(Outcome::Trouble { code: t.code, what: t.what.en.clone() }),
+        Err(other) => return Err(format!("no variants: {other:?}")),
+    };
+    let mut class = studies::variants::Class::new(source, mechanics::derive::Detail::Equations);
+    let found = studies::variants::check(&mut class, &reading.model, &members, &mut Watch::default());
+    Ok(Outcome::Fields { own: found.to_json(words::Language::En), data: Dataset::default() })
 }
 
 /// A quantity in SI; bare numbers are SI.

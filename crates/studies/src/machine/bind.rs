@@ -75,8 +75,8 @@ impl Machine {
         }
     }
 
-    /// None where the file has to be read again.
-    fn bound(&mut self, values: &[(&str, f64)]) -> Option<Result<(), Failure>> {
+    /// The same without reading: none where the file has to be read again, and the machine is as it was then.
+    pub fn bound(&mut self, values: &[(&str, f64)]) -> Option<Result<(), Failure>> {
         let is_set = |name: &str| self.origin.overrides.iter().any(|(n, _)| n == name);
         // the matrices of a structure are numbers
         if self.model.structure.is_some() || !values.iter().all(|(name, _)| is_set(name)) {

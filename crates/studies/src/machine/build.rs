@@ -3,6 +3,7 @@
 use super::bind::Origin;
 use super::study::Studies;
 use super::{Machine, lower, unknowns};
+use crate::answers::meaning;
 use crate::failure::Failure;
 use crate::frame;
 use crate::source::Source;
@@ -17,7 +18,9 @@ use words::Notice;
 /// # Errors
 /// All findings; at least one of them is an error.
 pub fn read(source: &Source, overrides: &[(String, String)], studies: &Studies) -> Result<Reading, Vec<Notice>> {
-    mechanics::read_with(&source.text, &source.path, overrides, studies.kinds())
+    let reading = mechanics::read_with(&source.text, &source.path, overrides, studies.kinds())?;
+    let found = meaning::findings(&reading.model, &|kind| studies.find(kind).is_some());
+    if found.is_empty() { Ok(reading) } else { Err(reading.warnings.into_iter().chain(found).collect()) }
 }
 
 /// From a file to a machine.

@@ -1,0 +1,56 @@
+//! Variants for a class: the right answers of each, what speaks against one, and what a wrong answer looks like. Pure functions over machines; files are read
+//! and written above.
+
+pub mod course;
+pub mod guards;
+pub mod overview;
+pub mod solve;
+
+pub use course::{Class, Member};
+pub use overview::{Overview, check};
+
+use words::explain::{Explanation, plain, row};
+
+/// The codes of variants and answers.
+pub const EXPLANATIONS: &[Explanation] = &[
+    row(
+        "M375",
+        ("an answer that asks for nothing", "ответ ни о чём"),
+        (
+            "`value` of an answer is a number of a study: max(x), min(x), amplitude(x), mean(x) or last(x) of an output, coordinate or rate; when_max(x), when_min(x), event(2) for an instant; \
+             the name of an output with `at` for its value at an instant; or a number of the study by its path, with lists counted from 1: modes.1.f, period.",
+            "`value` ответа — число из расчёта: max(x), min(x), amplitude(x), mean(x) или last(x) от выходной величины, координаты или скорости; when_max(x), when_min(x), event(2) — момент времени; \
+             имя выходной величины и `at` — её значение в этот момент; либо число расчёта по его пути, счёт в списках с 1: modes.1.f, period.",
+        ),
+        "[[answers]]\nid = \"a\"\nvalue = \"max(nothing)\"\nunit = \"m\"",
+        "[[answers]]\nid = \"a\"\nvalue = \"max(x)\"\nunit = \"m\"",
+    ),
+    row(
+        "M376",
+        ("unit of an answer", "единица ответа"),
+        (
+            "The unit of an answer has the dimension of its number. Hz and 1/min count periods: an angular rate in Hz is divided by 2π.",
+            "Единица ответа имеет размерность самого числа. Гц и 1/мин считают периоды: угловая скорость в Гц делится на 2π.",
+        ),
+        "[[answers]]\nid = \"a\"\nvalue = \"max(x)\"\nunit = \"kg\"",
+        "[[answers]]\nid = \"a\"\nvalue = \"max(x)\"\nunit = \"mm\"",
+    ),
+    plain(
+        "C067",
+        ("An answer without a number", "Ответ без числа"),
+        (
+            "The studies of the file give no number for this question, or the number is in another unit. `max(x)` needs a motion with the column x; a path (modes.1.f) needs a study that has it and a \
+             number whose unit is known; the value of an output at a jump needs \"before\" or \"after\".",
+            "Расчёты файла не дают числа для этого вопроса, либо число в другой единице. Для `max(x)` нужно движение со столбцом x; для пути (modes.1.f) — расчёт, в котором оно есть, и число с \
+             известной единицей; для значения в момент скачка — \"before\" (до) или \"after\" (после).",
+        ),
+    ),
+    plain(
+        "C068",
+        ("Which group?", "Какая группа?"),
+        (
+            "Formulas of [variants] use n, the number of the group. Give it with --group, or write n = 3 under [variants].",
+            "Формулы в [variants] содержат номер группы n. Задайте его ключом --group или строкой n = 3 в [variants].",
+        ),
+    ),
+];
