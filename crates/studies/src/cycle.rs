@@ -436,8 +436,9 @@ fn flywheel(
         Ok((found.greatest - found.least) / found.mean.abs())
     };
     // the irregularity is nearly inverse to the inertia: secant in 1/irregularity
-    let (mut a, mut b) = (first, 1.5 * first);
-    let mut f_a = 1.0 / at(a)? - 1.0 / wanted;
+    let (mut a, turns) = turning_with(first, &mut at)?;
+    let mut b = 1.5 * a;
+    let mut f_a = 1.0 / turns - 1.0 / wanted;
     let mut reached = at(b)?;
     for _ in 0..STEPS {
         let f_b = 1.0 / reached - 1.0 / wanted;
@@ -458,6 +459,23 @@ fn flywheel(
     }
     Ok((b, drive.map(|drive| drive.value)))
 }
+
+/// The first of growing values with which the shaft turns, and its irregularity then: the value in the file is a guess, a small flywheel stalls.
+fn turning_with(first: f64, at: &mut impl FnMut(f64) -> Result<f64, Notice>) -> Result<(f64, f64), Notice> {
+    let (mut stalled, mut value) = (None, first);
+    for _ in 0..GROWN {
+        match at(value) {
+            Ok(found) => return Ok((value, found)),
+            Err(fault) if fault.code == "S046" => stalled = stalled.or(Some(fault)),
+            Err(fault) => return Err(stalled.unwrap_or(fault)),
+        }
+        value *= 4.0;
+    }
+    Err(stalled.unwrap_or_else(|| Notice::new("S046", "the shaft does not turn", "вал не вращается")))
+}
+
+/// How often the value of the file is multiplied by four.
+const GROWN: usize = 16;
 
 /// The running of the motion over one cycle of the angle from the start.
 fn turned(machine: &mut Machine, study: &Cycle) -> Result<Running, Notice> {

@@ -158,6 +158,11 @@ impl Stage for At<'_, '_, '_> {
         [self.scene.rate_of(&path.gradient), self.scene.rate_of(&path.geometric)]
     }
 
+    fn rate_of(&mut self, e: Expr) -> Expr {
+        let gradient = self.scene.gradient(e);
+        self.scene.rate_of(&gradient)
+    }
+
     fn at_start(&mut self, e: Expr) -> Expr {
         at_start(self.scene, &self.element.name, e)
     }

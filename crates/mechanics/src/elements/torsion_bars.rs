@@ -287,7 +287,9 @@ impl Law for TorsionBar {
         stage.store(energy, Push { way, force });
         if let Some(damping) = self.damping {
             let damping = stage.open(damping)?;
-            let [rate, measured] = stage.rates(way);
+            // of the twist: an angle without torque that moves takes part
+            let free = stage.rate_of(rest);
+            let [rate, measured] = stage.rates(way).map(|rate| stage.graph().sub(rate, free));
             let graph = stage.graph();
             let square = graph.square(rate);
             let function = graph.monomial(Rational::HALF, &[(damping, Rational::ONE), (square, Rational::ONE)]);

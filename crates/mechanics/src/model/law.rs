@@ -100,6 +100,8 @@ pub trait Stage {
     fn way(&mut self, pathway: Pathway) -> Found<Way>;
     /// The rate of a pathway, by differentiation of its value and from velocities of points and bodies.
     fn rates(&mut self, way: Way) -> [Expr; 2];
+    /// d/dt of a value of places and time.
+    fn rate_of(&mut self, e: Expr) -> Expr;
     /// A value of places at the start of the motion.
     fn at_start(&mut self, e: Expr) -> Expr;
     /// Components of a vector in the axes of the ground.

@@ -61,6 +61,7 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
     }
     let mut best: Option<(f64, Found<'o>)> = None;
     let (mut follow_only, mut last) = (0_usize, f64::INFINITY);
+    let mut patience = Patience::default();
     // where the motion itself went, beside a start that Newton's method proposes
     let mut went: Option<Vec<f64>> = None;
     for turn in 0..TURNS {
@@ -111,6 +112,7 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
         let better = best.as_ref().is_none_or(|(least, _)| miss < *least);
         let settled = miss <= EXACT || (best.as_ref().is_some_and(|(least, _)| *least <= ENOUGH) && miss > 0.5 * last);
         let next_turn = found.next_start(&gap);
+        follow_only = follow_only.max(patience.after(by_proposal.is_some(), better));
         let correct = miss <= FAR && follow_only == 0 && !settled;
         follow_only = follow_only.saturating_sub(1);
         if !better && miss > 2.0 * last && miss > ENOUGH {
@@ -145,6 +147,35 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
         None => Err(unsettled(1.0, 0)),
     }
 }
+
+/// How corrections do. Where the turn has no good derivative (infinitely many impacts in it) they come no nearer, while the motion itself may.
+#[derive(Default)]
+struct Patience {
+    /// Corrections in a row that came no nearer than the best turn.
+    vain: usize,
+    /// How often turns have been followed for that.
+    rounds: u32,
+}
+
+impl Patience {
+    /// Turns to follow without a correction, after a turn that a correction began or not.
+    fn after(&mut self, corrected: bool, better: bool) -> usize {
+        self.vain = match (corrected, better) {
+            (_, true) => 0,
+            (true, false) => self.vain + 1,
+            (false, false) => self.vain,
+        };
+        if self.vain < VAIN {
+            return 0;
+        }
+        self.vain = 0;
+        self.rounds += 1;
+        4 << self.rounds.min(3)
+    }
+}
+
+/// Corrections in a row that may come no nearer.
+const VAIN: usize = 2;
 
 /// What a turn or a correction has left of a zero. A start on a switch (a dead centre, where the sliding turns) is on it exactly: the motion then decides on
 /// which side it goes on, and not the sign of the rounding.
