@@ -21,6 +21,8 @@ pub struct Qr {
     rank: usize,
     /// Rank that the columns have at best.
     most: usize,
+    /// Whether each entry of A is something, by columns.
+    filled: Vec<bool>,
 }
 
 /// What is left of a column is dependent below this share of its measure: entries come out of a few dozen operations, which leave some 1e-14 of them, and a thousand
@@ -49,8 +51,9 @@ impl Qr {
     }
 
     fn loaded(matrix: &[f64], rows: usize, columns: usize) -> Qr {
-        let factors = (0..rows * columns).map(|k| matrix[(k % rows) * columns + k / rows]).collect();
-        Qr { rows, columns, factors, order: (0..columns).collect(), most: columns, ..Qr::default() }
+        let factors: Vec<f64> = (0..rows * columns).map(|k| matrix[(k % rows) * columns + k / rows]).collect();
+        let filled = factors.iter().map(|entry| *entry != 0.0).collect();
+        Qr { rows, columns, factors, filled, order: (0..columns).collect(), most: columns, ..Qr::default() }
     }
 
     fn factored(mut self, lengths: &[f64], tolerance: f64) -> Qr {
@@ -174,7 +177,8 @@ impl Qr {
         (self.rank..self.columns).map(direction).collect()
     }
 
-    /// The shortest y with a_j·y = b_j for the independent columns a_j.
+    /// The shortest y with a_j·y = b_j for the independent columns a_j. What the columns with b_j = 0 alone concern stays exactly 0: reflections would leave
+    /// the rounding of other columns there.
     pub fn shortest(&self, b: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; self.rows];
         for i in 0..self.rank {
@@ -182,7 +186,27 @@ impl Qr {
             y[i] = (b[self.order[i]] - known) / self.r(i, i);
         }
         (0..self.rank).rev().for_each(|k| self.turn(k, &mut y));
+        let concerned = self.concerned(b);
+        y.iter_mut().zip(concerned).filter(|(_, concerned)| !concerned).for_each(|(y, _)| *y = 0.0);
         y
+    }
+
+    /// Rows that columns with b_j not 0 have entries in, or columns that share such rows with them, and so on.
+    fn concerned(&self, b: &[f64]) -> Vec<bool> {
+        let mut rows = vec![false; self.rows];
+        let mut waiting: Vec<usize> = (0..self.columns).collect();
+        let entries = |j: usize| self.filled[j * self.rows..(j + 1) * self.rows].iter();
+        loop {
+            let belongs = |j: &usize, rows: &[bool]| b[*j] != 0.0 || entries(*j).zip(rows).any(|(filled, row)| *filled && *row);
+            let (taken, left): (Vec<usize>, Vec<usize>) = waiting.iter().partition(|j| belongs(j, &rows));
+            for j in &taken {
+                entries(*j).zip(&mut rows).filter(|(filled, _)| **filled).for_each(|(_, row)| *row = true);
+            }
+            if taken.is_empty() {
+                return rows;
+            }
+            waiting = left;
+        }
     }
 }
 
@@ -249,6 +273,15 @@ mod tests {
         // rows of different units: the rank does not change
         let tiny: Vec<f64> = TWO.iter().enumerate().map(|(k, a)| a * [1e-9, 1.0, 1e9][k % 3]).collect();
         assert_eq!(Qr::new(&tiny, 3, 3).rank(), 2);
+    }
+
+    #[test]
+    fn the_shortest_change_leaves_alone_what_it_does_not_concern() {
+        // a third unknown alone is to change; then a pair is held beside it
+        assert_eq!(Qr::new(&[0.0, 0.0, 0.3], 3, 1).shortest(&[1e-3])[..2], [0.0, 0.0]);
+        let both = Qr::new(&[0.7, 0.0, 0.3, 0.0, 0.0, 0.9, 0.0, 0.1], 4, 2).shortest(&[0.0, 1e-3]);
+        assert_eq!(both[..2], [0.0, 0.0]);
+        assert!((0.9 * both[2] + 0.1 * both[3] - 1e-3).abs() < 1e-18);
     }
 
     #[test]
