@@ -42,8 +42,8 @@ const SLIDING: &[Field] = &[
 const KEYS: TableSpec = table(
     "sliders",
     (
-        "Sliders: a point stays on a straight line. force acts on the body of the point, towards the direction turned by +90 degrees; moment exists when the body may not turn. Where the point could leave the plane x, y of `on` both normal directions are held: force_y towards the direction turned by +90 degrees, force_z along z of `on`, force is the magnitude.",
-        "Ползуны: точка остаётся на прямой. force действует на тело точки в сторону направления, повёрнутого на +90 градусов; moment есть, если тело не поворачивается. Если точка могла бы выйти из плоскости x, y системы `on`, удерживаются оба нормальных направления: force_y — в сторону направления, повёрнутого на +90 градусов, force_z — вдоль z системы `on`, force — модуль.",
+        "Sliders: a point stays on a straight line. force acts on the body of the point, towards the direction turned by +90 degrees; moment exists when the body may not turn. Where the point could leave the plane x, y of `on` both normal directions are held: force_y towards the direction turned by +90 degrees, force_z along z of `on`, force is the magnitude; in space moment_x, moment_y, moment are about the line, the direction turned by +90 degrees and z of `on`.",
+        "Ползуны: точка остаётся на прямой. force действует на тело точки в сторону направления, повёрнутого на +90 градусов; moment есть, если тело не поворачивается. Если точка могла бы выйти из плоскости x, y системы `on`, удерживаются оба нормальных направления: force_y — в сторону направления, повёрнутого на +90 градусов, force_z — вдоль z системы `on`, force — модуль; в пространстве moment_x, moment_y, moment — относительно прямой, направления, повёрнутого на +90 градусов, и оси z системы `on`.",
     ),
     SLIDING,
     "[sliders.C]\npoint = \"C\"\n",
@@ -101,7 +101,7 @@ type Guide = (PointRef, FrameId, Option<PointRef>, Expr, bool);
 /// n·(r_P - r_T) for a line through T; n·(r_P - r_O) stays as it was for a line without a given point.
 fn slider(scene: &mut Scene, kinematics: &mut Kinematics, name: &str, guide: Guide) -> Vec<Component> {
     let (point, on, _, direction, turns) = guide;
-    let (_, normal) = line(scene, kinematics, on, direction);
+    let (along, normal) = line(scene, kinematics, on, direction);
     let upright = axes_of(scene, kinematics, on)[2];
     let way = |what: &str, russian: &str| {
         Text::new(format!("slider {name}, normal force{what}"), format!("ползун {name}, нормальная реакция{russian}"))
@@ -116,7 +116,7 @@ fn slider(scene: &mut Scene, kinematics: &mut Kinematics, name: &str, guide: Gui
     };
     if !turns {
         let frames = [on, frame_of(scene, point)];
-        list.extend(no_turning(scene, kinematics, name, frames));
+        list.extend(no_turning(scene, kinematics, (name, [along, normal, upright]), frames));
     }
     list
 }

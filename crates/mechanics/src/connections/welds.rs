@@ -1,5 +1,6 @@
-//! Welds: two points coincide, and ω_Q − ω_P = 0, about z in the plane, about all axes in space.
+//! Welds: two points coincide, and ω_Q − ω_P = 0, about z in the plane, about the axes of the reaction in space.
 
+use super::common::axes::axes_of;
 use super::common::component::{Component, no_turning};
 use super::common::faults;
 use super::common::keys::{AXES, TWO_POINTS, table};
@@ -45,6 +46,7 @@ fn components(scene: &mut Scene, kinematics: &mut Kinematics, _: &mut Resolver, 
     };
     let mut list = coincide(scene, kinematics, (&connection.name, *between, *axes));
     let frames = between.map(|p| frame_of(scene, p));
-    list.extend(no_turning(scene, kinematics, &connection.name, frames));
+    let directions = axes_of(scene, kinematics, *axes);
+    list.extend(no_turning(scene, kinematics, (&connection.name, directions), frames));
     Ok(list)
 }

@@ -1,11 +1,11 @@
 //! A component: a scalar condition with a scalar reaction, what every connection is made of.
 
-use crate::model::{Axis, Connection, FrameId, Part, Pathway, Rest};
+use crate::model::{Connection, FrameId, Part, Pathway, Rest};
 use crate::scene::kinematics::{Kinematics, combine};
-use crate::scene::pathways::{self, Path, unit_vector};
+use crate::scene::pathways::{self, Path};
 use crate::scene::requests::Resolver;
 use crate::scene::wrench::Act;
-use crate::scene::{Columns, Found, Scene, is_spatial};
+use crate::scene::{Columns, Found, Scene, Vector, is_spatial};
 use symbolic::connections::Rebound;
 use symbolic::{Expr, SymbolId};
 use words::{Notice, Text};
@@ -145,19 +145,26 @@ pub fn moment_about(axis: usize) -> (Text, Part, &'static str) {
     (Text::new(format!("moment about {name}"), format!("момент относительно {name}")), part, letter)
 }
 
-/// ω_b - ω_a = 0, about z in the plane, about all axes of the ground in space.
-pub fn no_turning(scene: &mut Scene, kinematics: &mut Kinematics, name: &str, [a, b]: [FrameId; 2]) -> Vec<Component> {
-    let axes: &[usize] = if is_spatial(scene.model) { &[0, 1, 2] } else { &[2] };
-    let turning = [a, b].map(|f| {
+/// ω_b - ω_a = 0, about z in the plane, about the three given axes (ground components) in space.
+pub fn no_turning(
+    scene: &mut Scene,
+    kinematics: &mut Kinematics,
+    (name, directions): (&str, [Vector; 3]),
+    [a, b]: [FrameId; 2],
+) -> Vec<Component> {
+    let numbers: &[usize] = if is_spatial(scene.model) { &[0, 1, 2] } else { &[2] };
+    let [own, other] = [a, b].map(|f| {
         let columns = kinematics.turning_in_ground_axes(scene, f);
         combine(scene, &columns)
     });
-    axes.iter()
+    let turning = scene.minus(&other, &own);
+    numbers
+        .iter()
         .map(|&i| {
             let (what, part, letter) = moment_about(i);
-            let axis = unit_vector(scene, [Axis::X, Axis::Y, Axis::Z][i]);
+            let axis = directions[i];
             let opposite = axis.map(|c| scene.graph.neg(c));
-            let rate = scene.graph.sub(turning[1][i], turning[0][i]);
+            let rate = scene.dot(&axis, &turning);
             let acts = vec![Act::Turn { on: b, moment: axis }, Act::Turn { on: a, moment: opposite }];
             Component {
                 rate: Some(rate), ..Component::ideal((part, letter, "N m"), labelled("joint", "соединение", name, &what), acts)
