@@ -5,6 +5,7 @@ mod chapters;
 pub mod claims;
 mod distributed;
 pub mod events;
+mod report;
 mod sections;
 pub mod structures;
 pub mod variants;
@@ -13,6 +14,7 @@ pub use crate::asked::STUDY;
 pub use crate::keys::{Field, TEXT, TableSpec, Type, Words};
 pub use chapters::{CHAPTERS, Chapter};
 pub use distributed::DISTRIBUTED;
+pub use report::{PARTS, REPORT};
 pub use sections::{PART, SECTION};
 
 use crate::connections;
@@ -97,6 +99,7 @@ const TAIL: &[Field] = &[
         ("items that students answer, one [[answers]] each", "вопросы к заданию, по одному [[answers]]"),
         "",
     ),
+    may("report", Type::Table, "", "", ("the written calculation", "записанный расчёт"), ""),
     may("study", Type::Array, "", "", ("studies, one [[study]] each", "расчёты, по одному [[study]]"), ""),
     may("claims", Type::Array, "", "", ("published results, one [[claims]] each", "опубликованные результаты, по одному [[claims]]"), ""),
     may("phases", Type::Array, "", "", ("phases of the loads, one [[phases]] each", "этапы нагружения, по одному [[phases]]"), ""),
@@ -222,6 +225,7 @@ pub const BODY: TableSpec = TableSpec {
         ANGLE,
         ROTATE,
         SPIN,
+        LABEL,
         may("mass", Type::Formula, "kg", "0", ("mass", "масса"), "\"m\""),
         may("center", Type::Vector, "m", "[0, 0]", ("mass centre in body axes", "центр масс в осях тела"), "[\"0\", \"-l\"]"),
         may(

@@ -7,6 +7,7 @@ mod claims;
 mod connections;
 mod law;
 mod premises;
+mod report;
 mod variants;
 
 pub use crate::asked::{FrequencyVariable, Plot, SweepRange, Times};
@@ -15,6 +16,7 @@ pub use claims::*;
 pub use connections::*;
 pub use law::{Element, Found, Law, Push, Stage, Straight, Way};
 pub use premises::{Change, Premise, Reliance, Values, unmoved};
+pub use report::{Depth, Front, Report};
 pub use variants::*;
 
 use std::ops::Range;
@@ -82,6 +84,8 @@ pub struct Model {
     pub answers: Vec<AnswerDecl>,
     /// What the file gives in another unit than the SI one (coordinates, their rates with a prime, parameters), with that unit: a bare number would be misread.
     pub scaled: std::collections::BTreeMap<String, String>,
+    /// What the file says about its written calculation.
+    pub report: Report,
     /// What the reader read off numbers, each once.
     pub premises: Vec<Premise>,
 }
@@ -179,6 +183,8 @@ pub struct CoordinateDecl {
 pub struct Frame {
     /// Name; `ground` for index 0.
     pub name: String,
+    /// What it is; may be empty.
+    pub label: Text,
     /// Whether it stands under `[bodies]`.
     pub is_body: bool,
     /// The frame it is placed on; the ground names itself.

@@ -103,6 +103,9 @@ pub struct Report {
     /// Folder for the calculation and its pictures [default: out/<name of the model>]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Also make a PDF with an installed browser (html), typst or LaTeX
+    #[arg(long)]
+    pub pdf: bool,
 }
 
 #[derive(Args, Debug)]

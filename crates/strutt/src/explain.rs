@@ -116,6 +116,32 @@ const OWN: &[Explanation] = &[
         ),
     ),
     plain(
+        "C061",
+        ("No PDF of this format", "Из этого формата PDF не делается"),
+        (
+            "`strutt report --pdf` prints HTML by a browser and compiles Typst and LaTeX by their own programs; Markdown and text have no pages.",
+            "`strutt report --pdf` печатает HTML браузером, а Typst и LaTeX собирает их программами; у Markdown и текста страниц нет.",
+        ),
+    ),
+    plain(
+        "C062",
+        ("No program for PDF", "Нет программы для PDF"),
+        (
+            "strutt makes no PDF by itself: it asks chromium, chrome or edge to print, or typst, xelatex, lualatex, pdflatex to compile, whichever stands on the \
+             path. Without them open the page in any browser and print it to a file.",
+            "Сама strutt PDF не делает: она просит chromium, chrome или edge напечатать страницу либо typst, xelatex, lualatex, pdflatex собрать её – что найдётся в \
+             PATH. Если их нет, откройте страницу в любом браузере и напечатайте её в файл.",
+        ),
+    ),
+    plain(
+        "C063",
+        ("The program made no PDF", "Программа не сделала PDF"),
+        (
+            "A browser or a compiler that `--pdf` called ended without a file; its own words stand behind the message. The page itself is written.",
+            "Браузер или компилятор, который вызвал ключ `--pdf`, завершился без файла; его слова приведены в сообщении. Сама страница записана.",
+        ),
+    ),
+    plain(
         "C053",
         ("Not a name for a file", "Негодное имя файла"),
         (

@@ -17,6 +17,7 @@ pub mod explain;
 pub mod files;
 pub mod folder;
 pub mod gallery;
+pub mod pdf;
 mod shelf;
 pub mod source;
 pub mod system;

@@ -19,6 +19,7 @@ mod polynomial;
 mod rational;
 mod substitute;
 mod textbook;
+pub mod transfer;
 mod trigonometry;
 mod walk;
 pub mod waveform;

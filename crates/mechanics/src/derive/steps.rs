@@ -150,7 +150,7 @@ fn conditions(scene: &mut Scene, connected: &Connected) -> Option<Step> {
     }
     let words = Text::new(
         "Each condition has a reaction; its generalized forces are its derivatives by the coordinates (rates).",
-        "Каждому условию отвечает реакция; её обобщённые силы — производные условия по координатам (скоростям).",
+        "Каждому условию отвечает реакция; её обобщённые силы – производные условия по координатам (скоростям).",
     );
     (!formulas.is_empty()).then(|| step(Part::Conditions, Text::new("Equations of the connections", "Уравнения связей"), words, formulas))
 }
@@ -200,7 +200,7 @@ fn derivatives(scene: &mut Scene, kinetic: &Kinetic, (motion, reacting): (&Motio
     let terms = [(potential, "− ∂Π/∂q"), (resisting, "− ∂Φ/∂q'"), (applied, "+ Q"), (reacting, "+ R")];
     let law = law(terms.into_iter().filter(|t| t.0).map(|t| t.1));
     let (en, ru) = match reacting {
-        true => ("; R are the generalized forces of reactions and drives", "; R — обобщённые силы реакций и приводов"),
+        true => ("; R are the generalized forces of reactions and drives", "; R – обобщённые силы реакций и приводов"),
         false => ("", ""),
     };
     step(

@@ -293,6 +293,16 @@ pub const STUDIES: &[Explanation] = &[
         "backlash = \"2 mm\"",
     ),
     row(
+        "M364",
+        ("no such part of the written calculation", "нет такой части записанного расчёта"),
+        (
+            "`sections` of [report] names chapters of the calculation, `depth` is full or short. The words are the same in both languages.",
+            "`sections` в [report] называет главы расчёта, `depth` – full или short. Слова одинаковы в обоих языках.",
+        ),
+        "[report]\nsections = [\"dynamics\"]",
+        "[report]\nsections = [\"equations\"]",
+    ),
+    row(
         "M089",
         ("a table of variants", "таблица вариантов"),
         (

@@ -111,6 +111,12 @@ pub const CHAPTERS: &[Chapter] = &[
         ),
         tables: &[&variants::VARIANTS, &variants::ANSWER],
     },
+    Chapter {
+        file: "report",
+        title: ("Written calculation", "Записанный расчёт"),
+        about: ("Title page, chapters and depth of `strutt report`.", "Титульный лист, главы и подробность `strutt report`."),
+        tables: &[&super::REPORT],
+    },
 ];
 
 /// The tables of elements; distributed loads, which are made of forces, before those of any form.

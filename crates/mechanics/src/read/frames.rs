@@ -121,6 +121,7 @@ fn report_cycle(reader: &mut Reader, cycle: &[usize], raw: &[RawFrame]) {
 fn ground(reader: &mut Reader) -> Frame {
     Frame {
         name: "ground".to_owned(),
+        label: Text::default(),
         is_body: false,
         on: FrameId::GROUND,
         origin: Origin::Vector([reader.builder.graph.zero(); 3]),
@@ -138,7 +139,8 @@ fn frame<'a>(reader: &mut Reader<'a>, raw: &RawFrame<'a>) -> Frame {
     let rotations = rotations(reader, fields);
     let spin = spin(reader, fields);
     let mass = if raw.is_body { mass(reader, fields) } else { None };
-    Frame { name: raw.name.clone(), is_body: raw.is_body, on, origin, rotations, spin, mass, span: fields.span.clone() }
+    let label = if raw.is_body { fields.text(reader, "label").unwrap_or_default() } else { Text::default() };
+    Frame { name: raw.name.clone(), label, is_body: raw.is_body, on, origin, rotations, spin, mass, span: fields.span.clone() }
 }
 
 fn origin<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Origin {

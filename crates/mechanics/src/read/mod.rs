@@ -15,6 +15,7 @@ mod parameters;
 mod phases;
 mod plane;
 mod ranges;
+mod report;
 mod sections;
 mod shapes;
 mod structures;
@@ -134,6 +135,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
     parameters.extend(schedule.restart(reader, &parameters, loads, &mut notation));
     let studies = kinds.map(|kinds| studies::read(reader, &top, kinds)).unwrap_or_default();
     let (variants, answers) = variants::read(reader, &top, &parameters);
+    let report = report::read(reader, &top);
     let impacts = connections::impacts(reader, &top);
 
     let mut unknowns = unknowns::check(reader, &top, &parameters);
@@ -172,6 +174,7 @@ fn model<'a>(reader: &mut Reader<'a>, root: &'a syntax::Table<'a>, (file, kinds)
         inertias: Vec::new(),
         variants,
         answers,
+        report,
         scaled: std::mem::take(&mut reader.scaled),
         premises,
     }

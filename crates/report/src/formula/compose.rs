@@ -98,9 +98,17 @@ impl<'a> Composer<'a> {
         }
     }
 
+    /// How |r| is written.
+    pub fn numeral(&self, r: &Rational) -> Numeral {
+        match self.printer.rounded {
+            true => Numeral::Plain(super::numeral::size(r.to_f64(), self.printer.language)),
+            false => numeral(r, self.printer.language),
+        }
+    }
+
     /// |r|.
     pub fn number(&self, r: &Rational) -> Layout {
-        match numeral(r, self.printer.language) {
+        match self.numeral(r) {
             Numeral::Plain(number) => number,
             Numeral::Ratio(n, d) => Layout::Fraction(Box::new(n), Box::new(d)),
         }

@@ -64,7 +64,9 @@ pub(super) fn append_index(subscript: &mut Vec<Index>, part: &str, language: Lan
         subscript.push(Index { text: ",".into(), shape: Shape::Upright });
     }
     for (k, piece) in part.split('_').filter(|p| !p.is_empty()).enumerate() {
-        if k > 0 {
+        // the index of an index: Q of φ_2 is Q with φ2
+        let number = piece.chars().all(|c| c.is_ascii_digit());
+        if k > 0 && !number {
             subscript.push(Index { text: ",".into(), shape: Shape::Upright });
         }
         let (letters, digits) = split_digits(piece);

@@ -15,6 +15,11 @@ pub fn value(x: f64, digits: usize, language: Language) -> Layout {
     Layout::signed(if x < 0.0 && mantissa != "0" { Sign::Minus } else { Sign::Plus }, size)
 }
 
+/// |x|, rounded for a reader.
+pub(super) fn size(x: f64, language: Language) -> Layout {
+    value(x.abs(), VALUE_DIGITS, language)
+}
+
 /// The same as a factor: a negative one in brackets.
 pub(super) fn factor(x: f64, language: Language) -> Layout {
     match value(x, VALUE_DIGITS, language) {

@@ -21,6 +21,10 @@ pub struct Printer {
     /// Names of parameters and coordinates.
     words: Vec<String>,
     width: Option<usize>,
+    /// Parameters whose numbers are positive.
+    positive: Vec<SymbolId>,
+    /// Whether numbers are rounded to what a reader takes in.
+    pub(super) rounded: bool,
     /// Symbols that are printed as numbers.
     values: Vec<(SymbolId, f64)>,
 }
@@ -28,7 +32,17 @@ pub struct Printer {
 impl Printer {
     /// A printer that takes every symbol for a constant.
     pub fn new(language: Language) -> Printer {
-        Printer { language, classes: Classes::default(), e_is_taken: false, notation: vec![], words: vec![], width: None, values: vec![] }
+        Printer {
+            language,
+            classes: Classes::default(),
+            e_is_taken: false,
+            notation: vec![],
+            words: vec![],
+            width: None,
+            positive: vec![],
+            rounded: false,
+            values: vec![],
+        }
     }
 
     /// A printer that knows what the symbols of `equations` are and how the user wants to see them.
@@ -38,7 +52,16 @@ impl Printer {
         let listed = listed.chain(equations.coordinates.iter().map(|c| c.symbols[0]));
         let words: Vec<String> = listed.map(|s| graph.symbol_info(s).name.clone()).collect();
         let e_is_taken = words.iter().any(|word| word == "e");
-        Printer { classes: Classes::of(equations), e_is_taken, notation: equations.notation.clone(), words, ..Printer::new(language) }
+        let mut positive: Vec<SymbolId> = equations.parameters.iter().filter(|p| p.value > 0.0).map(|p| p.symbol).collect();
+        positive.sort();
+        Printer {
+            positive,
+            classes: Classes::of(equations),
+            e_is_taken,
+            notation: equations.notation.clone(),
+            words,
+            ..Printer::new(language)
+        }
     }
 
     /// The same printer in another language.
@@ -65,6 +88,17 @@ impl Printer {
         values.sort_by_key(|(symbol, _)| *symbol);
         self.values = values;
         self
+    }
+
+    /// Numbers with all digits that a reader takes in, and no more: 0.333333 and not 1/3 of a long fraction.
+    pub fn rounded(mut self) -> Printer {
+        self.rounded = true;
+        self
+    }
+
+    /// Whether a parameter has a positive number.
+    pub(super) fn is_positive(&self, symbol: SymbolId) -> bool {
+        self.positive.binary_search(&symbol).is_ok()
     }
 
     /// The number that stands for a symbol.

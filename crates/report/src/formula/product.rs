@@ -4,7 +4,7 @@ use super::classes::SymbolClass;
 use super::compose::Composer;
 use super::language;
 use super::layout::{Bare, Bracket, Layout, Sign};
-use super::numeral::{Numeral, numeral};
+use super::numeral::Numeral;
 use super::order::Side;
 use super::text;
 use symbolic::{Expr, Function, Node, Rational};
@@ -17,11 +17,24 @@ struct Factor {
     sign: Sign,
     /// A sum is printed multiplied by this; the coefficient of the product accounts for it.
     scale: Rational,
+    /// How the base is taken.
+    taken: Taken,
+}
+
+/// How the base of a factor is taken.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Taken {
+    /// As it is.
+    Whole,
+    /// Without its sign: the root of its square.
+    Size,
+    /// Its sign alone: what is left of it over its size.
+    Sign,
 }
 
 impl Factor {
     fn new(base: Expr, exponent: &Rational) -> Factor {
-        Factor { base, exponent: exponent.clone(), sign: Sign::Plus, scale: Rational::ONE }
+        Factor { base, exponent: exponent.clone(), sign: Sign::Plus, scale: Rational::ONE, taken: Taken::Whole }
     }
     fn is_even(&self) -> bool {
         self.exponent.to_i64().is_some_and(|n| n % 2 == 0)
@@ -31,8 +44,8 @@ impl Factor {
 impl Composer<'_> {
     /// coefficient·Π base^exponent as a sign and a positive body.
     pub fn product(&mut self, coefficient: &Rational, factors: &[(Expr, Rational)]) -> (Sign, Layout) {
-        let mut factors: Vec<Factor> = factors.iter().map(|(base, exponent)| Factor::new(*base, exponent)).collect();
-        let coefficient = self.spread(coefficient, &mut factors);
+        let (coefficient, mut factors) = self.without_roots_of_squares(coefficient, factors);
+        let coefficient = self.spread(&coefficient, &mut factors);
         let mut negative = coefficient.is_negative();
         factors.sort_by_cached_key(|f| self.survey.factor_key(f.base));
         for factor in &mut factors {
@@ -40,6 +53,63 @@ impl Composer<'_> {
         }
         let body = self.assemble(&coefficient, &factors);
         (if negative { Sign::Minus } else { Sign::Plus }, body)
+    }
+
+    /// The factors with √(x²) written as |x|, as x where its sign is known, and x/|x| as sign x.
+    fn without_roots_of_squares(&self, coefficient: &Rational, factors: &[(Expr, Rational)]) -> (Rational, Vec<Factor>) {
+        let mut coefficient = coefficient.clone();
+        let mut found: Vec<Factor> = Vec::with_capacity(factors.len());
+        for (base, exponent) in factors {
+            match self.square_under(*base, exponent) {
+                Some((front, inner)) => {
+                    coefficient = &coefficient * &front;
+                    found.extend(inner);
+                }
+                None => found.push(Factor::new(*base, exponent)),
+            }
+        }
+        for i in 0..found.len() {
+            if found[i].taken != Taken::Size || !found[i].exponent.abs().is_one() {
+                continue;
+            }
+            let (base, inverse) = (found[i].base, -&found[i].exponent);
+            let whole = |f: &Factor| f.base == base && f.taken == Taken::Whole && f.exponent == inverse;
+            if let Some(other) = found.iter().position(whole) {
+                (found[i].taken, found[i].exponent) = (Taken::Sign, Rational::ONE);
+                found.remove(other);
+                return (coefficient, found);
+            }
+        }
+        (coefficient, found)
+    }
+
+    /// base^exponent with an odd multiple of 1/2 as exponent where the base is a square: the number in front, and what is left of the root.
+    fn square_under(&self, base: Expr, exponent: &Rational) -> Option<(Rational, Vec<Factor>)> {
+        let twice = (exponent * &Rational::from(2)).to_i64().filter(|n| n % 2 != 0)?;
+        let Node::Product { coefficient, factors } = self.graph.node(base) else { return None };
+        let front = if coefficient.is_one() { Rational::ONE } else { coefficient.root(2)?.pow(twice)? };
+        if !factors.iter().all(|(_, e)| e.to_i64().is_some_and(|n| n % 2 == 0)) {
+            return None;
+        }
+        let one = |(b, e): &(Expr, Rational)| {
+            let exponent = e * exponent;
+            let even = exponent.to_i64().is_some_and(|n| n % 2 == 0);
+            let taken = if even || self.is_positive(*b) { Taken::Whole } else { Taken::Size };
+            Factor { taken, ..Factor::new(*b, &exponent) }
+        };
+        Some((front, factors.iter().map(one).collect()))
+    }
+
+    /// Whether a formula of parameters is positive by their numbers.
+    fn is_positive(&self, e: Expr) -> bool {
+        match self.graph.node(e) {
+            Node::Number(r) => !r.is_negative() && !r.is_zero(),
+            Node::Pi => true,
+            Node::Symbol(s) => self.printer.is_positive(*s),
+            Node::Sum { constant, terms } => !constant.is_negative() && terms.iter().all(|(t, c)| !c.is_negative() && self.is_positive(*t)),
+            Node::Product { coefficient, factors } => !coefficient.is_negative() && factors.iter().all(|(b, _)| self.is_positive(*b)),
+            _ => false,
+        }
     }
 
     /// Moves a common denominator back into a sum of inertias: (2 I + m R²) φ''/2 is written (I + m R²/2) φ'', and in an energy, where
@@ -54,7 +124,7 @@ impl Composer<'_> {
             }
         }
         let available = if rates.to_i64() == Some(2) && denominator % 2 == 0 { denominator / 2 } else { denominator };
-        for factor in factors.iter_mut().filter(|f| f.exponent.is_one()) {
+        for factor in factors.iter_mut().filter(|f| f.exponent.is_one() && f.taken == Taken::Whole) {
             let Node::Sum { terms, .. } = self.graph.node(factor.base) else { continue };
             if class(self, factor.base) >= SymbolClass::Rate {
                 continue;
@@ -72,6 +142,7 @@ impl Composer<'_> {
     /// −k (φ' − ω) becomes k (ω − φ'), and a length stays a length in −m (l₀ − λ x). Returns whether the product changes sign by that.
     fn settle_sign(&mut self, factor: &mut Factor) -> bool {
         let (sum, odd, side) = match self.graph.node(factor.base) {
+            Node::Sum { .. } if factor.taken == Taken::Size => (factor.base, false, Side::Plain),
             Node::Sum { .. } if factor.exponent.is_integer() => (factor.base, !factor.is_even(), Side::Plain),
             Node::Call { function, arguments } => match parity(*function) {
                 Some(odd) => (arguments[0], odd && !factor.is_even(), argument_side(*function)),
@@ -89,7 +160,7 @@ impl Composer<'_> {
 
     fn assemble(&mut self, coefficient: &Rational, factors: &[Factor]) -> Layout {
         let (mut above, mut below) = (vec![], vec![]);
-        match numeral(coefficient, self.printer.language) {
+        match self.numeral(coefficient) {
             Numeral::Plain(number) if number != Layout::digits("1") => above.push(number),
             Numeral::Plain(_) => {}
             Numeral::Ratio(n, d) => {
@@ -107,7 +178,7 @@ impl Composer<'_> {
                 continue;
             }
             let layout = self.factor(factor, &factor.exponent);
-            if matches!(self.graph.node(factor.base), Node::Call { .. } | Node::Switch { .. }) {
+            if factor.taken == Taken::Sign || matches!(self.graph.node(factor.base), Node::Call { .. } | Node::Switch { .. }) {
                 functions.push(layout);
             } else {
                 above.push(layout);
@@ -132,6 +203,11 @@ impl Composer<'_> {
 
     fn factor(&mut self, factor: &Factor, exponent: &Rational) -> Layout {
         let graph = self.graph;
+        match factor.taken {
+            Taken::Whole => {}
+            Taken::Size => return self.call(Function::Abs, &[factor.base], factor.sign, exponent),
+            Taken::Sign => return self.call(Function::Sign, &[factor.base], factor.sign, exponent),
+        }
         if let Node::Call { function, arguments } = graph.node(factor.base) {
             return self.call(*function, arguments, factor.sign, exponent);
         }

@@ -5,20 +5,28 @@ use crate::args;
 use crate::console::{Console, INTERRUPTED, listen_to_interrupts};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
-use strutt::folder;
 use strutt::wording::Word;
+use strutt::{folder, pdf};
 use studies::Failure;
+use studies::failure::Misuse;
 use studies::pipeline;
 
 pub fn run(args: &args::Report, console: &mut Console) -> Result<Exit, Failure> {
     listen_to_interrupts(console.language);
+    let format = console.page.unwrap_or(folder::PAGE);
+    if args.pdf {
+        pdf::printed(format.name).map_err(Misuse::misuse)?;
+    }
     let (source, overrides) = inputs(&args.model)?;
     let calculation = console.watched(|watch| pipeline::run(&source, &overrides, watch))?;
     console.warn(&calculation.machine.warnings, &source);
-    let format = console.page.unwrap_or(folder::PAGE);
     let (out, name) = place(args, &source.name(), format.extension);
     let document = pipeline::report(&calculation, console.language);
     let paths = console.timed(Word::TimeWrite, |_| folder::report(&calculation, &document, (&out, &name), &format))?;
+    let mut paths = paths;
+    if args.pdf {
+        paths.extend(paths.last().map(|page| pdf::print(page, format.name)).transpose()?);
+    }
     let list: String = paths.iter().map(|p| format!("\n  {}", p.display())).collect();
     console.talk(&format!("{}{list}", console.say(Word::Written)));
     let least = if INTERRUPTED.load(Ordering::Relaxed) { Exit::Interrupted } else { Exit::Done };

@@ -1,4 +1,4 @@
-//! Sources and appendices: the file as it is, tables of values.
+//! Sources, and the file as it is.
 
 use super::Work;
 use super::pen::Pen;
@@ -29,6 +29,3 @@ pub(super) fn model(work: &Work, pen: &mut Pen) {
         pen.blocks.push(Block::Verbatim(source.text.clone()));
     }
 }
-
-/// Values of motions row by row.
-pub(super) fn tables(_work: &Work, _pen: &mut Pen) {}

@@ -6,7 +6,7 @@ use super::kinematics::definitions;
 use super::pen::{Pen, inline, words};
 use super::statement::capital;
 use super::wording::Word;
-use mechanics::model::{Frame, Inertia};
+use mechanics::model::{Depth, Frame, Inertia};
 use report::document::{Inline, Rich};
 use report::formula::{Layout, Relation};
 use symbolic::equations::{Equality, Part, Step, StepFormula, StepName};
@@ -19,6 +19,7 @@ pub(super) fn write(work: &Work, pen: &mut Pen) {
         pen.section(pen.word(Word::Dissipation), |pen| energy(work, Part::Dissipation, pen));
         pen.section(pen.word(Word::Forces), |pen| forces(work, pen));
         pen.section(pen.word(Word::Lagrange), |pen| lagrange(work, pen));
+        super::machine::write(work, pen);
         pen.section(pen.word(Word::Second), |pen| second(work, pen));
     }
     for results in work.results_of(Word::Dynamics) {
@@ -33,7 +34,7 @@ fn step<'a>(work: &Work<'a>, part: Part) -> Option<&'a Step> {
 
 impl Work<'_> {
     /// The formula of a step; bodies go by their numbers, springs by a letter.
-    fn step_formula(&self, formula: &StepFormula) -> Layout {
+    pub(super) fn step_formula(&self, formula: &StepFormula) -> Layout {
         let StepName::Quantity { letter, index } = &formula.left else { return self.printer.step(&self.equations.graph, formula) };
         let left = StepName::Quantity { letter: letter.clone(), index: self.index_of(letter, index) };
         self.printer.step(&self.equations.graph, &StepFormula { left, right: formula.right })
@@ -109,7 +110,8 @@ fn theorem(work: &Work, frame: &Frame) -> Vec<Inline> {
 fn letters(work: &Work, law: &str) -> Layout {
     let letter = |name: &str| Layout::Symbol(work.printer.named(name));
     let square = |name: &str| Layout::Power(Box::new(letter(name)), Box::new(Layout::Number { mantissa: "2".into(), exponent: None }));
-    let half = |above: Layout| Layout::Fraction(Box::new(above), Box::new(Layout::Number { mantissa: "2".into(), exponent: None }));
+    // a fraction within a sentence would be small: it stands on the line
+    let half = |above: Layout| Layout::Row(vec![above, Layout::Words("/2".into())]);
     let product = |a: &str, b: &str| half(Layout::Product(vec![letter(a), square(b)]));
     let plus = report::formula::Sign::Plus;
     let right = match law {
@@ -118,7 +120,10 @@ fn letters(work: &Work, law: &str) -> Layout {
         "T = m v_C²/2 + J_C ω²/2" => Layout::Sum(vec![(plus, product("m", "v_C")), (plus, product("J_C", "ω"))]),
         _ => {
             let axes = [("J_x", "ω_x"), ("J_y", "ω_y"), ("J_z", "ω_z")].map(|(j, w)| (plus, Layout::Product(vec![letter(j), square(w)])));
-            Layout::Sum(vec![(plus, product("m", "v_C")), (plus, half(Layout::Sum(axes.to_vec())))])
+            Layout::Sum(vec![
+                (plus, product("m", "v_C")),
+                (plus, half(Layout::Fence(report::formula::Bracket::Round, Box::new(Layout::Sum(axes.to_vec()))))),
+            ])
         }
     };
     Layout::Related(Box::new(letter("T")), Relation::Equal, Box::new(right))
@@ -137,7 +142,7 @@ fn energy(work: &Work, part: Part, pen: &mut Pen) {
             "Диссипативная функция вязкого демпфера равна b u²/2, где u – скорость его удлинения или закручивания:",
         ),
     });
-    for formula in &step.formulas {
+    for formula in step.formulas.iter().filter(|f| step.formulas.len() == 1 || !work.equations.graph.is_zero(f.right)) {
         pen.numbered(work.printer.block(work.step_formula(formula)));
     }
 }
@@ -192,7 +197,9 @@ fn lagrange(work: &Work, pen: &mut Pen) {
     };
     if let Some(step) = step(work, Part::Derivatives) {
         pen.say(work.text(&step.words));
-        derivatives(work, step, pen);
+        if work.model.report.depth == Depth::Full {
+            derivatives(work, step, pen);
+        }
     }
     reacting(work, pen);
     if textbook.is_empty() {

@@ -3,7 +3,7 @@
 use super::Work;
 use super::pen::{inline, words};
 use super::wording::Word;
-use mechanics::model::{Connection, ConnectionKind, Frame, FrameId, Inertia, Origin, Pathway, PointRef, Rest, Slides, SupportDirection};
+use mechanics::model::{Connection, ConnectionKind, Element, Frame, FrameId, Inertia, Origin, Pathway, PointRef, Slides, SupportDirection};
 use report::document::Rich;
 use report::table::Column;
 use report::{Cell, Table};
@@ -39,7 +39,9 @@ impl Work<'_> {
             return self.language.pick("the ground", "стойка").to_owned();
         }
         let name = &self.model.frames[frame.index()].name;
+        let label = self.text(&self.model.frames[frame.index()].label);
         match self.number(frame) {
+            Some(n) if !label.is_empty() => format!("{} {n} ({label})", self.language.pick("body", "тело")),
             Some(n) => format!("{} {n} («{name}»)", self.language.pick("body", "тело")),
             None => format!("{} «{name}»", self.language.pick("the frame", "система отсчёта")),
         }
@@ -136,7 +138,7 @@ impl Work<'_> {
             });
             table.row(vec![
                 Cell::words(self.number(FrameId(i)).map_or(String::new(), |n| n.to_string())),
-                Cell::words(frame.name.clone()),
+                Cell::words(if self.text(&frame.label).is_empty() { &frame.name } else { self.text(&frame.label) }),
                 Cell::words(self.motion(frame)),
                 mass.map_or_else(none, |m| self.formula(m.mass)),
                 inertia.unwrap_or_else(none),
@@ -253,22 +255,32 @@ impl Work<'_> {
             let kind = mechanics::elements::TABLE.iter().find(|row| row.keys.name == element.table);
             let kind = kind.map_or("", |row| self.language.pick(row.listed.0, row.listed.1));
             let name = format!("{} ({kind})", element.name);
-            table.row(vec![Cell::words(name), Cell::Rich(Rich(self.law(&element.name, &element.path)))]);
+            table.row(vec![Cell::words(name), Cell::Rich(Rich(self.law(element)))]);
         }
         (!table.rows.is_empty()).then_some(table)
     }
 
     /// Π or Φ of an element as the derivation has it, or the power of its load.
-    fn law(&self, name: &str, path: &str) -> Vec<report::document::Inline> {
+    fn law(&self, element: &Element) -> Vec<report::document::Inline> {
         let graph = &self.equations.graph;
-        let parts = [Part::Potential, Part::Dissipation];
-        for step in self.equations.steps.iter().filter(|step| parts.contains(&step.part)) {
-            let own = step.formulas.iter().find(|f| matches!(&f.left, StepName::Quantity { index, .. } if index == name));
+        let part = match element.table {
+            "springs" | "torsion_bars" | "potentials" => Some(Part::Potential),
+            "dampers" | "dissipations" => Some(Part::Dissipation),
+            _ => None,
+        };
+        if let Some(step) = self.equations.steps.iter().find(|step| Some(step.part) == part) {
+            let single = step.formulas.len() == 1;
+            let own = step
+                .formulas
+                .iter()
+                .rev()
+                .find(|f| matches!(&f.left, StepName::Quantity { index, .. } if *index == element.name || single && index.is_empty()));
             if let Some(formula) = own {
-                return vec![inline(self.printer.step(graph, formula))];
+                return vec![inline(self.step_formula(formula))];
             }
         }
-        let loads = self.equations.applied.iter().find(|load| load.path == path);
+        let path = &element.path;
+        let loads = self.equations.applied.iter().find(|load| load.path == *path);
         match loads {
             Some(load) if !load.forces.is_empty() => {
                 let mut graph = graph.clone();
@@ -285,11 +297,5 @@ impl Work<'_> {
             }
             _ => vec![words("–")],
         }
-    }
-
-    /// A length that is given or is that at the start.
-    #[allow(dead_code)]
-    fn rest(&self, rest: &Rest) -> Option<Expr> {
-        if let Rest::Value(e) = rest { Some(*e) } else { None }
     }
 }

@@ -7,7 +7,10 @@ mod appendix;
 mod conclusions;
 mod dynamics;
 mod facts;
+mod front;
 mod kinematics;
+mod linear;
+mod machine;
 mod pen;
 mod quantity;
 mod reactions;
@@ -19,9 +22,10 @@ mod wording;
 use crate::calculation::Calculation;
 use crate::results::{Extent, Results, View};
 use mechanics::Model;
+use mechanics::model::Depth;
 use pen::Pen;
-use report::Document;
 use report::formula::Printer;
+use report::{Block, Document};
 use symbolic::Equations;
 use wording::Word;
 use words::Language;
@@ -29,8 +33,9 @@ use words::Language;
 /// Characters of a line of formulas.
 const LINE: usize = 84;
 
-/// A chapter: its title, how it is counted, what makes it.
+/// A chapter: its name in `[report]`, its title, how it is counted, what makes it.
 struct Chapter {
+    name: &'static str,
     title: Word,
     count: Count,
     make: fn(&Work, &mut Pen),
@@ -49,20 +54,19 @@ enum Count {
 
 /// The outline, in order.
 const CHAPTERS: &[Chapter] = &[
-    Chapter { title: Word::Statement, count: Count::Number, make: statement::write },
-    Chapter { title: Word::Sections, count: Count::Number, make: studied::sections },
-    Chapter { title: Word::Kinematics, count: Count::Number, make: kinematics::write },
-    Chapter { title: Word::Dynamics, count: Count::Number, make: dynamics::write },
-    Chapter { title: Word::Free, count: Count::Number, make: studied::free },
-    Chapter { title: Word::Forced, count: Count::Number, make: studied::forced },
-    Chapter { title: Word::Motion, count: Count::Number, make: studied::motion },
-    Chapter { title: Word::Reactions, count: Count::Number, make: reactions::write },
-    Chapter { title: Word::Regime, count: Count::Number, make: studied::regime },
-    Chapter { title: Word::Verification, count: Count::Number, make: verification::write },
-    Chapter { title: Word::Conclusions, count: Count::None, make: conclusions::write },
-    Chapter { title: Word::Sources, count: Count::None, make: appendix::sources },
-    Chapter { title: Word::ModelText, count: Count::Letter, make: appendix::model },
-    Chapter { title: Word::Tables, count: Count::Letter, make: appendix::tables },
+    Chapter { name: "statement", title: Word::Statement, count: Count::Number, make: statement::write },
+    Chapter { name: "sections", title: Word::Sections, count: Count::Number, make: studied::sections },
+    Chapter { name: "kinematics", title: Word::Kinematics, count: Count::Number, make: kinematics::write },
+    Chapter { name: "equations", title: Word::Dynamics, count: Count::Number, make: dynamics::write },
+    Chapter { name: "free", title: Word::Free, count: Count::Number, make: studied::free },
+    Chapter { name: "forced", title: Word::Forced, count: Count::Number, make: studied::forced },
+    Chapter { name: "motion", title: Word::Motion, count: Count::Number, make: studied::motion },
+    Chapter { name: "reactions", title: Word::Reactions, count: Count::Number, make: reactions::write },
+    Chapter { name: "regime", title: Word::Regime, count: Count::Number, make: studied::regime },
+    Chapter { name: "verification", title: Word::Verification, count: Count::Number, make: verification::write },
+    Chapter { name: "conclusions", title: Word::Conclusions, count: Count::None, make: conclusions::write },
+    Chapter { name: "sources", title: Word::Sources, count: Count::None, make: appendix::sources },
+    Chapter { name: "model", title: Word::ModelText, count: Count::Letter, make: appendix::model },
 ];
 
 /// The chapter in which a study is told; no study is left out.
@@ -114,12 +118,27 @@ impl<'a> Work<'a> {
     }
 }
 
+/// Whether the file asks for a chapter; a short calculation has no appendix unless it is asked for.
+fn is_wanted(report: &mechanics::model::Report, chapter: &Chapter) -> bool {
+    match &report.parts {
+        Some(parts) => parts.iter().any(|part| part == chapter.name),
+        None => report.depth == Depth::Full || chapter.count != Count::Letter,
+    }
+}
+
 /// The written calculation.
 pub fn compose(calculation: &Calculation, language: Language) -> Document {
     let work = Work::new(calculation, language);
     let mut pen = Pen::new(language);
-    for chapter in CHAPTERS {
+    let report = &work.model.report;
+    pen.blocks.extend(report.front.as_ref().map(|front| front::page(&work, front)));
+    let at = pen.blocks.len();
+    for chapter in CHAPTERS.iter().filter(|chapter| is_wanted(report, chapter)) {
         pen.chapter(chapter, |pen| (chapter.make)(&work, pen));
+    }
+    // a work that is handed in lists its chapters
+    if report.front.is_some() {
+        pen.blocks.insert(at, Block::Contents);
     }
     let title = language.text(&work.model.title).into();
     let machine = &calculation.machine;
@@ -130,5 +149,26 @@ pub fn compose(calculation: &Calculation, language: Language) -> Document {
         blocks: pen.blocks,
         version: crate::provenance::VERSION.into(),
         model_hash: machine.model_hash.clone(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chapters_have_the_names_of_the_reference() {
+        let names: Vec<&str> = CHAPTERS.iter().map(|chapter| chapter.name).collect();
+        assert_eq!(names, mechanics::fields::PARTS);
+    }
+
+    #[test]
+    fn every_study_has_its_chapter_and_a_sentence_of_what_is_wanted() {
+        for study in crate::TABLE {
+            let (en, ru) = statement::asks(study.kind().name);
+            assert!(!en.is_empty() && ru.chars().any(|c| ('а'..='я').contains(&c)), "{}", study.kind().name);
+            let chapter = chapter_of(study.kind().name);
+            assert!(CHAPTERS.iter().any(|c| c.title == chapter), "{}", study.kind().name);
+        }
     }
 }

@@ -15,11 +15,12 @@ const DIGITS: usize = 6;
 const MOST: usize = 12;
 
 pub(super) fn write(work: &Work, pen: &mut Pen) {
-    for results in work.results_of(Word::Reactions) {
-        let heading = work.text(&results.heading);
-        pen.section(heading, |pen| pen.take(results.below(&work.view()), heading));
+    super::studied::told(work, Word::Reactions, pen);
+    let motions: Vec<&Results> = work.calculation.results.iter().filter(|r| matches!(r.kind, "simulate" | "inverse")).collect();
+    if let ([only], None) = (&motions[..], work.results_of(Word::Reactions).next()) {
+        return of_motion(work, only, pen);
     }
-    for results in work.calculation.results.iter().filter(|r| matches!(r.kind, "simulate" | "inverse")) {
+    for results in motions {
         let heading = work.text(&results.heading);
         pen.section(heading, |pen| of_motion(work, results, pen));
     }

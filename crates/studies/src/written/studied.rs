@@ -11,7 +11,13 @@ use report::{Cell, Table};
 use symbolic::Expr;
 
 /// Every study of the chapter in a section of its own.
-fn told(work: &Work, chapter: Word, pen: &mut Pen) {
+pub(super) fn told(work: &Work, chapter: Word, pen: &mut Pen) {
+    // a lone study of the chapter's own name needs no section
+    if let [only] = work.results_of(chapter).collect::<Vec<_>>()[..]
+        && work.text(&only.heading) == pen.word(chapter)
+    {
+        return pen.take(only.below(&work.view()), pen.word(chapter));
+    }
     for results in work.results_of(chapter) {
         let heading = work.text(&results.heading);
         pen.section(heading, |pen| pen.take(results.below(&work.view()), heading));
@@ -24,6 +30,7 @@ pub(super) fn sections(work: &Work, pen: &mut Pen) {
 }
 
 pub(super) fn free(work: &Work, pen: &mut Pen) {
+    super::linear::write(work, pen);
     told(work, Word::Free, pen);
 }
 

@@ -1,0 +1,160 @@
+//! The equation of a machine with one degree of freedom, J φ'' + J' φ'²/2 = M, beside the equations with reactions.
+
+use super::Work;
+use super::pen::{Pen, inline, words};
+use super::quantity::chain;
+use report::formula::{Layout, Relation, SymbolClass};
+use symbolic::transfer::{Reduced, reduce};
+use symbolic::{Expr, Graph, Node, Rational, Substitution, SymbolId};
+
+/// Longest formula that is also written with numbers.
+const READABLE: usize = 90;
+/// States at which the equation is laid against those it came from.
+const STATES: u32 = 8;
+/// Largest deviation there, a share of the largest term.
+const AGREES: f64 = 1e-9;
+
+pub(super) fn write(work: &Work, pen: &mut Pen) {
+    let Some(reduced) = leading(work).and_then(|i| reduce(work.equations, i)) else { return };
+    let worst = (0..STATES).map(|k| deviation(work, &reduced, k)).fold(0.0_f64, |m, d| if d.is_nan() { m } else { m.max(d) });
+    if worst > AGREES {
+        return;
+    }
+    let title =
+        work.language.pick("Equation of the machine with its reduced inertia", "Уравнение движения машины с приведённым моментом инерции");
+    pen.section(title, |pen| told(work, (&reduced, worst), pen));
+}
+
+/// The angle of the cycle, else the first coordinate with a given start or rate.
+fn leading(work: &Work) -> Option<usize> {
+    let coordinates = &work.equations.coordinates;
+    let cycle = work.model.studies.iter().find_map(|s| s.coordinate("angle"));
+    let asked = cycle.and_then(|angle| coordinates.iter().position(|c| c.symbols[0] == angle.symbol));
+    asked.or_else(|| coordinates.iter().position(|c| c.given[1])).or_else(|| coordinates.iter().position(|c| c.given[0])).or(Some(0))
+}
+
+/// Numbers for the k-th state: parameters as they are, everything else spread over (0.2, 1.2).
+fn deviation(work: &Work, reduced: &Reduced, k: u32) -> f64 {
+    let equations = work.equations;
+    let spread = |s: SymbolId| 0.2 + (0.618_034 * f64::from(k + 1) * (s.index() as f64 + 1.0)).fract();
+    let mut known: Vec<(SymbolId, f64)> = equations.parameters.iter().map(|p| (p.symbol, p.value)).collect();
+    for definition in &equations.definitions {
+        let find = |s: SymbolId| known.iter().find(|(n, _)| *n == s).map_or_else(|| spread(s), |(_, v)| *v);
+        let value = equations.graph.evaluate(&[definition.formula], &find)[0];
+        known.push((definition.symbol, value));
+    }
+    reduced.deviation(equations, &|s| known.iter().find(|(n, _)| *n == s).map_or_else(|| spread(s), |(_, v)| *v))
+}
+
+fn told(work: &Work, (reduced, worst): (&Reduced, f64), pen: &mut Pen) {
+    let graph = &reduced.graph;
+    let coordinates = &work.equations.coordinates;
+    let leading = &coordinates[reduced.leading];
+    let printer =
+        reduced.ratios.iter().fold(work.printer.clone(), |p, r| p.with_class(r.symbol, SymbolClass::Coordinate, r.coordinate as u32));
+    let symbol = |s: SymbolId| printer.symbol_layout(graph, s);
+    pen.tell(vec![
+        words(work.language.pick(
+            "The machine has one degree of freedom: its leading coordinate is ",
+            "Механизм имеет одну степень свободы; обобщённая координата – ",
+        )),
+        inline(symbol(leading.symbols[0])),
+        words(work.language.pick(
+            ". The rates of the other coordinates follow from the equations of the connections by the transfer functions",
+            ". Скорости остальных координат выражаются через её скорость из уравнений связей при помощи передаточных функций",
+        )),
+    ]);
+    for ratio in &reduced.ratios {
+        let above = Layout::Row(vec![Layout::Words("d".into()), symbol(coordinates[ratio.coordinate].symbols[0])]);
+        let below = Layout::Row(vec![Layout::Words("d".into()), symbol(leading.symbols[0])]);
+        let fraction = Layout::Fraction(Box::new(above), Box::new(below));
+        pen.numbered(chain(&printer, vec![symbol(ratio.symbol), fraction, printer.layout(graph, ratio.formula)]));
+    }
+    let angle = leading.unit == "rad";
+    let (en, ru) = if angle {
+        ("reduced moment of inertia", "приведённым моментом инерции")
+    } else {
+        ("reduced mass", "приведённой массой")
+    };
+    pen.tell(vec![
+        words(work.language.pick("The kinetic energy of all bodies is ", "Кинетическая энергия всех тел равна ")),
+        inline(half_square(work, symbol(leading.symbols[1]))),
+        words(work.language.pick(format!(" with the {en}"), format!(" с {ru}"))),
+    ]);
+    let inertia = of(work, "J", symbol(leading.symbols[0]));
+    pen.numbered(chain(&printer, vec![inertia.clone(), printer.layout(graph, reduced.inertia)]));
+    numbers(work, (graph, reduced.whole), &inertia, pen);
+    let (en, ru) = if angle { ("moment", "момент") } else { ("force", "сила") };
+    pen.say(
+        work.language.pick(
+            format!("The reduced {en} does the power of all loads; the reactions of ideal connections do none:"),
+            format!("Приведённый {ru} определяется из равенства мощностей всех нагрузок; мощность реакций идеальных связей равна нулю:")
+                .replace("Приведённый сила определяется", "Приведённая сила определяется"),
+        ),
+    );
+    let moment = Layout::Symbol(printer.named(if angle { "M_пр" } else { "F_пр" }));
+    let moment =
+        if work.language == ::words::Language::En { Layout::Symbol(printer.named(if angle { "M_r" } else { "F_r" })) } else { moment };
+    pen.numbered(chain(&printer, vec![moment.clone(), printer.layout(graph, reduced.moment)]));
+    pen.say(work.language.pick("The equation of the machine is", "Уравнение движения машины"));
+    pen.numbered(printer.block(equation(work, reduced, moment)));
+    let worst = report::number::short(worst.max(1e-16), 2, work.language);
+    pen.say(work.language.pick(
+        format!(
+            "It was laid against the equations with reactions at {STATES} states: the largest difference is {worst} of the largest term."
+        ),
+        format!("Оно сопоставлено с уравнениями с реакциями в {STATES} состояниях: наибольшее расхождение {worst} наибольшего слагаемого."),
+    ));
+}
+
+/// name(argument).
+fn of(work: &Work, name: &str, argument: Layout) -> Layout {
+    let bracketed = Layout::Fence(report::formula::Bracket::Round, Box::new(argument));
+    Layout::Row(vec![Layout::Symbol(work.printer.named(name)), bracketed])
+}
+
+/// T = J rate²/2 on a line.
+fn half_square(work: &Work, rate: Layout) -> Layout {
+    let two = || Layout::Number { mantissa: "2".into(), exponent: None };
+    let square = Layout::Power(Box::new(rate), Box::new(two()));
+    let product = Layout::Product(vec![Layout::Symbol(work.printer.named("J")), square]);
+    let right = Layout::Row(vec![product, Layout::Words("/2".into())]);
+    Layout::Related(Box::new(Layout::Symbol(work.printer.named("T"))), Relation::Equal, Box::new(right))
+}
+
+/// J φ'' + (1/2) dJ/dφ φ'² = M.
+fn equation(work: &Work, reduced: &Reduced, moment: Layout) -> Layout {
+    let [q, qd, qdd] = work.equations.coordinates[reduced.leading].symbols.map(|s| work.printer.symbol_layout(&reduced.graph, s));
+    let number = |text: &str| Layout::Number { mantissa: text.into(), exponent: None };
+    let letter = Layout::Symbol(work.printer.named("J"));
+    let d = |of: Layout| Layout::Row(vec![Layout::Words("d".into()), of]);
+    let slope = Layout::Fraction(Box::new(d(letter.clone())), Box::new(d(q)));
+    let half = Layout::Fraction(Box::new(number("1")), Box::new(number("2")));
+    let square = Layout::Power(Box::new(qd), Box::new(number("2")));
+    let plus = report::formula::Sign::Plus;
+    let mut terms = vec![(plus, Layout::Product(vec![letter, qdd]))];
+    if !reduced.graph.is_zero(reduced.slope) {
+        terms.push((plus, Layout::Product(vec![half, slope, square])));
+    }
+    Layout::Related(Box::new(Layout::Sum(terms)), Relation::Equal, Box::new(moment))
+}
+
+/// The same with the numbers of the parameters, where that is short.
+fn numbers(work: &Work, (graph, whole): (&Graph, Expr), name: &Layout, pen: &mut Pen) {
+    let mut graph = graph.clone();
+    let mut list: Vec<(SymbolId, Expr)> = Vec::new();
+    for p in &work.equations.parameters {
+        let Some(r) = Rational::parse_decimal(&format!("{}", p.value)) else { return };
+        list.push((p.symbol, graph.number(r)));
+    }
+    let put = Substitution::new(list).apply(&mut graph, whole);
+    let put = symbolic::Textbook::new(&mut graph, [], &[]).tidy(&mut graph, put);
+    if matches!(graph.node(put), Node::Number(_)) || graph.reachable(&[put]).len() > READABLE {
+        return;
+    }
+    let unit = if work.equations.coordinates.iter().any(|c| c.unit == "rad") { "kg m^2" } else { "kg" };
+    let printer = work.printer.clone().rounded();
+    let right =
+        Layout::Row(vec![printer.layout(&graph, put), Layout::Words(format!("\u{a0}{}", report::unit::print(unit, work.language)))]);
+    pen.formula(chain(&printer, vec![name.clone(), right]));
+}
