@@ -28,4 +28,6 @@ pub mod units;
 pub mod variants;
 
 pub use model::Model;
-pub use read::{MAX_FILE, MAX_FINDINGS, Reading, read, read_with, split_override, sweep_range};
+pub use read::{MAX_FILE, MAX_FINDINGS, Reading, SHAPES, read, read_with, split_override, sweep_range};
+pub use scene::is_spatial;
+pub use scene::places::Places;

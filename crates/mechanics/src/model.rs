@@ -14,7 +14,7 @@ pub use crate::asked::{FrequencyVariable, Plot, SweepRange, Times};
 pub use crate::requests::*;
 pub use claims::*;
 pub use connections::*;
-pub use law::{Element, Found, Law, Push, Stage, Straight, Way};
+pub use law::{Element, Found, Law, Push, Site, Sketch, Stage, Straight, Way};
 pub use premises::{Change, Premise, Reliance, Values, unmoved};
 pub use report::{Depth, Front, Report};
 pub use variants::*;
@@ -221,6 +221,19 @@ pub struct Mass {
     pub inertia: Inertia,
     /// Whether gravity acts on it.
     pub gravity: bool,
+    /// The homogeneous body that its inertia is that of.
+    pub shape: Option<Solid>,
+}
+
+/// A homogeneous body as the file names it.
+#[derive(Clone, Debug)]
+pub struct Solid {
+    /// `disc`, `rod`, ...: see [`crate::SHAPES`].
+    pub name: &'static str,
+    /// Its lengths, m.
+    pub lengths: Vec<Expr>,
+    /// Axis of the body along which a rod lies.
+    pub axis: Axis,
 }
 
 /// Inertia about the mass centre.

@@ -5,6 +5,7 @@
 
 use crate::figure::Figure;
 use crate::figure::bands::Bands;
+use crate::scheme::Scheme;
 use crate::table::Table;
 use words::Language;
 
@@ -55,6 +56,8 @@ pub enum Block {
     Figure(Figure),
     /// What contacts did over time; numbered as a figure.
     Bands(Bands),
+    /// The machine as a drawing of symbols; numbered as a figure.
+    Scheme(Scheme),
     /// Something that opens on demand (always open in terminal text).
     Details {
         /// The line that is always seen.

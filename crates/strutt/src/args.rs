@@ -55,6 +55,8 @@ pub enum Command {
     Variants(Variants),
     /// Show the properties of the sections of a file
     Section(Section),
+    /// Draw the scheme of the machine, as SVG on standard output
+    Scheme(Scheme),
     /// List the example models, or print one
     Examples(Examples),
     /// Write a model file to start from
@@ -184,6 +186,24 @@ pub struct Section {
     /// Also write drawings and a table into this folder
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct Scheme {
+    #[command(flatten)]
+    pub model: Model,
+    /// Write it into this SVG file
+    #[arg(long, value_name = "PATH")]
+    pub svg: Option<PathBuf>,
+    /// Write it into this PNG file
+    #[arg(long, value_name = "PATH")]
+    pub png: Option<PathBuf>,
+    /// Draw the machine at this time of its motion, or in equilibrium
+    #[arg(long, value_name = "TIME|rest")]
+    pub at: Option<String>,
+    /// Draw this body alone, with the reactions of what holds it
+    #[arg(long, value_name = "NAME")]
+    pub body: Option<String>,
 }
 
 #[derive(Args, Debug)]

@@ -199,6 +199,30 @@ const OWN: &[Explanation] = &[
         ),
     ),
     plain(
+        "C055",
+        ("No such body", "Нет такого тела"),
+        (
+            "strutt scheme FILE --body NAME draws a body alone: NAME is one of [bodies].",
+            "strutt scheme FILE --body NAME изображает одно тело; NAME – одно из [bodies].",
+        ),
+    ),
+    plain(
+        "C056",
+        ("Nothing to draw", "Нечего чертить"),
+        (
+            "A scheme shows bodies, their connections and loads, frames and trusses. The file has none of them; sections have drawings of their own: strutt section FILE --out DIR.",
+            "Схема изображает тела, их связи и нагрузки, рамы и фермы. В файле ничего из этого нет; у сечений свои чертежи: strutt section FILE --out DIR.",
+        ),
+    ),
+    plain(
+        "C057",
+        ("A place that the motion does not reach", "Положение, которого движение не достигает"),
+        (
+            "strutt scheme FILE --at TIME draws the machine at a time of its motion. The motion ends before that time, at an event or because it cannot go on.",
+            "strutt scheme FILE --at TIME изображает машину в момент движения. Движение кончается раньше: событием или потому, что не может продолжаться.",
+        ),
+    ),
+    plain(
         "C010",
         ("No such name", "Нет такого имени"),
         (

@@ -59,6 +59,22 @@ pub fn report(
     shelf.close()
 }
 
+/// Writes one picture; an older one of that name is replaced.
+///
+/// # Errors
+/// It would replace an input (C052), or the disk refuses (C005).
+pub fn picture(path: &Path, bytes: &[u8], inputs: &[PathBuf]) -> Result<(), Box<Notice>> {
+    crate::shelf::replace(path, bytes, inputs)
+}
+
+/// An SVG as the bytes of a PNG file.
+///
+/// # Errors
+/// A fault of the renderer.
+pub fn pixels(svg: &str, name: &str) -> Result<Vec<u8>, Box<Notice>> {
+    png::of_svg(svg).map_err(|error| undrawn(name, &error))
+}
+
 /// The page and its pictures.
 fn page(shelf: &mut Shelf, document: &Document, format: &Format) -> Result<(), Box<Notice>> {
     paged(shelf, document, (format, &format!("index.{}", format.extension)))

@@ -125,6 +125,17 @@ fn same_file(output: &Path, input: &Path) -> bool {
     place(output).is_some_and(|o| place(input) == Some(o)) || aimed()
 }
 
+/// One file beside others, in place of an older one.
+///
+/// # Errors
+/// It would replace an input (C052), or the disk refuses (C005).
+pub fn replace(path: &Path, bytes: &[u8], inputs: &[PathBuf]) -> Result<(), Box<Notice>> {
+    match inputs.iter().find(|input| same_file(path, input)) {
+        Some(input) => Err(Box::new(input_kept(path, input))),
+        None => fs::write(path, bytes).map_err(|error| files::refused(path, &error)),
+    }
+}
+
 fn input_kept(output: &Path, input: &Path) -> Notice {
     let (output, input) = (output.display(), input.display());
     let elsewhere = Text::new("choose another folder with --out", "укажите другую папку ключом --out");

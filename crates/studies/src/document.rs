@@ -24,7 +24,11 @@ pub fn compose(calculation: &Calculation, extent: Extent, language: Language) ->
     let sections = &calculation.machine.model.sections;
     // sections alone have no motion
     let machine = sections.is_empty() || !writer.equations.coordinates.is_empty();
-    let mut blocks = if machine { writer.coordinates() } else { Vec::new() };
+    let scheme = if extent == Extent::Page { crate::scheme::figure(&calculation.machine, language) } else { None };
+    let mut blocks: Vec<Block> = scheme.into_iter().collect();
+    if machine {
+        blocks.extend(writer.coordinates());
+    }
     if machine {
         blocks.extend(writer.equations());
     }

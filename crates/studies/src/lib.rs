@@ -33,6 +33,7 @@ pub mod poincare;
 mod provenance;
 pub mod response;
 pub mod results;
+pub mod scheme;
 mod section;
 pub mod sections;
 pub mod simulate;

@@ -4,7 +4,7 @@ use super::common::{pathway_of, per, told, useful};
 use super::{Made, Row};
 use crate::formula::{Context, Kind};
 use crate::keys::{ALONG, BETWEEN, TableSpec, Type, must};
-use crate::model::{Found, Law, Measure, Pathway, Push, Stage, Straight};
+use crate::model::{Found, Law, Measure, Pathway, Push, Site, Sketch, Stage, Straight};
 use crate::reader::{Fields, Reader};
 use std::sync::Arc;
 use symbolic::{Expr, Rational};
@@ -64,6 +64,10 @@ impl Law for Damper {
         let against = graph.neg(force);
         stage.dissipate(function, Push { way, force: against });
         Ok(vec![force, way.value])
+    }
+
+    fn sketch(&self) -> Sketch {
+        Sketch::new(Site::On(self.pathway), self.damping)
     }
 
     fn straight(&self) -> Straight {

@@ -3,7 +3,7 @@
 use super::{Made, Row};
 use crate::formula::Context;
 use crate::keys::{TableSpec, Type, must};
-use crate::model::{Found, Law, Stage, Straight};
+use crate::model::{Found, Law, Site, Sketch, Stage, Straight};
 use crate::reader::{Fields, Reader};
 use crate::units::Dimension;
 use symbolic::Expr;
@@ -52,6 +52,10 @@ impl Law for Dissipation {
     fn act(&self, stage: &mut dyn Stage) -> Found<Vec<Expr>> {
         stage.dissipate_by_rates(self.function)?;
         Ok(Vec::new())
+    }
+
+    fn sketch(&self) -> Sketch {
+        Sketch::new(Site::Dissipation, self.function)
     }
 
     fn straight(&self) -> Straight {

@@ -4,7 +4,7 @@ use super::common::{pathway_of, per};
 use super::{Made, Row};
 use crate::formula::{Context, Place};
 use crate::keys::{ALONG, BETWEEN, DISTANCE, TableSpec, Type, may, must};
-use crate::model::{Found, FrameId, Law, Pathway, PointRef, Push, Stage, Straight};
+use crate::model::{Found, FrameId, Law, Pathway, PointRef, Push, Site, Sketch, Stage, Straight};
 use crate::reader::names::frame_named;
 use crate::reader::{Fields, Reader, components};
 use crate::units::Dimension;
@@ -131,6 +131,16 @@ impl Law for Force {
 
     fn couples(&self) -> bool {
         false
+    }
+
+    fn sketch(&self) -> Sketch {
+        match self {
+            Force::AtPoint { at, value, axes } => {
+                let letter = value.iter().copied().find(|e| *e != value[2]).unwrap_or(value[0]);
+                Sketch::new(Site::At { at: *at, value: *value, axes: *axes }, letter)
+            }
+            Force::OnPathway { pathway, value } => Sketch::new(Site::On(*pathway), *value),
+        }
     }
 
     fn straight(&self) -> Straight {

@@ -3,7 +3,7 @@
 use super::{Made, Row};
 use crate::formula::Context;
 use crate::keys::{TableSpec, Type, must};
-use crate::model::{Found, Law, Stage, Straight};
+use crate::model::{Found, Law, Site, Sketch, Stage, Straight};
 use crate::reader::{Fields, Reader};
 use crate::units::Dimension;
 use symbolic::Expr;
@@ -53,6 +53,10 @@ impl Law for Potential {
 
     fn couples(&self) -> bool {
         false
+    }
+
+    fn sketch(&self) -> Sketch {
+        Sketch::new(Site::Energy, self.energy)
     }
 
     fn straight(&self) -> Straight {

@@ -4,7 +4,7 @@ use super::common::{pathway_of, per, told, useful};
 use super::{Made, Row};
 use crate::formula::{Context, Kind};
 use crate::keys::{ALONG, BETWEEN, TableSpec, Type, may, must};
-use crate::model::{Found, Law, Measure, Pathway, Push, Reliance, Rest, Stage, Straight};
+use crate::model::{Found, Law, Measure, Pathway, Push, Reliance, Rest, Site, Sketch, Stage, Straight};
 use crate::reader::{Fields, Reader};
 use std::sync::Arc;
 use symbolic::{Edge, Expr, Graph, Rational};
@@ -180,6 +180,10 @@ impl Law for Spring {
         let against = graph.neg(force);
         stage.store(energy, Push { way, force: against });
         Ok(vec![force, extension])
+    }
+
+    fn sketch(&self) -> Sketch {
+        Sketch { play: self.backlash, ..Sketch::new(Site::On(self.pathway), self.stiffness) }
     }
 
     fn straight(&self) -> Straight {

@@ -3,7 +3,7 @@
 use super::{Made, Row};
 use crate::formula::Context;
 use crate::keys::{DISTANCE, TableSpec, Type, may, must};
-use crate::model::{Found, FrameId, Law, Stage, Straight};
+use crate::model::{Found, FrameId, Law, Site, Sketch, Stage, Straight};
 use crate::reader::names::{frame_by_name, frame_named};
 use crate::reader::{Fields, Reader, components};
 use crate::units::Dimension;
@@ -106,6 +106,11 @@ impl Law for Torque {
 
     fn couples(&self) -> bool {
         false
+    }
+
+    fn sketch(&self) -> Sketch {
+        let site = Site::Turns { on: self.on, value: self.value, axes: self.axes, reaction: self.reaction };
+        Sketch::new(site, self.value[2])
     }
 
     fn straight(&self) -> Straight {

@@ -6,7 +6,7 @@ use super::common::useful;
 use super::{Made, Row};
 use crate::formula::{Context, Depends, Kind, KinematicFunction, Takes, Told, Where};
 use crate::keys::{TableSpec, Type, may, must};
-use crate::model::{Found, FrameId, Law, Pathway, Push, Reliance, Rest, Stage, Straight};
+use crate::model::{Found, FrameId, Law, Pathway, Push, Reliance, Rest, Site, Sketch, Stage, Straight};
 use crate::reader::names::{frame_by_name, two_names};
 use crate::reader::{Fields, Reader};
 use crate::units::Dimension;
@@ -300,6 +300,10 @@ impl Law for TorsionBar {
         }
         let stress = self.section.map(|w| stage.open(w)).transpose()?.map(|w| stage.graph().div(torque, w));
         Ok([torque, twist].into_iter().chain(stress).collect())
+    }
+
+    fn sketch(&self) -> Sketch {
+        Sketch::new(Site::On(Pathway::RelativeAngle(self.between[0], self.between[1])), self.stiffness)
     }
 
     fn straight(&self) -> Straight {

@@ -36,6 +36,9 @@ pub trait Law: Debug + Send + Sync {
     /// A pathway that is not defined (M102), a function that is not available (M103).
     fn act(&self, stage: &mut dyn Stage) -> Found<Vec<Expr>>;
 
+    /// Where it acts and what its letter is, for drawings.
+    fn sketch(&self) -> Sketch;
+
     /// What must be a straight line over places and rates so that small motions lose nothing of it.
     fn straight(&self) -> Straight;
 
@@ -52,6 +55,55 @@ pub trait Law: Debug + Send + Sync {
     /// Whether it makes of a frame a machine; loads and energies of frames do not.
     fn couples(&self) -> bool {
         true
+    }
+}
+
+/// What a drawing shows of an element.
+#[derive(Clone, Copy, Debug)]
+pub struct Sketch {
+    /// Where it acts.
+    pub site: Site,
+    /// The formula whose letter stands beside it: a stiffness, a force.
+    pub letter: Expr,
+    /// Play in which it does nothing.
+    pub play: Option<Expr>,
+}
+
+/// Where an element acts.
+#[derive(Clone, Copy, Debug)]
+pub enum Site {
+    /// Along a pathway.
+    On(Pathway),
+    /// A vector at a point.
+    At {
+        /// The point.
+        at: PointRef,
+        /// Components.
+        value: [Expr; 3],
+        /// Their axes.
+        axes: FrameId,
+    },
+    /// A moment on a body.
+    Turns {
+        /// The body.
+        on: FrameId,
+        /// Components.
+        value: [Expr; 3],
+        /// Their axes.
+        axes: FrameId,
+        /// The body that takes the opposite moment.
+        reaction: Option<FrameId>,
+    },
+    /// By a potential energy over places.
+    Energy,
+    /// By a dissipation function over rates.
+    Dissipation,
+}
+
+impl Sketch {
+    /// Without play.
+    pub fn new(site: Site, letter: Expr) -> Sketch {
+        Sketch { site, letter, play: None }
     }
 }
 

@@ -239,10 +239,10 @@ fn mass<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Option<Mass> {
         Some(0.0) if !literal_zero && !reader.is_set_by_hand(&mass) => reader.fault(no_mass(fields)),
         _ => {}
     }
-    let inertia = shapes::inertia(reader, fields, &mass);
+    let (inertia, shape) = shapes::inertia(reader, fields, &mass);
     let gravity = fields.flag(reader, "gravity").unwrap_or(true);
     let massless = literal_zero && matches!(inertia, Inertia::None);
-    (!massless).then_some(Mass { mass: mass.expr, center, inertia, gravity })
+    (!massless).then_some(Mass { mass: mass.expr, center, inertia, gravity, shape })
 }
 
 fn negative_mass(fields: &Fields, m: f64) -> Notice {

@@ -4,7 +4,7 @@
 
 use crate::fields;
 use crate::formula::Context;
-use crate::model::{Inertia, Reliance};
+use crate::model::{Axis, Inertia, Reliance, Solid};
 use crate::reader::{Checked, Fields, Reader};
 use crate::snippet::Snippet;
 use crate::units::Dimension;
@@ -12,12 +12,12 @@ use symbolic::{Expr, Rational};
 use toml::de::DeValue;
 use words::Notice;
 
-/// Name, least and greatest number of lengths.
-const SHAPES: [(&str, usize, usize); 7] =
+/// Homogeneous bodies: name, least and greatest number of lengths.
+pub const SHAPES: [(&str, usize, usize); 7] =
     [("disc", 1, 1), ("ring", 1, 2), ("rod", 1, 2), ("box", 2, 3), ("sphere", 1, 1), ("cylinder", 2, 2), ("point", 0, 0)];
 
 /// The inertia of a body of this mass.
-pub(super) fn inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: &Checked) -> Inertia {
+pub(super) fn inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: &Checked) -> (Inertia, Option<Solid>) {
     let massless = mass.good && reader.builder.graph.is_zero(mass.expr);
     let given: Vec<&str> = ["inertia", "shape", "gyration"].into_iter().filter(|k| fields.has(k)).collect();
     if given.len() > 1 {
@@ -45,14 +45,17 @@ pub(super) fn inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: &C
         );
     }
     if fields.has("inertia") {
-        return given_inertia(reader, fields);
+        return (given_inertia(reader, fields), None);
     }
     if let Some(radius) = fields.formula(reader, "gyration", &Context::CONSTANT, Some(&Dimension::LENGTH)) {
         positive(reader, fields, "gyration", &radius);
         let square = reader.builder.graph.square(radius.expr);
-        return Inertia::Planar(reader.builder.graph.mul(mass.expr, square));
+        return (Inertia::Planar(reader.builder.graph.mul(mass.expr, square)), None);
     }
-    shape(reader, fields, mass.expr).unwrap_or(Inertia::None)
+    match shape(reader, fields, mass.expr) {
+        Some((inertia, solid)) => (inertia, Some(solid)),
+        None => (Inertia::None, None),
+    }
 }
 
 fn given_inertia<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>) -> Inertia {
@@ -136,7 +139,7 @@ fn positive(reader: &mut Reader, fields: &Fields, key: &'static str, value: &cra
     }
 }
 
-fn shape<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr) -> Option<Inertia> {
+fn shape<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr) -> Option<(Inertia, Solid)> {
     let value = fields.get("shape")?;
     let Some(snippet) = reader.snippet(value) else {
         reader.fault(crate::reader::wrong_type(
@@ -155,18 +158,18 @@ fn shape<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr) -> Option
             return None;
         }
     };
-    let mut axis = 0;
+    let mut axis = Axis::X;
     let mut lengths: Vec<Expr> = Vec::new();
     for (i, argument) in arguments.iter().enumerate() {
         if name == "rod" && i == 1 {
             axis = match &*argument.text {
-                "x" => 0,
-                "y" => 1,
-                "z" => 2,
+                "x" => Axis::X,
+                "y" => Axis::Y,
+                "z" => Axis::Z,
                 _ => {
                     let fault = Notice::piece("M060", argument.all(), "an axis is x, y or z", "ось — это x, y или z");
                     reader.report(argument.diagnose(fault));
-                    0
+                    Axis::X
                 }
             };
             continue;
@@ -176,7 +179,8 @@ fn shape<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, mass: Expr) -> Option
         positive(reader, fields, "shape", &length);
         lengths.push(length.expr);
     }
-    Some(moments(reader, name, mass, &lengths, axis))
+    let inertia = moments(reader, name, mass, &lengths, axis.index());
+    Some((inertia, Solid { name, lengths, axis }))
 }
 
 /// The name of a shape and its arguments.

@@ -7,6 +7,7 @@
 
 pub mod kinematics;
 pub mod pathways;
+pub mod places;
 pub mod requests;
 pub mod start;
 mod turns;

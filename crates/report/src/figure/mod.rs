@@ -7,6 +7,7 @@
 pub mod bands;
 pub mod decimate;
 mod layout;
+pub(crate) use layout::text_width;
 mod log_axis;
 pub mod png;
 pub mod svg;

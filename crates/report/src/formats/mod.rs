@@ -153,6 +153,7 @@ fn draw(blocks: &[Block], language: Language, drawn: &mut Vec<String>) {
         match block {
             Block::Figure(figure) => drawn.push(svg::write(figure, Title::Caption, language)),
             Block::Bands(bands) => drawn.push(bands::write(bands, Title::Caption, language)),
+            Block::Scheme(scheme) => drawn.push(scheme.svg(language)),
             Block::Details { blocks, .. } => draw(blocks, language, drawn),
             _ => {}
         }

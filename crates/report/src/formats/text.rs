@@ -166,6 +166,12 @@ impl Writer {
                 let summary = bands.summary(self.language);
                 self.out.push_str(&summary);
             }
+            Block::Scheme(scheme) => {
+                self.figures += 1;
+                let caption = format!("{} {} – {}", self.language.word(Word::Figure), self.figures, scheme.title.plain(self.language));
+                self.paragraph(&caption);
+                scheme.summary.iter().for_each(|line| self.line(&format!("  {line}")));
+            }
             Block::Details { summary, blocks } => {
                 self.line(summary);
                 self.blocks(blocks);

@@ -10,6 +10,7 @@ pub mod line;
 mod new;
 mod paper;
 mod run;
+mod scheme;
 mod section;
 pub mod study;
 mod variants;
@@ -45,6 +46,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Equations(args) => equations::run(&args, console),
         Command::Variants(args) => variants::run(&args, console),
         Command::Section(args) => section::run(&args, console),
+        Command::Scheme(args) => scheme::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
         Command::New(args) => new::run(&args, console),
         Command::Explain(args) => explain::run(&args, console),

@@ -6,6 +6,7 @@ use crate::figure::bands::{self, Bands};
 use crate::figure::{Figure, Title, svg};
 use crate::formats::text::{figure_summary, verdict};
 use crate::formula::{Form, Formula};
+use crate::scheme::Scheme;
 use crate::table::{Cell, Table, Verdict, split_number};
 use crate::wording::Word;
 use base64::Engine;
@@ -57,6 +58,7 @@ impl Writer {
             Block::Table(table) => self.table(table),
             Block::Figure(figure) => self.figure(figure),
             Block::Bands(bands) => self.bands(bands),
+            Block::Scheme(scheme) => self.scheme(scheme),
             Block::Details { summary, blocks } => {
                 self.push(&format!("<details>\n<summary>{}</summary>\n", markup(summary)));
                 self.blocks(blocks);
@@ -204,6 +206,20 @@ impl Writer {
             self.language.word(Word::Figure),
             self.rich(&bands.title),
             markup(&summary.join("; ")),
+        );
+        self.push(&html);
+    }
+
+    /// The machine with its caption; lines take the colour of the page.
+    fn scheme(&mut self, scheme: &Scheme) {
+        self.figures += 1;
+        let n = self.figures;
+        let html = format!(
+            "<figure id=\"figure-{n}\" class=\"drawing\">\n{}<figcaption>{}\u{a0}{n} – {}</figcaption>\n<p class=\"summary\">{}</p>\n</figure>\n",
+            scheme.svg(self.language),
+            self.language.word(Word::Figure),
+            self.rich(&scheme.title),
+            markup(&scheme.told()),
         );
         self.push(&html);
     }

@@ -1,0 +1,75 @@
+//! The table of symbols, after the manner of ГОСТ 2.770 and ISO 3952: one file a family, one row a symbol.
+
+mod elastic;
+mod ground;
+mod joints;
+mod loads;
+mod masses;
+mod shafts;
+mod signs;
+mod ties;
+mod wheels;
+
+use super::{Fit, Ink, Place};
+
+/// A symbol.
+#[derive(Debug)]
+pub struct Symbol {
+    /// Its name.
+    pub name: &'static str,
+    /// What it stands for, English and Russian.
+    pub words: (&'static str, &'static str),
+    /// How it moves.
+    pub fit: Fit,
+    /// Draws it.
+    pub draw: fn(&Place, &mut Ink),
+    /// A place for the sheet of all symbols.
+    pub sample: fn() -> Place,
+}
+
+/// All families.
+pub const TABLE: &[&[Symbol]] =
+    &[ground::ROWS, joints::ROWS, masses::ROWS, elastic::ROWS, wheels::ROWS, ties::ROWS, shafts::ROWS, loads::ROWS, signs::ROWS];
+
+/// The symbol of a name.
+pub fn find(name: &str) -> Option<&'static Symbol> {
+    TABLE.iter().flat_map(|family| family.iter()).find(|symbol| symbol.name == name)
+}
+
+/// One anchor in the middle.
+fn middle() -> Place {
+    Place::default()
+}
+
+/// Two anchors from left to right.
+fn across() -> Place {
+    Place { at: [-50.0, 0.0], to: [50.0, 0.0], ..Place::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_symbol_has_a_name_of_its_own_words_in_both_languages_and_draws_something() {
+        for symbol in TABLE.iter().flat_map(|family| family.iter()) {
+            let same = TABLE.iter().flat_map(|family| family.iter()).filter(|s| s.name == symbol.name).count();
+            assert_eq!(same, 1, "{}", symbol.name);
+            assert!(!symbol.words.0.is_empty() && symbol.words.1.chars().any(|c| ('а'..='я').contains(&c)), "{}", symbol.name);
+            let mut ink = Ink::default();
+            (symbol.draw)(&(symbol.sample)(), &mut ink);
+            let points: Vec<_> = ink.strokes.iter().flat_map(crate::scheme::Stroke::points).collect();
+            assert!(!points.is_empty() && points.iter().flatten().all(|c| c.is_finite() && c.abs() < 75.0), "{}", symbol.name);
+        }
+    }
+
+    #[test]
+    fn symbols_of_no_size_draw_no_nonsense() {
+        for symbol in TABLE.iter().flat_map(|family| family.iter()) {
+            let mut ink = Ink::default();
+            (symbol.draw)(&Place::default(), &mut ink);
+            let points = ink.strokes.iter().flat_map(crate::scheme::Stroke::points);
+            assert!(points.flatten().all(f64::is_finite), "{}", symbol.name);
+        }
+    }
+}

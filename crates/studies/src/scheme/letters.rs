@@ -1,0 +1,106 @@
+//! Letters of formulas: a symbol as it is, a short formula as it is written, anything else by the name of its element.
+
+use crate::machine::Machine;
+use report::formula::{Form, Printer};
+use report::scheme::LabelText;
+use symbolic::{Expr, Graph, Node};
+use words::Language;
+
+/// Longest formula beside a symbol.
+const LONGEST: usize = 14;
+
+/// Letters of what has none in the file.
+const USUAL: &[(&str, &str)] = &[
+    ("springs", "c"),
+    ("dampers", "b"),
+    ("torsion_bars", "c"),
+    ("forces", "F"),
+    ("torques", "M"),
+    ("distributed", "q"),
+    ("potentials", "Π"),
+    ("dissipations", "Φ"),
+    ("motors", "M"),
+    ("frictions", "f"),
+    ("ropes", "S"),
+    ("threads", "S"),
+    ("belts", "S"),
+    ("chains", "S"),
+    ("constraints", "f"),
+];
+
+/// Letters of a machine.
+pub struct Letters<'a> {
+    machine: &'a Machine,
+    printer: Printer,
+}
+
+impl Letters<'_> {
+    /// Letters in a language.
+    pub fn new(machine: &Machine, language: Language) -> Letters<'_> {
+        Letters { machine, printer: Printer::of(&machine.equations, language) }
+    }
+
+    /// The printed symbol of a name of the file.
+    pub fn named(&self, name: &str) -> LabelText {
+        let notation = &self.machine.model.notation;
+        let shown = notation.iter().find(|(n, _)| n == name).map_or(name, |(_, symbol)| symbol);
+        LabelText::Symbol(shown.to_owned())
+    }
+
+    /// The letter of a formula of the model that is nothing but a symbol.
+    pub fn symbol(&self, e: Expr) -> Option<LabelText> {
+        let graph = &self.machine.model.graph;
+        let symbol = graph.as_symbol(e)?;
+        Some(self.named(&graph.symbol_info(symbol).name))
+    }
+
+    /// What stands beside an element.
+    pub fn of(&self, e: Expr, path: &str) -> LabelText {
+        let graph = &self.machine.model.graph;
+        if let Some(letter) = self.symbol(e) {
+            return letter;
+        }
+        let free = graph.symbols_in(&[e]).is_empty();
+        let text = self.printer.inline(graph, e, Form::Text);
+        if !free && text.chars().count() <= LONGEST && !text.contains('\n') && !asks(graph, e) {
+            return LabelText::Formula(text);
+        }
+        self.only(e).unwrap_or_else(|| self.load(path))
+    }
+
+    /// The letter of a formula that has one parameter only.
+    fn only(&self, e: Expr) -> Option<LabelText> {
+        let graph = &self.machine.model.graph;
+        let symbols = graph.symbols_in(&[e]);
+        let mut parameters = self.machine.model.parameters.iter().filter(|p| symbols.binary_search(&p.symbol).is_ok());
+        let first = parameters.next()?;
+        parameters.next().is_none().then(|| self.named(&first.name))
+    }
+
+    /// The usual letter of an element without one of its own, from its place in the file; numbered where the file has several.
+    pub fn load(&self, path: &str) -> LabelText {
+        let (table, name) = path.split_once('.').unwrap_or(("", path));
+        if name.chars().filter(|c| c.is_alphabetic()).count() <= 3 {
+            return self.named(name);
+        }
+        let letter = USUAL.iter().find(|row| row.0 == table).map_or("", |row| row.1);
+        let model = &self.machine.model;
+        let elements = model.elements.iter().map(|e| e.path.clone());
+        let connections = model.connections.iter().map(|c| format!("{}.{}", c.table, c.name));
+        let same: Vec<String> = elements.chain(connections).filter(|p| p.split('.').next() == Some(table)).collect();
+        match same.iter().position(|p| p == path) {
+            _ if letter.is_empty() => self.named(name),
+            Some(i) if same.len() > 1 => LabelText::Symbol(format!("{letter}_{}", i + 1)),
+            _ => LabelText::Symbol(letter.to_owned()),
+        }
+    }
+}
+
+/// Whether a formula asks the machine for something: its placeholders are no letters.
+fn asks(graph: &Graph, e: Expr) -> bool {
+    graph.reachable(&[e]).into_iter().any(|e| match graph.node(e) {
+        Node::Switch { .. } => true,
+        Node::Symbol(s) => graph.symbol_info(*s).name.contains('('),
+        _ => false,
+    })
+}

@@ -1,0 +1,443 @@
+//! A scheme in the making.
+
+use super::ends::{Ends, ends};
+use super::groups::{Groups, Joint};
+use super::letters::Letters;
+use super::looks::{Look, looks};
+use super::numbers::{Instant, Numbers, V3, minus, norm, plus};
+use super::stage::Stage;
+use crate::machine::Machine;
+use mechanics::model::{ConnectionKind, FrameId, Pathway, PointRef, Site, Slides};
+use report::Scheme;
+use report::scheme::{P, Place, S, direction};
+use words::Language;
+
+/// A rectangle that stands for a group.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Block {
+    pub center: P,
+    pub half: [f64; 2],
+    pub turn: f64,
+}
+
+/// Something that acts along a pathway.
+#[derive(Clone, Debug)]
+pub(super) struct Act {
+    /// Its place in the file.
+    pub path: String,
+    pub table: &'static str,
+    /// Number in its list: elements, or connections.
+    pub index: usize,
+    pub ends: Ends,
+}
+
+pub(super) struct Sketch<'a> {
+    pub machine: &'a Machine,
+    pub language: Language,
+    pub numbers: Numbers,
+    pub at: &'a Instant,
+    pub groups: Groups,
+    pub looks: Vec<Look>,
+    pub stage: Stage,
+    pub letters: Letters<'a>,
+    pub scheme: Scheme,
+    pub acts: Vec<Act>,
+    pub blocks: Vec<Option<Block>>,
+    /// Where hinges stand already.
+    pub hinges: Vec<P>,
+    /// Middles of groups that are drawn elsewhere than they are.
+    pub origins: Vec<(usize, P)>,
+}
+
+/// Draws a machine.
+pub(super) fn draw(machine: &Machine, at: &Instant, language: Language) -> Scheme {
+    let pathways = pathways(machine);
+    let asked: Vec<(String, Pathway)> = pathways.iter().map(|(act, pathway)| (act.path.clone(), *pathway)).collect();
+    let numbers = Numbers::new(machine, at, &asked);
+    let groups = Groups::new(&machine.model, &numbers);
+    let acts: Vec<Act> =
+        pathways.into_iter().map(|(act, pathway)| Act { ends: ends(machine, (&numbers, &groups), (&act.path, pathway)), ..act }).collect();
+    let looks = looks(machine, &numbers, &groups);
+    let nearer = nearer(machine, &looks, (&groups, &numbers));
+    let mut points = extent(&looks, (&groups, &numbers), &nearer);
+    if let Some(structure) = &machine.model.structure {
+        points.extend(super::structure::nodes(structure, &|e| numbers.value(machine, e)));
+    }
+    let stage = Stage::new(axes(machine, &looks), &points, nearer);
+    let n = groups.all.len();
+    let title = language.pick("Scheme", "Расчётная схема");
+    let mut sketch = Sketch {
+        machine,
+        language,
+        at,
+        letters: Letters::new(machine, language),
+        scheme: Scheme::new("scheme", title.into()),
+        blocks: vec![None; n],
+        hinges: Vec::new(),
+        origins: Vec::new(),
+        numbers,
+        groups,
+        looks,
+        stage,
+        acts,
+    };
+    if super::shafts::is_line(&sketch) {
+        super::shafts::draw(&mut sketch);
+        sketch.summary();
+        return sketch.scheme;
+    }
+    sketch.fit();
+    sketch.blocks();
+    sketch.spread();
+    sketch.structure();
+    sketch.bodies();
+    sketch.tracks();
+    sketch.ties();
+    sketch.pulls();
+    sketch.holds();
+    sketch.loads();
+    sketch.signs();
+    sketch.scheme
+}
+
+/// All pathways of the file.
+fn pathways(machine: &Machine) -> Vec<(Act, Pathway)> {
+    let act = |path: &str, table, index| Act { path: path.to_owned(), table, index, ends: Ends::Unknown };
+    let mut out = Vec::new();
+    for (i, element) in machine.model.elements.iter().enumerate() {
+        // a frame that is part of the machine is drawn by itself
+        let of_frame = machine.model.structure.is_some() && element.span.is_empty();
+        if let (Site::On(pathway), false) = (element.law.sketch().site, of_frame) {
+            out.push((act(&element.path, element.table, i), pathway));
+        }
+    }
+    for (i, connection) in machine.model.connections.iter().enumerate() {
+        let pathway = match &connection.kind {
+            ConnectionKind::Motion { pathway, .. } | ConnectionKind::Motor { pathway } | ConnectionKind::Stop { gap: pathway, .. } => {
+                *pathway
+            }
+            ConnectionKind::Friction { slides: Slides::Along(pathway), .. } => *pathway,
+            _ => continue,
+        };
+        out.push((act(&format!("{}.{}", connection.table, connection.name), connection.table, i), pathway));
+    }
+    out
+}
+
+/// What is seen to the right and upwards: the plane x, y; in space from the side, the vertical upwards.
+fn axes(machine: &Machine, looks: &[Look]) -> [V3; 2] {
+    let spots = || looks.iter().flat_map(|l| l.spots.iter().map(|s| s.at).chain(l.centers.iter().map(|c| c.0)));
+    let span = |k: usize| {
+        let (low, high) = spots().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p[k]), h.max(p[k])));
+        (high - low).max(0.0)
+    };
+    if !mechanics::is_spatial(&machine.model) {
+        return [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    }
+    let upright_z = machine.model.gravity.is_some_and(|g| !machine.model.graph.is_zero(g[2]));
+    if upright_z {
+        return [[-0.5, 0.87, 0.0], [-0.35, -0.2, 0.92]];
+    }
+    if span(2) > 3.0 * span(0).max(span(1)) {
+        // a shaft along z lies across the picture
+        return [[-0.3, 0.0, 1.0], [-0.2, 1.0, 0.0]];
+    }
+    [[0.94, 0.0, -0.34], [-0.12, 0.96, -0.3]]
+}
+
+/// Shifts of groups that only slide on ropes and tracks and stand far from all others, which would be too small: the picture shows them nearer, on their way.
+fn nearer(machine: &Machine, looks: &[Look], (groups, numbers): (&Groups, &Numbers)) -> Vec<V3> {
+    let n = groups.all.len();
+    let mut out = vec![[0.0; 3]; n];
+    let model = &machine.model;
+    let jointed = |group: usize| {
+        model.connections.iter().any(|c| match &c.kind {
+            ConnectionKind::Pin { between, .. } | ConnectionKind::Weld { between, .. } | ConnectionKind::Rod { between, .. } => {
+                between.iter().any(|p| groups.of_point(model, *p) == group)
+            }
+            ConnectionKind::Slider { point, on, .. } => groups.of_point(model, *point) == group || groups.of(*on) == group,
+            _ => false,
+        })
+    };
+    let roped = |group: usize| {
+        model
+            .connections
+            .iter()
+            .any(|c| matches!(&c.kind, ConnectionKind::Rope { path, .. } if path.iter().any(|p| groups.of_point(model, *p) == group)))
+    };
+    let loose = |i: usize| matches!(groups.all[i].joint, Joint::Slides(_)) && groups.all[i].carrier == 0 && !jointed(i) && roped(i);
+    let leader = |mut i: usize| {
+        while i != 0 && !loose(i) {
+            i = groups.all[i].carrier;
+        }
+        i
+    };
+    let core: Vec<V3> = (0..n)
+        .filter(|i| leader(*i) == 0)
+        .flat_map(|i| looks[i].spots.iter().map(|s| s.at).chain(looks[i].wheels.iter().map(|w| w.center)))
+        .collect();
+    let Some(first) = core.first().copied() else { return out };
+    let (mut low, mut high) = (first, first);
+    for p in &core {
+        low = [0, 1, 2].map(|k| low[k].min(p[k]));
+        high = [0, 1, 2].map(|k| high[k].max(p[k]));
+    }
+    let (size, middle) = (norm(minus(high, low)), [0, 1, 2].map(|k| (low[k] + high[k]) / 2.0));
+    for i in (1..n).filter(|i| loose(*i)) {
+        let Joint::Slides(way) = groups.all[i].joint else { continue };
+        let away = super::numbers::dot(minus(numbers.frames[0][groups.all[i].root.index()].origin, middle), way);
+        let wanted = 1.15 * size;
+        if size > 0.0 && away.abs() > 1.3 * wanted {
+            let by = way.map(|c| c * (wanted * away.signum() - away));
+            for (k, shift) in out.iter_mut().enumerate().skip(1) {
+                if leader(k) == i {
+                    *shift = by;
+                }
+            }
+        }
+    }
+    out
+}
+
+/// Places that must be in the picture.
+fn extent(looks: &[Look], (groups, numbers): (&Groups, &Numbers), nearer: &[V3]) -> Vec<V3> {
+    let mut all = Vec::new();
+    for (i, (look, group)) in looks.iter().zip(&groups.all).enumerate() {
+        let from = all.len();
+        all.extend(look.spots.iter().map(|s| s.at));
+        all.extend(look.centers.iter().map(|c| c.0));
+        for wheel in &look.wheels {
+            let pose = numbers.frames[0][wheel.frame.index()];
+            for v in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
+                all.extend([1.0, -1.0].map(|sign| plus(wheel.center, sign * wheel.radius, pose.shown(v))));
+            }
+        }
+        for (center, half, _) in &look.boxes {
+            all.extend([[half[0], half[1], 0.0], [-half[0], -half[1], 0.0]].map(|d| plus(*center, 1.0, d)));
+        }
+        if group.heavy && look.centers.is_empty() {
+            all.push(numbers.frames[0][group.root.index()].origin);
+        }
+        all[from..].iter_mut().for_each(|p| *p = plus(*p, 1.0, nearer[i]));
+    }
+    all
+}
+
+impl Sketch<'_> {
+    pub fn put(&mut self, symbol: &str, path: &str, place: Place) {
+        self.scheme.put(symbol, path, place);
+    }
+
+    /// A point in the picture.
+    pub fn seen(&self, point: PointRef) -> P {
+        let group = self.groups.of_point(&self.machine.model, point);
+        self.stage.at(group, self.numbers.at(0, point))
+    }
+
+    pub fn group_of(&self, point: PointRef) -> usize {
+        self.groups.of_point(&self.machine.model, point)
+    }
+
+    pub fn origin(&self, frame: FrameId) -> P {
+        self.seen(PointRef::Origin(frame))
+    }
+
+    /// Pixels of a length.
+    pub fn long(&self, metres: f64) -> f64 {
+        (metres * self.stage.scale).abs()
+    }
+
+    /// The middle of a group: its block, its wheels, its mass, its places.
+    pub fn middle(&self, group: usize) -> P {
+        if let Some((_, at)) = self.origins.iter().find(|o| o.0 == group) {
+            return *at;
+        }
+        if let Some(block) = self.blocks[group] {
+            return block.center;
+        }
+        let look = &self.looks[group];
+        let points: Vec<V3> = match (&look.wheels[..], &look.spots[..]) {
+            ([wheel, ..], _) => vec![wheel.center],
+            (_, spots) if !spots.is_empty() => spots.iter().map(|s| s.at).collect(),
+            _ => look.centers.iter().map(|c| c.0).collect(),
+        };
+        if points.is_empty() {
+            return self.origin(self.groups.all[group].root);
+        }
+        let n = points.len() as f64;
+        let sum = points.iter().fold([0.0; 3], |sum, p| plus(sum, 1.0, *p));
+        self.stage.at(group, sum.map(|c| c / n))
+    }
+
+    /// Beside blocks, which have no size of their own, the shortest link is not longer than a few modules.
+    fn fit(&mut self) {
+        const LONGEST: f64 = 4.5 * S;
+        if !(1..self.groups.all.len()).any(|i| self.is_block(i) && !self.is_guided(i)) || self.machine.model.structure.is_some() {
+            return;
+        }
+        let origin = |i: usize| self.numbers.frames[0][self.groups.all[i].root.index()].origin;
+        let turning = (1..self.groups.all.len()).filter(|i| self.groups.all[*i].turns);
+        let sizes = turning.flat_map(|i| {
+            let look = &self.looks[i];
+            let spots = look.spots.iter().map(|s| s.at).chain(look.centers.iter().map(|c| c.0));
+            spots.map(move |p| norm(minus(p, origin(i)))).chain(look.wheels.iter().map(|w| w.radius))
+        });
+        let shortest = sizes.filter(|r| *r > 1e-9).fold(f64::INFINITY, f64::min);
+        if shortest.is_finite() {
+            self.stage.scale = self.stage.scale.min(LONGEST / shortest);
+        }
+    }
+
+    /// Whether a rectangle stands for a group: it has mass and moves without turning; a lone particle is a ball.
+    fn is_block(&self, group: usize) -> bool {
+        let (g, look) = (&self.groups.all[group], &self.looks[group]);
+        let particle =
+            matches!(g.joint, Joint::Shifts | Joint::Free) && look.boxes.is_empty() && !self.acts.iter().any(|a| self.touches(a, group));
+        let moves = matches!(g.joint, Joint::Slides(_) | Joint::Shifts | Joint::Free);
+        !g.turns && look.wheels.is_empty() && g.heavy && moves && !particle
+    }
+
+    /// Groups that move without turning and have mass become blocks.
+    fn blocks(&mut self) {
+        for i in 1..self.groups.all.len() {
+            let group = &self.groups.all[i];
+            let look = &self.looks[i];
+            if !self.is_block(i) {
+                continue;
+            }
+            let turn = match group.joint {
+                Joint::Slides(way) if !self.hangs(i) => self.stage.turn(way).unwrap_or(0.0),
+                _ => 0.0,
+            };
+            let turn = if turn.cos() < -1e-9 { turn + std::f64::consts::PI } else { turn };
+            let center = look.centers.first().map_or(self.numbers.frames[0][group.root.index()].origin, |c| c.0);
+            let slender = self.is_guided(i);
+            let side_by_side = self.side_by_side(i);
+            let least = if slender { [0.75 * S, 0.5 * S] } else { [1.15 * S, 0.8 * S] };
+            let given = look.boxes.first().map_or(least, |b| b.1.map(|l| self.long(l)));
+            let half = [given[0].clamp(least[0], 5.0 * S), given[1].clamp(least[1], 4.0 * S)];
+            let room = 0.62 * S * side_by_side as f64;
+            let half =
+                if (turn.sin().abs() > 0.7) != self.acts_upright(i) { [half[0].max(room), half[1]] } else { [half[0], half[1].max(room)] };
+            self.blocks[i] = Some(Block { center: self.stage.at(i, center), half, turn });
+        }
+    }
+
+    /// Whether what acts on a group acts up or down.
+    fn acts_upright(&self, group: usize) -> bool {
+        let upright = |d: V3| self.stage.turn(d).is_some_and(|t| t.sin().abs() > 0.7);
+        self.acts.iter().any(|a| matches!(a.ends, Ends::Along { on, direction, .. } if self.group_of(on) == group && upright(direction)))
+    }
+
+    /// The largest number of elements on one side of a group.
+    fn side_by_side(&self, group: usize) -> usize {
+        let partner = |a: &Act| match a.ends {
+            Ends::Along { on, from, .. } if self.is_body(a) => Some((self.group_of(on), from.map_or(0, |f| self.group_of(f)))),
+            _ => None,
+        };
+        let pairs: Vec<(usize, usize)> = self.acts.iter().filter_map(partner).filter(|p| p.0 == group || p.1 == group).collect();
+        pairs.iter().map(|p| pairs.iter().filter(|q| *q == p).count()).max().unwrap_or(1)
+    }
+
+    /// Whether it lies between two ends as springs do.
+    pub fn is_body(&self, act: &Act) -> bool {
+        matches!(act.table, "springs" | "dampers")
+    }
+
+    /// Whether something holds a group across its way.
+    pub fn is_guided(&self, group: usize) -> bool {
+        let of = |p: &PointRef| self.group_of(*p) == group;
+        self.machine.model.connections.iter().any(|c| match &c.kind {
+            ConnectionKind::Pin { between, .. } | ConnectionKind::Rod { between, .. } => between.iter().any(of),
+            ConnectionKind::Slider { point, on, .. } => of(point) || self.groups.of(*on) == group,
+            ConnectionKind::Rolling { on, .. } => self.groups.of(*on) == group,
+            _ => false,
+        }) || self.leads_a_rod(group)
+    }
+
+    /// Whether a rod that is hinged to a group is held at its other end, too.
+    fn leads_a_rod(&self, group: usize) -> bool {
+        let rods = (1..self.groups.all.len()).filter(|i| self.groups.all[*i].carrier == group && self.groups.all[*i].joint == Joint::Turns);
+        let held: Vec<usize> = rods.filter(|i| self.is_pinned(*i)).collect();
+        !held.is_empty()
+    }
+
+    /// Whether a group goes up and down without guides.
+    pub fn hangs(&self, group: usize) -> bool {
+        let Joint::Slides(way) = self.groups.all[group].joint else { return false };
+        self.stage.turn(way).is_some_and(|t| t.sin().abs() > 0.95) && !self.is_guided(group)
+    }
+
+    /// Blocks that springs join are moved apart along the spring where they would lie on each other.
+    fn spread(&mut self) {
+        const GAP: f64 = 3.2 * S;
+        let pairs: Vec<(usize, usize, V3)> = self.acts.iter().filter_map(|a| self.pair(a)).collect();
+        let mut done = vec![false; self.groups.all.len()];
+        done[0] = true;
+        for _ in 0..self.groups.all.len() {
+            let Some((from, on, way)) = pairs.iter().find_map(|(a, b, way)| match (done[*a], done[*b]) {
+                (true, false) => Some((*a, *b, *way)),
+                (false, true) => Some((*b, *a, way.map(|c| -c))),
+                _ => None,
+            }) else {
+                match (1..done.len()).find(|i| !done[*i] && pairs.iter().any(|p| p.0 == *i || p.1 == *i)) {
+                    Some(next) => done[next] = true,
+                    None => break,
+                }
+                continue;
+            };
+            done[on] = true;
+            let (Some(a), Some(b), Some(turn)) = (self.blocks[from], self.blocks[on], self.stage.turn(way)) else { continue };
+            let (dx, dy) = (turn.cos(), -turn.sin());
+            let away = (b.center[0] - a.center[0]) * dx + (b.center[1] - a.center[1]) * dy;
+            let wanted = a.reach(turn) + b.reach(turn) + GAP;
+            if away.abs() < wanted - 0.5 * S && away > -0.5 * S {
+                let by = wanted - away;
+                self.shift(on, [by * dx, by * dy]);
+            }
+        }
+    }
+
+    fn pair(&self, act: &Act) -> Option<(usize, usize, V3)> {
+        match act.ends {
+            Ends::Along { on, from, direction, .. } if self.is_body(act) => {
+                Some((from.map_or(0, |f| self.group_of(f)), self.group_of(on), direction))
+            }
+            _ => None,
+        }
+    }
+
+    /// Moves a group with all that it carries.
+    fn shift(&mut self, group: usize, by: P) {
+        for i in 1..self.groups.all.len() {
+            let mut carrier = i;
+            while carrier != group && carrier != 0 {
+                carrier = self.groups.all[carrier].carrier;
+            }
+            if carrier == group {
+                self.stage.shift[i] = [self.stage.shift[i][0] + by[0], self.stage.shift[i][1] + by[1]];
+                if let Some(block) = &mut self.blocks[i] {
+                    block.center = [block.center[0] + by[0], block.center[1] + by[1]];
+                }
+            }
+        }
+    }
+}
+
+impl Block {
+    /// Distance from the centre to the edge in a direction.
+    pub fn reach(&self, turn: f64) -> f64 {
+        let (c, s) = ((turn - self.turn).cos().abs(), (turn - self.turn).sin().abs());
+        let along = |half: f64, c: f64| if c < 1e-9 { f64::INFINITY } else { half / c };
+        along(self.half[0], c).min(along(self.half[1], s))
+    }
+}
+
+/// Whether links that are hinged to one another lie on one line, so that a mechanism looks like a bar.
+pub(super) fn is_stretched(scheme: &Scheme) -> bool {
+    let links: Vec<&Place> = scheme.items.iter().filter(|i| i.symbol.name == "link").map(|i| &i.place).collect();
+    let Some(first) = links.first() else { return false };
+    let turn = direction(first.at, first.to);
+    let off = |p: P| ((p[0] - first.at[0]) * turn.sin() + (p[1] - first.at[1]) * turn.cos()).abs();
+    links.len() > 1 && links.iter().all(|l| off(l.at) < 2.0 && off(l.to) < 2.0)
+}

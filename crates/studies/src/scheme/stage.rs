@@ -1,0 +1,49 @@
+//! From metres to the picture: the directions that are seen, one scale for all, and shifts of groups that would lie on each other.
+
+use super::numbers::{V3, dot, plus};
+use report::scheme::{P, S};
+
+/// Largest width and height of the mechanism, without its supports and labels.
+const ROOM: P = [470.0, 330.0];
+
+/// How places become pixels.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    /// What is seen to the right and upwards.
+    pub axes: [V3; 2],
+    /// Pixels per metre.
+    pub scale: f64,
+    /// Shift of each group, pixels.
+    pub shift: Vec<P>,
+    /// Shift of each group that stands far away, metres.
+    pub nearer: Vec<V3>,
+}
+
+impl Stage {
+    /// A scale with which these points fill the room.
+    pub fn new(axes: [V3; 2], points: &[V3], nearer: Vec<V3>) -> Stage {
+        let groups = nearer.len();
+        let flat: Vec<P> =
+            points.iter().map(|p| [dot(axes[0], *p), dot(axes[1], *p)]).filter(|p| p[0].is_finite() && p[1].is_finite()).collect();
+        let span = |k: usize| {
+            let (low, high) = flat.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p[k]), h.max(p[k])));
+            (high - low).max(0.0)
+        };
+        let fits: Vec<f64> = [0, 1].into_iter().filter(|k| span(*k) > 0.0).map(|k| ROOM[k] / span(k)).collect();
+        let scale = fits.into_iter().fold(f64::INFINITY, f64::min);
+        Stage { axes, scale: if scale.is_finite() { scale } else { 10.0 * S }, shift: vec![[0.0; 2]; groups], nearer }
+    }
+
+    /// Where a point of a group is.
+    pub fn at(&self, group: usize, p: V3) -> P {
+        let shift = self.shift.get(group).copied().unwrap_or_default();
+        let p = plus(p, 1.0, self.nearer.get(group).copied().unwrap_or_default());
+        [self.scale * dot(self.axes[0], p) + shift[0], -self.scale * dot(self.axes[1], p) + shift[1]]
+    }
+
+    /// The direction in which a vector is seen, rad; none where it is seen as a point.
+    pub fn turn(&self, v: V3) -> Option<f64> {
+        let (x, y) = (dot(self.axes[0], v), dot(self.axes[1], v));
+        (x.hypot(y) > 1e-9).then(|| y.atan2(x))
+    }
+}

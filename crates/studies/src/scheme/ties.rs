@@ -1,0 +1,139 @@
+//! Ropes, belts, chains, gears, rods.
+
+use super::sketch::Sketch;
+use mechanics::model::{ConnectionKind, PointRef, Wound};
+use report::scheme::{P, Place, S, between, direction, distance, polar};
+use std::f64::consts::FRAC_PI_2;
+
+impl Sketch<'_> {
+    /// All of them.
+    pub(super) fn ties(&mut self) {
+        let machine = self.machine;
+        for connection in &machine.model.connections {
+            let path = format!("{}.{}", connection.table, connection.name);
+            match &connection.kind {
+                ConnectionKind::Rope { path: points, wound, .. } => self.rope(&path, points, wound),
+                ConnectionKind::Wheels { between, radii, opposite, .. } => {
+                    let [a, b] = between.map(|f| self.origin(f));
+                    let [r, s] = radii.map(|e| self.long(self.numbers.value(machine, e)));
+                    self.transmission(&path, (a, b), (r, s), Sense::of(*opposite));
+                    if connection.table != "gears" {
+                        let name = self.letters.load(&path);
+                        let side = direction(a, b) + FRAC_PI_2;
+                        self.note(name, polar(report::scheme::between(a, b, 0.5), (r + s) / 2.0, side), 5.0, Some(side));
+                    }
+                }
+                ConnectionKind::Rod { between: [a, b], .. } => {
+                    let (at, to) = (self.seen(*a), self.seen(*b));
+                    self.put("rod", &path, Place { at, to, ..Place::default() });
+                    let name = self.letters.load(&path);
+                    self.note(name, report::scheme::between(at, to, 0.5), 6.0, None);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn transmission(&mut self, path: &str, (a, b): (P, P), (r, s): (f64, f64), sense: Sense) {
+        let place = Place { at: a, to: b, size: r, other: s, ..Place::default() };
+        let symbol = match (path.split('.').next(), sense) {
+            (Some("chains"), _) => "chain",
+            (Some("gears"), Sense::Opposite) => return,
+            (Some("gears"), Sense::Same) => {
+                let (at, size) = if r > s { (a, r) } else { (b, s) };
+                self.put("gear_internal", path, Place { at, size, ..Place::default() });
+                return;
+            }
+            (_, Sense::Opposite) => "belt_crossed",
+            _ => "belt",
+        };
+        self.put(symbol, path, place);
+    }
+
+    /// A rope: its points, and where it leaves the drums that it winds on.
+    fn rope(&mut self, path: &str, points: &[PointRef], wound: &[Wound]) {
+        let mut way: Vec<P> = points.iter().map(|p| self.seen(*p)).collect();
+        for drum in wound {
+            self.onto(&mut way, drum);
+        }
+        if let ([_, ..], true) = (&way[..], way.len() >= 2) {
+            self.pulleys(path, points, &way);
+            let longest = way.windows(2).max_by(|a, b| distance(a[0], a[1]).total_cmp(&distance(b[0], b[1])));
+            let middle = longest.map_or(way[0], |w| between(w[0], w[1], 0.5));
+            self.put("thread", path, Place { path: way, ..Place::default() });
+            let name = self.letters.load(path);
+            self.note(name, middle, 5.0, None);
+        }
+    }
+
+    /// The end of a rope that is nearer to a drum goes onto its rim: unless it lies there already.
+    fn onto(&self, way: &mut Vec<P>, drum: &Wound) {
+        let center = self.origin(drum.on);
+        let r = self.long(self.numbers.value(self.machine, drum.radius));
+        if way.is_empty() {
+            way.push(polar(center, r, FRAC_PI_2));
+            return;
+        }
+        let (first, last) = (way[0], way[way.len() - 1]);
+        let at_start = way.len() > 1 && distance(first, center) < distance(last, center);
+        if at_start {
+            way.reverse();
+        }
+        let end = way[way.len() - 1];
+        let off = (distance(end, center) - r).abs();
+        if off > 0.12 * r + 2.0 {
+            // from the point before, where the end is the axis of the drum
+            if distance(end, center) < 0.5 * r && way.len() > 1 {
+                way.pop();
+            }
+            let from = way[way.len() - 1];
+            way.push(tangent(center, r, (from, if drum.positive { 1.0 } else { -1.0 })));
+        }
+        if at_start {
+            way.reverse();
+        }
+    }
+
+    /// Rings on the ground, and a pulley where a rope goes round two points of one body.
+    fn pulleys(&mut self, path: &str, points: &[PointRef], way: &[P]) {
+        for i in 1..points.len().saturating_sub(1) {
+            let (here, next) = (self.group_of(points[i]), self.group_of(points[i + 1]));
+            let (p, q) = (self.seen(points[i]), self.seen(points[i + 1]));
+            if here == next && i + 1 < points.len() - 1 && distance(p, q) > 6.0 {
+                let (at, size) = (between(p, q, 0.5), distance(p, q) / 2.0);
+                self.put("pulley", path, Place { at, size, turn: 0.7, ..Place::default() });
+                self.hinges.retain(|h| distance(*h, at) > 4.0);
+            } else if way.len() == points.len() || i > 0 {
+                let held = i > 0 && self.group_of(points[i - 1]) == here;
+                if !held {
+                    self.put("ring_eye", path, Place { at: p, ..Place::default() });
+                }
+            }
+        }
+    }
+}
+
+/// How two wheels turn.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Sense {
+    Same,
+    Opposite,
+}
+
+impl Sense {
+    fn of(opposite: bool) -> Sense {
+        if opposite { Sense::Opposite } else { Sense::Same }
+    }
+}
+
+/// Where a rope from a point touches a drum that winds it in when it turns counter-clockwise (`sense` 1) or clockwise.
+fn tangent(center: P, radius: f64, (from, sense): (P, f64)) -> P {
+    let d = distance(center, from);
+    if d <= radius {
+        return polar(center, radius, direction(center, from));
+    }
+    polar(center, radius, direction(center, from) - sense * (radius / d).acos())
+}
+
+/// Size of what has no size of its own.
+pub(super) const SMALL: f64 = 1.3 * S;
