@@ -341,6 +341,7 @@ impl LinearMachine {
     fn learn(&mut self) -> Result<(), Fault> {
         let known = self.shapes.len();
         self.inputs.states.extend(self.linear.forms[known..].iter().map(|f| f.mean));
+        self.inputs.definitions.clone_from(&self.linear.definitions);
         let time = self.linear.time();
         for i in known..self.linear.forms.len() {
             let shape = self.linear.forms[i].wave.shape;

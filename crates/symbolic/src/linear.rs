@@ -16,9 +16,11 @@
 //! oscillations. Turn angles of prescribed speed are speed·t. *Source*: D. R. Merkin, Introduction to the Theory of Stability, ch. 6.
 
 use crate::connections::Law;
+use crate::equations::Definition;
+use crate::graph::Edge;
 use crate::harmonics::{Decomposition, Harmonics};
 use crate::waveform::Waveform;
-use crate::{Derivation, Equations, Expr, Graph, Matrix, Rational, Substitution, SymbolId};
+use crate::{Derivation, Equations, Expr, Function, Graph, Matrix, Node, Rational, Substitution, SymbolId};
 
 /// About what the equations are linearised.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -53,6 +55,8 @@ pub struct Linear {
     pub loads: Vec<HarmonicLoad>,
     /// Waveforms of the loads and of what is observed.
     pub forms: Vec<Form>,
+    /// Which rates vanish.
+    pub stills: Stills,
     /// Loads of these forms: index of the form, factor on each coordinate.
     pub shaped: Vec<(usize, Vec<Expr>)>,
     /// λ of the ideal connections.
@@ -160,9 +164,9 @@ impl Linear {
         let (split_force, split_mass) = split.split_at(n);
         timing.varying = split_mass.iter().any(|h| !h.is_still());
         timing.averaged = split_force.iter().any(|h| !h.is_still());
-        let mut forms = Vec::new();
-        let mean: Vec<Expr> = split_force.iter().map(|h| averaged(&mut graph, &mut forms, h)).collect();
-        let mass = split_mass.iter().map(|h| averaged(&mut graph, &mut forms, h)).collect();
+        let (mut forms, mut stills) = (Vec::new(), Stills { list: Vec::new(), time: equations.time });
+        let mean: Vec<Expr> = split_force.iter().map(|h| averaged(&mut graph, (&mut forms, &mut stills), h)).collect();
+        let mass = split_mass.iter().map(|h| averaged(&mut graph, (&mut forms, &mut stills), h)).collect();
         let mass = Matrix::from_rows(&rows(mass, n));
 
         let mut linear = Linear {
@@ -183,6 +187,7 @@ impl Linear {
             shaped: Vec::new(),
             pulsation: Vec::new(),
             forms,
+            stills,
             definitions: still(equations, &moving),
             coordinates,
             moving,
@@ -194,7 +199,15 @@ impl Linear {
         linear.differentiate(&mean);
         linear.gather_loads(split_force);
         linear.gather_pulsation(split_force, split_mass);
+        linear.define_stills();
         linear
+    }
+
+    /// Definitions of the symbols of rates that vanish, as far as they are not there yet.
+    fn define_stills(&mut self) {
+        let known = |symbol: SymbolId| self.definitions.iter().any(|d| d.0 == symbol);
+        let new: Vec<(SymbolId, Expr)> = self.stills.list.iter().copied().filter(|s| !known(s.0)).collect();
+        self.definitions.extend(new);
     }
 
     /// Conditions and reactions of the ideal connections.
@@ -335,6 +348,7 @@ impl Linear {
                     self.timing.varying |= graph.contains(part, |s| self.coordinates.iter().any(|c| c.contains(&s)));
                 }
                 let (cos, sin) = (rest.apply(graph, wave.cos), rest.apply(graph, wave.sin));
+                let [cos, sin] = [cos, sin].map(|e| self.stills.moving(graph, wave.rate, e));
                 if graph.is_zero(cos) && graph.is_zero(sin) {
                     continue;
                 }
@@ -351,6 +365,7 @@ impl Linear {
             for (wave, factor) in &harmonics.forms {
                 self.timing.varying |= graph.contains(*factor, |s| self.coordinates.iter().any(|c| c.contains(&s)));
                 let factor = rest.apply(graph, *factor);
+                let factor = self.stills.moving(graph, wave.rate, factor);
                 if graph.is_zero(factor) {
                     continue;
                 }
@@ -374,17 +389,20 @@ impl Linear {
             About::Motion => Vec::new(),
         };
         let mut rest = Substitution::new(rates);
-        let parts = |h: &Harmonics| -> Vec<Expr> {
-            h.waves.iter().flat_map(|w| [w.cos, w.sin]).chain(h.forms.iter().map(|(_, factor)| *factor)).collect()
+        let stills = &mut self.stills;
+        let mut parts = |graph: &mut Graph, h: &Harmonics| -> Vec<Expr> {
+            let waves = h.waves.iter().flat_map(|w| [(w.rate, w.cos), (w.rate, w.sin)]);
+            let all: Vec<(Expr, Expr)> = waves.chain(h.forms.iter().map(|(form, factor)| (form.rate, *factor))).collect();
+            all.into_iter().map(|(rate, e)| stills.moving(graph, rate, e)).collect()
         };
         let mut found: Vec<(usize, Expr)> = Vec::new();
         for (entry, mass) in masses.iter().enumerate() {
-            found.extend(parts(mass).into_iter().map(|e| (entry, rest.apply(graph, e))));
+            found.extend(parts(graph, mass).into_iter().map(|e| (entry, rest.apply(graph, e))));
         }
         for j in 0..n {
             let mut by = [1, 0].map(|level| Derivation::partial(graph, self.coordinates[j][level]));
             for (i, force) in forces.iter().enumerate() {
-                for part in parts(force) {
+                for part in parts(graph, force) {
                     for (matrix, derivation) in by.iter_mut().enumerate() {
                         let slope = derivation.apply(graph, part);
                         found.push(((matrix + 1) * n * n + i * n + j, rest.apply(graph, slope)));
@@ -402,7 +420,7 @@ impl Linear {
         let formula = Substitution::new(self.moving.iter().copied()).apply(graph, formula);
         let mut timing = Timing::default();
         let harmonics = split(equations, graph, &[formula], &mut timing).remove(0);
-        let average = averaged(graph, &mut self.forms, &harmonics);
+        let average = averaged(graph, (&mut self.forms, &mut self.stills), &harmonics);
         let zero = graph.zero();
         let mut rest = Substitution::new(match self.about {
             About::Rest => self.coordinates.iter().flat_map(|[_, v, a]| [(*v, zero), (*a, zero)]).collect::<Vec<_>>(),
@@ -422,6 +440,7 @@ impl Linear {
         let waves: Vec<crate::harmonics::Wave> = waves.collect();
         let form = |(wave, factor): &(Waveform, Expr)| (known(graph, &mut self.forms, *wave), rest.apply(graph, *factor));
         let forms = harmonics.forms.iter().map(form).collect();
+        self.define_stills();
         LinearOutput { whole: average, mean, by_place, by_rate, by_acceleration, waves, forms, frozen: timing.frozen }
     }
 
@@ -453,7 +472,8 @@ impl Linear {
         self.gather_loads(&found);
         self.timing.varying = varying;
         let (waves, forms) = (std::mem::replace(&mut self.loads, loads), std::mem::replace(&mut self.shaped, shaped));
-        let mean = found.iter().map(|h| averaged(&mut self.graph, &mut self.forms, h)).collect();
+        let mean = found.iter().map(|h| averaged(&mut self.graph, (&mut self.forms, &mut self.stills), h)).collect();
+        self.define_stills();
         Some((mean, waves, forms))
     }
 
@@ -530,7 +550,7 @@ pub fn at_rest(equations: &Equations) -> Resting {
     let zero = graph.zero();
     let mut inline = Substitution::new(moving.iter().copied());
     let mut rest = Substitution::new(equations.coordinates.iter().flat_map(|c| [(c.symbols[1], zero), (c.symbols[2], zero)]));
-    let (mut forms, mut timing) = (Vec::new(), Timing::default());
+    let (mut forms, mut stills, mut timing) = (Vec::new(), Stills { list: Vec::new(), time: equations.time }, Timing::default());
     let mut mean = |graph: &mut Graph, list: &[Expr], timing: &mut Timing| -> Vec<Expr> {
         let list: Vec<Expr> = list
             .iter()
@@ -541,7 +561,7 @@ pub fn at_rest(equations: &Equations) -> Resting {
             .collect();
         let parts = split(equations, graph, &list, timing);
         timing.averaged |= parts.iter().any(|h| !h.is_still());
-        parts.iter().map(|h| averaged(graph, &mut forms, h)).collect()
+        parts.iter().map(|h| averaged(graph, (&mut forms, &mut stills), h)).collect()
     };
     let acting: Vec<Expr> = equations.force.iter().copied().chain(equations.balances.iter().map(|b| b.rest)).collect();
     let mut acting = mean(&mut graph, &acting, &mut timing);
@@ -557,6 +577,9 @@ pub fn at_rest(equations: &Equations) -> Resting {
         timing.driven |= graph.contains(held, |s| s == equations.time);
     }
     out.graph = graph;
+    let label = || words::Text::new("whether a rate is zero", "обращается ли частота в нуль");
+    let definition = |(symbol, formula): (SymbolId, Expr)| Definition { symbol, formula, unit: "1".into(), label: label(), shown: false };
+    out.definitions.extend(stills.list.into_iter().map(definition));
     Resting { equations: out, forms, definitions, timing }
 }
 
@@ -596,15 +619,81 @@ fn known(graph: &mut Graph, forms: &mut Vec<Form>, wave: Waveform) -> usize {
     })
 }
 
-/// The mean of a sum of harmonics, with symbols for the means of its waveforms.
-fn averaged(graph: &mut Graph, forms: &mut Vec<Form>, harmonics: &Harmonics) -> Expr {
+/// The mean of a sum of harmonics, with symbols for the means of its waveforms. What has the rate zero stands still: cos 0t = 1.
+fn averaged(graph: &mut Graph, (forms, stills): (&mut Vec<Form>, &mut Stills), harmonics: &Harmonics) -> Expr {
     let mut terms = vec![harmonics.mean];
+    for wave in &harmonics.waves {
+        if let Some(still) = stills.of(graph, wave.rate) {
+            terms.push(graph.mul(wave.cos, still));
+        }
+    }
     for (wave, factor) in &harmonics.forms {
         let form = known(graph, forms, *wave);
         let mean = graph.symbol(forms[form].mean);
+        let mean = stills.moving(graph, wave.rate, mean);
         terms.push(graph.mul(*factor, mean));
+        if let Some(still) = stills.of(graph, wave.rate) {
+            let zero = graph.zero();
+            let start = Substitution::new([(stills.time, zero)]).apply(graph, wave.shape);
+            terms.push(graph.product(&[*factor, still, start]));
+        }
     }
     graph.sum(&terms)
+}
+
+/// Symbols that are 1 where a rate over parameters vanishes and 0 elsewhere, with their formulas.
+#[derive(Clone, Debug)]
+pub struct Stills {
+    /// The symbols.
+    pub list: Vec<(SymbolId, Expr)>,
+    time: SymbolId,
+}
+
+impl Stills {
+    /// The symbol of a rate; none of a number.
+    fn of(&mut self, graph: &mut Graph, rate: Expr) -> Option<Expr> {
+        if graph.symbols_in(&[rate]).is_empty() {
+            return None;
+        }
+        let formula = vanishes(graph, rate);
+        let symbol = self.list.iter().find(|s| s.1 == formula).map(|s| s.0).unwrap_or_else(|| {
+            // no name in a file holds a space
+            let symbol = graph.symbol_id(&format!("still {}", self.list.len() + 1), 0);
+            self.list.push((symbol, formula));
+            symbol
+        });
+        Some(graph.symbol(symbol))
+    }
+
+    /// `e` where the rate does not vanish, else zero.
+    fn moving(&mut self, graph: &mut Graph, rate: Expr, e: Expr) -> Expr {
+        let Some(still) = self.of(graph, rate) else { return e };
+        let one = graph.one();
+        let factor = graph.sub(one, still);
+        graph.mul(e, factor)
+    }
+}
+
+/// 1 where a rate is zero, a difference to twelve digits, else 0.
+fn vanishes(graph: &mut Graph, rate: Expr) -> Expr {
+    let square = graph.mul(rate, rate);
+    let mut guard = graph.neg(square);
+    if let Node::Sum { terms, .. } = graph.node(rate).clone() {
+        let sizes: Vec<Expr> = terms
+            .iter()
+            .map(|(term, factor)| {
+                let term = graph.scale(*term, factor);
+                graph.call(Function::Abs, &[term])
+            })
+            .collect();
+        let size = graph.sum(&sizes);
+        let share = Rational::new(1, 1_000_000_000_000).unwrap_or(Rational::ZERO);
+        let size = graph.scale(size, &share);
+        let least = graph.mul(size, size);
+        guard = graph.sub(least, square);
+    }
+    let (one, zero) = (graph.one(), graph.zero());
+    graph.switch(guard, Edge::Closed, one, zero)
 }
 
 /// Splits expressions into harmonics; when one of them is none, all are taken at t = 0.

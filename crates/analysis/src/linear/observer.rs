@@ -114,16 +114,24 @@ impl LinearMachine {
             Some(_) => self.states_with(place, observer.known, &reactions),
             None => self.states(place),
         };
-        let values = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?;
+        let values = evaluator.evaluate(&Point { states: &states, accelerations: &place.accelerations, ..Point::default() })?.to_vec();
+        let bounds = evaluator.root_roundings();
         let n = observer.n;
-        let mut rest = values;
+        let mut rest = &values[..];
         let mut take = |k: usize| {
             let (head, tail) = rest.split_at(k);
             rest = tail;
             head.to_vec()
         };
+        // a difference of terms that is rounding is zero
+        let mut first = 0;
+        let mut mean = |harmonics: usize, forms: usize| {
+            let at = first;
+            first += 1 + 3 * n + 3 * harmonics + forms;
+            if values[at].abs() <= bounds[at] { 0.0 } else { values[at] }
+        };
         let seen = observer.rows.iter().zip(&observer.forms).map(|(waves, forms)| Seen {
-            mean: take(1)[0],
+            mean: (take(1), mean(*waves, forms.len())).1,
             by_place: take(n),
             by_rate: take(n),
             by_acceleration: take(n),

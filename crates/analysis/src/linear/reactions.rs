@@ -295,7 +295,8 @@ impl LinearMachine {
         }
         let mut rows = Vec::with_capacity(prepared.rows);
         for (waves, forms) in &prepared.waves {
-            let mean = take(1).0[0];
+            let (mean, rounding) = take(1);
+            let mean = if mean[0].abs() <= rounding[0] { 0.0 } else { mean[0] };
             let slopes = [take(n), take(n), take(n)];
             let load = take(1).0[0];
             let waves = (0..*waves).map(|_| take(3).0).map(|w| (w[0], w[1], w[2])).collect();
@@ -368,7 +369,12 @@ impl Solved {
         let largest = columns.iter().flatten().fold(1.0_f64, |s, v| s.max(v.abs()));
         let settled = |x: f64| if x.abs() <= UNKNOWN * largest * largest { 0.0 } else { x };
         let inverse: Vec<f64> = (0..k * m).map(|e| settled(columns[e % m][e / m]) / widths[e / m] / heights[e % m]).collect();
-        let values = (0..k).map(|c| rows.iter().enumerate().map(|(i, row)| inverse[c * m + i] * row.mean).sum()).collect();
+        let value = |c: usize| {
+            let parts = rows.iter().enumerate().map(|(i, row)| inverse[c * m + i] * row.mean);
+            let (sum, terms) = parts.fold((0.0, 0.0), |(sum, terms): (f64, f64), v| (sum + v, terms + v.abs()));
+            if sum.abs() <= SURE * f64::EPSILON * terms { 0.0 } else { sum }
+        };
+        let values = (0..k).map(value).collect();
         let unscaled = |v: Vec<f64>| v.iter().zip(&widths).map(|(v, w)| v / w).collect();
         Solved { values, inverse, open: qr.null_space().into_iter().map(unscaled).collect() }
     }

@@ -125,6 +125,17 @@ fn depends_on_time(equations: &Equations, formula: Expr) -> bool {
     equations.graph.contains(formula, |s| turns(s) || moving.contains(&s))
 }
 
+/// Times at which a formula is looked at to see whether it stands still, s.
+const LATER: [f64; 3] = [0.0, 0.731, 17.39];
+
+/// Whether a formula has the same value at all times, because the rates in it are zero for these numbers.
+fn still(later: &[Vec<Numbers>], formula: Expr) -> bool {
+    later.iter().all(|times| {
+        let values: Vec<f64> = times.iter().map(|numbers| numbers.evaluate(&[formula])[0]).collect();
+        values.iter().all(|v| *v == values[0])
+    })
+}
+
 /// Adds the outputs of the file at each place of the result, one row of which is a place: columns of coordinates and reactions by their names.
 /// Outputs that change with time by themselves have no value at rest unless all loads stand still at t = 0.
 pub fn add(equations: &Equations, parameters: &[f64], timing: Timing, data: &mut Dataset) {
@@ -136,17 +147,18 @@ pub fn add(equations: &Equations, parameters: &[f64], timing: Timing, data: &mut
     let known: Vec<(SymbolId, usize)> =
         data.columns.iter().enumerate().filter_map(|(i, c)| Some((symbol_of(&c.quantity.name)?, i))).collect();
     let open = equations.reactions.iter().map(|r| (r.symbol, f64::NAN));
-    let row = |row: usize| {
+    let values_at = |row: usize, time: f64| {
         let at = |s: SymbolId| known.iter().find(|(own, _)| *own == s).map(|(_, i)| data.columns[*i].values[row]);
         let q: Vec<f64> = equations.coordinates.iter().map(|c| at(c.symbols[0]).unwrap_or(f64::NAN)).collect();
         let reactions: Vec<(SymbolId, f64)> = open.clone().map(|(s, none)| (s, at(s).unwrap_or(none))).collect();
-        Numbers::at_rest(equations, parameters, &q).with(reactions)
+        Numbers::at(equations, (parameters, &q), time).with(reactions)
     };
-    let rows: Vec<Numbers> = (0..places).map(row).collect();
+    let rows: Vec<Numbers> = (0..places).map(|row| values_at(row, 0.0)).collect();
+    let later: Vec<Vec<Numbers>> = (0..places).map(|row| LATER.map(|time| values_at(row, time)).into()).collect();
     let mut columns = Vec::new();
     for output in equations.outputs.iter().filter(|o| o.role == Role::Named) {
-        let moves = !timing.frozen && depends_on_time(equations, output.formula);
-        let value = |numbers: &Numbers| if moves { f64::NAN } else { numbers.evaluate(&[output.formula])[0] };
+        let moves = !timing.frozen && depends_on_time(equations, output.formula) && !still(&later, output.formula);
+        let value = |numbers: &Numbers| if moves { f64::NAN } else { numbers.settled(output.formula) };
         let symbol = equations.graph.symbol_info(output.symbol).name.clone();
         let display = output.display.clone();
         let quantity = Quantity { symbol, display, label: output.label.clone(), ..Quantity::new(&output.name, &output.unit) };

@@ -74,6 +74,8 @@ const IDLE: f64 = 1e-11;
 /// A share of a free oscillation below this moves nothing.
 const UNMOVED: f64 = 1e-9;
 
+/// Share of its terms below which a sum of amplitudes is rounding: what the basis of the motions that conditions allow leaves of them, too.
+pub(super) const CANCELLED: f64 = 16.0 * f64::EPSILON;
 /// Rounding of a basis of the motions that conditions allow.
 const BASIS: f64 = 8.0 * f64::EPSILON;
 
@@ -100,6 +102,11 @@ impl Amplitudes {
     /// Σ g_i X_i, zero where only rounding is left. Real and imaginary part are infinite where a pole moves them, each on its own; the other one is its
     /// limit at ω.
     pub fn seen(&self, gain: &Gain) -> Complex {
+        self.seen_in_terms(gain).0
+    }
+
+    /// The same with the sum of the absolute terms of its finite part.
+    pub fn seen_in_terms(&self, gain: &Gain) -> (Complex, f64) {
         let g = gain.terms();
         let mut infinite = [false; 2];
         for m in 0..self.poles.len() {
@@ -121,6 +128,7 @@ impl Amplitudes {
             let (more, size) = dot(g, p);
             (sum, terms) = ((sum.0 + more.0, sum.1 + more.1), terms + size);
         }
+        let bound = CANCELLED * terms;
         for (z, a) in &self.free {
             let (moved, reach) = gain.along(z);
             sum = (sum.0 + moved.0 * a.0 - moved.1 * a.1, sum.1 + moved.0 * a.1 + moved.1 * a.0);
@@ -130,10 +138,10 @@ impl Amplitudes {
         let alone = infinite.contains(&true);
         let part = |value: f64, infinite: bool| match () {
             () if infinite => f64::INFINITY,
-            () if (if alone { value.abs() } else { size(sum) }) <= 4.0 * f64::EPSILON * terms => 0.0,
+            () if (if alone { value.abs() } else { size(sum) }) <= bound.max(4.0 * f64::EPSILON * terms) => 0.0,
             () => value,
         };
-        (part(sum.0, infinite[0]), part(sum.1, infinite[1]))
+        ((part(sum.0, infinite[0]), part(sum.1, infinite[1])), terms)
     }
 }
 

@@ -214,7 +214,9 @@ fn free(system: &Matrices, names: &[Quantity], normalisation: Normalisation) -> 
         _ => vec![orthogonality(system, &stiffness, &list)],
     };
     let pencil = (Sparse::from_dense(n, &stiffness)?, Sparse::from_dense(n, &system.mass)?);
-    audits.extend(certified::audits(&certify(&pencil.0, &pencil.1, &undamped, n)?));
+    // values of free motions are zero
+    let certified = eigen::Modes { values: values.clone(), ..undamped };
+    audits.extend(certified::audits(&certify(&pencil.0, &pencil.1, &certified, n)?));
     let frequency = |v: &f64| if *v < 0.0 { f64::NAN } else { v.sqrt() };
     let undamped = values.iter().map(frequency).collect();
     Ok(Modes { modes: list, damping: kind, gyroscopic: turns, circulatory: follows, undamped, audits, notes, zeros: 0 })

@@ -23,7 +23,7 @@ use crate::linear::{LinearMachine, LoadParts, Matrices, Observer, Place, Seen, V
 use crate::rest::branch::{Beyond, Branch};
 use crate::rest::contacts::Contacts;
 use crate::studies::equilibrium::no_equilibrium;
-use crate::studies::impedance::{Amplitudes, Gain, solve};
+use crate::studies::impedance::{Amplitudes, CANCELLED, Gain, solve};
 use crate::studies::modes::Complex;
 use crate::waveform::LISTED;
 use words::digits::rounded;
@@ -226,7 +226,7 @@ impl<'m> Forced<'m> {
         let (Some((_, per)), Some(branch)) = (self.follows, &mut self.branch) else { return Ok(omegas.to_vec()) };
         let mut found = Vec::new();
         for omega in omegas {
-            found.push(branch.place(self.machine, omega * per)?.is_some());
+            found.push(branch.place(self.machine, pace(*omega, per))?.is_some());
         }
         let home = branch.home() / per;
         let away = |i: &usize| (omegas[*i] - home).abs();
@@ -271,7 +271,15 @@ impl<'m> Forced<'m> {
         let mut following: Vec<f64> = per.iter().map(|r| r.abs()).filter(|r| *r > 0.0).collect();
         following.sort_by(f64::total_cmp);
         following.dedup_by(|a, b| (*a - *b).abs() <= SAME * b.abs());
-        self.left_out = own.iter().zip(&per).filter(|(_, p)| p.is_nan()).map(|(w, _)| w.abs()).collect();
+        // what stands still belongs to the place of rest
+        let moves = |i: usize| excitation.waves.get(i).is_none_or(|w| w.1.iter().any(|z| *z != (0.0, 0.0)));
+        self.left_out = own
+            .iter()
+            .zip(&per)
+            .enumerate()
+            .filter(|(i, (w, p))| p.is_nan() && **w != 0.0 && moves(*i))
+            .map(|(_, (w, _))| w.abs())
+            .collect();
         let angular = parameter.is_some_and(|p| self.machine.parameters()[p].unit == "rad/s");
         let axis = match (&following[..], parameter) {
             ([], Some(p)) => return Err(not_proportional(&self.machine.parameters()[p].name)),
@@ -286,7 +294,8 @@ impl<'m> Forced<'m> {
                 }
             }
         };
-        self.follows = parameter.map(|p| (p, axis.recip()));
+        // a negative frequency of the file stays one: amplitudes may be formulas of it
+        self.follows = parameter.map(|p| (p, axis.recip().copysign(if value < 0.0 { -1.0 } else { 1.0 })));
         self.own = Some(axis * value.abs());
         let loads = excitation.waves.len();
         for (i, rate) in per.iter().enumerate().filter(|(_, r)| r.abs() > 0.0) {
@@ -367,7 +376,7 @@ impl<'m> Forced<'m> {
     /// M, B, C at a frequency ω; the parameter follows it, and the equilibrium follows the parameter.
     pub fn matrices(&mut self, omega: f64) -> Result<Matrices, Fault> {
         if let Some((parameter, per)) = self.follows {
-            let value = omega * per;
+            let value = pace(omega, per);
             self.place = match &mut self.branch {
                 Some(branch) => branch.place(self.machine, value)?.ok_or_else(no_equilibrium)?,
                 None => {
@@ -384,7 +393,7 @@ impl<'m> Forced<'m> {
     /// *Errors*: formulas without a value.
     pub fn cover(&mut self, ends: [f64; 2]) -> Result<(), Fault> {
         match (self.follows, &mut self.branch) {
-            (Some((_, per)), Some(branch)) => branch.cover(self.machine, ends.map(|w| w * per)),
+            (Some((_, per)), Some(branch)) => branch.cover(self.machine, ends.map(|w| pace(w, per))),
             _ => Ok(()),
         }
     }
@@ -490,9 +499,9 @@ impl<'m> Forced<'m> {
         let direct = if free { seen.iter().map(|s| self.turned((s.constant, 0.0))).collect() } else { self.direct(&seen, omega)? };
         let see = |x: &Amplitudes, omega: f64| -> Vec<Complex> {
             let one = |(s, own): (&Seen, &Complex)| {
-                let y = x.seen(&gain(s, omega));
+                let (y, terms) = x.seen_in_terms(&gain(s, omega));
                 let sum = (y.0 + own.0, y.1 + own.1);
-                if *own == (0.0, 0.0) || !magnitude(y).is_finite() { sum } else { cancelled(sum, magnitude(y)) }
+                if *own == (0.0, 0.0) || !magnitude(y).is_finite() { sum } else { cancelled(sum, terms) }
             };
             seen.iter().zip(&direct).map(one).collect()
         };
@@ -594,6 +603,14 @@ impl<'m> Forced<'m> {
     }
 }
 
+/// The parameter at a frequency. ω = 0 is the limit of slow loads, which a load that stands still is not: it belongs to the place of rest.
+fn pace(omega: f64, per: f64) -> f64 {
+    if omega == 0.0 { SLOWEST.copysign(per) } else { omega * per }
+}
+
+/// A frequency whose square is a number still, rad/s.
+const SLOWEST: f64 = 1e-150;
+
 /// How an output follows the coordinates at ω.
 pub(super) fn gain(s: &Seen, omega: f64) -> Gain<'_> {
     Gain { place: &s.by_place, rate: &s.by_rate, acceleration: &s.by_acceleration, omega }
@@ -601,7 +618,7 @@ pub(super) fn gain(s: &Seen, omega: f64) -> Gain<'_> {
 
 /// A sum, zero where it is rounding of its terms.
 fn cancelled(sum: Complex, terms: f64) -> Complex {
-    if magnitude(sum) <= 4.0 * f64::EPSILON * terms { (0.0, 0.0) } else { sum }
+    if magnitude(sum) <= CANCELLED * terms { (0.0, 0.0) } else { sum }
 }
 
 /// Share of a static displacement beyond which rounding of the stiffnesses decides it.

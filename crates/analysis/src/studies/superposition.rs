@@ -195,7 +195,9 @@ impl<'f, 'm> Run<'f, 'm> {
         }
         // a formula has harmonics that its motion has not
         let fine = if care == Care::Number && !forced.bent.is_empty() { 8.0 } else { 1.0 };
-        let panels = Panels::new(edges, TAU / (k as f64 / 2.0).max(8.0) / fine);
+        // one turn of the highest order to a panel, whose polynomial then has all digits; the last harmonics of a waveform are small
+        let turns = if forced.endless() { 0.5 } else { 1.0 };
+        let panels = Panels::new(edges, TAU / (turns * k as f64).max(8.0) / fine);
         Ok(Run { forced, m, z, full, excitation, rate, multiples, panels, k, care })
     }
 
@@ -478,7 +480,11 @@ impl<'f, 'm> Run<'f, 'm> {
         let peaks: Vec<f64> = values.chunks(NODES).map(peak).collect();
         order.sort_by(|a, b| peaks[*b].total_cmp(&peaks[*a]).then(a.cmp(b)));
         let mut best = (f64::NEG_INFINITY, 0.0);
-        for panel in order.into_iter().take(4) {
+        // between two nodes a sine rises by less than this share of its range
+        let lowest = peaks.iter().copied().chain(values.iter().map(|v| sign * v)).fold(f64::INFINITY, f64::min);
+        let highest_node = order.first().map_or(0.0, |p| peaks[*p]);
+        let worth = |p: &usize| peaks[*p] >= highest_node - BETWEEN * (highest_node - lowest);
+        for panel in order.into_iter().take_while(worth).take(MOST_PANELS) {
             let c = RULE.coefficients(&values[panel * NODES..(panel + 1) * NODES]);
             let (a, b) = (self.panels.edges[panel], self.panels.edges[panel + 1]);
             let (x, v) = highest(&mut |x| sign * series(&c, x));
@@ -530,6 +536,11 @@ impl<'f, 'm> Run<'f, 'm> {
         Ok(if size > 0.0 { worst / size } else { 0.0 })
     }
 }
+
+/// Share of a curve's range that a maximum may stand above the nodes beside it: 1 - cos 0.31 for a turn to a panel, halved by the range.
+const BETWEEN: f64 = 0.03;
+/// Panels that are searched for an extreme at most.
+const MOST_PANELS: usize = 256;
 
 /// The larger of two values with their instants; of equal ones, up to rounding, the earlier.
 fn farther(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {

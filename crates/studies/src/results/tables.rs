@@ -33,7 +33,7 @@ pub fn results(data: &Dataset, language: Language) -> Table {
         if Some(i) == data.axis || column.values.is_empty() {
             continue;
         }
-        let (first, last) = (column.values[0], column.values[column.values.len() - 1]);
+        let [first, last] = ends(data, i);
         let known = extreme_of(data, i);
         if known.is_none() && !column.values.iter().any(|v| v.is_finite()) {
             continue;
@@ -61,6 +61,18 @@ pub fn results(data: &Dataset, language: Language) -> Table {
         table.row(row);
     }
     table
+}
+
+/// Values of a column at the ends of a motion: rows that begin later have none of its start, and those that end earlier take that of the motion.
+fn ends(data: &Dataset, i: usize) -> [f64; 2] {
+    let values = &data.columns[i].values;
+    let [first, last] = [values[0], values[values.len() - 1]];
+    let Some(times) = data.axis.and_then(|a| data.columns.get(a)).filter(|c| c.quantity.name == "t").map(|c| &c.values) else {
+        return [first, last];
+    };
+    let known = data.overall.iter().find(|o| o.column == i);
+    let whole = |o: &&analysis::dataset::Overall| times[times.len() - 1] < o.span * (1.0 - 1e-12);
+    [if known.is_some() && times[0] > 0.0 { f64::NAN } else { first }, known.filter(whole).map_or(last, |o| o.last)]
 }
 
 /// Head of the column of places: "at, s" over time, the driven coordinate otherwise.

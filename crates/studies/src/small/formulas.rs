@@ -34,6 +34,11 @@ pub fn at_place(equations: &Equations, small: &Small) -> Option<Linear> {
         };
         place.push((coordinate.symbols[0], e));
     }
+    for (symbol, _) in linear.stills.list.clone() {
+        let e = linear.graph.symbol(symbol);
+        let still = small.machine.values_of(&[e], &small.place).ok()?[0] > 0.0;
+        place.push((symbol, if still { linear.graph.one() } else { linear.graph.zero() }));
+    }
     let linear = linear.at(&place);
     let coordinate = |s: SymbolId| linear.coordinates.iter().any(|c| c.contains(&s)) || linear.multipliers.contains(&s);
     let shaped = linear.shaped.iter().flat_map(|(_, factors)| factors);

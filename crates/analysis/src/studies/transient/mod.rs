@@ -105,7 +105,13 @@ fn solve<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64
     let phases = phases(equations, &start[..2 * system.n_coordinates()], &instants, &options.ends, rest.as_deref())?;
     let blurred = phase_error::check(&phases, times.iter().copied().fold(0.0, f64::max))?;
     let pulling = pushes::watch(system, &phases, &options.pushes)?;
-    let mut dataset = table(system, &phases, &times, options)?;
+    let all = simulate::choose(system.outputs(), options.twin.outputs.as_deref())?;
+    let (chosen, hidden) = match &rest {
+        Some(_) => all.into_iter().partition(|i| !follows_accelerations(equations, &system.outputs()[*i].name)),
+        None => (all, Vec::new()),
+    };
+    let mut dataset = table(system, &phases, &times, &chosen)?;
+    dataset.notes.extend(without_line(system, &hidden));
     dataset.notes.extend(blurred);
     dataset.notes.extend(pulling);
     if let Some(q) = &rest {
@@ -174,10 +180,9 @@ fn times(options: &Simulate<'_>, columns: usize) -> Result<Vec<f64>, Fault> {
 }
 
 /// The columns, evaluated on the closed form. At a switch the values after it are shown.
-fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], options: &Transient<'_>) -> Result<Dataset, Fault> {
+fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], chosen: &[usize]) -> Result<Dataset, Fault> {
     let all = system.outputs().to_vec();
-    let chosen = simulate::choose(&all, options.twin.outputs.as_deref())?;
-    system.show(&chosen)?;
+    system.show(chosen)?;
     let mut values = vec![0.0; all.len()];
     let mut rows: Vec<Vec<f64>> = vec![vec![f64::NAN; times.len()]; chosen.len()];
     let mut at = 0;
@@ -189,7 +194,7 @@ fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], op
         let x: Vec<f64> = x.iter().copied().chain(phase.form.turns.iter().map(|turn| turn.at(t))).collect();
         let modes = modes(system, phase, t, &x);
         system.observe(t, &x, &modes, &mut values)?;
-        for (column, i) in rows.iter_mut().zip(&chosen) {
+        for (column, i) in rows.iter_mut().zip(chosen) {
             column[row] = crate::fault::finite(values[*i], &all[*i].name)?;
         }
         Ok(())
@@ -197,9 +202,35 @@ fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], op
     let time = Quantity { label: Text::new("time", "время"), ..Quantity::new("t", "s") };
     let mut columns = vec![Column { quantity: time, values: times.to_vec() }];
     columns.extend(chosen.iter().zip(rows).map(|(i, values)| Column { quantity: all[*i].clone(), values }));
-    let (extremes, overall, lost) = course::course(system, phases, &chosen);
+    let (extremes, overall, lost) = course::course(system, phases, chosen);
     let notes = simulate::untraced(&lost).into_iter().collect();
     Ok(Dataset { axis: Some(0), columns, events: starts(phases), extremes, overall, notes, ..Dataset::default() })
+}
+
+/// Whether an output holds accelerations or reactions: of the whole equations at a place of small motions they belong to neither motion.
+fn follows_accelerations(equations: &Equations, name: &str) -> bool {
+    let Some(output) = equations.outputs.iter().find(|o| o.name == name) else { return false };
+    let fast = |s: symbolic::SymbolId| {
+        equations.coordinates.iter().any(|c| c.symbols[2] == s) || equations.reactions.iter().any(|r| r.symbol == s)
+    };
+    let mut known: Vec<symbolic::SymbolId> = Vec::new();
+    for d in &equations.definitions {
+        if equations.graph.contains(d.formula, |s| fast(s) || known.contains(&s)) {
+            known.push(d.symbol);
+        }
+    }
+    equations.graph.contains(output.formula, |s| fast(s) || known.contains(&s))
+}
+
+/// Names outputs that small motions do not give.
+fn without_line<S: System + ?Sized>(system: &S, hidden: &[usize]) -> Option<Text> {
+    let list = hidden.iter().map(|i| system.outputs()[*i].name.as_str()).collect::<Vec<_>>().join(", ");
+    (!list.is_empty()).then(|| {
+        Text::new(
+            format!("not shown: {list}, over accelerations and reactions, which the linearised motion does not give; `simulate` has them"),
+            format!("не показаны {list}: зависят от ускорений и реакций, которых линеаризованное движение не даёт; они есть в `simulate`"),
+        )
+    })
 }
 
 /// The beginnings of all phases but the first.
