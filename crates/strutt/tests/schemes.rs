@@ -90,6 +90,21 @@ fn the_command_writes_svg_and_png_and_keeps_its_inputs() {
 }
 
 #[test]
+fn a_body_alone_has_the_reactions_of_what_holds_it() {
+    let piston = stdout(strutt().args(["scheme", &gallery("crank-hoist"), "--body", "piston"]));
+    let groups: Vec<&str> = piston.split("data-path=\"").skip(1).filter_map(|g| g.split('"').next()).collect();
+    // both components of the pin, the gas force, the guide and the weight, and no other body
+    assert_eq!(groups.iter().filter(|g| **g == "pins.B").count(), 2, "{groups:?}");
+    assert!(groups.contains(&"forces.gas") && groups.contains(&"gravity"), "{groups:?}");
+    assert!(groups.iter().all(|g| !g.starts_with("bodies.") || *g == "bodies.piston"), "{groups:?}");
+    let roller = stdout(strutt().args(["scheme", &gallery("thread-pendulum"), "--body", "roller"]));
+    assert_eq!(roller.matches("data-path=\"rolling.P\"").count(), 2);
+    assert_eq!(roller.matches("data-path=\"threads.S1\"").count(), 1);
+    let told = stderr(strutt().args(["scheme", &gallery("four-bar"), "--body", "crnk"]), 1);
+    assert!(told.contains("C055") && told.contains("`crank`"), "{told}");
+}
+
+#[test]
 fn a_place_of_the_motion_can_be_drawn() {
     let start = stdout(strutt().args(["scheme", &gallery("double-pendulum")]));
     let later = stdout(strutt().args(["scheme", &gallery("double-pendulum"), "--at", "0.3 s"]));

@@ -16,6 +16,7 @@ mod ends;
 mod groups;
 mod holds;
 mod instants;
+mod isolate;
 mod letters;
 mod looks;
 mod numbers;
@@ -32,6 +33,7 @@ pub use instants::{at_rest, at_time};
 pub use numbers::Instant;
 
 use crate::machine::Machine;
+use mechanics::model::FrameId;
 use report::{Block, Scheme};
 use words::{Language, Notice, Text};
 
@@ -79,6 +81,10 @@ fn no_body(name: &str, bodies: &[&str]) -> Notice {
 /// The scheme; none where there is nothing to draw.
 pub fn scheme(machine: &Machine, options: &Options, language: Language) -> Option<Scheme> {
     let at = options.at.clone().unwrap_or_else(|| Instant::start(machine));
+    if let Some(name) = &options.body {
+        let body = machine.model.frames.iter().position(|f| f.is_body && f.name == *name)?;
+        return Some(sketch::body(machine, &at, (FrameId(body), language)));
+    }
     let mut scheme = sketch::draw(machine, &at, language);
     if options.at.is_none() && sketch::is_stretched(&scheme) {
         if let Some(clearer) = instants::bent(machine) {

@@ -114,7 +114,7 @@ impl Sketch<'_> {
     }
 
     /// Where a group is taken hold of from a direction.
-    fn grip(&self, point: PointRef, turn: f64) -> P {
+    pub(super) fn grip(&self, point: PointRef, turn: f64) -> P {
         let group = self.group_of(point);
         match self.blocks[group] {
             Some(block) => polar(block.center, block.reach(turn), turn),
@@ -296,7 +296,7 @@ impl Sketch<'_> {
         }
     }
 
-    fn force(&mut self, path: &str, (at, axes): (PointRef, FrameId), value: [Expr; 3]) {
+    pub(super) fn force(&mut self, path: &str, (at, axes): (PointRef, FrameId), value: [Expr; 3]) {
         let graph = &self.machine.model.graph;
         let given: Vec<usize> = (0..3).filter(|k| !graph.is_zero(value[*k])).collect();
         let (vector, letter) = match given[..] {
@@ -341,7 +341,7 @@ impl Sketch<'_> {
         }
     }
 
-    fn moment(&mut self, path: &str, on: FrameId, value: [Expr; 3]) {
+    pub(super) fn moment(&mut self, path: &str, on: FrameId, value: [Expr; 3]) {
         let graph = &self.machine.model.graph;
         let Some(k) = (0..3).rev().find(|k| !graph.is_zero(value[*k])) else { return };
         let (sense, letter) = self.signed(value[k], path);

@@ -8,6 +8,18 @@ use report::scheme::{Label, LabelText, P, Place, S, between, direction, distance
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 impl Sketch<'_> {
+    /// Names of points and the number of a body that is drawn alone.
+    pub(super) fn letters_of_body(&mut self, group: usize) {
+        let acting = std::mem::take(&mut self.scheme.labels);
+        self.bodies_numbered();
+        let others = self.looks.clone();
+        self.looks.iter_mut().enumerate().filter(|(i, _)| *i != group).for_each(|(_, l)| l.spots.clear());
+        self.points_named();
+        self.looks = others;
+        self.scheme.labels.extend(acting);
+        self.summary();
+    }
+
     /// A label beside a place.
     pub(super) fn note(&mut self, text: LabelText, at: P, away: f64, side: Option<f64>) {
         self.scheme.label(Label { text, at, away, side });

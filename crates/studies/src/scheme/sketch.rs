@@ -51,36 +51,7 @@ pub(super) struct Sketch<'a> {
 
 /// Draws a machine.
 pub(super) fn draw(machine: &Machine, at: &Instant, language: Language) -> Scheme {
-    let pathways = pathways(machine);
-    let asked: Vec<(String, Pathway)> = pathways.iter().map(|(act, pathway)| (act.path.clone(), *pathway)).collect();
-    let numbers = Numbers::new(machine, at, &asked);
-    let groups = Groups::new(&machine.model, &numbers);
-    let acts: Vec<Act> =
-        pathways.into_iter().map(|(act, pathway)| Act { ends: ends(machine, (&numbers, &groups), (&act.path, pathway)), ..act }).collect();
-    let looks = looks(machine, &numbers, &groups);
-    let nearer = nearer(machine, &looks, (&groups, &numbers));
-    let mut points = extent(&looks, (&groups, &numbers), &nearer);
-    if let Some(structure) = &machine.model.structure {
-        points.extend(super::structure::nodes(structure, &|e| numbers.value(machine, e)));
-    }
-    let stage = Stage::new(axes(machine, &looks), &points, nearer);
-    let n = groups.all.len();
-    let title = language.pick("Scheme", "Расчётная схема");
-    let mut sketch = Sketch {
-        machine,
-        language,
-        at,
-        letters: Letters::new(machine, language),
-        scheme: Scheme::new("scheme", title.into()),
-        blocks: vec![None; n],
-        hinges: Vec::new(),
-        origins: Vec::new(),
-        numbers,
-        groups,
-        looks,
-        stage,
-        acts,
-    };
+    let mut sketch = prepared(machine, at, language);
     if super::shafts::is_line(&sketch) {
         super::shafts::draw(&mut sketch);
         sketch.summary();
@@ -98,6 +69,65 @@ pub(super) fn draw(machine: &Machine, at: &Instant, language: Language) -> Schem
     sketch.loads();
     sketch.signs();
     sketch.scheme
+}
+
+/// Draws a body alone.
+pub(super) fn body(machine: &Machine, at: &Instant, (body, language): (FrameId, Language)) -> Scheme {
+    let mut sketch = prepared(machine, at, language);
+    let group = sketch.groups.of(body);
+    let name = &machine.model.frames[body.index()].name;
+    sketch.scheme.name = format!("body-{name}");
+    sketch.scheme.title = language.pick(format!("Free body: {name}"), format!("Освобождённое тело: {name}")).into();
+    let only: Vec<Look> = sketch.looks.iter().enumerate().map(|(i, l)| if i == group { l.clone() } else { Look::default() }).collect();
+    let mut points = extent(&only, (&sketch.groups, &sketch.numbers), &vec![[0.0; 3]; only.len()]);
+    points.retain(|p| p.iter().all(|c| c.is_finite()));
+    // another body without places of its own has its origin there; it is not seen
+    let own = sketch.numbers.frames[0][sketch.groups.all[group].root.index()].origin;
+    if points.is_empty() {
+        points.push(own);
+    }
+    sketch.stage = Stage::new(sketch.stage.axes, &points, vec![[0.0; 3]; only.len()]);
+    sketch.stage.scale *= 0.7;
+    sketch.fit();
+    sketch.blocks();
+    sketch.bodies();
+    super::isolate::isolate(&mut sketch, body);
+    sketch.letters_of_body(group);
+    sketch.scheme
+}
+
+/// Everything that is known before the first stroke.
+fn prepared<'a>(machine: &'a Machine, at: &'a Instant, language: Language) -> Sketch<'a> {
+    let pathways = pathways(machine);
+    let asked: Vec<(String, Pathway)> = pathways.iter().map(|(act, pathway)| (act.path.clone(), *pathway)).collect();
+    let numbers = Numbers::new(machine, at, &asked);
+    let groups = Groups::new(&machine.model, &numbers);
+    let acts: Vec<Act> =
+        pathways.into_iter().map(|(act, pathway)| Act { ends: ends(machine, (&numbers, &groups), (&act.path, pathway)), ..act }).collect();
+    let looks = looks(machine, &numbers, &groups);
+    let nearer = nearer(machine, &looks, (&groups, &numbers));
+    let mut points = extent(&looks, (&groups, &numbers), &nearer);
+    if let Some(structure) = &machine.model.structure {
+        points.extend(super::structure::nodes(structure, &|e| numbers.value(machine, e)));
+    }
+    let stage = Stage::new(axes(machine, &looks), &points, nearer);
+    let n = groups.all.len();
+    let title = language.pick("Scheme", "Расчётная схема");
+    Sketch {
+        machine,
+        language,
+        at,
+        letters: Letters::new(machine, language),
+        scheme: Scheme::new("scheme", title.into()),
+        blocks: vec![None; n],
+        hinges: Vec::new(),
+        origins: Vec::new(),
+        numbers,
+        groups,
+        looks,
+        stage,
+        acts,
+    }
 }
 
 /// All pathways of the file.
@@ -215,7 +245,7 @@ fn extent(looks: &[Look], (groups, numbers): (&Groups, &Numbers), nearer: &[V3])
         for (center, half, _) in &look.boxes {
             all.extend([[half[0], half[1], 0.0], [-half[0], -half[1], 0.0]].map(|d| plus(*center, 1.0, d)));
         }
-        if group.heavy && look.centers.is_empty() {
+        if group.heavy && look.centers.is_empty() && !look.spots.is_empty() {
             all.push(numbers.frames[0][group.root.index()].origin);
         }
         all[from..].iter_mut().for_each(|p| *p = plus(*p, 1.0, nearer[i]));

@@ -67,7 +67,7 @@ impl Sketch<'_> {
     }
 
     /// The end of a rope that is nearer to a drum goes onto its rim: unless it lies there already.
-    fn onto(&self, way: &mut Vec<P>, drum: &Wound) {
+    pub(super) fn onto(&self, way: &mut Vec<P>, drum: &Wound) {
         let center = self.origin(drum.on);
         let r = self.long(self.numbers.value(self.machine, drum.radius));
         if way.is_empty() {

@@ -1,0 +1,382 @@
+//! A body alone: what holds it is cut, and the forces that act there instead stand at its places with the letters of the equations.
+//!
+//! Arrows point in the positive direction of their letters: a reaction acts on the second of two partners as it is written, and opposite on the first; springs, rods
+//! and ropes pull.
+
+use super::ends::Ends;
+use super::groups::Joint;
+use super::numbers::V3;
+use super::sketch::{Act, Sketch};
+use mechanics::model::{ConnectionKind, FrameId, PointRef, Site, SupportDirection, Track, Wound};
+use report::formula::{Form, Printer};
+use report::scheme::{LabelText, P, Place, S, direction, distance, polar};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Length of an arrow.
+const ARROW: f64 = 2.0 * S;
+
+/// Leaves of a sketch with all bodies the one that the frame belongs to, and adds what acts on it.
+pub(super) fn isolate(sketch: &mut Sketch, body: FrameId) {
+    let group = sketch.groups.of(body);
+    let path = sketch.groups.all[group].path.clone();
+    sketch.scheme.items.retain(|item| item.path == path);
+    let mut cut = Cut { sketch, group, taken: Vec::new() };
+    cut.connections();
+    cut.joints();
+    cut.acts();
+    cut.loads();
+    cut.weight();
+    cut.axes();
+}
+
+struct Cut<'s, 'm> {
+    sketch: &'s mut Sketch<'m>,
+    group: usize,
+    /// Places whose reactions are drawn.
+    taken: Vec<P>,
+}
+
+impl Cut<'_, '_> {
+    fn is_mine(&self, point: PointRef) -> bool {
+        self.sketch.group_of(point) == self.group
+    }
+
+    /// The letter of a component, as in the equations; another one where the equations do not need it.
+    fn letter(&self, part: &str, name: &str, other: &str) -> LabelText {
+        let equations = &self.sketch.machine.equations;
+        let (bare, long) = (format!("{part}({name})"), format!(".{name})"));
+        let is =
+            |r: &&symbolic::connections::Reaction| r.name == bare || r.name.starts_with(&format!("{part}(")) && r.name.ends_with(&long);
+        match equations.reactions.iter().find(is) {
+            Some(reaction) => LabelText::Symbol(equations.graph.symbol_info(reaction.symbol).name.clone()),
+            None => LabelText::Symbol(format!("{other}_{name}")),
+        }
+    }
+
+    fn arrow(&mut self, path: &str, (at, turn): (P, f64), letter: LabelText) {
+        // arrows of one place and direction stand beside one another
+        let along = |i: &&report::scheme::Item| {
+            let drawn = matches!(i.symbol.name, "reaction" | "force");
+            drawn
+                && distance(i.place.at, at) < 2.0 * S
+                && (direction(i.place.at, i.place.to) - turn).cos() > 0.97
+                && off(at, turn, i.place.at) < 0.6 * S
+        };
+        let beside = self.sketch.scheme.items.iter().filter(along).count() as f64;
+        let at = polar(at, 0.75 * S * beside, turn - FRAC_PI_2);
+        let tip = polar(at, ARROW, turn);
+        self.sketch.put("reaction", path, Place { at, to: tip, ..Place::default() });
+        self.sketch.note(letter, tip, 5.0, Some(turn + 0.8));
+    }
+
+    fn bow(&mut self, path: &str, (at, sense): (P, f64), letter: LabelText) {
+        let symbol = if sense < 0.0 { "moment_negative" } else { "moment" };
+        self.sketch.put(symbol, path, Place { at, size: 1.2 * S, turn: 0.8, ..Place::default() });
+        self.sketch.note(letter, polar(at, 1.2 * S, 0.8), 5.0, Some(0.8));
+    }
+
+    /// Components along the axes of a frame, with a sign.
+    fn components(&mut self, (path, name): (&str, &str), at: P, (axes, sign): (FrameId, f64)) {
+        let pose = self.sketch.numbers.frames[0][axes.index()];
+        for (part, letter, v) in [("force_x", "X", [1.0, 0.0, 0.0]), ("force_y", "Y", [0.0, 1.0, 0.0])] {
+            let Some(turn) = self.sketch.stage.turn(pose.shown(v).map(|c: f64| c * sign)) else { continue };
+            let letter = self.letter(part, name, letter);
+            self.arrow(path, (at, turn), letter);
+        }
+        self.taken.push(at);
+    }
+
+    fn connections(&mut self) {
+        let machine = self.sketch.machine;
+        for c in &machine.model.connections {
+            let path = format!("{}.{}", c.table, c.name);
+            let names = (path.as_str(), c.name.as_str());
+            match &c.kind {
+                ConnectionKind::Pin { between, axes } | ConnectionKind::Weld { between, axes } => {
+                    let Some((at, sign)) = self.end(*between) else { continue };
+                    self.components(names, at, (*axes, sign));
+                    if c.table == "welds" {
+                        let letter = self.letter("moment", &c.name, "M");
+                        self.bow(&path, (at, sign), letter);
+                    }
+                }
+                ConnectionKind::Support { at, directions, axes, .. } if self.is_mine(*at) => self.support(names, (*at, *axes), directions),
+                ConnectionKind::Slider { point, on, direction, turns, .. } => {
+                    let sign = match (self.is_mine(*point), self.sketch.groups.of(*on) == self.group) {
+                        (true, false) => 1.0,
+                        (false, true) => -1.0,
+                        _ => continue,
+                    };
+                    let at = self.sketch.seen(*point);
+                    let angle = self.sketch.numbers.value(machine, *direction) + FRAC_PI_2;
+                    let normal = self.sketch.numbers.frames[0][on.index()].shown([sign * angle.cos(), sign * angle.sin(), 0.0]);
+                    let Some(turn) = self.sketch.stage.turn(normal) else { continue };
+                    let letter = self.letter("force", &c.name, "N");
+                    self.arrow(&path, (at, turn), letter);
+                    if !turns {
+                        let letter = self.letter("moment", &c.name, "M");
+                        self.bow(&path, (at, sign), letter);
+                    }
+                }
+                ConnectionKind::Rod { between: [a, b], .. } => self.pull(names, (*a, *b)),
+                ConnectionKind::Rope { path: points, wound, .. } => {
+                    self.drums(names, points, wound);
+                    for pair in points.windows(2) {
+                        self.pull(names, (pair[0], pair[1]));
+                    }
+                }
+                ConnectionKind::Wheels { between, radii, .. } => {
+                    self.mesh(names, *between, radii.map(|r| self.sketch.numbers.value(machine, r)))
+                }
+                ConnectionKind::Rolling { .. } => self.rolling(names, &c.kind),
+                _ => {}
+            }
+        }
+    }
+
+    /// The place of the body's own one of two points, and the sign of the reaction there.
+    fn end(&self, [a, b]: [PointRef; 2]) -> Option<(P, f64)> {
+        match (self.is_mine(a), self.is_mine(b)) {
+            (true, false) => Some((self.sketch.seen(a), -1.0)),
+            (false, true) => Some((self.sketch.seen(b), 1.0)),
+            _ => None,
+        }
+    }
+
+    fn support(&mut self, (path, name): (&str, &str), (at, axes): (PointRef, FrameId), directions: &[SupportDirection]) {
+        let place = self.sketch.seen(at);
+        let pose = self.sketch.numbers.frames[0][axes.index()];
+        self.taken.push(place);
+        for d in directions {
+            let (part, letter, v) = match d {
+                SupportDirection::X => ("force_x", "X", [1.0, 0.0, 0.0]),
+                SupportDirection::Y => ("force_y", "Y", [0.0, 1.0, 0.0]),
+                SupportDirection::Z => ("force_z", "Z", [0.0, 0.0, 1.0]),
+                _ => {
+                    let letter = self.letter("moment", name, "M");
+                    self.bow(path, (place, 1.0), letter);
+                    continue;
+                }
+            };
+            let Some(turn) = self.sketch.stage.turn(pose.shown(v)) else { continue };
+            let letter = self.letter(part, name, letter);
+            self.arrow(path, (place, turn), letter);
+        }
+    }
+
+    /// A tie pulls its end towards the other one.
+    fn pull(&mut self, (path, name): (&str, &str), (a, b): (PointRef, PointRef)) {
+        let (own, other) = match (self.is_mine(a), self.is_mine(b)) {
+            (true, false) => (a, b),
+            (false, true) => (b, a),
+            _ => return,
+        };
+        let (at, to) = (self.sketch.seen(own), self.sketch.seen(other));
+        let letter = self.letter("force", name, "S");
+        self.arrow(path, (at, direction(at, to)), letter);
+    }
+
+    /// A rope pulls at the rim of a drum.
+    fn drums(&mut self, (path, name): (&str, &str), points: &[PointRef], wound: &[Wound]) {
+        let own: Vec<&Wound> = wound.iter().filter(|d| self.sketch.groups.of(d.on) == self.group).collect();
+        for drum in own {
+            let mut way: Vec<P> = points.iter().map(|p| self.sketch.seen(*p)).collect();
+            self.sketch.onto(&mut way, drum);
+            let center = self.sketch.origin(drum.on);
+            if way.first().zip(way.last()).is_some_and(|(a, b)| distance(*a, center) < distance(*b, center)) {
+                way.reverse();
+            }
+            let [.., from, rim] = way[..] else { continue };
+            let letter = self.letter("force", name, "S");
+            self.arrow(path, (rim, direction(rim, from)), letter);
+        }
+    }
+
+    /// The tooth or belt force on a wheel: it turns the second one in the positive direction.
+    fn mesh(&mut self, (path, name): (&str, &str), between: [FrameId; 2], radii: [f64; 2]) {
+        let mine = between.map(|f| self.sketch.groups.of(f) == self.group);
+        let Some(k) = (0..2).find(|k| mine[*k] && !mine[1 - *k]) else { return };
+        let [own, other] = [between[k], between[1 - k]].map(|f| self.sketch.origin(f));
+        let r = self.sketch.long(radii[k]);
+        let toward = direction(own, other);
+        let contact = polar(own, r, toward);
+        // on the second wheel the force is along the rim counter-clockwise; the first feels it reversed
+        let turn = if k == 1 { toward + FRAC_PI_2 } else { direction(other, own) + FRAC_PI_2 + PI };
+        let letter = self.letter("force", name, "F");
+        self.arrow(path, (contact, turn), letter);
+    }
+
+    fn rolling(&mut self, (path, name): (&str, &str), kind: &ConnectionKind) {
+        let ConnectionKind::Rolling { wheel, center, radius, on, track: Track::Line { direction: along, left, .. }, .. } = kind else {
+            return;
+        };
+        let sign = match (self.sketch.groups.of(*wheel) == self.group, self.sketch.groups.of(*on) == self.group) {
+            (true, false) => 1.0,
+            (false, true) => -1.0,
+            _ => return,
+        };
+        let machine = self.sketch.machine;
+        let (c, r) = (self.sketch.seen(*center), self.sketch.long(self.sketch.numbers.value(machine, *radius)));
+        let angle = self.sketch.numbers.value(machine, *along);
+        let way: V3 = self.sketch.numbers.frames[0][on.index()].shown([angle.cos(), angle.sin(), 0.0]);
+        let Some(turn) = self.sketch.stage.turn(way) else { return };
+        let normal = turn + if *left { FRAC_PI_2 } else { -FRAC_PI_2 };
+        let contact = polar(c, -r, normal);
+        let flip = if sign < 0.0 { PI } else { 0.0 };
+        let part = if path.starts_with("racks") { "force" } else { "tangential" };
+        let letter = self.letter(part, name, "F");
+        self.arrow(path, (contact, turn + flip), letter);
+        if path.starts_with("rolling") {
+            let letter = self.letter("normal", name, "N");
+            self.arrow(path, (contact, normal + flip), letter);
+        }
+    }
+
+    /// Hinges and guides that follow from the coordinates.
+    fn joints(&mut self) {
+        let own = self.sketch.groups.all[self.group].clone();
+        for (i, group) in self.sketch.groups.all.clone().iter().enumerate().skip(1) {
+            let sign = if i == self.group { 1.0 } else { -1.0 };
+            if group.joint != Joint::Turns || (i != self.group && group.carrier != self.group) {
+                continue;
+            }
+            let at = self.sketch.origin(group.root);
+            if self.taken.iter().any(|p| distance(*p, at) < 4.0) {
+                continue;
+            }
+            let name = self.name_at(at);
+            self.components((&own.path, &name), at, (FrameId::GROUND, sign));
+        }
+        if let (Joint::Slides(way), true) = (own.joint, self.sketch.is_guided(self.group)) {
+            let Some(turn) = self.sketch.stage.turn(way) else { return };
+            let at = self.sketch.middle(self.group);
+            self.arrow(&own.path, (at, turn + FRAC_PI_2), LabelText::Symbol("N".into()));
+        }
+    }
+
+    /// The point of the file that is there.
+    fn name_at(&self, at: P) -> String {
+        let spots = self.sketch.looks.iter().enumerate().flat_map(|(i, look)| look.spots.iter().map(move |s| (i, s)));
+        let mut here = spots.filter(|(i, s)| distance(self.sketch.stage.at(*i, s.at), at) < 4.0).filter_map(|(_, s)| s.name.clone());
+        here.next().unwrap_or_else(|| "O".to_owned())
+    }
+
+    /// Springs, dampers, stops, frictions, motors, forces on pathways.
+    fn acts(&mut self) {
+        for act in self.sketch.acts.clone() {
+            match act.ends {
+                Ends::Points(a, b) => {
+                    let (own, other) = match (self.is_mine(a), self.is_mine(b)) {
+                        (true, false) => (a, b),
+                        (false, true) => (b, a),
+                        _ => continue,
+                    };
+                    let (at, to) = (self.sketch.seen(own), self.sketch.seen(other));
+                    let turn = direction(at, to) + if grows(&act) { PI } else { 0.0 };
+                    let letter = self.force_of(&act);
+                    self.arrow(&act.path, (at, turn), letter);
+                }
+                Ends::Along { on, from, direction: way, .. } => {
+                    let (point, sign) = match (self.is_mine(on), from.filter(|f| self.is_mine(*f))) {
+                        (true, None) => (on, 1.0),
+                        (false, Some(from)) => (from, -1.0),
+                        _ => continue,
+                    };
+                    let Some(turn) = self.sketch.stage.turn(way.map(|c| c * sign * if grows(&act) { 1.0 } else { -1.0 })) else { continue };
+                    let at = self.sketch.grip(point, turn);
+                    let letter = self.force_of(&act);
+                    self.arrow(&act.path, (at, turn), letter);
+                }
+                Ends::Turn { on, from, sense } => {
+                    let sign = match (self.sketch.groups.of(on) == self.group, self.sketch.groups.of(from) == self.group) {
+                        (true, false) => 1.0,
+                        (false, true) => -1.0,
+                        _ => continue,
+                    };
+                    let at = self.sketch.pivot(on, from);
+                    let letter = self.force_of(&act);
+                    self.bow(&act.path, (at, sign * sense * if grows(&act) { 1.0 } else { -1.0 }), letter);
+                }
+                Ends::Unknown => {}
+            }
+        }
+    }
+
+    /// F with the letter of a stiffness or damping as its index; loads and drives have their own letter.
+    fn force_of(&self, act: &Act) -> LabelText {
+        let base = if matches!(act.ends, Ends::Turn { .. }) { "M" } else { "F" };
+        match (act.table, self.sketch.letter(act)) {
+            ("springs" | "dampers" | "torsion_bars", LabelText::Symbol(letter)) => {
+                LabelText::Symbol(format!("{base}_{}", letter.replace('_', "")))
+            }
+            ("springs" | "dampers" | "torsion_bars", _) => LabelText::Symbol(base.to_owned()),
+            ("stops" | "frictions" | "motions", _) => {
+                let name = act.path.rsplit('.').next().unwrap_or_default();
+                self.letter("force", name, base)
+            }
+            (_, letter) => letter,
+        }
+    }
+
+    fn loads(&mut self) {
+        let machine = self.sketch.machine;
+        for element in &machine.model.elements {
+            match element.law.sketch().site {
+                Site::At { at, value, axes } if self.is_mine(at) => self.sketch.force(&element.path, (at, axes), value),
+                Site::Turns { on, value, .. } if self.sketch.groups.of(on) == self.group => self.sketch.moment(&element.path, on, value),
+                Site::Turns { value, reaction: Some(on), .. } if self.sketch.groups.of(on) == self.group => {
+                    let (sense, letter) = self.sketch.signed(value[2], &element.path);
+                    let at = self.sketch.middle(self.group);
+                    self.bow(&element.path, (at, -sense), letter);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn weight(&mut self) {
+        let model = &self.sketch.machine.model;
+        let Some(g) = model.gravity else { return };
+        let printer = Printer::of(&self.sketch.machine.equations, self.sketch.language);
+        let Some(turn) = self.sketch.stage.turn(g.map(|e| self.sketch.numbers.value(self.sketch.machine, e))) else { return };
+        for frame in self.sketch.groups.all[self.group].frames.clone() {
+            let Some(mass) = model.frames[frame.index()].mass.as_ref().filter(|m| m.gravity && !model.graph.is_zero(m.mass)) else {
+                continue;
+            };
+            let text = printer.inline(&model.graph, mass.mass, Form::Text);
+            let text = if text.contains([' ', '+']) { format!("({text}) g") } else { format!("{text} g") };
+            let at = match self.sketch.blocks[self.group] {
+                Some(block) => block.center,
+                None => self.sketch.seen(PointRef::Center(frame)),
+            };
+            self.arrow("gravity", (at, turn), LabelText::Formula(text));
+        }
+    }
+
+    /// The axes of the ground, at the lower left.
+    fn axes(&mut self) {
+        let places = self.sketch.scheme.items.iter().flat_map(|i| [i.place.at, i.place.to].into_iter().filter(|p| *p != [0.0; 2]));
+        let (left, low) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, b), p| (l.min(p[0]), b.max(p[1])));
+        if !left.is_finite() {
+            return;
+        }
+        let at = [left - 3.5 * S, low + 1.5 * S];
+        let seen = |v: V3| self.sketch.stage.turn(v).map(|turn| polar(at, 1.7 * S, turn));
+        let tips: Vec<(P, &str)> =
+            [([1.0, 0.0, 0.0], "x"), ([0.0, 1.0, 0.0], "y")].into_iter().filter_map(|(v, name)| Some((seen(v)?, name))).collect();
+        self.sketch.put("axes", "ground", Place { at, path: tips.iter().map(|t| t.0).collect(), ..Place::default() });
+        for (tip, name) in tips {
+            self.sketch.note(LabelText::Symbol(name.to_owned()), tip, 4.0, None);
+        }
+    }
+}
+
+/// Distance of a point from a line.
+fn off(at: P, turn: f64, p: P) -> f64 {
+    ((p[0] - at[0]) * turn.sin() + (p[1] - at[1]) * turn.cos()).abs()
+}
+
+/// Whether a positive force makes the pathway longer; springs and dampers pull it shorter, frictions resist.
+fn grows(act: &Act) -> bool {
+    matches!(act.table, "forces" | "motors" | "motions" | "stops")
+}
