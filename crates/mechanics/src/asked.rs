@@ -201,8 +201,8 @@ pub enum Takes {
     Number(Limits),
     /// A relative tolerance of the integrator.
     Tolerance,
-    /// A whole number from 2 to 1000000; the code of the complaint.
-    Count(&'static str),
+    /// A whole number from this least one to 1000000; the code of the complaint.
+    Count(&'static str, usize),
     /// A quantity.
     Quantity(Like, Limits),
     /// true or false.
@@ -253,7 +253,7 @@ impl Takes {
         match self {
             Takes::End | Takes::Step | Takes::Duration | Takes::Wait => (Type::Formula, "s"),
             Takes::Moments => (Type::Quantities, "s"),
-            Takes::Number(_) | Takes::Tolerance | Takes::Count(_) => (Type::Formula, "1"),
+            Takes::Number(_) | Takes::Tolerance | Takes::Count(..) => (Type::Formula, "1"),
             Takes::Quantity(Like::Is(_, unit), _) => (Type::Formula, unit),
             Takes::Quantity(..) | Takes::Section => (Type::Formula, ""),
             Takes::Flag => (Type::Bool, ""),

@@ -25,10 +25,10 @@ pub fn end(key: &str, text: &str) -> Result<f64, Failure> {
     if value >= 0.0 { Ok(value) } else { Err(bad(key, text, &words, &Text::default())) }
 }
 
-/// How many points a range has.
-pub fn positions(key: &str, points: usize) -> Result<usize, Failure> {
-    let words = Text::new("a range has 2 ... 1000000 points", "в промежутке бывает 2 ... 1000000 точек");
-    if (2..=1_000_000).contains(&points) { Ok(points) } else { Err(bad(key, &points.to_string(), &words, &Text::default())) }
+/// How many points there are, at least so many.
+pub fn positions(key: &str, points: usize, least: usize) -> Result<usize, Failure> {
+    let words = Text::new(format!("there are {least} ... 1000000 points"), format!("точек бывает {least} ... 1000000"));
+    if (least..=1_000_000).contains(&points) { Ok(points) } else { Err(bad(key, &points.to_string(), &words, &Text::default())) }
 }
 
 /// A duration that may be zero.

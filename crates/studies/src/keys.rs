@@ -80,9 +80,13 @@ pub const GUESS: Key =
         .option("Where to look for the equilibrium: phi=0.1", "Откуда искать положение равновесия: phi=0.1");
 
 /// Number of positions of a turn; one a degree without it.
-pub const POINTS: Key =
-    Key::new("points", Takes::Count("M071"), ("number of positions, both ends included", "число положений вместе с обоими концами"), "73")
-        .default("361", "361");
+pub const POINTS: Key = Key::new(
+    "points",
+    Takes::Count("M071", 2),
+    ("number of positions, both ends included", "число положений вместе с обоими концами"),
+    "73",
+)
+.default("361", "361");
 
 /// Ordinary motion before a search.
 pub const SETTLE: Key = Key::new("settle", Takes::Wait, ("ordinary motion before the search", "обычное движение перед поиском"), "\"5 s\"")

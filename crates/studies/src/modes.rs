@@ -91,7 +91,7 @@ static KIND: Kind =
             )
             .option("Its values, from and to: \"0 rad/s,600 rad/s\"", "Его значения, от и до: \"0 rad/s,600 rad/s\"")
             .needs("over"),
-            Key::new("points", Takes::Count("M093"), ("number of its values", "число его значений"), "73")
+            Key::new("points", Takes::Count("M093", 2), ("number of its values", "число его значений"), "73")
                 .default("101", "101")
                 .option("Number of its values", "Число его значений")
                 .needs("over"),

@@ -94,7 +94,7 @@ static KIND: Kind = Kind::new(
     },
     Key::new(
         "points",
-        Takes::Count("M071"),
+        Takes::Count("M071", 1),
         ("number of points; all up to `until` without it", "число точек; без ключа — все до `until`"),
         "500",
     )

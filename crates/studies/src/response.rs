@@ -39,7 +39,7 @@ static KIND: Kind = Kind::new(
         "[\"1 rad/s\", \"100 rad/s\"]",
     )
     .option("Frequencies from and to: 1,100 (rad/s) or \"1 Hz,20 Hz\"", "Частоты от и до: 1,100 (рад/с) или \"1 Гц;20 Гц\""),
-    Key::new("points", Takes::Count("M093"), ("number of frequencies", "число частот"), "201")
+    Key::new("points", Takes::Count("M093", 2), ("number of frequencies", "число частот"), "201")
         .default("401", "401")
         .option("Number of frequencies", "Число частот"),
     Key::new("log", Takes::Flag, ("logarithmic axes", "логарифмические оси"), "true")

@@ -68,7 +68,7 @@ static EVERYTHING: Kind = Kind::new("everything", ("", ""))
         key("period", Takes::Duration),
         key("settle", Takes::Wait),
         key("turns", Takes::Number(Limits::NotZero)),
-        key("points", Takes::Count("M071")),
+        key("points", Takes::Count("M071", 2)),
         key("over", Takes::Coordinate),
         key("rate", Takes::Quantity(Like::RateOf("over"), Limits::NotZero)),
         key("speed", Takes::Quantity(Like::Is(Dimension::ANGULAR_RATE, "rad/s"), Limits::None)),

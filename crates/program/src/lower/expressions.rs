@@ -6,6 +6,7 @@ use crate::builder::Builder;
 use crate::verify::verified;
 use crate::{Bounded, By, Coefficient, Fault, Guard, GuardKind, Operation, Register, Root, Shape, Spare, Tape, Unary};
 use rustc_hash::FxHashMap;
+use std::f64::consts::PI;
 use std::sync::Arc;
 use symbolic::{Edge, Expr, Function, Graph, Node, Rational, SymbolId};
 
@@ -344,8 +345,25 @@ impl<'g, 't> Lowering<'g, 't> {
             }
             Function::Min => self.switch(GuardKind::Min, (arguments[0], Some(arguments[1])), [values[0], values[0], values[1]]),
             Function::Max => self.switch(GuardKind::Max, (arguments[0], Some(arguments[1])), [values[1], values[0], values[0]]),
+            Function::Atan2 if !self.is_right(arguments[1]) => self.angle((arguments[0], arguments[1]), &values),
             smooth => self.builder.function(smooth, &values),
         }
+    }
+
+    /// Whether a formula is a positive number.
+    fn is_right(&self, e: Expr) -> bool {
+        matches!(self.graph.node(e), Node::Number(r) if !r.is_negative() && !r.is_zero())
+    }
+
+    /// The angle of the point (x, y). Left of the origin, where it jumps by 2π as y changes its sign, it is taken about ±π on the side of y that holds: at the
+    /// instant of the change y is rounding, and its own sign would say nothing.
+    fn angle(&mut self, (y, x): (Expr, Expr), values: &[Value]) -> Value {
+        let angle = self.builder.function(Function::Atan2, values);
+        let behind: Vec<Value> = values.iter().map(|v| self.builder.sum(0.0, &[(-1.0, *v)])).collect();
+        let behind = self.builder.function(Function::Atan2, &behind);
+        let [upper, lower] = [PI, -PI].map(|half| self.builder.sum(half, &[(1.0, behind)]));
+        let left = self.switch(GuardKind::Sign, (y, None), [lower, angle, upper]);
+        self.switch(GuardKind::Sign, (x, None), [left, angle, angle])
     }
 
     /// sides[sign(left - right)].

@@ -77,7 +77,13 @@ fn dashed(key: &Key) -> String {
 fn option(key: &Key, among: &[&Key], language: Language) -> Option<Arg> {
     let line = key.option?;
     let name = name_of(key);
-    let arg = Arg::new(name).long(name.replace('_', "-")).help(language.pick(line.help.0, line.help.1));
+    let begins = match line.way {
+        Way::Begins => language
+            .pick("; begins a study of its own instead of the file's", "; начинает собственное исследование вместо заданного в файле"),
+        Way::Instead | Way::Written => "",
+    };
+    let help = format!("{}{begins}", language.pick(line.help.0, line.help.1));
+    let arg = Arg::new(name).long(name.replace('_', "-")).help(help);
     let there = |other: &str| among.iter().any(|key| key.option.is_some() && name_of(key) == other);
     let arg = line.needs.iter().filter(|other| there(other)).fold(arg, |arg, other| arg.requires(*other));
     let arg = key.excluded.iter().filter(|(other, _)| there(other)).fold(arg, |arg, (other, _)| arg.conflicts_with(*other));
@@ -91,7 +97,7 @@ fn option(key: &Key, among: &[&Key], language: Language) -> Option<Arg> {
     Some(match key.takes {
         Takes::Flag => arg.action(ArgAction::SetTrue),
         Takes::Word(choice) => arg.value_parser(PossibleValuesParser::new(choice.words)),
-        Takes::Count(_) => arg.value_parser(value_parser!(usize)),
+        Takes::Count(..) => arg.value_parser(value_parser!(usize)),
         Takes::Guess => arg.action(ArgAction::Append),
         Takes::Ranges => arg.action(ArgAction::Append).allow_hyphen_values(true),
         Takes::Results | Takes::Names => arg.action(ArgAction::Append).value_delimiter(','),
@@ -106,7 +112,7 @@ fn metavar(takes: Takes) -> &'static str {
         Takes::End | Takes::Step | Takes::Duration | Takes::Wait => "TIME",
         Takes::Moments => "T1,T2,...",
         Takes::Number(_) | Takes::Tolerance => "NUMBER",
-        Takes::Count(_) => "N",
+        Takes::Count(..) => "N",
         Takes::Quantity(..) => "QUANTITY",
         Takes::Word(choice) => choice.metavar,
         Takes::Coordinate | Takes::Sought | Takes::Varied | Takes::Name => "NAME",
@@ -144,7 +150,7 @@ impl<'a> Line<'a> {
         if key.option?.sets.is_some() || matches!(key.takes, Takes::Flag) {
             return self.matches.get_flag(name).then(Vec::new);
         }
-        if matches!(key.takes, Takes::Count(_)) {
+        if matches!(key.takes, Takes::Count(..)) {
             return self.matches.get_one::<usize>(name).map(|n| vec![n.to_string()]);
         }
         self.matches.get_many::<String>(name).map(|texts| texts.cloned().collect())
@@ -194,7 +200,7 @@ fn written(key: &Key, texts: &[String]) -> String {
     let first = texts.first().map_or("", String::as_str);
     match key.takes {
         Takes::Ranges | Takes::Names | Takes::Results | Takes::Formulas => format!("{} = {}\n", key.name, list()),
-        Takes::Count(_) => format!("{} = {first}\n", key.name),
+        Takes::Count(..) => format!("{} = {first}\n", key.name),
         Takes::End | Takes::Step | Takes::Duration | Takes::Wait => row(key.name, &quantities::with_unit(first, "s")),
         Takes::Quantity(Like::Is(_, unit), _) => row(key.name, &quantities::with_unit(first, unit)),
         _ => row(key.name, key.option.and_then(|line| line.sets).unwrap_or(first)),
@@ -238,8 +244,8 @@ impl Reading<'_> {
             Takes::Moments => Value::Numbers(quantities::times(option, text)?),
             Takes::Number(_) => Value::Number(quantities::number(option, text)?),
             Takes::Tolerance => Value::Number(quantities::tolerance(option, text)?),
-            Takes::Count(_) => {
-                let points = text.parse().map_or(Ok(0), |points| quantities::positions(option, points))?;
+            Takes::Count(_, least) => {
+                let points = text.parse().map_or(Ok(0), |points| quantities::positions(option, points, least))?;
                 Value::Number(points as f64)
             }
             Takes::Quantity(like, _) => Value::Number(quantities::quantity(option, text, &self.dimension(like))?),

@@ -125,7 +125,7 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, before): (&Key,
             let dimension = dimension_of(before, like);
             number(reader, fields, (name, limits), dimension.as_ref()).map(Value::Number)
         }
-        Takes::Count(code) => count(reader, fields, (name, code)).map(Value::Number),
+        Takes::Count(code, least) => count(reader, fields, (name, code), least).map(Value::Number),
         Takes::Flag => fields.flag(reader, name).map(Value::Flag),
         Takes::Word(choice) => word(reader, fields, (name, choice)).map(Value::Word),
         Takes::Coordinate => names::coordinate(reader, fields, name).map(Value::Coordinate),
@@ -201,15 +201,15 @@ fn number<'a>(
 }
 
 /// A whole number from 2 to 1000000.
-fn count<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, code): (&'static str, &'static str)) -> Option<f64> {
+fn count<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, (key, code): (&'static str, &'static str), least: usize) -> Option<f64> {
     let value = fields.formula(reader, key, &Context::CONSTANT, Some(&Dimension::NONE))?;
     let number = reader.number(&value)?;
-    if number.fract() != 0.0 || !(2.0..=1e6).contains(&number) {
+    if number.fract() != 0.0 || !(least as f64..=1e6).contains(&number) {
         reader.fault(Notice::piece(
             code,
             fields.span_of(key),
-            format!("`{key}` is {number}; a whole number from 2 to 1000000 is needed"),
-            format!("`{key}` равно {number}; нужно целое от 2 до 1000000"),
+            format!("`{key}` is {number}; a whole number from {least} to 1000000 is needed"),
+            format!("`{key}` равно {number}; нужно целое от {least} до 1000000"),
         ));
         return None;
     }
