@@ -164,6 +164,42 @@ pub struct Variants {
 pub enum VariantsAction {
     /// Compute every variant: answers, broken conditions, twins, near resonance, failures
     Check(VariantsCheck),
+    /// Write task sheets, solutions and the key of a class into a folder
+    Make(VariantsMake),
+    /// Check what students handed in against a key
+    Grade(VariantsGrade),
+}
+
+#[derive(Args, Debug)]
+pub struct VariantsMake {
+    /// Model file, or a folder with model.toml
+    #[arg(value_name = "FILE")]
+    pub file: String,
+    /// Number n of the group in the formulas of the variants
+    #[arg(long, value_name = "NUMBER")]
+    pub group: Option<u32>,
+    /// List of students, one a line, in a second column the variant; without a list a sheet for each variant
+    #[arg(long, value_name = "CSV")]
+    pub names: Option<String>,
+    /// Folder for the sheets
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Print tasks and solutions as PDF too, by an installed Chromium
+    #[arg(long)]
+    pub pdf: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct VariantsGrade {
+    /// The key that `variants make` wrote: key.json, or the folder that holds it
+    #[arg(value_name = "KEY")]
+    pub key: String,
+    /// What students handed in, a row for each
+    #[arg(value_name = "ANSWERS")]
+    pub answers: String,
+    /// Also write a report for each student and the table of the class into this folder
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

@@ -12,11 +12,13 @@
 #![cfg_attr(not(test), deny(clippy::too_many_lines, clippy::fn_params_excessive_bools))]
 
 pub mod chain;
+pub mod class;
 pub mod diagnostics;
 pub mod explain;
 pub mod files;
 pub mod folder;
 pub mod gallery;
+mod letters;
 pub mod pdf;
 mod shelf;
 pub mod source;

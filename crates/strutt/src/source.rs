@@ -26,13 +26,24 @@ pub fn open(path: &str) -> Result<Source, Box<Notice>> {
     from_reader(file, &path)
 }
 
-fn from_reader(reader: impl Read, path: &str) -> Result<Source, Box<Notice>> {
+/// The bytes of a file beside the model: a list, a key, answers.
+///
+/// # Errors
+/// A file that is missing, unreadable or too large (C001 ... C003).
+pub fn bytes(path: &str) -> Result<Vec<u8>, Box<Notice>> {
+    let file = File::open(path).map_err(|error| Box::new(cannot_open(path, &error)))?;
+    limited(file, path, 16 * LARGEST)
+}
+
+fn limited(reader: impl Read, path: &str, largest: u64) -> Result<Vec<u8>, Box<Notice>> {
     let mut bytes = Vec::new();
     // one byte more than allowed tells a file at the limit from an endless device
-    reader.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| Box::new(unreadable(path, &error)))?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(Box::new(too_large(path)));
-    }
+    reader.take(largest + 1).read_to_end(&mut bytes).map_err(|error| Box::new(unreadable(path, &error)))?;
+    if bytes.len() as u64 > largest { Err(Box::new(too_large(path))) } else { Ok(bytes) }
+}
+
+fn from_reader(reader: impl Read, path: &str) -> Result<Source, Box<Notice>> {
+    let bytes = limited(reader, path, LARGEST)?;
     let text = String::from_utf8(bytes).map_err(|error| Box::new(not_utf8(path, error.as_bytes(), error.utf8_error().valid_up_to())))?;
     Ok(Source { path: path.into(), text })
 }

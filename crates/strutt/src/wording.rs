@@ -28,6 +28,12 @@ words::table! {
     Picture: "plot, picture", "график, растровый";
     Page: "page", "страница";
     SectionTable: "properties of the sections", "характеристики сечений";
+    Task: "task", "задание";
+    Solution: "solution", "решение";
+    Key: "key", "ключ";
+    Quiz: "questions for a learning system", "вопросы для системы обучения";
+    AnswerSheet: "empty table for the answers", "пустая таблица для ответов";
+    Grades: "what was handed in, graded", "проверка сданных ответов";
     EventTable: "events, 17 digits", "события, 17 знаков";
     TimeRead: "read", "чтение";
     TimeDerive: "derive", "вывод уравнений";

@@ -17,12 +17,12 @@ fn read(path: &str) -> String {
 
 /// Names of the folders of the gallery.
 fn machines() -> Vec<String> {
-    let mut names: Vec<String> = std::fs::read_dir(root().join("gallery"))
-        .expect("the gallery exists")
-        .flatten()
-        .filter(|e| e.path().is_dir())
-        .map(|e| e.file_name().to_string_lossy().into_owned())
-        .collect();
+    let folders = |of: &str| -> Vec<String> {
+        let entries = std::fs::read_dir(root().join("gallery").join(of)).expect("the gallery exists").flatten();
+        entries.filter(|e| e.path().is_dir()).map(|e| e.file_name().to_string_lossy().into_owned()).collect()
+    };
+    let courses = folders("courses").into_iter().map(|name| format!("courses/{name}"));
+    let mut names: Vec<String> = folders("").into_iter().filter(|name| name != "courses").chain(courses).collect();
     names.sort();
     names
 }

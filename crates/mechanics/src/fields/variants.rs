@@ -77,8 +77,8 @@ pub const VARIANTS: TableSpec = TableSpec {
 pub const ANSWER: TableSpec = TableSpec {
     name: "answers",
     about: (
-        "An item that a student answers: the number comes from a study of the file or from a formula.",
-        "Вопрос, на который отвечает студент: число берётся из расчёта файла или вычисляется по формуле.",
+        "An item that a student answers: the number comes from a study of the file or from a formula; `strutt variants make` prints the questions and the key, `strutt variants grade` checks what was handed in.",
+        "Вопрос, на который отвечает студент: число берётся из расчёта файла или вычисляется по формуле; `strutt variants make` печатает вопросы и ключ, `strutt variants grade` проверяет сданные ответы.",
     ),
     short: None,
     fields: &[

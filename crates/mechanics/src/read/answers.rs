@@ -111,6 +111,9 @@ fn value<'a>(reader: &mut Reader<'a>, fields: &Fields<'a>, unit: &AnswerUnit) ->
 /// An angular rate in Hz is divided by 2 pi.
 fn factor<'a>(reader: &mut Reader<'a>, raw: &Raw<'a>, kind: Kind, unit: &AnswerUnit) -> f64 {
     let Kind::Known(dimension) = kind else { return unit.factor };
+    if let Some(factor) = crate::variants::turned(&dimension, unit) {
+        return factor;
+    }
     let whole = parse_unit(&unit.label).unwrap_or(Unit { dimension: unit.dimension, ..Unit::ONE });
     let (factor, fault) = display(&dimension, &whole, raw.formula.as_ref(), plain(reader, raw));
     if let Some(fault) = fault {

@@ -6,6 +6,7 @@ mod values;
 
 pub use table::Table;
 pub use table::cells;
+pub(crate) use unit::turned;
 pub use unit::{in_unit, scale};
 pub use values::{Given, Row, after_formulas, row, si, symbols};
 

@@ -4,6 +4,7 @@ use super::Misfit;
 use crate::formula::{Plain, display};
 use crate::model::AnswerUnit;
 use crate::units::{Dimension, Quantity, Unit, parse_unit, si_label, si_label_ru};
+use std::f64::consts::TAU;
 use words::Text;
 
 /// The SI value of one unit of the answer for a quantity whose SI unit is `label`: an angular rate in Hz is divided by 2 pi.
@@ -15,8 +16,21 @@ pub fn scale(label: &str, unit: &AnswerUnit) -> Result<f64, Misfit> {
     if !of.same(&unit.dimension) {
         return Err(differ(&of, &unit.dimension));
     }
+    if let Some(factor) = turned(&of, unit) {
+        return Ok(factor);
+    }
     let (factor, fault) = display(&of, &whole(unit), None, Plain::Doubtful);
     fault.map_or(Ok(factor), |fault| Err(Misfit { what: fault.what.clone(), help: fault.help.clone() }))
+}
+
+/// The SI value of one unit of the answer where periods meet radians: 1 Hz is 2 pi rad/s.
+pub(crate) fn turned(of: &Dimension, unit: &AnswerUnit) -> Option<f64> {
+    let counts = |d: &Dimension| d.lacks_radians();
+    match (counts(of), counts(&unit.dimension)) {
+        (true, false) if unit.dimension.has_radians() => Some(unit.factor / TAU),
+        (false, true) if of.has_radians() => Some(unit.factor * TAU),
+        _ => None,
+    }
 }
 
 /// A quantity in the unit of the answer; none where its dimension is another one.
@@ -25,8 +39,7 @@ pub fn in_unit(quantity: &Quantity, unit: &AnswerUnit) -> Option<f64> {
     if !own.same(&unit.dimension) {
         return None;
     }
-    let (factor, _) = display(&own, &whole(unit), None, Plain::Periods);
-    Some(quantity.to_f64() / factor)
+    Some(quantity.to_f64() / turned(&own, unit).unwrap_or(unit.factor))
 }
 
 fn whole(unit: &AnswerUnit) -> Unit {
@@ -43,5 +56,36 @@ fn differ(got: &Dimension, wanted: &Dimension) -> Misfit {
             format!("число имеет размерность {}, а единица ответа — {}", got.1, wanted.1),
         ),
         help: Text::new(format!("write unit = \"{}\"", got.0), format!("напишите unit = \"{}\"", got.1)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::parse_number_or_quantity;
+
+    fn unit(label: &str) -> AnswerUnit {
+        let unit = parse_unit(label).unwrap();
+        AnswerUnit { label: label.to_owned(), factor: unit.factor.to_f64(), dimension: unit.dimension }
+    }
+
+    #[test]
+    fn periods_and_radians_are_converted_both_ways() {
+        for (written, label, wanted) in [
+            ("1 Hz", "rad/s", TAU),
+            ("6.283185307179586 rad/s", "Hz", 1.0),
+            ("60 rpm", "Hz", 1.0),
+            ("1 Hz", "rpm", 60.0),
+            ("2 1/s", "rad/s", 2.0),
+            ("5 kN", "N", 5000.0),
+        ] {
+            let found = in_unit(&parse_number_or_quantity(written).unwrap(), &unit(label)).unwrap();
+            assert!((found / wanted - 1.0).abs() < 1e-12, "{written} in {label}: {found}");
+        }
+        assert_eq!(in_unit(&parse_number_or_quantity("5 kg").unwrap(), &unit("N")), None);
+        // 3 Hz are 6 pi rad/s, 3 rad/s are 3/(2 pi) Hz
+        assert!((3.0 / scale("Hz", &unit("rad/s")).unwrap() - 3.0 * TAU).abs() < 1e-12);
+        assert!((3.0 / scale("rad/s", &unit("Hz")).unwrap() - 3.0 / TAU).abs() < 1e-12);
+        assert!(scale("1/s", &unit("Hz")).is_err() && scale("m", &unit("Hz")).is_err());
     }
 }

@@ -15,6 +15,8 @@ fn main() -> std::process::ExitCode {
         .filter(|path| path.extension().is_some_and(|x| x == "md") && !path.ends_with("README.md"))
         .collect();
     chapters.extend(entries(&root.join("gallery")).into_iter().map(|folder| folder.join("README.md")).filter(|page| page.is_file()));
+    chapters
+        .extend(entries(&root.join("gallery/courses")).into_iter().map(|folder| folder.join("README.md")).filter(|page| page.is_file()));
     chapters.sort();
     let trials = chapters.iter().flat_map(|file| chapter::read(&root, file));
     let tests = trials.map(|trial| Trial::test(trial.name.clone(), move || run::check(&trial).map_err(Into::into))).collect();

@@ -171,7 +171,10 @@ impl Command {
     }
 
     fn run(&self, trial: &Trial, claims: &[&Claim]) -> Result<Outcome, String> {
-        let source = Source::new("model.toml", &trial.model);
+        // a table of variants stands beside the model of a page of the gallery
+        let beside = trial.file.parent().filter(|folder| folder.components().any(|c| c.as_os_str() == "gallery"));
+        let path = beside.map_or_else(|| "model.toml".into(), |folder| folder.join("model.toml"));
+        let source = Source::new(&path.to_string_lossy(), &trial.model);
         if self.verb == "variants" {
             return variants(source);
         }

@@ -1,0 +1,120 @@
+//! The questions of a class for learning systems: Moodle XML (numerical questions with units) and GIFT.
+
+use super::key::{Entry, Key};
+use mechanics::Model;
+use mechanics::model::{AnswerDecl, Tolerance};
+use std::fmt::Write;
+use words::Language;
+
+/// Half the width of what counts as right, in the unit of the question.
+fn allowed(answer: &AnswerDecl, truth: f64) -> f64 {
+    match answer.tolerance {
+        Tolerance::Relative(share) => share * truth.abs(),
+        Tolerance::Absolute(size) => size / answer.unit.factor,
+    }
+}
+
+/// What a question says: the data of the variant, then what is asked.
+fn question(entry: &Entry, answer: &AnswerDecl, language: Language) -> String {
+    let data: Vec<String> = entry
+        .member
+        .overrides
+        .iter()
+        .map(|(name, value)| format!("{name} = {}", super::sheet::shown(value, (None, ""), language)))
+        .collect();
+    let unit = report::unit::print(&answer.unit.label, language);
+    let unit = if unit.is_empty() { String::new() } else { format!(", {unit}") };
+    let given = language.pick("Variant", "Вариант");
+    let data = if data.is_empty() { String::new() } else { format!(": {}", data.join("; ")) };
+    format!("{given} {}{data}. {}{unit}?", entry.member.name, language.text(&answer.ask))
+}
+
+/// Each item that has a right number.
+fn items<'k>(key: &'k Key, model: &'k Model) -> impl Iterator<Item = (&'k Entry, &'k AnswerDecl, f64)> {
+    let of = |e: &'k Entry| model.answers.iter().zip(&e.truths).filter_map(move |(a, t)| Some((e, a, (*t)?)));
+    key.entries.iter().flat_map(of)
+}
+
+/// Moodle XML: a category for each variant, a numerical question for each item.
+pub fn moodle(key: &Key, model: &Model, language: Language) -> String {
+    let title = language.text(&model.title);
+    let mut out = format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n<!-- strutt {}, model {} -->\n", key.version, key.hash());
+    let mut category = String::new();
+    for (entry, answer, truth) in items(key, model) {
+        if category != entry.member.name {
+            category.clone_from(&entry.member.name);
+            let path = format!("$course$/top/{}/{category}", title.replace('/', "//"));
+            let _ = writeln!(out, "<question type=\"category\"><category><text>{}</text></category></question>", xml(&path));
+        }
+        let (name, text) = (format!("{}-{}", entry.member.name, answer.id), question(entry, answer, language));
+        let _ = writeln!(out, "<question type=\"numerical\">\n<name><text>{}</text></name>", xml(&name));
+        let _ =
+            writeln!(out, "<questiontext format=\"plain_text\"><text>{}</text></questiontext>\n<defaultgrade>1</defaultgrade>", xml(&text));
+        let _ = writeln!(out, "<answer fraction=\"100\"><text>{truth}</text><tolerance>{}</tolerance></answer>", allowed(answer, truth));
+        if !answer.unit.label.is_empty() {
+            let unit = report::unit::print(&answer.unit.label, language);
+            let _ = writeln!(out, "<units><unit><multiplier>1</multiplier><unit_name>{}</unit_name></unit></units>", xml(&unit));
+            // the unit may be left out: the question names it
+            let _ = writeln!(out, "<unitgradingtype>0</unitgradingtype><unitpenalty>0</unitpenalty><showunits>3</showunits>");
+        }
+        out.push_str("</question>\n");
+    }
+    out.push_str("</quiz>\n");
+    out
+}
+
+/// GIFT: a numerical question for each item.
+pub fn gift(key: &Key, model: &Model, language: Language) -> String {
+    let title = language.text(&model.title);
+    let mut out = format!("// strutt {}, model {}\n", key.version, key.hash());
+    let mut category = String::new();
+    for (entry, answer, truth) in items(key, model) {
+        if category != entry.member.name {
+            category.clone_from(&entry.member.name);
+            let _ = write!(out, "\n$CATEGORY: {}/{category}\n", title.replace('/', "//").replace('\n', " "));
+        }
+        let text = question(entry, answer, language);
+        let name = escaped(&format!("{}-{}", entry.member.name, answer.id));
+        let _ = writeln!(out, "\n::{name}::{} {{#{truth}:{}}}", escaped(&text), allowed(answer, truth));
+    }
+    out
+}
+
+fn xml(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            // XML has no other control characters
+            c if c.is_control() && !"\n\t".contains(c) => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '~' | '=' | '#' | '{' | '}' | ':' | '\\' => out.extend(['\\', c]),
+            c if c.is_control() => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn special_characters_are_escaped() {
+        assert_eq!(xml("a < b & \"c\"\u{1}"), "a &lt; b &amp; &quot;c&quot; ");
+        assert_eq!(escaped("r = {5:3}"), "r \\= \\{5\\:3\\}");
+    }
+}
