@@ -159,6 +159,8 @@ pub struct Overall {
     pub integral: f64,
     /// Length of the axis.
     pub span: f64,
+    /// Value at the beginning; rows may begin later.
+    pub first: f64,
     /// Value at the end.
     pub last: f64,
 }

@@ -67,7 +67,7 @@ mod tests {
             Dataset { axis: Some(0), columns: vec![column("t", &[0.0, 1.0, 2.0]), column("x", &[0.0; 3])], ..Dataset::default() };
         assert_eq!(reduce(&data, "x", Reduction::Max), None);
         data.extremes = vec![Extreme { column: 1, min: -1.0, t_min: 0.75, max: 1.0, t_max: 0.25 }];
-        data.overall = vec![Overall { column: 1, integral: 0.5, span: 2.0, last: 0.1 }];
+        data.overall = vec![Overall { column: 1, integral: 0.5, span: 2.0, first: 0.0, last: 0.1 }];
         let all = NAMES.map(|(_, reduction)| reduce(&data, "x", reduction).unwrap());
         assert_eq!(all, [1.0, -1.0, 1.0, 0.25, 0.1]);
         assert_eq!(reduce(&data, "y", Reduction::Max), None);

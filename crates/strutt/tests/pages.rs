@@ -120,3 +120,30 @@ fn events_are_told_in_the_language_of_the_reader() {
     let table = stdout(strutt().args(["simulate", &gallery("bouncing-ball"), "--events", "--lang", "ru", "--until", "1 s"]));
     assert!(table.lines().nth(1).unwrap().chars().any(|c| ('а'..='я').contains(&c)), "{table}");
 }
+
+/// x = 0.1 cos 2t of a mass on a spring, its table from 0.5 s to 1 s.
+#[test]
+fn columns_of_start_and_end_are_those_of_the_motion() {
+    let model = r#"
+[coordinates]
+x = { unit = "m", start = "0.1 m" }
+[bodies.a]
+origin = ["x", "0"]
+mass = "1 kg"
+[springs.s]
+along = "x"
+stiffness = "4 N/m"
+[[study]]
+kind = "simulate"
+until = "2 s"
+at = ["0.5 s", "1 s"]
+"#;
+    let folder = folder("start-and-end");
+    let file = folder.join("model.toml");
+    std::fs::write(&file, model).unwrap();
+    let text = stdout(strutt().args(["run", file.to_str().unwrap(), "--format", "text", "--out", folder.join("out").to_str().unwrap()]));
+    let row = text.lines().find(|l| l.starts_with("x ")).unwrap_or_else(|| panic!("no row of x: {text}"));
+    let cells: Vec<&str> = row.split_whitespace().collect();
+    // 0.1 cos 4 = -0.06536 m; the least value is -0.1 m at π/2
+    assert_eq!((cells[1], cells[2], cells[cells.len() - 1]), ("mm", "100.00", "−65.36"), "{row}");
+}

@@ -98,7 +98,8 @@ pub fn closed_form(machine: &mut Machine, study: &Transient, watch: &mut Watch) 
 
 /// A motion in closed form, and its phases.
 pub fn solved(machine: &mut Machine, study: &Transient, watch: &mut Watch) -> (Results, Phases) {
-    let twin = options(&study.motion, watch);
+    let twin =
+        analysis::studies::simulate::Simulate { events: plan::events(&machine.model, &machine.equations), ..options(&study.motion, watch) };
     let pushes = plan::pushes(&machine.model, &machine.equations);
     let options = analysis::studies::transient::Transient { twin, ends: machine.model.phases.clone(), linearise: study.linearise, pushes };
     let found = match moving(&machine.equations).and_then(|()| machine.system.start()) {

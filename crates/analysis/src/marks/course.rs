@@ -90,12 +90,18 @@ impl Course {
         self.list.iter().filter(|e| e.min <= e.max && !self.is_lost(e.column - 1)).cloned().collect()
     }
 
-    /// Integrals, with these last values.
-    pub(crate) fn overall(&self, last: &[f64]) -> Vec<Overall> {
-        let one = |(k, ([integral, length], last)): (usize, (&[f64; 2], &f64))| {
+    /// Integrals, with these values at the two ends.
+    pub(crate) fn overall(&self, ends: [&[f64]; 2]) -> Vec<Overall> {
+        let one = |(k, [integral, length]): (usize, &[f64; 2])| {
             let whole = !self.is_lost(k) && (length - self.span).abs() <= 1e-9 * self.span;
-            Overall { column: k + 1, integral: if whole { *integral } else { f64::NAN }, span: self.span, last: *last }
+            Overall {
+                column: k + 1,
+                integral: if whole { *integral } else { f64::NAN },
+                span: self.span,
+                first: ends[0][k],
+                last: ends[1][k],
+            }
         };
-        self.integrals.iter().zip(last).enumerate().map(one).collect()
+        self.integrals.iter().enumerate().map(one).collect()
     }
 }

@@ -34,6 +34,8 @@ pub struct Extremes {
     integrals: Vec<[f64; 3]>,
     /// Length of the motion.
     span: f64,
+    /// Earliest instant of each column with its value.
+    first: Vec<(f64, f64)>,
     last: Vec<f64>,
     /// Share of the range by which a later value must be better.
     tie: f64,
@@ -53,6 +55,7 @@ impl Extremes {
             proxies: Proxies::default(),
             integrals: vec![[0.0; 3]; chosen.len()],
             span: 0.0,
+            first: vec![(f64::INFINITY, f64::NAN); chosen.len()],
             last: vec![f64::NAN; chosen.len()],
             tie: tolerance.min(TIE),
         }
@@ -66,6 +69,9 @@ impl Extremes {
     }
 
     fn offer(&mut self, j: usize, t: f64, value: f64) {
+        if t < self.first[j].0 {
+            self.first[j] = (t, value);
+        }
         let Some(e) = self.list.get_mut(j).filter(|_| value.is_finite()) else { return };
         if e.min > e.max {
             *e = Extreme { min: value, t_min: t, max: value, t_max: t, ..e.clone() };
@@ -193,7 +199,7 @@ impl Extremes {
         let one = |(j, [high, low, done]): (usize, &[f64; 3])| {
             let whole = (done - self.span).abs() <= 1e-9 * self.span;
             let integral = if whole { high + low } else { f64::NAN };
-            Overall { column: j + 1, integral, span: self.span, last: self.last[j] }
+            Overall { column: j + 1, integral, span: self.span, first: self.first[j].1, last: self.last[j] }
         };
         self.integrals.iter().enumerate().map(one).collect()
     }

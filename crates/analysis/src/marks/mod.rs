@@ -79,6 +79,28 @@ impl<'a, S: System + ?Sized> Along<'a, S> {
     }
 }
 
+/// Outputs along a piece of a motion, sampled and one by one.
+pub(crate) trait Line: Source {
+    /// Where the piece ends.
+    fn length(&self) -> f64;
+    /// Time at `tau` after its start, s.
+    fn instant(&self, tau: f64) -> f64;
+    /// An output at `tau`; not a number where it has no value.
+    fn output(&mut self, tau: f64, output: usize) -> f64;
+}
+
+impl<S: System + ?Sized> Line for Along<'_, S> {
+    fn length(&self) -> f64 {
+        self.length
+    }
+    fn instant(&self, tau: f64) -> f64 {
+        self.time(tau)
+    }
+    fn output(&mut self, tau: f64, output: usize) -> f64 {
+        self.outputs(tau)[output]
+    }
+}
+
 impl<S: System + ?Sized> Source for Along<'_, S> {
     fn sample(&mut self, tau: f64) -> Vec<f64> {
         if let Some((_, row)) = self.known.iter().find(|(at, _)| *at == tau) {

@@ -6,9 +6,10 @@
 //! counts as zero.
 
 use super::crossings::{self, Bracket};
-use super::{Along, bracketed};
-use crate::System;
+use super::{Line, bracketed};
 use crate::proxies::proxy::{Piece, Proxies};
+use words::Text;
+use words::digits::number;
 
 /// Which changes of sign count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -71,12 +72,12 @@ impl Watcher {
     }
 
     /// What happens in a step, in order of time; ends with the first event that stops the motion.
-    pub(crate) fn look<S: System + ?Sized>(&mut self, along: &mut Along<'_, S>) -> Vec<Happened> {
-        if self.events.is_empty() || along.length == 0.0 {
+    pub(crate) fn look<L: Line>(&mut self, along: &mut L) -> Vec<Happened> {
+        if self.events.is_empty() || along.length() == 0.0 {
             return Vec::new();
         }
         let outputs: Vec<usize> = self.events.iter().map(|e| e.output).collect();
-        let h = along.length;
+        let h = along.length();
         let pieces = self.proxies.pieces(along, &outputs, h);
         let mut found = Vec::new();
         for i in 0..self.events.len() {
@@ -87,14 +88,14 @@ impl Watcher {
         }
         self.started = true;
         found.sort_by(|a, b| a.tau.total_cmp(&b.tau).then(a.event.cmp(&b.event)));
-        let stops = |e: &Happened| self.events[e.event].stop && along.time(e.tau) > 0.0;
+        let stops = |e: &Happened| self.events[e.event].stop && along.instant(e.tau) > 0.0;
         if let Some(k) = found.iter().position(stops) {
             found.truncate(k + 1);
         }
         found
     }
 
-    fn piece<S: System + ?Sized>(&mut self, i: usize, piece: &Piece, along: &mut Along<'_, S>, found: &mut Vec<Happened>) {
+    fn piece<L: Line>(&mut self, i: usize, piece: &Piece, along: &mut L, found: &mut Vec<Happened>) {
         let (mut sign, largest) = self.states[i];
         let largest = piece.row.iter().fold(largest, |m: f64, b| m.max(b.abs()));
         let noise = ZERO * largest;
@@ -130,6 +131,26 @@ impl Watcher {
         self.proxies.samples()
     }
 
+    /// What happened, for people, and the signs before and after.
+    pub(crate) fn told(&self, happened: &Happened) -> (Text, [f64; 2]) {
+        let name = &self.events[happened.event].name;
+        let (en, ru) = if happened.sign > 0.0 {
+            ("rises through zero", "проходит нуль снизу")
+        } else {
+            ("falls through zero", "проходит нуль сверху")
+        };
+        (Text::new(format!("{name}: {en}"), format!("{name}: {ru}")), [-happened.sign, happened.sign])
+    }
+
+    /// That an event ended the motion at `t`, s.
+    pub(crate) fn ending(&self, event: usize, t: f64) -> Text {
+        let (n, name) = (number(t), &self.events[event].name);
+        Text::new(
+            format!("the event `{name}` ends the motion at t = {} s", n.en),
+            format!("событие `{name}` завершает движение при t = {} с", n.ru),
+        )
+    }
+
     /// Whether an event ends the motion.
     pub fn stops(&self, happened: &Happened) -> bool {
         self.events[happened.event].stop
@@ -142,7 +163,7 @@ fn leaving(row: &[f64], noise: f64) -> f64 {
 }
 
 /// The instant inside a bracket: first of the polynomial, then of the quantity itself.
-fn polished<S: System + ?Sized>(bracket: &Bracket, piece: &Piece, along: &mut Along<'_, S>) -> f64 {
+fn polished<L: Line>(bracket: &Bracket, piece: &Piece, along: &mut L) -> f64 {
     let Bracket { from, to, .. } = *bracket;
     if from >= to {
         return from;
@@ -151,7 +172,7 @@ fn polished<S: System + ?Sized>(bracket: &Bracket, piece: &Piece, along: &mut Al
     let ends = [value(from), value(to)];
     let rough = if piece.row.len() == 2 { 0.5 * (from + to) } else { bracketed(&mut value, (from, ends[0]), (to, ends[1])) };
     let width = piece.to - piece.from;
-    let mut exact = |u: f64| along.outputs(piece.from + width * u)[piece.of];
+    let mut exact = |u: f64| along.output(piece.from + width * u, piece.of);
     let near = 1e-9;
     let (a, b) = ((rough - near).max(from), (rough + near).min(to));
     let (fa, fb) = (exact(a), exact(b));

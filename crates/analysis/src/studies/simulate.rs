@@ -112,7 +112,7 @@ pub struct Outcome {
 }
 
 /// Most events that are kept one by one.
-const EVENTS: usize = 100_000;
+pub(super) const EVENTS: usize = 100_000;
 const AUTO: usize = 1000;
 /// Steps between looks at the pace.
 const PACE: u64 = 1024;
@@ -615,11 +615,7 @@ impl Run {
         }
         notes.extend(self.lost(system));
         if let Some((t, event)) = self.ended {
-            let (n, name) = (number(t), &self.named.events()[event].name);
-            notes.push(Text::new(
-                format!("the event `{name}` ends the motion at t = {} s", n.en),
-                format!("событие `{name}` завершает движение при t = {} с", n.ru),
-            ));
+            notes.push(self.named.ending(event, t));
         }
         notes.extend(self.shared.note(system));
         notes.extend(self.rivals.note());

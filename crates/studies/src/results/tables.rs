@@ -33,7 +33,7 @@ pub fn results(data: &Dataset, language: Language) -> Table {
         if Some(i) == data.axis || column.values.is_empty() {
             continue;
         }
-        let [first, last] = ends(data, i);
+        let [first, last] = ends_of(data, i);
         let known = extreme_of(data, i);
         if known.is_none() && !column.values.iter().any(|v| v.is_finite()) {
             continue;
@@ -63,16 +63,15 @@ pub fn results(data: &Dataset, language: Language) -> Table {
     table
 }
 
-/// Values of a column at the ends of a motion: rows that begin later have none of its start, and those that end earlier take that of the motion.
-fn ends(data: &Dataset, i: usize) -> [f64; 2] {
+/// Values where a motion begins and ends, whatever rows are asked for; of other results those of the list.
+fn ends_of(data: &Dataset, i: usize) -> [f64; 2] {
     let values = &data.columns[i].values;
-    let [first, last] = [values[0], values[values.len() - 1]];
-    let Some(times) = data.axis.and_then(|a| data.columns.get(a)).filter(|c| c.quantity.name == "t").map(|c| &c.values) else {
-        return [first, last];
-    };
-    let known = data.overall.iter().find(|o| o.column == i);
-    let whole = |o: &&analysis::dataset::Overall| times[times.len() - 1] < o.span * (1.0 - 1e-12);
-    [if known.is_some() && times[0] > 0.0 { f64::NAN } else { first }, known.filter(whole).map_or(last, |o| o.last)]
+    let listed = [values[0], values[values.len() - 1]];
+    let timed = data.axis.is_some_and(|a| data.columns[a].quantity.name == "t");
+    match data.overall.iter().find(|o| o.column == i).filter(|_| timed) {
+        Some(o) => [(o.first, listed[0]), (o.last, listed[1])].map(|(v, row)| if v.is_finite() { v } else { row }),
+        None => listed,
+    }
 }
 
 /// Head of the column of places: "at, s" over time, the driven coordinate otherwise.

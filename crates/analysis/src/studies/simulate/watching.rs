@@ -62,13 +62,8 @@ impl Run {
     /// Lists a named event with the outputs at its instant.
     fn name_event<S: System + ?Sized>(&mut self, happened: &Happened, along: &mut Along<'_, S>) {
         let name = self.named.events()[happened.event].name.clone();
-        let (en, ru) = if happened.sign > 0.0 {
-            ("rises through zero", "проходит нуль снизу")
-        } else {
-            ("falls through zero", "проходит нуль сверху")
-        };
-        let what = Text::new(format!("{name}: {en}"), format!("{name}: {ru}"));
-        self.list_inside((name, what), [-happened.sign, happened.sign], happened.tau, along);
+        let (what, sides) = self.named.told(happened);
+        self.list_inside((name, what), sides, happened.tau, along);
     }
 
     /// Lists an event inside a step.

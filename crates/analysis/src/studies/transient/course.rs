@@ -8,21 +8,25 @@ use super::walk::Walk;
 use super::{Phase, modes};
 use crate::System;
 use crate::dataset::{Extreme, Overall};
+use crate::marks::Line;
 use crate::marks::course::Course;
 use crate::proxies::proxy::{Proxies, Source};
 
 /// Extremes, integrals and last values of the chosen outputs; the names of those that could not be followed everywhere come third.
 pub(super) fn course<S: System + ?Sized>(system: &mut S, phases: &[Phase], chosen: &[usize]) -> (Vec<Extreme>, Vec<Overall>, Vec<String>) {
     let mut course = Course::new(chosen.len(), Proxies::default());
-    let mut last = vec![f64::NAN; chosen.len()];
-    for phase in phases {
+    let mut ends = [vec![f64::NAN; chosen.len()], vec![f64::NAN; chosen.len()]];
+    for (i, phase) in phases.iter().enumerate() {
         let length = phase.end - phase.start;
         let mut closed = Closed { system, phase, chosen, walk: Walk::new(&phase.motion, length) };
         course.add(&mut closed, length, &|tau| phase.start + tau);
-        last.copy_from_slice(&closed.sample(length)[..chosen.len()]);
+        if i == 0 {
+            ends[0].copy_from_slice(&closed.sample(0.0)[..chosen.len()]);
+        }
+        ends[1].copy_from_slice(&closed.sample(length)[..chosen.len()]);
     }
     let lost = course.lost().into_iter().map(|k| system.outputs()[chosen[k]].name.clone()).collect();
-    (course.found(), course.overall(&last), lost)
+    (course.found(), course.overall([&ends[0], &ends[1]]), lost)
 }
 
 /// The closed form of a phase.
@@ -31,6 +35,18 @@ pub(super) struct Closed<'c, S: ?Sized> {
     pub(super) phase: &'c Phase,
     pub(super) chosen: &'c [usize],
     pub(super) walk: Walk<'c>,
+}
+
+impl<S: System + ?Sized> Line for Closed<'_, S> {
+    fn length(&self) -> f64 {
+        self.phase.end - self.phase.start
+    }
+    fn instant(&self, tau: f64) -> f64 {
+        self.phase.start + tau
+    }
+    fn output(&mut self, tau: f64, output: usize) -> f64 {
+        self.chosen.iter().position(|c| *c == output).map_or(f64::NAN, |k| self.sample(tau)[k])
+    }
 }
 
 impl<S: System + ?Sized> Source for Closed<'_, S> {

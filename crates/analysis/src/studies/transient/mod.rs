@@ -9,6 +9,7 @@ mod course;
 pub mod form;
 pub mod load;
 pub mod motion;
+mod named;
 mod obstacle;
 pub mod oscillator;
 pub(crate) mod phase_error;
@@ -19,6 +20,7 @@ mod walk;
 
 use super::simulate::{self, Grid, Outcome, Simulate};
 use crate::dataset::{Audit, Column, Dataset, Event};
+use crate::marks::named::Named;
 use crate::marks::pushes::Push;
 use crate::{Fault, Mode, Quantity, System};
 use form::Form;
@@ -76,7 +78,8 @@ const TWIN_STEPS: f64 = 2e6;
 pub fn transient<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], options: Transient<'_>) -> Found {
     match solve(system, equations, start, &options) {
         Ok(mut solved) => {
-            twin(system, start, &mut solved, options.twin);
+            let until = solved.phases.last().map_or(options.twin.until, |p| p.end);
+            twin(system, start, &mut solved, Simulate { until, events: Vec::new(), ..options.twin });
             Found { outcome: Outcome { dataset: solved.dataset, fault: None }, phases: solved.phases }
         }
         Err(fault) => {
@@ -95,23 +98,31 @@ struct Solved {
 
 fn solve<S: System + ?Sized>(system: &mut S, equations: &Equations, start: &[f64], options: &Transient<'_>) -> Result<Solved, Fault> {
     let until = options.twin.until;
-    let columns = simulate::choose(system.outputs(), options.twin.outputs.as_deref())?.len() + 1;
-    let times = times(&options.twin, columns)?;
+    let all = simulate::choose(system.outputs(), options.twin.outputs.as_deref())?;
+    let mut times = times(&options.twin, all.len() + 1)?;
     let instants = instants(system, until, &options.ends);
     let rest = match form::forms(equations, &instants, None) {
         Err(_) if options.linearise => Some(rest::place(system, equations, start, &instants[..2])?),
         _ => None,
     };
-    let phases = phases(equations, &start[..2 * system.n_coordinates()], &instants, &options.ends, rest.as_deref())?;
+    let mut phases = phases(equations, &start[..2 * system.n_coordinates()], &instants, &options.ends, rest.as_deref())?;
+    let fast = |i: usize| rest.is_some() && follows_accelerations(equations, &system.outputs()[i].name);
+    let (chosen, mut hidden): (Vec<usize>, Vec<usize>) = all.into_iter().partition(|i| !fast(*i));
+    let (events, unseen): (Vec<Named>, Vec<Named>) = options.twin.events.iter().cloned().partition(|e| !fast(e.output));
+    hidden.extend(unseen.iter().map(|e| e.output).filter(|i| !hidden.contains(i)).collect::<Vec<_>>());
+    let marked = named::follow(system, &mut phases, &chosen, &events);
+    if let Some((end, _)) = &marked.ended {
+        times.retain(|t| t < end);
+        times.push(*end);
+    }
     let blurred = phase_error::check(&phases, times.iter().copied().fold(0.0, f64::max))?;
     let pulling = pushes::watch(system, &phases, &options.pushes)?;
-    let all = simulate::choose(system.outputs(), options.twin.outputs.as_deref())?;
-    let (chosen, hidden) = match &rest {
-        Some(_) => all.into_iter().partition(|i| !follows_accelerations(equations, &system.outputs()[*i].name)),
-        None => (all, Vec::new()),
-    };
     let mut dataset = table(system, &phases, &times, &chosen)?;
     dataset.notes.extend(without_line(system, &hidden));
+    dataset.events.extend(marked.events);
+    dataset.events.sort_by(|a, b| a.t.total_cmp(&b.t));
+    dataset.notes.extend(simulate::untraced(&marked.lost));
+    dataset.notes.extend(marked.ended.map(|(_, told)| told));
     dataset.notes.extend(blurred);
     dataset.notes.extend(pulling);
     if let Some(q) = &rest {
@@ -204,7 +215,7 @@ fn table<S: System + ?Sized>(system: &mut S, phases: &[Phase], times: &[f64], ch
     columns.extend(chosen.iter().zip(rows).map(|(i, values)| Column { quantity: all[*i].clone(), values }));
     let (extremes, overall, lost) = course::course(system, phases, chosen);
     let notes = simulate::untraced(&lost).into_iter().collect();
-    Ok(Dataset { axis: Some(0), columns, events: starts(phases), extremes, overall, notes, ..Dataset::default() })
+    Ok(Dataset { axis: Some(0), columns, events: starts(system, phases, chosen), extremes, overall, notes, ..Dataset::default() })
 }
 
 /// Whether an output holds accelerations or reactions: of the whole equations at a place of small motions they belong to neither motion.
@@ -233,14 +244,21 @@ fn without_line<S: System + ?Sized>(system: &S, hidden: &[usize]) -> Option<Text
     })
 }
 
-/// The beginnings of all phases but the first.
-fn starts(phases: &[Phase]) -> Vec<Event> {
-    let event = |(i, phase): (usize, &Phase)| Event {
-        t: phase.start,
-        what: Text::new(format!("phase {} begins", i + 1), format!("начало этапа {}", i + 1)),
-        ..Event::default()
-    };
-    phases.iter().enumerate().skip(1).map(event).collect()
+/// The beginnings of all phases but the first, with the outputs on both sides.
+fn starts<S: System + ?Sized>(system: &mut S, phases: &[Phase], chosen: &[usize]) -> Vec<Event> {
+    let mut found = Vec::new();
+    for (i, pair) in phases.windows(2).enumerate() {
+        let before = named::values(system, &pair[0], chosen, pair[0].end - pair[0].start);
+        let after = named::values(system, &pair[1], chosen, 0.0);
+        found.push(Event {
+            t: pair[1].start,
+            what: Text::new(format!("phase {} begins", i + 2), format!("начало этапа {}", i + 2)),
+            states: [before.0, after.0],
+            outputs: [before.1, after.1],
+            ..Event::default()
+        });
+    }
+    found
 }
 
 /// Visits the closed form at the given times in ascending order: row of the time, state (q, q'). At a switch the later phase is meant.
