@@ -47,6 +47,7 @@ mod tests {
     fn quotients_of_huge_and_tiny_numbers() {
         for size in [1e-200, 1.0, 1e200] {
             let z = over(Complex::new(2.0 * size, size), Complex::new(size, -size));
+            // units of the last place
             assert!(abs(z - Complex::new(0.5, 1.5)) < 1e-15, "{z}");
         }
     }

@@ -240,6 +240,11 @@ pub fn norm(v: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
+    /// A few operations on numbers about 1.
+    const ROUNDING: f64 = 1e-15;
+    /// Products of factors of a few rows.
+    const FACTORED: f64 = 1e-14;
+
     /// 3 x 3 of rank 2: column 2 = column 0 + 2 column 1.
     const TWO: [f64; 9] = [1.0, 0.0, 1.0, 0.0, 1.0, 2.0, 1.0, 1.0, 3.0];
 
@@ -249,9 +254,9 @@ mod tests {
         assert_eq!(qr.rank(), 2);
         let (x, rest) = qr.least_squares(&[1.0, 2.0, 3.0]);
         let product: Vec<f64> = (0..3).map(|i| (0..3).map(|j| TWO[3 * i + j] * x[j]).sum()).collect();
-        assert!(rest < 1e-15 && product.iter().zip([1.0, 2.0, 3.0]).all(|(a, b)| (a - b).abs() < 1e-14));
+        assert!(rest < ROUNDING && product.iter().zip([1.0, 2.0, 3.0]).all(|(a, b)| (a - b).abs() < FACTORED));
         let (_, rest) = qr.least_squares(&[0.0, 0.0, 1.0]);
-        assert!((rest - 1.0 / 3.0_f64.sqrt()).abs() < 1e-15);
+        assert!((rest - 1.0 / 3.0_f64.sqrt()).abs() < ROUNDING);
     }
 
     #[test]
@@ -269,7 +274,7 @@ mod tests {
     fn shortest_solution() {
         // x + y + z = 3 nearest to the origin
         let qr = Qr::new(&[1.0, 1.0, 1.0], 3, 1);
-        assert!(qr.shortest(&[3.0]).iter().all(|y| (y - 1.0).abs() < 1e-15));
+        assert!(qr.shortest(&[3.0]).iter().all(|y| (y - 1.0).abs() < ROUNDING));
         // rows of different units: the rank does not change
         let tiny: Vec<f64> = TWO.iter().enumerate().map(|(k, a)| a * [1e-9, 1.0, 1e9][k % 3]).collect();
         assert_eq!(Qr::new(&tiny, 3, 3).rank(), 2);
@@ -290,7 +295,7 @@ mod tests {
         assert_eq!(rank(&a, 3, 3), 2);
         let v = null_space(&a, 3, 3).remove(0);
         let t = v[0];
-        assert!((v[1] + 2.0 * t).abs() < 1e-14 && (v[2] - t).abs() < 1e-14, "{v:?}");
+        assert!((v[1] + 2.0 * t).abs() < FACTORED && (v[2] - t).abs() < FACTORED, "{v:?}");
         assert_eq!(rank(&[0.0; 6], 2, 3), 0);
         assert_eq!(null_space(&[0.0; 6], 2, 3).len(), 3);
     }
@@ -299,8 +304,8 @@ mod tests {
     fn least_squares_line() {
         // y = 1 + 2 t through three points, the middle one 3 too high: shift 1 in the constant, residual sqrt(1 + 4 + 1)
         let (x, residual) = Qr::alike(&[1.0, -1.0, 1.0, 0.0, 1.0, 1.0], 3, 2, DEPENDENT).least_squares(&[-1.0, 4.0, 3.0]);
-        assert!((x[0] - 2.0).abs() < 1e-14 && (x[1] - 2.0).abs() < 1e-14);
-        assert!((residual - 6.0_f64.sqrt()).abs() < 1e-14);
+        assert!((x[0] - 2.0).abs() < FACTORED && (x[1] - 2.0).abs() < FACTORED);
+        assert!((residual - 6.0_f64.sqrt()).abs() < FACTORED);
     }
 
     #[test]

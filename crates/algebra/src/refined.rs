@@ -128,7 +128,9 @@ mod tests {
         let c = 2.0_f64.powi(43);
         let a = [100.0 + c, -c, -c, c];
         let (x, doubt) = Factors::new(&a, 2).refined(&a, &[1.0, 0.0]);
+        // the place without load to its last digit; the other to what the strong coupling rounds
         assert!((x[1] - 0.01).abs() < 1e-16 && (x[0] - 0.01).abs() < 1e-12, "{x:?}");
+        // the doubt is below the digits that refinement needs
         assert!(doubt < 1e-2, "{doubt}");
     }
 

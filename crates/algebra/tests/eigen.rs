@@ -6,6 +6,23 @@ use algebra::eigen::{Options, general, lowest, symmetric};
 use algebra::sparse::{Sparse, Triplets};
 use algebra::trouble::{Defect, Trouble};
 
+/// Closed forms of a few operations: units of the last place.
+const ROUNDING: f64 = 1e-15;
+/// A well-conditioned root: rounding times a condition of ten.
+const WELL: f64 = 1e-14;
+/// Repeated or neighbouring eigenvalues: rounding times the size of the matrix.
+const CLUSTERED: f64 = 1e-13;
+/// Dozens to hundreds of unknowns, and eigenvalues far below the largest.
+const LARGE: f64 = 1e-12;
+/// Products of shapes of a beam, and its deflections: rounding times the condition of its stiffness, some 1e4.
+const ORTHOGONAL: f64 = 1e-11;
+/// Residuals relative to the matrix, and what is thousands to billions of times smaller than the root or the entries beside it.
+const RESIDUAL: f64 = 1e-9;
+/// A rigid motion times a stiffness whose entries, up to 1e4, cancel.
+const RIGID: f64 = 1e-8;
+/// A defective double root keeps half the digits: √ε.
+const DOUBLE: f64 = 1e-7;
+
 /// Chain of n masses 1 with springs 1: fixed at both ends, or free at both.
 fn chain(triplets: &mut Triplets, first: usize, n: usize, fixed: bool) {
     for i in 0..n {
@@ -39,7 +56,7 @@ fn dense_chain_to_the_last_digits() {
     chain(&mut k, 0, n, true);
     let k = Sparse::from_triplets(&k).unwrap().to_dense();
     let modes = symmetric(n, &k, &unit(n).to_dense()).unwrap();
-    (0..n).for_each(|j| close(modes.values[j], chain_value(j + 1, n), 2e-15));
+    (0..n).for_each(|j| close(modes.values[j], chain_value(j + 1, n), 2.0 * ROUNDING));
 }
 
 /// Hermite beam of unit E I, mass per length and length, clamped at one end, n elements, rotations in units of `radian`.
@@ -76,12 +93,12 @@ fn units_do_not_cost_digits() {
     let a = symmetric(24, &k.to_dense(), &m.to_dense()).unwrap();
     let b = symmetric(24, &k2.to_dense(), &m2.to_dense()).unwrap();
     // the entries themselves are rounded differently, which the stiffness spreads by (highest / lowest)
-    (0..24).for_each(|j| close(b.values[j], a.values[j], 1e-12));
+    (0..24).for_each(|j| close(b.values[j], a.values[j], LARGE));
     // z, the first root of 1 + cos z cosh z = 0, to the fourth power; cubic elements are above it by (z/n)^4 / 720
     let exact = 1.875_104_068_711_961_f64.powi(4);
     close((a.values[0] / exact - 1.0) / (exact / (720.0 * 12_f64.powi(4))), 1.0, 0.01);
     let sparse = lowest(&k, &m, 6, Options::default()).unwrap();
-    (0..6).for_each(|j| close(sparse.modes.values[j], a.values[j], 1e-12));
+    (0..6).for_each(|j| close(sparse.modes.values[j], a.values[j], LARGE));
 }
 
 #[test]
@@ -93,7 +110,7 @@ fn shapes_are_mass_normalised_and_orthogonal() {
         for j in 0..16 {
             let product: f64 = modes.shape(i).iter().zip(m.product(modes.shape(j))).map(|(a, b)| a * b).sum();
             let expected = f64::from(u8::from(i == j));
-            assert!((product - expected).abs() < 1e-11, "{i} {j}: {product}");
+            assert!((product - expected).abs() < ORTHOGONAL, "{i} {j}: {product}");
         }
     }
 }
@@ -119,8 +136,8 @@ fn membrane_with_pairs() {
     exact.sort_by(f64::total_cmp);
     for (count, block) in [(1, 1), (2, 1), (13, 1), (13, 3), (20, 3), (20, 5)] {
         let found = lowest(&k, &unit(n * n), count, Options { block, ..Options::default() }).unwrap();
-        (0..count).for_each(|j| close(found.modes.values[j], exact[j], 1e-13));
-        assert!(found.residuals.iter().all(|r| *r < 1e-9), "{:?}", found.residuals);
+        (0..count).for_each(|j| close(found.modes.values[j], exact[j], CLUSTERED));
+        assert!(found.residuals.iter().all(|r| *r < RESIDUAL), "{:?}", found.residuals);
     }
 }
 
@@ -132,7 +149,7 @@ fn seven_equal_chains_are_all_found() {
     let k = Sparse::from_triplets(&k).unwrap();
     for block in [1, 2, 3] {
         let found = lowest(&k, &unit(n * copies), 16, Options { block, ..Options::default() }).unwrap();
-        (0..16).for_each(|j| close(found.modes.values[j], chain_value(j / copies + 1, n), 1e-13));
+        (0..16).for_each(|j| close(found.modes.values[j], chain_value(j / copies + 1, n), CLUSTERED));
     }
 }
 
@@ -144,8 +161,9 @@ fn free_motions_have_no_frequency() {
     let k = Sparse::from_triplets(&k).unwrap();
     let found = lowest(&k, &unit(n), 4, Options::default()).unwrap();
     assert_eq!(found.modes.values[0], 0.0);
-    (1..4).for_each(|j| close(found.modes.values[j], (2.0 * (j as f64 * PI / (2.0 * n as f64)).sin()).powi(2), 1e-12));
+    (1..4).for_each(|j| close(found.modes.values[j], (2.0 * (j as f64 * PI / (2.0 * n as f64)).sin()).powi(2), LARGE));
     let dense = symmetric(n, &k.to_dense(), &unit(n).to_dense()).unwrap();
+    // zero up to rounding of the entries, squared by the refinement
     assert!(dense.values[0].abs() < 1e-28);
 }
 
@@ -159,11 +177,11 @@ fn massless_coordinates_have_no_mode() {
     (0..n).for_each(|i| m.add(2 * i + 1, 2 * i + 1, 1.0));
     let (k, m) = (Sparse::from_triplets(&k).unwrap(), Sparse::from_triplets(&m).unwrap());
     let found = lowest(&k, &m, 5, Options::default()).unwrap();
-    (0..5).for_each(|j| close(found.modes.values[j], 0.5 * chain_value(j + 1, n), 1e-13));
+    (0..5).for_each(|j| close(found.modes.values[j], 0.5 * chain_value(j + 1, n), CLUSTERED));
     // there are n modes, however many are asked for
     let all = lowest(&k, &m, 2 * n + 1, Options::default()).unwrap();
     assert_eq!(all.modes.values.len(), n);
-    (0..n).for_each(|j| close(all.modes.values[j], 0.5 * chain_value(j + 1, n), 1e-12));
+    (0..n).for_each(|j| close(all.modes.values[j], 0.5 * chain_value(j + 1, n), LARGE));
     let trouble = symmetric(2 * n + 1, &k.to_dense(), &m.to_dense()).unwrap_err();
     assert!(matches!(trouble, Trouble::Massless(_)), "{trouble:?}");
 }
@@ -175,14 +193,14 @@ fn static_solution_and_free_motion() {
     let mut load = vec![0.0; 20];
     load[18] = 1.0;
     let x = k.solve(&load).unwrap();
-    close(x[18], 1.0 / 3.0, 1e-11);
-    close(x[19], 0.5, 1e-11);
+    close(x[18], 1.0 / 3.0, ORTHOGONAL);
+    close(x[19], 0.5, ORTHOGONAL);
     // the free beam turns and moves: two motions, the first pivot found names one
     let free = Sparse::from_triplets(&beam(10, 1.0).0).unwrap();
     let Err(Trouble::Pivot(pivot)) = free.solve(&[0.0; 22]) else { panic!("a free beam has no static solution") };
     assert_eq!(pivot.defect, Defect::Singular);
     let rest = free.product(&pivot.motion);
-    assert!(rest.iter().all(|r| r.abs() < 1e-8), "{rest:?}");
+    assert!(rest.iter().all(|r| r.abs() < RIGID), "{rest:?}");
     assert!(pivot.motion.iter().any(|v| v.abs() > 0.1));
     let negative = Sparse::from_dense(2, &[1.0, 2.0, 2.0, 1.0]).unwrap();
     let Err(Trouble::Pivot(pivot)) = negative.solve(&[0.0; 2]) else { panic!("indefinite") };
@@ -194,13 +212,13 @@ fn damped_oscillator_has_a_conjugate_pair() {
     // q'' + 2 n q' + k^2 q = 0: -n +- i sqrt(k^2 - n^2); and a slow decay beside it
     let (n, k2) = (0.3, 4.0e6);
     let modes = general(3, &[0.0, 1.0, 0.0, -k2, -2.0 * n, 0.0, 0.0, 0.0, -1e-3]).unwrap();
-    close(modes.values[0].re, -1e-3, 1e-15);
-    close(modes.values[1].re, -n, 1e-9);
-    close(modes.values[1].im, (k2 - n * n).sqrt(), 1e-14);
+    close(modes.values[0].re, -1e-3, ROUNDING);
+    close(modes.values[1].re, -n, RESIDUAL);
+    close(modes.values[1].im, (k2 - n * n).sqrt(), WELL);
     assert_eq!(modes.values[2], modes.values[1].conj());
     let x = modes.vector(1);
     let ratio = (x[1] / x[0]).re;
-    assert!((ratio + n).abs() < 1e-9);
+    assert!((ratio + n).abs() < RESIDUAL);
 }
 
 #[test]
@@ -224,7 +242,7 @@ fn slow_decay_beside_fast_oscillation_keeps_its_digits() {
         let size = f64::hypot(expected.0, expected.1);
         // the smallest feels the rounding of entries of 1e8 in the matrix itself
         let error = f64::hypot(found.re - expected.0, found.im - expected.1) / size;
-        assert!(error < 1e-9, "{found:?} against {expected:?}: {error:e}");
+        assert!(error < RESIDUAL, "{found:?} against {expected:?}: {error:e}");
     }
 }
 
@@ -232,7 +250,7 @@ fn slow_decay_beside_fast_oscillation_keeps_its_digits() {
 fn defective_eigenvalue_is_left_alone() {
     // critical damping: q'' + 2 q' + q = 0
     let modes = general(2, &[0.0, 1.0, -1.0, -2.0]).unwrap();
-    assert!(modes.values.iter().all(|z| (z.re + 1.0).abs() < 1e-7 && z.im.abs() < 1e-7), "{:?}", modes.values);
+    assert!(modes.values.iter().all(|z| (z.re + 1.0).abs() < DOUBLE && z.im.abs() < DOUBLE), "{:?}", modes.values);
 }
 
 #[test]

@@ -8,6 +8,13 @@ use analysis::studies::simulate::{Simulate, simulate};
 use analysis::{Fault, Machine, System};
 use linkage::*;
 
+/// A closed form of a few operations: units of the last place.
+const ROUNDING: f64 = 1e-15;
+/// What Newton leaves of lengths of some metres.
+const CLOSED: f64 = 1e-14;
+/// Digits that the value here is written with; the smallest change by a singular system.
+const PUBLISHED: f64 = 1e-9;
+
 fn assembled(b: &Build) -> Result<Machine, Fault> {
     Machine::assembled(&b.e, &[], &|_| vec![])
 }
@@ -43,16 +50,16 @@ fn published_angle_that_does_not_close_is_answered_by_the_one_that_does() {
     // the printed value may be typed in
     let machine = assembled(&hoist(Start::Given(1.694108602))).unwrap();
     let x = machine.start().unwrap();
-    assert!((x[1] - (std::f64::consts::FRAC_PI_2 + 0.123_f64.asin())).abs() < 1e-15);
+    assert!((x[1] - (std::f64::consts::FRAC_PI_2 + 0.123_f64.asin())).abs() < ROUNDING);
     assert!(machine.notes()[0].en.contains("is taken as"), "{:?}", machine.notes());
     // a guess leads to the nearest of the two configurations
     for (guess, want) in [(1.0, 1.694108602), (-1.0, -1.694108602), (2.5, 1.694108602), (4.0, 2.0 * std::f64::consts::PI - 1.694108602)] {
         let x = assembled(&hoist(Start::Guess(guess))).unwrap().start().unwrap();
-        assert!((x[1] - want).abs() < 1e-9, "{guess}: {}", x[1]);
+        assert!((x[1] - want).abs() < PUBLISHED, "{guess}: {}", x[1]);
     }
     // a guess in line with the crank, where no small change helps
     let x = assembled(&hoist(Start::Guess(0.0))).unwrap().start().unwrap();
-    assert!((x[1].abs() - 1.694108602).abs() < 1e-9, "{}", x[1]);
+    assert!((x[1].abs() - 1.694108602).abs() < PUBLISHED, "{}", x[1]);
 }
 
 #[test]
@@ -111,7 +118,7 @@ fn repeated_condition_is_left_out_and_its_reactions_are_open() {
     assert!(notes[0].contains("`second` repeats") && notes[0].contains("first; second"), "{notes:?}");
     assert!(notes[1].contains("first, second"), "{notes:?}");
     let start = machine.start().unwrap();
-    assert!((start[0] - 4.0).abs() < 1e-14 && (start[2] - 6.0).abs() < 1e-14);
+    assert!((start[0] - 4.0).abs() < CLOSED && (start[2] - 6.0).abs() < CLOSED);
     // an output that shows an open reaction is refused, the others are not
     assert_eq!(simulate(&mut machine, &start, Simulate::until(1.0)).fault.unwrap().code, "S019");
     let others = Simulate { outputs: Some(vec!["x".into(), "E".into()]), ..Simulate::until(1.0) };
@@ -156,13 +163,13 @@ fn flat_parallelogram_is_a_singular_start_and_others_are_not() {
     assert!(fault.what.en.contains("pin, x; pin, y") || fault.what.en.contains("pin, x"), "{fault}");
     let mut machine = assembled(&parallelogram(0.5)).unwrap();
     let start = machine.start().unwrap();
-    assert!((start[1] - 0.5).abs() < 1e-14 && start[2].abs() < 1e-14);
+    assert!((start[1] - 0.5).abs() < CLOSED && start[2].abs() < CLOSED);
     // it runs through its flat positions with speed
     let outcome = simulate(&mut machine, &start, Simulate::until(7.0));
     assert!(outcome.fault.is_none(), "{:?}", outcome.fault);
     let a = outcome.dataset.column("a").unwrap().values.last().copied().unwrap();
     let b = outcome.dataset.column("b").unwrap().values.last().copied().unwrap();
-    assert!((a - 7.5).abs() < 1e-9 && (b - 7.5).abs() < 1e-9, "{a} {b}");
+    assert!((a - 7.5).abs() < PUBLISHED && (b - 7.5).abs() < PUBLISHED, "{a} {b}");
 }
 
 #[test]

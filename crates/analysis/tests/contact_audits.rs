@@ -8,6 +8,13 @@ use analysis::{Blow, Dataset, Fault, Guard, GuardKind, Machine, Mode, Powers, Qu
 use linkage::{Build, Start, kinetic};
 use symbolic::connections::Impacts;
 
+/// Energies and laws of a single impact: rounding of their terms.
+const ROUNDING: f64 = 1e-13;
+/// What laws that hold leave in their audits along a motion.
+const FAIR: f64 = 1e-11;
+/// Momenta of bodies at impacts, relative to impulses that nearly cancel.
+const MOMENTA: f64 = 1e-10;
+
 /// Which law is broken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Broken {
@@ -235,7 +242,7 @@ fn supply_and_frictions_are_those_of_the_powers() {
             assert_eq!(taken, powers.dissipated);
             let [kinetic, potential] = machine.energies(0.7, &x, &modes).unwrap();
             let own = [0.5 * (x[2] * x[2] + x[3] * x[3]), 0.5 * scene.spring * x[0] * x[0] + 9.81 * x[1]];
-            assert!((kinetic - own[0]).abs() + (potential - own[1]).abs() < 1e-13);
+            assert!((kinetic - own[0]).abs() + (potential - own[1]).abs() < ROUNDING);
         }
     }
 }
@@ -248,12 +255,12 @@ fn laws_that_hold_pass_every_audit() {
         let data = run(scene, Broken::Nothing);
         for key in KEYS {
             let audit = data.audit(key).unwrap_or_else(|| panic!("scene {i}: no {key}"));
-            assert!(audit.ok && audit.value < 1e-11, "scene {i}: {audit:?}");
+            assert!(audit.ok && audit.value < FAIR, "scene {i}: {audit:?}");
         }
         assert!(data.audits.iter().all(|a| a.ok), "scene {i}: {:?}", data.audits);
         assert!(!data.events.is_empty(), "scene {i}");
     }
-    assert!(run(&LANDS, Broken::Nothing).audit("impact_laws").is_some_and(|a| a.value < 1e-13));
+    assert!(run(&LANDS, Broken::Nothing).audit("impact_laws").is_some_and(|a| a.value < ROUNDING));
 }
 
 #[test]
@@ -289,7 +296,7 @@ fn an_impulse_of_friction_beyond_its_limit_fails() {
 
 #[test]
 fn a_jump_of_rates_without_impulse_fails() {
-    assert!(run(&LANDS, Broken::Nothing).audit("impact_momenta").is_some_and(|audit| audit.value < 1e-10));
+    assert!(run(&LANDS, Broken::Nothing).audit("impact_momenta").is_some_and(|audit| audit.value < MOMENTA));
     fails(&LANDS, Broken::Momentum, "impact_momenta");
 }
 

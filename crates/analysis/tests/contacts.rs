@@ -6,6 +6,21 @@ use analysis::integrate::events::{Change, Switch};
 use analysis::{GuardKind, Mode};
 use common::*;
 
+/// A product of two numbers: the last place.
+const EXACT: f64 = 1e-16;
+/// Instants and states by a few operations: units of the last place.
+const ROUNDING: f64 = 1e-15;
+/// An impact behind others: the rounding of each moves the next.
+const LANDED: f64 = 1e-13;
+/// The limit of infinitely many impacts, summed.
+const LIMIT: f64 = 1e-12;
+/// Speeds of the late impacts, whose flights are short: rounding of the places over the flight.
+const RATE: f64 = 1e-11;
+/// A hundred thousand impacts: units of the last place of times about 1e5 add up.
+const COUNTED: f64 = 1e-7;
+/// The place after them, at speeds of ten.
+const BOUNCED: f64 = 1e-6;
+
 fn contact(at: usize) -> [GuardKind; 2] {
     [GuardKind::Contact { force: at + 1 }, GuardKind::Bound { of: at, exit: Mode::Positive }]
 }
@@ -61,13 +76,13 @@ fn bouncing_ball_comes_to_rest_at_the_sum_of_its_flights() {
         for (k, (t, rates)) in hits.iter().enumerate().take(50) {
             let speed = g * fall * e.powi(k as i32);
             let exact = fall * (1.0 + 2.0 * (1..=k).map(|j| e.powi(j as i32)).sum::<f64>());
-            assert!((t - exact).abs() < 1e-13 * end, "{e} {k} {t} {exact}");
-            assert!((rates[0] + speed).abs() < 1e-11 * speed && (rates[1] - e * speed).abs() < 1e-11 * speed, "{e} {k} {rates:?}");
+            assert!((t - exact).abs() < LANDED * end, "{e} {k} {t} {exact}");
+            assert!((rates[0] + speed).abs() < RATE * speed && (rates[1] - e * speed).abs() < RATE * speed, "{e} {k} {rates:?}");
         }
         if e > 0.0 {
             let last = switches.last().unwrap();
             let Change::Rests { limit } = last.change else { panic!("{last:?}") };
-            assert!((limit - end).abs() < 1e-12 * end, "{e}: {limit} {end}");
+            assert!((limit - end).abs() < LIMIT * end, "{e}: {limit} {end}");
             assert_eq!((last.before, last.after), (Mode::Positive, Mode::Zero));
         } else {
             assert_eq!((switches.len(), switches[0].after), (1, Mode::Zero));
@@ -81,8 +96,8 @@ fn ideal_ball_bounces_1e5_times() {
     let (x, switches) = run(&mut ball(g, 1.0, 0.0, 1.0), &[1.0, 0.0], 2e5, 1e-12).unwrap();
     assert_eq!(switches.len(), 100_000);
     // flights of 2 s between impacts at 1, 3, 5, ...
-    assert!((switches[99_999].t - 199_999.0).abs() < 1e-7, "{}", switches[99_999].t);
-    assert!((x[0] - 1.0).abs() < 1e-6);
+    assert!((switches[99_999].t - 199_999.0).abs() < COUNTED, "{}", switches[99_999].t);
+    assert!((x[0] - 1.0).abs() < BOUNCED);
 }
 
 #[test]
@@ -101,7 +116,7 @@ fn ball_on_a_floor_starts_in_contact_and_is_thrown_off() {
     let off = (g / (a * w * w)).asin() / w;
     let (_, switches) = run(&mut ball(g, 0.0, a, w), &[0.0, a * w], off + 0.05, 1e-13).unwrap();
     assert_eq!((switches.len(), switches[0].after, switches[0].guard), (1, Mode::Positive, 0));
-    assert!((switches[0].t - off).abs() < 1e-13, "{} {off}", switches[0].t);
+    assert!((switches[0].t - off).abs() < LANDED, "{} {off}", switches[0].t);
 }
 
 #[test]
@@ -129,7 +144,7 @@ fn nearly_grazing_is_an_impact() {
         });
     let (_, switches) = run(&mut system, &[0.0, 2.0], 2.0, 1e-12).unwrap();
     assert_eq!(switches.len(), 1);
-    assert!((switches[0].t - 0.99999).abs() < 1e-11, "{}", switches[0].t);
+    assert!((switches[0].t - 0.99999).abs() < RATE, "{}", switches[0].t);
 }
 
 /// Load on a rope of length 1 from (0, 0), y downwards: thrown up with u from hanging, the rope goes slack, the load falls and is caught.
@@ -156,7 +171,7 @@ fn rope_goes_slack_and_catches() {
     let (x, switches) = run(&mut system, &[1.0, -u], 2.0, 1e-12).unwrap();
     assert_eq!(x, vec![1.0, 0.0]);
     assert_eq!(switches.len(), 1);
-    assert!((switches[0].t - 2.0 * u / g).abs() < 1e-15);
+    assert!((switches[0].t - 2.0 * u / g).abs() < ROUNDING);
     assert_eq!(impacts(&switches)[0].1, [-u, 0.0]);
 }
 
@@ -208,7 +223,7 @@ fn elastic_balls_exchange_their_speeds() {
     let (x, switches) = run(&mut line_of_balls(&[1.0, 1.0], 1.0), &[0.0, 1.0, 2.0, -1.0], 1.0, 1e-12).unwrap();
     let hits = impacts(&switches);
     assert_eq!((hits.len(), hits[0].1), (1, [-3.0, 3.0]));
-    assert!((hits[0].0 - 1.0 / 3.0).abs() < 1e-16 && (x[2] + 1.0).abs() < 1e-15 && (x[3] - 2.0).abs() < 1e-15);
+    assert!((hits[0].0 - 1.0 / 3.0).abs() < EXACT && (x[2] + 1.0).abs() < ROUNDING && (x[3] - 2.0).abs() < ROUNDING);
 }
 
 #[test]
@@ -217,7 +232,7 @@ fn simultaneous_impacts_are_one_event() {
     let (x, switches) = run(&mut line_of_balls(&[1.0, 2.0, 1.0], 0.5), &[-1.0, 0.0, 1.0, 1.0, 0.0, -1.0], 2.0, 1e-12).unwrap();
     assert_eq!(switches.len(), 2);
     assert!(impacts(&switches).iter().all(|hit| *hit == (1.0, [-1.0, 0.5])), "{switches:?}");
-    assert!((x[0] + 0.5).abs() < 1e-15 && x[4].abs() < 1e-15);
+    assert!((x[0] + 0.5).abs() < ROUNDING && x[4].abs() < ROUNDING);
 }
 
 #[test]
@@ -227,7 +242,7 @@ fn contact_that_would_be_pulled_is_let_go() {
     let (x, switches) = run(&mut line_of_balls(&[1.0, 1.0, 1.0], 0.0), &start, 2.0, 1e-12).unwrap();
     assert!(impacts(&switches).iter().any(|hit| hit.1 == [-1.0, 0.0]));
     // all three go on with a third of the speed
-    assert!(x[3..].iter().all(|v| (v - 1.0 / 3.0).abs() < 1e-12), "{x:?}");
+    assert!(x[3..].iter().all(|v| (v - 1.0 / 3.0).abs() < LIMIT), "{x:?}");
 }
 
 #[test]

@@ -5,6 +5,21 @@ mod common;
 use analysis::Mode;
 use common::*;
 
+/// Units of the last place of instants about 1e-5.
+const SMALL: f64 = 1e-17;
+/// Instants and states by a few operations: units of the last place.
+const ROUNDING: f64 = 1e-15;
+/// The same, beside slopes of ten.
+const SLOPED: f64 = 1e-14;
+/// States about thirty, and instants of the n-th root: units of their last place.
+const LEVEL: f64 = 1e-13;
+/// A state behind dozens of switches, each of which adds units of the last place.
+const MOVED: f64 = 1e-12;
+/// Instants behind a thousand steps.
+const LASTING: f64 = 1e-11;
+/// The integral of an oscillation over the whole motion, by the sum of its pieces.
+const QUADRATURE: f64 = 1e-8;
+
 /// Switch instants of guard 0 of a clocked polynomial, and the final counters.
 fn clock(polynomials: &[(f64, &[f64])], end: f64) -> (Vec<(usize, f64)>, Vec<f64>) {
     let mut x = vec![0.0; polynomials.len() + 1];
@@ -19,8 +34,8 @@ fn pair_of_roots_in_one_step_is_not_missed() {
         let (switches, y) = clock(&[(1.0, &[0.5, 0.5 + gap])], 1.0);
         assert_eq!(switches.len(), 2, "{gap}");
         // each root of a close pair moves by rounding / gap
-        assert!((switches[0].1 - 0.5).abs() < 1e-15 / gap && (switches[1].1 - 0.5 - gap).abs() < 1e-15 / gap);
-        assert!((y[0] - (1.0 - 2.0 * gap)).abs() < 1e-14 / gap);
+        assert!((switches[0].1 - 0.5).abs() < ROUNDING / gap && (switches[1].1 - 0.5 - gap).abs() < ROUNDING / gap);
+        assert!((y[0] - (1.0 - 2.0 * gap)).abs() < SLOPED / gap);
     }
 }
 
@@ -39,8 +54,8 @@ fn simultaneous_guards_switch_together() {
     let (switches, y) = clock(&[(1.0, &[0.1 + 0.2]), (-7.0, &[0.3]), (1.0, &[0.3, 0.9])], 0.6);
     let guards: Vec<usize> = switches.iter().map(|s| s.0).collect();
     assert_eq!(guards, vec![0, 1, 2]);
-    assert!(switches.iter().all(|s| (s.1 - 0.3).abs() < 1e-15));
-    assert!(y[0].abs() < 1e-15 && y[1].abs() < 1e-15 && y[2].abs() < 1e-15);
+    assert!(switches.iter().all(|s| (s.1 - 0.3).abs() < ROUNDING));
+    assert!(y[0].abs() < ROUNDING && y[1].abs() < ROUNDING && y[2].abs() < ROUNDING);
 }
 
 #[test]
@@ -60,12 +75,12 @@ fn start_on_a_switch_follows_the_flow() {
 #[test]
 fn first_switch_microseconds_after_the_start_is_found() {
     let (switches, y) = clock(&[(1.0, &[3e-5])], 30.0);
-    assert!((switches[0].1 - 3e-5).abs() < 1e-17);
-    assert!((y[0] - (30.0 - 6e-5)).abs() < 1e-13);
+    assert!((switches[0].1 - 3e-5).abs() < SMALL);
+    assert!((y[0] - (30.0 - 6e-5)).abs() < LEVEL);
     // leaves its surface at 0 and comes back at once
     let (switches, _) = clock(&[(1.0, &[0.0, 3e-5])], 30.0);
     assert_eq!(switches.len(), 1);
-    assert!((switches[0].1 - 3e-5).abs() < 1e-17);
+    assert!((switches[0].1 - 3e-5).abs() < SMALL);
     // and right after a switch of its own
     let (switches, _) = clock(&[(1.0, &[0.5, 0.501, 0.501001])], 30.0);
     assert_eq!(switches.len(), 3);
@@ -82,9 +97,9 @@ fn relay_oscillator_makes_1e5_switches_on_time() {
     let exact = quarter * (2 * n - 1) as f64;
     println!("relay: off by {:e} of {exact}", last - exact);
     // the speed at a switch is rounded each time: a random walk of 1e-16 sqrt(1e5) in speed, 1e5 times that in time at most
-    assert!((last - exact).abs() < 1e-8);
+    assert!((last - exact).abs() < QUADRATURE);
     for (i, s) in switches.iter().enumerate().take(1000) {
-        assert!((s.t - quarter * (2 * i + 1) as f64).abs() < 1e-11);
+        assert!((s.t - quarter * (2 * i + 1) as f64).abs() < LASTING);
     }
 }
 
@@ -108,11 +123,11 @@ fn dry_friction_by_sign_loses_its_amplitude_and_ends_in_a_named_fault() {
     for (i, (t, x)) in turns.iter().enumerate() {
         let n = (i + 1) as f64;
         let sign = if i % 2 == 0 { -1.0 } else { 1.0 };
-        assert!((t - n * std::f64::consts::PI / w).abs() < 1e-13 * n, "{t}");
-        assert!((x - sign * (1.05 - 0.2 * n)).abs() < 1e-12, "{x}");
+        assert!((t - n * std::f64::consts::PI / w).abs() < LEVEL * n, "{t}");
+        assert!((x - sign * (1.05 - 0.2 * n)).abs() < MOVED, "{x}");
     }
     assert_eq!(fault.code, "S001");
-    assert!((flow.time() - 5.0 * std::f64::consts::PI / w).abs() < 1e-12);
+    assert!((flow.time() - 5.0 * std::f64::consts::PI / w).abs() < MOVED);
 }
 
 /// x'' = f - a sign(x) - b sign(v): for f = 0 swings shrink by r = sqrt((a - b)/(a + b)), and their times with them.
@@ -132,7 +147,7 @@ fn infinitely_many_switches_that_lead_to_rest_are_followed_to_rest() {
     let (x, switches) = run(&mut spiral(0.0, a, b), &[0.0, 1.0], 10.0, 1e-12).unwrap();
     // sign(0) = 0: the centre is a state of rest of this model
     assert!(x[0].abs() < 1e-20 && x[1] == 0.0, "{x:?}");
-    assert!((switches.last().unwrap().t - end).abs() < 1e-12);
+    assert!((switches.last().unwrap().t - end).abs() < MOVED);
 }
 
 #[test]
@@ -152,7 +167,7 @@ fn scheduled_instant_is_hit_exactly() {
     assert_eq!(switches.len(), 1);
     assert_eq!(switches[0].t, at);
     assert_eq!((switches[0].before, switches[0].after), (Mode::Negative, Mode::Positive));
-    assert!((x[0] - (0.3 - 1.4)).abs() < 1e-15);
+    assert!((x[0] - (0.3 - 1.4)).abs() < ROUNDING);
 }
 
 #[test]
@@ -183,7 +198,7 @@ fn guard_that_jumps_with_another_switch_is_followed() {
     });
     let (x, switches) = run(&mut system, &[0.0, 0.0], 1.0, 1e-12).unwrap();
     assert_eq!(switches.len(), 2);
-    assert!((x[1] - 0.5).abs() < 1e-15);
+    assert!((x[1] - 0.5).abs() < ROUNDING);
 }
 
 #[test]
@@ -195,9 +210,9 @@ fn dither_faster_than_the_motion_is_no_accumulation() {
             .guarded(1, |s, k| vec![s.x[0][k]]);
     let (x, switches) = run(&mut system, &[0.0, 1.0, 0.0], 0.0100025, 1e-12).unwrap();
     assert_eq!(switches.len(), 2000);
-    assert!((x[2] - 0.25e-5).abs() < 1e-13, "{x:?}");
+    assert!((x[2] - 0.25e-5).abs() < LEVEL, "{x:?}");
     for (i, s) in switches.iter().enumerate() {
-        assert!((s.t - 0.5e-5 * (i + 1) as f64).abs() < 1e-13);
+        assert!((s.t - 0.5e-5 * (i + 1) as f64).abs() < LEVEL);
     }
 }
 
@@ -259,7 +274,7 @@ mod random {
             prop_assert_eq!(switches.len(), 10);
             for (switch, t) in switches.iter().zip(&exact) {
                 // the motion errs by some 1e-13 a step; a flat crossing turns an error of x into one of t by 1/|x'|
-                prop_assert!((switch.t - t).abs() < 5e-12 / first.sin(), "{} against {}", switch.t, t);
+                prop_assert!((switch.t - t).abs() < 5.0 * MOVED / first.sin(), "{} against {}", switch.t, t);
             }
         }
     }

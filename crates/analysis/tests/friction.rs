@@ -6,6 +6,13 @@ use analysis::integrate::events::Switch;
 use analysis::{Fault, GuardKind, Mode};
 use common::*;
 
+/// Closed forms of a few operations: units of the last place.
+const ROUNDING: f64 = 1e-15;
+/// The first break-away: a root of a series at times about ten.
+const BREAK: f64 = 1e-14;
+/// Differences of instants about a hundred, one cycle after another, and constants published with twelve digits.
+const CYCLE: f64 = 1e-12;
+
 /// Guards of a friction: sliding speed at `at`, its two limits after it.
 fn friction(at: usize) -> [GuardKind; 3] {
     [
@@ -51,12 +58,12 @@ fn belt_oscillator_has_the_period_of_the_card() {
     let (_, switches) = run(&mut belt_oscillator(0.2, 1.0, 0.5), &[0.0, 0.2], 100.0, 1e-13).unwrap();
     let (breaks, sticks) = turns(&switches);
     assert_eq!((breaks.len(), sticks.len()), (11, 11));
-    assert!((breaks[0] - 5.0).abs() < 1e-14);
+    assert!((breaks[0] - 5.0).abs() < BREAK);
     for (i, pair) in breaks.windows(2).enumerate() {
-        assert!((pair[1] - pair[0] - exact).abs() < 1e-12, "{i}: {:e}", pair[1] - pair[0] - exact);
+        assert!((pair[1] - pair[0] - exact).abs() < CYCLE, "{i}: {:e}", pair[1] - pair[0] - exact);
     }
     for pair in sticks.windows(2) {
-        assert!((pair[1] - pair[0] - exact).abs() < 1e-12);
+        assert!((pair[1] - pair[0] - exact).abs() < CYCLE);
     }
 }
 
@@ -85,14 +92,14 @@ fn carriage_of_card_p2_sticks_and_slips_on_time() {
     let stick = 2.0 * (fixed - kinetic) / (c * v);
     let (x, switches) = run(&mut carriage(m, c, v, [fixed, kinetic]), &[0.0, 0.0], 20.0, 1e-13).unwrap();
     let (breaks, sticks) = turns(&switches);
-    assert!((breaks[0] - fixed / (c * v)).abs() < 1e-14);
+    assert!((breaks[0] - fixed / (c * v)).abs() < BREAK);
     for (b, s) in breaks.iter().zip(&sticks) {
-        assert!((s - b - slip).abs() < 1e-12, "{:e}", s - b - slip);
+        assert!((s - b - slip).abs() < CYCLE, "{:e}", s - b - slip);
     }
     for pair in breaks.windows(2) {
-        assert!((pair[1] - pair[0] - slip - stick).abs() < 1e-12);
+        assert!((pair[1] - pair[0] - slip - stick).abs() < CYCLE);
     }
-    assert!((slip - 0.609700249444).abs() < 1e-12 && (slip + stick - 3.276366916111).abs() < 1e-12);
+    assert!((slip - 0.609700249444).abs() < CYCLE && (slip + stick - 3.276366916111).abs() < CYCLE);
     assert!(x[0] > 0.0);
 }
 
@@ -125,12 +132,12 @@ fn block_above_the_limit_slides_from_the_start_and_a_thrown_one_comes_to_rest() 
     assert_eq!((x, switches.len()), (vec![4.0, 4.0], 0));
     // uphill: decelerates with f + kinetic, stops, stays
     let (x, switches) = run(&mut incline(3.0, 5.0, 4.0), &[0.0, -7.0], 1e3, 1e-12).unwrap();
-    assert!((x[0] + 3.5).abs() < 1e-15 && x[1] == 0.0, "{x:?}");
+    assert!((x[0] + 3.5).abs() < ROUNDING && x[1] == 0.0, "{x:?}");
     assert_eq!((switches.len(), switches[0].t, switches[0].after), (1, 1.0, Mode::Zero));
     // steep: stops for an instant and slides back
     let (x, switches) = run(&mut incline(6.0, 5.0, 4.0), &[0.0, -10.0], 3.0, 1e-12).unwrap();
     assert_eq!((switches.len(), switches[0].t, switches[0].after), (1, 1.0, Mode::Positive));
-    assert!((x[0] + 1.0).abs() < 1e-14 && (x[1] - 4.0).abs() < 1e-14, "{x:?}");
+    assert!((x[0] + 1.0).abs() < BREAK && (x[1] - 4.0).abs() < BREAK, "{x:?}");
 }
 
 /// v' = F(t) - λ with F = ramp t.
@@ -155,9 +162,9 @@ fn equal_limits_break_away_without_a_jump_of_the_acceleration() {
         let limit = f64::abs(ramp) * t;
         let (x, switches) = run(&mut ramped(ramp, limit, limit), &[0.0, 0.0], t + 2.0, 1e-12).unwrap();
         assert_eq!(switches.len(), 1, "{ramp}: {switches:?}");
-        assert!((switches[0].t - t).abs() < 1e-14);
+        assert!((switches[0].t - t).abs() < BREAK);
         // x''' = ramp from there on
-        assert!((x[0] - ramp * 8.0 / 6.0).abs() < 1e-12 && (x[1] - ramp * 2.0).abs() < 1e-12, "{ramp} {x:?}");
+        assert!((x[0] - ramp * 8.0 / 6.0).abs() < CYCLE && (x[1] - ramp * 2.0).abs() < CYCLE, "{ramp} {x:?}");
     }
 }
 

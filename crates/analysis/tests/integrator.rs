@@ -8,6 +8,17 @@ use analysis::System;
 use analysis::integrate::taylor::{Flow, Options};
 use common::*;
 
+/// Units of the last place.
+const ROUNDING: f64 = 1e-15;
+/// A place about five behind some steps.
+const FALLEN: f64 = 1e-13;
+/// Instants about a hundred behind a thousand steps.
+const LATE: f64 = 1e-11;
+/// The phase after ten thousand turns: a walk of rounding.
+const PHASE: f64 = 1e-10;
+/// A motion with the tolerance 1e-9 through dozens of steps.
+const LOOSE: f64 = 1e-7;
+
 #[test]
 fn decay_is_exponential_at_every_tolerance() {
     for digits in 3..=15 {
@@ -15,7 +26,7 @@ fn decay_is_exponential_at_every_tolerance() {
         let (x, _) = run(&mut decay(), &[1.0], 5.0, tolerance).unwrap();
         let error = (x[0] / (-5.0_f64).exp() - 1.0).abs();
         // local errors are relative to the largest term of the series, up to e^2 changes; e^5 turns the first change into relative error
-        assert!(error < 20.0 * tolerance + 1e-15, "{tolerance}: {error}");
+        assert!(error < 20.0 * tolerance + ROUNDING, "{tolerance}: {error}");
     }
 }
 
@@ -38,7 +49,7 @@ fn oscillator_keeps_energy_and_phase_over_1e5_periods() {
     let (energy, phase, steps) = long_run(None, f64::INFINITY);
     // truncation keeps one sign and adds up; the tolerance allows a hundred times as much
     assert!(energy < 0.01 * 1e-15 * steps, "{energy}");
-    assert!(phase < 1e-10, "{phase}");
+    assert!(phase < PHASE, "{phase}");
 }
 
 /// Steps of 2 at order 30 truncate at 2^31/31! = 3e-25: what is left is rounding, and it must be a random walk, since the state sum carries
@@ -115,7 +126,7 @@ fn relay_oscillator_switches_at_its_period() {
     assert_eq!(switches.len(), 1000);
     for (i, s) in switches.iter().enumerate() {
         let exact = quarter * (2 * i + 1) as f64;
-        assert!((s.t - exact).abs() < 1e-11, "{i}: {} {exact}", s.t);
+        assert!((s.t - exact).abs() < LATE, "{i}: {} {exact}", s.t);
     }
 }
 
@@ -129,9 +140,9 @@ fn block_that_stops_under_a_small_force_chatters() {
 #[test]
 fn block_without_force_stops_and_rests() {
     let (x, switches) = run(&mut pushed_block(0.0, 1.0), &[0.0, -3.0], 10.0, 1e-12).unwrap();
-    assert!((x[0] + 4.5).abs() < 1e-13 && x[1].abs() < 1e-15, "{x:?}");
+    assert!((x[0] + 4.5).abs() < FALLEN && x[1].abs() < ROUNDING, "{x:?}");
     assert_eq!(switches.len(), 1);
-    assert!((switches[0].t - 3.0).abs() < 1e-15 * 3.0);
+    assert!((switches[0].t - 3.0).abs() < ROUNDING * 3.0);
 }
 
 #[test]
@@ -156,7 +167,7 @@ fn premature_zero_coefficients_are_taken_back() {
     });
     let (x, _) = run(&mut system, &[0.0, 0.0], 2.0, 1e-9).unwrap();
     let exact = 4096.0 / 4097.0;
-    assert!((x[1] - exact).abs() < 1e-7, "{}", x[1] - exact);
+    assert!((x[1] - exact).abs() < LOOSE, "{}", x[1] - exact);
 }
 
 /// A push by swelling pulses: steps, lowest and highest order of a step, mean order, work, largest relative error, bits of the last state.

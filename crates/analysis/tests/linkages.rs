@@ -8,6 +8,21 @@ use analysis::integrate::taylor::{Flow, Options};
 use analysis::studies::simulate::{Grid, Outcome, Simulate, simulate};
 use linkage::*;
 
+/// A closed form of a few operations: units of the last place.
+const ROUNDING: f64 = 1e-15;
+/// An instant as the root of a series: units of the last place of times up to ten, and of the slope there.
+const INSTANT: f64 = 1e-14;
+/// What projection on the surface of the conditions leaves: rounding times the condition of a small system.
+const PROJECTED: f64 = 1e-13;
+/// A state behind some steps: each step adds units of the last place.
+const MOVED: f64 = 1e-12;
+/// Energy of a long motion: the rounding of each step walks.
+const ENERGY: f64 = 1e-11;
+/// The same over hundreds of turns, and losses as differences of energies.
+const LASTING: f64 = 1e-10;
+/// A force from accelerations: the errors of velocities times twice the velocity, over a long motion.
+const FORCE: f64 = 1e-9;
+
 fn assembled(b: &Build) -> Result<Machine, analysis::Fault> {
     Machine::assembled(&b.e, &[], &|_| vec![])
 }
@@ -27,10 +42,10 @@ fn slider_crank_is_assembled_from_its_crank() {
     let (phi, w): (f64, f64) = (0.3, 5.0);
     let psi = -(0.1 / 0.3 * phi.sin()).asin();
     assert_eq!((x[0], x[3]), (phi, w));
-    assert!((x[1] - psi).abs() < 1e-15 && (x[2] - (0.1 * phi.cos() + 0.3 * psi.cos())).abs() < 1e-15, "{x:?}");
+    assert!((x[1] - psi).abs() < ROUNDING && (x[2] - (0.1 * phi.cos() + 0.3 * psi.cos())).abs() < ROUNDING, "{x:?}");
     let psi_rate = -w * 0.1 * phi.cos() / (0.3 * psi.cos());
-    assert!((x[4] - psi_rate).abs() < 1e-13, "{x:?}");
-    assert!((x[5] - (-0.1 * w * phi.sin() - 0.3 * psi_rate * psi.sin())).abs() < 1e-13);
+    assert!((x[4] - psi_rate).abs() < PROJECTED, "{x:?}");
+    assert!((x[5] - (-0.1 * w * phi.sin() - 0.3 * psi_rate * psi.sin())).abs() < PROJECTED);
 }
 
 /// Runs so many revolutions of the crank and returns the largest violation at the ends of steps, and the drift of energy.
@@ -67,7 +82,7 @@ fn slider_crank_runs_1e4_revolutions_closed_and_conservative() {
         px.hypot(py) / 0.4
     });
     println!("gap {gap:e} energy {energy:e} drift {drift:e}");
-    assert!(gap < 1e-12 && energy < 1e-10);
+    assert!(gap < MOVED && energy < LASTING);
 }
 
 #[test]
@@ -78,7 +93,7 @@ fn four_bar_runs_1e4_revolutions_closed_and_conservative() {
         px.hypot(py) / 0.4
     });
     println!("gap {gap:e} energy {energy:e} drift {drift:e}");
-    assert!(gap < 1e-12 && energy < 1e-10);
+    assert!(gap < MOVED && energy < LASTING);
 }
 
 /// Pendulum of length 1 in x, y: the rod force is m (g y-part + v²).
@@ -102,11 +117,11 @@ fn rod_of_a_pendulum_has_the_force_of_the_closed_form() {
     for i in 0..x.len() {
         // E = m v²/2 + m g y from rest at y = -0.8; force along the rod = m v²/l - m g y... with J = (x, y): λ = -(m v² - m g y)
         let v2 = 2.0 * 9.81 * (-0.8 - y[i]);
-        assert!((x[i].hypot(y[i]) - 1.0).abs() < 1e-13);
-        assert!((e[i] - e[0]).abs() < 1e-11 * 16.0);
-        assert!((rod[i] + 2.0 * v2 - 2.0 * 9.81 * y[i]).abs() < 1e-9, "{i}: {}", rod[i]);
+        assert!((x[i].hypot(y[i]) - 1.0).abs() < PROJECTED);
+        assert!((e[i] - e[0]).abs() < ENERGY * 16.0);
+        assert!((rod[i] + 2.0 * v2 - 2.0 * 9.81 * y[i]).abs() < FORCE, "{i}: {}", rod[i]);
     }
-    assert!(y[0] == -0.8 || (y[0] + 0.8).abs() < 1e-15);
+    assert!(y[0] == -0.8 || (y[0] + 0.8).abs() < ROUNDING);
 }
 
 mod switching {
@@ -149,7 +164,7 @@ mod switching {
         let breaks: Vec<f64> = switches.iter().filter(|s| s.before == analysis::Mode::Zero).map(|s| s.t).collect();
         assert_eq!(breaks.len(), 11);
         for pair in breaks.windows(2) {
-            assert!((pair[1] - pair[0] - exact).abs() < 1e-12, "{:e}", pair[1] - pair[0] - exact);
+            assert!((pair[1] - pair[0] - exact).abs() < MOVED, "{:e}", pair[1] - pair[0] - exact);
         }
     }
 
@@ -183,7 +198,7 @@ mod switching {
             let way = 0.1 * (2.0 * halves + 1.0 - (phi - halves * PI).cos());
             let left = 10.0 - 10.0 * way - torque * phi;
             let kinetic = 0.025 * w * w + (0.1 * w * phi.sin()).powi(2);
-            assert!((kinetic - left).abs() < 1e-11, "{phi} {w}: {kinetic} against {left}");
+            assert!((kinetic - left).abs() < ENERGY, "{phi} {w}: {kinetic} against {left}");
             assert_eq!(w == 0.0, end > 1.0);
         }
     }
@@ -225,17 +240,17 @@ mod switching {
         let rates = [u * a.cos(), u * a.sin()];
         let (switches, x) = follow(&incline(a, 0.5, 0.45, rates), 100.0);
         assert_eq!(switches.len(), 1);
-        assert!((switches[0].t - stop).abs() < 1e-14, "{} {stop}", switches[0].t);
+        assert!((switches[0].t - stop).abs() < INSTANT, "{} {stop}", switches[0].t);
         assert_eq!(&x[2..], &[0.0, 0.0]);
         let way = u * stop / 2.0;
-        assert!((x[0] - 0.3 - way * a.cos()).abs() < 1e-14);
+        assert!((x[0] - 0.3 - way * a.cos()).abs() < INSTANT);
         // a smaller coefficient does not hold it: back with g (sin a - mu cos a)
         let mu = 0.2;
         let stop = u / (g * (a.sin() + mu * a.cos()));
         let (switches, x) = follow(&incline(a, mu, mu, rates), stop + 1.0);
         assert_eq!(switches.len(), 1);
         let back = -g * (a.sin() - mu * a.cos());
-        assert!((switches[0].t - stop).abs() < 1e-14 && (x[2] - back * a.cos()).abs() < 1e-12, "{x:?}");
+        assert!((switches[0].t - stop).abs() < INSTANT && (x[2] - back * a.cos()).abs() < MOVED, "{x:?}");
     }
 
     /// Two blocks on one another and on the ground; the lower one is pulled by a growing force F = 2 t.
@@ -262,10 +277,10 @@ mod switching {
         // ground breaks at 2 t = 6; together a = (2t - 5)/3; the upper block needs a <= 3: 2 t = 14; then 2 against 3 m/s²
         let (switches, x) = follow(&stacked(), 8.0);
         assert_eq!(switches.len(), 2, "{switches:?}");
-        assert!((switches[0].t - 3.0).abs() < 1e-14 && (switches[1].t - 7.0).abs() < 1e-14, "{switches:?}");
+        assert!((switches[0].t - 3.0).abs() < INSTANT && (switches[1].t - 7.0).abs() < INSTANT, "{switches:?}");
         let together = (49.0 - 9.0 - 5.0 * 4.0) / 3.0;
-        assert!((x[3] - (together + 2.0)).abs() < 1e-12, "{x:?}");
-        assert!((x[2] - (together + (64.0 - 49.0 - 7.0) / 2.0)).abs() < 1e-12, "{x:?}");
+        assert!((x[3] - (together + 2.0)).abs() < MOVED, "{x:?}");
+        assert!((x[2] - (together + (64.0 - 49.0 - 7.0) / 2.0)).abs() < MOVED, "{x:?}");
     }
 
     /// Pendulum of length 1 as x, y with a rod that hits a wall at x = 0.3 with restitution e and leans on it in the end.
@@ -297,16 +312,16 @@ mod switching {
         let speed = low * (2.0 * 9.81 * (low - 0.6)).sqrt();
         let first = &data.events[0];
         assert!(first.what.en.contains("impact") && first.what.en.contains("J lost"), "{}", first.what.en);
-        assert!((first.states[0][2] + speed).abs() < 1e-12 && (first.states[1][2] - 0.5 * speed).abs() < 1e-12, "{first:?}");
+        assert!((first.states[0][2] + speed).abs() < MOVED && (first.states[1][2] - 0.5 * speed).abs() < MOVED, "{first:?}");
         let last = data.events.last().unwrap();
         assert!(last.what.en.contains("infinitely many impacts"), "{}", last.what.en);
-        assert!((data.column("x").unwrap().values[0] - 0.3).abs() < 1e-15);
+        assert!((data.column("x").unwrap().values[0] - 0.3).abs() < ROUNDING);
         assert_eq!(data.column("x'").unwrap().values, vec![0.0]);
         // the whole energy above the place at the wall is lost
-        assert!((data.counter("impact_loss").unwrap() - 2.0 * 9.81 * (low - 0.6)).abs() < 1e-10);
+        assert!((data.counter("impact_loss").unwrap() - 2.0 * 9.81 * (low - 0.6)).abs() < LASTING);
         assert!(data.audits.iter().all(|a| a.ok), "{:?}", data.audits);
         // the rod carries the weight
-        assert!((data.column("rod").unwrap().values[0] + 2.0 * 9.81 / low).abs() < 1e-12);
+        assert!((data.column("rod").unwrap().values[0] + 2.0 * 9.81 / low).abs() < MOVED);
     }
 
     #[test]
@@ -328,12 +343,12 @@ mod switching {
         // in sequence, u the speed of the fall, e = 1/2: hammer and block leave with u/8 and -3u/8; the ground turns the block round, 3u/16; it closes on the
         // hammer with u/16, which gives it e u/16 and takes 1.5 u/64 from the block
         let speed = 9.81 * fall;
-        let rates: Vec<[f64; 2]> = (switches.iter().filter(|s| (s.t - fall).abs() < 1e-15))
+        let rates: Vec<[f64; 2]> = (switches.iter().filter(|s| (s.t - fall).abs() < ROUNDING))
             .map(|s| if let analysis::integrate::events::Change::Impact { rates, .. } = s.change { rates } else { panic!("{switches:?}") })
             .collect();
         let wanted = [[0.0, 3.0 / 16.0 - 1.5 / 64.0], [-1.0, 1.0 / 32.0]];
         for (rates, wanted) in rates.iter().flatten().zip(wanted.iter().flatten()) {
-            assert!((rates - wanted * speed).abs() < 1e-12, "{switches:?}");
+            assert!((rates - wanted * speed).abs() < MOVED, "{switches:?}");
         }
         assert_eq!(rates.len(), 2);
         assert!(x[0] > 0.0);
@@ -362,14 +377,14 @@ mod switching {
             let (x, y) = place(middle);
             if x.hypot(y) < 1.0 { low = middle } else { high = middle }
         }
-        assert!((switches[0].t - low).abs() < 1e-14, "{} {low}", switches[0].t);
+        assert!((switches[0].t - low).abs() < INSTANT, "{} {low}", switches[0].t);
         // the radial speed is lost at once; the pendulum swings on with what is left
         let (x, y) = place(low);
         let (vx, vy) = (0.5, 1.0 - 9.81 * low);
         let along = (x * vy - y * vx) / x.hypot(y);
         let energy = 0.5 * along * along + 9.81 * y;
         let now = 0.5 * (state[2].powi(2) + state[3].powi(2)) + 9.81 * state[1];
-        assert!((energy - now).abs() < 1e-10, "{energy} {now} {switches:?}");
+        assert!((energy - now).abs() < LASTING, "{energy} {now} {switches:?}");
     }
 
     /// Load on a thread of length 1.
@@ -386,7 +401,7 @@ mod switching {
         b.contact("rope", gap, 0.0);
         let (switches, x) = follow(&b, 2.0);
         assert_eq!(switches.len(), 1);
-        assert!((switches[0].t - 6.0 / 9.81).abs() < 1e-15);
+        assert!((switches[0].t - 6.0 / 9.81).abs() < ROUNDING);
         assert_eq!(x, vec![-1.0, 0.0]);
     }
 }

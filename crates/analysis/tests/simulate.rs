@@ -7,6 +7,13 @@ use std::sync::atomic::AtomicBool;
 use analysis::studies::simulate::{Grid, Simulate, simulate};
 use common::*;
 
+/// A state behind some steps, each of which adds units of the last place.
+const MOVED: f64 = 1e-12;
+/// The same where the motion grows with time.
+const GROWN: f64 = 1e-11;
+/// What a motion with the tolerance 1e-9 leaves in its own audit.
+const LOOSE: f64 = 1e-7;
+
 #[test]
 fn asked_times_are_exact_and_keep_their_order() {
     let times = vec![0.7, 0.1, 2.0, 0.0, 0.1];
@@ -16,7 +23,7 @@ fn asked_times_are_exact_and_keep_their_order() {
     let data = outcome.dataset;
     assert_eq!(data.columns[0].values, times);
     for (t, x) in times.iter().zip(&data.column("x0").unwrap().values) {
-        assert!((x - (3.0 * t).cos()).abs() < 1e-12);
+        assert!((x - (3.0 * t).cos()).abs() < MOVED);
     }
 }
 
@@ -64,7 +71,7 @@ fn singularity_is_a_fault_that_keeps_what_is_done() {
     let x = &outcome.dataset.column("x0").unwrap().values;
     // t = 1 itself may lie on this side of the singularity by rounding
     assert!(x.len() == 4 || (x.len() == 5 && x[4] > 1e12), "{x:?}");
-    assert!((x[3] - 4.0).abs() < 1e-11);
+    assert!((x[3] - 4.0).abs() < GROWN);
 }
 
 #[test]
@@ -97,7 +104,7 @@ fn halving_the_tolerance_is_reported() {
     let options = Simulate { tolerance_halving: true, tolerance: 1e-9, ..Simulate::until(20.0) };
     let data = simulate(&mut oscillator(2.0), &[1.0, 0.0], options).dataset;
     let audit = data.audit("tolerance_halving").unwrap();
-    assert!(audit.ok && audit.value < 1e-7 && audit.value > 0.0, "{audit:?}");
+    assert!(audit.ok && audit.value < LOOSE && audit.value > 0.0, "{audit:?}");
 }
 
 #[test]

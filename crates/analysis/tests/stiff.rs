@@ -9,6 +9,13 @@ use analysis::integrate::stiff::Method;
 use analysis::integrate::taylor::{Flow, Options, Work};
 use analysis::{Fault, Guard, Jacobian, Machine, Mode, Quantity, System};
 
+/// A solution that the method reproduces: units of the last place of some steps.
+const ROUNDING: f64 = 1e-14;
+/// Two methods, each with the tolerance 1e-10.
+const AGREED: f64 = 1e-9;
+/// Central differences: step² and rounding over step.
+const DIFFERENCE: f64 = 1e-7;
+
 /// x' = fast (g(t) - x), by the Taylor coefficients of g: x_(k+1) = fast (g_k - x_k)/(k + 1).
 struct Pulled {
     states: [Quantity; 1],
@@ -97,11 +104,11 @@ fn jacobians_of_machines_match_differences() {
     let x: Vec<f64> = (0..machine.states().len()).map(|i| 0.1 + 0.07 * i as f64).collect();
     let modes = machine.modes_by_value(0.3, &x).unwrap();
     let off = difference(&mut machine, &x, &modes);
-    assert!(off < 1e-7, "mass matrix: {off:e}");
+    assert!(off < DIFFERENCE, "mass matrix: {off:e}");
     let mut machine = Machine::assembled(&linkage::slider_crank(5.0).e, &[], &|_| vec![]).unwrap();
     let x = machine.start().unwrap();
     let off = difference(&mut machine, &x, &[]);
-    assert!(off < 1e-7, "motion and reactions in one system: {off:e}");
+    assert!(off < DIFFERENCE, "motion and reactions in one system: {off:e}");
 }
 
 /// Coefficient k about t of 1 + t - 2 t^4 + t^9.
@@ -116,7 +123,7 @@ fn polynomials_of_the_degree_of_the_method_are_exact() {
     let mut system = Pulled::new(1e6, |t, k| polynomial(t, k) + (k + 1) as f64 * polynomial(t, k + 1) / 1e6);
     let options = Options { method: Method::Stiff, span: 1.0, ..Options::default() };
     let (x, work) = flow(&mut system, &[1.0], 1.0, &options);
-    assert!((x[0] - 1.0).abs() < 1e-14, "{}", x[0] - 1.0);
+    assert!((x[0] - 1.0).abs() < ROUNDING, "{}", x[0] - 1.0);
     // a million time constants; the last coefficients are rounding, beside which a step grows by a quarter only
     assert!(work.implicit_steps <= 80 && work.stages == 13, "{work:?}");
 }
@@ -149,5 +156,5 @@ fn oscillation_that_carries_energy_stays_with_taylor() {
     let (stiff, work) = shaft_run(Method::Stiff);
     assert!(work.implicit_steps > 10, "{work:?}");
     let off = stiff.iter().zip(&taylor.0).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())).fold(0.0, f64::max);
-    assert!(off < 1e-9, "{off:e}");
+    assert!(off < AGREED, "{off:e}");
 }

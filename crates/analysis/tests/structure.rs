@@ -8,6 +8,15 @@ use structures::{continuum, reduced::Condensation};
 use symbolic::Rational;
 use words::Text;
 
+/// Sums over the elements of a frame: rounding times their number.
+const ROUNDING: f64 = 1e-12;
+/// Frequencies of a turned frame, whose matrices are rounded anew: rounding times the condition of the stiffness.
+const FREQUENCY: f64 = 1e-11;
+/// A reduction that loses nothing: what two eigenproblems of other size leave.
+const LIMIT: f64 = 1e-9;
+/// What a division into many parts leaves.
+const REFINED: f64 = 1e-3;
+
 fn node(name: &str, x: f64, y: f64) -> Node<f64> {
     Node { name: name.into(), at: [x, y], mass: 0.0, inertia: 0.0, springs: [0.0; 3] }
 }
@@ -67,6 +76,7 @@ fn inextensible_rods_are_the_limit_of_stiff_ones() {
     };
     // the difference falls with 1/EA
     let (soft, stiff) = (near(1e5), near(1e7));
+    // a hundred times the stiffness leaves a hundredth of the deviation: an order, not a value
     assert!(soft < 1e-2 && (soft / stiff - 100.0).abs() < 5.0, "{soft:e} {stiff:e}");
 }
 
@@ -79,7 +89,7 @@ fn a_turned_frame_oscillates_alike() {
     turned.nodes.iter_mut().for_each(|n| n.at = turn(n.at));
     turned.rods.iter_mut().for_each(|r| r.direction = turn(r.direction));
     for (a, b) in omegas(&frame, 6).iter().zip(omegas(&turned, 6)) {
-        assert!((a / b - 1.0).abs() < 1e-11, "{a} {b}");
+        assert!((a / b - 1.0).abs() < FREQUENCY, "{a} {b}");
     }
 }
 
@@ -105,7 +115,7 @@ fn exact_and_machine_numbers_agree() {
     let decimal = |v: &f64| Rational::parse_decimal(&format!("{v}"));
     let exact = frame.map(&decimal).unwrap();
     let (with, without) = (statics(&frame, Some(&exact)).unwrap(), statics(&frame, None).unwrap());
-    let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (1.0 + b.abs());
+    let close = |a: f64, b: f64| (a - b).abs() <= ROUNDING * (1.0 + b.abs());
     for (a, b) in with.statics.ends.iter().flatten().zip(without.statics.ends.iter().flatten()) {
         assert!(close(*a, *b), "{a} {b}");
     }
@@ -123,7 +133,7 @@ fn exact_and_machine_numbers_agree() {
             value += term;
             size = size.max(term.abs());
         }
-        assert!(value.abs() < 1e-12 * size, "{value:e} of {size:e}");
+        assert!(value.abs() < ROUNDING * size, "{value:e} of {size:e}");
     }
 }
 
@@ -165,8 +175,8 @@ fn amplitudes_complete_the_named_displacements() {
         modes.values.iter().take(4).zip(&all).map(|(v, w)| (v.sqrt() / w - 1.0).abs()).fold(0.0, f64::max)
     };
     // with all amplitudes nothing is lost; with fewer the modes that span the space are kept, the next ones come out too high
-    assert!(with(1000) < 1e-9, "{:e}", with(1000));
-    assert!(with(4) < 1e-9 && with(2) > 1e-6, "{:e} {:e}", with(4), with(2));
+    assert!(with(1000) < LIMIT, "{:e}", with(1000));
+    assert!(with(4) < LIMIT && with(2) > 1e-6, "{:e} {:e}", with(4), with(2));
 }
 
 #[test]
@@ -197,6 +207,6 @@ fn large_frames_are_solved_sparse_and_converge() {
     let small = build(20);
     let (coarse, fine) = (omegas(&small.divided(2), 4), omegas(&small.divided(4), 4));
     for (a, b) in coarse.iter().zip(&fine) {
-        assert!(a > b && a / b - 1.0 < 1e-3, "{a} {b}");
+        assert!(a > b && a / b - 1.0 < REFINED, "{a} {b}");
     }
 }

@@ -307,6 +307,7 @@ mod tests {
     #[test]
     fn unsymmetric_system_is_solved() {
         let x = solved(&[0.0, 2e9, -1e9, 1e-7, 1e-7, 0.0, 4.0, 0.0, 1.0], &[1e9, 3e-7, 7.0]).unwrap();
+        // four units of the last place
         assert!(x.iter().zip([1.0, 2.0, 3.0]).all(|(x, want)| (x - want).abs() < 1e-15 * want * 4.0), "{x:?}");
     }
 
@@ -369,6 +370,7 @@ mod tests {
             match (exact(matrix, b), solved(&numbers, &right)) {
                 (Some(want), Ok(have)) => {
                     let size = want.iter().fold(1.0, |m: f64, v| m.max(v.abs()));
+                    // random matrices, conditions up to some 1e5
                     prop_assert!(have.iter().zip(&want).all(|(h, w)| (h - w).abs() < 1e-10 * size), "{:?} {:?}", have, want);
                 }
                 (None, Err(Defect::Dependent { row, unknown })) => prop_assert!(row < n && unknown < n),

@@ -144,6 +144,7 @@ mod tests {
     fn positive_definite_system_is_solved() {
         // [[4, 1], [1, 3]] x = [1, 2] has x = [1/11, 7/11]
         let x = solved(&[4.0, 1.0, 3.0], &[1.0, 2.0]).unwrap();
+        // the last place of either
         assert!((x[0] - 1.0 / 11.0).abs() < 1e-16 && (x[1] - 7.0 / 11.0).abs() < 2e-16);
     }
 

@@ -9,6 +9,17 @@ use std::sync::Arc;
 use symbolic::connections::{Law, Normal};
 use symbolic::{Equations, Function, Graph};
 
+/// Closed forms of a dozen operations on numbers about 1 to 10: units of the last place.
+const ROUNDING: f64 = 1e-15;
+/// Elimination in a system of a few rows: rounding times the growth of its entries.
+const ELIMINATED: f64 = 1e-14;
+/// A textbook equation whose terms, up to some forty, cancel: their rounding.
+const CANCELLED: f64 = 1e-13;
+/// Systems of dozens of rows and series of dozens of terms: rounding of some thousand operations, relative to the largest.
+const SUMMED: f64 = 1e-12;
+/// Central differences with the step 1e-5 of forces of some newtons: step² and rounding over step are both below.
+const DIFFERENCE: f64 = 1e-7;
+
 fn bind(e: &Equations) -> Bound {
     let program = Arc::new(lower::equations(e).unwrap());
     let values = program.values.clone();
@@ -36,7 +47,7 @@ fn rod_of_a_pendulum_pulls_as_the_angle_formulation_says() {
         let x = [l * s, -l * c, l * w * c, l * w * s];
         let turn = -g / l * s;
         let want = [x[2], x[3], l * (turn * c - w * w * s), l * (turn * s + w * w * c), m * l * w * w + m * g * c];
-        close(bound.rates(0.0, &x, &[]).unwrap(), &want, 1e-14);
+        close(bound.rates(0.0, &x, &[]).unwrap(), &want, ELIMINATED);
     }
 }
 
@@ -68,8 +79,8 @@ fn chains_of_rods_move_as_chains_in_angles() {
         let tension = (1.0 + (n - 1) as f64 * 0.01) * (-ax * s + (ay + 9.81) * c);
         let have = rods.rates(0.0, &[places, speeds].concat(), &[]).unwrap();
         let size = wanted.iter().fold(1.0, |m: f64, a| m.max(a.abs()));
-        close(&have[2 * n..4 * n], &wanted, 1e-12 * size);
-        close(&have[5 * n - 1..], &[tension], 1e-12 * size);
+        close(&have[2 * n..4 * n], &wanted, SUMMED * size);
+        close(&have[5 * n - 1..], &[tension], SUMMED * size);
     }
 }
 
@@ -85,7 +96,7 @@ fn lost_direction_of_a_rod_is_a_division_by_zero() {
 fn atwood_machine_moves_and_pulls_as_the_formula_says() {
     let mut bound = bind(&atwood(3.0, 2.0));
     let want = [0.5, -0.5, 9.81 / 5.0, -9.81 / 5.0, 2.0 * 6.0 * 9.81 / 5.0];
-    close(bound.rates(0.0, &[1.0, 2.0, 0.5, -0.5], &[]).unwrap(), &want, 1e-15);
+    close(bound.rates(0.0, &[1.0, 2.0, 0.5, -0.5], &[]).unwrap(), &want, ROUNDING);
     let rest = bind(&atwood(1.3, 1.3)).rates(0.0, &[1.0, 2.0, 0.0, 0.0], &[]).unwrap().to_vec();
     assert_eq!(rest, [0.0, 0.0, 0.0, 0.0, 1.3 * 9.81]);
 }
@@ -108,19 +119,19 @@ fn series_of_a_slider_crank_meet_equations_and_conditions_later() {
             let direct = bound.rates(0.7 + h, &later, &[]).unwrap().to_vec();
             for (i, direct) in direct[..6].iter().enumerate() {
                 let slopes: Vec<f64> = (1..=order).map(|k| k as f64 * jets.state(i)[k]).collect();
-                assert!((horner(&slopes, h) - direct).abs() < 1e-12 * direct.abs().max(1.0), "rate {i}");
+                assert!((horner(&slopes, h) - direct).abs() < SUMMED * direct.abs().max(1.0), "rate {i}");
             }
             for i in 0..2 {
                 assert_eq!(jets.reaction(i).len(), order);
                 let force = horner(jets.reaction(i), h);
-                assert!((force - direct[6 + i]).abs() < 1e-12 * direct[6 + i].abs().max(1.0), "{force} against {}", direct[6 + i]);
+                assert!((force - direct[6 + i]).abs() < SUMMED * direct[6 + i].abs().max(1.0), "{force} against {}", direct[6 + i]);
             }
             let mut conditions = bound.evaluator(&bound.program().connections).unwrap();
             let roots = bound.program().connection_roots();
             let values = conditions.evaluate(&Point { time: 0.7 + h, states: &later, ..Point::default() }).unwrap();
-            assert!(values[roots.places].iter().all(|v| v.abs() < 1e-15));
+            assert!(values[roots.places].iter().all(|v| v.abs() < ROUNDING));
             // rates up to w r = 1.5 with a few hundred roundings
-            assert!(values[roots.rates.clone()].iter().all(|v| v.abs() < 1e-13), "{:?}", &values[roots.rates]);
+            assert!(values[roots.rates.clone()].iter().all(|v| v.abs() < CANCELLED), "{:?}", &values[roots.rates]);
         }
     }
 }
@@ -137,12 +148,12 @@ fn reactions_of_a_slider_crank_satisfy_each_body() {
     // crank: J ε = M sin t - ω + r cos φ Y - r sin φ X;  rod: about the slider pin; slider and rod along x
     let (sf, cf) = x[0].sin_cos();
     let (sp, cp) = x[1].sin_cos();
-    close(&[0.02 * eps], &[2.0 * f64::sin(t) - x[3] + 0.1 * cf * up - 0.1 * sf * axial], 1e-13);
+    close(&[0.02 * eps], &[2.0 * f64::sin(t) - x[3] + 0.1 * cf * up - 0.1 * sf * axial], CANCELLED);
     let half = 0.175;
-    close(&[(0.004 + 0.8 * half * half) * turn + 0.8 * half * sp * along], &[-0.35 * cp * up - 0.35 * sp * axial], 1e-13);
-    close(&[2.1 * along + 0.8 * half * sp * turn], &[-0.8 * half * cp * x[4] * x[4] - 40.0 * x[2] - axial], 1e-13);
+    close(&[(0.004 + 0.8 * half * half) * turn + 0.8 * half * sp * along], &[-0.35 * cp * up - 0.35 * sp * axial], CANCELLED);
+    close(&[2.1 * along + 0.8 * half * sp * turn], &[-0.8 * half * cp * x[4] * x[4] - 40.0 * x[2] - axial], CANCELLED);
     // conditions twice differentiated
-    close(&[0.1 * (cf * eps - sf * x[3] * x[3])], &[0.35 * (cp * turn - sp * x[4] * x[4])], 1e-13);
+    close(&[0.1 * (cf * eps - sf * x[3] * x[3])], &[0.35 * (cp * turn - sp * x[4] * x[4])], CANCELLED);
 }
 
 #[test]
@@ -157,8 +168,8 @@ fn block_below_the_limit_of_friction_does_not_move_at_any_order() {
     let mut jets = bound.jets(12);
     jets.expand(0.0, &[0.2, 0.0], &modes, 12).unwrap();
     assert!(jets.state(0)[1..].iter().chain(jets.state(1)).all(|c| *c == 0.0));
-    close(&[jets.reaction(0)[0]], &[weight], 1e-15);
-    close(&[jets.guard(limits[0])[0], jets.guard(limits[1])[0]], &[6.0 + weight, 6.0 - weight], 1e-15);
+    close(&[jets.reaction(0)[0]], &[weight], ROUNDING);
+    close(&[jets.guard(limits[0])[0], jets.guard(limits[1])[0]], &[6.0 + weight, 6.0 - weight], ROUNDING);
     assert!(bound.active(&modes).iter().all(|a| *a));
     // sliding: the limits count no longer, the force is kinetic
     for (mode, s) in [(Mode::Positive, 1.0), (Mode::Negative, -1.0)] {
@@ -166,7 +177,7 @@ fn block_below_the_limit_of_friction_does_not_move_at_any_order() {
         let active = bound.active(&modes);
         assert!(active[sliding] && !active[limits[0]] && !active[limits[1]]);
         let rates = bound.rates(0.0, &[0.2, s], &modes).unwrap();
-        close(rates, &[s, (weight - s * 4.0) / 1.7, s * 4.0], 1e-15);
+        close(rates, &[s, (weight - s * 4.0) / 1.7, s * 4.0], ROUNDING);
     }
     let exits = limits.map(|l| match program.guards[l].kind {
         GuardKind::Limit { exit, of, .. } if of == sliding => exit,
@@ -186,7 +197,7 @@ fn held_parts_pass_their_rest_on_exactly() {
     let modes = bound.modes(0.0, &[1.0, 2.0, 0.0, 0.0]).unwrap();
     let rates = bound.rates(0.0, &[1.0, 2.0, 0.0, 0.0], &modes).unwrap();
     assert_eq!(rates[..4], [0.0; 4]);
-    close(&rates[4..], &[3.0 * 9.81, -9.81], 1e-15);
+    close(&rates[4..], &[3.0 * 9.81, -9.81], ROUNDING);
 }
 
 /// Two coordinates made to follow given motions by two motors, one of which acts on both: inverse dynamics.
@@ -217,7 +228,7 @@ fn motors_give_what_prescribed_motions_need() {
     for i in 0..6 {
         let first = 3.0 * sine[i] / fact[i];
         let rest = if i == 0 { 10.0 } else { 0.0 };
-        close(&[jets.reaction(0)[i], jets.reaction(1)[i]], &[first, first + rest], 2e-15);
+        close(&[jets.reaction(0)[i], jets.reaction(1)[i]], &[first, first + rest], 2.0 * ROUNDING);
     }
 }
 
@@ -251,13 +262,13 @@ fn friction_follows_the_computed_normal_force_of_either_sign() {
             assert!(bound.active(&modes)[sign]);
             let s = if v == 0.0 { 0.0 } else { v.signum() };
             let force = if v == 0.0 { 5.0 } else { s * 0.3 * normal.abs() };
-            close(bound.rates(0.0, &x, &modes).unwrap(), &[v, 0.0, (5.0 - force) / 2.0, 0.0, normal, force], 1e-15);
+            close(bound.rates(0.0, &x, &modes).unwrap(), &[v, 0.0, (5.0 - force) / 2.0, 0.0, normal, force], ROUNDING);
             let GuardKind::Sliding { limits, .. } = program.guards[sliding].kind else { panic!() };
             let mut jets = bound.jets(4);
             jets.expand(0.0, &x, &modes, 4).unwrap();
             assert_eq!(jets.guard(sign)[0], normal);
             if v == 0.0 {
-                close(&[jets.guard(limits[1])[0]], &[0.4 * normal.abs() - 5.0], 1e-15);
+                close(&[jets.guard(limits[1])[0]], &[0.4 * normal.abs() - 5.0], ROUNDING);
             }
         }
     }
@@ -288,11 +299,11 @@ fn friction_pressed_by_a_support_joins_the_balances() {
     // m a = -μ N, Z = m a, N = m g - Z/2 = m g + μ N/2
     let normal = 20.0 / (1.0 - 0.15);
     let push = -0.3 * normal;
-    close(bound.rates(0.0, &[0.0, 1.0], &modes).unwrap(), &[1.0, push / 2.0, normal, push, -push], 1e-15);
+    close(bound.rates(0.0, &[0.0, 1.0], &modes).unwrap(), &[1.0, push / 2.0, normal, push, -push], ROUNDING);
     // the forces tape gives the same
     let mut forces = bound.evaluator(&bound.program().forces).unwrap();
     let have = forces.evaluate(&Point { states: &[0.0, 1.0], modes: Some(&modes), ..Point::default() }).unwrap();
-    close(have, &[push / 2.0, normal, push, -push], 1e-15);
+    close(have, &[push / 2.0, normal, push, -push], ROUNDING);
 }
 
 #[test]
@@ -318,16 +329,16 @@ fn supports_follow_after_the_motion() {
     let acceleration = (weight * slope - 4.0) / 1.7;
     // N = m a + m g cos - F
     let want = [acceleration, 4.0, 1.7 * acceleration + weight * (0.3_f64).cos() - 4.0];
-    close(&roots, &want, 1e-14);
+    close(&roots, &want, ELIMINATED);
     let mut accelerations = Vec::new();
     program.spread(&roots, &mut accelerations);
     let mut outputs = bound.evaluator(&program.outputs).unwrap();
     let point = Point { states: &x, accelerations: &accelerations, modes: Some(&modes), ..Point::default() };
-    close(outputs.evaluate(&point).unwrap(), &[2.0 * want[2]], 1e-14);
+    close(outputs.evaluate(&point).unwrap(), &[2.0 * want[2]], ELIMINATED);
     let mut second = bound.evaluator(&program.second).unwrap();
     let residuals = second.evaluate(&Point { modes: None, ..point }).unwrap();
     assert_eq!(residuals.len(), 2);
-    assert!(residuals.iter().all(|r| r.abs() < 1e-13));
+    assert!(residuals.iter().all(|r| r.abs() < CANCELLED));
 }
 
 #[test]
@@ -384,12 +395,12 @@ fn frictions_of_one_speed_stick_and_slide_together() {
             assert_eq!(modes[0], Mode::Zero);
             let sum = fixed[0] + fixed[1];
             let share = if sum > 0.0 { fixed.map(|f| load * f / sum) } else { [load, 0.0] };
-            close(bound.rates(0.0, &[0.0, 0.0], &modes).unwrap(), &[0.0, 0.0, share[0], share[1]], 1e-15);
+            close(bound.rates(0.0, &[0.0, 0.0], &modes).unwrap(), &[0.0, 0.0, share[0], share[1]], ROUNDING);
             let mut jets = bound.jets(2);
             jets.expand(0.0, &[0.0, 0.0], &modes, 2).unwrap();
-            close(&limits.map(|l| jets.guard(l)[0]), &[sum + load, sum - load], 1e-15);
+            close(&limits.map(|l| jets.guard(l)[0]), &[sum + load, sum - load], ROUNDING);
             let modes = bound.modes(0.0, &[0.0, 1.0]).unwrap();
-            close(bound.rates(0.0, &[0.0, 1.0], &modes).unwrap(), &[1.0, (load - 1.5 - fixed[0]) / 2.0, 1.5, fixed[0]], 1e-15);
+            close(bound.rates(0.0, &[0.0, 1.0], &modes).unwrap(), &[1.0, (load - 1.5 - fixed[0]) / 2.0, 1.5, fixed[0]], ROUNDING);
         }
     }
 }
@@ -420,14 +431,14 @@ fn brakes_of_different_radii_stick_and_slide_together() {
         let modes = bound.modes(0.0, &[0.0, 0.0]).unwrap();
         // capacity 1 + 0.4·3 + 0.1·5 = 2.7; each takes 2.2/2.7 of its limit, the hub's in its own direction
         let part = 2.2 / 2.7;
-        close(bound.rates(0.0, &[0.0, 0.0], &modes).unwrap(), &[0.0, 0.0, part, 3.0 * part, -5.0 * part], 1e-15);
+        close(bound.rates(0.0, &[0.0, 0.0], &modes).unwrap(), &[0.0, 0.0, part, 3.0 * part, -5.0 * part], ROUNDING);
         let mut jets = bound.jets(1);
         jets.expand(0.0, &[0.0, 0.0], &modes, 1).unwrap();
-        close(&limits.map(|l| jets.guard(l)[0]), &[2.7 + 2.2, 2.7 - 2.2], 1e-15);
+        close(&limits.map(|l| jets.guard(l)[0]), &[2.7 + 2.2, 2.7 - 2.2], ROUNDING);
         for (w, forces) in [(1.0, [1.0, 3.0, -2.5]), (-1.0, [-1.0, -1.5, 5.0])] {
             let modes = bound.modes(0.0, &[0.0, w]).unwrap();
             let turn = (2.2 - forces[0] - 0.4 * forces[1] + 0.1 * forces[2]) / 0.5;
-            close(bound.rates(0.0, &[0.0, w], &modes).unwrap(), &[w, turn, forces[0], forces[1], forces[2]], 1e-15);
+            close(bound.rates(0.0, &[0.0, w], &modes).unwrap(), &[w, turn, forces[0], forces[1], forces[2]], ROUNDING);
         }
     }
 }
@@ -461,7 +472,7 @@ fn formulas_share_the_guard_of_sliding() {
     assert_eq!(bound.program().guards.len(), 3);
     let modes = bound.modes(0.0, &[0.0, 1.0]).unwrap();
     let rates = bound.rates(0.0, &[0.0, 1.0], &modes).unwrap();
-    close(&rates[1..2], &[(1.7 * 9.81 * f64::sin(0.3) - 1.0 - 4.0) / 1.7], 1e-15);
+    close(&rates[1..2], &[(1.7 * 9.81 * f64::sin(0.3) - 1.0 - 4.0) / 1.7], ROUNDING);
 }
 
 /// Two equal ropes: one is dropped, its force is no number, the motion is not affected.
@@ -486,7 +497,7 @@ fn dropped_reaction_is_refused_where_it_is_asked_for() {
     let roots = forces.evaluate(&Point { states: &[1.0, 2.0, 0.0, 0.0], ..Point::default() }).unwrap();
     let mut accelerations = Vec::new();
     program.spread(roots, &mut accelerations);
-    close(&accelerations[..3], &[1.962, -1.962, 23.544], 1e-15);
+    close(&accelerations[..3], &[1.962, -1.962, 23.544], ROUNDING);
     assert!(accelerations[3].is_nan());
     let mut observed = Evaluator::new(&program.outputs, &program.values).unwrap();
     let fault = observed.evaluate(&Point { states: &[0.0; 4], accelerations: &accelerations, ..Point::default() }).unwrap_err();
@@ -522,19 +533,19 @@ fn rest_with_connections_has_loads_and_their_derivatives() {
     };
     let here = at(0.0, -0.6, 0.7 * 9.81);
     assert_eq!(here.len(), roots.forces.end);
-    close(&here[roots.loads.clone()], &[0.0, 0.7 * 9.81], 1e-15);
-    close(&here[roots.places.clone()], &[0.0], 1e-15);
+    close(&here[roots.loads.clone()], &[0.0, 0.7 * 9.81], ROUNDING);
+    close(&here[roots.places.clone()], &[0.0], ROUNDING);
     let (x, y, force, step) = (0.4, -0.5, 3.0, 1e-5);
     let here = at(x, y, force);
     let length = f64::hypot(x, y);
-    close(&here[roots.jacobian.clone()], &[x / length, y / length], 1e-15);
-    close(&here[roots.forces.clone()], &[-x / length, -y / length], 1e-15);
+    close(&here[roots.jacobian.clone()], &[x / length, y / length], ROUNDING);
+    close(&here[roots.forces.clone()], &[-x / length, -y / length], ROUNDING);
     for (j, (dx, dy)) in [(step, 0.0), (0.0, step)].into_iter().enumerate() {
         let (plus, minus) = (at(x + dx, y + dy, force), at(x - dx, y - dy, force));
         for i in 0..2 {
             let slope = (plus[roots.loads.start + i] - minus[roots.loads.start + i]) / (2.0 * step);
             // a central difference: third derivatives below 1000, times step²/6
-            assert!((here[roots.derivatives.start + 2 * i + j] - slope).abs() < 1e-7);
+            assert!((here[roots.derivatives.start + 2 * i + j] - slope).abs() < DIFFERENCE);
         }
     }
 }

@@ -6,6 +6,13 @@ use program::{Bound, Mode, lower};
 use std::sync::Arc;
 use symbolic::{Edge, Equations, Expr, Function, Graph};
 
+/// A sum of a series against the function: units of the last place.
+const SERIES: f64 = 4e-15;
+/// A coefficient of high order in closed form: rounding of its recurrence.
+const COEFFICIENT: f64 = 1e-14;
+/// Slopes through a system of equations, relative to the largest.
+const SOLVED: f64 = 1e-12;
+
 fn bind(e: &Equations) -> Bound {
     let program = Arc::new(lower::equations(e).unwrap());
     let values = program.values.clone();
@@ -37,7 +44,7 @@ fn elementary_series_at_zero_have_their_textbook_coefficients() {
     let close = |got: &[f64], want: &dyn Fn(u32) -> f64| {
         for (k, g) in (0..).zip(got) {
             let w = want(k);
-            assert!((g - w).abs() <= 1e-14 * w.abs().max(1e-16), "order {k}: {g} against {w}");
+            assert!((g - w).abs() <= COEFFICIENT * w.abs().max(1e-16), "order {k}: {g} against {w}");
         }
     };
     close(&series(call(Function::Exp), 0.0, 20).0, &|k| 1.0 / fact(k));
@@ -201,7 +208,7 @@ fn compound_series_sum_to_the_direct_value() {
             let modes = vec![Mode::Positive; bound.program().guards.len()];
             let direct = bound.rates(t0 + h, &[0.0], &modes).unwrap()[0];
             let sum = horner(&f, h);
-            assert!((sum - direct).abs() < 4e-15 * direct.abs().max(1.0), "{name} at {h}: {sum} against {direct}");
+            assert!((sum - direct).abs() < SERIES * direct.abs().max(1.0), "{name} at {h}: {sum} against {direct}");
         }
     }
 }
@@ -234,7 +241,7 @@ fn series_of_a_chain_satisfies_its_equations() {
     let slopes: Vec<f64> = (0..2 * n).map(|i| horner(&(1..=order).map(|k| k as f64 * jets.state(i)[k]).collect::<Vec<_>>(), h)).collect();
     let rates = bound.rates(h, &moved, &[]).unwrap();
     for i in 0..2 * n {
-        assert!((slopes[i] - rates[i]).abs() < 1e-12 * rates[i].abs().max(1.0), "{i}: {} against {}", slopes[i], rates[i]);
+        assert!((slopes[i] - rates[i]).abs() < SOLVED * rates[i].abs().max(1.0), "{i}: {} against {}", slopes[i], rates[i]);
     }
 }
 
@@ -276,6 +283,7 @@ fn inactive_branch_does_not_poison_and_guard_polynomial_is_exact() {
     // at the very edge the root is kept at its value, outside it has none
     jets.expand(1.0, &[0.0], &[Mode::Positive], 8).unwrap();
     assert_eq!(jets.state(0)[1..], [0.0; 8]);
+    // nothing beyond the edge can be believed: no step worth the name
     assert!(jets.faithful(1.0, 1e-12) < 1e-6);
     assert_eq!(jets.expand(1.5, &[0.0], &[Mode::Positive], 8).unwrap_err().code, "P002");
 }

@@ -61,6 +61,17 @@ fn before(l: f64, a: f64, x: f64, [force, couple]: [f64; 2]) -> f64 {
 mod tests {
     use super::*;
 
+    /// Polynomials of a few terms: units of the last place.
+    const ROUNDING: f64 = 1e-15;
+    /// Second differences of polynomials of low degree: rounding over the square of the step.
+    const DIFFERENCE: f64 = 1e-9;
+    /// Slopes with the step 1e-5 on both sides of a load: step² and rounding over step.
+    const SLOPE: f64 = 1e-8;
+    /// Third and fourth differences: rounding over that power of the step.
+    const THIRD: f64 = 1e-7;
+    /// The slope of a held end with the step 1e-6, half of it beyond the rod: step times curvature.
+    const END_SLOPE: f64 = 1e-6;
+
     const L: f64 = 1.7;
 
     fn spread(q0: f64, q1: f64) -> Carried<f64> {
@@ -80,9 +91,9 @@ mod tests {
     fn ends_are_held() {
         for c in [spread(2.0, -3.0), point(0.6, [1.0, 1.0, 0.0]), point(0.6, [0.0, 0.0, 1.0])] {
             for x in [0.0, L] {
-                assert!(across(L, &c, x).abs() < 1e-15 && along(L, &c, x).abs() < 1e-15);
+                assert!(across(L, &c, x).abs() < ROUNDING && along(L, &c, x).abs() < ROUNDING);
                 let slope = (across(L, &c, x + 1e-6) - across(L, &c, x - 1e-6)) / 2e-6;
-                assert!(slope.abs() < 1e-6, "{slope}");
+                assert!(slope.abs() < END_SLOPE, "{slope}");
             }
         }
     }
@@ -97,8 +108,8 @@ mod tests {
             let w4 = derivative(&|x| across(L, &c, x), 4, x, d);
             let u2 = derivative(&|x| along(L, &c, x), 2, x, d);
             let q = |x: f64| q0 + (q1 - q0) * x / L;
-            assert!((w4 - q(x + 2.0 * d)).abs() < 1e-7, "{w4}");
-            assert!((u2 + q(x + d)).abs() < 1e-9, "{u2}");
+            assert!((w4 - q(x + 2.0 * d)).abs() < THIRD, "{w4}");
+            assert!((u2 + q(x + d)).abs() < DIFFERENCE, "{u2}");
         }
     }
 
@@ -110,23 +121,23 @@ mod tests {
             let c = point(a, [0.0, force, couple]);
             let left = |x: f64| before(L, a, x, [force, couple]);
             let right = |x: f64| before(L, L - a, L - x, [force, -couple]);
-            assert!((left(a) - right(a)).abs() < 1e-15);
+            assert!((left(a) - right(a)).abs() < ROUNDING);
             let slope = |f: &dyn Fn(f64) -> f64| (f(a + 1e-5) - f(a - 1e-5)) / 2e-5;
-            assert!((slope(&left) - slope(&right)).abs() < 1e-8);
+            assert!((slope(&left) - slope(&right)).abs() < SLOPE);
             let second = |f: &dyn Fn(f64) -> f64| (f(a + d) - 2.0 * f(a) + f(a - d)) / (d * d);
             // the third derivative of a cubic is one number
             let third = |f: &dyn Fn(f64) -> f64| derivative(f, 3, a, d);
-            assert!((third(&right) - third(&left) - force).abs() < 1e-7);
-            assert!((second(&right) - second(&left) + couple).abs() < 1e-9);
-            assert!((across(L, &c, 0.3) - left(0.3)).abs() < 1e-15 && (across(L, &c, 1.2) - right(1.2)).abs() < 1e-15);
+            assert!((third(&right) - third(&left) - force).abs() < THIRD);
+            assert!((second(&right) - second(&left) + couple).abs() < DIFFERENCE);
+            assert!((across(L, &c, 0.3) - left(0.3)).abs() < ROUNDING && (across(L, &c, 1.2) - right(1.2)).abs() < ROUNDING);
         }
     }
 
     #[test]
     fn known_deflections_in_the_middle() {
         let middle = across(L, &spread(1.0, 1.0), 0.5 * L);
-        assert!((middle - L.powi(4) / 384.0).abs() < 1e-15);
+        assert!((middle - L.powi(4) / 384.0).abs() < ROUNDING);
         let force = across(L, &point(0.5 * L, [0.0, 1.0, 0.0]), 0.5 * L);
-        assert!((force - L.powi(3) / 192.0).abs() < 1e-15);
+        assert!((force - L.powi(3) / 192.0).abs() < ROUNDING);
     }
 }

@@ -143,6 +143,7 @@ mod tests {
         let a = [1.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 1.0];
         let null = null_space(&a, 3);
         assert_eq!(null.len(), 1);
+        // elimination of a few rows, each unit of the last place grows some ten times
         assert!(null[0].iter().all(|v| (v / null[0][0] - 1.0).abs() < 1e-14));
         assert!(null_space(&[2.0, 1.0, 1.0, 2.0], 2).is_empty());
     }

@@ -49,6 +49,7 @@ fn studies_keep_their_meaning() {
     assert!(matches!(Periodic::of(&list[5]), Periodic { section: Section::Zero(_), period: Some(8.0), .. }));
     assert_eq!(Periodic::of(&list[6]).section, Section::Time);
     let speed = Cycle::of(&list[8]).unwrap().speed.unwrap();
+    // units of the last place of fifty
     assert!((speed - 4.0 * std::f64::consts::PI / 0.2568).abs() < 1e-12, "{speed}");
     let s = Sweep::of(&list[10]);
     assert_eq!((s.over.len(), s.over[0].values.len(), s.over[1].values[0]), (2, 2, 1000.0));

@@ -6,6 +6,11 @@ use common::{folder, gallery, stderr, stdout, strutt};
 use predicates::prelude::*;
 use predicates::str::{contains, is_empty};
 
+/// All digits are printed: what is left is rounding.
+const PRINTED: f64 = 1e-12;
+/// A table of a motion, of another file by far more.
+const TABLE: f64 = 1e-9;
+
 #[test]
 fn help_starts_with_three_commands_and_states_the_exit_codes() {
     let help = stdout(strutt().arg("--help"));
@@ -193,7 +198,7 @@ fn runs_into_one_folder_leave_the_results_of_one() {
     let (_, rows) = common::table(&last("motion.csv"));
     let (t, x) = (rows.last().unwrap()[0], rows.last().unwrap()[1]);
     // x = √m sin(t/√m)
-    assert!((x - m.sqrt() * (t / m.sqrt()).sin()).abs() < 1e-9, "the table is of another m than {m}");
+    assert!((x - m.sqrt() * (t / m.sqrt()).sin()).abs() < TABLE, "the table is of another m than {m}");
     let hash = json["model_hash"].as_str().unwrap();
     assert!(last("index.html").contains(hash), "the page is of another m than {m}");
     let names = std::fs::read_dir(here.join("two")).unwrap().map(|e| e.unwrap().file_name().to_string_lossy().into_owned());
@@ -292,7 +297,7 @@ fn over_on_the_command_line_keeps_what_the_file_observes() {
     let text = stdout(strutt().current_dir(&here).args(["sweep", "m.toml", "--csv", "--over", "v=4 m/s, 5 m/s"]));
     let (head, rows) = common::table(&text);
     assert!(head[1].contains("last(x)"), "{head:?}");
-    assert!(rows.iter().zip([12.0, 15.0]).all(|(row, x)| (row[1] - x).abs() < 1e-12), "{rows:?}");
+    assert!(rows.iter().zip([12.0, 15.0]).all(|(row, x)| (row[1] - x).abs() < PRINTED), "{rows:?}");
 }
 
 #[test]

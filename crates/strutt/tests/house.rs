@@ -396,3 +396,49 @@ fn a_circle_is_seen() {
     let found = circles(&small.arrows());
     assert_eq!(found, [["a", "b", "c"].iter().map(|n| file(n)).collect::<BTreeSet<_>>()]);
 }
+
+/// Comparisons with a bare small number in tests that neither a name nor a remark on the line or above it explains. The limit only falls.
+const UNEXPLAINED: usize = 0;
+
+/// Whether a line of a test compares with a bare small number: `< 1e-9`, `<= 2.5e-12`.
+fn compares_barely(line: &str) -> bool {
+    let small = |text: &str| {
+        let number = text.trim_start_matches("= ").trim_start();
+        let length = number.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(number.len());
+        length > 0 && number[length..].starts_with("e-")
+    };
+    !line.contains("const ") && line.match_indices("< ").chain(line.match_indices("<= ")).any(|(i, m)| small(&line[i + m.len()..]))
+}
+
+/// A tolerance says where its size comes from: a constant with a sentence, or a remark.
+#[test]
+fn tolerances_of_tests_have_reasons() {
+    let mut found = Vec::new();
+    for name in STREET {
+        let mut folders = vec![root().join("crates").join(name).join("src"), root().join("crates").join(name).join("tests")];
+        while let Some(folder) = folders.pop() {
+            let Ok(entries) = fs::read_dir(&folder) else { continue };
+            for entry in entries.map(|e| e.expect("an entry").path()) {
+                if entry.is_dir() {
+                    folders.push(entry);
+                } else if entry.extension().is_some_and(|e| e == "rs") {
+                    found.extend(bare_comparisons(&entry));
+                }
+            }
+        }
+    }
+    assert!(found.len() <= UNEXPLAINED, "{} tolerances without a reason:\n{}", found.len(), found.join("\n"));
+    assert!(found.len() == UNEXPLAINED, "only {} are left: say so here", found.len());
+}
+
+/// Lines of the tests of a file that compare with a bare small number and have no remark.
+fn bare_comparisons(file: &Path) -> Vec<String> {
+    let text = read(file);
+    let inside = file.components().any(|part| part.as_os_str() == "tests") || file.ends_with("tests.rs");
+    let from = if inside { 0 } else { text.find("#[cfg(test)]").unwrap_or(text.len()) };
+    let first = text[..from].lines().count();
+    let lines: Vec<&str> = text[from..].lines().collect();
+    let remarked = |i: usize| lines[i].contains("//") || i > 0 && lines[i - 1].trim_start().starts_with("//");
+    let found = (0..lines.len()).filter(|&i| compares_barely(lines[i]) && !remarked(i));
+    found.map(|i| format!("{}:{}: {}", file.display(), first + i + 1, lines[i].trim())).collect()
+}

@@ -7,6 +7,19 @@ use strutt::gallery;
 use studies::{Source, Watch, pipeline};
 use symbolic::linear::About;
 
+/// Units of the last place of 1e-4.
+const SMALL: f64 = 1e-18;
+/// Matrices of a few operations: units of the last place.
+const ROUNDING: f64 = 1e-15;
+/// The same with entries up to a hundred.
+const SCALED: f64 = 1e-14;
+/// Central differences of forces: step² and rounding over step.
+const DIFFERENCE: f64 = 1e-7;
+/// Digits with which the note prints its numbers.
+const SHOWN: f64 = 1e-4;
+/// The same with three digits.
+const SHOWN_ROUNDED: f64 = 1e-3;
+
 fn machine(name: &str) -> (pipeline::Machine, LinearMachine) {
     let source = Source::new("model.toml", gallery::find(name).expect("example").text);
     let machine = pipeline::build(&source, &[], &mut Watch::default()).expect("model");
@@ -27,8 +40,8 @@ fn double_pendulum_about_its_lowest_place() {
     let (_, mut linear) = machine("double-pendulum");
     let m = linear.at(&Place::rest(&[0.0, 0.0])).unwrap();
     let g = 9.81;
-    close(&m.mass, &[2.0, 1.0, 1.0, 1.0], 1e-15);
-    close(&m.stiffness, &[2.0 * g, 0.0, 0.0, g], 1e-15);
+    close(&m.mass, &[2.0, 1.0, 1.0, 1.0], ROUNDING);
+    close(&m.stiffness, &[2.0 * g, 0.0, 0.0, g], ROUNDING);
     close(&m.damping, &[0.0; 4], 0.0);
     assert!(m.loads.is_empty());
 }
@@ -38,9 +51,9 @@ fn double_pendulum_about_its_lowest_place() {
 fn oscillator_of_the_card() {
     let (_, mut linear) = machine("oscillator");
     let m = linear.at(&Place::rest(&[0.0])).unwrap();
-    close(&[m.mass[0], m.damping[0], m.stiffness[0], m.force[0]], &[0.72, 14.4, 72.0, 0.0], 1e-14);
+    close(&[m.mass[0], m.damping[0], m.stiffness[0], m.force[0]], &[0.72, 14.4, 72.0, 0.0], SCALED);
     assert_eq!(m.loads.len(), 1);
-    close(&[m.loads[0].rate, m.loads[0].cos[0], m.loads[0].sin[0]], &[15.0, 0.0, 12.0], 1e-14);
+    close(&[m.loads[0].rate, m.loads[0].cos[0], m.loads[0].sin[0]], &[15.0, 0.0, 12.0], SCALED);
     assert!(linear.timing().settled && !linear.timing().frozen);
 }
 
@@ -80,7 +93,7 @@ fn matrices_are_the_derivatives_of_the_equations() {
                 let scale = matrix.iter().fold(1e-3_f64, |m, v| m.max(v.abs()));
                 for (a, b) in column.iter().zip(&difference) {
                     // central differences of step 1e-5 leave 1e-10 of truncation and 1e-11 of rounding
-                    assert!((a - b).abs() < 1e-7 * scale, "{}: {column:?} {difference:?}", example.name);
+                    assert!((a - b).abs() < DIFFERENCE * scale, "{}: {column:?} {difference:?}", example.name);
                 }
             }
         }
@@ -97,11 +110,11 @@ fn linear_force_is_the_static_force() {
     let (mut h, mut d) = ([0.0; 2], [0.0; 4]);
     built.system.statics(&[0.4, -0.7, 0.0, 0.0], &mut h, &mut d).unwrap();
     let m = linear.at(&Place::rest(&q)).unwrap();
-    close(&m.force, &h, 1e-15);
-    close(&m.stiffness, &d.map(|v| -v), 1e-15);
+    close(&m.force, &h, ROUNDING);
+    close(&m.stiffness, &d.map(|v| -v), ROUNDING);
     let (even, odd) = parts(&m.stiffness, 2);
-    close(&even, &m.stiffness, 1e-15);
-    close(&odd, &[0.0; 4], 1e-15);
+    close(&even, &m.stiffness, ROUNDING);
+    close(&odd, &[0.0; 4], ROUNDING);
 }
 
 /// Only what cancels is rounding: a spring that is 1e-13 of another one keeps its oscillation, ω = sqrt(1e-4/1) = 0.01 rad/s.
@@ -112,8 +125,8 @@ fn a_weak_spring_beside_a_strong_one_is_no_rounding() {
     let machine = pipeline::build(&Source::new("model.toml", text), &[], &mut Watch::default()).expect("model");
     let mut linear = LinearMachine::new(&Arc::new(machine.equations.clone()), About::Rest).expect("linear");
     let m = linear.at(&Place::rest(&[0.0, 0.0])).unwrap();
-    close(&m.stiffness, &[1e9, 0.0, 0.0, 1e-4], 1e-15);
-    assert!((m.stiffness[3] - 1e-4).abs() < 1e-18);
+    close(&m.stiffness, &[1e9, 0.0, 0.0, 1e-4], ROUNDING);
+    assert!((m.stiffness[3] - 1e-4).abs() < SMALL);
 }
 
 /// The remark on amplitudes of the first response of a file.
@@ -183,7 +196,7 @@ fn the_measure_of_small_motions_is_the_error_of_their_amplitudes() {
     for (text, truth) in cases {
         let note = remark(&text);
         let [small, whole] = amplitudes(&note);
-        assert!((whole - truth).abs() < 4e-3 * truth, "{truth}: {note}");
+        assert!((whole - truth).abs() < 4.0 * SHOWN_ROUNDED * truth, "{truth}: {note}");
         assert!((small - truth).abs() > 0.05 * truth, "{truth}: {note}");
     }
 }
@@ -193,7 +206,7 @@ fn the_measure_of_small_motions_is_the_error_of_their_amplitudes() {
 fn an_amplitude_beyond_a_jump_is_said_to_be_lost() {
     let soft = oscillator(0.9, 0.1, "0.5 [N/m^3]*x^3");
     let truth = first_harmonic(|t, [x], [v]| [0.1 * (0.9 * t).cos() - x - 0.1 * v + 0.5 * x * x * x], 0.9, 60);
-    assert!((truth - 0.8478).abs() < 1e-3, "{truth}");
+    assert!((truth - 0.8478).abs() < SHOWN_ROUNDED, "{truth}");
     let note = remark(&soft);
     assert!(note.contains("amplitudes do not hold") && note.contains("loses the motion"), "{note}");
 }
@@ -210,7 +223,10 @@ fn the_measure_holds_with_reactions() {
     for model in [angle, pinned] {
         let note = remark(&format!("{model}{loads}{study}"));
         let [small, whole] = amplitudes(&note);
-        assert!((whole - truth).abs() < 2e-3 * truth && (small - 2.0 / f64::hypot(9.81 - 6.25, 0.75)).abs() < 1e-3, "{truth}: {note}");
+        assert!(
+            (whole - truth).abs() < 2.0 * SHOWN_ROUNDED * truth && (small - 2.0 / f64::hypot(9.81 - 6.25, 0.75)).abs() < SHOWN_ROUNDED,
+            "{truth}: {note}"
+        );
     }
 }
 
@@ -231,5 +247,8 @@ fn gyroscopic_terms_count_in_the_measure_of_small_motions() {
     let truth = first_harmonic(equations, 1.0, 80);
     let note = remark(text);
     let [small, whole] = amplitudes(&note);
-    assert!(note.contains("`ph`") && (whole - truth).abs() < 4e-3 * truth && (small - 0.024).abs() < 1e-4, "{truth}: {note}");
+    assert!(
+        note.contains("`ph`") && (whole - truth).abs() < 4.0 * SHOWN_ROUNDED * truth && (small - 0.024).abs() < SHOWN,
+        "{truth}: {note}"
+    );
 }

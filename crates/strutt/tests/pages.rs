@@ -65,6 +65,7 @@ fn the_written_solution_of_several_masses_is_the_motion() {
         for name in ["x", "y"] {
             let sum: f64 = modes.iter().map(|m| m["shape"][name].as_f64().unwrap() * written(m, t)).sum();
             let computed = values(name)[i].as_f64().unwrap();
+            // numbers of a page have all digits: what is left is rounding of the sum
             assert!((sum - computed).abs() < 1e-12, "{name}({t}): {sum} {computed}");
         }
     }

@@ -312,6 +312,7 @@ mod tests {
             sum += v[1] * (v[0] * 0.37).cos() + v[2] * (v[0] * 0.37).sin();
         }
         let direct = g.evaluate(&[e], &value)[0];
+        // units of the last place of a sum of a few terms
         assert!((sum - direct).abs() < 1e-15, "{sum} {direct}");
         assert_eq!(found.waves.len(), 5);
     }

@@ -108,6 +108,7 @@ mod tests {
         assert_eq!(found.rate, p);
         let value = |_: SymbolId| 0.9;
         let wanted = (2.0_f64 * 0.9).sin().signum() + (3.0_f64 * 0.9).cos().abs();
+        // units of the last place
         assert!((g.evaluate(&[found.shape], &value)[0] - wanted).abs() < 1e-15);
     }
 

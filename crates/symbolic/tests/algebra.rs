@@ -147,10 +147,12 @@ fn near_switch(r: &Recipe, v: &[f64; 4]) -> bool {
     match r {
         If(a, b, c) => {
             let g = value(a, v);
+            // values this close to a switch are decided by rounding of random formulas
             g.0.abs() <= 1e-9 * g.1.max(1.0) || [a, b, c].iter().any(|r| near_switch(r, v))
         }
         Abs(a) => {
             let g = value(a, v);
+            // the step of the difference below must not pass a switch
             g.0.abs() <= 1e-3 * g.1.max(1.0) || near_switch(a, v)
         }
         Add(a, b) | Sub(a, b) | Mul(a, b) => near_switch(a, v) || near_switch(b, v),
@@ -261,7 +263,9 @@ proptest! {
         let found = evaluate(&mut g, &[d], v)[0];
         let (_, scale) = value(&r, &v);
         let near = [-2.0 * h, 2.0 * h].iter().any(|dx| { let mut w = v; w[2] += dx; near_switch(&r, &w) });
+        // two differences with other steps agree: the function is smooth enough for the test
         prop_assume!(!near && scale < 1e3 && found.abs() < 1e3 && (c1 - c2).abs() < 1e-6 * (1.0 + c1.abs()));
+        // central differences of smooth formulas, as the two above
         prop_assert!((found - slope).abs() <= 1e-6 * (1.0 + slope.abs()), "{found} against {slope}");
     }
 

@@ -60,10 +60,12 @@ mod tests {
         let mut noise = Frontier::default();
         noise.note(1e-30, 1e-30);
         noise.note(1e-14, 1.0);
+        // rounding over the scale of the whole motion
         assert!(noise.worst() < 1e-13);
         let mut wrong = Frontier::default();
         wrong.note(1e-4, 1e-3);
         wrong.note(1e-4, 1.0);
+        // units of the last place
         assert!((wrong.worst() - 0.1).abs() < 1e-15);
         wrong.note(f64::NAN, 1.0);
         assert!(wrong.worst().is_nan());

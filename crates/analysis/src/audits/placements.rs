@@ -210,6 +210,7 @@ mod tests {
         let d = chebyshev();
         for i in 0..=N {
             let sum: f64 = (0..=N).map(|j| d[i * (N + 1) + j] * abscissa(j).powi(3)).sum();
+            // a difference formula of high degree: its weights, some 1e3, times rounding
             assert!((sum - 3.0 * abscissa(i).powi(2)).abs() < 1e-11);
         }
     }

@@ -332,6 +332,7 @@ mod tests {
                 let u = f64::from(k) / 10.0;
                 let t = piece.from + (piece.to - piece.from) * u;
                 let off = (value(&piece.row, u) - f(t)[piece.of]).abs();
+                // ten times the error that a piece is made with
                 assert!(off < 1e-10, "{} at {t}: {off}", piece.of);
             }
         }

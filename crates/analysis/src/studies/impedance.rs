@@ -400,6 +400,7 @@ mod tests {
         let found = solve(&chain(), 10.0, &[(1.0, 0.0), (-1.0, 0.0)]);
         assert!(found.poles.is_empty());
         let x = found.coordinates();
+        // units of the last place of 0.005
         assert!((x[0].0 - 1.0 / 200.0).abs() < 1e-16 && (x[1].0 + 1.0 / 200.0).abs() < 1e-16, "{x:?}");
     }
 
@@ -408,6 +409,7 @@ mod tests {
         let found = solve(&chain(), 10.0, &[(1.0, 0.0), (0.0, 0.0)]);
         assert!(found.coordinates().iter().all(|z| z.0.is_infinite()));
         let stretch = found.seen(&Gain { place: &[1.0, -1.0], rate: &[0.0; 2], acceleration: &[0.0; 2], omega: 10.0 });
+        // a difference of two displacements: rounding of either
         assert!((stretch.0 - 1.0 / 200.0).abs() < 1e-15, "{stretch:?}");
     }
 }

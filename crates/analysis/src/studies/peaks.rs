@@ -143,8 +143,10 @@ mod tests {
             let mut power = |x: f64| 1.0 / ((1.0 - x * x).powi(2) + 4.0 * nu * nu * x * x);
             let exact = (1.0_f64 - 2.0 * nu * nu).sqrt();
             let peak = refine(&mut power, 0.8 * exact, 1.3 * exact, 1.0);
+            // a peak is flat: its place is known to less than its height
             assert!((peak.omega - exact).abs() < 2e-10 * exact, "{nu}: {} {exact}", peak.omega);
             let height = 1.0 / (2.0 * nu * (1.0 - nu * nu).sqrt());
+            // the height at a flat place: rounding of the solution
             assert!((peak.amplitude - height).abs() < 1e-12 * height, "{nu}");
         }
     }

@@ -235,6 +235,7 @@ mod tests {
     fn ranges_hit_both_ends_exactly() {
         let range = parse("v=linspace(1 m/s, 3 m/s, 21)").unwrap();
         assert_eq!((range.name.as_str(), range.values.len(), range.values[0], range.values[20]), ("v", 21, 1.0, 3.0));
+        // a step of linspace: the last place
         assert!((range.values[1] - 1.1).abs() < 1e-15);
         assert_eq!(parse("c = logspace(1 N/m; 1 kN/m; 4)").unwrap().values[3], 1000.0);
         assert_eq!(parse("m=1,5 kg; 2 kg").unwrap().values, [1.5, 2.0]);

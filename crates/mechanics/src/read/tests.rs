@@ -171,6 +171,7 @@ fn the_full_file_keeps_its_meaning() {
     };
     assert!(law("springs", 1).contains("Distance(") && law("dampers", 1).contains("RelativeAngle("));
     let n = model.parameters.iter().find(|p| p.name == "n").unwrap();
+    // the product in another order: the last place
     assert!((n.number.unwrap() - 5.0 * std::f64::consts::TAU / 60.0).abs() < 1e-15);
     let parent = |name: &str| model.frames.iter().position(|f| f.name == name).unwrap();
     assert!(parent("housing") < parent("blade"), "a frame follows the frame of the point it stands on");
@@ -306,6 +307,7 @@ fn shapes_give_the_moments_of_the_handbook() {
             values.set(&mut graph, p.symbol, p.number.unwrap());
         }
         let got = [xx, yy, zz].map(|e| values.of(&graph, e));
+        // formulas of shapes in another order
         assert!(got.iter().zip(expected).all(|(a, b): (&f64, f64)| (a - b).abs() < 1e-14), "{shape}: {got:?}");
     }
 }

@@ -465,6 +465,7 @@ mod tests {
             let mut watch = Watch::new(vec![Watched { curve: Curve::Tanh, a: 0, b: 0, c: 1 }], 2);
             let h = watch.faithful(rows, 1.0, 1e-12, 0.0);
             let off = (slope * h - 0.5 * slope).tanh() + 1.0;
+            // a believed step keeps the tolerance it was asked with, and is not needlessly short
             assert!(off <= 1e-12 && h > 0.4 - 20.0 / slope, "{slope}: {h}, {off}");
         }
     }
@@ -492,6 +493,7 @@ mod tests {
             let mut watch = Watch::new(vec![Watched { curve: Curve::Exp, a: 0, b: 0, c: 1 }], 2);
             let h = watch.faithful(rows, 2.0, 1e-12, 0.0);
             let bell = (-w * (h - 0.5).powi(2)).exp();
+            // a believed step keeps the tolerance it was asked with, and is not needlessly short
             assert!(bell <= 1e-12 && h > 0.5 - 1e2 * width, "{width}: {h}");
         }
     }

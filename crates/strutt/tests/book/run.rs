@@ -92,6 +92,7 @@ fn study_claim(results: &Results, claim: &Claim) -> Result<(), String> {
             let row = match when {
                 When::End => last,
                 When::At(x) => {
+                    // the same value of the axis: rounding of a grid
                     let near = |v: &f64| (v - x).abs() <= 1e-12 * range.max(x.abs());
                     axis.values.iter().position(near).ok_or_else(|| format!("no row at {x}"))?
                 }

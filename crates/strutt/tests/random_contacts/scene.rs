@@ -308,6 +308,7 @@ fn write_body(text: &mut String, k: usize, body: &Body) {
 
 /// Normal and tangent; a right angle is exact.
 pub fn directions(normal: f64) -> ([f64; 2], [f64; 2]) {
+    // a cosine of π/2 is rounding, and means zero
     let [c, s] = [normal.cos(), normal.sin()].map(|part| if part.abs() < 1e-12 { 0.0 } else { part });
     ([c, s], [s, -c])
 }

@@ -233,6 +233,7 @@ fn sweep(scene: &Scene, rows: &[Row], (inverse, v): (&[f64], &mut [f64])) -> Vec
                 p[1] = rubbed;
             }
         }
+        // the sweeps over the contacts end where impulses move by rounding
         if change < 1e-13 {
             break;
         }

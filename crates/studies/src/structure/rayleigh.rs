@@ -98,6 +98,7 @@ mod tests {
         for power in 0..=31 {
             let sum: f64 = x.iter().zip(&w).map(|(x, w)| w * x.powi(power)).sum();
             let exact = if power % 2 == 0 { 2.0 / f64::from(power + 1) } else { 0.0 };
+            // sums of a dozen weights
             assert!((sum - exact).abs() < 1e-14, "{power}: {sum}");
         }
     }

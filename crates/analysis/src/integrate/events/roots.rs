@@ -196,6 +196,15 @@ fn signs(row: &[f64], sizes: &[f64]) -> (usize, f64, f64) {
 mod tests {
     use super::*;
 
+    /// Roots in [0, 1]: units of the last place.
+    const ROUNDING: f64 = 1e-15;
+    /// The same beside two more roots, whose factors add their rounding.
+    const STEEP: f64 = 1e-14;
+    /// Behind a touch: the slope at the root is a tenth.
+    const CLOSE: f64 = 1e-13;
+    /// A root of thirty on an interval of a hundred: rounding of coefficients of thousands over the slope.
+    const FLAT: f64 = 1e-12;
+
     /// Coefficients of prod (tau - root).
     fn with_roots(roots: &[f64]) -> Vec<f64> {
         let mut c = vec![1.0];
@@ -225,13 +234,13 @@ mod tests {
         c[0] -= 0.2_f64.cos();
         let mut finder = RootFinder::default();
         let t = finder.first_crossing(&c, 0.3, 1.0).unwrap();
-        assert!((t - 0.2).abs() < 1e-15 && finder.count <= 13, "{t} {}", finder.count);
+        assert!((t - 0.2).abs() < ROUNDING && finder.count <= 13, "{t} {}", finder.count);
     }
 
     #[test]
     fn first_of_several_roots_is_found() {
         let t = first(&[0.7, 0.2, 0.9, 0.4, 1.5], 1.0).unwrap();
-        assert!((t - 0.2).abs() < 1e-15);
+        assert!((t - 0.2).abs() < ROUNDING);
     }
 
     #[test]
@@ -239,7 +248,7 @@ mod tests {
         for gap in [1e-3, 1e-5, 1e-6] {
             let t = first(&[0.4, 0.4 + gap, 3.0, -2.0], 1.0).unwrap();
             // a root of a pair with gap d moves by rounding / d
-            assert!((t - 0.4).abs() < 1e-15 / gap, "{gap}: {t}");
+            assert!((t - 0.4).abs() < ROUNDING / gap, "{gap}: {t}");
         }
     }
 
@@ -248,14 +257,14 @@ mod tests {
         assert_eq!(first(&[0.5, 0.5], 1.0), None);
         assert_eq!(first(&[0.3, 0.3, 2.0], 1.0), None);
         let after = first(&[0.5, 0.5, 0.8], 1.0).unwrap();
-        assert!((after - 0.8).abs() < 1e-13);
+        assert!((after - 0.8).abs() < CLOSE);
     }
 
     #[test]
     fn root_at_a_dyadic_point_is_found() {
         for r in [0.5, 0.25, 0.75, 0.125] {
-            assert!((first(&[r, 2.0], 1.0).unwrap() - r).abs() < 1e-15);
-            assert!((first(&[r, 2.0 * r, 0.99], 1.0).unwrap() - r).abs() < 1e-14);
+            assert!((first(&[r, 2.0], 1.0).unwrap() - r).abs() < ROUNDING);
+            assert!((first(&[r, 2.0 * r, 0.99], 1.0).unwrap() - r).abs() < STEEP);
         }
     }
 
@@ -275,7 +284,8 @@ mod tests {
 
     #[test]
     fn root_just_after_the_start_and_long_steps() {
+        // the root relative to itself: the last places of 1e-13
         assert!((first(&[1e-13, 5.0], 1.0).unwrap() - 1e-13).abs() < 1e-27);
-        assert!((first(&[30.0, 70.0], 100.0).unwrap() - 30.0).abs() < 1e-12);
+        assert!((first(&[30.0, 70.0], 100.0).unwrap() - 30.0).abs() < FLAT);
     }
 }

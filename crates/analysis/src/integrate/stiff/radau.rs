@@ -202,14 +202,21 @@ mod tests {
     use super::*;
     use algebra::complex;
 
+    /// Units of the last place.
+    const ROUNDING: f64 = 1e-15;
+    /// A quotient of polynomials that is 1 at the limit of stability: rounding of its parts.
+    const CONDITION: f64 = 1e-12;
+    /// Powers from Legendre’s polynomials, whose coefficients grow: relative to 2^k of the k-th.
+    const DERIVATIVE: f64 = 1e-10;
+
     /// Radau IIA of order 5: c = (4 ∓ √6)/10, 1; the last row of A is (16 ∓ √6)/36, 1/9.
     #[test]
     fn three_stages_are_those_of_the_literature() {
         let t = Tableau::new(3).unwrap();
         let root = 6.0_f64.sqrt();
-        assert!((t.nodes[0] - (4.0 - root) / 10.0).abs() < 1e-15 && (t.nodes[1] - (4.0 + root) / 10.0).abs() < 1e-15);
+        assert!((t.nodes[0] - (4.0 - root) / 10.0).abs() < ROUNDING && (t.nodes[1] - (4.0 + root) / 10.0).abs() < ROUNDING);
         let last = [(16.0 - root) / 36.0, (16.0 + root) / 36.0, 1.0 / 9.0];
-        assert!(t.a[6..].iter().zip(last).all(|(a, w)| (a - w).abs() < 1e-15));
+        assert!(t.a[6..].iter().zip(last).all(|(a, w)| (a - w).abs() < ROUNDING));
         // 1/mu is the real root of the denominator of the Padé approximant (2, 3): 3.6378342527444957
         assert!((1.0 / t.eigen[0].value.re - 3.637_834_252_744_496).abs() < 1e-13);
     }
@@ -223,7 +230,7 @@ mod tests {
                 let highest = if i + 1 == s { 2 * s - 1 } else { s };
                 for k in 1..=highest {
                     let sum: f64 = (0..s).map(|j| t.a[i * s + j] * t.nodes[j].powi(k as i32 - 1)).sum();
-                    assert!((sum - t.nodes[i].powi(k as i32) / k as f64).abs() < 4e-15, "{s} {i} {k}");
+                    assert!((sum - t.nodes[i].powi(k as i32) / k as f64).abs() < 4.0 * ROUNDING, "{s} {i} {k}");
                 }
             }
         }
@@ -247,9 +254,10 @@ mod tests {
                 let size = 2.0_f64.powi(k);
                 for angle in 0..=8 {
                     let direction = complex::exp(complex::imaginary(std::f64::consts::FRAC_PI_2 * (1.0 + f64::from(angle) / 8.0)));
-                    assert!(complex::abs(stability(&t, direction.scale(size))) <= 1.0 + 1e-12, "{s} stages, {size} {angle}");
+                    assert!(complex::abs(stability(&t, direction.scale(size))) <= 1.0 + CONDITION, "{s} stages, {size} {angle}");
                 }
             }
+            // |R| falls like the inverse of its argument: some thousands over 1e9
             assert!(complex::abs(stability(&t, Complex::from(-1e9))) < 1e-6, "{s}");
         }
     }
@@ -293,6 +301,6 @@ mod tests {
         t.to_legendre(f(0.0), t.nodes.iter().map(|c| f(*c)), &mut l);
         t.to_powers(&l, 0.5, &mut p);
         let want = [2.0, -2.0, 0.0, 0.0, 48.0, 0.0, 0.0, -64.0];
-        assert!(p.iter().zip(want).enumerate().all(|(k, (p, w))| (p - w).abs() < 1e-10 * 2.0_f64.powi(k as i32)), "{p:?}");
+        assert!(p.iter().zip(want).enumerate().all(|(k, (p, w))| (p - w).abs() < DERIVATIVE * 2.0_f64.powi(k as i32)), "{p:?}");
     }
 }

@@ -179,6 +179,13 @@ impl Load {
 mod tests {
     use super::*;
 
+    /// Units of the last place.
+    const ROUNDING: f64 = 1e-15;
+    /// Products of loads: sums of a dozen terms.
+    const PRODUCT: f64 = 1e-13;
+    /// The same shifted in time: powers of the shift with their binomials.
+    const NEAR: f64 = 1e-12;
+
     #[test]
     fn products_and_shifts_keep_the_function() {
         let mut f = Load::sine(3.0, 0.4).times(&Load::cosine(2.0, -1.0));
@@ -186,8 +193,8 @@ mod tests {
         f.add(&Load::growth(-0.5, 0.1).times(&Load::sine(1.5, 0.0)), -1.0);
         let value = |t: f64| (3.0 * t + 0.4).sin() * (2.0 * t - 1.0).cos() + 2.0 * t * t - (0.1 - 0.5 * t).exp() * (1.5 * t).sin();
         for t in [0.0, 0.3, 1.7, 4.0] {
-            assert!((f.at(t) - value(t)).abs() < 1e-13);
-            assert!((f.from(1.3).at(t - 1.3) - value(t)).abs() < 1e-12);
+            assert!((f.at(t) - value(t)).abs() < PRODUCT);
+            assert!((f.from(1.3).at(t - 1.3) - value(t)).abs() < NEAR);
         }
     }
 
@@ -196,7 +203,7 @@ mod tests {
         let (s, c) = (Load::sine(7.0, 0.3), Load::cosine(7.0, 0.3));
         let mut one = s.times(&s);
         one.add(&c.times(&c), 1.0);
-        assert!((one.as_constant().unwrap() - 1.0).abs() < 1e-15);
+        assert!((one.as_constant().unwrap() - 1.0).abs() < ROUNDING);
     }
 
     #[test]
@@ -204,6 +211,7 @@ mod tests {
         let f = Load::time().times(&Load::sine(2.0, 0.5));
         let (g, d) = (f.integral(), 1e-5);
         for t in [0.2, 1.0, 3.0] {
+            // central differences: the square of the step, and rounding over it
             assert!(((g.at(t + d) - g.at(t - d)) / (2.0 * d) - f.at(t)).abs() < 1e-9);
         }
     }

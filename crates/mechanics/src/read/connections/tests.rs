@@ -144,6 +144,7 @@ fn a_line_load_has_the_resultant_and_moment_of_its_trapezoid() {
         x * (2.0 - 8.0 * s) - y * (1.0 + 3.0 * s)
     };
     let exact = 5.0 * (cross(0.0) + 4.0 * cross(0.5) + cross(1.0)) / 6.0;
+    // sums of resultants with terms of some tens
     assert!((moment - exact).abs() < 1e-12, "{moment} {exact}");
 }
 
