@@ -17,7 +17,7 @@
 
 use crate::linear::{Matrices, largest};
 use crate::studies::impedance::{Amplitudes, SINGULAR, balanced, cleared};
-use crate::studies::modes::Complex;
+use crate::studies::shapes::Complex;
 use algebra::elementary;
 use algebra::qr::Qr;
 use algebra::refined::{Factors, products};

@@ -10,7 +10,7 @@
 
 use crate::linear::Matrices;
 use crate::studies::free_motion;
-use crate::studies::modes::Complex;
+use crate::studies::shapes::Complex;
 use algebra::elementary;
 use algebra::lu::Lu;
 use algebra::qr::Qr;

@@ -19,6 +19,7 @@ mod polish;
 pub mod pushed;
 pub mod response;
 pub mod rolling;
+pub mod shapes;
 pub mod simulate;
 pub mod statics;
 pub mod structure_modes;

@@ -8,7 +8,7 @@
 //! Eigenvalues err by the rounding of the largest one: beside a damper of 1e15 N s/m nothing is left of a slow root. The first dλ says how much was wrong.
 //! *Source*: G. H. Golub, C. F. Van Loan, Matrix Computations, 7.6.1; F. Tisseur, K. Meerbergen, SIAM Review 43 (2001).
 
-use super::modes::Complex;
+use super::shapes::Complex;
 use crate::linear::Matrices;
 use algebra::double::Double;
 use algebra::elementary;

@@ -20,7 +20,7 @@ use crate::dataset::Audit;
 use crate::fault::small::refused;
 use crate::linear::{Matrices, largest, parts};
 use crate::studies::impedance::{Amplitudes, SINGULAR};
-use crate::studies::modes::{Complex, Damping, Kind, Mode, Modes, Normalisation, check_mass, normalise, pairs, remarks};
+use crate::studies::shapes::{Complex, Damping, Kind, Mode, Modes, Normalisation, check_mass, normalise, pairs, remarks};
 use crate::{Fault, Quantity};
 use algebra::lu::Lu;
 use algebra::qr::{DEPENDENT, Qr};

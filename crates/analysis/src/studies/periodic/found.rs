@@ -1,11 +1,12 @@
 //! A turn that closes: its miss, the correction of its start, and what it does to small changes.
 
+use super::faults::{closure, unsettled};
 use super::fundamental::{self, Blur};
 use super::listener::Listener;
+use super::options::Periodic;
 use super::orbit::{Limit, Orbit, Section, follow};
 use super::spectrum::Turn;
 use super::symmetry::{self, Symmetry};
-use super::{Periodic, closure, unsettled};
 use crate::dataset::Audit;
 use crate::integrate::taylor::Options;
 use crate::{Fault, Mode, System};

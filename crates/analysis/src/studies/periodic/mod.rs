@@ -12,111 +12,32 @@
 //! Liouville's formula (`variation.rs`).
 //! *Source*: A. H. Nayfeh, B. Balachandran, Applied Nonlinear Dynamics, 5.2, 7.4.
 
+mod faults;
 mod found;
 mod fundamental;
 mod listener;
 mod newton;
+mod options;
 mod orbit;
 mod rest;
 mod spectrum;
 mod symmetry;
 mod variation;
 
+pub use faults::section_of_forced;
 pub use listener::{Listener, Stage};
+pub use options::{Formula, Multiplier, Periodic, Return};
 
-use algebra::elementary;
+use faults::{interrupted, never_passed, nothing_moves, unsettled};
 use found::Found;
 use fundamental::Blur;
-use orbit::Limit;
-use words::{Message, Text};
+use words::Text;
 
 use super::simulate::{self, Grid};
 use crate::dataset::{Audit, Dataset};
 use crate::integrate::taylor::check_tolerance;
-use crate::marks::pushes::Push;
 use crate::{Fault, System};
-use words::digits::{number, rounded};
-
-/// What brings the motion back.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum Return {
-    /// An angle that turns, otherwise the state that moves most.
-    #[default]
-    Automatic,
-    /// This coordinate, rate or auxiliary state: a whole turn of an angle, or the same value in the same direction.
-    State(String),
-    /// A given period, s.
-    Period(f64),
-}
-
-/// A formula of time and state.
-pub type Formula<'a> = &'a dyn Fn(f64, &[f64]) -> f64;
-
-/// Options of the study.
-pub struct Periodic<'a> {
-    /// What brings the motion back.
-    pub by: Return,
-    /// Formula of (t, state) that passes zero from below where the period is to begin; at the start's own section when absent.
-    pub begin: Option<Formula<'a>>,
-    /// Returns in one period; 1 unless the motion repeats only after several.
-    pub returns: usize,
-    /// Time simulated before the search, s: lets the motion come near its regime.
-    pub settle: f64,
-    /// Longest period searched, s.
-    pub longest: f64,
-    /// Relative tolerance of a step.
-    pub tolerance: f64,
-    /// Times of the result within the period.
-    pub grid: Grid,
-    /// Outputs by name; all when absent.
-    pub outputs: Option<Vec<String>>,
-    /// Forces that must keep their sign, as in a simulation.
-    pub pushes: &'a [Push],
-    /// Told what the search does, and asked whether it is to end.
-    pub listener: Listener<'a>,
-    /// Seed of the audits.
-    pub seed: u64,
-}
-
-impl Default for Periodic<'_> {
-    fn default() -> Self {
-        Periodic {
-            by: Return::Automatic,
-            begin: None,
-            returns: 1,
-            settle: 0.0,
-            longest: 1e4,
-            tolerance: 1e-14,
-            grid: Grid::Auto,
-            outputs: None,
-            pushes: &[],
-            listener: Listener::default(),
-            seed: 1,
-        }
-    }
-}
-
-/// An eigenvalue of the fundamental matrix.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Multiplier {
-    /// Real part.
-    pub re: f64,
-    /// Imaginary part.
-    pub im: f64,
-    /// Whether it belongs to a shift along the motion or another translation, and is 1 for that reason.
-    pub trivial: bool,
-    /// By how much it may be wrong.
-    pub error: f64,
-    /// ln of the magnitude, where only Liouville's formula knows it: the numbers themselves are then 0.
-    pub log_abs: Option<f64>,
-}
-
-impl Multiplier {
-    /// Magnitude.
-    pub fn abs(&self) -> f64 {
-        self.log_abs.map_or(elementary::hypot(self.re, self.im), elementary::exp)
-    }
-}
+use words::digits::rounded;
 
 /// A periodic regime.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -334,175 +255,4 @@ fn own_period(given: f64, period: f64) -> Text {
         format!("time does not occur in the equations: the period is the motion's own, {} s, and the given {} s was not used", p.en, g.en),
         format!("время в уравнения не входит: период {} с — собственный период движения, заданные {} с не использованы", p.ru, g.ru),
     )
-}
-
-/// Checks of a regime.
-fn closure(value: f64) -> Audit {
-    let name = Text::new(
-        "the motion comes back to its start: largest relative difference",
-        "движение возвращается в начало: наибольшее относительное расхождение",
-    );
-    Audit::at_most("closure", name, value, 1e-10)
-}
-
-impl<'a> Periodic<'a> {
-    fn limit(&self) -> Limit<'a> {
-        Limit { time: self.longest, listener: self.listener }
-    }
-}
-
-fn interrupted(options: &Periodic<'_>) -> bool {
-    options.listener.is_interrupted()
-}
-
-/// The motion does not come back to the section.
-fn no_return(name: &Text, options: &Periodic<'_>) -> Fault {
-    let n = rounded(options.longest);
-    let help = match options.by {
-        Return::Period(_) => Text::new(
-            "time does not occur in the equations, so a period cannot be given: name what returns, for example section = \"x'\", and begin nearer to the regime",
-            "время в уравнения не входит, и период задать нельзя: назовите то, что возвращается, например section = \"x'\", и начните ближе к режиму",
-        ),
-        _ => Text::new(
-            "name what turns or returns (section = \"phi\" or section = \"x'\"), or let the motion settle first (settle = \"20 s\")",
-            "назовите то, что совершает оборот или возвращается (section = \"phi\" или section = \"x'\"), или дайте движению установиться (settle = \"20 s\")",
-        ),
-    };
-    Fault::new(Message {
-        code: "S041",
-        what: Text::new(
-            format!("{} does not come back within {} s", name.en, n.en),
-            format!("{} не возвращается в течение {} с", name.ru, n.ru),
-        ),
-        why: Text::new(
-            "the machine comes to rest, runs away, or needs another section",
-            "машина останавливается, уходит неограниченно далеко или нужно другое сечение",
-        ),
-        help,
-    })
-}
-
-/// Newton's method and the iteration of turns came to no end.
-fn unsettled(residual: f64, turns: usize) -> Fault {
-    let n = rounded(residual);
-    Fault::new(Message {
-        code: "S042",
-        what: Text::new(
-            format!("no periodic regime was found in {turns} turns; the motion still misses its start by {} of its range", n.en),
-            format!("за {turns} оборотов периодический режим не найден; движение не возвращается в начало на {} своего размаха", n.ru),
-        ),
-        why: Text::new(
-            "the start is far from a regime, the motion is not periodic (beats, chaos), or it repeats only after several returns",
-            "начало далеко от режима, движение не периодическое (биения, хаос) или повторяется только через несколько возвращений",
-        ),
-        help: Text::new(
-            "begin nearer to the regime (settle = \"20 s\"), name another section, or give a period that holds all returns",
-            "начните ближе к режиму (settle = \"20 s\"), выберите другое сечение или задайте период, охватывающий все возвращения",
-        ),
-    })
-}
-
-/// Time occurs in the equations, so the period is that of the forcing.
-fn driven(given: Option<f64>) -> Fault {
-    let what = match given {
-        None => Text::new("time occurs in the equations, and no period is given", "время входит в уравнения явно, а период не задан"),
-        Some(period) => {
-            let n = number(period);
-            Text::new(format!("{} s is not a period of the forces", n.en), format!("{} с – не период вынуждающих сил", n.ru))
-        }
-    };
-    Fault::new(Message {
-        code: "S043",
-        what,
-        why: Text::new(
-            "a forced motion can repeat only after whole periods of its forcing",
-            "вынужденное движение может повторяться только через целое число периодов возмущения",
-        ),
-        help: Text::new(
-            "give the period of the forcing, for example period = \"2*pi/p\"",
-            "задайте период возмущения, например period = \"2*pi/p\"",
-        ),
-    })
-}
-
-/// The formula that begins a period has no zero on the regime.
-fn never_passed() -> Fault {
-    Fault::new(Message {
-        code: "S044",
-        what: Text::new(
-            "the periodic motion never passes the section from below",
-            "периодическое движение ни разу не проходит сечение снизу вверх",
-        ),
-        why: Text::new("the formula of the section keeps its sign over the whole period", "формула сечения сохраняет знак на всём периоде"),
-        help: Text::new(
-            "choose a section that the motion crosses, for example a rate: section = \"x'\"",
-            "выберите сечение, которое движение пересекает, например скорость: section = \"x'\"",
-        ),
-    })
-}
-
-/// A machine without states.
-fn nothing_moves() -> Fault {
-    Fault::new(Message {
-        code: "S056",
-        what: Text::new("nothing can move, so nothing can repeat", "двигаться нечему, и повторяться нечему"),
-        why: Text::new("the model has no coordinates", "в модели нет координат"),
-        help: Text::new(
-            "ask for statics or modes of a structure; a machine needs [coordinates]",
-            "для конструкции запросите statics или modes; машине нужны [coordinates]",
-        ),
-    })
-}
-
-/// The rates have no derivative by the state.
-fn no_derivative(t: f64) -> Fault {
-    let n = rounded(t);
-    Fault::new(Message {
-        code: "S054",
-        what: Text::new(
-            format!("at t = {} s the equations have no derivative by the state", n.en),
-            format!("при t = {} с уравнения не имеют производной по состоянию", n.ru),
-        ),
-        why: Text::new(
-            "a root, a fractional power or a similar formula is at its zero there",
-            "корень, дробная степень или подобная формула обращается там в нуль",
-        ),
-        help: Text::new(
-            "replace the formula near its zero by a smooth one; the period and the start hold without it",
-            "замените формулу вблизи нуля гладкой; период и начало верны и без этого",
-        ),
-    })
-}
-
-/// The variational equations cannot be followed.
-fn too_quick(t: f64) -> Fault {
-    let n = rounded(t);
-    Fault::new(Message {
-        code: "S055",
-        what: Text::new(
-            format!("the variations cannot be followed beyond t = {} s", n.en),
-            format!("решения в вариациях не удаётся продолжить дальше t = {} с", n.ru),
-        ),
-        why: Text::new(
-            "a disturbance moves too quickly beside the regime, or the equations are singular there",
-            "возмущение изменяется слишком быстро по сравнению с режимом, или уравнения там вырождены",
-        ),
-        help: Text::new(
-            "replace what is all but rigid by a connection; the period and the start hold without it",
-            "замените почти жёсткое звено связью; период и начало верны и без этого",
-        ),
-    })
-}
-
-/// A forced motion begins where its forces begin.
-pub fn section_of_forced() -> Fault {
-    Fault::new(Message {
-        code: "S057",
-        what: Text::new("a forced motion cannot begin at a section", "вынужденное движение не может начинаться с сечения"),
-        why: Text::new(
-            "time occurs in the equations: the period begins at t = 0, where the state is what the forces make it",
-            "время входит в уравнения: период начинается при t = 0, где состояние определяют силы",
-        ),
-        help: Text::new("keep `period` and drop `section`", "оставьте `period` и уберите `section`"),
-    })
 }

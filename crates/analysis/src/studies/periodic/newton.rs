@@ -1,12 +1,13 @@
 //! The search: a trial run that shows scales, translations and the section; then turns, corrected by Newton's method.
 
+use super::faults::{driven, interrupted, no_return, unsettled};
 use super::found::{Found, Stride, tangent};
 use super::fundamental;
 use super::listener::Stage;
+use super::options::{Periodic, Return};
 use super::orbit::{Orbit, Section, follow};
 use super::rest::{self, Left};
 use super::symmetry::{self, Reach, Symmetry};
-use super::{Periodic, Return, driven, interrupted, no_return, unsettled};
 use crate::integrate::taylor::{Flow, Options};
 use crate::{Fault, System};
 use std::f64::consts::TAU;

@@ -12,7 +12,7 @@
 //! disturbing B by what it may err: its rounding, what the steps have left in it, and what is missing in Φ f = f, Φ being that of a motion which
 //! is itself known to some digits only.
 
-use super::Multiplier;
+use super::options::Multiplier;
 use crate::Fault;
 use algebra::complex::{self, Complex};
 use algebra::eigen::general;

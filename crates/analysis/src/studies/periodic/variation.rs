@@ -181,7 +181,7 @@ impl<S: System + ?Sized> Along<'_, '_, S> {
         let (n, scales) = (self.n, self.stretch.scales);
         let entry = |k: usize| self.rows[(k / n) * (n + 1) + k % n] * scales[k % n] / scales[k / n];
         let out: Vec<f64> = (0..n * n).map(entry).collect();
-        if out.iter().all(|v| v.is_finite()) { Ok(out) } else { Err(super::no_derivative(t.high)) }
+        if out.iter().all(|v| v.is_finite()) { Ok(out) } else { Err(super::faults::no_derivative(t.high)) }
     }
 
     /// One step of Radau's method; none when its system is singular.
@@ -327,7 +327,7 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
             return Ok(out);
         }
         if stretch.listener.is_interrupted() {
-            return Err(super::unsettled(1.0, 0));
+            return Err(super::faults::unsettled(1.0, 0));
         }
         stretch.listener.tell(Stage::Varying(t.high / stretch.period));
         h = h.min(left).min(stretch.seen_from(t));
@@ -358,7 +358,7 @@ pub(super) fn vary<S: System + ?Sized>(system: &mut S, stretch: &Stretch<'_>, ch
         // rounding of A costs the same over a time, however many steps it has
         h *= if off > TOLERANCE { LONGER } else { factor.clamp(0.9, 3.0) };
     }
-    Err(super::too_quick(t.high))
+    Err(super::faults::too_quick(t.high))
 }
 
 /// Scales in which the rates of each state depend on the others about as the others' depend on it: rows and columns of |A|, its largest entries along
