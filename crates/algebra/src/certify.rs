@@ -220,6 +220,7 @@ mod tests {
         let mut modes = eigen::symmetric(4, &k, &m).unwrap();
         let pencil = [&k, &m].map(|a| Sparse::from_dense(4, a).unwrap());
         modes.values[..3].fill(0.0);
+        // residuals of a few rows relative to their terms: rounding
         assert!(certify(&pencil[0], &pencil[1], &modes, 4).unwrap().worst() < 1e-13);
         modes.values[1] = 4e-3;
         assert!(certify(&pencil[0], &pencil[1], &modes, 4).unwrap().worst() > RESIDUAL);

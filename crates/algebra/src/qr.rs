@@ -286,6 +286,7 @@ mod tests {
         assert_eq!(Qr::new(&[0.0, 0.0, 0.3], 3, 1).shortest(&[1e-3])[..2], [0.0, 0.0]);
         let both = Qr::new(&[0.7, 0.0, 0.3, 0.0, 0.0, 0.9, 0.0, 0.1], 4, 2).shortest(&[0.0, 1e-3]);
         assert_eq!(both[..2], [0.0, 0.0]);
+        // units of the last place of 1e-3
         assert!((0.9 * both[2] + 0.1 * both[3] - 1e-3).abs() < 1e-18);
     }
 
