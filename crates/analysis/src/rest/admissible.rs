@@ -19,6 +19,8 @@ const SLACK: f64 = 1e-9;
 const ACTIVE: f64 = 4.0;
 /// Frictions whose normal force may have either sign; beyond, all are taken as they are in λ0.
 const SIGNS: usize = 6;
+/// Share of the largest entry of a reaction below which another is rounding: levers are metres and not 1e-15 of them.
+const LEVER: f64 = 1e-15;
 /// Share of a direction that counts as none.
 const NOTHING: f64 = 1e-9;
 
@@ -63,6 +65,10 @@ impl Hold {
     /// Solves A λ = b (row-major, `rows` x `columns`); rows are compared after scaling to entries of the order 1.
     pub fn new(matrix: &[f64], right: &[f64], columns: usize) -> Hold {
         let rows = right.len();
+        // the sine of an angle of 1e-54 is no lever: a row of nothing else would be scaled up to an equation
+        let widest: Vec<f64> = (0..columns).map(|k| (0..rows).fold(0.0_f64, |m, i| m.max(matrix[i * columns + k].abs()))).collect();
+        let settled = |p: usize| if matrix[p].abs() <= LEVER * widest[p % columns.max(1)] { 0.0 } else { matrix[p] };
+        let matrix: Vec<f64> = (0..rows * columns).map(settled).collect();
         let size = |i: usize| matrix[i * columns..(i + 1) * columns].iter().fold(0.0_f64, |m, a| m.max(a.abs()));
         let scale: Vec<f64> = (0..rows).map(|i| if size(i) > 0.0 { size(i) } else { 1.0 }).collect();
         let a: Vec<f64> = (0..rows * columns).map(|p| matrix[p] / scale[p / columns.max(1)]).collect();

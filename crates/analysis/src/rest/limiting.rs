@@ -14,7 +14,7 @@ use symbolic::connections::Law;
 use super::admissible::Holds;
 use super::newton::{self, worst};
 use super::system::{Parts, RestSystem, Row, Rows};
-use super::unknowns::{Impending, Limited, limit_rows};
+use super::unknowns::{Impending, Limited, limit_rows, signs};
 use super::{closed_contacts, faults, hold};
 use crate::Fault;
 use crate::studies::equilibrium::Range;
@@ -41,12 +41,14 @@ pub fn limiting(
     for k in 0..=PARTS {
         let mut q = start[..n].to_vec();
         q[range.coordinate] = range.from + (range.to - range.from) * k as f64 / PARTS as f64;
-        let Ok(Some(place)) = from(equations, parameters, (start, &q), (range.coordinate, impending)) else { continue };
-        let at = place[range.coordinate];
-        let inside = (range.from..=range.to).contains(&at);
-        let close = |a: &Vec<f64>| (0..n).all(|j| (a[j] - place[j]).abs() <= ALIKE * (range.to - range.from).max(1e-3 * place[j].abs()));
-        if inside && !found.iter().any(close) {
-            found.push(place);
+        let places = from(equations, parameters, (start, &q), (range.coordinate, impending)).unwrap_or_default();
+        for place in places {
+            let inside = (range.from..=range.to).contains(&place[range.coordinate]);
+            let close =
+                |a: &Vec<f64>| (0..n).all(|j| (a[j] - place[j]).abs() <= ALIKE * (range.to - range.from).max(1e-3 * place[j].abs()));
+            if inside && !found.iter().any(close) {
+                found.push(place);
+            }
         }
     }
     found.sort_by(|a, b| a[range.coordinate].total_cmp(&b[range.coordinate]));
@@ -58,13 +60,14 @@ pub fn limiting(
     Ok(found)
 }
 
-/// The place that Newton's method finds from here; none when it finds none that holds.
+/// The places that Newton's method finds from here and that hold, one for each set of signs of the normal forces at most. The sign is that of the place
+/// found, not of the guess; beyond [`SIGNS`] frictions it is that on the way.
 fn from(
     equations: &Equations,
     parameters: &[f64],
     (start, q): (&[f64], &[f64]),
     (over, impending): (usize, &[Impending]),
-) -> Result<Option<Vec<f64>>, Fault> {
+) -> Result<Vec<Vec<f64>>, Fault> {
     // what presses a friction at its limit is closed there, wherever the search begins
     let pressing = impending.iter().flat_map(|(r, _)| pressed_by(equations, *r));
     let closed: Vec<usize> = closed_contacts(equations, q, parameters)?.into_iter().chain(pressing).collect();
@@ -74,23 +77,36 @@ fn from(
     let limits = limit_rows(&system, impending);
     let rows = system.at(&z)?;
     let kept = kept(equations, &equations_of(&rows, &z, &limits), over);
-    let choose = |rows: &Rows, z: &[f64]| {
-        let mut all = equations_of(rows, z, &limits);
-        all.extend(kept.iter().map(|j| Row {
-            value: z[*j] - start[*j],
-            slopes: (0..z.len()).map(|i| if i == *j { 1.0 } else { 0.0 }).collect(),
-            is_force: false,
-        }));
-        all
-    };
     let free: Vec<usize> = (0..system.width()).collect();
-    newton::solve(&mut system, &mut z, &free, &choose)?;
-    let all = system.at(&z)?;
-    if worst(&choose(&all, &z), &z, system.n) > UNBALANCED {
-        return Ok(None);
+    let sets = match signs(&limits) {
+        sets if sets.is_empty() => vec![limits],
+        sets => sets,
+    };
+    let mut found = Vec::new();
+    for limits in sets {
+        let choose = |rows: &Rows, z: &[f64]| {
+            let mut all = equations_of(rows, z, &limits);
+            all.extend(kept.iter().map(|j| Row {
+                value: z[*j] - start[*j],
+                slopes: (0..z.len()).map(|i| if i == *j { 1.0 } else { 0.0 }).collect(),
+                is_force: false,
+            }));
+            all
+        };
+        let mut z = z.clone();
+        // formulas may end on the way with one set and not with another
+        if newton::solve(&mut system, &mut z, &free, &choose).is_err() {
+            continue;
+        }
+        let Ok(all) = system.at(&z) else { continue };
+        if worst(&choose(&all, &z), &z, system.n) > UNBALANCED || limits.iter().any(|limit| limit.is_turned(&all)) {
+            continue;
+        }
+        if matches!(hold(equations, &system, &all, &z).judge(), Holds::Between(_)) {
+            found.push(z[..system.n].to_vec());
+        }
     }
-    let holds = matches!(hold(equations, &system, &all, &z).judge(), Holds::Between(_));
-    Ok(holds.then(|| z[..system.n].to_vec()))
+    Ok(found)
 }
 
 /// The contacts that press a friction.

@@ -147,7 +147,7 @@ impl Search<'_> {
 }
 
 /// Every set of signs of the normal forces of these frictions, pressed ones first; none where there are too many.
-fn signs(limits: &[Limited]) -> Vec<Vec<Limited>> {
+pub(super) fn signs(limits: &[Limited]) -> Vec<Vec<Limited>> {
     if limits.is_empty() || limits.len() > SIGNS {
         return Vec::new();
     }
@@ -211,7 +211,7 @@ impl Limited {
     }
 
     /// Whether the normal force has the other sign than was taken.
-    fn is_turned(&self, rows: &Rows) -> bool {
+    pub(super) fn is_turned(&self, rows: &Rows) -> bool {
         let size = rows.limits.iter().fold(0.0_f64, |m, (_, normal)| m.max(normal.value.abs()));
         self.sign.is_some_and(|sign| sign * rows.limits[self.friction].1.value < -TURNED * size)
     }
