@@ -315,12 +315,17 @@ pub fn parameters(equations: &Equations, language: Language) -> Option<Table> {
 
 /// What stands behind "where": definitions, and the rates of prescribed turning angles, ψ' = ω. Nothing when the equations are not shown.
 pub fn definitions(equations: &Equations, printer: &Printer) -> Vec<Layout> {
+    named_definitions(equations, printer).into_iter().map(|(_, layout)| layout).collect()
+}
+
+/// The same with the symbols that are defined.
+pub fn named_definitions(equations: &Equations, printer: &Printer) -> Vec<(symbolic::SymbolId, Layout)> {
     let Ok(shown_equations) = &equations.textbook else { return Vec::new() };
     let graph = &equations.graph;
     let sides: Vec<symbolic::Expr> = shown_equations.iter().flat_map(|e| [e.left, e.right]).collect();
     let occurring = graph.symbols_in(&sides);
     let shown = equations.definitions.iter().filter(|d| d.shown);
-    let mut out: Vec<Layout> = shown.map(|d| printer.definition(graph, d.symbol, d.formula)).collect();
+    let mut out: Vec<_> = shown.map(|d| (d.symbol, printer.definition(graph, d.symbol, d.formula))).collect();
     let turning: Vec<_> = equations.auxiliaries.iter().filter(|a| occurring.binary_search(&a.symbol).is_ok()).collect();
     if !turning.is_empty() {
         // the symbol of the rate is made for print only
@@ -328,7 +333,7 @@ pub fn definitions(equations: &Equations, printer: &Printer) -> Vec<Layout> {
         for a in turning {
             let name = graph.symbol_info(a.symbol).name.clone();
             let rate = graph.symbol_id(&name, 1);
-            out.push(printer.definition(&graph, rate, a.rate));
+            out.push((rate, printer.definition(&graph, rate, a.rate)));
         }
     }
     out
@@ -360,7 +365,8 @@ pub fn holding(equations: &Equations, language: Language) -> Vec<Option<String>>
         let Some(reaction) = c.reaction.map(|r| &equations.reactions[r]) else {
             return Some(language.pick("prescribed motion", "заданное движение").to_owned());
         };
-        let name = language.text(&reaction.label);
+        // "rope S1, tension": what holds is the rope
+        let name = language.text(&reaction.label).split(',').next().unwrap_or_default();
         match reaction.law {
             Law::Contact { tie: true, .. } => Some(format!("{name}, {}", language.pick("while it is taut", "пока канат натянут"))),
             Law::Contact { .. } => Some(format!("{name}, {}", language.pick("while it is closed", "пока контакт замкнут"))),

@@ -3,7 +3,7 @@
 use crate::keys::{TableSpec, Type, may};
 
 /// Chapters as `sections` names them, in the order of the calculation.
-pub const PARTS: [&str; 13] = [
+pub const PARTS: [&str; 14] = [
     "statement",
     "sections",
     "kinematics",
@@ -17,14 +17,15 @@ pub const PARTS: [&str; 13] = [
     "conclusions",
     "sources",
     "model",
+    "tables",
 ];
 
 /// `[report]`.
 pub const REPORT: TableSpec = TableSpec {
     name: "report",
     about: (
-        "The written calculation of `strutt report`: with any key of the title page it has one. `sections` chooses chapters: `statement`, `sections`, `kinematics`, `equations`, `free`, `forced`, `motion`, `reactions`, `regime`, `verification`, `conclusions`, `sources`, `model`.",
-        "Записанный расчёт `strutt report`: если задан хотя бы один ключ титульного листа, лист есть. `sections` выбирает главы: `statement` – постановка, `sections` – сечения, `kinematics` – кинематика, `equations` – уравнения, `free` – свободные колебания, `forced` – вынужденные, `motion` – движение, `reactions` – реакции, `regime` – режим, `verification` – проверка, `conclusions` – выводы, `sources` – источники, `model` – текст модели.",
+        "The written calculation of `strutt report`: with any key of the title page it has one. `sections` chooses chapters: `statement`, `sections`, `kinematics`, `equations`, `free`, `forced`, `motion`, `reactions`, `regime`, `verification`, `conclusions`, `sources`, `model`, `tables`.",
+        "Записанный расчёт `strutt report`: если задан хотя бы один ключ титульного листа, лист есть. `sections` выбирает главы: `statement` – постановка, `sections` – сечения, `kinematics` – кинематика, `equations` – уравнения, `free` – свободные колебания, `forced` – вынужденные, `motion` – движение, `reactions` – реакции, `regime` – режим, `verification` – проверка, `conclusions` – выводы, `sources` – источники, `model` – текст модели, `tables` – таблицы.",
     ),
     short: None,
     fields: &[

@@ -7,6 +7,8 @@ use report::table::Column;
 use report::{Cell, Table, Word};
 use words::Language;
 
+/// Share of the largest value of its unit below which a whole column is rounding.
+const ROUNDING: f64 = 1e-14;
 /// Significant digits of numbers in tables.
 pub const DIGITS: usize = 4;
 /// Significant digits where all rows are shown.
@@ -43,7 +45,7 @@ pub fn results(data: &Dataset, language: Language) -> Table {
         let size = [first, e.min, e.max, last].iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
         let held = data.digits.as_ref().and_then(|d| d.columns.iter().find(|h| h.column == i));
         // what is rounding alone is a zero
-        let noise = held.map_or(0.0, |h| h.noise);
+        let noise = held.map_or(0.0, |h| h.noise).max(beside(data, &column.quantity.unit, size));
         let scale = scale(&column.quantity, if size <= noise { 0.0 } else { size });
         let shown = [first, e.min, e.max, last].map(|v| if v.abs() <= noise { 0.0 } else { v / scale.size });
         let mut cells = with_digits(&shown, held.map(|h| h.deviations.map(|d| d / scale.size)), language).into_iter();
@@ -72,6 +74,13 @@ fn ends_of(data: &Dataset, i: usize) -> [f64; 2] {
         Some(o) => [(o.first, listed[0]), (o.last, listed[1])].map(|(v, row)| if v.is_finite() { v } else { row }),
         None => listed,
     }
+}
+
+/// The size of a column that is nothing but rounding beside another of its unit: a millionth of a millionth of it; 0 where it is more.
+fn beside(data: &Dataset, unit: &str, size: f64) -> f64 {
+    let alike = data.extremes.iter().filter(|e| data.columns[e.column].quantity.unit == unit);
+    let largest = alike.fold(0.0_f64, |m, e| m.max(e.min.abs()).max(e.max.abs()));
+    if size <= ROUNDING * largest { size } else { 0.0 }
 }
 
 /// Head of the column of places: "at, s" over time, the driven coordinate otherwise.

@@ -4,9 +4,10 @@ use crate::results::{Results, Show, View};
 use crate::small::modes::{Found, columns};
 use crate::small::response::ResponseFound;
 use analysis::Dataset;
-use report::document::Rich;
+use mechanics::model::FrequencyVariable;
+use report::document::{Formula, Inline, Rich};
 use report::figure::{Axis, Kind, Mark, Pen, Series};
-use report::formula::Printer;
+use report::formula::{Bracket, Layout, Printer, Relation};
 use report::table::Column;
 use report::unit::Scale;
 use report::{Block, Cell, Figure, Table, Word};
@@ -108,11 +109,8 @@ fn modes(f: &Found, data: &Dataset, view: &View) -> Vec<Block> {
     blocks.push(Block::paragraph(legend(&shown, language)));
     if let Some(equation) = &f.equation {
         let of = language.pick("Frequency equation", "Частотное уравнение");
-        let meaning = match &f.variable {
-            Some(_) => String::new(),
-            None => ", z = ω²".to_owned(),
-        };
-        blocks.push(Block::paragraph(format!("{of}: {}{meaning}", polynomial(&equation.text, language))));
+        let words = format!("{of}: {}", polynomial(&equation.text, language));
+        blocks.push(with_meaning(words, f.variable.as_ref(), view));
     }
     if let Some(tracks) = &f.tracks {
         blocks.push(Block::Table(plain_table(&thinned(&tracks.data), language)));
@@ -142,6 +140,22 @@ fn modes(f: &Found, data: &Dataset, view: &View) -> Vec<Block> {
     }
     blocks.extend(crate::results::events::notes(data, language));
     blocks
+}
+
+/// A frequency equation with what its unknown is: z = ω², or the file's multiple of it.
+pub fn with_meaning(words: String, variable: Option<&FrequencyVariable>, view: &View) -> Block {
+    let Some(variable) = variable else { return Block::paragraph(format!("{words}, z = ω²")) };
+    let printer = Printer::of(view.equations, view.language);
+    let factor = printer.layout(&view.equations.graph, variable.factor);
+    let square =
+        Layout::Power(Box::new(Layout::Symbol(printer.named("ω"))), Box::new(Layout::Number { mantissa: "2".into(), exponent: None }));
+    let right = Layout::Product(vec![
+        if matches!(factor, Layout::Sum(_)) { Layout::Fence(Bracket::Round, Box::new(factor)) } else { factor },
+        square,
+    ]);
+    let left = Layout::Symbol(printer.named(&variable.name));
+    let formula = Formula::inline(Layout::Related(Box::new(left), Relation::Equal, Box::new(right)));
+    Block::Paragraph(Rich(vec![Inline::Words(format!("{words}, ")), Inline::Formula(formula)]))
 }
 
 /// What the symbols of the table of modes mean.

@@ -25,6 +25,8 @@ pub struct Found {
     pub equation: Option<String>,
     /// The user's variable in it.
     pub variable: Option<String>,
+    /// The same with its factor.
+    pub meaning: Option<model::FrequencyVariable>,
     /// Rods as one degree of freedom, by assumed shapes.
     pub rayleigh: Vec<Reduction>,
     /// The same frame at other levels of simplification.
@@ -70,7 +72,7 @@ pub fn find(model: &Model, structure: &Structure, study: &Study) -> Result<Found
     let rayleigh = super::rayleigh::all(model, structure);
     let shown = result.modes.len().min(3);
     let levels = if structure.options.compare { super::compare::levels(model, structure, shown) } else { Vec::new() };
-    Ok(Found { bound, result, equation, variable, rayleigh, levels })
+    Ok(Found { bound, result, equation, meaning: study.variable.clone(), variable, rayleigh, levels })
 }
 
 /// The study's own fields of JSON.

@@ -34,8 +34,8 @@ pub fn modes(found: &ModesFound, view: &View) -> Vec<Block> {
     blocks.push(Block::paragraph(crate::small::show::legend(&r.dataset.columns, language)));
     if let Some(equation) = &found.equation {
         let of = language.pick("Frequency equation", "Частотное уравнение");
-        let meaning = if found.variable.is_none() { ", z = ω²" } else { "" };
-        blocks.push(Block::paragraph(format!("{of}: {}{meaning}", crate::small::show::polynomial(equation, language))));
+        let words = format!("{of}: {}", crate::small::show::polynomial(equation, language));
+        blocks.push(crate::small::show::with_meaning(words, found.meaning.as_ref(), view));
     }
     blocks.extend(reductions(found, language));
     blocks.extend(levels(found, language));

@@ -4,6 +4,7 @@ use super::Work;
 use super::facts::Moves;
 use super::kinematics::definitions;
 use super::pen::{Pen, inline, words};
+use super::quantity::fitted;
 use super::statement::capital;
 use super::wording::Word;
 use mechanics::model::{Depth, Frame, Inertia};
@@ -77,7 +78,7 @@ fn kinetic(work: &Work, pen: &mut Pen) {
             Some(frame) => pen.tell(theorem(work, frame)),
             None => pen.say(work.language.pick("The kinetic energy of the system is", "Кинетическая энергия системы")),
         }
-        pen.numbered(work.printer.block(work.step_formula(formula)));
+        pen.numbered(fitted(&work.printer, work.step_formula(formula)));
     }
     if massless && !step.formulas.is_empty() {
         pen.say(
@@ -143,7 +144,7 @@ fn energy(work: &Work, part: Part, pen: &mut Pen) {
         ),
     });
     for formula in step.formulas.iter().filter(|f| step.formulas.len() == 1 || !work.equations.graph.is_zero(f.right)) {
-        pen.numbered(work.printer.block(work.step_formula(formula)));
+        pen.numbered(fitted(&work.printer, work.step_formula(formula)));
     }
 }
 
@@ -183,7 +184,7 @@ fn forces(work: &Work, pen: &mut Pen) {
     }
     pen.say(work.language.pick("Hence", "Отсюда"));
     for formula in &step.formulas {
-        pen.numbered(work.printer.block(work.printer.step(&graph, formula)));
+        pen.numbered(fitted(&work.printer, work.printer.step(&graph, formula)));
     }
 }
 
@@ -223,7 +224,7 @@ fn derivatives(work: &Work, step: &Step, pen: &mut Pen) {
     let graph = &work.equations.graph;
     let (zero, other): (Vec<_>, Vec<_>) = step.formulas.iter().partition(|f| graph.is_zero(f.right));
     for formula in other {
-        pen.formula(work.printer.block(work.printer.step(graph, formula)));
+        pen.formula(fitted(&work.printer, work.printer.step(graph, formula)));
     }
     if zero.is_empty() {
         return;

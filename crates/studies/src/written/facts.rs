@@ -251,7 +251,9 @@ impl Work<'_> {
     pub(super) fn elements(&self) -> Option<Table> {
         let heads = [Word::Element, Word::Law].map(|w| Column::new(self.language.word(w)));
         let mut table = Table::new(heads.into());
-        for (_, element) in self.model.acting() {
+        // the energy of a frame is no element of the file
+        let framed = self.model.structure.is_some();
+        for (_, element) in self.model.acting().into_iter().filter(|(_, e)| !(framed && e.table == "potentials" && e.span.is_empty())) {
             let kind = mechanics::elements::TABLE.iter().find(|row| row.keys.name == element.table);
             let kind = kind.map_or("", |row| self.language.pick(row.listed.0, row.listed.1));
             let name = format!("{} ({kind})", element.name);

@@ -4,6 +4,7 @@ use super::Work;
 use super::pen::{Pen, inline, words};
 use super::statement::capital;
 use super::wording::Word;
+use mechanics::model::Class;
 use report::document::Rich;
 use report::formula::Layout;
 use report::table::Column;
@@ -68,7 +69,12 @@ fn freedoms(work: &Work, pen: &mut Pen) {
         )));
     }
     pen.tell(pieces);
-    pen.table(coordinates(work), capital(pen.word(Word::Coordinates)));
+    let caption = if work.model.frames.iter().any(|f| f.is_body) {
+        pen.word(Word::Coordinates)
+    } else {
+        work.language.pick("coordinates", "координаты")
+    };
+    pen.table(coordinates(work), capital(caption));
 }
 
 fn coordinates(work: &Work) -> Table {
@@ -112,8 +118,11 @@ fn conditions(work: &Work, pen: &mut Pen) {
 
 /// "where" with the formulas of named quantities.
 pub(super) fn definitions(work: &Work, pen: &mut Pen) {
-    let definitions: Vec<Layout> = crate::document::definitions(work.equations, &work.printer);
-    if definitions.is_empty() {
+    let constant = |s| work.model.parameters.iter().any(|p| p.symbol == s && p.class == Class::Constant);
+    let named = crate::document::named_definitions(work.equations, &work.printer);
+    // constants stand among the data
+    let definitions: Vec<Layout> = named.into_iter().filter(|(s, _)| !constant(*s)).map(|(_, layout)| layout).collect();
+    if definitions.is_empty() || std::mem::replace(&mut pen.defined, true) {
         return;
     }
     pen.say(pen.word(Word::Where));

@@ -67,6 +67,7 @@ const CHAPTERS: &[Chapter] = &[
     Chapter { name: "conclusions", title: Word::Conclusions, count: Count::None, make: conclusions::write },
     Chapter { name: "sources", title: Word::Sources, count: Count::None, make: appendix::sources },
     Chapter { name: "model", title: Word::ModelText, count: Count::Letter, make: appendix::model },
+    Chapter { name: "tables", title: Word::Tables, count: Count::Letter, make: appendix::tables },
 ];
 
 /// The chapter in which a study is told; no study is left out.

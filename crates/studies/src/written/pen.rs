@@ -4,9 +4,14 @@ use super::wording::Word;
 use super::{Chapter, Count};
 use report::document::{Formula, Inline, Rich};
 use report::formula::Layout;
-use report::{Block, Table};
+use report::table::Column;
+use report::{Block, Cell, Table};
 use words::Language;
 
+/// Columns beyond which a table of few rows is turned.
+const WIDEST: usize = 10;
+/// Rows of such a table.
+const FEW: usize = 5;
 /// Letters of appendices.
 const LETTERS: [(&str, &str); 4] = [("A", "А"), ("B", "Б"), ("C", "В"), ("D", "Г")];
 
@@ -22,6 +27,8 @@ pub(super) struct Pen {
     figures: usize,
     tables: usize,
     equations: usize,
+    /// Whether the formulas of named quantities were written.
+    pub defined: bool,
 }
 
 impl Pen {
@@ -36,6 +43,7 @@ impl Pen {
             figures: 0,
             tables: 0,
             equations: 0,
+            defined: false,
         }
     }
 
@@ -113,6 +121,9 @@ impl Pen {
     /// A table behind the sentence that mentions it.
     pub fn table(&mut self, table: Table, caption: impl Into<String>) {
         let caption = caption.into();
+        if table.columns.len() > WIDEST && table.rows.len() <= FEW {
+            return self.table(turned(&table, self.language), caption);
+        }
         self.tables += 1;
         let (number, below) = (self.tables, lowered(&caption));
         self.say(match self.language {
@@ -162,6 +173,23 @@ impl Pen {
         });
         self.blocks.extend(run);
     }
+}
+
+/// A wide table of few rows with a row for every column: quantity, unit, what the first column says of each row.
+fn turned(table: &Table, language: Language) -> Table {
+    let head = |row: &Vec<Cell>| match row.first() {
+        Some(Cell::Rich(rich)) => rich.clone(),
+        Some(Cell::Number(number)) => Rich::from(number.clone()),
+        _ => Rich::default(),
+    };
+    let mut columns = vec![Column::new(language.word(Word::Quantity)), Column::new(language.word(report::Word::Unit))];
+    columns.extend(table.rows.iter().map(|row| Column::new(head(row))));
+    let mut turned = Table::new(columns);
+    for (i, column) in table.columns.iter().enumerate().skip(1) {
+        let values = table.rows.iter().map(|row| row.get(i).cloned().unwrap_or(Cell::Empty));
+        turned.row([Cell::Rich(column.head.clone()), Cell::words(column.unit.clone())].into_iter().chain(values).collect());
+    }
+    turned
 }
 
 /// The caption of a table that has none: that of its study, and what its first column says in words.

@@ -3,7 +3,7 @@
 use super::Work;
 use mechanics::model::Class;
 use report::document::Formula;
-use report::formula::{Layout, Printer, Relation, value};
+use report::formula::{Bracket, Layout, Printer, Relation, Sign, value};
 use symbolic::{Expr, Graph, SymbolId};
 use words::Language;
 
@@ -27,6 +27,54 @@ pub(super) fn chain(printer: &Printer, parts: Vec<Layout>) -> Formula {
     }
     let joined = distinct.into_iter().reduce(|left, right| Layout::Related(Box::new(left), Relation::Equal, Box::new(right)));
     printer.block(joined.unwrap_or(Layout::Row(Vec::new())))
+}
+
+/// A formula on a line of its own; a fraction over a long sum, which no line break could part, is written term by term.
+pub(super) fn fitted(printer: &Printer, layout: Layout) -> Formula {
+    let formula = printer.block(layout);
+    let room = formula.width.unwrap_or(usize::MAX);
+    if formula.text().lines().all(|line| line.chars().count() <= room) {
+        return formula;
+    }
+    printer.block(term_by_term(formula.layout))
+}
+
+fn term_by_term(layout: Layout) -> Layout {
+    match layout {
+        Layout::Related(left, relation, right) => Layout::Related(left, relation, Box::new(term_by_term(*right))),
+        Layout::Fraction(above, below) => {
+            let parts = if let Layout::Product(factors) = *above { factors } else { vec![*above] };
+            distributed(parts, &|term| Layout::Fraction(Box::new(term), below.clone()))
+        }
+        Layout::Product(factors) => distributed(factors, &|term| term),
+        other => other,
+    }
+}
+
+/// The factors over the terms of the one sum among them.
+fn distributed(mut factors: Vec<Layout>, finish: &dyn Fn(Layout) -> Layout) -> Layout {
+    let bracket =
+        |f: &Layout| matches!(f, Layout::Fence(Bracket::Round, inner) if matches!(**inner, Layout::Sum(_))) || matches!(f, Layout::Sum(_));
+    let Some(at) = factors.iter().position(bracket) else { return finish(product(factors)) };
+    let terms = match factors.remove(at) {
+        Layout::Sum(terms) => terms,
+        Layout::Fence(_, inner) => match *inner {
+            Layout::Sum(terms) => terms,
+            other => vec![(Sign::Plus, other)],
+        },
+        other => vec![(Sign::Plus, other)],
+    };
+    let one = |term: Layout| {
+        let more = if let Layout::Product(inner) = term { inner } else { vec![term] };
+        // the number of a term stands before everything else
+        let (numbers, letters): (Vec<_>, Vec<_>) = more.into_iter().partition(|f| matches!(f, Layout::Number { .. }));
+        finish(product(numbers.into_iter().chain(factors.iter().cloned()).chain(letters).collect()))
+    };
+    Layout::Sum(terms.into_iter().map(|(sign, term)| (sign, one(term))).collect())
+}
+
+fn product(mut factors: Vec<Layout>) -> Layout {
+    if factors.len() == 1 { factors.remove(0) } else { Layout::Product(factors) }
 }
 
 /// name = formula = substitution = value unit, the numbers those of the parameters.

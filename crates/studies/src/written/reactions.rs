@@ -11,6 +11,8 @@ use symbolic::equations::Output;
 
 /// Significant digits.
 const DIGITS: usize = 6;
+/// Share of the largest reaction of its unit below which one is rounding.
+const NOISE: f64 = 1e-12;
 /// Switches that a table lists.
 const MOST: usize = 12;
 
@@ -51,20 +53,32 @@ fn of_motion(work: &Work, results: &Results, pen: &mut Pen) {
     for (i, output) in &columns {
         let Some(extreme) = results.data.extremes.iter().find(|e| e.column == *i) else { continue };
         let quantity = &results.data.columns[*i].quantity;
-        let scale = crate::results::tables::scale(quantity, extreme.min.abs().max(extreme.max.abs()));
-        let number = |x: f64| Cell::number(x, DIGITS, work.language);
+        let size = extreme.min.abs().max(extreme.max.abs());
+        // what is rounding beside other forces is zero, and has no instant
+        let nothing = size <= NOISE * largest(results, &columns, &quantity.unit);
+        let scale = crate::results::tables::scale(quantity, if nothing { 0.0 } else { size });
+        let number = |x: f64| Cell::number(if nothing { 0.0 } else { x }, DIGITS, work.language);
+        let instant = |t: f64| if nothing { Cell::words("–") } else { number(t) };
         table.row(vec![
             Cell::symbol(quantity.symbol.clone()),
             Cell::words(scale.print(work.language)),
             number(extreme.max / scale.size),
-            number(extreme.t_max),
+            instant(extreme.t_max),
             number(extreme.min / scale.size),
-            number(extreme.t_min),
+            instant(extreme.t_min),
             Cell::words(work.text(&output.label)),
         ]);
     }
     pen.table(table, capital(pen.word(Word::Extremes)));
     jumps(work, results, &columns, pen);
+}
+
+/// The greatest size of a reaction of that unit.
+fn largest(results: &Results, columns: &[(usize, &Output)], unit: &str) -> f64 {
+    let alike = |e: &&analysis::dataset::Extreme| {
+        columns.iter().any(|(i, _)| *i == e.column) && results.data.columns[e.column].quantity.unit == unit
+    };
+    results.data.extremes.iter().filter(alike).fold(0.0, |m, e| m.max(e.min.abs()).max(e.max.abs()))
 }
 
 /// What the reactions are just before and just after the switches.

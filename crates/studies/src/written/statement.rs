@@ -7,6 +7,7 @@ use super::wording::Word;
 use mechanics::model::{Class, ConnectionKind, ParameterValue};
 use report::Block;
 use report::document::{Inline, Rich};
+use symbolic::Node;
 
 pub(super) fn write(work: &Work, pen: &mut Pen) {
     pen.section(pen.word(Word::Given), |pen| given(work, pen));
@@ -132,8 +133,21 @@ fn assumptions(work: &Work, pen: &mut Pen) {
     }
 }
 
+/// What is written as a formula of numbers (`pi/7*1[m/s]`) is set as one.
+fn typeset(work: &Work, table: &mut report::Table) {
+    for (p, row) in work.equations.parameters.iter().zip(&mut table.rows) {
+        let declared = work.model.parameters.iter().find(|d| d.symbol == p.symbol);
+        let Some(ParameterValue::Number { si }) = declared.map(|d| d.value) else { continue };
+        if p.written.contains(['*', '/', '(']) && !matches!(work.model.graph.node(si), Node::Number(_)) {
+            let unit = report::unit::print(&p.unit, work.language);
+            row[1] = report::Cell::Rich(Rich(vec![inline(work.printer.layout(&work.model.graph, si)), words(format!("\u{a0}{unit}"))]));
+        }
+    }
+}
+
 fn data(work: &Work, pen: &mut Pen) {
-    if let Some(table) = crate::document::parameters(work.equations, work.language) {
+    if let Some(mut table) = crate::document::parameters(work.equations, work.language) {
+        typeset(work, &mut table);
         pen.table(table, capital(work.language.pick("given quantities", "исходные данные")));
     }
     let derived: Vec<_> = work.model.parameters.iter().filter(|p| p.class == Class::Constant && p.number.is_some()).collect();

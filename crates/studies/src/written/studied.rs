@@ -64,7 +64,7 @@ pub(super) fn structure(work: &Work, structure: &Structure, pen: &mut Pen) {
         ("Nodes", "Узлы"),
         ("Length, m", "Длина, м"),
         ("Bending stiffness EI", "Жёсткость на изгиб EI"),
-        ("Mass, kg", "Масса, кг"),
+        ("Mass per length, kg/m", "Погонная масса, кг/м"),
     ];
     let mut rods = Table::new(heads.map(|(en, ru)| Column::new(pick(en, ru))).into());
     for rod in &structure.rods {
