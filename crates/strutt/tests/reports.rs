@@ -51,7 +51,7 @@ fn outline(document: &Document) -> String {
                 counts[1] += usize::from(*numbered);
             }
             Block::Table(_) => counts[2] += 1,
-            Block::Figure(_) | Block::Bands(_) => counts[3] += 1,
+            Block::Figure(_) | Block::Bands(_) | Block::Scheme(_) => counts[3] += 1,
             _ => {}
         }
     }
@@ -140,7 +140,7 @@ fn tables_and_figures_are_mentioned_before_they_come() {
                     tables += 1;
                     assert!(said.contains(&format!("таблице\u{a0}{tables} ")), "{name}: {said}");
                 }
-                Block::Figure(_) | Block::Bands(_) => {
+                Block::Figure(_) | Block::Bands(_) | Block::Scheme(_) => {
                     figures += 1;
                     assert!(said.contains("рисун"), "{name}: {said}");
                 }

@@ -65,13 +65,24 @@ pub(super) struct Room {
     pub aligned: bool,
 }
 
+/// The sides of a = b = c, so that a chain is broken at any of its relations.
+fn chained<'a>(layout: &'a Layout, pieces: &mut Vec<Piece<'a>>) {
+    match layout {
+        Layout::Related(left, relation, right) => {
+            chained(left, pieces);
+            side(right, Joint::Relation(*relation), pieces);
+        }
+        other => side(other, Joint::Start, pieces),
+    }
+}
+
 /// Fills lines up to `width`; a single term is never broken. A formula that needs several lines is broken at its relation first,
 /// unless the left side is a short name.
 pub(super) fn split<'a>(layout: &'a Layout, width: Option<usize>, room: Room) -> Lines<'a> {
     let mut pieces = vec![];
     match layout {
         Layout::Related(left, relation, right) => {
-            side(left, Joint::Start, &mut pieces);
+            chained(left, &mut pieces);
             side(right, Joint::Relation(*relation), &mut pieces);
         }
         other => side(other, Joint::Start, &mut pieces),

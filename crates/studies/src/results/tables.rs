@@ -76,7 +76,7 @@ fn ends_of(data: &Dataset, i: usize) -> [f64; 2] {
     }
 }
 
-/// The size of a column that is nothing but rounding beside another of its unit: a millionth of a millionth of it; 0 where it is more.
+/// The size of a column that is nothing but rounding beside another of its unit: 0 where it is more.
 fn beside(data: &Dataset, unit: &str, size: f64) -> f64 {
     let alike = data.extremes.iter().filter(|e| data.columns[e.column].quantity.unit == unit);
     let largest = alike.fold(0.0_f64, |m, e| m.max(e.min.abs()).max(e.max.abs()));

@@ -159,6 +159,17 @@ impl Pen {
         }
     }
 
+    /// The scheme behind the sentence that mentions it.
+    pub fn scheme(&mut self, scheme: Block) {
+        self.figures += 1;
+        let n = self.figures;
+        self.say(match self.language {
+            Language::En => format!("Figure\u{a0}{n} shows the model."),
+            Language::Ru => format!("Расчётная схема показана на рисунке\u{a0}{n}."),
+        });
+        self.blocks.push(scheme);
+    }
+
     /// Pictures behind the sentence that mentions them.
     pub fn pictures(&mut self, run: Vec<Block>) {
         let (first, last) = (self.figures + 1, self.figures + run.len());

@@ -102,6 +102,9 @@ fn outputs(work: &Work, pen: &mut Pen) {
 }
 
 fn assumptions(work: &Work, pen: &mut Pen) {
+    if let Some(scheme) = crate::scheme::figure(&work.calculation.machine, work.language) {
+        pen.scheme(scheme);
+    }
     let model = work.model;
     let kinds = || model.connections.iter().map(|c| &c.kind);
     let has = |test: fn(&ConnectionKind) -> bool| kinds().any(test);
