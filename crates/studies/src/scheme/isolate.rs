@@ -54,19 +54,21 @@ impl Cut<'_, '_> {
     }
 
     fn arrow(&mut self, path: &str, (at, turn): (P, f64), letter: LabelText) {
-        // arrows of one place and direction stand beside one another
-        let along = |i: &&report::scheme::Item| {
-            let drawn = matches!(i.symbol.name, "reaction" | "force");
-            drawn
-                && distance(i.place.at, at) < 2.0 * S
-                && (direction(i.place.at, i.place.to) - turn).cos() > 0.97
-                && off(at, turn, i.place.at) < 0.6 * S
-        };
-        let beside = self.sketch.scheme.items.iter().filter(along).count() as f64;
-        let at = polar(at, 0.75 * S * beside, turn - FRAC_PI_2);
+        let at = self.beside((at, turn));
         let tip = polar(at, ARROW, turn);
         self.sketch.put("reaction", path, Place { at, to: tip, ..Place::default() });
         self.sketch.note(letter, tip, 5.0, Some(turn + 0.8));
+    }
+
+    /// A place for an arrow where no other one of its direction lies: arrows of one place stand beside one another.
+    fn beside(&self, (at, turn): (P, f64)) -> P {
+        let drawn = |i: &&report::scheme::Item| matches!(i.symbol.name, "reaction" | "force");
+        let alike =
+            |i: &&report::scheme::Item| (direction(i.place.at, i.place.to) - turn).cos() > 0.97 && distance(i.place.at, at) < 3.0 * S;
+        let others: Vec<P> = self.sketch.scheme.items.iter().filter(drawn).filter(alike).map(|i| i.place.at).collect();
+        let side = |k: f64| polar(at, 0.75 * S * k, turn - FRAC_PI_2);
+        let free = |p: &P| others.iter().all(|o| off(*p, turn, *o) > 0.5 * S);
+        [0.0, 1.0, -1.0, 2.0, -2.0, 3.0].into_iter().map(side).find(free).unwrap_or(at)
     }
 
     fn bow(&mut self, path: &str, (at, sense): (P, f64), letter: LabelText) {
