@@ -146,5 +146,5 @@ at = ["0.5 s", "1 s"]
     let row = text.lines().find(|l| l.starts_with("x ")).unwrap_or_else(|| panic!("no row of x: {text}"));
     let cells: Vec<&str> = row.split_whitespace().collect();
     // 0.1 cos 4 = -0.06536 m; the least value is -0.1 m at π/2
-    assert_eq!((cells[1], cells[2], cells[cells.len() - 1]), ("mm", "100.00", "−65.36"), "{row}");
+    assert_eq!((cells[1], cells[2], cells[cells.len() - 1]), ("m", "0.1000", "−0.0654"), "{row}");
 }

@@ -59,6 +59,8 @@ pub const UNDRAWN: &[&str] = &[
     "structure",
     "sections",
     "variants",
+    "answers",
+    "report",
     "study",
     "claims",
     "phases",
