@@ -17,6 +17,12 @@ use studies::variants::{Class, Member, guards, quiz, sheet, solve};
 use studies::{Failure, Source, Watch};
 use words::{Language, Notice, Text};
 
+/// Files: name, what they are, bytes.
+type Sheets = Vec<(String, Word, Vec<u8>)>;
+
+/// A row of answers: student, variant, what stands under each item.
+type Student = (String, String, Vec<(String, Written)>);
+
 /// Longest part of a file name that is made of a student's name.
 const LONGEST: usize = 40;
 /// Heads of a column of students, and of one of variants.
@@ -127,7 +133,7 @@ fn one(
     model: &Model,
     (source, (name, member)): (&Source, &(String, Result<Member, Notice>)),
     (student, stem): (&str, &str),
-    (files, language): (&mut Vec<(String, Word, Vec<u8>)>, Language),
+    (files, language): (&mut Sheets, Language),
 ) -> Entry {
     let mut entry = Entry { student: student.to_owned(), member: Member { name: name.clone(), ..Member::default() }, ..Entry::default() };
     entry.truths = vec![None; model.answers.len()];
@@ -244,7 +250,7 @@ fn no_key(path: &str) -> Failure {
 /// What was handed in: a row for each student.
 pub struct Handed {
     /// Name, variant, cells in the order of the questions.
-    rows: Vec<(String, String, Vec<(String, Written)>)>,
+    rows: Vec<Student>,
     /// What is to be said of the file.
     remarks: Vec<Text>,
 }

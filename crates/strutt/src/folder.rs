@@ -46,7 +46,7 @@ pub fn write(calculation: &mut Calculation, folder: &Path, (format, language): (
 /// Writes the calculation that is handed in; the paths, its own last.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 pub fn report(
     calculation: &Calculation,
     document: &Document,

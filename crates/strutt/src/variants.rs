@@ -3,6 +3,7 @@
 use mechanics::Model;
 use mechanics::model::{VariantTable, Variants};
 use mechanics::variants::{Misfit, Row, Table, row};
+use std::ops::RangeInclusive;
 use std::path::Path;
 use studies::Source;
 use studies::failure::Failure;
@@ -42,7 +43,7 @@ fn of_number(model: &Model, variants: &Variants, number: u32, group: Option<u32>
 
 /// The numbers of variants that formulas alone make.
 fn numbers(variants: &Variants) -> std::ops::RangeInclusive<u32> {
-    variants.range.map_or(1..=0, |[first, last]| first..=last)
+    variants.range.map_or(RangeInclusive::new(1, 0), |[first, last]| first..=last)
 }
 
 /// A parameter that gets the number of the variant needs one.
@@ -60,11 +61,14 @@ fn numbered(variants: &Variants, table: &Table, (at, place): (usize, &str)) -> R
     }
 }
 
+/// Variants by name, each computed or with what prevents it.
+pub type Members = Vec<(String, Result<Member, Notice>)>;
+
 /// Every variant of a file, in its order: what it replaces, or why it cannot be made. A file without variants is one variant.
 ///
 /// # Errors
 /// The table cannot be read (C001 ... C004) or is none (C022).
-pub fn members(model: &Model, source: &Source, group: Option<u32>) -> Result<Vec<(String, Result<Member, Notice>)>, Failure> {
+pub fn members(model: &Model, source: &Source, group: Option<u32>) -> Result<Members, Failure> {
     let Some(variants) = &model.variants else {
         return Ok(vec![("1".to_owned(), Ok(Member { name: "1".to_owned(), ..Member::default() }))]);
     };

@@ -270,12 +270,12 @@ impl Reduced {
         let mut put =
             Substitution::new(equations.coordinates.iter().zip(&u).map(|(c, u)| (c.symbols[1], graph.mul(*u, rate))).collect::<Vec<_>>());
         let (mut left, mut right) = (Vec::new(), Vec::new());
-        for i in 0..n {
+        for (i, ratio) in u.iter().enumerate() {
             for (j, bend) in bends.iter().enumerate() {
-                left.push(graph.product(&[equations.mass.get(i, j), u[i], *bend, square]));
+                left.push(graph.product(&[equations.mass.get(i, j), *ratio, *bend, square]));
             }
             let force = put.apply(&mut graph, equations.force[i]);
-            right.push(graph.mul(u[i], force));
+            right.push(graph.mul(*ratio, force));
         }
         let half = graph.product(&[self.slope, square]);
         let half = graph.scale(half, &crate::Rational::HALF);

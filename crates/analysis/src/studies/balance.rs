@@ -266,8 +266,8 @@ impl Balance {
                 if weight == 0.0 {
                     continue;
                 }
-                for r in 0..width {
-                    system.residual[p * width + r] += weight * local[r];
+                for (residual, part) in system.residual[p * width..][..width].iter_mut().zip(&local) {
+                    *residual += weight * part;
                 }
                 for (l, [f, df, ddf]) in phi.iter().enumerate() {
                     for r in 0..width {

@@ -1,5 +1,5 @@
 //! Connections: everything with a reaction. One kind, one file, one row of [`TABLE`]. The row gives its keys, from which the file is read and the reference is
-//! written; its reading, with the components that its reaction has; and what it demands and gives, a list of [`Component`]s, from which both derivations follow.
+//! written; its reading, with the components that its reaction has; and what it demands and gives, a list of `Component`s, from which both derivations follow.
 //! Its data are a variant of [`ConnectionKind`](crate::model::ConnectionKind), because connections ask for each other: a friction for the path of its rope, a drum for
 //! the pin on its axle.
 

@@ -47,8 +47,24 @@ pub struct Look {
     pub lengths: Vec<(V3, V3, Expr)>,
 }
 
+/// What is known of a spot besides its place.
+enum Spotted<'a> {
+    /// Nothing.
+    Plain,
+    /// Its name.
+    Named(&'a str),
+    /// A connection holds it; its name, if it has one.
+    Held(Option<&'a str>),
+}
+
 impl Look {
-    fn spot(&mut self, at: V3, name: Option<&str>, held: bool) {
+    /// A spot with what else is known of it.
+    fn spot(&mut self, at: V3, more: Spotted<'_>) {
+        let (name, held) = match more {
+            Spotted::Plain => (None, false),
+            Spotted::Named(name) => (Some(name), false),
+            Spotted::Held(name) => (name, true),
+        };
         if !at.iter().all(|c| c.is_finite()) {
             return;
         }
@@ -101,7 +117,7 @@ impl Gatherer<'_> {
         };
         let group = self.groups.of_point(model, point);
         let at = self.numbers.at(0, point);
-        self.looks[group].spot(at, name, true);
+        self.looks[group].spot(at, Spotted::Held(name));
     }
 
     fn pose(&self, frame: FrameId) -> Pose {
@@ -113,8 +129,8 @@ impl Gatherer<'_> {
         for (i, group) in groups.all.iter().enumerate().skip(1) {
             let at = self.pose(group.root).origin;
             if group.joint == Joint::Turns {
-                self.looks[i].spot(at, None, true);
-                self.looks[group.carrier].spot(at, None, true);
+                self.looks[i].spot(at, Spotted::Held(None));
+                self.looks[group.carrier].spot(at, Spotted::Held(None));
             }
         }
     }
@@ -146,7 +162,7 @@ impl Gatherer<'_> {
                 along[solid.axis.index()] = first / 2.0;
                 let half = self.pose(frame).shown(along);
                 for sign in [1.0, -1.0] {
-                    self.looks[group].spot(plus(center, sign, half), None, false);
+                    self.looks[group].spot(plus(center, sign, half), Spotted::Plain);
                 }
             }
             _ => {}
@@ -215,7 +231,7 @@ impl Gatherer<'_> {
             let group = self.groups.of(frame_of(&machine.model, reference));
             let at = self.numbers.at(0, reference);
             if group > 0 || self.looks[0].spots.iter().any(|s| norm(minus(s.at, at)) < 1e-9) {
-                self.looks[group].spot(at, Some(&point.name), false);
+                self.looks[group].spot(at, Spotted::Named(&point.name));
             }
             self.length(group, (point.on, at), point.at);
         }

@@ -86,10 +86,9 @@ pub fn scheme(machine: &Machine, options: &Options, language: Language) -> Optio
         return Some(sketch::body(machine, &at, (FrameId(body), language)));
     }
     let mut scheme = sketch::draw(machine, &at, language);
-    if options.at.is_none() && sketch::is_stretched(&scheme) {
-        if let Some(clearer) = instants::bent(machine) {
-            scheme = sketch::draw(machine, &clearer, language);
-        }
+    let stretched = options.at.is_none() && sketch::is_stretched(&scheme);
+    if let Some(clearer) = stretched.then(|| instants::bent(machine)).flatten() {
+        scheme = sketch::draw(machine, &clearer, language);
     }
     (!scheme.items.is_empty()).then_some(scheme)
 }

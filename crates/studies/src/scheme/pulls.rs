@@ -179,7 +179,7 @@ impl Sketch<'_> {
                     self.note(letter, polar(low, block.half[0], block.turn), 0.5 * S, Some(0.6));
                     if driven != 0.0 {
                         let way = turn + if driven > 0.0 { PI } else { 0.0 };
-                        let from = polar(polar(low, -1.0 * S, block.turn + FRAC_PI_2), -1.1 * S, way);
+                        let from = polar(polar(low, -S, block.turn + FRAC_PI_2), -1.1 * S, way);
                         self.put("motion", &act.path, Place { at: from, to: polar(from, 2.2 * S, way), ..Place::default() });
                     }
                 } else {
@@ -207,7 +207,7 @@ impl Sketch<'_> {
             .model
             .connections
             .get(act.index)
-            .filter(|_| !self.machine.model.elements.get(act.index).is_some_and(|e| e.path == act.path))
+            .filter(|_| self.machine.model.elements.get(act.index).is_none_or(|e| e.path != act.path))
             .map(|c| &c.kind)
     }
 

@@ -16,7 +16,7 @@ impl Sketch<'_> {
                 ConnectionKind::Wheels { between, radii, opposite, .. } => {
                     let [a, b] = between.map(|f| self.origin(f));
                     let [r, s] = radii.map(|e| self.long(self.numbers.value(machine, e)));
-                    self.transmission(&path, (a, b), (r, s), Sense::of(*opposite));
+                    self.transmission(&path, (a, b), (r, s), if *opposite { Sense::Opposite } else { Sense::Same });
                     if connection.table != "gears" {
                         let name = self.letters.load(&path);
                         let side = direction(a, b) + FRAC_PI_2;
@@ -118,12 +118,6 @@ impl Sketch<'_> {
 enum Sense {
     Same,
     Opposite,
-}
-
-impl Sense {
-    fn of(opposite: bool) -> Sense {
-        if opposite { Sense::Opposite } else { Sense::Same }
-    }
 }
 
 /// Where a rope from a point touches a drum that winds it in when it turns counter-clockwise (`sense` 1) or clockwise.

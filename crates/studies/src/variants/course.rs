@@ -22,6 +22,9 @@ pub struct Member {
     pub given: Given,
 }
 
+/// Columns that only formulas use, with their values, SI.
+type Helpers = Vec<(symbolic::SymbolId, f64)>;
+
 impl Member {
     /// A variant from the cells of its row, or from none, with the formulas of the file. `place` says where the row stands.
     ///
@@ -31,7 +34,7 @@ impl Member {
         model: &mechanics::Model,
         variants: &Variants,
         name: &str,
-        (cells, helpers, number): (Vec<(String, String)>, Vec<(symbolic::SymbolId, f64)>, f64),
+        (cells, helpers, number): (Vec<(String, String)>, Helpers, f64),
         group: Option<u32>,
     ) -> Result<Member, Notice> {
         let group = group.or(variants.group);

@@ -180,7 +180,7 @@ impl Work<'_> {
                 let (en, ru) = if *slack { ("; it may go slack", "; может провисать") } else { ("", "") };
                 pick(format!("inextensible rope: {list}{en}"), format!("нерастяжимая нить: {list}{ru}"))
             }
-            ConnectionKind::Wheels { between, opposite, .. } => self.wheels(connection.table, between, *opposite),
+            ConnectionKind::Wheels { between, .. } => self.wheels(connection, between),
             ConnectionKind::Rolling { wheel, on, .. } => {
                 let (wheel, on) = (self.body(*wheel), self.body(*on));
                 pick(format!("rolling without slip: {wheel} on {on}"), format!("качение без проскальзывания: {wheel}, опора – {on}"))
@@ -197,9 +197,10 @@ impl Work<'_> {
         }
     }
 
-    fn wheels(&self, table: &str, between: &[FrameId; 2], opposite: bool) -> String {
+    fn wheels(&self, connection: &Connection, between: &[FrameId; 2]) -> String {
+        let opposite = matches!(connection.kind, ConnectionKind::Wheels { opposite: true, .. });
         let (a, b) = (self.body(between[0]), self.body(between[1]));
-        let (en, ru) = match (table, opposite) {
+        let (en, ru) = match (connection.table, opposite) {
             ("belts", false) => ("open belt", "открытая ремённая передача"),
             ("belts", true) => ("crossed belt", "перекрёстная ремённая передача"),
             ("chains", _) => ("chain", "цепная передача"),

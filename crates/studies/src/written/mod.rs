@@ -1,7 +1,7 @@
-//! The written calculation that is handed in and signed: one file a chapter, one row a chapter in [`CHAPTERS`]. A chapter makes its text with a [`Pen`] of the
+//! The written calculation that is handed in and signed: one file a chapter, one row a chapter in `CHAPTERS`. A chapter makes its text with a `Pen` of the
 //! model, the equations, the steps of their derivation and the results of the file's studies; a chapter that has nothing to say is left out.
 //!
-//! Words stand in one table, [`wording`]; a quantity with its formula, its substitution and its value is written by [`quantity`] alone.
+//! Words stand in one table, `wording`; a quantity with its formula, its substitution and its value is written by `quantity` alone.
 
 mod appendix;
 mod conclusions;

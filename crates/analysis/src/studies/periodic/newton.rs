@@ -113,7 +113,8 @@ pub(super) fn solve<'o, S: System + ?Sized>(system: &mut S, start: &[f64], optio
         let better = best.as_ref().is_none_or(|(least, _)| miss < *least);
         let settled = miss <= EXACT || (best.as_ref().is_some_and(|(least, _)| *least <= ENOUGH) && miss > 0.5 * last);
         let next_turn = found.next_start(&gap);
-        follow_only = follow_only.max(patience.after(by_proposal.is_some(), better));
+        follow_only =
+            follow_only.max(patience.after(if better { Came::Nearer } else { Came::NoNearer { corrected: by_proposal.is_some() } }));
         let correct = miss <= FAR && follow_only == 0 && !settled;
         follow_only = follow_only.saturating_sub(1);
         if !better && miss > 2.0 * last && miss > ENOUGH {
@@ -158,13 +159,21 @@ struct Patience {
     rounds: u32,
 }
 
+/// What a turn has brought.
+enum Came {
+    /// The least miss so far.
+    Nearer,
+    /// Not that; whether a correction began the turn.
+    NoNearer { corrected: bool },
+}
+
 impl Patience {
-    /// Turns to follow without a correction, after a turn that a correction began or not.
-    fn after(&mut self, corrected: bool, better: bool) -> usize {
-        self.vain = match (corrected, better) {
-            (_, true) => 0,
-            (true, false) => self.vain + 1,
-            (false, false) => self.vain,
+    /// Turns to follow without a correction.
+    fn after(&mut self, came: Came) -> usize {
+        self.vain = match came {
+            Came::Nearer => 0,
+            Came::NoNearer { corrected: true } => self.vain + 1,
+            Came::NoNearer { corrected: false } => self.vain,
         };
         if self.vain < VAIN {
             return 0;

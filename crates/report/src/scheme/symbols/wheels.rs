@@ -89,9 +89,7 @@ fn rack(place: &Place, ink: &mut Ink) {
 
 /// Outer tangents of the circles about `at` (radius `size`) and `to` (radius `other`), with the arcs on which the belt lies.
 fn belt(place: &Place, ink: &mut Ink) {
-    for weight in [Weight::Part] {
-        strands(place, ink, (weight, 1.0));
-    }
+    strands(place, ink, (Weight::Part, 1.0));
 }
 
 fn belt_crossed(place: &Place, ink: &mut Ink) {
