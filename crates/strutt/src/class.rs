@@ -345,31 +345,37 @@ fn unreadable(path: &str, en: &str, ru: &str) -> Failure {
 }
 
 /// A class with what came of it, and what is to be said.
-pub struct Graduation<'k> {
-    /// Students of the key, in its order; none for those who handed in nothing.
-    pub rows: Vec<(&'k Entry, Option<Vec<Graded>>)>,
+pub struct Graduation {
+    /// Students of the key, in its order; none for those who handed in nothing. Of a key without names: who handed in, in their order.
+    pub rows: Vec<(Entry, Option<Vec<Graded>>)>,
     /// Rows without a student, other remarks.
     pub remarks: Vec<Text>,
 }
 
 /// Grades what was handed in.
-pub fn graded<'k>((key, model): (&'k Key, &Model), handed: &Handed, watch: &mut Watch) -> Graduation<'k> {
+pub fn graded((key, model): (&Key, &Model), handed: &Handed, watch: &mut Watch) -> Graduation {
     let mut class = Class::new(key.source.clone(), mechanics::derive::Detail::Equations);
-    let mut graduation = Graduation { rows: key.entries.iter().map(|e| (e, None)).collect(), remarks: handed.remarks.clone() };
+    let named = key.entries.iter().any(|e| !e.student.is_empty());
+    let rows = if named { key.entries.iter().map(|e| (e.clone(), None)).collect() } else { Vec::new() };
+    let mut graduation = Graduation { rows, remarks: handed.remarks.clone() };
     for (k, (student, variant, cells)) in handed.rows.iter().enumerate() {
-        match place(key, student, variant) {
-            None => graduation
-                .remarks
-                .push(Text::new(format!("not in the key: {student} {variant}"), format!("нет в ключе: {student} {variant}"))),
-            Some(i) if graduation.rows[i].1.is_some() => graduation.remarks.push(Text::new(
-                format!("handed in twice, the first counts: {}", key.entries[i].name()),
-                format!("сдано дважды, засчитана первая строка: {}", key.entries[i].name()),
-            )),
-            Some(i) => {
+        if let Some(i) = place(key, student, variant) {
+            // whoever takes a variant of a key without names is a student of the class
+            let of = if named { i } else { graduation.seat(&key.entries[i], student) };
+            let row = &mut graduation.rows[of];
+            if row.1.is_some() {
+                graduation.remarks.push(Text::new(
+                    format!("handed in twice, the first counts: {}", row.0.name()),
+                    format!("сдано дважды, засчитана первая строка: {}", row.0.name()),
+                ));
+            } else {
                 let neighbours = neighbours(key, i);
                 let pupil = Pupil { member: &key.entries[i].member, truths: &key.entries[i].truths, neighbours: &neighbours };
-                graduation.rows[i].1 = Some(grade(&mut class, &model.answers, &pupil, cells));
+                row.1 = Some(grade(&mut class, &model.answers, &pupil, cells));
             }
+        } else {
+            let remark = Text::new(format!("not in the key: {student} {variant}"), format!("нет в ключе: {student} {variant}"));
+            graduation.remarks.push(remark);
         }
         if let Some(progress) = &mut watch.progress {
             progress((k + 1) as f64 / handed.rows.len() as f64);
@@ -378,9 +384,24 @@ pub fn graded<'k>((key, model): (&'k Key, &Model), handed: &Handed, watch: &mut 
     graduation
 }
 
+impl Graduation {
+    /// The row of a student who took a variant; a new one where there is none.
+    fn seat(&mut self, entry: &Entry, student: &str) -> usize {
+        let same = |(e, _): &(Entry, _)| plain(&e.student) == plain(student) && e.member.name == entry.member.name;
+        self.rows.iter().position(same).unwrap_or_else(|| {
+            self.rows.push((Entry { student: student.trim().to_owned(), ..entry.clone() }, None));
+            self.rows.len() - 1
+        })
+    }
+}
+
+/// A name as it is compared: case, spaces and ё do not matter.
+fn plain(name: &str) -> String {
+    name.to_lowercase().replace('ё', "е").split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// The student of a row: by name, else by variant where only one student has it.
 fn place(key: &Key, student: &str, variant: &str) -> Option<usize> {
-    let plain = |t: &str| t.to_lowercase().replace('ё', "е").split_whitespace().collect::<Vec<_>>().join(" ");
     let mut by_name = (0..key.entries.len()).filter(|i| !student.trim().is_empty() && plain(&key.entries[*i].student) == plain(student));
     let mut of_variant = (0..key.entries.len()).filter(|i| !variant.is_empty() && same(&key.entries[*i].member.name, variant));
     match (by_name.next(), by_name.next()) {
@@ -401,7 +422,7 @@ fn neighbours(key: &Key, i: usize) -> Vec<(String, Vec<Option<f64>>)> {
 }
 
 /// The table of a class as CSV: a verdict and a remark for each item.
-pub fn to_csv(model: &Model, graduation: &Graduation<'_>, language: Language) -> String {
+pub fn to_csv(model: &Model, graduation: &Graduation, language: Language) -> String {
     let heads: String = model.answers.iter().map(|a| format!(",{0},{0}_verdict,{0}_remark", a.id)).collect();
     let mut out = format!("student,variant{heads},right\n");
     for (entry, graded) in &graduation.rows {
@@ -419,14 +440,14 @@ pub fn to_csv(model: &Model, graduation: &Graduation<'_>, language: Language) ->
 }
 
 /// The same as JSON.
-pub fn to_json(model: &Model, graduation: &Graduation<'_>, language: Language) -> serde_json::Value {
+pub fn to_json(model: &Model, graduation: &Graduation, language: Language) -> serde_json::Value {
     use serde_json::json;
     let item = |(a, g): (&mechanics::model::AnswerDecl, &Graded)| {
         let wrong = if let studies::variants::grade::Verdict::Wrong(share) = g.verdict { json!(share) } else { serde_json::Value::Null };
         json!({"id": a.id, "given": g.given, "verdict": g.verdict.key(), "off": wrong,
             "likeness": g.likeness.as_ref().map(|l| language.text(&l.words()).to_owned())})
     };
-    let row = |(entry, graded): &(&Entry, Option<Vec<Graded>>)| {
+    let row = |(entry, graded): &(Entry, Option<Vec<Graded>>)| {
         let items: Vec<serde_json::Value> = model.answers.iter().zip(graded.iter().flatten()).map(item).collect();
         let right = graded.as_ref().map(|g| g.iter().filter(|g| g.verdict.counts()).count());
         json!({"student": entry.student, "variant": entry.member.name, "right": right, "items": items})
@@ -441,7 +462,7 @@ pub fn to_json(model: &Model, graduation: &Graduation<'_>, language: Language) -
 /// A file would replace an input (C052), or the disk refuses (C005).
 pub fn reports(
     (key, model): (&Key, &Model),
-    graduation: &Graduation<'_>,
+    graduation: &Graduation,
     (folder, inputs): (&Path, &[PathBuf]),
     language: Language,
 ) -> Result<Vec<PathBuf>, Box<Notice>> {

@@ -138,7 +138,7 @@ fn tables_and_figures_are_mentioned_before_they_come() {
                 Block::Paragraph(rich) => said = rich.plain(Language::Ru),
                 Block::Table(_) => {
                     tables += 1;
-                    assert!(said.contains(&format!("таблице\u{a0}{tables} ")), "{name}: {said}");
+                    assert!(said.ends_with(&format!("см. таблицу\u{a0}{tables}.")), "{name}: {said}");
                 }
                 Block::Figure(_) | Block::Bands(_) | Block::Scheme(_) => {
                     figures += 1;

@@ -185,6 +185,29 @@ fn wrong_answers_have_their_likeness_and_later_ones_follow() {
     assert!(files(&here.join("graded")).iter().any(|f| f.0 == "reports/01-Иванова-Анна.html"));
 }
 
+/// Of a key without names everyone who handed in is graded, two who took one variant too.
+#[test]
+fn a_key_without_names_grades_whoever_hands_in() {
+    let here = class("class-unnamed");
+    strutt().current_dir(&here).args(["variants", "make", "m.toml", "--group", "3", "--out", "out"]).assert().code(1);
+    let key = key(&here, "out");
+    let truth = |i: usize, k: usize| key["entries"][i]["answers"][k].as_f64().unwrap();
+    let right = format!("{},{},{}", truth(4, 0), truth(4, 1), truth(4, 2));
+    std::fs::write(
+        here.join("a.csv"),
+        format!("student,variant,k,T,v\nPetrov,5,{right}\nSidorov,5,1,2,3\n,2,1,2,3\npetrov ,5,1,2,3\nLost,,1,2,3\n"),
+    )
+    .unwrap();
+    let found = grade(&here, "a.csv");
+    let rows: Vec<_> =
+        found["students"].as_array().unwrap().iter().map(|r| (r["student"].as_str(), r["variant"].as_str(), r["right"].as_u64())).collect();
+    assert_eq!(rows, [(Some("Petrov"), Some("5"), Some(3)), (Some("Sidorov"), Some("5"), Some(0)), (Some(""), Some("2"), Some(0))]);
+    let remarks = found["remarks"].as_array().unwrap();
+    assert_eq!(remarks.len(), 2, "{remarks:?}");
+    strutt().current_dir(&here).args(["variants", "grade", "out", "a.csv", "--out", "graded"]).assert().success();
+    assert!(files(&here.join("graded")).iter().any(|f| f.0 == "reports/02-Sidorov.html"));
+}
+
 #[test]
 fn a_key_of_another_model_and_a_changed_one_are_refused() {
     let here = class("class-other");

@@ -228,14 +228,14 @@ pub fn report(model: &Model, (source, entry): (&Source, &Entry), graded: &[Grade
 }
 
 /// The table of a class for its teacher.
-pub fn class(key: &Key, model: &Model, rows: &[(&Entry, Option<Vec<Graded>>)], (remarks, language): (&[Text], Language)) -> Document {
+pub fn class(key: &Key, model: &Model, rows: &[(Entry, Option<Vec<Graded>>)], (remarks, language): (&[Text], Language)) -> Document {
     let blocks = class_blocks(model, rows, (remarks, language));
     let title = language.text(&model.title).to_owned();
     Document { language, title, description: String::new(), blocks, version: key.version.clone(), model_hash: key.hash() }
 }
 
 /// The same as blocks.
-pub fn class_blocks(model: &Model, rows: &[(&Entry, Option<Vec<Graded>>)], (remarks, language): (&[Text], Language)) -> Vec<Block> {
+pub fn class_blocks(model: &Model, rows: &[(Entry, Option<Vec<Graded>>)], (remarks, language): (&[Text], Language)) -> Vec<Block> {
     let heads = student_heads(language).into_iter().chain(model.answers.iter().map(|a| Column::new(a.id.clone())));
     let mut table = Table::new(heads.chain([Column::new(language.pick("right", "верно"))]).collect());
     for (entry, graded) in rows {

@@ -125,10 +125,10 @@ impl Pen {
             return self.table(turned(&table, self.language), caption);
         }
         self.tables += 1;
-        let (number, below) = (self.tables, lowered(&caption));
+        let number = self.tables;
         self.say(match self.language {
-            Language::En => format!("Table\u{a0}{number} gives: {below}."),
-            Language::Ru => format!("В таблице\u{a0}{number} приведены: {below}."),
+            Language::En => format!("{caption}: see table\u{a0}{number}."),
+            Language::Ru => format!("{caption} – см. таблицу\u{a0}{number}."),
         });
         self.blocks.push(Block::Table(table.with_caption(caption)));
     }

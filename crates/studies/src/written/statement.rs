@@ -4,6 +4,7 @@ use super::Work;
 use super::pen::{Pen, inline, lowered, words};
 use super::quantity;
 use super::wording::Word;
+use mechanics::asked::Asked;
 use mechanics::model::{Class, ConnectionKind, ParameterValue};
 use report::Block;
 use report::document::{Inline, Rich};
@@ -110,7 +111,8 @@ fn assumptions(work: &Work, pen: &mut Pen) {
     let has = |test: fn(&ConnectionKind) -> bool| kinds().any(test);
     let bodies = model.frames.iter().any(|f| f.is_body);
     let massless = model.frames.iter().any(|f| f.is_body && f.mass.is_none());
-    let small = model.studies.iter().any(|s| matches!(s.kind, "modes" | "response" | "transient"));
+    let linearised = |s: &Asked| matches!(s.kind, "modes" | "response") || (s.kind == "transient" && s.flag("linearise"));
+    let small = model.studies.iter().any(linearised);
     let structure = model.structure.is_some();
     let list: Vec<(bool, (&str, &str))> = vec![
         (bodies, ("the bodies are rigid", "тела абсолютно твёрдые")),
@@ -118,15 +120,15 @@ fn assumptions(work: &Work, pen: &mut Pen) {
         (has(|k| matches!(k, ConnectionKind::Rope { .. })), ("ropes are inextensible and massless", "нити нерастяжимые и невесомые")),
         (has(|k| matches!(k, ConnectionKind::Wheels { .. })), ("belts and gears do not slip", "ремни и колёса передач не проскальзывают")),
         (has(|k| matches!(k, ConnectionKind::Rolling { .. })), ("wheels roll without slip", "качение происходит без проскальзывания")),
-        (bodies && !has(|k| matches!(k, ConnectionKind::Friction { .. })), ("there is no dry friction", "сухое трение не учитывается")),
+        (bodies, ("joints and guides without a given friction are ideal", "связи, трение в которых не задано, идеальные")),
         (bodies && model.gravity.is_none(), ("gravity is left out", "сила тяжести не учитывается")),
-        (model.elements.iter().any(|e| e.table == "springs"), ("springs are linear and massless", "пружины линейные и невесомые")),
+        (model.elements.iter().any(|e| e.table == "springs"), ("springs are massless", "пружины невесомые")),
         (structure, ("rods are straight and elastic, displacements are small", "стержни прямые и упругие, перемещения малы")),
         (
             small,
             (
-                "oscillations are small: the equations are linearised about the equilibrium",
-                "колебания малые: уравнения линеаризованы около положения равновесия",
+                "where oscillations are called small, the equations are linearised about the place named there",
+                "малые колебания рассматриваются по уравнениям, линеаризованным около указанного там положения",
             ),
         ),
     ];
