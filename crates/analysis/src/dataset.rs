@@ -38,10 +38,31 @@ pub struct Dataset {
     pub counters: Vec<Counter>,
     /// Remarks to show beside the result.
     pub notes: Vec<Text>,
+    /// The way of the motion, for pictures.
+    pub trail: Trail,
     /// What values of columns mean that are no finite numbers; any other such value is an error of the study.
     pub stated: Vec<Stated>,
     /// Whether the study was interrupted or ended by a fault, so that the result is a part of what was asked.
     pub partial: bool,
+}
+
+/// States along a motion, closer than the rows of a table where it is quick; for pictures, not for numbers: what is said of a motion comes from its columns.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trail {
+    /// Names of the states.
+    pub names: Vec<String>,
+    /// Times, or values of the axis, ascending.
+    pub times: Vec<f64>,
+    /// States, SI, time by time.
+    pub states: Vec<f64>,
+}
+
+impl Trail {
+    /// The states at a time.
+    pub fn row(&self, k: usize) -> &[f64] {
+        let n = self.names.len();
+        &self.states[k * n..(k + 1) * n]
+    }
 }
 
 /// Model and program behind a result.

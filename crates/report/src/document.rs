@@ -5,7 +5,7 @@
 
 use crate::figure::Figure;
 use crate::figure::bands::Bands;
-use crate::scheme::Scheme;
+use crate::scheme::{Moving, Scheme};
 use crate::table::Table;
 use words::Language;
 
@@ -58,6 +58,8 @@ pub enum Block {
     Bands(Bands),
     /// The machine as a drawing of symbols; numbered as a figure.
     Scheme(Scheme),
+    /// The machine in motion: played by pages, left out by all other formats.
+    Moving(Moving),
     /// Something that opens on demand (always open in terminal text).
     Details {
         /// The line that is always seen.

@@ -62,6 +62,12 @@ words::table! {
     StateForward: "slides forward", "скольжение вперёд";
     StateBackward: "slides back", "скольжение назад";
     StateImpact: "impact", "удар";
+    Play: "Play", "Пуск";
+    Pause: "Pause", "Пауза";
+    Repeat: "Repeat", "Повтор";
+    Pace: "Speed", "Скорость";
+    Instant: "Instant of the motion", "Момент движения";
+    MovingHelp: "Space: play. Arrow keys: step, with Shift ten steps. Home, End.", "Пробел – пуск. Стрелки – шаг, с Shift – десять шагов. Home, End.";
     Omitted: "omitted", "опущено";
     Continuation: "continued", "продолжение";
     Continued: "the table is cut to the width of the terminal; all columns are in the files",

@@ -59,6 +59,8 @@ pub enum Command {
     Scheme(Scheme),
     /// List the example models, or print one
     Examples(Examples),
+    /// Write a page of all example models with moving pictures
+    Gallery(Gallery),
     /// Write a model file to start from
     New(New),
     /// Explain the code of a message
@@ -93,6 +95,9 @@ pub struct Run {
     /// Compute each motion once more with half the tolerance and show the difference
     #[arg(long)]
     pub halve_tolerance: bool,
+    /// Also write moving pictures: SVG that plays by itself, and MP4 where ffmpeg is installed
+    #[arg(long)]
+    pub animate: bool,
 }
 
 #[derive(Args, Debug)]
@@ -247,6 +252,16 @@ pub struct Examples {
     /// The example to print
     #[arg(value_name = "NAME")]
     pub name: Option<String>,
+}
+
+#[derive(Args, Debug)]
+pub struct Gallery {
+    /// Only these examples
+    #[arg(value_name = "EXAMPLE")]
+    pub names: Vec<String>,
+    /// Folder for the page
+    #[arg(long, value_name = "DIR", default_value = "out/gallery")]
+    pub out: PathBuf,
 }
 
 #[derive(Args, Debug)]

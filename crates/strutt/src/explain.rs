@@ -142,6 +142,16 @@ const OWN: &[Explanation] = &[
         ),
     ),
     plain(
+        "C080",
+        ("ffmpeg made no film", "ffmpeg не сделал фильм"),
+        (
+            "`--animate` writes moving pictures as SVG, which every browser plays, and asks ffmpeg, where it is installed, for an MP4. It ended without one; its own \
+             words stand behind the message. The SVG is written.",
+            "Ключ `--animate` записывает движущиеся картинки как SVG – его проигрывает любой браузер – и просит ffmpeg, если он установлен, сделать MP4. Программа \
+             завершилась без файла; её слова приведены в сообщении. SVG записан.",
+        ),
+    ),
+    plain(
         "C053",
         ("Not a name for a file", "Негодное имя файла"),
         (

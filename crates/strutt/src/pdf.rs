@@ -48,7 +48,7 @@ pub fn printed(format: &str) -> Result<&'static [&'static str], Notice> {
 }
 
 /// The program of that name on the path.
-fn found(name: &str) -> Option<PathBuf> {
+pub(crate) fn found(name: &str) -> Option<PathBuf> {
     let folders = std::env::var_os("PATH")?;
     let names = [name.to_owned(), format!("{name}.exe")];
     std::env::split_paths(&folders).flat_map(|folder| names.iter().map(move |n| folder.join(n)).collect::<Vec<_>>()).find(|p| p.is_file())

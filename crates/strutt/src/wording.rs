@@ -27,6 +27,8 @@ words::table! {
     Vector: "plot, vector", "график, векторный";
     Picture: "plot, picture", "график, растровый";
     Page: "page", "страница";
+    Movie: "moving picture", "движущаяся картинка";
+    Thumbnail: "picture of the gallery", "картинка галереи";
     SectionTable: "properties of the sections", "характеристики сечений";
     Task: "task", "задание";
     Solution: "solution", "решение";

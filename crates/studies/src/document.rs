@@ -255,6 +255,11 @@ impl Writer<'_> {
 
     fn result(&self, results: &Results) -> Vec<Block> {
         let mut blocks = results.told(&self.view());
+        if self.extent == Extent::Page {
+            let played = crate::scheme::played(&self.calculation.machine, results, self.language);
+            let place = blocks.iter().position(|b| matches!(b, Block::Figure(_) | Block::Bands(_))).unwrap_or(blocks.len());
+            blocks.splice(place..place, played.into_iter().map(Block::Moving));
+        }
         if results.tells_work() {
             blocks.extend(self.counters(&results.data));
         }

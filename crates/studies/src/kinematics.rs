@@ -8,7 +8,7 @@ use crate::provenance;
 use crate::results::finite::checked;
 use crate::source::Source;
 use crate::watch::{Lap, Watch};
-use analysis::dataset::{Column, Extreme, Missing};
+use analysis::dataset::{Column, Extreme, Missing, Trail};
 use analysis::studies::kinematics::{Observer, Place, Way, follow};
 use analysis::{Dataset, Quantity, System};
 use mechanics::asked::{Asked, Key, Kind, Like, Limits, Objection, Takes, Value, Way as Comes};
@@ -278,6 +278,7 @@ fn fill(machine: &mut Machine, study: &Kinematics, results: &mut Results) {
     centres.state(&mut data);
     data.audits.extend(followed.audits);
     data.notes.extend(machine.system.notes().iter().cloned().chain(followed.notes));
+    data.trail = trail(equations, &ways, &followed.places);
     results.data = provenance::stamp(data, &machine.equations, &machine.model_hash);
     results.own.insert("over".into(), json!(study.name));
     results.own.insert("rate".into(), json!(rate));
@@ -290,6 +291,21 @@ fn fill(machine: &mut Machine, study: &Kinematics, results: &mut Results) {
         let y: Vec<String> = (0..n).filter(|&i| i != over).map(name).filter(|y| results.data.column(y).is_some()).collect();
         results.plots = y.into_iter().map(|y| mechanics::model::Plot { title: Text::default(), x: None, y: vec![y] }).collect();
     }
+}
+
+/// The places over the driven coordinate, for pictures.
+fn trail(equations: &Equations, ways: &[f64], places: &[Place]) -> Trail {
+    let name = |s: SymbolId| equations.graph.symbol_info(s).name.clone();
+    let names = equations
+        .coordinates
+        .iter()
+        .map(|c| name(c.symbols[0]))
+        .chain(equations.auxiliaries.iter().map(|a| name(a.symbol)))
+        .chain(["t".to_owned()]);
+    let mut rows: Vec<(f64, &Place)> = ways.iter().copied().zip(places).collect();
+    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let states = rows.iter().flat_map(|(_, p)| p.q.iter().chain(&p.auxiliaries).chain([&p.time]).copied()).collect();
+    Trail { names: names.collect(), times: rows.iter().map(|r| r.0).collect(), states }
 }
 
 /// The other driven coordinates with both derivatives by the first, and the graph in which these stand.

@@ -3,6 +3,7 @@
 mod blows;
 mod bridge;
 mod rivals;
+mod trail;
 mod watching;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -312,6 +313,7 @@ struct Run {
     work: Work,
     interrupted: bool,
     pace: Pace,
+    trail: trail::Recorder,
 }
 
 /// Share of the last step before its end at which the sides of switches are looked at.
@@ -406,6 +408,7 @@ impl Run {
             work: Work::default(),
             interrupted: false,
             pace: Pace::default(),
+            trail: trail::Recorder::new(system.states().iter().map(|q| q.name.clone()).collect()),
             chosen,
         })
     }
@@ -482,6 +485,7 @@ impl Run {
     fn sample<S: System + ?Sized>(&mut self, flow: &mut Flow<'_, S>, options: &Simulate<'_>, stop: Option<f64>) -> Result<(), Fault> {
         let (step, system) = flow.step_and_system();
         let end = stop.map_or_else(|| step.end(), |tau| step.instant(tau));
+        self.trail.step(step, stop.unwrap_or(step.length));
         while let Some(&(t, row)) = self.times.get(self.next) {
             if end.until(t) >= 0.0 {
                 break;
@@ -654,6 +658,7 @@ impl Run {
         let audits = audits.into_iter().flatten().chain(self.released.audits(tolerance)).chain(laws).collect();
         let states = system.states().iter().map(|q| q.name.clone()).collect();
         let mut dataset = Dataset {
+            trail: self.trail.close(),
             axis: Some(0),
             columns,
             audits,

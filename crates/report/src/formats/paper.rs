@@ -66,6 +66,7 @@ impl<'a> Walk<'a> {
             Block::Figure(figure) => self.picture(&figure.title, &figure_summary(figure, self.language), paper),
             Block::Bands(bands) => self.picture(&bands.title, &bands.summary(self.language), paper),
             Block::Scheme(scheme) => self.picture(&scheme.title, &scheme.summary.join("\n"), paper),
+            Block::Moving(_) => {}
             Block::Details { summary, blocks } => {
                 paper.heading(2, summary);
                 self.blocks(blocks, paper);

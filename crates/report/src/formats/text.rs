@@ -131,8 +131,12 @@ impl Writer {
     }
 
     fn block(&mut self, block: &Block) {
+        if matches!(block, Block::Moving(_)) {
+            return;
+        }
         self.out.push('\n');
         match block {
+            Block::Moving(_) => {}
             Block::Heading { level, text } => {
                 self.line(text);
                 let rule = if *level == 1 { "─" } else { "·" };

@@ -128,6 +128,20 @@ impl Ink {
 }
 
 impl Stroke {
+    /// The outline as straight pieces, as many for every size, and whether it is closed.
+    pub fn polyline(&self) -> (Vec<P>, bool) {
+        const PIECES: usize = 28;
+        let turned = |center: P, radius: f64, [from, to]: [f64; 2]| {
+            (0..=PIECES).map(|i| polar(center, radius, from + (to - from) * i as f64 / PIECES as f64)).collect()
+        };
+        match &self.shape {
+            Shape::Way(points) => (points.clone(), false),
+            Shape::Loop(points) => (points.clone(), true),
+            Shape::Circle(center, radius) => (turned(*center, *radius, [0.0, TAU]), true),
+            Shape::Arc(center, radius, angles) => (turned(*center, *radius, *angles), false),
+        }
+    }
+
     /// Points along the stroke, close enough for a label to keep away.
     pub fn points(&self) -> Vec<P> {
         match &self.shape {
@@ -175,6 +189,13 @@ pub fn direction(a: P, b: P) -> f64 {
 /// The point that divides a and b.
 pub fn between(a: P, b: P, share: f64) -> P {
     [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share]
+}
+
+/// Where a thread from a point touches a drum that winds it in when it turns counter-clockwise (`sense` 1) or clockwise (-1): the rim nearest to a point inside.
+pub fn tangent(center: P, radius: f64, (from, sense): (P, f64)) -> P {
+    let d = distance(center, from);
+    let off = if d <= radius { 0.0 } else { (radius / d).acos() };
+    polar(center, radius, direction(center, from) - sense * off)
 }
 
 /// Axes of a symbol: x along its direction, y to the left of it.

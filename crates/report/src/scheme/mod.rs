@@ -5,10 +5,14 @@
 
 mod ink;
 mod labels;
+pub mod moving;
+mod rides;
 mod svg;
 pub mod symbols;
 
-pub use ink::{Fill, Ink, P, Shape, Stroke, Weight, between, direction, distance, polar};
+pub use ink::{Fill, Ink, P, Shape, Stroke, Weight, between, direction, distance, polar, tangent};
+pub use moving::Moving;
+pub use rides::{Drum, Rides, Via};
 pub use symbols::{Symbol, TABLE};
 
 use crate::rich::Rich;
@@ -20,14 +24,16 @@ pub const S: f64 = 22.0;
 /// How an item moves with the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fit {
-    /// It stands still: ground, guides.
+    /// It keeps its direction: ground, guides. What carries it takes it along.
     Static,
     /// It moves with a body.
     Rigid,
-    /// It lies between two ends: springs, dampers, rods.
+    /// It lies between two ends and is drawn anew between them: springs, dampers, rods. What does not use [`Place::other`] finds there its length at rest.
     Stretch,
     /// It runs over wheels: belts, threads.
     Wrap,
+    /// It belongs to the place that is drawn, as coordinates and dimensions do; a moving picture goes without it.
+    Sign,
 }
 
 /// Where a symbol stands. What each number means to a symbol stands at the symbol; what a symbol does not use is zero.
@@ -56,8 +62,8 @@ pub struct Item {
     pub symbol: &'static Symbol,
     /// Where.
     pub place: Place,
-    /// The body that carries it, by its number in the scheme; none for the ground.
-    pub body: Option<usize>,
+    /// What carries it.
+    pub rides: Rides,
 }
 
 /// Words or letters beside something.
@@ -71,6 +77,8 @@ pub struct Label {
     pub away: f64,
     /// The side it should be on, rad; none where all are equal.
     pub side: Option<f64>,
+    /// What carries it; none for letters of coordinates and dimensions, which a moving picture goes without.
+    pub rides: Option<Rides>,
 }
 
 /// What a label says.
@@ -107,10 +115,15 @@ impl Scheme {
         Scheme { name: name.to_owned(), title, items: Vec::new(), labels: Vec::new(), summary: Vec::new() }
     }
 
-    /// Adds a symbol; a name that is not in the table adds nothing.
+    /// Adds a symbol that stands still; a name that is not in the table adds nothing.
     pub fn put(&mut self, symbol: &str, path: &str, place: Place) {
+        self.carried(symbol, path, (place, Rides::default()));
+    }
+
+    /// Adds a symbol with what carries it.
+    pub fn carried(&mut self, symbol: &str, path: &str, (place, rides): (Place, Rides)) {
         let Some(symbol) = symbols::find(symbol) else { return };
-        self.items.push(Item { path: path.to_owned(), symbol, place, body: None });
+        self.items.push(Item { path: path.to_owned(), symbol, place, rides });
     }
 
     /// Adds a label.
@@ -132,7 +145,7 @@ impl Scheme {
 impl Label {
     /// A symbol beside a place.
     pub fn symbol(name: &str, at: P, away: f64) -> Label {
-        Label { text: LabelText::Symbol(name.to_owned()), at, away, side: None }
+        Label { text: LabelText::Symbol(name.to_owned()), at, away, side: None, rides: None }
     }
 
     /// On this side if possible.
@@ -153,7 +166,7 @@ pub fn sheet(language: Language) -> Scheme {
         scheme.put(symbol.name, symbol.name, place);
         let words = LabelText::Words(language.pick(symbol.words.0, symbol.words.1).to_owned());
         let below = [corner[0], corner[1] + 50.0];
-        scheme.label(Label { text: words, at: below, away: 0.0, side: None });
+        scheme.label(Label { text: words, at: below, away: 0.0, side: None, rides: None });
     }
     scheme
 }

@@ -2,7 +2,7 @@
 
 use super::ink::{Fill, Ink, P, Shape, Stroke, Weight, polar};
 use super::labels::{Set, placed};
-use super::{LabelText, Scheme};
+use super::{Item, LabelText, Scheme};
 use crate::escape::markup;
 use crate::symbol;
 use std::fmt::Write;
@@ -16,18 +16,46 @@ const FONTS: &str = "DejaVu Sans, Verdana, Segoe UI, Arial, sans-serif";
 
 /// The scheme as an SVG document.
 pub fn write(scheme: &Scheme, language: Language) -> String {
-    let mut drawn: Vec<(usize, Ink)> = Vec::new();
-    for (i, item) in scheme.items.iter().enumerate() {
-        let mut ink = Ink::default();
-        (item.symbol.draw)(&item.place, &mut ink);
-        drawn.push((i, ink));
+    let drawn = Drawn::new(scheme, language);
+    let mut out = head(scheme, bounds(&drawn.points(), &drawn.labels), language);
+    for (item, ink) in scheme.items.iter().zip(&drawn.inks) {
+        let _ = write!(out, "<g data-path=\"{}\">", markup(&item.path));
+        ink.strokes.iter().for_each(|stroke| out.push_str(&path(stroke)));
+        out.push_str("</g>\n");
     }
-    let points: Vec<P> = drawn.iter().flat_map(|(_, ink)| &ink.strokes).flat_map(Stroke::points).collect();
-    let labels = placed(&scheme.labels, &points, language);
-    let (low, high) = bounds(&points, &labels);
-    // whole pixels, so that nothing shows through at the edges
+    drawn.labels.iter().for_each(|set| text(&mut out, set, language));
+    out.push_str("</svg>\n");
+    out
+}
+
+/// Strokes of all items, and labels at their places.
+pub(super) struct Drawn<'a> {
+    pub inks: Vec<Ink>,
+    pub labels: Vec<Set<'a>>,
+}
+
+impl Drawn<'_> {
+    pub fn new(scheme: &Scheme, language: Language) -> Drawn<'_> {
+        let inks: Vec<Ink> = scheme.items.iter().map(ink).collect();
+        let points: Vec<P> = inks.iter().flat_map(|ink| &ink.strokes).flat_map(Stroke::points).collect();
+        Drawn { labels: placed(&scheme.labels, &points, language), inks }
+    }
+
+    pub fn points(&self) -> Vec<P> {
+        self.inks.iter().flat_map(|ink| &ink.strokes).flat_map(Stroke::points).collect()
+    }
+}
+
+fn ink(item: &Item) -> Ink {
+    let mut ink = Ink::default();
+    (item.symbol.draw)(&item.place, &mut ink);
+    ink
+}
+
+/// The opening tag with the paper; whole pixels, so that nothing shows through at the edges.
+pub(super) fn head(scheme: &Scheme, (low, high): (P, P), language: Language) -> String {
     let (w, h) = ((high[0] - low[0]).ceil(), (high[1] - low[1]).ceil());
-    let mut out = format!(
+    format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"scheme\" width=\"{w}\" height=\"{h}\" viewBox=\"{:.1} {:.1} {w} {h}\" \
          role=\"img\" aria-label=\"{}\" color=\"#000000\" font-family=\"{FONTS}\" font-size=\"{TEXT}\" fill=\"none\" stroke=\"currentColor\" \
          stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>{}</title>\n<rect class=\"paper\" x=\"{:.1}\" y=\"{:.1}\" width=\"{w}\" height=\"{h}\" \
@@ -38,18 +66,10 @@ pub fn write(scheme: &Scheme, language: Language) -> String {
         markup(&scheme.title.plain(language)),
         low[0],
         low[1],
-    );
-    for (i, ink) in &drawn {
-        let _ = write!(out, "<g data-path=\"{}\">", markup(&scheme.items[*i].path));
-        ink.strokes.iter().for_each(|stroke| out.push_str(&path(stroke)));
-        out.push_str("</g>\n");
-    }
-    labels.iter().for_each(|set| text(&mut out, set, language));
-    out.push_str("</svg>\n");
-    out
+    )
 }
 
-fn bounds(points: &[P], labels: &[Set]) -> (P, P) {
+pub(super) fn bounds(points: &[P], labels: &[Set]) -> (P, P) {
     let corners = labels.iter().flat_map(|set| [set.low, set.high]);
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for p in points.iter().copied().chain(corners) {
@@ -61,7 +81,8 @@ fn bounds(points: &[P], labels: &[Set]) -> (P, P) {
     if low[0] <= high[0] { (low, high) } else { ([0.0; 2], [2.0 * MARGIN; 2]) }
 }
 
-fn path(stroke: &Stroke) -> String {
+/// Weight, filling and dashes of a stroke.
+pub(super) fn look(stroke: &Stroke) -> String {
     let width = match stroke.weight {
         Weight::Link => "2.6",
         Weight::Part => "1.7",
@@ -74,7 +95,11 @@ fn path(stroke: &Stroke) -> String {
         Fill::Ink => " fill=\"currentColor\"",
     };
     let dash = if stroke.dashed { " stroke-dasharray=\"9 3 2 3\"" } else { "" };
-    let look = format!("stroke-width=\"{width}\"{fill}{dash}");
+    format!("stroke-width=\"{width}\"{fill}{dash}")
+}
+
+pub(super) fn path(stroke: &Stroke) -> String {
+    let look = look(stroke);
     match &stroke.shape {
         Shape::Way(points) => format!("<path d=\"{}\" {look}/>", way(points)),
         Shape::Loop(points) => format!("<path d=\"{}Z\" {look}/>", way(points)),
@@ -88,7 +113,7 @@ fn path(stroke: &Stroke) -> String {
     }
 }
 
-fn way(points: &[P]) -> String {
+pub(super) fn way(points: &[P]) -> String {
     let mut out = String::new();
     for (i, [x, y]) in points.iter().enumerate() {
         let _ = write!(out, "{}{x:.1} {y:.1}", if i == 0 { 'M' } else { 'L' });
@@ -96,7 +121,7 @@ fn way(points: &[P]) -> String {
     out
 }
 
-fn text(out: &mut String, set: &Set, language: Language) {
+pub(super) fn text(out: &mut String, set: &Set, language: Language) {
     let [x, y] = set.baseline;
     if let LabelText::Number(n) = &set.label.text {
         let (cx, cy) = ((set.low[0] + set.high[0]) / 2.0, (set.low[1] + set.high[1]) / 2.0);

@@ -6,6 +6,7 @@ mod completions;
 mod equations;
 mod examples;
 mod explain;
+mod gallery;
 pub mod line;
 mod new;
 mod paper;
@@ -48,6 +49,7 @@ pub fn run(command: Command, console: &mut Console) -> Result<Exit, Failure> {
         Command::Section(args) => section::run(&args, console),
         Command::Scheme(args) => scheme::run(&args, console),
         Command::Examples(args) => examples::run(&args, console),
+        Command::Gallery(args) => gallery::run(&args, console),
         Command::New(args) => new::run(&args, console),
         Command::Explain(args) => explain::run(&args, console),
         Command::Completions(args) => completions::run(&args, console),

@@ -6,8 +6,8 @@ use crate::console::{Console, INTERRUPTED, listen_to_interrupts, quoted};
 use report::formats::Holds;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
-use strutt::folder;
 use strutt::wording::Word;
+use strutt::{film, folder};
 use studies::Extent;
 use studies::Failure;
 use studies::pipeline::{self, Calculation};
@@ -23,11 +23,24 @@ pub fn run(args: &args::Run, console: &mut Console) -> Result<Exit, Failure> {
     let out = args.out.clone().unwrap_or_else(|| Path::new("out").join(source.name()));
     let (language, page) = (console.language, console.page.unwrap_or(folder::PAGE));
     let paths = console.timed(Word::TimeWrite, |_| folder::write(&mut calculation, &out, (page, language)))?;
+    let paths = if args.animate { animated(&calculation, (&out, paths), console)? } else { paths };
     show(&calculation, console)?;
     tell(&calculation, &paths, &args.model.file, console);
     // studies that were left out are no finding of their own
     let least = if INTERRUPTED.load(Ordering::Relaxed) { Exit::Interrupted } else { Exit::Done };
     Ok(calculation.results.iter().fold(least, |exit, results| exit.worse(judge(results, console))))
+}
+
+/// Moving pictures beside the page, before it in the list.
+fn animated(calculation: &Calculation, (out, mut paths): (&Path, Vec<PathBuf>), console: &Console) -> Result<Vec<PathBuf>, Failure> {
+    let films = film::write(calculation, out, console.language)?;
+    if let Some(why) = films.without {
+        console.talk(console.language.text(&why));
+    }
+    let page = paths.pop();
+    paths.extend(films.paths);
+    paths.extend(page);
+    Ok(paths)
 }
 
 fn show(calculation: &Calculation, console: &Console) -> Result<(), Failure> {

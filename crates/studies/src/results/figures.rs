@@ -14,8 +14,12 @@ pub fn of_coordinates(equations: &Equations) -> Vec<Plot> {
 }
 
 /// Figures that a study asks for. Their names differ.
+///
+/// What is asked for twice is drawn once.
 pub fn plots(plots: &[Plot], data: &Dataset, language: Language) -> Vec<Figure> {
-    distinct(plots.iter().filter_map(|plot| figure(plot, data, language)).collect())
+    let first = |(i, plot): &(usize, &Plot)| !plots[..*i].iter().any(|p| p.x == plot.x && p.y == plot.y);
+    let plots: Vec<&Plot> = plots.iter().enumerate().filter(first).map(|(_, plot)| plot).collect();
+    distinct(plots.into_iter().filter_map(|plot| figure(plot, data, language)).collect())
 }
 
 fn distinct(mut figures: Vec<Figure>) -> Vec<Figure> {

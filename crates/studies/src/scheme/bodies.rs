@@ -41,7 +41,12 @@ impl Sketch<'_> {
             let path = self.groups.all[group].path.clone();
             if !self.facing(&wheel) {
                 let path_points = self.rim(group, &wheel);
+                let (rim, center) = (path_points.first().copied(), self.stage.at(group, wheel.center));
                 self.put("outline", &path, Place { path: path_points, ..Place::default() });
+                // a mark, without which a turning wheel seems to stand
+                if let Some(to) = rim {
+                    self.put("spoke", &path, Place { at: center, to, ..Place::default() });
+                }
                 continue;
             }
             let at = self.stage.at(group, wheel.center);

@@ -4,7 +4,7 @@ use super::ends::Ends;
 use super::groups::Joint;
 use super::sketch::{Act, Sketch};
 use mechanics::model::{ConnectionKind, FrameId, PointRef, Slides, SupportDirection, Track};
-use report::scheme::{P, Place, S, direction, distance, polar};
+use report::scheme::{P, Place, Rides, S, direction, distance, polar};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 impl Sketch<'_> {
@@ -18,7 +18,9 @@ impl Sketch<'_> {
                 continue;
             }
             let (at, path, on_ground) = (self.origin(group.root), group.path.clone(), group.carrier == 0);
+            self.rides = Rides::on(group.carrier);
             if !group.body && mechanics::is_spatial(&self.machine.model) {
+                self.rides = Rides::on(i);
                 self.axes_of(group.root);
                 continue;
             }
@@ -101,10 +103,12 @@ impl Sketch<'_> {
                 ConnectionKind::Pin { between: [a, b], .. } => {
                     let on_ground = self.group_of(*a) == 0 || self.group_of(*b) == 0;
                     let at = self.seen(if self.group_of(*a) == 0 { *a } else { *b });
+                    self.rides = Rides::on(if on_ground { 0 } else { self.group_of(*b) });
                     self.hinge(at, &path, on_ground.then_some(()));
                 }
                 ConnectionKind::Weld { between: [a, b], .. } => {
                     let at = self.seen(*a);
+                    self.rides = Rides::on(self.group_of(*a));
                     if self.group_of(*a) == 0 || self.group_of(*b) == 0 {
                         let turn = self.busy(at).first().map_or(-FRAC_PI_2, |t| t + PI);
                         self.put("clamp", &path, Place { at, turn, ..Place::default() });
@@ -119,6 +123,7 @@ impl Sketch<'_> {
                     for end in [a, b] {
                         let at = self.seen(*end);
                         let on_ground = self.group_of(*end) == 0;
+                        self.rides = Rides::on(self.group_of(*end));
                         self.hinge(at, &path, on_ground.then_some(()));
                     }
                 }
@@ -136,17 +141,24 @@ impl Sketch<'_> {
         let is_slot = path.starts_with("slots");
         let half = if is_slot { 2.2 * S } else { 1.7 * S };
         let (a, b) = (polar(at, -half, turn), polar(at, half, turn));
+        let (bearer, block) = (self.groups.of(on), self.group_of(point));
+        // the way lies in its bearer, the block goes with the point and turns with the way
+        self.rides = Rides::on(bearer);
+        let slider = Rides::turning(block, bearer);
         match (is_slot, on_ground) {
             (true, _) => {
                 self.put("slot", path, Place { at: a, to: b, ..Place::default() });
+                self.rides = slider;
                 self.put("slider", path, Place { at, turn, ..Place::default() });
             }
             (false, true) => {
                 self.put("guides", "ground", Place { at: a, to: b, other: 0.42 * S, ..Place::default() });
+                self.rides = slider;
                 self.put("slider", path, Place { at, turn, ..Place::default() });
             }
             (false, false) => {
                 self.put("link", path, Place { at: a, to: b, ..Place::default() });
+                self.rides = slider;
                 self.put("slider", path, Place { at, turn, ..Place::default() });
             }
         }
@@ -161,6 +173,7 @@ impl Sketch<'_> {
             let path = format!("supports.{}", connection.name);
             let place = self.seen(*at);
             let bearer = on.map_or(0, |f| self.groups.of(f));
+            self.rides = Rides::on(bearer);
             let turned = self.numbers.frames[0][axes.index()].angle();
             let has = |d: SupportDirection| directions.contains(&d);
             let (x, y, fixed) = (has(SupportDirection::X), has(SupportDirection::Y), has(SupportDirection::TurnZ));
@@ -230,6 +243,7 @@ impl Sketch<'_> {
             let (from, to) = (polar(low, -block.half[0], block.turn), polar(low, block.half[0], block.turn));
             let rubbing =
                 self.acts.iter().find(|a| a.table == "frictions" && self.touches(a, group)).map_or_else(String::new, |a| a.path.clone());
+            self.rides = Rides::along(group);
             self.put("friction", &rubbing, Place { at: from, to, ..Place::default() });
         }
     }
@@ -250,6 +264,7 @@ impl Sketch<'_> {
             let path = format!("{}.{}", connection.table, connection.name);
             let (c, r) = (self.seen(*center), self.long(self.numbers.value(machine, *radius)));
             let bearer = self.groups.of(*on);
+            self.rides = Rides::on(bearer);
             let Track::Line { direction: along, left, .. } = track else {
                 if let Track::Circle { center, radius, .. } = track {
                     let (at, size) = (self.seen(*center), self.long(self.numbers.value(machine, *radius)));
@@ -282,6 +297,7 @@ impl Sketch<'_> {
         for friction in &machine.model.connections {
             if let ConnectionKind::Friction { slides: Slides::Point { point, .. }, .. } = &friction.kind {
                 let at = self.seen(*point);
+                self.rides = Rides::along(self.group_of(*point));
                 let path = format!("frictions.{}", friction.name);
                 self.put("slip_mark", &path, Place { at, size: 0.5 * S, ..Place::default() });
             }
@@ -299,6 +315,8 @@ impl Sketch<'_> {
         self.put("reference", path, Place { at: low, to: polar(low, 2.2 * S, flat), ..Place::default() });
         let sweep = (turn - flat + PI).rem_euclid(TAU) - PI;
         self.put("angle", path, Place { at: low, size, turn: flat, other: sweep, ..Place::default() });
+        self.signing = true;
         self.note(letter, polar(low, size, flat + sweep / 2.0), 4.0, Some(flat + sweep / 2.0));
+        self.signing = false;
     }
 }

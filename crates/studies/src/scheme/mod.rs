@@ -9,9 +9,11 @@
 //! | what formulas of pathways measure | `ends.rs` |
 //! | metres to pixels | `stage.rs` |
 //! | symbols | `sketch.rs` and the files beside it |
+//! | a motion: frames along it, tracks, which studies have one | `course.rs`, `moving.rs`, `played.rs` |
 //! | which symbols each table of the file has | `vocabulary.rs` |
 
 mod bodies;
+mod course;
 mod ends;
 mod groups;
 mod holds;
@@ -19,7 +21,9 @@ mod instants;
 mod isolate;
 mod letters;
 mod looks;
+mod moving;
 mod numbers;
+mod played;
 mod pulls;
 mod shafts;
 mod signs;
@@ -30,7 +34,9 @@ mod ties;
 pub mod vocabulary;
 
 pub use instants::{at_rest, at_time};
+pub use moving::along;
 pub use numbers::Instant;
+pub use played::of as played;
 
 use crate::machine::Machine;
 use mechanics::model::FrameId;

@@ -242,6 +242,11 @@ impl Pose {
         [0, 1, 2].map(|j| self.rotation[0][j] * v[0] + self.rotation[1][j] * v[1] + self.rotation[2][j] * v[2])
     }
 
+    /// Where a point of the frame is that was there when the frame had another pose.
+    pub fn carried(&self, before: &Pose, p: V3) -> V3 {
+        plus(self.origin, 1.0, self.shown(before.seen(minus(p, before.origin))))
+    }
+
     /// A vector of the frame in the axes of the ground.
     pub fn shown(&self, v: V3) -> V3 {
         self.rotation.map(|row| dot(row, v))

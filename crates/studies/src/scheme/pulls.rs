@@ -2,10 +2,10 @@
 
 use super::ends::Ends;
 use super::numbers::V3;
-use super::sketch::{Act, Sketch};
+use super::sketch::{Act, Carrier, Sketch};
 use super::ties::SMALL;
 use mechanics::model::{ConnectionKind, FrameId, PointRef, Site, Slides};
-use report::scheme::{LabelText, P, Place, S, between, direction, distance, polar};
+use report::scheme::{LabelText, P, Place, Rides, S, between, direction, distance, polar};
 use std::f64::consts::{FRAC_PI_2, PI};
 use symbolic::Expr;
 
@@ -19,11 +19,12 @@ impl Sketch<'_> {
         for (i, act) in acts.iter().enumerate() {
             match (&act.ends, act.table) {
                 (Ends::Points(a, b), _) => {
+                    self.rides = Rides::between(self.group_of(*a), self.group_of(*b));
                     let (a, b) = (self.seen(*a), self.seen(*b));
                     let side = self.rank(&acts, i);
                     self.tie(act, offset((a, b), side));
                 }
-                (Ends::Along { .. }, "springs" | "dampers") => self.along(act, self.rank(&acts, i)),
+                (Ends::Along { .. }, "springs" | "dampers") => self.along((i, act), self.rank(&acts, i)),
                 (Ends::Along { on, direction, driven, .. }, _) => self.push(act, (*on, *direction), *driven),
                 (Ends::Turn { on, from, sense, .. }, _) => self.turn(act, (*on, *from, *sense), self.rank_of_turn(&acts, i)),
                 (Ends::Unknown, _) => self.somewhere(act),
@@ -123,7 +124,7 @@ impl Sketch<'_> {
     }
 
     /// A spring or damper by a formula: from the place that moves to a wall behind it, or to the other place.
-    fn along(&mut self, act: &Act, side: f64) {
+    fn along(&mut self, (index, act): (usize, &Act), side: f64) {
         let Ends::Along { on, from, direction: way, driven } = act.ends else { return };
         let Some(turn) = self.stage.turn(way) else { return self.somewhere(act) };
         let side = side * 1.25 * S;
@@ -138,11 +139,16 @@ impl Sketch<'_> {
             None => polar(near, -SPRING, turn),
         };
         let symbol = self.symbol_of(act);
+        let base = from.map_or(0, |f| self.group_of(f));
+        let base = if driven == 0.0 { base } else { self.carrier(Carrier::Driven { act: index, direction: way, of: base }) };
+        self.rides = Rides::between(base, self.group_of(on));
         self.put(symbol, &act.path, Place { at: far, to: near, ..Place::default() });
+        let own = std::mem::replace(&mut self.rides, Rides::along(base));
         if from.is_none() {
             let (a, b) = (polar(far, -0.75 * S, turn + FRAC_PI_2), polar(far, 0.75 * S, turn + FRAC_PI_2));
             // the wall is behind: to the right of its line
-            self.put(if driven == 0.0 { "wall" } else { "link" }, "ground", Place { at: b, to: a, ..Place::default() });
+            let (end, part) = if driven == 0.0 { ("wall", "ground") } else { ("link", act.path.as_str()) };
+            self.put(end, part, Place { at: b, to: a, ..Place::default() });
             if driven != 0.0 {
                 // the pathway grows where its far end goes back
                 let way = turn + if driven > 0.0 { PI } else { 0.0 };
@@ -150,6 +156,7 @@ impl Sketch<'_> {
                 self.put("motion", &act.path, Place { at: tail, to: polar(tail, 1.9 * S, way), ..Place::default() });
             }
         }
+        self.rides = own;
         let letter = self.letter(act);
         self.note(letter, between(far, near, 0.5), 0.55 * S, Some(turn + FRAC_PI_2 * if side < 0.0 { -1.0 } else { 1.0 }));
     }
@@ -157,6 +164,7 @@ impl Sketch<'_> {
     /// Forces, motors, given motions, stops, frictions along a direction.
     fn push(&mut self, act: &Act, (on, way): (PointRef, V3), driven: f64) {
         let Some(turn) = self.stage.turn(way) else { return self.somewhere(act) };
+        self.rides = Rides::along(if act.table == "stops" { 0 } else { self.group_of(on) });
         match act.table {
             "stops" => {
                 let Some(ConnectionKind::Stop { above, clearance, .. }) = self.connection(act) else { return };
@@ -222,6 +230,7 @@ impl Sketch<'_> {
     fn turn(&mut self, act: &Act, (on, from, sense): (FrameId, FrameId, f64), rank: usize) {
         let at = self.pivot(on, from);
         let group = self.groups.of(on);
+        self.rides = Rides::along(group);
         let wheel = self.looks[group].wheels.iter().map(|w| self.long(w.radius)).fold(0.0, f64::max);
         let clear = wheel.max(0.75 * S);
         let symbol = match act.table {
@@ -246,6 +255,7 @@ impl Sketch<'_> {
     fn somewhere(&mut self, act: &Act) {
         let letter = self.letter(act);
         let at = self.moved_by(act);
+        self.rides = Rides::default();
         self.put("field", &act.path, Place { at, ..Place::default() });
         self.note(letter, at, S, None);
     }
@@ -310,6 +320,7 @@ impl Sketch<'_> {
         };
         let seen = self.numbers.frames[0][axes.index()].shown(vector);
         let Some(turn) = self.stage.turn(seen) else { return };
+        self.rides = Rides::turning(self.group_of(at), self.groups.of(axes));
         let from = self.grip(at, turn);
         let tip = polar(from, 2.1 * S, turn);
         self.put("force", path, Place { at: from, to: tip, ..Place::default() });
@@ -346,6 +357,7 @@ impl Sketch<'_> {
         let Some(k) = (0..3).rev().find(|k| !graph.is_zero(value[*k])) else { return };
         let (sense, letter) = self.signed(value[k], path);
         let group = self.groups.of(on);
+        self.rides = Rides::along(group);
         let look = &self.looks[group];
         let wheel = look.wheels.iter().max_by(|a, b| a.radius.total_cmp(&b.radius)).copied();
         let at = wheel.map_or_else(|| self.origin(self.groups.all[group].root), |w| self.stage.at(group, w.center));
@@ -377,7 +389,9 @@ impl Sketch<'_> {
 
     /// A potential or dissipation: beside the body that its formula names most.
     fn by_formula(&mut self, path: &str, formula: Expr) {
-        let at = self.named_in(formula).first().map_or_else(|| self.middle(self.groups.all.len() - 1), |g| self.middle(*g));
+        let group = self.named_in(formula).first().copied().unwrap_or(self.groups.all.len() - 1);
+        self.rides = Rides::along(group);
+        let at = self.middle(group);
         let at = [at[0] + 1.6 * S, at[1] - 1.2 * S];
         self.put("field", path, Place { at, ..Place::default() });
         let letter = self.letters.load(path);
@@ -411,6 +425,7 @@ impl Sketch<'_> {
         let groups = self.named_in(zero);
         let at = groups.first().map_or([0.0; 2], |g| self.middle(*g));
         let to = groups.get(1).map_or([at[0] + 2.4 * S, at[1] - 1.6 * S], |g| self.middle(*g));
+        self.rides = Rides::between(groups.first().copied().unwrap_or(0), groups.get(1).copied().unwrap_or(0));
         self.put("condition", path, Place { at, to, ..Place::default() });
         let letter = self.letters.load(path);
         self.note(letter, between(at, to, 0.5), 0.6 * S, None);
@@ -422,6 +437,8 @@ impl Sketch<'_> {
             Slides::Along(_) | Slides::Point { .. } => return,
             Slides::Contact { of, .. } | Slides::Rolls { of } | Slides::Journal { of, .. } | Slides::Belt { of, .. } => {
                 let Some(place) = self.place_of(*of) else { return };
+                let carried = self.scheme.items.iter().find(|i| distance(i.place.at, place) < 1.0 && i.rides.path.is_empty());
+                self.rides = carried.map_or_else(Rides::default, |i| Rides::along(i.rides.at));
                 place
             }
         };

@@ -3,15 +3,18 @@
 use super::ends::Ends;
 use super::groups::Joint;
 use super::numbers::{Numbers, minus, norm};
-use super::sketch::{Act, Sketch};
+use super::sketch::{Act, Carrier, Sketch};
 use mechanics::model::{ConnectionKind, Site};
-use report::scheme::{LabelText, P, Place, S, between, polar};
+use report::scheme::{LabelText, P, Place, Rides, S, between, polar};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Distance of discs on a shaft.
 const STEP: f64 = 5.2 * S;
 /// Half of the height of a disc.
 const DISC: f64 = 1.6 * S;
+
+/// Where the mark of a disc stands at the start, rad from the side that is seen.
+pub(super) const MARK: f64 = 0.7;
 
 /// A disc of a line.
 #[derive(Clone, Copy, Debug)]
@@ -57,6 +60,18 @@ pub(super) fn draw(sketch: &mut Sketch) {
         let path = sketch.groups.all[disc.group].path.clone();
         let symbol = if disc.gear { "gear_side" } else { "section_side" };
         sketch.put(symbol, &path, Place { at: disc.at, size: 0.32 * S, other: disc.half, ..Place::default() });
+        // a disc that is seen from the side stands; its mark goes up and down
+        if let Some(item) = sketch.scheme.items.last_mut() {
+            item.rides = Rides::default();
+        }
+        let rim = sketch.carrier(Carrier::Rim { group: disc.group, half: 0.9 * disc.half });
+        sketch.rides = Rides::along(rim);
+        sketch.put(
+            "mark_side",
+            &format!("marks.{}", disc.group),
+            Place { at: [disc.at[0], disc.at[1] - 0.9 * disc.half * MARK.sin()], size: 0.32 * S, ..Place::default() },
+        );
+        sketch.rides = Rides::default();
     }
     loads(sketch, &discs);
     letters(sketch, &discs);

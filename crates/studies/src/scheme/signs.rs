@@ -4,7 +4,7 @@ use super::groups::Joint;
 use super::numbers::{minus, norm};
 use super::sketch::Sketch;
 use mechanics::model::FrameId;
-use report::scheme::{Label, LabelText, P, Place, S, between, direction, distance, polar};
+use report::scheme::{Label, LabelText, P, Place, Rides, S, between, direction, distance, polar};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 impl Sketch<'_> {
@@ -22,7 +22,8 @@ impl Sketch<'_> {
 
     /// A label beside a place.
     pub(super) fn note(&mut self, text: LabelText, at: P, away: f64, side: Option<f64>) {
-        self.scheme.label(Label { text, at, away, side });
+        let rides = if self.signing { None } else { Some(self.rides.clone()) };
+        self.scheme.label(Label { text, at, away, side, rides });
     }
 
     /// All letters; numbers of bodies and names of points come first.
@@ -31,9 +32,12 @@ impl Sketch<'_> {
         self.bodies_numbered();
         self.points_named();
         self.scheme.labels.extend(acting);
+        self.signing = true;
         self.coordinates();
         self.lengths();
+        self.signing = false;
         self.masses();
+        self.rides = Rides::default();
         self.gravity();
         self.summary();
     }
@@ -52,6 +56,7 @@ impl Sketch<'_> {
     pub(super) fn number(&mut self, group: usize, at: P, away: f64) {
         let next = self.groups.all.iter().map(|g| g.number).max().unwrap_or(0) + 1;
         self.groups.all[group].number = next;
+        self.rides = Rides::on(group);
         self.note(LabelText::Number(next), at, away, None);
     }
 
@@ -83,22 +88,23 @@ impl Sketch<'_> {
     }
 
     fn points_named(&mut self) {
-        let mut named: Vec<(P, String)> = Vec::new();
+        let mut named: Vec<(P, String, usize)> = Vec::new();
         let connections: Vec<String> = self.machine.model.connections.iter().map(|c| c.name.clone()).collect();
         for (i, look) in self.looks.iter().enumerate() {
             for spot in &look.spots {
                 // words for points of the file are no letters of a figure
                 let Some(name) = spot.name.as_ref().filter(|n| n.chars().filter(|c| c.is_alphabetic()).count() <= 2) else { continue };
                 let at = self.stage.at(i, spot.at);
-                match named.iter_mut().find(|(p, _)| distance(*p, at) < 4.0) {
+                match named.iter_mut().find(|(p, ..)| distance(*p, at) < 4.0) {
                     // of coinciding points the one that gives its joint the name
                     Some(known) if connections.contains(name) && !connections.contains(&known.1) => known.1.clone_from(name),
                     Some(_) => {}
-                    None => named.push((at, name.clone())),
+                    None => named.push((at, name.clone(), i)),
                 }
             }
         }
-        for (at, name) in named {
+        for (at, name, group) in named {
+            self.rides = Rides::on(group);
             if !self.scheme.items.iter().any(|item| item.place.at == at || item.place.to == at || item.place.path.contains(&at)) {
                 self.put("point", "points", Place { at, ..Place::default() });
             }
@@ -230,9 +236,10 @@ impl Sketch<'_> {
                     if wheel > 0.0 { wheel + 3.0 } else { 8.0 }
                 }
             };
-            found.push((text, at, away));
+            found.push((text, at, away, group));
         }
-        for (text, at, away) in found {
+        for (text, at, away, group) in found {
+            self.rides = Rides::on(group);
             self.note(text, at, away, Some(0.7));
         }
     }

@@ -4,12 +4,12 @@ use super::ends::{Ends, ends};
 use super::groups::{Groups, Joint};
 use super::letters::Letters;
 use super::looks::{Look, looks};
-use super::numbers::{Instant, Numbers, V3, minus, norm, plus};
+use super::numbers::{Instant, Numbers, Pose, V3, minus, norm, plus};
 use super::stage::Stage;
 use crate::machine::Machine;
 use mechanics::model::{ConnectionKind, FrameId, Pathway, PointRef, Site, Slides};
 use report::Scheme;
-use report::scheme::{P, Place, S, direction};
+use report::scheme::{P, Place, Rides, S, direction};
 use words::Language;
 
 /// A rectangle that stands for a group.
@@ -47,15 +47,44 @@ pub(super) struct Sketch<'a> {
     pub hinges: Vec<P>,
     /// Middles of groups that are drawn elsewhere than they are.
     pub origins: Vec<(usize, P)>,
+    /// What carries what is drawn next: groups by their numbers, then `more`.
+    pub rides: Rides,
+    /// What else carries something besides groups.
+    pub more: Vec<Carrier>,
+    /// Whether labels belong to the place that is drawn.
+    pub signing: bool,
+}
+
+/// What carries something besides the groups themselves.
+#[derive(Clone, Debug)]
+pub(super) enum Carrier {
+    /// The far end of an act, which moves in a given way: the act, its direction, the number of its carrier without that way.
+    Driven { act: usize, direction: V3, of: usize },
+    /// The rim of a disc that is seen from the side: its group, half of its height.
+    Rim { group: usize, half: f64 },
+    /// A point of a group of a machine in space.
+    Point { group: usize, at: V3 },
 }
 
 /// Draws a machine.
 pub(super) fn draw(machine: &Machine, at: &Instant, language: Language) -> Scheme {
-    let mut sketch = prepared(machine, at, language);
-    if super::shafts::is_line(&sketch) {
-        super::shafts::draw(&mut sketch);
+    let mut sketch = prepared(machine, (at, &[]), language);
+    complete(&mut sketch);
+    sketch.scheme
+}
+
+/// Draws a machine with room for all its places in the course of a motion.
+pub(super) fn draw_moving<'a>(machine: &'a Machine, motion: (&'a Instant, &[Vec<Pose>]), language: Language) -> Sketch<'a> {
+    let mut sketch = prepared(machine, motion, language);
+    complete(&mut sketch);
+    sketch
+}
+
+fn complete(sketch: &mut Sketch) {
+    if super::shafts::is_line(sketch) {
+        super::shafts::draw(sketch);
         sketch.summary();
-        return sketch.scheme;
+        return;
     }
     sketch.fit();
     sketch.blocks();
@@ -68,18 +97,18 @@ pub(super) fn draw(machine: &Machine, at: &Instant, language: Language) -> Schem
     sketch.holds();
     sketch.loads();
     sketch.signs();
-    sketch.scheme
 }
 
 /// Draws a body alone.
 pub(super) fn body(machine: &Machine, at: &Instant, (body, language): (FrameId, Language)) -> Scheme {
-    let mut sketch = prepared(machine, at, language);
+    let mut sketch = prepared(machine, (at, &[]), language);
     let group = sketch.groups.of(body);
     let name = &machine.model.frames[body.index()].name;
     sketch.scheme.name = format!("body-{name}");
     sketch.scheme.title = language.pick(format!("Free body: {name}"), format!("Освобождённое тело: {name}")).into();
     let only: Vec<Look> = sketch.looks.iter().enumerate().map(|(i, l)| if i == group { l.clone() } else { Look::default() }).collect();
-    let mut points = extent(&only, (&sketch.groups, &sketch.numbers), &vec![[0.0; 3]; only.len()]);
+    let mut points: Vec<V3> =
+        extent(&only, (&sketch.groups, &sketch.numbers), &vec![[0.0; 3]; only.len()]).into_iter().map(|p| p.1).collect();
     points.retain(|p| p.iter().all(|c| c.is_finite()));
     // another body without places of its own has its origin there; it is not seen
     let own = sketch.numbers.frames[0][sketch.groups.all[group].root.index()].origin;
@@ -97,7 +126,7 @@ pub(super) fn body(machine: &Machine, at: &Instant, (body, language): (FrameId, 
 }
 
 /// Everything that is known before the first stroke.
-fn prepared<'a>(machine: &'a Machine, at: &'a Instant, language: Language) -> Sketch<'a> {
+fn prepared<'a>(machine: &'a Machine, (at, course): (&'a Instant, &[Vec<Pose>]), language: Language) -> Sketch<'a> {
     let pathways = pathways(machine);
     let asked: Vec<(String, Pathway)> = pathways.iter().map(|(act, pathway)| (act.path.clone(), *pathway)).collect();
     let numbers = Numbers::new(machine, at, &asked);
@@ -106,7 +135,9 @@ fn prepared<'a>(machine: &'a Machine, at: &'a Instant, language: Language) -> Sk
         pathways.into_iter().map(|(act, pathway)| Act { ends: ends(machine, (&numbers, &groups), (&act.path, pathway)), ..act }).collect();
     let looks = looks(machine, &numbers, &groups);
     let nearer = nearer(machine, &looks, (&groups, &numbers));
-    let mut points = extent(&looks, (&groups, &numbers), &nearer);
+    let places = extent(&looks, (&groups, &numbers), &nearer);
+    let mut points: Vec<V3> = places.iter().map(|p| p.1).collect();
+    points.extend(swept(&places, (&groups, &numbers), (course, &nearer)));
     if let Some(structure) = &machine.model.structure {
         points.extend(super::structure::nodes(structure, &|e| numbers.value(machine, e)));
     }
@@ -122,6 +153,9 @@ fn prepared<'a>(machine: &'a Machine, at: &'a Instant, language: Language) -> Sk
         blocks: vec![None; n],
         hinges: Vec::new(),
         origins: Vec::new(),
+        rides: Rides::default(),
+        more: Vec::new(),
+        signing: false,
         numbers,
         groups,
         looks,
@@ -131,7 +165,7 @@ fn prepared<'a>(machine: &'a Machine, at: &'a Instant, language: Language) -> Sk
 }
 
 /// All pathways of the file.
-fn pathways(machine: &Machine) -> Vec<(Act, Pathway)> {
+pub(super) fn pathways(machine: &Machine) -> Vec<(Act, Pathway)> {
     let act = |path: &str, table, index| Act { path: path.to_owned(), table, index, ends: Ends::Unknown };
     let mut out = Vec::new();
     for (i, element) in machine.model.elements.iter().enumerate() {
@@ -229,11 +263,20 @@ fn nearer(machine: &Machine, looks: &[Look], (groups, numbers): (&Groups, &Numbe
     out
 }
 
-/// Places that must be in the picture.
-fn extent(looks: &[Look], (groups, numbers): (&Groups, &Numbers), nearer: &[V3]) -> Vec<V3> {
-    let mut all = Vec::new();
+/// The same places in the course of a motion.
+fn swept(places: &[(usize, V3)], (groups, numbers): (&Groups, &Numbers), (course, nearer): (&[Vec<Pose>], &[V3])) -> Vec<V3> {
+    let moved = |frames: &Vec<Pose>, (group, p): (usize, V3)| {
+        let root = groups.all[group].root.index();
+        plus(frames[root].carried(&numbers.frames[0][root], minus(p, nearer[group])), 1.0, nearer[group])
+    };
+    course.iter().flat_map(|frames| places.iter().filter(|p| p.0 > 0).map(move |p| moved(frames, *p))).collect()
+}
+
+/// Places that must be in the picture, each with its group.
+fn extent(looks: &[Look], (groups, numbers): (&Groups, &Numbers), nearer: &[V3]) -> Vec<(usize, V3)> {
+    let mut out = Vec::new();
     for (i, (look, group)) in looks.iter().zip(&groups.all).enumerate() {
-        let from = all.len();
+        let mut all: Vec<V3> = Vec::new();
         all.extend(look.spots.iter().map(|s| s.at));
         all.extend(look.centers.iter().map(|c| c.0));
         for wheel in &look.wheels {
@@ -248,14 +291,27 @@ fn extent(looks: &[Look], (groups, numbers): (&Groups, &Numbers), nearer: &[V3])
         if group.heavy && look.centers.is_empty() && !look.spots.is_empty() {
             all.push(numbers.frames[0][group.root.index()].origin);
         }
-        all[from..].iter_mut().for_each(|p| *p = plus(*p, 1.0, nearer[i]));
+        out.extend(all.into_iter().map(|p| (i, plus(p, 1.0, nearer[i]))));
     }
-    all
+    out
 }
 
 impl Sketch<'_> {
+    /// Adds a symbol: parts of a body ride on it, those of the ground stand, others ride as was said last.
     pub fn put(&mut self, symbol: &str, path: &str, place: Place) {
-        self.scheme.put(symbol, path, place);
+        let own = self.groups.all.iter().skip(1).position(|g| g.path == path);
+        let rides = match own {
+            Some(i) => Rides::on(i + 1),
+            None if path == "ground" => Rides::default(),
+            None => self.rides.clone(),
+        };
+        self.scheme.carried(symbol, path, (place, rides));
+    }
+
+    /// One more carrier; its number.
+    pub fn carrier(&mut self, carrier: Carrier) -> usize {
+        self.more.push(carrier);
+        self.groups.all.len() + self.more.len() - 1
     }
 
     /// A point in the picture.

@@ -2,6 +2,7 @@
 
 use super::numbers::{V3, dot, plus};
 use report::scheme::{P, S};
+use std::cell::RefCell;
 
 /// Largest width and height of the mechanism, without its supports and labels.
 const ROOM: P = [470.0, 330.0];
@@ -17,6 +18,8 @@ pub struct Stage {
     pub shift: Vec<P>,
     /// Shift of each group that stands far away, metres.
     pub nearer: Vec<V3>,
+    /// Places that were asked for with their groups: what is drawn at one of them is known again.
+    known: RefCell<Vec<(P, usize, V3)>>,
 }
 
 impl Stage {
@@ -31,11 +34,31 @@ impl Stage {
         };
         let fits: Vec<f64> = [0, 1].into_iter().filter(|k| span(*k) > 0.0).map(|k| ROOM[k] / span(k)).collect();
         let scale = fits.into_iter().fold(f64::INFINITY, f64::min);
-        Stage { axes, scale: if scale.is_finite() { scale } else { 10.0 * S }, shift: vec![[0.0; 2]; groups], nearer }
+        Stage {
+            axes,
+            scale: if scale.is_finite() { scale } else { 10.0 * S },
+            shift: vec![[0.0; 2]; groups],
+            nearer,
+            known: RefCell::default(),
+        }
     }
 
     /// Where a point of a group is.
     pub fn at(&self, group: usize, p: V3) -> P {
+        let place = self.place(group, p);
+        self.known.borrow_mut().push((place, group, p));
+        place
+    }
+
+    /// The point of a group that is drawn at a place; rather one of this group.
+    pub fn point(&self, place: P, group: usize) -> Option<(usize, V3)> {
+        let known = self.known.borrow();
+        let there = || known.iter().filter(|k| k.0 == place).map(|k| (k.1, k.2));
+        there().find(|k| k.0 == group).or_else(|| there().find(|k| k.0 > 0))
+    }
+
+    /// The same, without a note of it.
+    pub fn place(&self, group: usize, p: V3) -> P {
         let shift = self.shift.get(group).copied().unwrap_or_default();
         let p = plus(p, 1.0, self.nearer.get(group).copied().unwrap_or_default());
         [self.scale * dot(self.axes[0], p) + shift[0], -self.scale * dot(self.axes[1], p) + shift[1]]

@@ -1,8 +1,9 @@
 //! Ropes, belts, chains, gears, rods.
 
+use super::groups::Joint;
 use super::sketch::Sketch;
 use mechanics::model::{ConnectionKind, PointRef, Wound};
-use report::scheme::{P, Place, S, between, direction, distance, polar};
+use report::scheme::{Drum, P, Place, Rides, S, Via, between, direction, distance, polar, tangent};
 use std::f64::consts::FRAC_PI_2;
 
 impl Sketch<'_> {
@@ -16,6 +17,7 @@ impl Sketch<'_> {
                 ConnectionKind::Wheels { between, radii, opposite, .. } => {
                     let [a, b] = between.map(|f| self.origin(f));
                     let [r, s] = radii.map(|e| self.long(self.numbers.value(machine, e)));
+                    self.rides = self.over_wheels(between.map(|f| self.groups.of(f)), r);
                     self.transmission(&path, (a, b), (r, s), if *opposite { Sense::Opposite } else { Sense::Same });
                     if connection.table != "gears" {
                         let name = self.letters.load(&path);
@@ -25,6 +27,7 @@ impl Sketch<'_> {
                 }
                 ConnectionKind::Rod { between: [a, b], .. } => {
                     let (at, to) = (self.seen(*a), self.seen(*b));
+                    self.rides = Rides::between(self.group_of(*a), self.group_of(*b));
                     self.put("rod", &path, Place { at, to, ..Place::default() });
                     let name = self.letters.load(&path);
                     self.note(name, report::scheme::between(at, to, 0.5), 6.0, None);
@@ -32,6 +35,14 @@ impl Sketch<'_> {
                 _ => {}
             }
         }
+    }
+
+    /// A belt over two wheels is carried by what carries these, and runs with the first.
+    fn over_wheels(&self, [a, b]: [usize; 2], radius: f64) -> Rides {
+        let axle = |g: usize| if self.groups.all[g].joint == Joint::Turns { self.groups.all[g].carrier } else { g };
+        let (at, to) = (axle(a), axle(b));
+        // on one carrier the belt turns with it
+        Rides { runs: Some((a, radius)), ..Rides::between(at, to) }
     }
 
     fn transmission(&mut self, path: &str, (a, b): (P, P), (r, s): (f64, f64), sense: Sense) {
@@ -52,17 +63,41 @@ impl Sketch<'_> {
 
     /// A rope: its points, and where it leaves the drums that it winds on.
     fn rope(&mut self, path: &str, points: &[PointRef], wound: &[Wound]) {
-        let mut way: Vec<P> = points.iter().map(|p| self.seen(*p)).collect();
+        let named: Vec<P> = points.iter().map(|p| self.seen(*p)).collect();
+        let mut way = named.clone();
         for drum in wound {
             self.onto(&mut way, drum);
         }
+        // points of the way that are none of the rope's own are those where it leaves a drum
+        let via = |p: &P| match named.iter().position(|n| n == p) {
+            Some(i) => Via { track: self.group_of(points[i]), drum: None },
+            None => self.leaving(*p, wound),
+        };
+        let rides: Vec<Via> = way.iter().map(via).collect();
         if let ([_, ..], true) = (&way[..], way.len() >= 2) {
             self.pulleys(path, points, &way);
             let longest = way.windows(2).max_by(|a, b| distance(a[0], a[1]).total_cmp(&distance(b[0], b[1])));
             let middle = longest.map_or(way[0], |w| between(w[0], w[1], 0.5));
+            let half = rides.len() / 2;
+            let near = if half > 0 { [rides[half - 1].track, rides[half].track] } else { [0, 0] };
+            self.rides = Rides { path: rides, ..Rides::between(near[0], near[1]) };
             self.put("thread", path, Place { path: way, ..Place::default() });
+            self.rides = Rides::between(near[0], near[1]);
             let name = self.letters.load(path);
             self.note(name, middle, 5.0, None);
+        }
+    }
+
+    /// What carries the point where a rope leaves a drum: the one whose rim is nearest.
+    fn leaving(&self, p: P, wound: &[Wound]) -> Via {
+        let rim = |d: &Wound| (self.origin(d.on), self.long(self.numbers.value(self.machine, d.radius)));
+        let off = |d: &&Wound| (distance(p, rim(d).0) - rim(d).1).abs();
+        match wound.iter().min_by(|a, b| off(a).total_cmp(&off(b))) {
+            Some(drum) => {
+                let ((center, radius), sense) = (rim(drum), if drum.positive { 1.0 } else { -1.0 });
+                Via { track: self.groups.of(drum.on), drum: Some(Drum { center, radius, sense }) }
+            }
+            None => Via { track: 0, drum: None },
         }
     }
 
@@ -99,6 +134,7 @@ impl Sketch<'_> {
         for i in 1..points.len().saturating_sub(1) {
             let (here, next) = (self.group_of(points[i]), self.group_of(points[i + 1]));
             let (p, q) = (self.seen(points[i]), self.seen(points[i + 1]));
+            self.rides = Rides::on(here);
             if here == next && i + 1 < points.len() - 1 && distance(p, q) > 6.0 {
                 let (at, size) = (between(p, q, 0.5), distance(p, q) / 2.0);
                 self.put("pulley", path, Place { at, size, turn: 0.7, ..Place::default() });
@@ -118,15 +154,6 @@ impl Sketch<'_> {
 enum Sense {
     Same,
     Opposite,
-}
-
-/// Where a rope from a point touches a drum that winds it in when it turns counter-clockwise (`sense` 1) or clockwise.
-fn tangent(center: P, radius: f64, (from, sense): (P, f64)) -> P {
-    let d = distance(center, from);
-    if d <= radius {
-        return polar(center, radius, direction(center, from));
-    }
-    polar(center, radius, direction(center, from) - sense * (radius / d).acos())
 }
 
 /// Size of what has no size of its own.

@@ -6,7 +6,7 @@ use crate::figure::bands::{self, Bands};
 use crate::figure::{Figure, Title, svg};
 use crate::formats::text::{figure_summary, verdict};
 use crate::formula::{Form, Formula};
-use crate::scheme::Scheme;
+use crate::scheme::{Moving, Scheme};
 use crate::table::{Cell, Table, Verdict, split_number};
 use crate::wording::Word;
 use base64::Engine;
@@ -23,9 +23,13 @@ pub(super) struct Writer {
     language: Language,
     /// Headings that are listed; their places are numbered.
     headings: Vec<(u8, String)>,
+    /// Lowest level of these.
+    depth: u8,
     passed: usize,
     /// Figures that a script makes live, by their place in its data.
     live: usize,
+    /// Moving pictures, by their place in the data of the script.
+    played: usize,
     figures: usize,
     tables: usize,
     equations: usize,
@@ -33,14 +37,48 @@ pub(super) struct Writer {
 
 impl Writer {
     pub fn new(document: &Document) -> Writer {
-        let headings = document.contents().into_iter().map(|(level, text)| (level, text.to_owned())).collect();
-        Writer { out: String::new(), language: document.language, headings, passed: 0, live: 0, figures: 0, tables: 0, equations: 0 }
+        let own = |(level, text): (u8, &str)| (level, text.to_owned());
+        let listed: Vec<(u8, String)> = document.contents().into_iter().map(own).collect();
+        let beside = if listed.is_empty() { beside(document) } else { Vec::new() };
+        let (headings, depth) = if beside.is_empty() { (listed, 2) } else { (beside, 1) };
+        Writer {
+            depth,
+            out: String::new(),
+            language: document.language,
+            headings,
+            passed: 0,
+            live: 0,
+            played: 0,
+            figures: 0,
+            tables: 0,
+            equations: 0,
+        }
     }
 
     pub fn blocks(&mut self, blocks: &[Block]) {
-        for block in blocks {
-            self.block(block);
+        let mut rest = blocks;
+        while let Some((first, others)) = rest.split_first() {
+            let alike = rest.iter().take_while(|b| beside_one_another(b)).count();
+            if alike < 2 {
+                self.block(first);
+                rest = others;
+                continue;
+            }
+            self.push("<div class=\"figures\">\n");
+            rest[..alike].iter().for_each(|b| self.block(b));
+            self.push("</div>\n");
+            rest = &rest[alike..];
         }
+    }
+
+    /// The contents of a long page that has none itself, for the side of wide windows.
+    pub fn side(&self, document: &Document) -> String {
+        if self.depth != 1 {
+            return String::new();
+        }
+        let line = |(i, (_, text)): (usize, &(u8, String))| format!("<li><a href=\"#heading-{}\">{}</a></li>\n", i + 1, markup(text));
+        let lines: String = self.headings.iter().enumerate().map(line).collect();
+        format!("<nav class=\"side\" aria-label=\"{}\"><ul>\n{lines}</ul></nav>\n", document.language.word(Word::Contents))
     }
 
     fn block(&mut self, block: &Block) {
@@ -59,6 +97,7 @@ impl Writer {
             Block::Figure(figure) => self.figure(figure),
             Block::Bands(bands) => self.bands(bands),
             Block::Scheme(scheme) => self.scheme(scheme),
+            Block::Moving(moving) => self.moving(moving),
             Block::Details { summary, blocks } => {
                 self.push(&format!("<details>\n<summary>{}</summary>\n", markup(summary)));
                 self.blocks(blocks);
@@ -73,7 +112,7 @@ impl Writer {
 
     /// The place of a heading that is listed.
     fn place(&mut self, level: u8) -> String {
-        if self.headings.is_empty() || level > 2 {
+        if self.headings.is_empty() || level > self.depth {
             return String::new();
         }
         self.passed += 1;
@@ -224,6 +263,19 @@ impl Writer {
         self.push(&html);
     }
 
+    /// A picture that a script plays; without one, and in print, the scheme says the same.
+    fn moving(&mut self, moving: &Moving) {
+        let i = self.played;
+        self.played += 1;
+        let class = if moving.rest { "drawing moving shape" } else { "drawing moving" };
+        let html = format!(
+            "<figure class=\"{class}\" data-moving=\"{i}\">\n{}<div class=\"player\"></div>\n<figcaption>{}</figcaption>\n</figure>\n",
+            moving.svg(self.language),
+            self.rich(moving.title()),
+        );
+        self.push(&html);
+    }
+
     /// Words with formulas and symbols as HTML.
     fn rich(&self, content: &Rich) -> String {
         content.write(Form::MathMl, self.language, (markup, |formula| formula))
@@ -242,6 +294,25 @@ impl Writer {
             self.push(&format!("<li><a href=\"{target}\" download=\"{name}\">{name}</a> {}</li>\n", markup(&file.label)));
         }
         self.push("</ul>\n");
+    }
+}
+
+/// Headings of a page from which it is long enough to list them.
+const LONG: usize = 5;
+
+/// The headings of a long page that does not list them itself.
+fn beside(document: &Document) -> Vec<(u8, String)> {
+    let heading = |b: &Block| if let Block::Heading { level: 1, text } = b { Some((1, text.clone())) } else { None };
+    let list: Vec<(u8, String)> = document.blocks.iter().filter_map(heading).collect();
+    if list.len() >= LONG { list } else { Vec::new() }
+}
+
+/// Plots, and shapes of small motions: those that follow one another stand side by side where there is room.
+fn beside_one_another(block: &Block) -> bool {
+    match block {
+        Block::Figure(_) => true,
+        Block::Moving(moving) => moving.rest,
+        _ => false,
     }
 }
 

@@ -1,4 +1,4 @@
-//! The data of the interactive figures as compact JSON: shown units, about seven digits, at most [`MOST_POINTS`] points a curve.
+//! The data of the interactive figures as compact JSON: shown units, about seven digits, at most [`POINTS`] points a curve.
 
 use crate::figure::{Axis, Figure, Kind, Mark, Pen, decimate, style};
 use crate::symbol;
@@ -6,8 +6,9 @@ use crate::wording::Word;
 use serde_json::{Value, json};
 use words::Language;
 
-/// Points of a curve that a page keeps.
-const MOST_POINTS: usize = 4000;
+/// Points of a curve that a page keeps at least and at most, as long as all of its curves have no more than so many.
+const POINTS: [usize; 2] = [4000, 20_000];
+const MOST_NUMBERS: usize = 240_000;
 /// Significant digits that a page keeps.
 const DIGITS: usize = 7;
 /// Curve colours on a dark ground: the same hues, lighter.
@@ -25,15 +26,17 @@ const WORDS: &[(&str, Word)] = &[
 /// JSON of all figures of a page.
 pub(super) fn write(figures: &[&Figure], language: Language) -> String {
     let words: serde_json::Map<String, Value> = WORDS.iter().map(|(key, word)| ((*key).into(), language.word(*word).into())).collect();
-    let figures: Vec<Value> = figures.iter().map(|f| figure(f, language)).collect();
+    let curves = figures.iter().map(|f| f.series.len()).sum::<usize>().max(1);
+    let most = (MOST_NUMBERS / curves).clamp(POINTS[0], POINTS[1]);
+    let figures: Vec<Value> = figures.iter().map(|f| figure(f, most, language)).collect();
     json!({"mark": language.decimal_mark().to_string(), "words": words, "figures": figures}).to_string()
 }
 
-fn figure(figure: &Figure, language: Language) -> Value {
+fn figure(figure: &Figure, most: usize, language: Language) -> Value {
     let (size_x, size_y) = (figure.x.scale.size, figure.y.scale.size);
     let curves = figure.kind == Kind::Curves;
     let shared = curves && figure.series.windows(2).all(|w| w[0].x == w[1].x);
-    let joint = if shared { joint_points(figure) } else { Vec::new() };
+    let joint = if shared { joint_points(figure, most) } else { Vec::new() };
     let series: Vec<Value> = figure
         .series
         .iter()
@@ -41,8 +44,8 @@ fn figure(figure: &Figure, language: Language) -> Value {
         .map(|(i, s)| {
             let kept = match (shared, curves) {
                 (true, _) => joint.clone(),
-                (_, true) => decimate::buckets(&s.x, &[&s.y], MOST_POINTS / 3),
-                _ => decimate::plane(&s.x, &s.y, 2000, MOST_POINTS),
+                (_, true) => decimate::buckets(&s.x, &[&s.y], most / 3),
+                _ => decimate::plane(&s.x, &s.y, most / 2, most),
             };
             let (colour, dash) = style(i);
             let mut one = json!({
@@ -70,15 +73,16 @@ fn figure(figure: &Figure, language: Language) -> Value {
 }
 
 /// Points kept by curves that share x: few enough that the extremes of all of them fit.
-fn joint_points(figure: &Figure) -> Vec<usize> {
+fn joint_points(figure: &Figure, most: usize) -> Vec<usize> {
     let Some(first) = figure.series.first() else { return Vec::new() };
     let ys: Vec<&[f64]> = figure.series.iter().map(|s| s.y.as_slice()).collect();
-    decimate::buckets(&first.x, &ys, (MOST_POINTS / (1 + 2 * ys.len())).max(300))
+    decimate::buckets(&first.x, &ys, (most / (1 + 2 * ys.len())).max(300))
 }
 
 fn axis(axis: &Axis, language: Language) -> Value {
     let symbol = axis.symbols.first().map_or(String::new(), |name| symbol::mathml(name, language));
-    json!({"symbol": symbol, "html": axis.html(language), "text": axis.plain(language), "unit": axis.scale.print(language), "log": axis.log})
+    let name = axis.symbols.first().map_or("", String::as_str);
+    json!({"name": name, "size": axis.scale.size, "symbol": symbol, "html": axis.html(language), "text": axis.plain(language), "unit": axis.scale.print(language), "log": axis.log})
 }
 
 fn mark(mark: &Mark, size_x: f64, size_y: f64) -> Value {

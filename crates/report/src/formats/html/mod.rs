@@ -4,12 +4,17 @@
 //! page still shows all text, tables and static pictures; print always takes these. User text is escaped.
 
 mod blocks;
+mod cards;
 mod data;
+mod played;
+
+pub use cards::{Card, cards};
 
 use super::{Format, Holds, Page, Pictures, Sheet};
 use crate::document::{Block, Document};
 use crate::escape::{markup, script_json};
 use crate::figure::Figure;
+use crate::scheme::Moving;
 use crate::wording::Word;
 use base64::Engine;
 use words::Language;
@@ -24,6 +29,7 @@ pub const FORMAT: Format = Format {
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
+const MOVING_SCRIPT: &str = include_str!("moving.js");
 const PLANE_SCRIPT: &str = include_str!("plane.js");
 const UPLOT: &str = include_str!("../../../assets/uplot/uPlot.iife.min.js");
 const UPLOT_STYLE: &str = include_str!("../../../assets/uplot/uPlot.min.css");
@@ -52,7 +58,10 @@ pub fn write(document: &Document, options: Options) -> String {
     let title = markup(&document.title);
     let mut out = String::with_capacity(writer.out.len() + 160 * 1024);
     out.push_str(&head(&title, &figures, language, options));
-    out.push_str("<body>\n<main>\n");
+    let side = writer.side(document);
+    out.push_str(if side.is_empty() { "<body>\n" } else { "<body class=\"sided\">\n" });
+    out.push_str(&side);
+    out.push_str("<main>\n");
     if !document.has_front() {
         out.push_str(&header(document));
     }
@@ -60,6 +69,13 @@ pub fn write(document: &Document, options: Options) -> String {
     out.push_str(&format!("</main>\n{}", footer(document)));
     if !figures.is_empty() {
         out.push_str(&scripts(&figures, language));
+    }
+    let played = played_of(&document.blocks);
+    if !played.is_empty() {
+        let data = script_json(&played::write(&played, language));
+        out.push_str(&format!(
+            "<script type=\"application/json\" id=\"strutt-moving\">{data}</script>\n<script>\n{MOVING_SCRIPT}\n</script>\n"
+        ));
     }
     out.push_str("</body>\n</html>\n");
     out
@@ -117,6 +133,19 @@ fn figures_of(blocks: &[Block]) -> Vec<&Figure> {
         match block {
             Block::Figure(figure) => out.push(figure),
             Block::Details { blocks, .. } => out.extend(figures_of(blocks)),
+            _ => {}
+        }
+    }
+    out
+}
+
+/// Moving pictures in the order in which the writer meets them.
+fn played_of(blocks: &[Block]) -> Vec<&Moving> {
+    let mut out = Vec::new();
+    for block in blocks {
+        match block {
+            Block::Moving(moving) => out.push(moving),
+            Block::Details { blocks, .. } => out.extend(played_of(blocks)),
             _ => {}
         }
     }

@@ -253,9 +253,23 @@
 
   // ---- one instant everywhere: a cursor over time moves the dots in planes, a point in a plane moves the cursors over time
   const live = [], planes = [];
-  function follow(t, key) {
-    for (const p of planes) if (p.key === key) p.chart.at(t);
+  let led = false;
+  function follow(t, axis) {
+    for (const p of planes) if (p.key === axis.text) p.chart.at(t);
+    // moving pictures follow what is pointed at
+    if (!led) document.dispatchEvent(new CustomEvent("strutt-instant", { detail: { clock: axis.name, t: t == null ? null : t * axis.size, from: "plot" } }));
   }
+  document.addEventListener("strutt-instant", (e) => {
+    if (e.detail.from === "plot") return;
+    led = true;
+    const axes = new Map();
+    for (const l of live) for (const axis of [l.figure.x, l.figure.along]) if (axis && axis.name === e.detail.clock) axes.set(axis.text, axis);
+    for (const [key, axis] of axes) {
+      lead(e.detail.t / axis.size, key);
+      for (const p of planes) if (p.key === key) p.chart.at(e.detail.t / axis.size);
+    }
+    led = false;
+  });
   function lead(t, key) {
     for (const { plot, key: k } of timed) {
       if (k === key) plot.setCursor(t == null ? { left: -10, top: -10 } : { left: plot.valToPos(t, "x"), top: plot.over.clientHeight / 2 }, true, false);
@@ -302,7 +316,7 @@
           outputs.forEach((o, j) => { o.textContent = ""; buttons[j].style.fontWeight = s && j === i ? "bold" : ""; });
         })
       : Curves(stage, figure, (x, ys) => {
-          follow(x, figure.x.text);
+          follow(x, figure.x);
           where.innerHTML = x == null ? "" : `${figure.x.symbol} = ${number(x, 6)}${unit(figure.x)}`;
           outputs.forEach((o, i) => { o.textContent = ys[i] == null ? "" : "= " + number(ys[i], 6) + unit(figure.series[i]); });
         }, tip);
@@ -336,7 +350,7 @@
       if (act) { e.preventDefault(); act(); }
     });
     host.addEventListener("dblclick", () => chart.reset());
-    live.push({ chart, repaint() { buttons.forEach((b, i) => b.querySelector("svg").replaceWith(swatch(figure.series[i]))); chart.draw(); } });
+    live.push({ chart, figure, repaint() { buttons.forEach((b, i) => b.querySelector("svg").replaceWith(swatch(figure.series[i]))); chart.draw(); } });
   }
 
   document.querySelectorAll("figure[data-figure]").forEach((holder) => {

@@ -62,7 +62,7 @@ fn torsion_spring(place: &Place, ink: &mut Ink) {
     ink.way(Weight::Part, &points);
 }
 
-/// A cylinder at `at`, a piston on a rod from `to`.
+/// A cylinder at `at`, a piston on a rod from `to`; the piston moves in it by what the length exceeds that at rest, `other`.
 fn damper(place: &Place, ink: &mut Ink) {
     let length = distance(place.at, place.to);
     let axis = Local::new(place.at, direction(place.at, place.to));
@@ -70,7 +70,8 @@ fn damper(place: &Place, ink: &mut Ink) {
     let (bottom, open) = (length / 2.0 - half, length / 2.0 + half);
     ink.way(Weight::Part, &[place.at, axis.at(bottom, 0.0)]);
     ink.way(Weight::Part, &[axis.at(open, bore), axis.at(bottom, bore), axis.at(bottom, -bore), axis.at(open, -bore)]);
-    let piston = length / 2.0 + 0.1 * half;
+    let stroke = if place.other > 0.0 { 0.35 * (length - place.other) } else { 0.0 };
+    let piston = length / 2.0 + 0.1 * half + stroke.clamp(-0.8 * half, 0.7 * half);
     ink.way(Weight::Link, &[axis.at(piston, 0.78 * bore), axis.at(piston, -0.78 * bore)]);
     ink.way(Weight::Part, &[axis.at(piston, 0.0), place.to]);
 }

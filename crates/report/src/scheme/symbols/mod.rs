@@ -64,6 +64,18 @@ mod tests {
     }
 
     #[test]
+    fn what_stretches_keeps_its_strokes() {
+        let drawn = |symbol: &Symbol, long: f64| {
+            let mut ink = Ink::default();
+            (symbol.draw)(&Place { to: [long, 0.0], at: [0.0; 2], other: 60.0, ..(symbol.sample)() }, &mut ink);
+            ink.strokes.iter().map(|s| s.polyline().0.len()).collect::<Vec<_>>()
+        };
+        for symbol in TABLE.iter().flat_map(|family| family.iter()).filter(|s| s.fit == Fit::Stretch) {
+            assert_eq!(drawn(symbol, 12.0), drawn(symbol, 300.0), "{}", symbol.name);
+        }
+    }
+
+    #[test]
     fn symbols_of_no_size_draw_no_nonsense() {
         for symbol in TABLE.iter().flat_map(|family| family.iter()) {
             let mut ink = Ink::default();

@@ -17,6 +17,14 @@ pub(super) const ROWS: &[Symbol] = &[
     Symbol {
         name: "motor", words: ("motor", "двигатель"), fit: Fit::Rigid, draw: motor, sample: || Place { size: 0.75 * S, ..middle() }
     },
+    Symbol {
+        name: "mark_side",
+        words: ("mark of a disc seen from the side", "метка диска, вид сбоку"),
+        fit: Fit::Static,
+        draw: mark_side,
+        sample: || Place { size: 0.32 * S, ..middle() },
+    },
+    Symbol { name: "spoke", words: ("mark of a wheel", "метка колеса"), fit: Fit::Rigid, draw: spoke, sample: across },
     Symbol { name: "axis_line", words: ("axis", "ось"), fit: Fit::Static, draw: axis_line, sample: across },
 ];
 
@@ -50,6 +58,17 @@ fn motor(place: &Place, ink: &mut Ink) {
     let axis = Local::new(place.at, 0.0);
     let (w, h) = (0.45 * place.size, 0.4 * place.size);
     ink.way(Weight::Part, &[axis.at(-w, -h), axis.at(-w, h), axis.at(0.0, -0.2 * h), axis.at(w, h), axis.at(w, -h)]);
+}
+
+/// A stroke across the rim, `size` to both sides.
+fn mark_side(place: &Place, ink: &mut Ink) {
+    let [x, y] = place.at;
+    ink.way(Weight::Link, &[[x - place.size, y], [x + place.size, y]]);
+}
+
+/// A thin line from a centre `at` to the rim `to`.
+fn spoke(place: &Place, ink: &mut Ink) {
+    ink.way(Weight::Thin, &[place.at, place.to]);
 }
 
 fn axis_line(place: &Place, ink: &mut Ink) {

@@ -6,22 +6,22 @@ use crate::scheme::{Fill, Fit, Ink, Place, S, Weight};
 use std::f64::consts::FRAC_PI_2;
 
 pub(super) const ROWS: &[Symbol] = &[
-    Symbol { name: "coordinate", words: ("coordinate", "координата"), fit: Fit::Rigid, draw: coordinate, sample: across },
+    Symbol { name: "coordinate", words: ("coordinate", "координата"), fit: Fit::Sign, draw: coordinate, sample: across },
     Symbol {
         name: "angle",
         words: ("angle", "угол"),
-        fit: Fit::Rigid,
+        fit: Fit::Sign,
         draw: angle,
         sample: || Place { size: 1.8 * S, turn: 0.0, other: 1.2, at: [-15.0, 15.0], ..middle() },
     },
     Symbol {
         name: "dimension",
         words: ("dimension", "размер"),
-        fit: Fit::Stretch,
+        fit: Fit::Sign,
         draw: dimension,
         sample: || Place { size: 14.0, ..across() },
     },
-    Symbol { name: "radius", words: ("radius", "радиус"), fit: Fit::Rigid, draw: radius, sample: across },
+    Symbol { name: "radius", words: ("radius", "радиус"), fit: Fit::Sign, draw: radius, sample: across },
     Symbol {
         name: "axes",
         words: ("axes of a frame", "оси системы отсчёта"),
@@ -30,11 +30,7 @@ pub(super) const ROWS: &[Symbol] = &[
         sample: || Place { path: vec![[34.0, 0.0], [0.0, -34.0]], ..middle() },
     },
     Symbol {
-        name: "reference",
-        words: ("direction of reference", "направление отсчёта"),
-        fit: Fit::Rigid,
-        draw: reference,
-        sample: across,
+        name: "reference", words: ("direction of reference", "направление отсчёта"), fit: Fit::Sign, draw: reference, sample: across
     },
     Symbol {
         name: "condition",
