@@ -2,9 +2,9 @@
 
 use super::groups::Joint;
 use super::looks::{Look, Wheel};
-use super::numbers::{dot, plus};
-use super::sketch::Sketch;
-use report::scheme::{P, Place, S, direction, distance, polar};
+use super::numbers::{V3, dot, plus};
+use super::sketch::{Carrier, Sketch};
+use report::scheme::{P, Place, S, Via, direction, distance, polar};
 use std::f64::consts::TAU;
 
 impl Sketch<'_> {
@@ -42,7 +42,9 @@ impl Sketch<'_> {
             if !self.facing(&wheel) {
                 let path_points = self.rim(group, &wheel);
                 let (rim, center) = (path_points.first().copied(), self.stage.at(group, wheel.center));
+                let axis = self.numbers.frames[0][wheel.frame.index()].shown([0.0, 0.0, 1.0]);
                 self.put("outline", &path, Place { path: path_points, ..Place::default() });
+                self.leaning(group, (wheel.center, axis));
                 // a mark, without which a turning wheel seems to stand
                 if let Some(to) = rim {
                     self.put("spoke", &path, Place { at: center, to, ..Place::default() });
@@ -60,6 +62,19 @@ impl Sketch<'_> {
     pub(super) fn facing(&self, wheel: &Wheel) -> bool {
         let axis = self.numbers.frames[0][wheel.frame.index()].shown([0.0, 0.0, 1.0]);
         self.stage.axes.iter().all(|a| dot(*a, axis).abs() < 1e-3)
+    }
+
+    /// The points of the rim that was put last go with the axis of their wheel.
+    fn leaning(&mut self, group: usize, (center, axis): (V3, V3)) {
+        let Some(points) = self.scheme.items.last().map(|item| item.place.path.clone()) else { return };
+        let mut via = Vec::new();
+        for p in points {
+            let at = self.stage.point(p, group).map_or(center, |known| known.1);
+            via.push(Via { track: self.carrier(Carrier::Lean { group, center, axis, at }), drum: None });
+        }
+        if let Some(item) = self.scheme.items.last_mut() {
+            item.rides.path = via;
+        }
     }
 
     fn rim(&self, group: usize, wheel: &Wheel) -> Vec<P> {
@@ -266,8 +281,9 @@ impl Sketch<'_> {
             let turn = self.stage.turn(way).unwrap_or(0.0);
             let at = self.middle(group);
             let half = 1.8 * S;
-            let reach = |sign: f64| [at[0] + sign * half * turn.cos(), at[1] - sign * half * turn.sin()];
-            self.put("guides", "ground", Place { at: reach(-1.0), to: reach(1.0), other: 0.42 * S, ..Place::default() });
+            let [back, forth] = self.swept_at(group, turn);
+            let reach = |far: f64| [at[0] + far * turn.cos(), at[1] - far * turn.sin()];
+            self.put("guides", "ground", Place { at: reach(back - half), to: reach(forth + half), other: 0.42 * S, ..Place::default() });
             self.put("slider", &path, Place { at, turn, ..Place::default() });
         }
     }

@@ -114,6 +114,9 @@ fn tape(machine: &Machine, places: &Places, roots: &[Expr]) -> Option<Evaluator>
             None => {}
         }
     }
+    // the equations know symbols that no place can have
+    let count = places.graph().symbol_count();
+    parameters.retain(|p| p.0.index() < count);
     let order = |k: usize| model.coordinates.iter().map(move |c| c.symbols[k]);
     let inputs = Inputs {
         parameters: parameters.iter().map(|p| p.0).collect(),

@@ -140,7 +140,8 @@ impl Sketch<'_> {
         let on_ground = self.groups.of(on) == 0;
         let is_slot = path.starts_with("slots");
         let half = if is_slot { 2.2 * S } else { 1.7 * S };
-        let (a, b) = (polar(at, -half, turn), polar(at, half, turn));
+        let [back, forth] = if on_ground { self.swept_point(point, turn) } else { [0.0; 2] };
+        let (a, b) = (polar(at, back - half, turn), polar(at, forth + half, turn));
         let (bearer, block) = (self.groups.of(on), self.group_of(point));
         // the way lies in its bearer, the block goes with the point and turns with the way
         self.rides = Rides::on(bearer);
@@ -203,6 +204,18 @@ impl Sketch<'_> {
         }
     }
 
+    /// How far a point goes along a direction of the picture in the course of the motion, back and forth, pixels.
+    fn swept_point(&self, point: PointRef, turn: f64) -> [f64; 2] {
+        let group = self.group_of(point);
+        let (root, first) = (self.groups.all[group].root.index(), self.numbers.at(0, point));
+        let start = self.stage.place(group, first);
+        let away = self.course.iter().map(|frames| {
+            let p = self.stage.place(group, frames[root].carried(&self.numbers.frames[0][root], first));
+            (p[0] - start[0]) * turn.cos() - (p[1] - start[1]) * turn.sin()
+        });
+        away.fold([0.0, 0.0], |[low, high], d| [low.min(d), high.max(d)])
+    }
+
     fn is_on_shaft(&self, at: PointRef) -> bool {
         let group = self.group_of(at);
         self.is_shaft(group)
@@ -237,7 +250,8 @@ impl Sketch<'_> {
         let Some(block) = self.blocks[group] else { return };
         let low = polar(block.center, -(block.half[1] + gap), block.turn + FRAC_PI_2);
         let half = block.half[0] + 1.3 * S;
-        let (from, to) = (polar(low, -half, block.turn), polar(low, half, block.turn));
+        let [back, forth] = self.swept_at(group, block.turn);
+        let (from, to) = (polar(low, back - half, block.turn), polar(low, forth + half, block.turn));
         self.put("wall", "ground", Place { at: from, to, ..Place::default() });
         if gap == 0.0 {
             let (from, to) = (polar(low, -block.half[0], block.turn), polar(low, block.half[0], block.turn));
@@ -252,7 +266,8 @@ impl Sketch<'_> {
     pub(super) fn guides(&mut self, group: usize) {
         let Some(block) = self.blocks[group] else { return };
         let half = block.half[0] + 1.0 * S;
-        let (from, to) = (polar(block.center, -half, block.turn), polar(block.center, half, block.turn));
+        let [back, forth] = self.swept_at(group, block.turn);
+        let (from, to) = (polar(block.center, back - half, block.turn), polar(block.center, forth + half, block.turn));
         self.put("guides", "ground", Place { at: from, to, other: block.half[1] + 1.5, ..Place::default() });
     }
 
@@ -278,7 +293,8 @@ impl Sketch<'_> {
             let side = if *left { 1.0 } else { -1.0 };
             let contact = polar(c, -r, turn + side * FRAC_PI_2);
             let half = (1.2 * r).clamp(2.2 * S, 6.0 * S);
-            let (a, b) = (polar(contact, -half, turn), polar(contact, half, turn));
+            let [back, forth] = if bearer == 0 { self.swept_at(self.group_of(*center), turn) } else { [0.0; 2] };
+            let (a, b) = (polar(contact, back - half, turn), polar(contact, forth + half, turn));
             let (from, to) = if *left { (a, b) } else { (b, a) };
             if connection.table == "racks" {
                 // the teeth of the rack mesh with those of the wheel

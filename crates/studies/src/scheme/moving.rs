@@ -48,6 +48,10 @@ fn tracks(sketch: &Sketch, course: &Course) -> Vec<Track> {
                 let places = course.frames.iter().map(|frames| sketch.stage.place(*group, carried(sketch, frames, (*group, *at))));
                 Track { at: places.collect(), turn: Vec::new() }
             }
+            Carrier::Lean { group, center, axis, at } => {
+                let lean = |frames: &Vec<Pose>| leaned(sketch, frames, (*group, *center), (*axis, *at));
+                Track { at: course.frames.iter().map(lean).collect(), turn: Vec::new() }
+            }
         };
         out.push(track);
     }
@@ -65,6 +69,23 @@ fn resting(track: Track) -> Track {
 fn carried(sketch: &Sketch, frames: &[Pose], (group, p): (usize, V3)) -> V3 {
     let root = sketch.groups.all[group].root.index();
     frames[root].carried(&sketch.numbers.frames[0][root], p)
+}
+
+/// Where a point of a rim is when the axis of its wheel leans otherwise: v' = v + s × v + s × (s × v) / (1 + c) with the sine vector s = n × n' and the cosine c
+/// of the lean (Rodrigues).
+fn leaned(sketch: &Sketch, frames: &[Pose], (group, center): (usize, V3), (axis, at): (V3, V3)) -> P {
+    let root = sketch.groups.all[group].root.index();
+    let now = frames[root].shown(sketch.numbers.frames[0][root].seen(axis));
+    let (v, sine, cosine) = (minus(at, center), cross(axis, now), dot(axis, now));
+    let first = cross(sine, v);
+    let second = cross(sine, first).map(|c| c / (1.0 + cosine).max(1e-9));
+    let turned = [0, 1, 2].map(|k| v[k] + first[k] + second[k]);
+    let there = carried(sketch, frames, (group, center));
+    sketch.stage.place(group, [0, 1, 2].map(|k| there[k] + turned[k]))
+}
+
+fn cross(a: V3, b: V3) -> V3 {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The origin of a group and its turn in the plane of the picture.
@@ -116,7 +137,7 @@ fn rim(sketch: &Sketch, course: &Course, (group, half): (usize, f64)) -> Track {
 /// In space a body does not turn in the plane of the picture: each of its points goes its own way.
 fn bind(sketch: &mut Sketch) {
     let mut items = std::mem::take(&mut sketch.scheme.items);
-    for item in items.iter_mut().filter(|i| !i.rides.is_still()) {
+    for item in items.iter_mut().filter(|i| !i.rides.is_still() && i.rides.path.is_empty()) {
         let own = [item.rides.at, item.rides.to];
         let (at, to) = (item.place.at, item.place.to);
         let path = item.place.path.clone();
@@ -146,10 +167,8 @@ fn bind(sketch: &mut Sketch) {
 
 /// The carrier of the point that is drawn at a place; of none, that of the group.
 fn follow(sketch: &mut Sketch, place: P, group: usize) -> usize {
-    let Some((group, at)) = sketch.stage.point(place, group) else { return group };
-    if group == 0 {
-        return 0;
-    }
+    let near = || sketch.stage.nearest(place, group).map(|at| (group, at));
+    let Some((group, at)) = sketch.stage.point(place, group).or_else(near).filter(|known| known.0 > 0) else { return group };
     let same = |c: &Carrier| matches!(c, Carrier::Point { group: g, at: p } if *g == group && *p == at);
     match sketch.more.iter().position(same) {
         Some(i) => sketch.groups.all.len() + i,

@@ -262,12 +262,14 @@ fn letters(sketch: &mut Sketch, discs: &[Disc]) {
             coordinates.push((c.name.clone(), *disc));
         }
     }
+    sketch.signing = true;
     for (name, disc) in coordinates {
         let size = disc.half + 0.4 * S;
         let (at, text) = (disc.at, sketch.letters.named(&name));
         sketch.put("angle", &format!("coordinates.{name}"), Place { at, size, turn: -FRAC_PI_2 - 0.45, other: 0.9, ..Place::default() });
         sketch.note(text, polar(at, size, -FRAC_PI_2), 5.0, Some(-FRAC_PI_2));
     }
+    sketch.signing = false;
     for disc in discs {
         let frames = sketch.groups.all[disc.group].frames.clone();
         let inertia = frames.iter().find_map(|f| model.frames[f.index()].mass.as_ref()).and_then(|m| match m.inertia {

@@ -53,6 +53,8 @@ pub(super) struct Sketch<'a> {
     pub more: Vec<Carrier>,
     /// Whether labels belong to the place that is drawn.
     pub signing: bool,
+    /// Poses of all frames in the course of a motion; none for a single place.
+    pub course: Vec<Vec<Pose>>,
 }
 
 /// What carries something besides the groups themselves.
@@ -64,6 +66,8 @@ pub(super) enum Carrier {
     Rim { group: usize, half: f64 },
     /// A point of a group of a machine in space.
     Point { group: usize, at: V3 },
+    /// A point of a rim, as the axis of the wheel leans: that the wheel turns about it is not seen.
+    Lean { group: usize, center: V3, axis: V3, at: V3 },
 }
 
 /// Draws a machine.
@@ -81,11 +85,19 @@ pub(super) fn draw_moving<'a>(machine: &'a Machine, motion: (&'a Instant, &[Vec<
 }
 
 fn complete(sketch: &mut Sketch) {
-    if super::shafts::is_line(sketch) {
+    let line = super::shafts::is_line(sketch);
+    if line {
         super::shafts::draw(sketch);
         sketch.summary();
-        return;
+    } else {
+        parts(sketch);
     }
+    if line || sketch.is_schematic() {
+        sketch.scheme.title = sketch.language.pick("Scheme, not to scale", "Расчётная схема (без масштаба)").into();
+    }
+}
+
+fn parts(sketch: &mut Sketch) {
     sketch.fit();
     sketch.blocks();
     sketch.spread();
@@ -156,6 +168,7 @@ fn prepared<'a>(machine: &'a Machine, (at, course): (&'a Instant, &[Vec<Pose>]),
         rides: Rides::default(),
         more: Vec::new(),
         signing: false,
+        course: course.to_vec(),
         numbers,
         groups,
         looks,
@@ -314,6 +327,13 @@ impl Sketch<'_> {
         self.groups.all.len() + self.more.len() - 1
     }
 
+    /// Whether something has another place or size than it has: blocks of no given size, what was moved apart or nearer.
+    fn is_schematic(&self) -> bool {
+        let moved = self.stage.shift.iter().flatten().any(|c| *c != 0.0) || self.stage.nearer.iter().flatten().any(|c| *c != 0.0);
+        let sized = |i: usize| !self.looks[i].boxes.is_empty();
+        moved || self.blocks.iter().enumerate().any(|(i, block)| block.is_some() && !sized(i))
+    }
+
     /// A point in the picture.
     pub fn seen(&self, point: PointRef) -> P {
         let group = self.groups.of_point(&self.machine.model, point);
@@ -355,12 +375,45 @@ impl Sketch<'_> {
         self.stage.at(group, sum.map(|c| c / n))
     }
 
-    /// Beside blocks, which have no size of their own, the shortest link is not longer than a few modules.
-    fn fit(&mut self) {
-        const LONGEST: f64 = 4.5 * S;
-        if !(1..self.groups.all.len()).any(|i| self.is_block(i) && !self.is_guided(i)) || self.machine.model.structure.is_some() {
-            return;
+    /// How far a group goes along a direction in the course of the motion, back and forth, m.
+    pub fn swept_along(&self, group: usize, way: V3) -> [f64; 2] {
+        let root = self.groups.all[group].root.index();
+        let first = self.numbers.frames[0][root].origin;
+        let away = self.course.iter().map(|frames| super::numbers::dot(way, minus(frames[root].origin, first)));
+        away.fold([0.0, 0.0], |[low, high], d| [low.min(d), high.max(d)])
+    }
+
+    /// The same in pixels along a direction of the picture.
+    pub fn swept_at(&self, group: usize, turn: f64) -> [f64; 2] {
+        let way = [0, 1, 2].map(|k| turn.cos() * self.stage.axes[0][k] + turn.sin() * self.stage.axes[1][k]);
+        self.swept_along(group, way).map(|d| d * self.stage.scale)
+    }
+
+    /// Springs of blocks are as long as is drawn best: a motion is shown so large that it neither crushes them nor tears them.
+    fn fit_motion(&mut self) {
+        const CRUSHED: f64 = 1.9 * S;
+        const TORN: f64 = 5.0 * S;
+        let mut largest = f64::INFINITY;
+        for act in self.acts.iter().filter(|a| self.is_body(a)) {
+            let Ends::Along { on, from, direction, .. } = act.ends else { continue };
+            let [near, far] = [self.group_of(on), from.map_or(0, |f| self.group_of(f))];
+            let (a, b) = (self.groups.all[near].root.index(), self.groups.all[far].root.index());
+            let long = |frames: &[Pose]| super::numbers::dot(direction, minus(frames[a].origin, frames[b].origin));
+            let start = long(&self.numbers.frames[0]);
+            let (low, high) = self.course.iter().map(|f| long(f) - start).fold((0.0_f64, 0.0_f64), |(l, h), d| (l.min(d), h.max(d)));
+            largest = largest.min(CRUSHED / -low).min(TORN / high);
         }
+        // links stay as long as is needed to see them
+        const LEAST: f64 = 2.5 * S;
+        let shortest = self.shortest();
+        let least = if shortest.is_finite() { LEAST / shortest } else { 0.0 };
+        if largest.is_finite() {
+            self.stage.scale = self.stage.scale.min(largest.max(least));
+        }
+    }
+
+    /// The shortest length of what turns, m.
+    fn shortest(&self) -> f64 {
         let origin = |i: usize| self.numbers.frames[0][self.groups.all[i].root.index()].origin;
         let turning = (1..self.groups.all.len()).filter(|i| self.groups.all[*i].turns);
         let sizes = turning.flat_map(|i| {
@@ -368,7 +421,17 @@ impl Sketch<'_> {
             let spots = look.spots.iter().map(|s| s.at).chain(look.centers.iter().map(|c| c.0));
             spots.map(move |p| norm(minus(p, origin(i)))).chain(look.wheels.iter().map(|w| w.radius))
         });
-        let shortest = sizes.filter(|r| *r > 1e-9).fold(f64::INFINITY, f64::min);
+        sizes.filter(|r| *r > 1e-9).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Beside blocks, which have no size of their own, the shortest link is not longer than a few modules.
+    fn fit(&mut self) {
+        self.fit_motion();
+        const LONGEST: f64 = 4.5 * S;
+        if !(1..self.groups.all.len()).any(|i| self.is_block(i) && !self.is_guided(i)) || self.machine.model.structure.is_some() {
+            return;
+        }
+        let shortest = self.shortest();
         if shortest.is_finite() {
             self.stage.scale = self.stage.scale.min(LONGEST / shortest);
         }

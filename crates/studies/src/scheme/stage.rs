@@ -57,6 +57,13 @@ impl Stage {
         there().find(|k| k.0 == group).or_else(|| there().find(|k| k.0 > 0))
     }
 
+    /// The point of a group that is drawn nearest to a place.
+    pub fn nearest(&self, place: P, group: usize) -> Option<V3> {
+        let known = self.known.borrow();
+        let off = |p: P| (p[0] - place[0]).hypot(p[1] - place[1]);
+        known.iter().filter(|k| k.1 == group).min_by(|a, b| off(a.0).total_cmp(&off(b.0))).map(|k| k.2)
+    }
+
     /// The same, without a note of it.
     pub fn place(&self, group: usize, p: V3) -> P {
         let shift = self.shift.get(group).copied().unwrap_or_default();
